@@ -1,0 +1,292 @@
+"""The bat: its outline, what was drilled into it, and what was measured on it.
+
+Positions are metres from the knob end; the axis figure in the docs fixes origin and directions.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Self
+
+import numpy as np
+from numpy.polynomial import polynomial
+from numpy.typing import ArrayLike, NDArray
+from pydantic import Field, model_validator
+
+from sweetspot.errors import InputError
+from sweetspot.material import Material
+from sweetspot.thing import NonNegative, Positive, Thing
+
+Stations = tuple[tuple[float, float], ...]
+LENGTH_RANGE = (0.3, 1.3)
+DIAMETER_RANGE = (0.005, 0.12)
+IMPLAUSIBLE = "give it in the file's own unit, for example '2.5 in' or '64 mm'"
+
+
+class Bore(Thing):
+    """A round hole drilled from the barrel end, perhaps filled, perhaps plugged with the bat's wood.
+
+    Parameters
+    ----------
+    diameter, depth : m, > 0; ``depth`` is counted from the tip.
+    fill : material that fills it; None: empty.
+    plug : m of the hole's mouth closed with the bat's own material, less than ``depth``.
+    """
+
+    diameter: Positive
+    depth: Positive
+    fill: Material | None = None
+    plug: NonNegative = 0.0
+
+    @model_validator(mode="after")
+    def _plug_is_shorter_than_the_hole(self) -> Bore:
+        if self.plug >= self.depth:
+            raise ValueError(
+                f"plug is {self.plug:g} m long but the hole only {self.depth:g} m deep; "
+                "shorten the plug or leave the hole out"
+            )
+        return self
+
+
+class Cup(Thing):
+    """A hollow turned into the barrel end: a paraboloid ``depth`` deep and ``diameter`` wide at the rim."""
+
+    diameter: Positive
+    depth: Positive
+
+
+class Shell(Thing):
+    """A hollow bat: wall thickness along the axis, and what closes its ends.
+
+    Parameters
+    ----------
+    wall : (position, thickness) stations in m over the whole length.
+    end_cap_mass, knob_mass : kg, at the tip and at the knob end.
+    """
+
+    wall: Stations
+    end_cap_mass: NonNegative = 0.0
+    knob_mass: NonNegative = 0.0
+
+
+class PointMass(Thing):
+    """A small weight fixed to the bat: ``mass`` in kg at ``position`` in m from the knob end."""
+
+    position: NonNegative
+    mass: Positive
+
+
+class Bat(Thing):
+    """A bat as its maker or owner would describe it; physics functions take it from here.
+
+    Give the outline either as ``profile`` (a round bat made of conical pieces) or as
+    ``linear_density`` (a solid round bat of this material with that mass per length).
+
+    Parameters
+    ----------
+    name : what people call it.
+    length : m, 0.3 to 1.3.
+    material : of the body.
+    profile : (position, diameter) stations in m from 0 to ``length``, positions increasing.
+    linear_density : coefficients c0, c1, c2, ... of c0 + c1 x + c2 x^2 + ... in kg/m, x from the knob end.
+    bores, cup, shell, point_masses : what is drilled, turned, hollowed and added.
+    mass, balance_point : measured, kg and m from the knob end; None when not measured.
+    moi : measured moment of inertia in kg m^2 about ``moi_axis`` (m from the knob end).
+    choke : m the grip is moved up from the knob; shifts the default pivot and hands.
+    original : the bat as it was measured, when this one is that bat with something changed.
+
+    Raises
+    ------
+    InputError
+        when sizes are implausible, stations cross, or a hole does not fit into the wood.
+    """
+
+    name: str
+    length: Annotated[float, Field(ge=LENGTH_RANGE[0], le=LENGTH_RANGE[1])]
+    material: Material
+    profile: Stations | None = None
+    linear_density: tuple[float, ...] | None = None
+    bores: tuple[Bore, ...] = ()
+    cup: Cup | None = None
+    shell: Shell | None = None
+    point_masses: tuple[PointMass, ...] = ()
+    mass: Positive | None = None
+    balance_point: Positive | None = None
+    moi: Positive | None = None
+    moi_axis: float = 0.1524
+    choke: NonNegative = 0.0
+    original: Bat | None = None
+
+    @model_validator(mode="after")
+    def _holds_together(self) -> Bat:
+        if (self.profile is None) == (self.linear_density is None):
+            raise ValueError("give either a profile or a linear_density, and only one of them")
+        if self.profile is not None:
+            _check_stations(self.profile, self.length, "profile")
+            for position, diameter in self.profile:
+                if not DIAMETER_RANGE[0] <= diameter <= DIAMETER_RANGE[1]:
+                    raise ValueError(
+                        f"profile has diameter {diameter * 1e3:.4g} mm at {position:.4g} m; allowed is "
+                        f"{DIAMETER_RANGE[0] * 1e3:g} to {DIAMETER_RANGE[1] * 1e3:g} mm; {IMPLAUSIBLE}"
+                    )
+        else:
+            self._check_linear_density()
+        self._check_hollows()
+        self._check_places()
+        return self
+
+    def _check_linear_density(self) -> None:
+        if self.shell or self.bores or self.cup:
+            raise ValueError("a linear_density describes a solid bat; shell, bore and cup need a profile")
+        places = np.linspace(0, self.length, 401)
+        diameters = self.diameter_at(places)
+        if not np.all(np.isfinite(diameters)) or diameters.min() < DIAMETER_RANGE[0]:
+            raise ValueError("linear_density must stay well above zero along the whole bat")
+        if diameters.max() > DIAMETER_RANGE[1]:
+            raise ValueError(
+                f"linear_density makes the bat {diameters.max() * 1e3:.0f} mm thick in "
+                f"{self.material.name}; allowed is {DIAMETER_RANGE[1] * 1e3:g} mm"
+            )
+
+    def _check_hollows(self) -> None:
+        if self.shell is not None:
+            if self.bores or self.cup:
+                raise ValueError("a shell is hollow already; leave out bore and cup")
+            _check_stations(self.shell.wall, self.length, "shell.wall")
+            for position in self.breakpoints():
+                wall, radius = self.wall_at(position), self.diameter_at(position) / 2
+                if not 0 < wall <= radius:
+                    raise ValueError(
+                        f"shell wall is {wall * 1e3:.3g} mm at {position:.4g} m where the radius is "
+                        f"{radius * 1e3:.3g} mm; allowed is more than 0 and no more than the radius"
+                    )
+        for bore in self.bores:
+            self._check_fits(bore.diameter, bore.depth, "bore")
+        if self.cup is not None:
+            self._check_fits(self.cup.diameter, self.cup.depth, "cup", mouth_only=True)
+
+    def _check_fits(self, diameter: float, depth: float, what: str, *, mouth_only: bool = False) -> None:
+        if depth >= self.length:
+            raise ValueError(
+                f"{what} is {depth:.4g} m deep but the bat only {self.length:.4g} m long; make it shallower"
+            )
+        edges = np.asarray(self.breakpoints())
+        places = edges[edges >= self.length - (0 if mouth_only else depth)]
+        narrowest = float(np.min(self.diameter_at(places)))
+        if diameter >= narrowest:
+            raise ValueError(
+                f"{what} is {diameter * 1e3:.4g} mm wide but the bat there only {narrowest * 1e3:.4g} mm; "
+                "make it narrower or shallower"
+            )
+
+    def _check_places(self) -> None:
+        if self.balance_point is not None and not 0.2 < self.balance_point / self.length < 0.95:
+            raise ValueError(
+                f"balance_point is {self.balance_point:.4g} m from the knob end of a {self.length:.4g} m bat; "
+                "measure it from the knob end"
+            )
+        for weight in self.point_masses:
+            if weight.position > self.length:
+                raise ValueError(
+                    f"a point mass sits at {weight.position:.4g} m, beyond the tip at {self.length:.4g} m"
+                )
+        if self.choke > self.length / 3:
+            raise ValueError(
+                f"choke is {self.choke:.4g} m; allowed is up to a third of the length, {self.length / 3:.4g} m"
+            )
+
+    def diameter_at(self, position: ArrayLike) -> NDArray[np.float64]:
+        """Return the outer diameter in m at positions in m (array in, array of the same shape out)."""
+        if self.profile is not None:
+            stations, diameters = zip(*self.profile, strict=True)
+            return np.asarray(np.interp(position, stations, diameters))
+        assert self.linear_density is not None  # one of the two is given
+        mass_per_length = polynomial.polyval(np.asarray(position, float), self.linear_density)
+        with np.errstate(invalid="ignore"):
+            return np.asarray(np.sqrt(4 * mass_per_length / (math.pi * self.material.density)))
+
+    def wall_at(self, position: ArrayLike) -> NDArray[np.float64]:
+        """Return the wall thickness in m of a hollow bat at positions in m; a solid bat has its radius."""
+        if self.shell is None:
+            return self.diameter_at(position) / 2
+        stations, thicknesses = zip(*self.shell.wall, strict=True)
+        return np.asarray(np.interp(position, stations, thicknesses))
+
+    def breakpoints(self) -> tuple[float, ...]:
+        """Return the positions, 0 and length included, between which every outline is smooth."""
+        edges = {0.0, self.length}
+        edges.update(position for position, _ in self.profile or ())
+        edges.update(position for position, _ in (self.shell.wall if self.shell else ()))
+        for bore in self.bores:
+            edges.update((self.length - bore.depth, self.length - bore.plug))
+        if self.cup:
+            edges.add(self.length - self.cup.depth)
+            for bore in self.bores:  # where the wall of the hole comes out of the cup
+                if bore.diameter < self.cup.diameter:
+                    edges.add(self.length - self.cup.depth * (1 - (bore.diameter / self.cup.diameter) ** 2))
+        return tuple(sorted(edges))
+
+    def drilled(self, *, diameter: float, depth: float) -> Self:
+        """Return the bat with an empty hole drilled from the barrel end (m)."""
+        return self._changed(f"{self.name}, drilled", bores=(*self.bores, Bore(diameter=diameter, depth=depth)))
+
+    def corked(self, *, diameter: float, depth: float, fill: Material, plug: float = 0.0) -> Self:
+        """Return the bat with a hole from the barrel end, filled and plugged (m)."""
+        bore = Bore(diameter=diameter, depth=depth, fill=fill, plug=plug)
+        return self._changed(f"{self.name}, filled with {fill.name}", bores=(*self.bores, bore))
+
+    def cupped(self, *, diameter: float, depth: float) -> Self:
+        """Return the bat with a cupped end (m)."""
+        return self._changed(f"{self.name}, cupped", cup=Cup(diameter=diameter, depth=depth))
+
+    def weighted(self, *, position: float, mass: float) -> Self:
+        """Return the bat with a small weight (kg) fixed at a position (m)."""
+        weights = (*self.point_masses, PointMass(position=position, mass=mass))
+        return self._changed(f"{self.name}, weighted", point_masses=weights)
+
+    def choked_up(self, distance: float) -> Self:
+        """Return the bat held further up the handle by ``distance`` (m)."""
+        return self.replaced(choke=self.choke + distance)
+
+    def with_mass(self, mass: float) -> Self:
+        """Return the same outline in wood of another density, so that the bat weighs ``mass`` (kg).
+
+        A measured balance point or moment of inertia belongs to the old weight and is dropped.
+        """
+        return self.replaced(mass=mass, balance_point=None, moi=None, original=None)
+
+    def with_material(self, material: Material) -> Self:
+        """Return the same outline in another material; what was measured on the old one is dropped."""
+        return self.replaced(material=material, mass=None, balance_point=None, moi=None, original=None)
+
+    def _changed(self, name: str, **changes: object) -> Self:
+        """Return a modified bat that remembers the bat its measured values belong to."""
+        return self.replaced(
+            name=name, mass=None, balance_point=None, moi=None, original=self.original or self, **changes
+        )
+
+
+def check_position(bat: Bat, position: float, what: str = "position") -> None:
+    """Refuse a position (m) that is not on the bat; ``what`` names it in the message."""
+    if not (math.isfinite(position) and 0 <= position <= bat.length):
+        raise InputError(
+            f"{what} is {position:.4g} m from the knob end, off the bat; "
+            f"{bat.name} reaches from 0 to {bat.length:.4g} m"
+        )
+
+
+def _check_stations(stations: Stations, length: float, what: str) -> None:
+    if len(stations) < 2:
+        raise ValueError(f"{what} has {len(stations)} station; allowed is two or more")
+    positions = [position for position, _ in stations]
+    for before, after in zip(positions, positions[1:], strict=False):
+        if after <= before:
+            raise ValueError(
+                f"{what} goes back from {before:.4g} m to {after:.4g} m; "
+                "list the stations from the knob end outwards, each once"
+            )
+    if abs(positions[0]) > 1e-9 or abs(positions[-1] - length) > 1e-6 * length:
+        raise ValueError(
+            f"{what} runs from {positions[0]:.4g} m to {positions[-1]:.4g} m but the bat from 0 to "
+            f"{length:.4g} m; give a station at each end"
+        )

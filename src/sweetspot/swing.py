@@ -1,0 +1,77 @@
+"""The bat and the ball before contact, and the hands that hold the bat."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import Field, model_validator
+
+from sweetspot.thing import NonNegative, Positive, Thing
+
+
+class Pitch(Thing):
+    """The ball as it arrives.
+
+    Parameters
+    ----------
+    speed : m/s towards the bat, >= 0 (0 is a ball on a tee), at most 70.
+    """
+
+    speed: Annotated[float, Field(ge=0, le=70)]
+
+
+class Swing(Thing):
+    """The bat turning about one axis at the moment of contact.
+
+    Parameters
+    ----------
+    bat_speed : m/s at ``measured_at``, > 0, at most 70.
+    measured_at : m from the knob end, beyond ``pivot``.
+    pivot : m from the knob end of the axis the bat turns about; negative: beyond the knob.
+    """
+
+    bat_speed: Annotated[float, Field(gt=0, le=70)]
+    measured_at: Positive
+    pivot: float = 0.0
+
+    @model_validator(mode="after")
+    def _speed_is_measured_outside_the_pivot(self) -> Swing:
+        if self.measured_at <= self.pivot:
+            raise ValueError(
+                f"bat speed is measured at {self.measured_at:g} m, not beyond the pivot at "
+                f"{self.pivot:g} m; give a place further out"
+            )
+        return self
+
+    @property
+    def angular_speed(self) -> float:
+        """Angular speed in rad/s."""
+        return self.bat_speed / (self.measured_at - self.pivot)
+
+    def speed_at(self, position: float) -> float:
+        """Return the bat's speed in m/s at a position from the knob end in m."""
+        return self.angular_speed * (position - self.pivot)
+
+
+class Hands(Thing):
+    """Two hands on the handle, each a mass held to the bat by a spring and a damper.
+
+    The top hand is centred at ``position``; the bottom hand one ``spacing`` nearer the knob.
+
+    Parameters
+    ----------
+    position : m from the knob end, >= 0.
+    spacing : m between the centres of the hands.
+    mass, stiffness, damping : kg, N/m and N s/m per hand, 0 for a hand that is not there.
+    """
+
+    position: NonNegative
+    spacing: NonNegative = 0.089
+    mass: NonNegative = 0.0
+    stiffness: NonNegative = 0.0
+    damping: NonNegative = 0.0
+
+    @property
+    def places(self) -> tuple[float, float]:
+        """Positions of the top and the bottom hand in m; the bottom one never beyond the knob."""
+        return self.position, max(0.0, self.position - self.spacing)

@@ -1,0 +1,76 @@
+"""The one list of motions that a collision sees: rigid motions and vibrations alike."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.interpolate import PPoly
+
+Array = NDArray[np.float64]
+Family = Literal["rigid", "bending", "hoop"]
+
+
+@dataclass(frozen=True)
+class Modes:
+    """Motions of a bat, each normalised to 1 kg of modal mass.
+
+    Mode i moves the bat's line by ``q_i(t) shape_i(x)`` and obeys
+    q_i'' + damping_rate_i q_i' + (2 pi frequency_i)^2 q_i = shape_i(x_hit) F.
+
+    Parameters
+    ----------
+    families : "rigid", "bending" or "hoop", one per mode.
+    harmonics : 1, 2, ... within the family; 0 for rigid motions.
+    frequency : Hz, shape (n,); 0 for rigid motions.
+    damping_rate : 2 zeta omega in 1/s, shape (n,).
+    shapes : displacement shapes as polynomials in position, 1/sqrt(kg), n columns.
+    rigid_part : how much of each mode is translation (row 0) and rotation (row 1) of the free bat, shape (2, n).
+    """
+
+    families: tuple[Family, ...]
+    harmonics: tuple[int, ...]
+    frequency: Array
+    damping_rate: Array
+    shapes: PPoly
+    rigid_part: Array
+
+    def __len__(self) -> int:
+        return len(self.families)
+
+    @property
+    def angular_frequency(self) -> Array:
+        """Angular frequencies in rad/s, shape (n,)."""
+        return 2 * np.pi * self.frequency
+
+    @property
+    def damping_ratio(self) -> Array:
+        """Fractions of critical damping, shape (n,); 0 for rigid motions."""
+        omega = self.angular_frequency
+        return np.divide(self.damping_rate, 2 * omega, out=np.zeros_like(omega), where=omega > 0)
+
+    def shape_at(self, position: ArrayLike) -> Array:
+        """Return the shapes at positions in m: shape (..., n) for positions of shape (...)."""
+        return np.asarray(self.shapes(position))
+
+    def nodes(self, mode: int) -> Array:
+        """Return the positions in m where mode ``mode`` (its index in the list) stands still, from the knob up."""
+        alone = PPoly.construct_fast(self.shapes.c[:, :, mode], self.shapes.x, extrapolate=False)
+        return np.sort(np.asarray(alone.roots(discontinuity=False), dtype=np.float64))
+
+    def of_family(self, family: Family) -> list[int]:
+        """Return the indices of the modes of one family, lowest frequency first."""
+        return [index for index, name in enumerate(self.families) if name == family]
+
+    def kept(self, indices: list[int]) -> Modes:
+        """Return only some of the modes, for example the rigid motions alone."""
+        return Modes(
+            tuple(self.families[index] for index in indices),
+            tuple(self.harmonics[index] for index in indices),
+            self.frequency[indices],
+            self.damping_rate[indices],
+            PPoly.construct_fast(self.shapes.c[:, :, indices], self.shapes.x),
+            self.rigid_part[:, indices],
+        )
