@@ -6,6 +6,7 @@ from typing import Annotated
 
 from pydantic import Field, model_validator
 
+from sweetspot.ball import Ball
 from sweetspot.thing import NonNegative, Positive, Thing
 
 
@@ -75,3 +76,12 @@ class Hands(Thing):
     def places(self) -> tuple[float, float]:
         """Positions of the top and the bottom hand in m; the bottom one never beyond the knob."""
         return self.position, max(0.0, self.position - self.spacing)
+
+
+class Conditions(Thing):
+    """Everything about a hit that is not the bat: the pitch, the swing, the hands and the ball."""
+
+    pitch: Pitch
+    swing: Swing
+    hands: Hands
+    ball: Ball

@@ -1,0 +1,103 @@
+"""One bat, one swing, every answer: the whole chain from description to sweet spots."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sweetspot.bat import Bat
+from sweetspot.collision.coupled import hit
+from sweetspot.collision.impact import Impact
+from sweetspot.errors import InputError
+from sweetspot.line import Line, reduce
+from sweetspot.rigid import RigidBody, rigid_body
+from sweetspot.scan import Scan, scan
+from sweetspot.sweet_spots import SweetSpots, sweet_spots
+from sweetspot.swing import Conditions, Hands
+from sweetspot.vibration.beam import bending_modes
+from sweetspot.vibration.hands import check_hands, gripped
+from sweetspot.vibration.modes import Modes
+
+TYPICAL_HAND = {"mass": 0.35, "stiffness": 20e3, "damping": 100.0}
+"""kg, N/m, N s/m per hand; soft defaults, recalled and not read, used only to show that grip hardly matters."""
+
+
+@dataclass(frozen=True)
+class Analysis:
+    """Everything computed about one bat under one set of conditions.
+
+    Parameters
+    ----------
+    modes : of the bat as the collision saw it, free or gripped.
+    best : the hit at the place of greatest exit speed.
+    grip_effect : relative change of that hit's exit speed when typical hands hold the bat.
+    """
+
+    bat: Bat
+    conditions: Conditions
+    line: Line
+    body: RigidBody
+    modes: Modes
+    scan: Scan
+    sweet_spots: SweetSpots
+    best: Impact
+    grip_effect: float
+
+
+def analyse(bat: Bat, conditions: Conditions) -> Analysis:
+    """Return the full answer for a bat: reduce it, find its modes, hit it everywhere, read off the sweet spots.
+
+    Hands without mass, spring and damper leave the bat free, which is right for the ball's exit (published: grip
+    does not matter) and an upper bound for the vibration.
+    """
+    check_conditions(bat, conditions)
+    line = reduce(bat)
+    body = rigid_body(line)
+    free = bending_modes(line)
+    held = any((conditions.hands.mass, conditions.hands.stiffness, conditions.hands.damping))
+    modes = gripped(free, conditions.hands) if held else free
+    along = scan(bat, body=body, modes=modes, conditions=conditions)
+    spots = sweet_spots(along, body=body, modes=free, conditions=conditions)
+    best = hit_at(spots.max_exit_speed, modes=modes, conditions=conditions)
+    typical = Hands(position=conditions.hands.position, spacing=conditions.hands.spacing, **TYPICAL_HAND)
+    with_grip = hit_at(spots.max_exit_speed, modes=gripped(free, typical), conditions=conditions)
+    effect = exit_speed_of(with_grip, conditions) / exit_speed_of(best, conditions) - 1
+    return Analysis(bat, conditions, line, body, modes, along, spots, best, effect)
+
+
+def hit_at(position: float, *, modes: Modes, conditions: Conditions) -> Impact:
+    """Return the hit at one place (m from the knob end) under these conditions."""
+    closing = conditions.pitch.speed + conditions.swing.speed_at(position)
+    return hit(modes, ball=conditions.ball, position=position, closing_speed=closing)
+
+
+def exit_speed_of(impact: Impact, conditions: Conditions) -> float:
+    """Return the exit speed in m/s of a hit: q v_ball + (1 + q) v_bat."""
+    bat_speed = conditions.swing.speed_at(impact.position)
+    return impact.collision_efficiency * conditions.pitch.speed + (1 + impact.collision_efficiency) * bat_speed
+
+
+def check_conditions(bat: Bat, conditions: Conditions) -> None:
+    """Refuse conditions that do not go with the bat: hands off it, a swing measured off it, a ball that outweighs it."""
+    check_hands(bat, conditions.hands)
+    swing = conditions.swing
+    if swing.measured_at > bat.length + 1e-9:
+        raise InputError(
+            f"bat speed is measured at {swing.measured_at:.4g} m, beyond the tip at {bat.length:.4g} m; "
+            "give a place on the bat"
+        )
+    if not -1.0 <= swing.pivot < bat.length / 2:
+        raise InputError(
+            f"pivot is {swing.pivot:.4g} m from the knob end; allowed is from 1 m behind the knob to the middle of "
+            f"the bat, {bat.length / 2:.4g} m"
+        )
+    if conditions.hands.position > bat.length / 2:
+        raise InputError(
+            f"hands are at {conditions.hands.position:.4g} m, beyond the middle of the bat at {bat.length / 2:.4g} m; "
+            "hold the handle"
+        )
+    body = rigid_body(reduce(bat))
+    if conditions.ball.mass >= body.mass:
+        raise InputError(
+            f"the ball weighs {conditions.ball.mass:.4g} kg and the bat {body.mass:.4g} kg; "
+            "allowed is a ball lighter than the bat"
+        )

@@ -1,0 +1,43 @@
+"""Bats by name or from a file."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from sweetspot.bat import Bat
+from sweetspot.catalog.batfile import bat_from_table, read_bat, read_toml
+from sweetspot.catalog.records import FOLDER, canonical, entry
+
+BAT_FOLDER = FOLDER / "bats"
+DEFAULT_BAT = "r161-ash"
+
+
+@cache
+def bat_tables() -> dict[str, dict[str, Any]]:
+    """Return every bat file of the catalogue as written, by name."""
+    return {canonical(path.stem): read_toml(path) for path in sorted(BAT_FOLDER.glob("*.toml"))}
+
+
+def bat_names() -> list[str]:
+    """Return the names of all bats in the catalogue."""
+    return sorted(canonical(path.stem) for path in BAT_FOLDER.glob("*.toml"))
+
+
+@cache
+def bat(name: str = DEFAULT_BAT) -> Bat:
+    """Return a bat of the catalogue; raises `InputError` with the nearest names for an unknown one."""
+    key, found = entry(bat_tables(), name, "bat")
+    return bat_from_table(found, f"catalogue bat {key}")
+
+
+def load_bat(name_or_path: str) -> Bat:
+    """Return the bat of a TOML file, or the catalogue's bat of that name.
+
+    Anything that ends in ``.toml``, holds a path separator or names an existing file is a file.
+    """
+    path = Path(name_or_path)
+    if path.suffix.lower() == ".toml" or "/" in name_or_path or "\\" in name_or_path or path.is_file():
+        return read_bat(path)
+    return bat(name_or_path)
