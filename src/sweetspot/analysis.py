@@ -13,6 +13,7 @@ from sweetspot.rigid import RigidBody, rigid_body
 from sweetspot.scan import Scan, scan
 from sweetspot.sweet_spots import SweetSpots, sweet_spots
 from sweetspot.swing import Conditions, Hands
+from sweetspot.units import shown
 from sweetspot.vibration.beam import bending_modes
 from sweetspot.vibration.hands import check_hands, gripped
 from sweetspot.vibration.modes import Modes
@@ -77,23 +78,23 @@ def exit_speed_of(impact: Impact, conditions: Conditions) -> float:
 
 
 def check_conditions(bat: Bat, conditions: Conditions) -> None:
-    """Refuse conditions that do not go with the bat: hands off it, a swing measured off it, a ball that outweighs it."""
+    """Refuse conditions that do not go with the bat: hands or swing off it, a ball that outweighs it."""
     check_hands(bat, conditions.hands)
     swing = conditions.swing
     if swing.measured_at > bat.length + 1e-9:
         raise InputError(
-            f"bat speed is measured at {swing.measured_at:.4g} m, beyond the tip at {bat.length:.4g} m; "
+            f"bat speed is measured at {shown(swing.measured_at)}, beyond the tip at {shown(bat.length)}; "
             "give a place on the bat"
         )
     if not -1.0 <= swing.pivot < bat.length / 2:
         raise InputError(
-            f"pivot is {swing.pivot:.4g} m from the knob end; allowed is from 1 m behind the knob to the middle of "
-            f"the bat, {bat.length / 2:.4g} m"
+            f"pivot is {shown(swing.pivot)} from the knob end; allowed is from 1 m behind the knob to the middle of "
+            f"the bat, {shown(bat.length / 2)}"
         )
     if conditions.hands.position > bat.length / 2:
         raise InputError(
-            f"hands are at {conditions.hands.position:.4g} m, beyond the middle of the bat at {bat.length / 2:.4g} m; "
-            "hold the handle"
+            f"hands are at {shown(conditions.hands.position)}, beyond the middle of the bat at "
+            f"{shown(bat.length / 2)}; hold the handle"
         )
     body = rigid_body(reduce(bat))
     if conditions.ball.mass >= body.mass:

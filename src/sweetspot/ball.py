@@ -68,9 +68,7 @@ class Ball(Thing):
         """Return the same ball with another e at the reference speed of its law."""
         return self.replaced(restitution=self.restitution.replaced(reference=reference))
 
-    def conditioned(
-        self, *, humidity: float | None = None, temperature: float | None = None
-    ) -> Self:
+    def conditioned(self, *, humidity: float | None = None, temperature: float | None = None) -> Self:
         """Return the ball after long storage at a relative humidity (0 to 1) and temperature (degC).
 
         Linear about the ball's reference state with the catalogue's slopes; the returned ball's
@@ -79,22 +77,16 @@ class Ball(Thing):
         humidity = self.reference_humidity if humidity is None else humidity
         temperature = self.reference_temperature if temperature is None else temperature
         if not 0 <= humidity <= 1:
-            raise InputError(
-                f"humidity was given as {humidity:g}; allowed is a ratio from 0 to 1 (50 % is 0.5)"
-            )
+            raise InputError(f"humidity was given as {humidity:g}; allowed is a ratio from 0 to 1 (50 % is 0.5)")
         if not math.isfinite(temperature) or not -40 <= temperature <= 60:
-            raise InputError(
-                f"ball temperature was given as {temperature:g} degC; allowed is -40 to 60"
-            )
+            raise InputError(f"ball temperature was given as {temperature:g} degC; allowed is -40 to 60")
         change = self.cor_humidity_slope * (humidity - self.reference_humidity)
         change += self.cor_temperature_slope * (temperature - self.reference_temperature)
         warmer = self.with_restitution(self.restitution.reference + change)
         return warmer.replaced(reference_humidity=humidity, reference_temperature=temperature)
 
 
-def stiffness_from_peak_force(
-    peak_force: float, *, speed: float, mass: float, exponent: float
-) -> float:
+def stiffness_from_peak_force(peak_force: float, *, speed: float, mass: float, exponent: float) -> float:
     """Return k of F = k u^n from the peak force (N) of a ball of ``mass`` on a rigid wall.
 
     The kinetic energy is stored at the peak: m v^2 / 2 = k U^(n+1) / (n+1) and F = k U^n, so

@@ -6,6 +6,7 @@ Positions are metres from the knob end; the axis figure in the docs fixes origin
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from typing import Annotated, Self
 
 import numpy as np
@@ -16,6 +17,7 @@ from pydantic import Field, model_validator
 from sweetspot.errors import InputError
 from sweetspot.material import Material
 from sweetspot.thing import NonNegative, Positive, Thing
+from sweetspot.units import shown
 
 Stations = tuple[tuple[float, float], ...]
 LENGTH_RANGE = (0.3, 1.3)
@@ -187,9 +189,7 @@ class Bat(Thing):
             )
         for weight in self.point_masses:
             if weight.position > self.length:
-                raise ValueError(
-                    f"a point mass sits at {weight.position:.4g} m, beyond the tip at {self.length:.4g} m"
-                )
+                raise ValueError(f"a point mass sits at {weight.position:.4g} m, beyond the tip at {self.length:.4g} m")
         if self.choke > self.length / 3:
             raise ValueError(
                 f"choke is {self.choke:.4g} m; allowed is up to a third of the length, {self.length / 3:.4g} m"
@@ -199,7 +199,7 @@ class Bat(Thing):
         """Return the outer diameter in m at positions in m (array in, array of the same shape out)."""
         if self.profile is not None:
             stations, diameters = zip(*self.profile, strict=True)
-            return np.asarray(np.interp(position, stations, diameters))
+            return np.asarray(np.interp(np.asarray(position, float), stations, diameters))
         assert self.linear_density is not None  # one of the two is given
         mass_per_length = polynomial.polyval(np.asarray(position, float), self.linear_density)
         with np.errstate(invalid="ignore"):
@@ -210,7 +210,7 @@ class Bat(Thing):
         if self.shell is None:
             return self.diameter_at(position) / 2
         stations, thicknesses = zip(*self.shell.wall, strict=True)
-        return np.asarray(np.interp(position, stations, thicknesses))
+        return np.asarray(np.interp(np.asarray(position, float), stations, thicknesses))
 
     def breakpoints(self) -> tuple[float, ...]:
         """Return the positions, 0 and length included, between which every outline is smooth."""
@@ -270,8 +270,8 @@ def check_position(bat: Bat, position: float, what: str = "position") -> None:
     """Refuse a position (m) that is not on the bat; ``what`` names it in the message."""
     if not (math.isfinite(position) and 0 <= position <= bat.length):
         raise InputError(
-            f"{what} is {position:.4g} m from the knob end, off the bat; "
-            f"{bat.name} reaches from 0 to {bat.length:.4g} m"
+            f"{what} is {shown(position)} from the knob end, off the bat; "
+            f"{bat.name} reaches from 0 to {shown(bat.length)}"
         )
 
 
@@ -279,7 +279,7 @@ def _check_stations(stations: Stations, length: float, what: str) -> None:
     if len(stations) < 2:
         raise ValueError(f"{what} has {len(stations)} station; allowed is two or more")
     positions = [position for position, _ in stations]
-    for before, after in zip(positions, positions[1:], strict=False):
+    for before, after in pairwise(positions):
         if after <= before:
             raise ValueError(
                 f"{what} goes back from {before:.4g} m to {after:.4g} m; "

@@ -57,7 +57,7 @@ class Hysteretic:
 
     ball: Ball
 
-    def force(self, compression: float, rate: float, peak: float) -> float:
+    def force(self, compression: float, rate: float, peak: float) -> float:  # noqa: ARG002 - the law ignores rate
         """Return the force in N; see `ContactLaw`."""
         if compression >= peak:
             return loading_force(self.ball, compression)
@@ -96,7 +96,7 @@ class HuntCrossley:
         limit = (1 - 1e-12) / restitution
         return cls(ball, float(brentq(imbalance, 1e-9, limit, xtol=1e-14)) / speed)
 
-    def force(self, compression: float, rate: float, peak: float) -> float:
+    def force(self, compression: float, rate: float, peak: float) -> float:  # noqa: ARG002 - no memory of the peak
         """Return the force in N, never a pull; see `ContactLaw`."""
         return max(0.0, loading_force(self.ball, compression) * (1 + self.damping * rate))
 

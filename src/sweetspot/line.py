@@ -87,12 +87,11 @@ def section(line: Line, position: Array) -> Section:
     outer = bat.diameter_at(position) / 2
     void = _void_radius(bat, position, outer)
     material = bat.material
-    density = material.density * line.density_factor
-    density = density * (1 + line.density_gradient * (2 * position / bat.length - 1))
+    density = material.density * line.density_factor * (1 + line.density_gradient * (2 * position / bat.length - 1))
 
     def between(low: Array, high: Array, power: int) -> Array:
         """Integral of r^(power-1) between two radii, with whatever lies inside the void left out."""
-        return (np.maximum(high, void) ** power - np.maximum(low, void) ** power) / power
+        return np.asarray((np.maximum(high, void) ** power - np.maximum(low, void) ** power) / power)
 
     zero = np.zeros_like(position)
     area = 2 * math.pi * between(zero, outer, 2)

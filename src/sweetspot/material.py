@@ -43,14 +43,11 @@ class Material(Thing):
     @model_validator(mode="after")
     def _enough_and_not_too_much(self) -> Material:
         if self.shear_modulus is None and self.poisson_ratio is None:
-            raise ValueError(
-                f"{self.name} has neither a shear_modulus nor a poisson_ratio; give one of them"
-            )
+            raise ValueError(f"{self.name} has neither a shear_modulus nor a poisson_ratio; give one of them")
         if self.density_range and not self.density_range[0] <= self.density <= self.density_range[1]:
             low, high = self.density_range
             raise ValueError(
-                f"{self.name} has density {self.density:g} kg/m^3 outside its own range "
-                f"{low:g} to {high:g} kg/m^3"
+                f"{self.name} has density {self.density:g} kg/m^3 outside its own range {low:g} to {high:g} kg/m^3"
             )
         return self
 

@@ -53,9 +53,7 @@ class Scan:
     peak_force: Array
 
 
-def scan(
-    bat: Bat, *, body: RigidBody, modes: Modes, conditions: Conditions, positions: Array | None = None
-) -> Scan:
+def scan(bat: Bat, *, body: RigidBody, modes: Modes, conditions: Conditions, positions: Array | None = None) -> Scan:
     """Return hits all along a bat.
 
     Parameters
@@ -115,8 +113,5 @@ def sting(modes: Modes, *, hands: Hands, displacement: Array, velocity: Array) -
 
 def _exit(efficiency: Array, ball_speed: float, bat_speed: Array) -> Array:
     return np.array(
-        [
-            exit_speed(q, ball_speed=ball_speed, bat_speed=speed)
-            for q, speed in zip(efficiency, bat_speed, strict=True)
-        ]
+        [exit_speed(q, ball_speed=ball_speed, bat_speed=speed) for q, speed in zip(efficiency, bat_speed, strict=True)]
     )

@@ -63,7 +63,7 @@ def max_collision_efficiency(scan: Scan) -> float:
 
 
 def max_exit_speed(scan: Scan) -> float:
-    """Return where the ball leaves fastest for this swing: further out than greatest efficiency, for the tip is faster."""
+    """Return where the ball leaves fastest for this swing: further out than greatest q, for the tip moves faster."""
     return _top(scan.position, scan.exit_speed)
 
 

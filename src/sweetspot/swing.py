@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Annotated
-
-from pydantic import Field, model_validator
+from pydantic import model_validator
 
 from sweetspot.ball import Ball
 from sweetspot.thing import NonNegative, Positive, Thing
+from sweetspot.units import MPH, shown
+
+MAX_SPEED = 70.0
+"""m/s (157 mph): half as fast again as any recorded pitch or swing."""
+
+
+def _speed(value: float) -> str:
+    return f"{value:.4g} m/s ({value / MPH:.4g} mph)"
 
 
 class Pitch(Thing):
@@ -15,10 +21,16 @@ class Pitch(Thing):
 
     Parameters
     ----------
-    speed : m/s towards the bat, >= 0 (0 is a ball on a tee), at most 70.
+    speed : m/s towards the bat, >= 0 (0 is a ball on a tee), at most `MAX_SPEED`.
     """
 
-    speed: Annotated[float, Field(ge=0, le=70)]
+    speed: NonNegative
+
+    @model_validator(mode="after")
+    def _is_possible(self) -> Pitch:
+        if self.speed > MAX_SPEED:
+            raise ValueError(f"speed is {_speed(self.speed)}; allowed is 0 (a tee) to {_speed(MAX_SPEED)}")
+        return self
 
 
 class Swing(Thing):
@@ -26,21 +38,25 @@ class Swing(Thing):
 
     Parameters
     ----------
-    bat_speed : m/s at ``measured_at``, > 0, at most 70.
+    bat_speed : m/s at ``measured_at``, > 0, at most `MAX_SPEED`.
     measured_at : m from the knob end, beyond ``pivot``.
     pivot : m from the knob end of the axis the bat turns about; negative: beyond the knob.
     """
 
-    bat_speed: Annotated[float, Field(gt=0, le=70)]
+    bat_speed: float
     measured_at: Positive
     pivot: float = 0.0
 
     @model_validator(mode="after")
-    def _speed_is_measured_outside_the_pivot(self) -> Swing:
+    def _is_a_swing(self) -> Swing:
+        if not 0 < self.bat_speed <= MAX_SPEED:
+            raise ValueError(
+                f"bat speed is {_speed(self.bat_speed)}; allowed is more than 0 and at most {_speed(MAX_SPEED)}"
+            )
         if self.measured_at <= self.pivot:
             raise ValueError(
-                f"bat speed is measured at {self.measured_at:g} m, not beyond the pivot at "
-                f"{self.pivot:g} m; give a place further out"
+                f"bat speed is measured at {shown(self.measured_at)}, not beyond the pivot at "
+                f"{shown(self.pivot)}; give a place further out"
             )
         return self
 

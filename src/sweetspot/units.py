@@ -52,6 +52,7 @@ PLAIN_FRACTION = re.compile(r"^\s*(\d+)/(\d+)\s*([^\d\s/].*)$")
 FEET_INCHES = re.compile(
     r"^\s*(\d+(?:\.\d+)?)\s*(?:ft|feet|foot|')\s*(\d+(?:\.\d+)?(?:\s+\d+/\d+)?)\s*(?:in|inch|inches|\")\s*$"
 )
+NOT_FINITE = re.compile(r"^\s*[-+]?(nan|inf|infinity)\s*([^a-z]|$|mph|m/s|in\b|oz|kg|m\b|ft)", re.IGNORECASE)
 NUMBER = re.compile(r"^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*$")
 
 
@@ -60,6 +61,15 @@ def _registry() -> Any:
     import pint
 
     return pint.UnitRegistry(cache_folder=":auto:")
+
+
+def shown(length: float) -> str:
+    """Return a length in m as people on both sides of the ocean read it.
+
+    >>> shown(0.8382)
+    '0.8382 m (33 in)'
+    """
+    return f"{length:.4g} m ({length / INCH:.4g} in)"
 
 
 def parse(text: str | float, kind: Kind, what: str = "value") -> float:
@@ -85,9 +95,11 @@ def parse(text: str | float, kind: Kind, what: str = "value") -> float:
     if isinstance(text, (int, float)) and not isinstance(text, bool):
         text = repr(float(text))
     if not isinstance(text, str):
-        raise InputError(f"{what} was given as {text!r}; give a number with its unit in quotes, for example {example!r}")
+        raise InputError(f"{what} was given as {text!r}; give a number with its unit in quotes, for example {example}")
+    if NOT_FINITE.match(text):
+        raise InputError(f"{what} was given as {text!r}; allowed is a finite number, for example {example}")
     if NUMBER.match(text) and kind != "ratio":
-        raise InputError(f"{what} was given as {text.strip()} without a unit; write for example {example!r}")
+        raise InputError(f"{what} was given as {text.strip()} without a unit; write for example {example}")
     try:
         value = _in_si(text, kind)
     except InputError:
@@ -95,7 +107,7 @@ def parse(text: str | float, kind: Kind, what: str = "value") -> float:
     except Exception as error:
         raise InputError(_not_understood(text, kind, what, error)) from None
     if not math.isfinite(value):
-        raise InputError(f"{what} was given as {text!r}; allowed is a finite number, for example {example!r}")
+        raise InputError(f"{what} was given as {text!r}; allowed is a finite number, for example {example}")
     return value
 
 
@@ -135,10 +147,10 @@ def _not_understood(text: str, kind: Kind, what: str, error: Exception) -> str:
 
     example = SI[kind][1]
     if isinstance(error, pint.DimensionalityError):
-        return f"{what} was given as {text!r}, which is not a {kind}; write for example {example!r}"
+        return f"{what} was given as {text!r}, which is not a {kind}; write for example {example}"
     if isinstance(error, pint.UndefinedUnitError):
-        return f"{what} was given as {text!r}, whose unit is not known; write for example {example!r}"
-    return f"{what} was given as {text!r}, which is not a number with a unit; write for example {example!r}"
+        return f"{what} was given as {text!r}, whose unit is not known; write for example {example}"
+    return f"{what} was given as {text!r}, which is not a number with a unit; write for example {example}"
 
 
 def parse_position(text: str, *, length: float, what: str = "position") -> float:

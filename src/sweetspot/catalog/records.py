@@ -41,9 +41,7 @@ def read_table(file_name: str) -> dict[str, dict[str, Any]]:
     """Return a catalogue file; an entry with ``like`` starts from a copy of the named entry."""
     with (FOLDER / file_name).open("rb") as file:
         entries = tomllib.load(file)
-    return {
-        name: {**entries[entry["like"]], **entry} if "like" in entry else entry for name, entry in entries.items()
-    }
+    return {name: {**entries[entry["like"]], **entry} if "like" in entry else entry for name, entry in entries.items()}
 
 
 def entry(table: dict[str, dict[str, Any]], name: str, what: str) -> tuple[str, dict[str, Any]]:

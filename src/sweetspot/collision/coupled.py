@@ -169,5 +169,18 @@ def _no_contact(modes: Modes, position: float, closing_speed: float) -> Impact:
     ledger = EnergyLedger(*([0.0] * 8))
     nan = math.nan
     return Impact(
-        Outcome.NO_CONTACT, position, closing_speed, nan, nan, nan, nan, nan, ledger, still, still, nothing, nothing, nothing
+        Outcome.NO_CONTACT,
+        position,
+        closing_speed,
+        nan,
+        nan,
+        nan,
+        nan,
+        nan,
+        ledger,
+        still,
+        still,
+        nothing,
+        nothing,
+        nothing,
     )

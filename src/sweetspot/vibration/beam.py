@@ -8,6 +8,7 @@ parts do not lock. The bat's breakpoints are element ends.
 from __future__ import annotations
 
 from functools import cache
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -16,7 +17,7 @@ from scipy.interpolate import PPoly
 from skfem import Basis, ElementLinePp, MeshLine
 
 from sweetspot.line import Array, Line, moments, section
-from sweetspot.vibration.modes import Modes
+from sweetspot.vibration.modes import Family, Modes
 
 ELEMENTS = 16
 """Elements at least; twelve modes are then converged to 3e-4 and the first five to 1e-5 (see the docs' figure)."""
@@ -57,8 +58,9 @@ def bending_modes(line: Line, *, count: int = MODES, elements: int = ELEMENTS) -
     omega = np.sqrt(squares)
     frequency = np.concatenate([[0.0, 0.0], omega / (2 * np.pi)])
     damping_rate = np.concatenate([[0.0, 0.0], 2 * line.bat.material.damping_ratio * omega])
+    bending_families: list[Family] = ["bending"] * count
     return Modes(
-        families=("rigid", "rigid") + ("bending",) * count,
+        families=("rigid", "rigid", *bending_families),
         harmonics=(0, 0, *range(1, count + 1)),
         frequency=frequency,
         damping_rate=damping_rate,
@@ -70,7 +72,7 @@ def bending_modes(line: Line, *, count: int = MODES, elements: int = ELEMENTS) -
 def _element_edges(breakpoints: tuple[float, ...], size: float) -> Array:
     """Return element ends: every breakpoint, and between them equal pieces no longer than ``size``."""
     pieces = [np.array([breakpoints[0]])]
-    for left, right in zip(breakpoints, breakpoints[1:], strict=False):
+    for left, right in pairwise(breakpoints):
         parts = max(1, int(np.ceil((right - left) / size - 1e-9)))
         pieces.append(np.linspace(left, right, parts + 1)[1:])
     return np.concatenate(pieces)
@@ -93,7 +95,7 @@ def _bases(edges: Array) -> tuple[Any, Any]:
 
 def _matrices(line: Line, deflection: Any, rotation: Any) -> tuple[Array, Array]:
     """Return dense stiffness and mass matrices, deflections first, then rotations."""
-    at = section(line, deflection.global_coordinates().value[0])
+    at = section(line, deflection.global_coordinates()[0])
     lengths = deflection.dx
     w, w_slope = _values_and_slopes(deflection)
     psi, psi_slope = _values_and_slopes(rotation)

@@ -32,9 +32,7 @@ def gripped(modes: Modes, hands: Hands) -> Modes:
     frequency = np.sqrt(np.maximum(squares, 0.0)) / (2 * np.pi)
     rate = np.einsum("ij,ik,kj->j", vectors, damping, vectors)
     shapes = PPoly.construct_fast(modes.shapes.c @ vectors, modes.shapes.x)
-    return Modes(
-        modes.families, modes.harmonics, frequency, rate, shapes, rigid_part=modes.rigid_part @ vectors
-    )
+    return Modes(modes.families, modes.harmonics, frequency, rate, shapes, rigid_part=modes.rigid_part @ vectors)
 
 
 def check_hands(bat: Bat, hands: Hands) -> None:

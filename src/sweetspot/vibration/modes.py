@@ -53,7 +53,7 @@ class Modes:
 
     def shape_at(self, position: ArrayLike) -> Array:
         """Return the shapes at positions in m: shape (..., n) for positions of shape (...)."""
-        return np.asarray(self.shapes(position))
+        return np.asarray(self.shapes(np.asarray(position, float)))
 
     def nodes(self, mode: int) -> Array:
         """Return the positions in m where mode ``mode`` (its index in the list) stands still, from the knob up."""

@@ -1,0 +1,59 @@
+# Everything from a bare machine: only python3 (3.11 or newer) and make are needed.
+VENV := .venv
+BIN := $(VENV)/bin
+UV := $(BIN)/uv
+BAT := r161-ash
+OUT := report
+
+.PHONY: report test lint types docs bench bench-quick format lock clean
+
+report: $(VENV)/.run  ## where does this bat hit best? BAT=name or file, OUT=folder
+	$(BIN)/sweetspot report $(BAT) --out $(OUT)
+
+test: $(VENV)/.dev  ## all tests
+	$(BIN)/python -m pytest -q -n 2
+
+lint: $(VENV)/.dev
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+
+format: $(VENV)/.dev
+	$(BIN)/ruff check --fix .
+	$(BIN)/ruff format .
+
+types: $(VENV)/.dev
+	$(BIN)/mypy
+
+docs: $(VENV)/.dev  ## the documentation, warnings are errors
+	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build/html
+	@echo "open docs/_build/html/index.html"
+
+bench: $(VENV)/.dev  ## measured figures, beside rivals
+	$(BIN)/python -m pytest benchmarks -q -p no:xdist --benchmark-only
+
+bench-quick: $(VENV)/.dev
+	SWEETSPOT_BENCH_QUICK=1 $(BIN)/python -m pytest benchmarks -q -p no:xdist --benchmark-only
+
+lock: $(UV)  ## pin the newest versions that pyproject allows
+	$(UV) pip compile -q --upgrade --no-header --no-annotate --no-emit-index-url pyproject.toml -o requirements.txt
+	$(UV) pip compile -q --no-header --no-annotate --no-emit-index-url --extra dev -c requirements.txt \
+		pyproject.toml -o requirements-dev.txt
+
+clean:
+	rm -rf $(VENV) docs/_build docs/_generated report .mypy_cache .ruff_cache .pytest_cache .benchmarks
+
+$(UV):
+	@python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
+		|| { echo "sweetspot needs Python 3.11 or newer; python3 here is $$(python3 --version)"; exit 2; }
+	python3 -m venv $(VENV)
+	$(BIN)/python -m pip install -q --disable-pip-version-check -r requirements-uv.txt
+
+$(VENV)/.run: requirements.txt pyproject.toml | $(UV)
+	$(UV) pip install -q -r requirements.txt
+	$(UV) pip install -q --no-deps -e .
+	@touch $@
+
+$(VENV)/.dev: requirements-dev.txt pyproject.toml | $(UV)
+	$(UV) pip install -q -r requirements-dev.txt
+	$(UV) pip install -q --no-deps -e .
+	@touch $@ $(VENV)/.run

@@ -1,0 +1,144 @@
+"""Results as JSON for other programs: SI, the unit in every key, positions from the knob end."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict
+from typing import Any
+
+import numpy as np
+
+from sweetspot.analysis import Analysis, exit_speed_of
+from sweetspot.collision.impact import Impact
+from sweetspot.collision.momentum import bbcor
+from sweetspot.paper_rows import Row
+from sweetspot.rigid import RigidBody
+from sweetspot.swing import Conditions
+
+STANDARD_AXIS = 0.1524
+"""m from the knob end: 6 in, the axis at which bats' moments of inertia are compared."""
+
+
+def report_json(analysis: Analysis) -> dict[str, Any]:
+    """Return everything `sweetspot report` knows, with the keys of the border contract."""
+    spots, along = analysis.sweet_spots, analysis.scan
+    return cleaned(
+        {
+            "bat": bat_json(analysis.bat.name, analysis.bat.length, analysis.body),
+            "modes": modes_json(analysis),
+            "sweet_spots": {
+                **{f"{name}_m": value for name, value in asdict(spots).items() if name != "zone"},
+                "zone_m": spots.zone,
+            },
+            "scan": {
+                "position_m": along.position,
+                "collision_efficiency": along.collision_efficiency,
+                "bbcor": along.bbcor,
+                "bat_speed_m_s": along.bat_speed,
+                "exit_speed_m_s": along.exit_speed,
+                "rigid_exit_speed_m_s": along.rigid_exit_speed,
+                "hand_impulse_n_s": along.hand_impulse,
+                "sting": along.sting,
+            },
+            "best_hit": hit_json(analysis.best, body=analysis.body, conditions=analysis.conditions),
+            "grip_effect": analysis.grip_effect,
+            "conditions": conditions_json(analysis.conditions),
+        }
+    )
+
+
+def bat_json(name: str, length: float, body: RigidBody) -> dict[str, Any]:
+    """Return a bat's name and mass properties."""
+    return {
+        "name": name,
+        "length_m": length,
+        "mass_kg": body.mass,
+        "balance_point_m": body.balance_point,
+        "moi_cm_kg_m2": body.moi_cm,
+        "moi_knob_kg_m2": body.moi(0.0),
+        "moi_6in_kg_m2": body.moi(STANDARD_AXIS),
+        "roll_moi_kg_m2": body.roll_moi,
+    }
+
+
+def modes_json(analysis: Analysis) -> list[dict[str, Any]]:
+    """Return the vibrating modes, rigid motions left out."""
+    modes = analysis.modes
+    ratio = modes.damping_ratio
+    return [
+        {
+            "family": modes.families[index],
+            "harmonic": modes.harmonics[index],
+            "frequency_hz": float(modes.frequency[index]),
+            "damping_ratio": float(ratio[index]),
+            "nodes_m": modes.nodes(index).tolist(),
+        }
+        for index in range(len(modes))
+        if modes.families[index] != "rigid"
+    ]
+
+
+def hit_json(impact: Impact, *, body: RigidBody, conditions: Conditions) -> dict[str, Any]:
+    """Return one collision."""
+    return cleaned(
+        {
+            "position_m": impact.position,
+            "collision_efficiency": impact.collision_efficiency,
+            "closing_speed_m_s": impact.closing_speed,
+            "bat_speed_m_s": conditions.swing.speed_at(impact.position),
+            "exit_speed_m_s": exit_speed_of(impact, conditions),
+            "bbcor": bbcor(
+                impact.collision_efficiency, body=body, ball=conditions.ball, position=impact.position
+            ),
+            "contact_time_s": impact.contact_time,
+            "release_time_s": impact.release_time,
+            "peak_force_n": impact.peak_force,
+            "peak_compression_m": impact.peak_compression,
+            "energy_j": asdict(impact.energy),
+            "energy_imbalance": impact.energy.imbalance,
+            "outcome": impact.outcome.name.lower(),
+            "outcome_text": impact.outcome.sentence,
+            "history": {
+                "time_s": impact.times,
+                "force_n": impact.force,
+                "compression_m": impact.compression,
+            },
+        }
+    )
+
+
+def conditions_json(conditions: Conditions) -> dict[str, Any]:
+    """Return what the hit was computed under."""
+    swing, hands, ball = conditions.swing, conditions.hands, conditions.ball
+    return {
+        "pitch_speed_m_s": conditions.pitch.speed,
+        "bat_speed_m_s": swing.bat_speed,
+        "bat_speed_at_m": swing.measured_at,
+        "pivot_m": swing.pivot,
+        "hands_m": hands.position,
+        "ball": ball.name,
+        "ball_mass_kg": ball.mass,
+        "ball_restitution": ball.restitution.reference,
+        "ball_restitution_speed_m_s": ball.restitution.reference_speed,
+        "ball_restitution_slope_s_m": ball.restitution.slope,
+    }
+
+
+def paper_json(rows: list[Row]) -> dict[str, Any]:
+    """Return the paper's chain."""
+    return cleaned({"rows": [asdict(row) for row in rows]})
+
+
+def cleaned(table: dict[str, Any]) -> dict[str, Any]:
+    """Return a table with arrays as lists and every number that is not finite as None, as JSON has neither."""
+    return {key: _clean(item) for key, item in table.items()}
+
+
+def _clean(value: Any) -> Any:
+    if isinstance(value, dict):
+        return cleaned(value)
+    if isinstance(value, np.ndarray | list | tuple):
+        return [_clean(item) for item in value]
+    if isinstance(value, np.floating | float):
+        return float(value) if math.isfinite(value) else None
+    return value
