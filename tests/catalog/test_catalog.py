@@ -1,0 +1,98 @@
+"""The catalogue: every value has a source, every entry makes a thing."""
+
+from __future__ import annotations
+
+import pytest
+
+from sweetspot import catalog, references
+from sweetspot.catalog.batfile import bat_from_table
+from sweetspot.catalog.bats import bat_tables
+from sweetspot.catalog.records import read_table, records
+from sweetspot.catalog.turned import turned_profile
+from sweetspot.errors import InputError
+from sweetspot.line import reduce
+from sweetspot.rigid import rigid_body
+from sweetspot.units import OUNCE
+
+TABLES = {"materials": read_table("materials.toml"), "balls": read_table("balls.toml"), "bats": bat_tables()}
+PLAIN = {"name", "family", "sport", "like", "note"}
+"""Fields that are words, not values."""
+ENTRIES = [(table, name) for table, entries in TABLES.items() for name in entries]
+
+
+@pytest.mark.parametrize(("table", "name"), ENTRIES)
+def test_every_value_has_a_source_and_a_kind(table: str, name: str) -> None:
+    entry = TABLES[table][name]
+    found = records(entry, name)
+    assert {record.name.split(".")[1] for record in found} == set(entry) - PLAIN
+    for record in found:
+        assert record.source in references.keys(), record.name
+        assert record.kind in ("measured", "specified", "derived", "fitted", "assumed"), record.name
+        if record.source == "recalled":
+            assert record.kind in ("assumed", "derived", "fitted"), f"{record.name} is known from memory only"
+
+
+@pytest.mark.parametrize("name", catalog.material_names())
+def test_materials(name: str) -> None:
+    material = catalog.material(name)
+    assert material.shear > 0 and material.density > 0
+
+
+@pytest.mark.parametrize("name", catalog.ball_names())
+def test_balls(name: str) -> None:
+    ball = catalog.ball(name)
+    assert 0.1 < ball.mass < 0.21 and 0.03 < ball.radius < 0.06
+    assert 0.3 < ball.restitution.at(45.0) < 0.6
+
+
+def test_the_baseball_is_the_rule_books() -> None:
+    ball = catalog.ball()
+    assert ball.mass == pytest.approx(5.125 * OUNCE)
+    assert ball.restitution.at(85 * 0.3048) == pytest.approx(0.546)
+
+
+@pytest.mark.parametrize("name", catalog.bat_names())
+def test_bats_weigh_what_is_measured(name: str) -> None:
+    bat = catalog.bat(name)
+    body = rigid_body(reduce(bat))
+    if bat.mass is not None:
+        assert body.mass == pytest.approx(bat.mass, rel=1e-9)
+    if bat.balance_point is not None:
+        assert body.balance_point == pytest.approx(bat.balance_point, rel=1e-9)
+    if bat.moi is not None:
+        assert body.moi(bat.moi_axis) == pytest.approx(bat.moi, rel=1e-9)
+
+
+def test_corked_file_is_the_corked_flagship() -> None:
+    made = catalog.bat("r161-ash").corked(
+        diameter=0.0254, depth=0.254, fill=catalog.material("cork"), plug=0.0254
+    )
+    here, there = rigid_body(reduce(made)), rigid_body(reduce(catalog.bat("corked-r161")))
+    assert (there.mass, there.balance_point) == pytest.approx((here.mass, here.balance_point), rel=1e-3)
+
+
+def test_names_are_forgiving() -> None:
+    assert catalog.bat("R161 Ash") == catalog.bat("r161_ash") == catalog.bat("r161-ash")
+    with pytest.raises(InputError, match="Did you mean"):
+        catalog.material("white-ashh")
+
+
+def test_own_material_values() -> None:
+    table = {
+        "name": "tapped", "length": "33 in", "profile": [["0 in", "1 in"], ["33 in", "2.5 in"]],
+        "material": {"like": "white ash", "longitudinal_modulus": "13 GPa", "damping_ratio": 0.01},
+    }  # fmt: skip
+    material = bat_from_table(table, "test").material
+    assert material.longitudinal_modulus == pytest.approx(13e9) and material.damping_ratio == 0.01
+    assert material.density == catalog.material("white ash").density
+
+
+def test_turned_outline() -> None:
+    sizes = {"length": 0.84, "knob": 0.05, "handle": 0.025, "barrel": 0.065}
+    stations = turned_profile(**sizes, taper_start=0.3, taper_end=0.6)
+    places = [place for place, _ in stations]
+    assert places == sorted(set(places)) and places[0] == 0.0 and places[-1] == pytest.approx(0.84)
+    assert max(size for _, size in stations) == pytest.approx(0.065)
+    for start, end in ((0.6, 0.3), (0.01, 0.6), (0.3, 0.83)):
+        with pytest.raises(InputError, match="start before end"):
+            turned_profile(**sizes, taper_start=start, taper_end=end)

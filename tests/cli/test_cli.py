@@ -1,0 +1,261 @@
+"""The command line as a user meets it: answers, formats, exit codes, messages."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+
+from sweetspot.cli import main
+
+GOOD_BAT = """
+name = "my ash bat"
+length = "33 1/2 in"
+mass = "28 oz"
+material = "white ash"
+profile = [ ["0 in", "2.0 in"], ["1.0 in", "1.05 in"], ["12 in", "1.0 in"], ["24 in", "2.4 in"], ["2 ft 9.5 in", "1.6 in"] ]
+
+[[bore]]
+diameter = "1 in"
+depth = "8 in"
+fill = "cork"
+plug = "1 in"
+
+[cup]
+diameter = "1.4 in"
+depth = "0.9 in"
+"""
+
+
+def run(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
+    with pytest.raises(SystemExit) as stopped:
+        main(list(arguments))
+    captured = capsys.readouterr()
+    return int(stopped.value.code or 0), captured.out, captured.err
+
+
+def run_json(capsys: pytest.CaptureFixture[str], *arguments: str) -> Any:
+    code, out, err = run(capsys, *arguments, "--format", "json")
+    assert code == 0, err
+    return json.loads(out)
+
+
+def test_report_says_where_and_why(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run(capsys, "report", "r161-ash")
+    assert code == 0
+    words = " ".join(out.split())
+    assert "This bat hits best" in words and "Why not the end?" in words and "What a miss costs" in words
+
+
+def test_report_json_keeps_the_border_contract(capsys: pytest.CaptureFixture[str]) -> None:
+    result = run_json(capsys, "report", "r161-ash")
+    assert {
+        "name", "length_m", "mass_kg", "balance_point_m", "moi_cm_kg_m2", "moi_knob_kg_m2", "moi_6in_kg_m2",
+    } <= set(result["bat"])  # fmt: skip
+    assert {"family", "harmonic", "frequency_hz", "damping_ratio", "nodes_m"} == set(result["modes"][0])
+    assert result["modes"][0]["family"] == "bending" and len(result["modes"]) >= 12
+    assert {
+        "center_of_percussion_m", "node_1_m", "node_2_m", "max_collision_efficiency_m", "max_exit_speed_m", "min_sting_m",
+        "zone_m",
+    } == set(result["sweet_spots"])  # fmt: skip
+    assert {
+        "position_m", "collision_efficiency", "bbcor", "bat_speed_m_s", "exit_speed_m_s", "hand_impulse_n_s", "sting",
+    } <= set(result["scan"])  # fmt: skip
+    lengths = {len(column) for column in result["scan"].values()}
+    assert len(lengths) == 1 and lengths.pop() > 50
+    assert result["conditions"]["pitch_speed_m_s"] == pytest.approx(40.2336)
+
+
+def test_hit_json(capsys: pytest.CaptureFixture[str]) -> None:
+    result = run_json(capsys, "hit", "r161-ash", "--at", "6in-from-tip")
+    assert {
+        "position_m", "collision_efficiency", "exit_speed_m_s", "bbcor", "contact_time_s", "peak_force_n",
+        "peak_compression_m", "energy_j", "outcome",
+    } <= set(result)  # fmt: skip
+    assert result["outcome"] == "separated" and result["position_m"] == pytest.approx(0.6858)
+    parts = sum(value for name, value in result["energy_j"].items() if name != "incoming")
+    assert parts == pytest.approx(result["energy_j"]["incoming"], rel=1e-4)
+    same = run_json(capsys, "hit", "r161-ash", "--at", "27in")
+    assert same["exit_speed_m_s"] == pytest.approx(result["exit_speed_m_s"])
+
+
+def test_paper_json(capsys: pytest.CaptureFixture[str]) -> None:
+    rows = run_json(capsys, "paper")["rows"]
+    assert all({"equation", "quantity", "paper", "computed", "full_model", "comment"} <= set(row) for row in rows)
+    assert pytest.approx(0.26325) in [row["computed"] for row in rows if row["equation"] == "W"]
+
+
+@pytest.mark.parametrize("command", [["report", "youth-30"], ["hit", "youth-30", "--at", "25in"], ["paper"], ["bats"]])
+def test_csv_is_a_table(capsys: pytest.CaptureFixture[str], command: list[str]) -> None:
+    code, out, err = run(capsys, *command, "--format", "csv")
+    rows = list(csv.reader(io.StringIO(out)))
+    assert code == 0, err
+    assert len(rows) > 5 and {len(row) for row in rows} == {len(rows[0])}
+
+
+def test_options_mean_what_they_say(capsys: pytest.CaptureFixture[str]) -> None:
+    hit = ("hit", "r161-ash", "--at", "27in")
+    plain = run_json(capsys, *hit)
+    assert run_json(capsys, *hit, "--pitch-speed", "40.2336m/s")["exit_speed_m_s"] == pytest.approx(
+        plain["exit_speed_m_s"]
+    )
+    assert run_json(capsys, *hit, "--pitch-speed", "tee")["closing_speed_m_s"] == pytest.approx(31.2928)
+    assert run_json(capsys, *hit, "--bat-speed-at", "33in")["bat_speed_m_s"] < 31.29
+    assert run_json(capsys, *hit, "--pivot=-2in")["bat_speed_m_s"] == pytest.approx(31.2928)
+    assert run_json(capsys, *hit, "--ball-humidity", "70%")["exit_speed_m_s"] < plain["exit_speed_m_s"]
+    assert run_json(capsys, *hit, "--ball", "baseball-lively")["exit_speed_m_s"] > plain["exit_speed_m_s"]
+    choked = run_json(capsys, "report", "r161-ash", "--hands", "8in")
+    assert (
+        choked["sweet_spots"]["center_of_percussion_m"]
+        > run_json(capsys, "report", "r161-ash")["sweet_spots"]["center_of_percussion_m"]
+    )
+
+
+def test_own_bat_file(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    (tmp_path / "bat.toml").write_text(GOOD_BAT)
+    bat = run_json(capsys, "report", str(tmp_path / "bat.toml"))["bat"]
+    assert bat["length_m"] == pytest.approx(0.8509) and bat["mass_kg"] == pytest.approx(28 * 0.028349523125)
+
+
+def test_schema_describes_a_bat_file(capsys: pytest.CaptureFixture[str]) -> None:
+    import tomllib
+
+    code, out, _ = run(capsys, "schema")
+    schema = json.loads(out)
+    assert code == 0
+    jsonschema.Draft202012Validator.check_schema(schema)
+    jsonschema.validate(tomllib.loads(GOOD_BAT), schema)
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.validate({**tomllib.loads(GOOD_BAT), "colour": "red"}, schema)
+
+
+def test_pendulum_both_ways(capsys: pytest.CaptureFixture[str]) -> None:
+    bat = ("pendulum", "--mass", "31oz", "--balance-point", "22.4in")
+    there = run_json(capsys, *bat, "--period", "1.4s")
+    back = run_json(capsys, *bat, "--moi", f"{there['moi_kg_m2']}kg*m^2")
+    assert back["period_s"] == pytest.approx(1.4)
+
+
+BAD_FILES = {
+    "not toml": ("name = ", "is not valid TOML"),
+    "unknown key": (GOOD_BAT.replace("[cup]", "colour = 'red'\n[cup]").replace("colour", "wood", 1), "unknown key"),
+    "no unit": (GOOD_BAT.replace('"28 oz"', '"28"'), "mass was given as 28 without a unit"),
+    "wrong kind": (GOOD_BAT.replace('"28 oz"', '"28 in"'), "is not a mass"),
+    "a number": (GOOD_BAT.replace('"28 oz"', "28"), "mass was given as 28: input should be a valid string"),
+    "crossing": (GOOD_BAT.replace('["12 in"', '["26 in"'), "profile goes back"),
+    "huge": (GOOD_BAT.replace('"2.4 in"', '"24 in"'), "allowed is 5 to 120 mm"),
+    "negative": (GOOD_BAT.replace('"2.4 in"', '"-2.4 in"'), "allowed is 5 to 120 mm"),
+    "too light": (GOOD_BAT.replace('"28 oz"', '"12 oz"'), "only at a density of"),
+    "not finite": (GOOD_BAT.replace('"28 oz"', '"nan oz"'), "finite number"),
+    "wide bore": (GOOD_BAT.replace('diameter = "1 in"', 'diameter = "3 in"'), "make it narrower or shallower"),
+    "unknown fill": (GOOD_BAT.replace('"cork"', '"corck"'), "Did you mean cork"),
+    "unknown wood": (GOOD_BAT.replace('"white ash"', '"wite ash"'), "Did you mean white-ash"),
+    "no name": (GOOD_BAT.replace('name = "my ash bat"', ""), "name is missing"),
+    "two outlines": (GOOD_BAT.replace("[[bore]]", "linear_density = [1.0]\n[[bore]]", 1), "exactly one of"),
+    "measured and impossible": (
+        GOOD_BAT.replace("[[bore]]", 'balance_point = "15 in"\n[[bore]]', 1),
+        "Check the profile or the measurement",
+    ),
+}
+
+
+@pytest.mark.parametrize("fault", BAD_FILES)
+def test_bad_bat_files(capsys: pytest.CaptureFixture[str], tmp_path: Path, fault: str) -> None:
+    text, said = BAD_FILES[fault]
+    path = tmp_path / "bat.toml"
+    path.write_text(text)
+    code, out, err = run(capsys, "report", str(path))
+    assert code == 2 and out == ""
+    assert said in err and (str(path) in err or "my ash bat" in err) and err.count("\n") == 1
+
+
+BAD_CALLS = {
+    ("report", "no-such-bat.toml"): "cannot be read: no such file",
+    ("report", "."): "is not in the catalogue",
+    ("report", "r161-asch"): "Did you mean r161-ash",
+    ("report", "r161-ash", "--pitch-speed", "90"): "without a unit",
+    ("report", "r161-ash", "--pitch-speed", "90in"): "not a speed",
+    ("report", "r161-ash", "--pitch-speed", "0mph"): "above zero",
+    ("report", "r161-ash", "--pitch-speed=-90mph"): "above zero",
+    ("report", "r161-ash", "--bat-speed", "0mph"): "bat speed is 0 m/s (0 mph); allowed is more than 0",
+    ("report", "r161-ash", "--bat-speed", "nanmph"): "finite",
+    ("report", "r161-ash", "--bat-speed", "inf m/s"): "finite",
+    ("report", "r161-ash", "--bat-speed", "900mph"): "at most 70 m/s",
+    ("report", "r161-ash", "--bat-speed-at", "40in"): "beyond the tip",
+    ("report", "r161-ash", "--hands", "35in"): "hand position is",
+    ("report", "r161-ash", "--hands=-3in"): "greater than or equal to 0",
+    ("report", "r161-ash", "--pivot", "20in"): "pivot is",
+    ("report", "r161-ash", "--ball", "basebal"): "Did you mean baseball",
+    ("report", "r161-ash", "--ball-humidity", "50"): "ratio from 0 to 1",
+    ("report", "r161-ash", "--ball-temperature", "900degC"): "allowed is -40 to 60",
+    ("report", "r161-ash", "--format", "yaml"): "Choose from",
+    ("report", "r161-ash", "--colour", "red"): "Unknown option",
+    ("hit", "r161-ash", "--at", "40in"): "off the bat",
+    ("hit", "r161-ash", "--at=-1in"): "off the bat",
+    ("hit", "r161-ash", "--at", "27"): "without a unit",
+    ("hit", "r161-ash"): "--at",
+    ("pendulum", "--mass", "31oz", "--balance-point", "22in"): "either --period or --moi",
+    ("pendulum", "--mass", "31oz", "--balance-point", "22in", "--period", "0s"): "above zero",
+    ("pendulum", "--mass", "31oz", "--balance-point", "4in", "--period", "1s"): "hang it from the handle",
+    ("nonsense",): "Unknown command",
+}
+
+
+@pytest.mark.parametrize("arguments", BAD_CALLS, ids=" ".join)
+def test_bad_calls(capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...]) -> None:
+    code, out, err = run(capsys, *arguments)
+    assert code == 2 and out == ""
+    assert BAD_CALLS[arguments] in err and err.startswith("sweetspot: ") and err.count("\n") == 1
+
+
+def test_a_heavy_ball_on_a_light_bat(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    light = """
+name = "twig"
+length = "14 in"
+material = "white ash"
+profile = [["0 in", "0.75 in"], ["14 in", "0.75 in"]]
+"""
+    (tmp_path / "twig.toml").write_text(light)
+    code, _, err = run(capsys, "report", str(tmp_path / "twig.toml"))
+    assert code == 2 and "a ball lighter than the bat" in err
+
+
+def test_output_folder_that_cannot_be_written(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("in the way")
+    code, out, err = run(capsys, "report", "r161-ash", "--out", str(tmp_path / "file" / "deeper"))
+    assert code == 2 and out == "" and "Traceback" not in err
+    assert (tmp_path / "file").read_text() == "in the way" and list(tmp_path.iterdir()) == [tmp_path / "file"]
+
+
+def test_validate(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = run(capsys, "validate", "--format", "json")
+    assert code == 0, err
+    assert len(json.loads(out)["rows"]) > 40
+
+
+def command(*arguments: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "sweetspot", *arguments], capture_output=True, text=True, check=False
+    )
+
+
+def test_as_a_program() -> None:
+    helped = command("--help")
+    assert helped.returncode == 0 and "report" in helped.stdout and helped.stderr == ""
+    assert command("--version").stdout.strip() == "0.1.0"
+    wrong = command("report", "nope")
+    assert wrong.returncode == 2 and "Traceback" not in wrong.stderr and wrong.stdout == ""
+
+
+def test_start_up_stays_light() -> None:
+    """Heavy libraries load only when a command needs them."""
+    code = "import sys, sweetspot, sweetspot.cli.app; print(*sorted({name.split('.')[0] for name in sys.modules}))"
+    loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
+    assert not {"numpy", "scipy", "numba", "skfem", "matplotlib", "pint"} & set(loaded)

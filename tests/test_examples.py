@@ -1,0 +1,69 @@
+"""The example scripts run, and the number in each headline is the one the library gives."""
+
+from __future__ import annotations
+
+import re
+import runpy
+import sys
+from pathlib import Path
+
+import pytest
+
+from sweetspot import analyse, catalog, exit_speed_of, standard_conditions
+from sweetspot.analysis import Analysis
+from sweetspot.units import INCH, MPH
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
+SCRIPTS = sorted(EXAMPLES.glob("*.py"))
+NUMBER = r"([-+]?\d+(?:\.\d+)?)"
+
+
+@pytest.fixture(scope="module")
+def flagship() -> Analysis:
+    bat = catalog.bat("r161-ash")
+    return analyse(bat, standard_conditions(bat))
+
+
+@pytest.fixture
+def headline(request: pytest.FixtureRequest, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> str:
+    """Run the script that the test names and return its last line."""
+    monkeypatch.setattr(sys, "argv", [request.param])
+    runpy.run_path(str(EXAMPLES / request.param), run_name="__main__")
+    return capsys.readouterr().out.strip().splitlines()[-1]
+
+
+def numbers(pattern: str, text: str) -> list[float]:
+    found = re.search(pattern.replace("#", NUMBER), text)
+    assert found is not None, text
+    return [float(number) for number in found.groups()]
+
+
+@pytest.mark.parametrize("headline", ["where_is_the_sweet_spot.py"], indirect=True)
+def test_where_is_the_sweet_spot(headline: str, flagship: Analysis) -> None:
+    place, speed = numbers("hits best # in from the tip: # mph", headline)
+    assert place == pytest.approx((flagship.bat.length - flagship.sweet_spots.max_exit_speed) / INCH, abs=0.006)
+    assert speed == pytest.approx(exit_speed_of(flagship.best, flagship.conditions) / MPH, abs=0.06)
+
+
+@pytest.mark.parametrize("headline", ["why_not_the_end.py"], indirect=True)
+def test_why_not_the_end(headline: str, flagship: Analysis) -> None:
+    lost, turning, bending = numbers("The end costs # mph: # mph by turning and # mph by bending", headline)
+    top = exit_speed_of(flagship.best, flagship.conditions)
+    tip, rigid_tip = flagship.scan.exit_speed[-1], flagship.scan.rigid_exit_speed[-1]
+    assert lost == pytest.approx((top - tip) / MPH, abs=0.06)
+    assert turning == pytest.approx((top - rigid_tip) / MPH, abs=0.06)
+    assert bending == pytest.approx((rigid_tip - tip) / MPH, abs=0.06)
+
+
+@pytest.mark.parametrize("headline", ["does_grip_matter.py"], indirect=True)
+def test_does_grip_matter(headline: str, flagship: Analysis) -> None:
+    speed, change = numbers("Grip changes the exit speed of # mph by # %", headline)
+    assert speed == pytest.approx(exit_speed_of(flagship.best, flagship.conditions) / MPH, abs=0.06)
+    assert change == pytest.approx(100 * flagship.grip_effect, abs=6e-4)
+    assert abs(change) < 1.0  # published: grip has no effect that could be measured [nathan2000]
+
+
+def test_every_example_is_tested_and_short() -> None:
+    text = Path(__file__).read_text(encoding="utf-8")
+    assert [script.name for script in SCRIPTS if f'"{script.name}"' not in text] == []
+    assert [script.name for script in SCRIPTS if len(script.read_text(encoding="utf-8").splitlines()) > 40] == []

@@ -1,0 +1,81 @@
+"""Texts with units, as people write them."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from sweetspot.errors import InputError
+from sweetspot.units import Kind, parse, parse_position
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "expected"),
+    [
+        ("33 in", "length", 0.8382),  # exact: 1 in = 25.4 mm
+        ("33in", "length", 0.8382),
+        ("33 1/2 in", "length", 0.8509),  # pint alone reads 16.5 in
+        ("1/2 in", "length", 0.0127),
+        ("2 ft 9.5 in", "length", 0.8509),  # pint alone reads an area
+        ("2 ft 9 1/2 in", "length", 0.8509),
+        ("2' 9.5\"", "length", 0.8509),
+        ("84 cm", "length", 0.84),
+        ("31 oz", "mass", 31 * 0.028349523125),
+        ("90mph", "speed", 90 * 0.44704),
+        ("11000 oz*in^2", "moi", 11000 * 0.028349523125 * 0.0254**2),
+        ("15.3 GPa", "pressure", 15.3e9),
+        ("70 degF", "temperature", 21.111111),
+        ("50%", "ratio", 0.5),
+        (0.5, "ratio", 0.5),
+        ("27deg", "angle", math.radians(27)),
+    ],
+)
+def test_parses(text: str | float, kind: Kind, expected: float) -> None:
+    assert parse(text, kind) == pytest.approx(expected, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "said"),
+    [
+        ("31", "length", "without a unit"),
+        (31.0, "mass", "without a unit"),
+        ("31 oz", "length", "not a length"),
+        ("33 in", "mass", "not a mass"),
+        ("33 furlongz", "length", "not known"),
+        ("nan in", "length", "finite"),
+        ("inf mph", "speed", "finite"),
+        ("-inf kg", "mass", "finite"),
+        ("1e400 m", "length", "finite"),
+        ("thirty inches", "length", "write for example"),
+        ("", "length", "write for example"),
+        ("3 + in", "length", "write for example"),
+    ],
+)
+def test_refuses_with_one_clear_message(text: str | float, kind: Kind, said: str) -> None:
+    with pytest.raises(InputError) as caught:
+        parse(text, kind, "length")
+    message = str(caught.value)
+    assert said in message and message.startswith("length was given as") and "\n" not in message
+
+
+@given(st.floats(0.01, 100), st.sampled_from(["in", "mm", "cm", "m", "ft"]))
+def test_units_scale_linearly(number: float, unit: str) -> None:
+    assert parse(f"{number!r} {unit}", "length") == pytest.approx(number * parse(f"1 {unit}", "length"), rel=1e-12)
+
+
+@given(st.integers(0, 60), st.integers(0, 15))
+def test_mixed_fractions_are_sums(whole: int, sixteenths: int) -> None:
+    expected = (whole + sixteenths / 16) * 0.0254
+    assert parse(f"{whole} {sixteenths}/16 in", "length") == pytest.approx(expected, abs=1e-12)
+
+
+def test_positions() -> None:
+    assert parse_position("27in", length=0.8382) == pytest.approx(0.6858)
+    assert parse_position("6in-from-tip", length=0.8382) == pytest.approx(0.6858)
+    assert parse_position("0.152m-from-tip", length=0.8382) == pytest.approx(0.6862)
+    assert parse_position("6 1/2 in-from-knob", length=0.8382) == pytest.approx(0.1651)
+    with pytest.raises(InputError, match="without a unit"):
+        parse_position("6-from-tip", length=0.8382)
