@@ -12,6 +12,8 @@ from sweetspot.errors import InputError, nearest_names
 FILE = Path(__file__).with_name("references.bib")
 ENTRY = re.compile(r"^@(\w+)\{([^,\s]+),\n(.*?)^\}", re.DOTALL | re.MULTILINE)
 FIELD = re.compile(r"^\s*(\w+)\s*=\s*\{(.*)\},?\s*$", re.MULTILINE)
+PLACES = ("booktitle", "publisher", "institution", "school", "howpublished", "pages")
+"""Fields that say where something appeared, in the order of a citation, after the journal."""
 LETTERS = {r"{\o}": "ø", r"{\"o}": "ö", r"{\"u}": "ü", r"{\"a}": "ä", r"{\'e}": "é", r"{\ss}": "ß", r"\&": "&"}
 """What our file may write of TeX's letters."""
 
@@ -39,10 +41,8 @@ class Reference:
         fields = self.fields
         number = f"({fields['number']})" if "number" in fields else ""
         volume = f" {fields['volume']}{number}" if "volume" in fields else ""
-        parts = [f"{fields[name]}{volume}" for name in ("journal",) if name in fields]
-        parts += [fields[name] for name in ("booktitle", "publisher", "institution", "school", "howpublished") if name in fields]
-        parts += [fields["pages"]] if "pages" in fields else []
-        return ", ".join(parts)
+        journal = f"{fields['journal']}{volume}" if "journal" in fields else ""
+        return ", ".join(part for part in (journal, *(fields.get(name, "") for name in PLACES)) if part)
 
     @property
     def link(self) -> str | None:
@@ -74,15 +74,15 @@ def reference(key: str) -> Reference:
 def cite(key: str) -> str:
     """Return a source as one line for people; raises `InputError` with the nearest keys for an unknown one.
 
-    >>> cite("nathan2000")
-    'Nathan, A. M. (2000). Dynamics of the baseball–bat collision. American Journal of Physics 68(11), 979–990.'
+    >>> cite("cross1998")
+    'Cross, R. (1998). The sweet spot of a baseball bat. American Journal of Physics 66.'
     """
     found = reference(key)
     year = found.fields.get("year", "")
     dated = f"{found.authors} ({year})" if found.authors and year else found.authors
-    undated = year if not found.authors else ""
-    parts = [part for part in (dated, found.fields.get("title", ""), ", ".join(filter(None, [found.where, undated]))) if part]
-    return " ".join(part if part.endswith((".", "?", "!")) else f"{part}." for part in parts)
+    where = ", ".join(part for part in (found.where, "" if found.authors else year) if part)
+    parts = (dated, found.fields.get("title", ""), where)
+    return " ".join(part if part.endswith((".", "?", "!")) else f"{part}." for part in parts if part)
 
 
 @cache
@@ -117,7 +117,7 @@ def _plain(value: str) -> str:
     """Return a field's text without TeX: letters spelled out, dashes, braces gone."""
     for written, letter in LETTERS.items():
         value = value.replace(written, letter)
-    return value.replace("--", "–").replace("{", "").replace("}", "")
+    return value.replace("--", "\N{EN DASH}").replace("{", "").replace("}", "")
 
 
 def _authors(written: str) -> str:
