@@ -47,15 +47,14 @@ class Analysis:
 def analyse(bat: Bat, conditions: Conditions) -> Analysis:
     """Return the full answer for a bat: reduce it, find its modes, hit it everywhere, read off the sweet spots.
 
-    Hands without mass, spring and damper leave the bat free, which is right for the ball's exit (published: grip
+    Hands without mass leave the bat free, which is right for the ball's exit (published: grip
     does not matter) and an upper bound for the vibration.
     """
     check_conditions(bat, conditions)
     line = reduce(bat)
     body = rigid_body(line)
     free = bending_modes(line)
-    held = any((conditions.hands.mass, conditions.hands.stiffness, conditions.hands.damping))
-    modes = gripped(free, conditions.hands) if held else free
+    modes = gripped(free, conditions.hands)
     along = scan(bat, body=body, modes=modes, conditions=conditions)
     spots = sweet_spots(along, body=body, modes=free, conditions=conditions)
     best = hit_at(spots.max_exit_speed, modes=modes, conditions=conditions)

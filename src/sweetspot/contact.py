@@ -14,13 +14,14 @@ from sweetspot.ball import Ball
 class ContactLaw(Protocol):
     """Anything that turns compression into force; collisions ask nothing else of a ball.
 
-    ``compression`` is the present one and ``peak`` the greatest so far (m), ``rate`` the speed of compression
-    (m/s, negative when the ball springs back). ``force`` is in N, ``slope`` is its derivative by compression, N/m.
+    ``compression`` is the present one in m, ``rate`` its speed in m/s, negative when the ball springs back, and
+    ``turned_at`` the compression from which it springs back, None while it is pressed further than ever before.
+    ``force`` is in N, ``slope`` is its derivative by compression in N/m.
     """
 
-    def force(self, compression: float, rate: float, peak: float) -> float: ...
+    def force(self, compression: float, rate: float, turned_at: float | None) -> float: ...
 
-    def slope(self, compression: float, rate: float, peak: float) -> float: ...
+    def slope(self, compression: float, rate: float, turned_at: float | None) -> float: ...
 
 
 def loading_force(ball: Ball, compression: float) -> float:
@@ -57,18 +58,17 @@ class Hysteretic:
 
     ball: Ball
 
-    def force(self, compression: float, rate: float, peak: float) -> float:  # noqa: ARG002 - the law ignores rate
+    def force(self, compression: float, rate: float, turned_at: float | None) -> float:  # noqa: ARG002 - the law ignores rate
         """Return the force in N; see `ContactLaw`."""
-        if compression >= peak:
+        if turned_at is None:
             return loading_force(self.ball, compression)
-        ratio = compression / peak
-        return float(loading_force(self.ball, peak) * ratio ** unloading_exponent(self.ball, peak))
+        ratio = compression / turned_at
+        return float(loading_force(self.ball, turned_at) * ratio ** unloading_exponent(self.ball, turned_at))
 
-    def slope(self, compression: float, rate: float, peak: float) -> float:
+    def slope(self, compression: float, rate: float, turned_at: float | None) -> float:
         """Return dF/du in N/m; see `ContactLaw`."""
-        loading = compression >= peak
-        power = self.ball.exponent if loading else unloading_exponent(self.ball, peak)
-        return power * self.force(compression, rate, peak) / compression
+        power = self.ball.exponent if turned_at is None else unloading_exponent(self.ball, turned_at)
+        return power * self.force(compression, rate, turned_at) / compression
 
 
 @dataclass(frozen=True)
@@ -96,10 +96,10 @@ class HuntCrossley:
         limit = (1 - 1e-12) / restitution
         return cls(ball, float(brentq(imbalance, 1e-9, limit, xtol=1e-14)) / speed)
 
-    def force(self, compression: float, rate: float, peak: float) -> float:  # noqa: ARG002 - no memory of the peak
+    def force(self, compression: float, rate: float, turned_at: float | None) -> float:  # noqa: ARG002 - no memory of the peak
         """Return the force in N, never a pull; see `ContactLaw`."""
         return max(0.0, loading_force(self.ball, compression) * (1 + self.damping * rate))
 
-    def slope(self, compression: float, rate: float, peak: float) -> float:
+    def slope(self, compression: float, rate: float, turned_at: float | None) -> float:
         """Return dF/du in N/m at constant rate; see `ContactLaw`."""
-        return self.ball.exponent * self.force(compression, rate, peak) / compression
+        return self.ball.exponent * self.force(compression, rate, turned_at) / compression

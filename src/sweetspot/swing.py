@@ -71,7 +71,7 @@ class Swing(Thing):
 
 
 class Hands(Thing):
-    """Two hands on the handle, each a mass held to the bat by a spring and a damper.
+    """Two hands on the handle, each a mass behind a spring and a damper (its flesh).
 
     The top hand is centred at ``position``; the bottom hand one ``spacing`` nearer the knob.
 
@@ -79,7 +79,7 @@ class Hands(Thing):
     ----------
     position : m from the knob end, >= 0.
     spacing : m between the centres of the hands.
-    mass, stiffness, damping : kg, N/m and N s/m per hand, 0 for a hand that is not there.
+    mass, stiffness, damping : kg, N/m and N s/m per hand; mass 0 for a hand that is not there.
     """
 
     position: NonNegative

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 import pytest
+import scipy.linalg
 
 from sweetspot.analysis import TYPICAL_HAND, Analysis, exit_speed_of, hit_at
 from sweetspot.bat import Bat
@@ -17,57 +20,85 @@ from sweetspot.vibration.hands import check_hands, gripped
 
 def test_no_hands_is_the_free_bat(r161: Bat) -> None:
     free = bending_modes(reduce(r161))
-    held = gripped(free, Hands(position=0.15))
-    assert held.frequency == pytest.approx(free.frequency, abs=1e-4)
-    assert np.abs(held.shape_at(0.7)) == pytest.approx(np.abs(free.shape_at(0.7)), rel=1e-6)
+    assert gripped(free, Hands(position=0.15)) is free
+    held = gripped(free, Hands(position=0.15, mass=0.3))  # a hand that nothing holds to the bat
+    assert held.frequency[4:] == pytest.approx(free.frequency[2:]) and held.frequency[:4] == pytest.approx(0, abs=1e-3)
 
 
-def test_hands_add_springs_and_damping(r161: Bat) -> None:
+def test_hands_hardly_change_frequency_but_damp(r161: Bat) -> None:
+    """Russell: even a tight grip damps strongly and does not significantly change frequencies."""
     free = bending_modes(reduce(r161))
     held = gripped(free, Hands(position=0.15, **TYPICAL_HAND))
-    assert np.all(held.frequency[:2] > 1) and np.all(held.frequency[:2] < 60)  # the bat swings on the hands' springs
-    assert np.all(held.damping_ratio[2:] >= free.damping_ratio[2:] - 1e-3)
-    assert held.damping_ratio[2:4].max() > 0.02  # hands damp strongly (Russell, qualitatively)
+    assert len(held) == len(free) + 2 and held.families.count("hand") == 2
+    bending = held.of_family("bending")
+    assert held.frequency[bending] == pytest.approx(free.frequency[free.of_family("bending")], rel=0.08)
+    damped = np.sum(held.dashpots[:, bending] ** 2, axis=0) / (2 * held.angular_frequency[bending])
+    assert damped[0] > 3 * free.damping_ratio[2]
+
+
+def test_a_vice_pins_the_handle(r161: Bat) -> None:
+    """Very stiff and heavy hands: every bending mode has a node at both of them."""
+    held = gripped(bending_modes(reduce(r161), count=30), Hands(position=0.15, mass=1e4, stiffness=1e9))
+    low = [index for index in held.of_family("bending") if held.frequency[index] < 2000]
+    shapes = held.shape_at(np.array([0.15, 0.061]))[:, low]
+    assert len(low) >= 2 and np.abs(shapes).max() < 0.05 * np.abs(held.shape_at(0.8)[low]).max()
+
+
+def test_dashpots_are_the_damping_of_both_hands(r161: Bat) -> None:
+    """D^T D is c s s^T summed over the hands in the new modes, with orthogonal rows: exact."""
+    hands = Hands(position=0.15, **TYPICAL_HAND)
+    held = gripped(bending_modes(reduce(r161)), hands)
+    rows = held.dashpots @ held.dashpots.T
+    assert rows[0, 1] == pytest.approx(0.0, abs=1e-9 * rows.max())
+    assert np.trace(rows) > 0
 
 
 @pytest.mark.parametrize("scale", [0.1, 1.0, 10.0, 1000.0])
 def test_grip_hardly_changes_the_exit_speed(analysis: Analysis, scale: float) -> None:
-    """Nathan 2000: grip does not matter for impacts on the barrel; within 1 % from loose to clamped."""
+    """Nathan 2000: grip does not matter for impacts on the barrel; 1 % allowed, from loose to clamped."""
     hand = Hands(position=0.1524, **{name: scale * value for name, value in TYPICAL_HAND.items()})
     free = bending_modes(analysis.line)
-    for position in analysis.bat.length - 0.0254 * np.array([4.0, 6.0, 8.0]):
+    for position in analysis.bat.length - 0.0254 * np.array([3.0, 6.0, 9.0]):
         loose = hit_at(position, modes=free, conditions=analysis.conditions)
         held = hit_at(position, modes=gripped(free, hand), conditions=analysis.conditions)
         change = exit_speed_of(held, analysis.conditions) / exit_speed_of(loose, analysis.conditions) - 1
-        assert abs(change) < 0.01
+        assert abs(change) < 0.003
+        assert abs(held.energy.imbalance) < 1e-4
 
 
-def test_neglected_damping_coupling_does_not_matter(analysis: Analysis) -> None:
-    """The hands' dampers couple modes; keeping the full matrix in a small independent integration agrees."""
+def test_hands_agree_with_full_matrices(analysis: Analysis) -> None:
+    """The same force history on full mass, spring and damper matrices, integrated independently."""
     hands = Hands(position=0.1524, **TYPICAL_HAND)
     free = bending_modes(analysis.line)
-    matrices = {"m": np.eye(len(free)), "k": np.diag(free.angular_frequency**2), "c": np.diag(free.damping_rate)}
-    for place in hands.places:
-        outer = np.outer(free.shape_at(place), free.shape_at(place))
-        matrices["m"] += hands.mass * outer
-        matrices["k"] += hands.stiffness * outer
-        matrices["c"] += hands.damping * outer
-    held = hit_at(0.69, modes=gripped(free, hands), conditions=analysis.conditions)
-    shape, step = free.shape_at(0.69), held.times[2] - held.times[1]
-    inverse = np.linalg.inv(matrices["m"])
-    q, p = np.zeros(len(free)), np.zeros(len(free))
-    for force in held.force[1:]:  # the same force history on the full matrices, symplectic Euler
-        p = p + step * inverse @ (shape * force - matrices["k"] @ q - matrices["c"] @ p)
-        q = q + step * p
-    moved = float(shape @ p)
-    assert moved == pytest.approx(float(gripped(free, hands).shape_at(0.69) @ held.velocity), rel=0.03)
+    count = len(free)
+    mass = np.diag(np.concatenate([np.ones(count), [hands.mass] * 2]))
+    spring = np.diag(np.concatenate([free.angular_frequency**2, [0.0, 0.0]]))
+    damper = np.diag(np.concatenate([free.damping_rate, [0.0, 0.0]]))
+    for number, place in enumerate(hands.places):
+        flesh = np.zeros(count + 2)
+        flesh[:count], flesh[count + number] = free.shape_at(place), -1.0
+        spring += hands.stiffness * np.outer(flesh, flesh)
+        damper += hands.damping * np.outer(flesh, flesh)
+    held = hit_at(0.6, modes=gripped(free, hands), conditions=analysis.conditions)
+    push, step = np.concatenate([free.shape_at(0.6), [0.0, 0.0]]), held.times[2] - held.times[1]
+    still, unit = np.zeros_like(mass), np.eye(count + 2)
+    inverse = np.linalg.inv(mass)
+    flow = scipy.linalg.expm(step * np.block([[still, unit], [-inverse @ spring, -inverse @ damper]]))
+    state = np.zeros(2 * (count + 2))
+    for force in held.force[1:]:
+        state[count + 2 :] += inverse @ push * force * step
+        state = flow @ state
+    expected = float(free.shape_at(0.15) @ state[count + 2 : 2 * count + 2])
+    found = float(gripped(free, hands).shape_at(0.15) @ held.velocity)
+    assert found == pytest.approx(expected, rel=1e-3)
 
 
 def test_overdamped_motion_is_exact(r161: Bat) -> None:
     """Two half steps of the exact propagator are one whole step, below and above critical damping."""
-    held = gripped(bending_modes(reduce(r161)), Hands(position=0.15, stiffness=20e3, damping=5e3))
-    assert held.damping_ratio.max() > 1
-    half, full = propagator(held, 1e-5), propagator(held, 2e-5)
+    modes = bending_modes(reduce(r161))
+    damped = dataclasses.replace(modes, damping_rate=np.geomspace(1.0, 1e6, len(modes)))
+    assert damped.damping_ratio.max() > 1 > damped.damping_ratio[2]
+    half, full = propagator(damped, 1e-5), propagator(damped, 2e-5)
     assert half @ half == pytest.approx(full, rel=1e-9, abs=1e-9)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 
 from sweetspot.errors import SweetspotError
@@ -11,6 +12,7 @@ EXIT_BAD_INPUT = 2
 
 def main(arguments: list[str] | None = None) -> None:
     """Run the command line; exit 0 when done, 1 when a checked thing failed, 2 on bad input with one clear message."""
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # our matrices are small; threads only get in each other's way
     from cyclopts import CycloptsError
 
     from sweetspot.cli.app import app

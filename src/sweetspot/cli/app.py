@@ -122,14 +122,14 @@ def validate(*, format: OutputFormat = "table") -> int:
     from sweetspot.report.table import names_table
 
     with patience():
-        rows = validation.rows()
+        found = validation.results()
     if format == "json":
-        print_json({"rows": rows})
+        print_json({"rows": validation.rows(found)})
     elif format == "csv":
-        print_rows_csv(rows)
+        print_rows_csv(validation.rows(found))
     else:
-        print_table(names_table(rows, "Published cases"))
-    return 0
+        print_table(names_table(validation.short_rows(found), "Published cases"))
+    return 0 if validation.passed(found) else 1
 
 
 @app.command

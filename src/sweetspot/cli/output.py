@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
 
-PATIENCE = 1.5
+PATIENCE = 3.0
 """s before a run says why it takes a while."""
 
 

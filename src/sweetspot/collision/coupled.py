@@ -17,11 +17,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from scipy.optimize import brentq
-
 from sweetspot.ball import Ball
 from sweetspot.collision.impact import CONTACT_FORCE, Array, EnergyLedger, Impact, Outcome, bat_energy
-from sweetspot.collision.propagator import propagator
+from sweetspot.collision.propagator import dashpot_factors, propagator
 from sweetspot.contact import ContactLaw, Hysteretic
 from sweetspot.errors import InputError
 from sweetspot.vibration.modes import Modes
@@ -59,41 +57,44 @@ def hit(
         return _no_contact(modes, position, closing_speed)
     law = law or Hysteretic(ball)
     shape = modes.shape_at(position)
-    drift = propagator(modes, step)
+    drift, half_dash = propagator(modes, step), dashpot_factors(modes, step / 2)
     correction = step**2 / 12 * (1 / ball.mass + float(shape @ shape))
 
     ball_position, ball_speed = closing_speed * step / 2, closing_speed
     displacement, velocity = np.zeros(len(modes)), np.zeros(len(modes))
-    peak, rising, damping = 0.0, False, 0.0
-    compressions, forces, rate_after_kick = [0.0], [0.0], closing_speed
+    peak, damping = 0.0, 0.0
+    turned_at: float | None = None
+    compressions, forces = [0.0], [0.0]
     outcome, release = Outcome.STILL_IN_CONTACT, math.nan
     for kick in range(round(TIME_LIMIT / step)):
         compression = ball_position - float(shape @ displacement)
-        rate = ball_speed - float(shape @ velocity)
         if compression <= 0:
             outcome = Outcome.SEPARATED
             release = (kick - 0.5) * step
-            release += _crossing(compressions[-1], rate_after_kick, compression, rate, step)
+            release += step * _crossing(compressions, compression)
             break
+        rate = ball_speed - float(shape @ velocity)
         if compression >= peak:
-            peak, rising = compression, True
-        elif rising:
-            peak, rising = max(peak, _vertex(compressions, compression)), False
-            peak -= correction * law.force(peak, 0.0, peak)
-        force = law.force(compression, rate, peak)
-        impulse = force * (1 - correction * law.slope(compression, rate, peak)) * step
+            peak, turned_at = compression, None
+        elif turned_at is None:
+            peak = max(peak, _vertex(compressions, compression))
+            peak -= correction * law.force(peak, 0.0, None)
+            turned_at = peak
+        force = law.force(compression, rate, turned_at)
+        impulse = force * (1 - correction * law.slope(compression, rate, turned_at)) * step
         compressions.append(compression)
         forces.append(force)
 
         ball_speed -= impulse / ball.mass
         velocity = velocity + shape * impulse
-        rate_after_kick = ball_speed - float(shape @ velocity)
         before = _energy(modes, displacement, velocity)
+        velocity = _dashed(modes, half_dash, velocity)
         ball_position += ball_speed * step
         displacement, velocity = (
             drift[:, 0, 0] * displacement + drift[:, 0, 1] * velocity,
             drift[:, 1, 0] * displacement + drift[:, 1, 1] * velocity,
         )
+        velocity = _dashed(modes, half_dash, velocity)
         damping += before - _energy(modes, displacement, velocity)
 
     translation, rotation, bending, hoop = bat_energy(modes, displacement, velocity)
@@ -135,6 +136,11 @@ def _energy(modes: Modes, displacement: Array, velocity: Array) -> float:
     return float(np.sum(velocity**2 + (modes.angular_frequency * displacement) ** 2) / 2)
 
 
+def _dashed(modes: Modes, factors: Array, velocity: Array) -> Array:
+    """Return the modal velocities after the dashpots have acted."""
+    return velocity - (factors * (modes.dashpots @ velocity)) @ modes.dashpots
+
+
 def _vertex(compressions: list[float], latest: float) -> float:
     """Return the top of the parabola through the last three compressions, the middle one being the highest."""
     if len(compressions) < 3:
@@ -152,16 +158,14 @@ def _contact_time(forces: list[float], step: float) -> float:
     return float((last - 0.5 + part) * step)
 
 
-def _crossing(start: float, start_rate: float, end: float, end_rate: float, step: float) -> float:
-    """Return when the cubic through both ends of a step crosses zero, s after its start."""
-
-    def cubic(fraction: float) -> float:
-        rest = 1 - fraction
-        left = start * (1 + 2 * fraction) + start_rate * step * fraction
-        right = end * (3 - 2 * fraction) - end_rate * step * rest
-        return rest**2 * left + fraction**2 * right
-
-    return step * float(brentq(cubic, 0.0, 1.0, xtol=1e-14))
+def _crossing(compressions: list[float], latest: float) -> float:
+    """Return where the parabola through the last three kicks crosses zero, in steps after the last but one."""
+    start = compressions[-1]
+    if len(compressions) < 3:
+        return start / (start - latest)
+    earlier = compressions[-2]
+    slope, bend = (latest - earlier) / 2, (earlier - 2 * start + latest) / 2
+    return 2 * start / (math.sqrt(slope**2 - 4 * bend * start) - slope)
 
 
 def _no_contact(modes: Modes, position: float, closing_speed: float) -> Impact:

@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from sweetspot.ball import COR_FLOOR, Ball
 from sweetspot.collision.coupled import TIME_LIMIT, check_step
 from sweetspot.collision.impact import CONTACT_FORCE, Array, Impacts, Outcome
-from sweetspot.collision.propagator import propagator
+from sweetspot.collision.propagator import dashpot_factors, propagator
 from sweetspot.collision.vector_math import exp, log
 from sweetspot.vibration.modes import Modes
 
@@ -62,7 +62,7 @@ def hits(
     outcome = np.empty(count, np.int64)
     results = np.empty((5, count))
     motion = np.empty((2, count if keep_motion else 0, size))
-    drift = propagator(modes, step)
+    drift, half_dash = propagator(modes, step), dashpot_factors(modes, step / 2)
     law = ball.restitution
     constants = np.array(
         [ball.mass, ball.stiffness, ball.exponent, law.reference, law.slope, law.reference_speed, COR_FLOOR]
@@ -73,7 +73,8 @@ def hits(
         kept = motion[:, part] if keep_motion else motion
         lanes = min(LANES, 4 * math.ceil(len(shapes) / 4))
         output = Output(outcome[part], results[:, part], kept)
-        solve(lanes, speeds[part], shapes, drift, constants, step, float(round(TIME_LIMIT / step)), output)
+        limit = float(round(TIME_LIMIT / step))
+        solve(lanes, speeds[part], shapes, drift, modes.dashpots, half_dash, constants, step, limit, output)
 
     parts = list(_slices(count))
     workers = min(threads or os.cpu_count() or 1, len(parts))
@@ -89,6 +90,12 @@ def hits(
 def _slices(count: int) -> Iterator[slice]:
     for start in range(0, count, CHUNK):
         yield slice(start, min(start + CHUNK, count))
+
+
+# rows of the lanes' state
+CLOSING, BALL_POSITION, BALL_SPEED, SURFACE, COMPRESSION, BEFORE, EARLIER = range(7)
+PEAK, RISING, OFFSET, POWER, IMPULSE, LARGEST, KICKS, INVERSE_MASS, FORCE, CONTACT = range(7, 17)
+STATE_ROWS = 17
 
 
 class Lanes(NamedTuple):
@@ -120,26 +127,13 @@ def _unloading(peak: float, constants: Array) -> tuple[float, float]:
     return math.log(stiffness) + (exponent - power) * math.log(peak), power
 
 
-@njit(inline="always", cache=True)
-def _crossing(start: float, start_rate: float, end: float, end_rate: float, step: float) -> float:
-    """Return when the cubic through both ends of a step crosses zero, s after its start, by Newton's method."""
-    fraction = start / (start - end)
-    for _ in range(6):
-        rest = 1.0 - fraction
-        left = start * (1 + 2 * fraction) + start_rate * step * fraction
-        right = end * (3 - 2 * fraction) - end_rate * step * rest
-        value = rest * rest * left + fraction * fraction * right
-        slope = 6 * fraction * rest * (end - start) + step * (
-            start_rate * rest * (1 - 3 * fraction) + end_rate * fraction * (3 * fraction - 2)
-        )
-        fraction = min(1.0, max(0.0, fraction - value / slope))
-    return step * fraction
-
-
-# rows of the lanes' state
-CLOSING, BALL_POSITION, BALL_SPEED, SURFACE, COMPRESSION, BEFORE, EARLIER = range(7)
-PEAK, RISING, OFFSET, POWER, IMPULSE, LARGEST, KICKS, INVERSE_MASS, FORCE, CONTACT = range(7, 17)
-STATE_ROWS = 17
+@njit(cache=True)
+def _crossing(earlier: float, start: float, latest: float, kicks: float) -> float:
+    """Return where the parabola through the last three kicks crosses zero, in steps after the last but one."""
+    if kicks < 4:
+        return start / (start - latest)
+    slope, bend = (latest - earlier) / 2, (earlier - 2 * start + latest) / 2
+    return 2 * start / (math.sqrt(slope**2 - 4 * bend * start) - slope)
 
 
 @njit(nogil=True, cache=True, fastmath={"contract", "nsz"}, error_model="numpy")
@@ -148,6 +142,8 @@ def solve(
     closing_speed: Array,
     shapes: Array,
     drift: Array,
+    dashpots: Array,
+    half_dash: Array,
     constants: Array,
     step: float,
     limit: float,
@@ -162,6 +158,7 @@ def solve(
     lane_count : hits side by side.
     closing_speed, shapes : (n,) m/s and (n, modes) 1/sqrt(kg) at the point of impact.
     drift : (modes, 2, 2), the free motion over one step.
+    dashpots, half_dash : (k, modes) and (k,), dampers that couple modes and what they do in half a step.
     constants : ball mass, k, n, restitution law (reference, slope, speed) and its floor.
     step, limit : s, and the number of steps after which a hit is given up.
     """
@@ -184,7 +181,7 @@ def solve(
     peak, rising, kicks = state[PEAK], state[RISING], state[KICKS]
     offset, power, impulse, largest = state[OFFSET], state[POWER], state[IMPULSE], state[LARGEST]
     force, contact = state[FORCE], state[CONTACT]
-    inverse_mass, event = state[INVERSE_MASS], np.zeros(lane_count)
+    inverse_mass, event, rate = state[INVERSE_MASS], np.zeros(lane_count), np.zeros(lane_count)
     # Many short loops: the compiler turns a loop into vector instructions only when it touches few arrays.
     while busy > 0:
         any_event = 0.0
@@ -208,7 +205,7 @@ def solve(
                 if event[lane] == 0.0:
                     continue
                 if compression[lane] <= 0 or kicks[lane] > limit:
-                    _finish(lane, drift, step, lanes, output)
+                    _finish(lane, step, lanes, output)
                     following = _start(lane, following, closing_speed, shapes, constants, step, lanes, output)
                     kicks[lane] += 1.0
                     busy -= lanes.hit_of[lane] < 0
@@ -231,6 +228,12 @@ def solve(
         for lane in range(lane_count):
             ball_speed[lane] -= impulse[lane] / mass
             ball_position[lane] += ball_speed[lane] * step
+        if len(half_dash) > 0:  # the kick alone, then dampers for half a step on both sides of the drift
+            for i in range(size):
+                for lane in range(lane_count):
+                    lanes.velocity[i, lane] += lanes.shape[i, lane] * impulse[lane]
+            impulse[:] = 0.0
+            _dash(lanes.velocity, dashpots, half_dash, rate)
         for i in range(size):
             a, b, c, d = drift[i, 0, 0], drift[i, 0, 1], drift[i, 1, 0], drift[i, 1, 1]
             shape, q, p = lanes.shape[i], lanes.displacement[i], lanes.velocity[i]
@@ -240,6 +243,21 @@ def solve(
                 p[lane] = c * q[lane] + d * start
                 q[lane] = moved
                 surface[lane] += shape[lane] * moved
+        if len(half_dash) > 0:
+            _dash(lanes.velocity, dashpots, half_dash, rate)
+
+
+@njit(cache=True)
+def _dash(velocity: Array, dashpots: Array, factors: Array, rate: Array) -> None:
+    """Let the dashpots act on the modal velocities of every lane."""
+    for k in range(len(factors)):
+        rate[:] = 0.0
+        for i in range(len(velocity)):
+            for lane in range(len(rate)):
+                rate[lane] += dashpots[k, i] * velocity[i, lane]
+        for i in range(len(velocity)):
+            for lane in range(len(rate)):
+                velocity[i, lane] -= factors[k] * dashpots[k, i] * rate[lane]
 
 
 @njit(cache=True)
@@ -304,7 +322,7 @@ def _turn(lane: int, constants: Array, step: float, state: Array) -> None:
 
 
 @njit(cache=True)
-def _finish(lane: int, drift: Array, step: float, lanes: Lanes, output: Output) -> None:
+def _finish(lane: int, step: float, lanes: Lanes, output: Output) -> None:
     """Write the results of a lane whose ball has left, or whose time is up."""
     state, results, row = lanes.state, output.results, lanes.hit_of[lane]
     separated = state[COMPRESSION, lane] <= 0
@@ -313,16 +331,10 @@ def _finish(lane: int, drift: Array, step: float, lanes: Lanes, output: Output) 
     results[3, row] = state[LARGEST, lane]
     results[4, row] = state[PEAK, lane]
     if separated:
-        rate, rate_before = state[BALL_SPEED, lane], state[BALL_SPEED, lane]
-        for i in range(len(drift)):
-            a, b, c, d = drift[i, 0, 0], drift[i, 0, 1], drift[i, 1, 0], drift[i, 1, 1]
-            velocity, displacement = lanes.velocity[i, lane], lanes.displacement[i, lane]
-            rate -= lanes.shape[i, lane] * velocity
-            rate_before -= lanes.shape[i, lane] * (a * velocity - c * displacement) / (a * d - b * c)  # undo the drift
-        crossing = _crossing(state[BEFORE, lane], rate_before, state[COMPRESSION, lane], rate, step)
+        crossing = _crossing(state[EARLIER, lane], state[BEFORE, lane], state[COMPRESSION, lane], state[KICKS, lane])
         results[0, row] = -state[BALL_SPEED, lane] / state[CLOSING, lane]
         results[1, row] = (state[CONTACT, lane] - 1.5) * step
-        results[2, row] = (state[KICKS, lane] - 1.5) * step + crossing
+        results[2, row] = (state[KICKS, lane] - 1.5 + crossing) * step
     if output.motion.shape[1]:
         output.motion[0, row] = lanes.displacement[:, lane]
         output.motion[1, row] = lanes.velocity[:, lane]

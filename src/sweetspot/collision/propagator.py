@@ -1,4 +1,4 @@
-"""The exact free motion of damped oscillators over one time step."""
+"""The exact free motion of damped oscillators over one time step, and the exact action of dashpots."""
 
 from __future__ import annotations
 
@@ -24,3 +24,14 @@ def propagator(modes: Modes, step: float) -> Array:
     matrices[:, 1, 0] = -decay * modes.angular_frequency**2 * sine
     matrices[:, 1, 1] = decay * (cosine - rate * sine)
     return matrices
+
+
+def dashpot_factors(modes: Modes, step: float) -> Array:
+    """Return f_k of q' <- q' - f_k d_k (d_k . q'), what each dashpot alone does exactly in ``step`` s, shape (k,).
+
+    exp(-d d^T h) = 1 - d (1 - exp(-|d|^2 h)) / |d|^2 d^T; the rows are orthogonal, so they act independently.
+    """
+    squares = np.sum(modes.dashpots**2, axis=1)
+    return np.asarray(
+        np.divide(-np.expm1(-squares * step), squares, out=np.full_like(squares, step), where=squares > 0)
+    )

@@ -62,7 +62,7 @@ def bat_json(name: str, length: float, body: RigidBody) -> dict[str, Any]:
 
 
 def modes_json(analysis: Analysis) -> list[dict[str, Any]]:
-    """Return the vibrating modes, rigid motions left out."""
+    """Return the bat's vibrating modes; rigid motions and the hands' own are left out."""
     modes = analysis.modes
     ratio = modes.damping_ratio
     return [
@@ -74,7 +74,7 @@ def modes_json(analysis: Analysis) -> list[dict[str, Any]]:
             "nodes_m": modes.nodes(index).tolist(),
         }
         for index in range(len(modes))
-        if modes.families[index] != "rigid"
+        if modes.families[index] in ("bending", "hoop")
     ]
 
 
@@ -87,9 +87,7 @@ def hit_json(impact: Impact, *, body: RigidBody, conditions: Conditions) -> dict
             "closing_speed_m_s": impact.closing_speed,
             "bat_speed_m_s": conditions.swing.speed_at(impact.position),
             "exit_speed_m_s": exit_speed_of(impact, conditions),
-            "bbcor": bbcor(
-                impact.collision_efficiency, body=body, ball=conditions.ball, position=impact.position
-            ),
+            "bbcor": bbcor(impact.collision_efficiency, body=body, ball=conditions.ball, position=impact.position),
             "contact_time_s": impact.contact_time,
             "release_time_s": impact.release_time,
             "peak_force_n": impact.peak_force,

@@ -141,7 +141,7 @@ def _mass(body: RigidBody) -> Table:
 def _modes(analysis: Analysis) -> Table:
     modes = analysis.modes
     table = _table("mode", "frequency", "damping", "nodes, in from tip", title="Vibration")
-    shown = [index for index in range(len(modes)) if modes.families[index] != "rigid"][:SHOWN_MODES]
+    shown = [index for index in range(len(modes)) if modes.families[index] in ("bending", "hoop")][:SHOWN_MODES]
     for index in shown:
         nodes = ", ".join(f"{from_tip(analysis, node):.1f}" for node in modes.nodes(index)[::-1])
         name = f"{modes.families[index]} {modes.harmonics[index]}"

@@ -8,33 +8,60 @@ from scipy.interpolate import PPoly
 
 from sweetspot.bat import Bat, check_position
 from sweetspot.swing import Hands
-from sweetspot.vibration.modes import Modes
+from sweetspot.vibration.modes import Array, Family, Modes
 
 
 def gripped(modes: Modes, hands: Hands) -> Modes:
-    """Return the motions of the bat held by two hands, each a mass, a spring to rest and a damper.
+    """Return the motions of the bat held by two hands, each a mass behind a spring and a damper (its flesh).
 
-    In the space of the free motions, M = 1 + m s s^T, K = diag(omega^2) + k s s^T, C = diag(rate) + c s s^T with
-    s the shapes at a hand, summed over both hands; the undamped problem K v = omega^2 M v is solved exactly and
-    only the diagonal of V^T C V is kept, which neglects the coupling of modes through the dampers.
+    Coordinates are the free motions q and the two hands' own displacements y. With s the shapes at a hand, the
+    spring stores k (s.q - y)^2 / 2 and the damper takes c (s.q' - y')^2; M = diag(1, ..., 1, m, m). The undamped
+    problem K v = omega^2 M v is solved exactly and the dampers are kept whole, as dashpots that couple the modes:
+    leaving out that coupling would let hands reach the ball before any wave could.
 
     The hands move with the undisturbed swing, so springs and dampers act on the disturbance by the ball only.
+    A hand without mass does nothing.
+
+    Returns
+    -------
+    Modes
+        two more than the free ones; those in which the hands move most are of family "hand".
     """
-    inertia = np.eye(len(modes))
-    stiffness = np.diag(modes.angular_frequency**2)
-    damping = np.diag(modes.damping_rate)
-    for place in hands.places:
-        shape = modes.shape_at(place)
-        inertia += hands.mass * np.outer(shape, shape)
-        stiffness += hands.stiffness * np.outer(shape, shape)
-        damping += hands.damping * np.outer(shape, shape)
-    squares, vectors = scipy.linalg.eigh(stiffness, inertia)
-    frequency = np.sqrt(np.maximum(squares, 0.0)) / (2 * np.pi)
-    rate = np.einsum("ij,ik,kj->j", vectors, damping, vectors)
-    shapes = PPoly.construct_fast(modes.shapes.c @ vectors, modes.shapes.x)
-    return Modes(modes.families, modes.harmonics, frequency, rate, shapes, rigid_part=modes.rigid_part @ vectors)
+    if hands.mass == 0:
+        return modes
+    count = len(modes)
+    stretch = np.hstack([modes.shape_at(np.array(hands.places)), -np.eye(2)])  # of each hand's flesh
+    inertia = np.diag(np.concatenate([np.ones(count), [hands.mass, hands.mass]]))
+    stiffness = np.diag(np.concatenate([modes.angular_frequency**2, [0.0, 0.0]]))
+    squares, vectors = scipy.linalg.eigh(stiffness + hands.stiffness * stretch.T @ stretch, inertia)
+    dashpots = np.sqrt(hands.damping) * stretch @ vectors
+    _, turn = np.linalg.eigh(dashpots @ dashpots.T)  # to orthogonal rows with the same damping matrix
+    families, harmonics = _names(modes, vectors)
+    return Modes(
+        families=families,
+        harmonics=harmonics,
+        frequency=np.sqrt(np.maximum(squares, 0.0)) / (2 * np.pi),
+        damping_rate=modes.damping_rate @ vectors[:count] ** 2,
+        shapes=PPoly.construct_fast(modes.shapes.c @ vectors[:count], modes.shapes.x),
+        rigid_part=modes.rigid_part @ vectors[:count],
+        dashpots=turn.T @ dashpots,
+    )
 
 
 def check_hands(bat: Bat, hands: Hands) -> None:
     """Refuse hands that are not on the handle side of the bat."""
     check_position(bat, hands.position, "hand position")
+
+
+def _names(modes: Modes, vectors: Array) -> tuple[tuple[Family, ...], tuple[int, ...]]:
+    """Return family and harmonic of each held mode: the lowest two are rigid, two belong to the hands."""
+    count = len(modes)
+    share = (vectors[count:] ** 2).sum(axis=0) / (vectors**2).sum(axis=0)
+    share[:2] = -1.0
+    of_hands = set(np.argsort(share)[-2:].tolist())
+    names = iter(zip(modes.families, modes.harmonics, strict=True))
+    found: list[tuple[Family, int]] = []
+    for index in range(count + 2):
+        found.append(("hand", 1 + sum(name == "hand" for name, _ in found)) if index in of_hands else next(names))
+    families, harmonics = zip(*found, strict=True)
+    return families, harmonics

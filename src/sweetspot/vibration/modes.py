@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import PPoly
 
 Array = NDArray[np.float64]
-Family = Literal["rigid", "bending", "hoop"]
+Family = Literal["rigid", "bending", "hoop", "hand"]
 
 
 @dataclass(frozen=True)
@@ -18,15 +18,16 @@ class Modes:
     """Motions of a bat, each normalised to 1 kg of modal mass.
 
     Mode i moves the bat's line by ``q_i(t) shape_i(x)`` and obeys
-    q_i'' + damping_rate_i q_i' + (2 pi frequency_i)^2 q_i = shape_i(x_hit) F.
+    q_i'' + damping_rate_i q_i' + sum_k d_ki (d_k . q') + (2 pi frequency_i)^2 q_i = shape_i(x_hit) F.
 
     Parameters
     ----------
-    families : "rigid", "bending" or "hoop", one per mode.
+    families : "rigid", "bending", "hoop" or "hand" (the hands' own motion on their flesh), one per mode.
     harmonics : 1, 2, ... within the family; 0 for rigid motions.
     frequency : Hz, shape (n,); 0 for rigid motions.
     damping_rate : 2 zeta omega in 1/s, shape (n,).
     shapes : displacement shapes as polynomials in position, 1/sqrt(kg), n columns.
+    dashpots : d_k, dampers that couple modes, orthogonal rows, sqrt(1/s), shape (k, n); none on a free bat.
     rigid_part : how much of each mode is translation (row 0) and rotation (row 1) of the free bat, shape (2, n).
     """
 
@@ -36,6 +37,7 @@ class Modes:
     damping_rate: Array
     shapes: PPoly
     rigid_part: Array
+    dashpots: Array
 
     def __len__(self) -> int:
         return len(self.families)
@@ -73,4 +75,5 @@ class Modes:
             self.damping_rate[indices],
             PPoly.construct_fast(self.shapes.c[:, :, indices], self.shapes.x),
             self.rigid_part[:, indices],
+            self.dashpots[:, indices],
         )

@@ -36,7 +36,9 @@ def wall_restitution_change(*, speed: float, other_speed: float) -> float:
 def _wall() -> Modes:
     """Return a body with one motion that no force can excite: its shape is zero, as of an infinite mass."""
     still = PPoly(np.zeros((1, 1, 1)), np.array([0.0, 1.0]))
-    return Modes(("rigid",), (0,), np.zeros(1), np.zeros(1), still, rigid_part=np.zeros((2, 1)))
+    return Modes(
+        ("rigid",), (0,), np.zeros(1), np.zeros(1), still, rigid_part=np.zeros((2, 1)), dashpots=np.zeros((0, 1))
+    )
 
 
 def turned_mean_force(

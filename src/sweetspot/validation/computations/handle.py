@@ -19,6 +19,8 @@ from sweetspot.vibration.modes import Modes
 HANDS = 6 * INCH
 VICE = 1e9
 """N/m of each of two places 3.5 in apart: a handle that can neither move nor turn."""
+BENCH = 1e4
+"""kg behind each of them."""
 BARREL = np.linspace(3 * INCH, 9 * INCH, 25)
 """m from the tip: barrel impacts."""
 MANY_MODES = 40
@@ -44,7 +46,7 @@ def grip_change(*, bat: str) -> float:
         return np.asarray(efficiency * conditions.pitch.speed + (1 + efficiency) * swing)
 
     alone = speeds(free)
-    grips = (Hands(position=HANDS, **TYPICAL_HAND), Hands(position=HANDS, stiffness=VICE))
+    grips = (Hands(position=HANDS, **TYPICAL_HAND), Hands(position=HANDS, mass=BENCH, stiffness=VICE))
     return max(float(np.abs(speeds(gripped(free, hands)) / alone - 1).max()) for hands in grips)
 
 
