@@ -70,7 +70,9 @@ def test_imports_point_down() -> None:
 
 def test_planted_faults_are_found() -> None:
     """Upward, absolute, relative and through the front door."""
-    planted = "from sweetspot.catalog import bat\nimport sweetspot.scan\nfrom sweetspot import analyse\nfrom . import cli"
+    planted = (
+        "from sweetspot.catalog import bat\nimport sweetspot.scan\nfrom sweetspot import analyse\nfrom . import cli"
+    )
     assert wrong_imports(planted, "line") == ["analyse", "catalog", "cli", "scan"]
     assert wrong_imports("from sweetspot.bat import Bat\nimport numpy", "line") == []
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import doctest
 import re
+import shlex
 import tomllib
 from pathlib import Path
 
@@ -53,11 +54,9 @@ def command_lines() -> list[str]:
 @pytest.mark.parametrize("line", command_lines())
 def test_commands_are_understood(line: str) -> None:
     """Each command line parses: command, options and the number of arguments exist. It is not run here."""
-    import shlex
-
     from sweetspot.cli.app import app
 
-    words = shlex.split(line.split(" > ")[0].split("#")[0])[1:]
+    words = shlex.split(re.sub(r" (>|#).*", "", line))[1:]
     command, bound, _ = app.parse_args(words, exit_on_error=False, print_error=False)
     assert command.__name__ == words[0]
     assert bound.args or bound.kwargs or len(words) == 1

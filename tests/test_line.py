@@ -104,9 +104,7 @@ def test_measured_values_are_met(weight: float, shift: float, knob: float) -> No
     """Any small change of weight and balance, and any extra knob mass, is found again."""
     made = cone(0.03, 0.06)
     plain = rigid_body(reduce(made))
-    target = rigid_body(
-        reduce(made.replaced(mass=plain.mass * weight, balance_point=plain.balance_point + shift))
-    )
+    target = rigid_body(reduce(made.replaced(mass=plain.mass * weight, balance_point=plain.balance_point + shift)))
     heavy = rigid_body(reduce(made)).mass * weight + knob
     balance = target.mass * target.balance_point / heavy
     moi = target.moi(0.1524) + knob * 0.1524**2

@@ -44,7 +44,10 @@ def bat(ash: Material, **changes: Any) -> Bat:
         ({"bores": ({"diameter": 0.02, "depth": 0.2, "plug": 0.3},)}, "shorten the plug"),
         ({"cup": {"diameter": 0.066, "depth": 0.02}}, "cup is 66 mm wide"),
         ({"shell": {"wall": ((0.0, 0.003), (0.84, 0.05))}}, "no more than the radius"),
-        ({"shell": {"wall": ((0.0, 0.003), (0.84, 0.003))}, "cup": {"diameter": 0.03, "depth": 0.02}}, "hollow already"),
+        (
+            {"shell": {"wall": ((0.0, 0.003), (0.84, 0.003))}, "cup": {"diameter": 0.03, "depth": 0.02}},
+            "hollow already",
+        ),
         ({"point_masses": ({"position": 0.9, "mass": 0.01},)}, "beyond the tip"),
         ({"choke": 0.5}, "third of the length"),
         ({"colour": "red"}, "unknown key 'colour'"),

@@ -64,9 +64,7 @@ def test_bats_weigh_what_is_measured(name: str) -> None:
 
 
 def test_corked_file_is_the_corked_flagship() -> None:
-    made = catalog.bat("r161-ash").corked(
-        diameter=0.0254, depth=0.254, fill=catalog.material("cork"), plug=0.0254
-    )
+    made = catalog.bat("r161-ash").corked(diameter=0.0254, depth=0.254, fill=catalog.material("cork"), plug=0.0254)
     here, there = rigid_body(reduce(made)), rigid_body(reduce(catalog.bat("corked-r161")))
     assert (there.mass, there.balance_point) == pytest.approx((here.mass, here.balance_point), rel=1e-3)
 

@@ -241,9 +241,7 @@ def test_validate(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def command(*arguments: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "sweetspot", *arguments], capture_output=True, text=True, check=False
-    )
+    return subprocess.run([sys.executable, "-m", "sweetspot", *arguments], capture_output=True, text=True, check=False)
 
 
 def test_as_a_program() -> None:

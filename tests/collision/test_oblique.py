@@ -15,7 +15,12 @@ from sweetspot.errors import InputError
 
 def slanted(analysis: Analysis, angle: float, **changes: object) -> ObliqueImpact:
     return oblique(
-        analysis.best, ball=analysis.conditions.ball, body=analysis.body, ball_speed=40.0, angle=angle, **changes  # type: ignore[arg-type]
+        analysis.best,
+        ball=analysis.conditions.ball,
+        body=analysis.body,
+        ball_speed=40.0,
+        angle=angle,
+        **changes,  # type: ignore[arg-type]
     )
 
 

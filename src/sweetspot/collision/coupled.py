@@ -17,6 +17,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+
 from sweetspot.ball import Ball
 from sweetspot.collision.impact import CONTACT_FORCE, Array, EnergyLedger, Impact, Outcome, bat_energy
 from sweetspot.collision.propagator import dashpot_factors, propagator

@@ -9,10 +9,18 @@ from sweetspot.rigid import effective_mass
 from sweetspot.sweet_spots import miss_cost
 from sweetspot.units import INCH, MPH, OUNCE
 
+SMALL = 1e-3
+
 
 def answer(analysis: Analysis) -> list[str]:
     """Return the answer as a few paragraphs, in the units that players and makers use."""
-    return [_where(analysis), _why_not_the_end(analysis), _miss(analysis), _hands(analysis)]
+    words = [_where(analysis), _why_not_the_end(analysis), _miss(analysis), _hands(analysis)]
+    if analysis.bat.shell is not None:
+        words.append(
+            "This bat is hollow. Its wall is treated as rigid here: the trampoline effect, which makes the ball faster, "
+            "is not in these numbers."
+        )
+    return words
 
 
 def from_tip(analysis: Analysis, position: float) -> float:
@@ -66,5 +74,11 @@ def _hands(analysis: Analysis) -> str:
         f"The hands feel least vibration from a hit {quiet:.1f} in from the tip, between the nodes of the first "
         f"({from_tip(analysis, spots.node_1):.1f} in) and second ({from_tip(analysis, spots.node_2):.1f} in) bending "
         f"mode, and no jolt at the top hand from one at the centre of percussion, {percussion:.1f} in. How the bat is "
-        f"held hardly matters to the ball: typical hands change its speed by {100 * analysis.grip_effect:+.2f} %."
+        f"held hardly matters to the ball: {_grip(analysis.grip_effect)}."
     )
+
+
+def _grip(effect: float) -> str:
+    if abs(effect) < SMALL:
+        return f"typical hands change its speed by less than {100 * SMALL:g} %"
+    return f"typical hands change its speed by {100 * effect:+.1f} %"

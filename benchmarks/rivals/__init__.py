@@ -1,0 +1,1 @@
+"""The other ways: what a user would write without sweetspot."""

@@ -1,0 +1,52 @@
+"""The same time stepper in plain NumPy, vectorised over hits: arrays of shape (hits,) and (hits, modes)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from benchmarks.cases import Array
+from sweetspot.ball import COR_FLOOR, Ball
+from sweetspot.collision.propagator import propagator
+from sweetspot.vibration.modes import Modes
+
+
+def efficiencies(modes: Modes, *, ball: Ball, position: Array, closing: Array, step: float) -> Array:
+    """Return the collision efficiency q of every hit."""
+    mass, stiffness, exponent, law = ball.mass, ball.stiffness, ball.exponent, ball.restitution
+    (a, b), (c, d) = propagator(modes, step).transpose(1, 2, 0)
+    result = np.full(len(closing), np.nan)
+    row, shape, speed = np.arange(len(closing)), modes.shape_at(position), closing.copy()
+    place, q, p = speed * step / 2, np.zeros_like(shape), np.zeros_like(shape)
+    correction = step**2 / 12 * (1 / mass + (shape**2).sum(axis=1))
+    peak, before, earlier = (np.zeros_like(speed) for _ in range(3))
+    factor, power, rising = np.full_like(speed, stiffness), np.full_like(speed, exponent), np.ones(len(speed), bool)
+    while len(row):
+        squeeze = place - (shape * q).sum(axis=1)
+        if (squeeze <= 0).any():  # take out what has left
+            left = squeeze <= 0
+            result[row[left]] = -speed[left] / closing[row[left]]
+            every = (row, shape, speed, place, q, p, correction, peak, before, earlier, factor, power, rising, squeeze)
+            row, shape, speed, place, q, p, correction, peak, before, earlier, factor, power, rising, squeeze = (
+                array[~left] for array in every
+            )
+        up = squeeze >= peak
+        turned = rising & ~up
+        if turned.any():
+            first, middle, last = earlier[turned], before[turned], squeeze[turned]
+            top = np.maximum(peak[turned], middle - (last - first) ** 2 / (8 * (first - 2 * middle + last)))
+            top -= correction[turned] * stiffness * top**exponent
+            wall_speed = np.sqrt(2 * stiffness * top ** (exponent + 1) / (exponent + 1) / mass)
+            line = law.reference - law.slope * (wall_speed - law.reference_speed)
+            power[turned] = (exponent + 1) / np.clip(line, COR_FLOOR, 1.0) ** 2 - 1
+            factor[turned] = stiffness * top ** (exponent - power[turned])
+            peak[turned] = top
+        factor[up], power[up], rising = stiffness, exponent, up
+        peak = np.maximum(peak, np.where(up, squeeze, 0.0))
+        force = factor * squeeze**power
+        impulse = force * (1 - correction * power * force / squeeze) * step
+        speed = speed - impulse / mass
+        place = place + speed * step
+        p = p + shape * impulse[:, None]
+        q, p = a * q + b * p, c * q + d * p
+        earlier, before = before, squeeze
+    return result

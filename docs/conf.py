@@ -1,0 +1,50 @@
+"""Sphinx configuration: MyST pages, the furo theme, everything generated and served locally."""
+
+from __future__ import annotations
+
+import sys
+import tomllib
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent
+sys.path[:0] = [str(HERE), str(HERE / "_ext"), str(ROOT / "src")]
+
+PACKAGE = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+
+project = "sweetspot"
+author = "The sweetspot developers"
+project_copyright = author
+version = release = PACKAGE["version"]
+
+extensions = ["myst_parser", "sphinx.ext.autodoc", "docstrings", "mathtext"]
+exclude_patterns = ["_build", "_generated", "Thumbs.db", ".DS_Store"]
+default_role = "code"
+nitpicky = False
+
+myst_enable_extensions = ["deflist", "substitution"]
+myst_heading_anchors = 3
+
+html_theme = "furo"
+html_title = "sweetspot"
+html_static_path = ["_static"]
+html_css_files = ["sweetspot.css"]
+html_show_sourcelink = False
+html_copy_source = False
+
+autodoc_member_order = "bysource"
+autodoc_typehints = "signature"
+autodoc_preserve_defaults = True
+autodoc_type_aliases = {"Array": "Array", "ArrayLike": "ArrayLike"}
+
+
+def generate(app: Any) -> None:
+    """Write the tables and figures that the pages include, and hand over the numbers that their text quotes."""
+    app.config.myst_substitutions = import_module("generate").generate_all(HERE / "_generated")
+
+
+def setup(app: Any) -> None:
+    """Connect the generator."""
+    app.connect("builder-inited", generate, priority=100)  # before MyST reads its configuration

@@ -1,0 +1,168 @@
+"""Numbers that the pages' text quotes, computed when the pages are built, so that text and program agree."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from cases import analysed, from_tip
+
+from sweetspot import Pitch, analyse, bending_modes, catalog, hit, references, standard_conditions
+from sweetspot.analysis import TYPICAL_HAND, Analysis, exit_speed_of, hit_at
+from sweetspot.ball import Ball
+from sweetspot.collision.oblique import oblique
+from sweetspot.contact import equivalent_wall_speed, loading_force
+from sweetspot.rigid import effective_mass, pendulum_period
+from sweetspot.sweet_spots import miss_cost
+from sweetspot.units import INCH, MPH, OUNCE, OUNCE_INCH_SQUARED
+
+
+def facts() -> dict[str, str]:
+    """Return every quoted number as text, by the name that the pages use in double braces."""
+    analysis = analysed()
+    return {
+        **_places(analysis),
+        **_speeds(analysis),
+        **_body(analysis),
+        **_collision(analysis),
+        **_ball(analysis.conditions.ball),
+        **_corking(analysis),
+        "source_count": str(_source_count()),
+        "bat_count": str(len(catalog.bat_names())),
+    }
+
+
+def _source_count() -> int:
+    return len(references.keys())
+
+
+def _places(analysis: Analysis) -> dict[str, str]:
+    spots = analysis.sweet_spots
+    places = {
+        "at_speed": spots.max_exit_speed,
+        "at_efficiency": spots.max_collision_efficiency,
+        "at_percussion": spots.center_of_percussion,
+        "at_node_1": spots.node_1,
+        "at_node_2": spots.node_2,
+        "at_sting": spots.min_sting,
+    }
+    texts = {key: f"{from_tip(analysis, place):.1f}" for key, place in places.items()}
+    assert spots.zone is not None, "the flagship bat has a sweet zone"
+    inner, outer = (from_tip(analysis, place) for place in spots.zone)
+    conditions = analysis.conditions.replaced(pitch=Pitch(speed=0))
+    tee = analyse(analysis.bat, conditions)
+    spread = max(places.values()) - min(places.values())
+    return {
+        **texts,
+        "at_speed_tee": f"{from_tip(tee, tee.sweet_spots.max_exit_speed):.1f}",
+        "zone_outer": f"{outer:.1f}",
+        "zone_inner": f"{inner:.1f}",
+        "zone_width": f"{inner - outer:.1f}",
+        "spots_spread": f"{spread / INCH:.1f}",
+    }
+
+
+def _speeds(analysis: Analysis) -> dict[str, str]:
+    scan, swing = analysis.scan, analysis.conditions.swing
+    best, tip = analysis.sweet_spots.max_exit_speed, analysis.bat.length
+    top = exit_speed_of(analysis.best, analysis.conditions)
+    inside, outside = miss_cost(scan, 2 * INCH)
+    return {
+        "exit_speed": f"{top / MPH:.1f}",
+        "exit_speed_tip": f"{scan.exit_speed[-1] / MPH:.0f}",
+        "rigid_exit_speed_tip": f"{scan.rigid_exit_speed[-1] / MPH:.0f}",
+        "rigid_best": f"{np.nanmax(scan.rigid_exit_speed) / MPH:.1f}",
+        "tip_loss": f"{(top - scan.exit_speed[-1]) / MPH:.0f}",
+        "tip_gain": f"{(swing.speed_at(tip) - swing.speed_at(best)) / MPH:.0f}",
+        "miss_inside": f"{inside / MPH:.0f}",
+        "miss_outside": f"{outside / MPH:.0f}",
+        "effective_mass_best": f"{effective_mass(analysis.body, best) / OUNCE:.0f}",
+        "effective_mass_tip": f"{effective_mass(analysis.body, tip) / OUNCE:.0f}",
+        "grip_effect": f"{_grip_effect(analysis):.2f}",
+    }
+
+
+def _grip_effect(analysis: Analysis) -> float:
+    """Return the greatest change of exit speed by typical hands on the outer 12 in, in percent, rounded up."""
+    hands = analysis.conditions.hands.replaced(**TYPICAL_HAND)
+    held = analyse(analysis.bat, analysis.conditions.replaced(hands=hands)).scan.exit_speed
+    barrel = analysis.scan.position > analysis.bat.length - 12 * INCH
+    return math.ceil(1e4 * np.abs(held / analysis.scan.exit_speed - 1)[barrel].max()) / 100
+
+
+def _body(analysis: Analysis) -> dict[str, str]:
+    body, modes = analysis.body, analysis.modes
+    moi = body.moi(6 * INCH)
+    period = pendulum_period(moi, mass=body.mass, balance_point=body.balance_point, pivot=6 * INCH)
+    return {
+        "mass": f"{body.mass / OUNCE:.1f}",
+        "balance": f"{body.balance_point / INCH:.1f}",
+        "moi_6in": f"{moi / OUNCE_INCH_SQUARED:.0f}",
+        "period": f"{period:.2f}",
+        "ten_periods": f"{10 * period:.1f}",
+        "frequency_1": f"{modes.frequency[2]:.0f}",
+        "frequency_2": f"{modes.frequency[3]:.0f}",
+        "frequency_3": f"{modes.frequency[4]:.0f}",
+        "period_1": f"{1e3 / modes.frequency[2]:.1f}",
+    }
+
+
+def _collision(analysis: Analysis) -> dict[str, str]:
+    best, conditions = analysis.best, analysis.conditions
+    at_tip = hit_at(analysis.bat.length - 0.5 * INCH, modes=analysis.modes, conditions=conditions)
+
+    def share(joules: float, of: float) -> str:
+        return f"{100 * joules / of:.0f}"
+
+    travels = {}
+    for contact in ("smooth", "grip"):
+        found = oblique(
+            best,
+            ball=conditions.ball,
+            body=analysis.body,
+            ball_speed=conditions.pitch.speed,
+            angle=np.radians(10),
+            contact=contact,
+        )
+        travels[f"travel_{contact}"] = f"{1e3 * found.travel:.0f}"
+    return {
+        "q_best": f"{best.collision_efficiency:.3f}",
+        "peak_force": f"{best.peak_force / 1e3:.0f}",
+        "contact_time": f"{1e3 * best.contact_time:.2f}",
+        "peak_compression": f"{1e3 * best.peak_compression:.0f}",
+        "closing_speed": f"{best.closing_speed / MPH:.0f}",
+        "heat_share": share(best.energy.heat, best.energy.incoming),
+        "bending_share": share(best.energy.bending + best.energy.damping, best.energy.incoming),
+        "bending_share_tip": share(at_tip.energy.bending + at_tip.energy.damping, at_tip.energy.incoming),
+        "imbalance_parts": f"{1e6 * abs(best.energy.imbalance):.0f}",
+        **travels,
+    }
+
+
+def _ball(ball: Ball) -> dict[str, str]:
+    def wall_peak(speed: float) -> float:
+        peak = (speed / equivalent_wall_speed(ball, 1.0)) ** (2 / (ball.exponent + 1))
+        return loading_force(ball, peak) / 1e3
+
+    slow = hit(bending_modes(analysed().line), ball=ball, position=analysed().bat.length - 6 * INCH, closing_speed=1.5)
+    return {
+        "cor_60": f"{ball.restitution.at(60 * MPH):.3f}",
+        "cor_136": f"{ball.restitution.at(136 * MPH):.3f}",
+        "wall_peak_60": f"{wall_peak(60 * MPH):.1f}",
+        "wall_peak_95": f"{wall_peak(95 * MPH):.1f}",
+        "slow_contact": f"{1e3 * slow.contact_time:.1f}",
+    }
+
+
+def _corking(analysis: Analysis) -> dict[str, str]:
+    conditions = analysis.conditions
+    bat = analysis.bat.corked(diameter=1 * INCH, depth=10 * INCH, plug=1 * INCH, fill=catalog.material("cork"))
+    corked = analyse(bat, standard_conditions(bat))
+    q, top = corked.best.collision_efficiency, exit_speed_of(analysis.best, conditions)
+    needed = (top - q * conditions.pitch.speed) / (1 + q)
+    return {
+        "cork_lighter": f"{(analysis.body.mass - corked.body.mass) / OUNCE:.1f}",
+        "cork_q": f"{q:.3f}",
+        "cork_exit_speed": f"{exit_speed_of(corked.best, conditions) / MPH:.1f}",
+        "cork_break_even": f"{(needed - conditions.swing.speed_at(corked.best.position)) / MPH:.1f}",
+    }

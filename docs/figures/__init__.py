@@ -1,0 +1,1 @@
+"""Figures of the documentation, each a function that returns a matplotlib Figure."""

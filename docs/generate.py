@@ -1,0 +1,74 @@
+"""Write the tables, figures and numbers that the pages include. Called when the pages are built; needs no network."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import tables
+from cases import analysed
+from facts import facts
+from figures import axes, ball, convergence, percussion, spots
+from matplotlib import rc_context
+from matplotlib.figure import Figure
+
+from sweetspot.plot.report_figure import report_figure
+
+HERE = Path(__file__).resolve().parent
+SVG = {"svg.hashsalt": "sweetspot", "svg.fonttype": "path", "font.family": "DejaVu Sans", "font.size": 10}
+
+
+def figures() -> dict[str, Callable[[], Figure]]:
+    """Return every figure by the name of its file."""
+    return {
+        "flagship": lambda: report_figure(analysed()),
+        "axes": axes.axes_figure,
+        "sweet_spots": spots.sweet_spots_figure,
+        "modes": spots.modes_figure,
+        "ledger": spots.ledger_figure,
+        "ball": ball.force_figure,
+        "hand_force": percussion.hand_force_figure,
+        "mesh_convergence": convergence.mesh_convergence,
+        "step_convergence": convergence.step_convergence,
+        "mode_count_convergence": convergence.mode_count_convergence,
+    }
+
+
+def pages() -> dict[str, Callable[[], str]]:
+    """Return every included text by the name of its file."""
+    return {
+        "spots_table": tables.spots_table,
+        "along_table": tables.along_table,
+        "paper_table": tables.paper_table,
+        "bats_table": tables.bats_table,
+        "catalogue": tables.catalogue_page,
+        "sources": tables.sources_page,
+        "validation": tables.validation_page,
+        "validation_summary": tables.validation_summary,
+    }
+
+
+def generate_all(folder: Path) -> dict[str, str]:
+    """Write every figure and table into ``folder`` and return the numbers that the text quotes."""
+    folder.mkdir(exist_ok=True)
+    for name, text in pages().items():
+        write_if_changed(folder / f"{name}.md", text().encode())
+    for name, draw in figures().items():
+        path = folder / f"{name}.svg"
+        with rc_context(SVG):
+            draw().savefig(path, metadata={"Date": None})
+    return facts()
+
+
+def write_if_changed(path: Path, content: bytes) -> None:
+    """Write a file only when its content differs, so that pages are not read again for nothing."""
+    if not path.exists() or path.read_bytes() != content:
+        path.write_bytes(content)
+
+
+if __name__ == "__main__":
+    start = time.perf_counter()
+    for name, value in generate_all(HERE / "_generated").items():
+        print(f"{name:24} {value}")
+    print(f"written in {time.perf_counter() - start:.1f} s")

@@ -1,0 +1,206 @@
+"""Tables that the pages include, written as Markdown from the package's own data."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
+
+import numpy as np
+from cases import analysed, from_tip
+
+from sweetspot import catalog, paper_rows, references, validation
+from sweetspot.analysis import exit_speed_of
+from sweetspot.catalog.bats import bat_tables
+from sweetspot.catalog.records import Record, read_table, records
+from sweetspot.units import INCH, MPH, OUNCE, OUNCE_INCH_SQUARED
+
+MINUS = "\N{MINUS SIGN}"
+CITATION = re.compile(r"\[([a-z][a-z0-9_]+)((?:[,;] [^\]]*)?)\]")
+
+
+def table(head: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
+    """Return a Markdown table; texts are escaped, source keys in square brackets become links."""
+    lines = ["| " + " | ".join(head) + " |", "|" + " --- |" * len(head)]
+    lines += ["| " + " | ".join(cell(value) for value in row) + " |" for row in rows]
+    return "\n".join(lines) + "\n"
+
+
+def cell(value: Any) -> str:
+    """Return a value as the text of a table cell."""
+    if value is None:
+        return "-"
+    if isinstance(value, float):
+        return number(value)
+    return linked(escaped(str(value)))
+
+
+def number(value: float) -> str:
+    """Return a number with four significant digits, without an exponent where people can do without."""
+    if value == 0:
+        return "0"
+    if 1e-3 <= abs(value) < 1e6:
+        digits = max(0, 4 - len(str(int(abs(value)))) if abs(value) >= 1 else 4)
+        return f"{value:.{digits}f}".replace("-", MINUS)
+    return f"{value:.3g}".replace("-", MINUS)
+
+
+def escaped(text: str) -> str:
+    """Return plain text with Markdown's own signs made harmless."""
+    return re.sub(r"([\\`*_{}|<>~^$])", r"\\\1", " ".join(text.split()))
+
+
+def linked(text: str) -> str:
+    """Return text with source keys in square brackets turned into links to the page of sources."""
+    keys = set(references.keys())
+
+    def link(match: re.Match[str]) -> str:
+        key = match[1].replace("\\", "")
+        return f"[{match[1]}](#source-{key}){match[2]}" if key in keys else match[0]
+
+    return CITATION.sub(link, text.replace("\\_", "_"))
+
+
+def source(key: str) -> str:
+    """Return a link to a source."""
+    return f"[{key}](#source-{key})"
+
+
+def spots_table() -> str:
+    """Return the seven meanings for the flagship and some other bats, inches from the tip."""
+    names = ("r161-ash", "russell-b1", "russell-b2", "russell-b6", "youth-30")
+    keys = ("max_exit_speed", "max_collision_efficiency", "center_of_percussion", "node_1", "node_2", "min_sting")
+
+    def row(name: str) -> Iterator[str]:
+        analysis = analysed(name)
+        spots = analysis.sweet_spots
+        yield name
+        yield from (f"{from_tip(analysis, getattr(spots, key)):.1f}" for key in keys)
+        zone = spots.zone
+        yield "none" if zone is None else " to ".join(f"{from_tip(analysis, place):.1f}" for place in zone[::-1])
+        yield f"{exit_speed_of(analysis.best, analysis.conditions) / MPH:.1f}"
+
+    head = ("bat", "exit speed", "efficiency", "percussion", "node 1", "node 2", "least sting", "zone", "mph")
+    return table(head, [list(row(name)) for name in names])
+
+
+def along_table() -> str:
+    """Return exit speed with and without bending inch by inch from the tip of the flagship bat."""
+    analysis = analysed()
+    scan = analysis.scan
+
+    def row(inches: int) -> list[str]:
+        place = analysis.bat.length - inches * INCH
+        values = (
+            scan.bat_speed / MPH,
+            scan.rigid_exit_speed / MPH,
+            scan.exit_speed / MPH,
+        )
+        return [
+            str(inches),
+            *(f"{float(np.interp(place, scan.position, value)):.0f}" for value in values),
+            f"{float(np.interp(place, scan.position, scan.collision_efficiency)):.3f}".replace("-", MINUS),
+        ]
+
+    head = ("in from the tip", "bat speed, mph", "exit speed if rigid, mph", "exit speed, mph", "q")
+    return table(head, [row(inches) for inches in range(0, 11)])
+
+
+def paper_table() -> str:
+    """Return the implemented paper's chain beside the full model."""
+    rows = [
+        (row.equation, row.quantity, row.unit, row.paper, row.computed, row.full_model, row.comment)
+        for row in paper_rows(analysed())
+    ]
+    return table(("eq.", "quantity", "unit", "paper", "computed", "full model", "comment"), rows)
+
+
+def bats_table() -> str:
+    """Return length, weight, balance and swing weight of every bat of the catalogue."""
+    rows = []
+    for name in catalog.bat_names():
+        analysis = analysed(name)
+        body = analysis.body
+        rows.append(
+            (
+                name,
+                analysis.bat.name,
+                f"{analysis.bat.length / INCH:.1f}",
+                f"{body.mass / OUNCE:.1f}",
+                f"{body.balance_point / INCH:.1f}",
+                f"{body.moi(6 * INCH) / OUNCE_INCH_SQUARED:.0f}",
+            )
+        )
+    return table(("name", "bat", "in", "oz", "balance, in", "MOI about 6 in, oz in²"), rows)
+
+
+def catalogue_page() -> str:
+    """Return every value of the catalogue with its source."""
+    parts = []
+    for heading, entries in (
+        ("Materials", read_table("materials.toml")),
+        ("Balls", read_table("balls.toml")),
+        ("Bats", bat_tables()),
+    ):
+        parts.append(f"## {heading}\n")
+        for key, entry in entries.items():
+            parts.append(f"### {key.replace('_', '-')}\n\n{escaped(entry['name'])}.")
+            if "note" in entry:
+                parts.append(escaped(entry["note"]))
+            parts.append(_records_table(records(entry, key)))
+    return "\n\n".join(parts)
+
+
+def _records_table(found: list[Record]) -> str:
+    rows = [
+        f"| {one.name.rsplit('.', 1)[1].replace('_', ' ')} | {_written(one.value)} | {_written(one.spread)} | "
+        f"{one.kind}, {source(one.source)} | {escaped(one.where)} |"
+        for one in found
+    ]
+    return "\n".join(["| value | is | ± | kind, source | where in it, or why |", "|" + " --- |" * 5, *rows]) + "\n"
+
+
+def _written(value: Any) -> str:
+    """Return a value of a TOML file in words."""
+    if value is None:
+        return "-"
+    if isinstance(value, dict):
+        return ", ".join(f"{escaped(key).replace('_', ' ')} {_written(item)}" for key, item in value.items())
+    if isinstance(value, list):
+        pairs = all(isinstance(item, list) and len(item) == 2 for item in value)
+        return "; ".join(f"{item[0]}: {item[1]}" if pairs else _written(item) for item in value)
+    return escaped(str(value))
+
+
+def _source_entry(key: str) -> str:
+    found = references.reference(key)
+    link = f" <{found.link}>" if found.link else ""
+    note = f" *{escaped(found.note)}.*" if found.note else ""
+    return f"(source-{key})=\n\n`{key}`\n: {escaped(references.cite(key))}{link}{note}\n"
+
+
+def sources_page() -> str:
+    """Return every entry of the bibliography with the label that other pages link to."""
+    return "\n".join(_source_entry(key) for key in sorted(references.keys()))
+
+
+def validation_page() -> str:
+    """Return every published case, source by source, as the validation package writes it, with links to the sources."""
+    found = validation.results()
+    text = "\n".join(validation.markdown(case, found) for case in validation.sources())
+    for case in validation.sources():
+        text = text.replace(f"`{case.source}`", source(case.source))
+    return text
+
+
+def validation_summary() -> str:
+    """Return how many cases agree, by kind."""
+    found = validation.results()
+    kinds = sorted({result.kind for result in found})
+
+    def row(kind: str) -> tuple[str, int, int, int, int]:
+        own = [result for result in found if result.kind == kind]
+        missed = [result for result in own if not result.ok]
+        return kind, len(own), sum(result.calibrated for result in own), len(own) - len(missed), len(missed)
+
+    return table(("kind", "cases", "of these calibrated", "agree", "miss"), [row(kind) for kind in kinds])

@@ -1,0 +1,52 @@
+"""The one horizontal axis of all pictures of a bat: metres from the knob end inside, inches from the tip for people."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.markers import TICKDOWN
+
+from sweetspot.plot.style import MUTED
+from sweetspot.units import INCH
+
+MARGIN = 0.02
+"""Empty part of the bat's length at either end of the axis."""
+INCH_STEP, CENTIMETRE_STEP = 3, 10
+
+
+def set_limits(axes: Axes, length: float) -> None:
+    """Let an axis span a bat of ``length`` m with a little air at both ends."""
+    axes.set_xlim(-MARGIN * length, (1 + MARGIN) * length)
+
+
+def metres_per_inch_of_paper(length: float, width: float) -> float:
+    """Return the drawing's scale: metres of bat per inch of paper on an axis ``width`` inches wide."""
+    return (1 + 2 * MARGIN) * length / width
+
+
+def show_inches(axes: Axes, length: float, *, labels: bool = True) -> None:
+    """Put ticks every few inches from the tip, as people count."""
+    inches = np.arange(0, length / INCH + 1e-6, INCH_STEP)
+    names = [f"{value:.0f}" for value in inches] if labels else [""] * len(inches)
+    axes.set_xticks(length - inches * INCH, names)
+    if labels:  # a mark for every inch, as one line: matplotlib's own minor ticks take a tenth of a second
+        places = length - np.arange(0, length / INCH + 1e-6) * INCH
+        axes.plot(
+            places, np.zeros_like(places), linestyle="", marker=TICKDOWN, markersize=1.8, markeredgewidth=0.5,
+            color=MUTED, transform=axes.get_xaxis_transform(), clip_on=False, scalex=False, scaley=False,
+        )  # fmt: skip
+
+
+def show_centimetres(axes: Axes, length: float, *, offset: float) -> Axes:
+    """Add a second ruler, in cm from the knob, ``offset`` points below the axis; return it."""
+    places = np.arange(0, length + 1e-9, CENTIMETRE_STEP / 100)
+    ruler = axes.twiny()
+    ruler.set_xlim(axes.get_xlim())
+    ruler.xaxis.set_ticks_position("bottom")
+    ruler.xaxis.set_label_position("bottom")
+    ruler.spines[["left", "right", "top"]].set_visible(False)
+    ruler.spines["bottom"].set_visible(True)
+    ruler.spines["bottom"].set_position(("outward", offset))
+    ruler.set_xticks(places, [f"{100 * place:.0f}" for place in places])
+    ruler.set_xlabel("cm from the knob end", labelpad=2)
+    return ruler
