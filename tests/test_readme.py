@@ -12,13 +12,12 @@ from sweetspot.cli import main
 
 README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"```(\w+)\n(.*?)```", README, flags=re.DOTALL)
-COMMANDS = [
-    line.split("#")[0].strip() for kind, text in BLOCKS if kind == "sh" for line in text.splitlines() if line[:10] == "sweetspot "
-]  # fmt: skip
+SHELL_LINES = [line for kind, text in BLOCKS if kind == "sh" for line in text.splitlines()]
+COMMANDS = [line.split("#")[0].strip() for line in SHELL_LINES if line.startswith("sweetspot ")]
 
 
 def block(kind: str) -> str:
-    return next(text for name, text in BLOCKS if name == kind)
+    return next(str(text) for name, text in BLOCKS if name == kind)
 
 
 def flat(text: str) -> str:

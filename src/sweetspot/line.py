@@ -9,11 +9,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from sweetspot.bat import Bat, PointMass
+from sweetspot.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.material import Material
 
@@ -23,10 +24,17 @@ GAUSS_POINTS = 6
 """Exact to degree 11; the highest degree met is 7 (r^4 of a cone, times a density gradient, times x^2)."""
 GRADIENT_LIMIT = 0.25
 """Largest density change from the middle to an end that may explain a measured balance or MOI (assumed)."""
-KNOB_MASS_LIMIT = 0.085
-"""Largest extra mass at the knob, kg (3 oz, assumed: tape, knob weight or a knob larger than drawn)."""
+KNOB_MASS_LIMITS = (-0.025, 0.085)
+"""Mass at the knob that may explain measured values, kg (assumed: a knob smaller than drawn; tape, a knob weight)."""
 DEFAULT_POISSON = 0.3
 """Used in the shear coefficient when a material states no Poisson ratio; moves mode 1 by under 0.1 %."""
+
+
+class Lump(NamedTuple):
+    """Mass in kg at a position in m from the knob end; slightly negative for a knob smaller than drawn."""
+
+    position: float
+    mass: float
 
 
 @dataclass(frozen=True)
@@ -44,7 +52,7 @@ class Line:
     bat: Bat
     density_factor: float
     density_gradient: float
-    point_masses: tuple[PointMass, ...]
+    point_masses: tuple[Lump, ...]
 
 
 @dataclass(frozen=True)
@@ -172,17 +180,17 @@ def _void_radius(bat: Bat, position: Array, outer: Array) -> Array:
     return bat.cup.diameter / 2 * np.sqrt(np.maximum(into_cup, 0.0))
 
 
-def _own_point_masses(bat: Bat) -> tuple[PointMass, ...]:
+def _own_point_masses(bat: Bat) -> tuple[Lump, ...]:
     """Return the weights the description itself names: added ones, knob and end cap of a shell."""
-    masses = list(bat.point_masses)
+    masses = [Lump(weight.position, weight.mass) for weight in bat.point_masses]
     if bat.shell is not None and bat.shell.knob_mass:
-        masses.append(PointMass(position=0.0, mass=bat.shell.knob_mass))
+        masses.append(Lump(0.0, bat.shell.knob_mass))
     if bat.shell is not None and bat.shell.end_cap_mass:
-        masses.append(PointMass(position=bat.length, mass=bat.shell.end_cap_mass))
+        masses.append(Lump(bat.length, bat.shell.end_cap_mass))
     return tuple(masses)
 
 
-def _carried_masses(bat: Bat, line: Line) -> tuple[PointMass, ...]:
+def _carried_masses(bat: Bat, line: Line) -> tuple[Lump, ...]:
     """Return the point masses of a modified bat: its own, and what the fit put at the original's knob."""
     fitted = line.point_masses[len(_own_point_masses(line.bat)) :]
     return _own_point_masses(bat) + fitted
@@ -209,8 +217,8 @@ def _fitted(bat: Bat) -> Line:
     factor, gradient, knob_mass = unknowns[0], unknowns[1] / unknowns[0], unknowns[2]
     _check_fit(bat, base, factor, gradient, knob_mass)
     masses = plain.point_masses
-    if knob_mass > 0:
-        masses = (*masses, PointMass(position=0.0, mass=float(knob_mass)))
+    if knob_mass:
+        masses = (*masses, Lump(0.0, float(knob_mass)))
     return Line(bat, float(factor), float(gradient), masses)
 
 
@@ -220,6 +228,7 @@ def _check_fit(bat: Bat, base: Array, factor: float, gradient: float, knob_mass:
     low, high = material.density_range or (material.density, material.density)
     density, slack = factor * material.density, 1e-9 * material.density
     fits = low - slack <= density <= high + slack
+    lightest, heaviest = KNOB_MASS_LIMITS
     if bat.balance_point is None and bat.moi is None:
         if not fits:
             raise InputError(
@@ -227,7 +236,7 @@ def _check_fit(bat: Bat, base: Array, factor: float, gradient: float, knob_mass:
                 f"{density:.0f} kg/m^3; {material.name} can be {low:.0f} to {high:.0f} kg/m^3. "
                 "Check the weight, the diameters and the material"
             )
-    elif not fits or abs(gradient) > GRADIENT_LIMIT or not -1e-9 <= knob_mass <= KNOB_MASS_LIMIT:
+    elif not fits or abs(gradient) > GRADIENT_LIMIT or not lightest <= knob_mass <= heaviest:
         mass, first, second = base * (bat.mass or 0.0) / base[0]
         about = second - 2 * bat.moi_axis * first + bat.moi_axis**2 * mass
         measured = [f"balance point {bat.balance_point:.4g} m"] if bat.balance_point is not None else []
@@ -237,6 +246,6 @@ def _check_fit(bat: Bat, base: Array, factor: float, gradient: float, knob_mass:
             f"{about:.4g} kg m^2 about {bat.moi_axis:.4g} m, but {' and '.join(measured)} was measured. To fit, "
             f"the density would have to be {density:.0f} kg/m^3 (allowed {low:.0f} to {high:.0f}), change by "
             f"{100 * gradient:.0f} % towards the tip (allowed {100 * GRADIENT_LIMIT:.0f} %), and the knob weigh "
-            f"{1e3 * knob_mass:.0f} g more (allowed 0 to {1e3 * KNOB_MASS_LIMIT:.0f} g). "
+            f"{1e3 * knob_mass:.0f} g more (allowed {1e3 * lightest:.0f} to {1e3 * heaviest:.0f} g). "
             "Check the profile or the measurement"
         )

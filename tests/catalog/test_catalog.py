@@ -15,6 +15,7 @@ from sweetspot.rigid import rigid_body
 from sweetspot.units import OUNCE
 
 TABLES = {"materials": read_table("materials.toml"), "balls": read_table("balls.toml"), "bats": bat_tables()}
+KEYS = set(references.keys())
 PLAIN = {"name", "family", "sport", "like", "note"}
 """Fields that are words, not values."""
 ENTRIES = [(table, name) for table, entries in TABLES.items() for name in entries]
@@ -26,7 +27,7 @@ def test_every_value_has_a_source_and_a_kind(table: str, name: str) -> None:
     found = records(entry, name)
     assert {record.name.split(".")[1] for record in found} == set(entry) - PLAIN
     for record in found:
-        assert record.source in references.keys(), record.name
+        assert record.source in KEYS, record.name
         assert record.kind in ("measured", "specified", "derived", "fitted", "assumed"), record.name
         if record.source == "recalled":
             assert record.kind in ("assumed", "derived", "fitted"), f"{record.name} is known from memory only"

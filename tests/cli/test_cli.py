@@ -20,7 +20,9 @@ name = "my ash bat"
 length = "33 1/2 in"
 mass = "28 oz"
 material = "white ash"
-profile = [ ["0 in", "2.0 in"], ["1.0 in", "1.05 in"], ["12 in", "1.0 in"], ["24 in", "2.4 in"], ["2 ft 9.5 in", "1.6 in"] ]
+profile = [
+  ["0 in", "2.0 in"], ["1.0 in", "1.05 in"], ["12 in", "1.0 in"], ["24 in", "2.4 in"], ["2 ft 9.5 in", "1.6 in"],
+]
 
 [[bore]]
 diameter = "1 in"
@@ -62,8 +64,8 @@ def test_report_json_keeps_the_border_contract(capsys: pytest.CaptureFixture[str
     assert {"family", "harmonic", "frequency_hz", "damping_ratio", "nodes_m"} == set(result["modes"][0])
     assert result["modes"][0]["family"] == "bending" and len(result["modes"]) >= 12
     assert {
-        "center_of_percussion_m", "node_1_m", "node_2_m", "max_collision_efficiency_m", "max_exit_speed_m", "min_sting_m",
-        "zone_m",
+        "center_of_percussion_m", "node_1_m", "node_2_m", "max_collision_efficiency_m", "max_exit_speed_m",
+        "min_sting_m", "zone_m",
     } == set(result["sweet_spots"])  # fmt: skip
     assert {
         "position_m", "collision_efficiency", "bbcor", "bat_speed_m_s", "exit_speed_m_s", "hand_impulse_n_s", "sting",

@@ -17,8 +17,8 @@ def answer(analysis: Analysis) -> list[str]:
     words = [_where(analysis), _why_not_the_end(analysis), _miss(analysis), _hands(analysis)]
     if analysis.bat.shell is not None:
         words.append(
-            "This bat is hollow. Its wall is treated as rigid here: the trampoline effect, which makes the ball faster, "
-            "is not in these numbers."
+            "This bat is hollow. Its wall is treated as rigid here: the trampoline effect, which makes the ball "
+            "faster, is not in these numbers."
         )
     return words
 
