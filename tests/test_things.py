@@ -127,5 +127,7 @@ def test_swing_and_pitch() -> None:
             swing.replaced(**wrong)
     with pytest.raises(InputError, match="allowed is 0"):
         Pitch(speed=100.0)
+    with pytest.raises(InputError, match="0 for no hand"):
+        Hands(position=0.15, mass=1e-300)
     assert Hands(position=0.15).places == pytest.approx((0.15, 0.061))
     assert Hands(position=0.05).places == (0.05, 0.0)

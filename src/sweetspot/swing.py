@@ -10,6 +10,8 @@ from sweetspot.units import MPH, shown
 
 MAX_SPEED = 70.0
 """m/s (157 mph): half as fast again as any recorded pitch or swing."""
+LIGHTEST_HAND = 0.01
+"""kg."""
 
 
 def _speed(value: float) -> str:
@@ -87,6 +89,14 @@ class Hands(Thing):
     mass: NonNegative = 0.0
     stiffness: NonNegative = 0.0
     damping: NonNegative = 0.0
+
+    @model_validator(mode="after")
+    def _weigh_something_or_nothing(self) -> Hands:
+        if 0 < self.mass < LIGHTEST_HAND:
+            raise ValueError(
+                f"a hand of {self.mass:g} kg was given; allowed is 0 for no hand, or at least {LIGHTEST_HAND:g} kg"
+            )
+        return self
 
     @property
     def places(self) -> tuple[float, float]:
