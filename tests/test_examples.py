@@ -11,6 +11,7 @@ import pytest
 
 from sweetspot import analyse, catalog, exit_speed_of, standard_conditions
 from sweetspot.analysis import Analysis
+from sweetspot.compare import compare
 from sweetspot.units import INCH, MPH
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -63,6 +64,22 @@ def test_does_grip_matter(headline: str, flagship: Analysis) -> None:
     assert speed == pytest.approx(exit_speed_of(flagship.best, flagship.conditions) / MPH, abs=0.06)
     assert change == pytest.approx(100 * flagship.grip_effect, abs=6e-5)
     assert abs(change) < 1.0  # published: grip has no effect that could be measured [nathan2000]
+
+
+@pytest.mark.parametrize("headline", ["does_corking_help.py"], indirect=True)
+def test_does_corking_help(headline: str, flagship: Analysis) -> None:
+    gained, needed, change, low, high = numbers(
+        r"Corking brings # mph of bat speed and needs # mph: the ball leaves # mph \(# to #\)", headline
+    )
+    whole = flagship.bat
+    corked = whole.corked(diameter=1 * INCH, depth=10 * INCH, fill=catalog.material("cork"), plug=1 * INCH)
+    first, second = compare([whole, corked], conditions=flagship.conditions).compared
+    assert gained == pytest.approx((second.bat_speed.value - first.bat_speed.value) / MPH, abs=0.06)
+    assert needed == pytest.approx((second.break_even - first.bat_speed.value) / MPH, abs=0.06)
+    assert (change, low, high) == pytest.approx(
+        tuple(end / MPH for end in (second.change.value, second.change.low, second.change.high)), abs=0.06
+    )
+    assert gained < needed  # published: corking does not make the ball go farther [nathan2011corked]
 
 
 def test_every_example_is_tested_and_short() -> None:

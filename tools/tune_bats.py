@@ -66,6 +66,22 @@ METAL = {
     "shell.knob_mass": Free(50, 25, 5, 150),
 }
 
+COMPOSITE = {**METAL, "shell.wall.0.1": Free(3.4, 0.8, 2.0, 6.0)}  # handle, mm; assumed
+B6 = {"mass": (31.0, 0.02), "balance": (20.4, 0.01), "moi_6in": (9590.0, 5.0)}  # [russell2010swing]
+B7 = {"mass": (30.5, 0.02), "balance": (19.3, 0.01), "moi_6in": (8664.0, 5.0)}
+SHELLS = {  # shell bats nobody measured: the barrel walls are chosen, all else follows
+    "single-wall": ({"mass": (30.0, 0.02), "moi_6in": (9000.0, 5.0)}, METAL),
+    "double-wall": (B6, METAL),
+    "composite": (B7, COMPOSITE),
+    "two-piece": (B6, COMPOSITE),
+    "slow-pitch": ({"mass": (28.0, 0.02), "moi_6in": (8500.0, 5.0)}, COMPOSITE),
+}
+
+
+def shell(name: str) -> Search:
+    targets, free = SHELLS[name]
+    return Search({path: one for path, one in free.items() if path != "shell.wall.2.1"}, targets)
+
 
 def mlb(volume: float) -> Search:
     return Search({"turned.handle": HANDLE, "turned.barrel": BARREL, **taper(9, 30, 1)}, {"volume": (volume, 0.05)})
@@ -121,6 +137,7 @@ SEARCHES = {
     "russell-b5": russell_metal(31.4, 19.9, 9325),
     "russell-b6": russell_metal(31.0, 20.4, 9590),
     "russell-b7": russell_metal(30.5, 19.3, 8664),
+    **{name: shell(name) for name in SHELLS},
 }
 
 

@@ -33,6 +33,8 @@ if TYPE_CHECKING:
     from sweetspot.swing import Conditions, Hands, Pitch, Swing
     from sweetspot.vibration.beam import bending_modes
     from sweetspot.vibration.hands import gripped
+    from sweetspot.vibration.hoop import hoop_modes
+    from sweetspot.vibration.whole import modes_of
 
 _HOMES = {
     "catalog": "catalog",
@@ -52,6 +54,8 @@ _HOMES = {
     "centre_of_percussion": "rigid",
     "effective_mass": "rigid",
     "bending_modes": "vibration.beam",
+    "hoop_modes": "vibration.hoop",
+    "modes_of": "vibration.whole",
     "gripped": "vibration.hands",
     "hit": "collision.coupled",
     "hits": "collision.kernel",
@@ -89,6 +93,8 @@ __all__ = [
     "hit",
     "hit_at",
     "hits",
+    "hoop_modes",
+    "modes_of",
     "paper_rows",
     "reduce",
     "rigid_body",

@@ -14,9 +14,9 @@ from sweetspot.scan import Scan, scan
 from sweetspot.sweet_spots import SweetSpots, sweet_spots
 from sweetspot.swing import Conditions, Hands
 from sweetspot.units import shown
-from sweetspot.vibration.beam import bending_modes
 from sweetspot.vibration.hands import check_hands, gripped
 from sweetspot.vibration.modes import Modes
+from sweetspot.vibration.whole import modes_of
 
 TYPICAL_HAND = {"mass": 0.35, "stiffness": 20e3, "damping": 100.0}
 """kg, N/m, N s/m per hand; soft defaults, recalled and not read, used only to show that grip hardly matters."""
@@ -53,7 +53,7 @@ def analyse(bat: Bat, conditions: Conditions) -> Analysis:
     check_conditions(bat, conditions)
     line = reduce(bat)
     body = rigid_body(line)
-    free = bending_modes(line)
+    free = modes_of(line, conditions.ball)
     modes = gripped(free, conditions.hands)
     along = scan(bat, body=body, modes=modes, conditions=conditions)
     spots = sweet_spots(along, body=body, modes=free, conditions=conditions)

@@ -6,7 +6,6 @@ Positions are metres from the knob end; the axis figure in the docs fixes origin
 from __future__ import annotations
 
 import math
-from itertools import pairwise
 from typing import Annotated, Self
 
 import numpy as np
@@ -16,10 +15,10 @@ from pydantic import Field, model_validator
 
 from sweetspot.errors import InputError
 from sweetspot.material import Material
+from sweetspot.shell import Shell, Stations, between, check_order
 from sweetspot.thing import NonNegative, Positive, Thing
 from sweetspot.units import shown
 
-Stations = tuple[tuple[float, float], ...]
 LENGTH_RANGE = (0.3, 1.3)
 DIAMETER_RANGE = (0.005, 0.12)
 IMPLAUSIBLE = "give it in the file's own unit, for example '2.5 in' or '64 mm'"
@@ -55,20 +54,6 @@ class Cup(Thing):
 
     diameter: Positive
     depth: Positive
-
-
-class Shell(Thing):
-    """A hollow bat: wall thickness along the axis, and what closes its ends.
-
-    Parameters
-    ----------
-    wall : (position, thickness) stations in m over the whole length.
-    end_cap_mass, knob_mass : kg, at the tip and at the knob end.
-    """
-
-    wall: Stations
-    end_cap_mass: NonNegative = 0.0
-    knob_mass: NonNegative = 0.0
 
 
 class PointMass(Thing):
@@ -152,20 +137,34 @@ class Bat(Thing):
 
     def _check_hollows(self) -> None:
         if self.shell is not None:
-            if self.bores or self.cup:
-                raise ValueError("a shell is hollow already; leave out bore and cup")
-            _check_stations(self.shell.wall, self.length, "shell.wall")
-            for position in self.breakpoints():
-                wall, radius = self.wall_at(position), self.diameter_at(position) / 2
-                if not 0 < wall <= radius:
-                    raise ValueError(
-                        f"shell wall is {wall * 1e3:.3g} mm at {position:.4g} m where the radius is "
-                        f"{radius * 1e3:.3g} mm; allowed is more than 0 and no more than the radius"
-                    )
+            self._check_shell(self.shell)
         for bore in self.bores:
             self._check_fits(bore.diameter, bore.depth, "bore")
         if self.cup is not None:
             self._check_fits(self.cup.diameter, self.cup.depth, "cup", mouth_only=True)
+
+    def _check_shell(self, shell: Shell) -> None:
+        if self.bores or self.cup:
+            raise ValueError("a shell is hollow already; leave out bore and cup")
+        _check_stations(shell.wall, self.length, "shell.wall")
+        sleeve = shell.inner_wall
+        for position in shell.edges():
+            if not 0 <= position <= self.length * (1 + 1e-6):
+                raise ValueError(f"the shell has something at {position:.4g} m, off the bat of {self.length:.4g} m")
+        for position in self.breakpoints():
+            wall, radius = self.wall_at(position), self.diameter_at(position) / 2
+            if not 0 < wall <= radius:
+                raise ValueError(
+                    f"shell wall is {wall * 1e3:.3g} mm at {position:.4g} m where the radius is "
+                    f"{radius * 1e3:.3g} mm; allowed is more than 0 and no more than the radius"
+                )
+            if sleeve is not None and sleeve.wall[0][0] <= position <= sleeve.wall[-1][0]:
+                thickness = between(sleeve.wall, position)
+                if thickness + sleeve.gap > radius - wall:
+                    raise ValueError(
+                        f"inner wall and gap are {(thickness + sleeve.gap) * 1e3:.3g} mm at {position:.4g} m where the "
+                        f"bore of the outer wall is {(radius - wall) * 1e3:.3g} mm in radius; make the sleeve thinner"
+                    )
 
     def _check_fits(self, diameter: float, depth: float, what: str, *, mouth_only: bool = False) -> None:
         if depth >= self.length:
@@ -206,17 +205,16 @@ class Bat(Thing):
             return np.asarray(np.sqrt(4 * mass_per_length / (math.pi * self.material.density)))
 
     def wall_at(self, position: ArrayLike) -> NDArray[np.float64]:
-        """Return the wall thickness in m of a hollow bat at positions in m; a solid bat has its radius."""
+        """Return the thickness in m of a hollow bat's outer wall at positions in m; a solid bat has its radius."""
         if self.shell is None:
             return self.diameter_at(position) / 2
-        stations, thicknesses = zip(*self.shell.wall, strict=True)
-        return np.asarray(np.interp(np.asarray(position, float), stations, thicknesses))
+        return self.shell.wall_at(np.asarray(position, float))
 
     def breakpoints(self) -> tuple[float, ...]:
         """Return the positions, 0 and length included, between which every outline is smooth."""
         edges = {0.0, self.length}
         edges.update(position for position, _ in self.profile or ())
-        edges.update(position for position, _ in (self.shell.wall if self.shell else ()))
+        edges.update(self.shell.edges() if self.shell else ())
         for bore in self.bores:
             edges.update((self.length - bore.depth, self.length - bore.plug))
         if self.cup:
@@ -276,17 +274,10 @@ def check_position(bat: Bat, position: float, what: str = "position") -> None:
 
 
 def _check_stations(stations: Stations, length: float, what: str) -> None:
-    if len(stations) < 2:
-        raise ValueError(f"{what} has {len(stations)} station; allowed is two or more")
-    positions = [position for position, _ in stations]
-    for before, after in pairwise(positions):
-        if after <= before:
-            raise ValueError(
-                f"{what} goes back from {before:.4g} m to {after:.4g} m; "
-                "list the stations from the knob end outwards, each once"
-            )
-    if abs(positions[0]) > 1e-9 or abs(positions[-1] - length) > 1e-6 * length:
+    check_order(stations, what)
+    first, last = stations[0][0], stations[-1][0]
+    if abs(first) > 1e-9 or abs(last - length) > 1e-6 * length:
         raise ValueError(
-            f"{what} runs from {positions[0]:.4g} m to {positions[-1]:.4g} m but the bat from 0 to "
+            f"{what} runs from {first:.4g} m to {last:.4g} m but the bat from 0 to "
             f"{length:.4g} m; give a station at each end"
         )

@@ -17,6 +17,8 @@ from numpy.typing import NDArray
 from sweetspot.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.material import Material
+from sweetspot.plates import DEFAULT_POISSON, effective_moduli
+from sweetspot.shell import WallPart
 
 Array = NDArray[np.float64]
 
@@ -26,8 +28,6 @@ GRADIENT_LIMIT = 0.25
 """Largest density change from the middle to an end that may explain a measured balance or MOI (assumed)."""
 KNOB_MASS_LIMITS = (-0.025, 0.085)
 """Mass at the knob that may explain measured values, kg (assumed: a knob smaller than drawn; tape, a knob weight)."""
-DEFAULT_POISSON = 0.3
-"""Used in the shear coefficient when a material states no Poisson ratio; moves mode 1 by under 0.1 %."""
 
 
 class Lump(NamedTuple):
@@ -93,9 +93,11 @@ def section(line: Line, position: Array) -> Section:
     """Return the section properties at positions in m (not exactly at a jump: there the inner side is taken)."""
     bat = line.bat
     outer = bat.diameter_at(position) / 2
-    void = _void_radius(bat, position, outer)
+    if bat.shell is not None:
+        return _of_walls(bat.shell.parts(position, outer, bat.material), outer, density_scale(line, position))
+    void = _void_radius(bat, position)
     material = bat.material
-    density = material.density * line.density_factor * (1 + line.density_gradient * (2 * position / bat.length - 1))
+    density = material.density * density_scale(line, position)
 
     def between(low: Array, high: Array, power: int) -> Array:
         """Integral of r^(power-1) between two radii, with whatever lies inside the void left out."""
@@ -119,6 +121,14 @@ def section(line: Line, position: Array) -> Section:
     return Section(mass, rotary, bending, shear_coefficient(void / outer, poisson) * shear)
 
 
+def density_scale(line: Line, position: Array) -> Array:
+    """Return the bat's density at positions in m over its catalogue density: factor and gradient of the fit.
+
+    All walls of a hollow bat, sleeve and handle included, are scaled alike; fills are not.
+    """
+    return line.density_factor * (1 + line.density_gradient * (2 * position / line.bat.length - 1))
+
+
 def shear_coefficient(radius_ratio: Array, poisson_ratio: float) -> Array:
     """Return Timoshenko's shear coefficient of a round section with inner-to-outer radius ratio m.
 
@@ -131,6 +141,34 @@ def shear_coefficient(radius_ratio: Array, poisson_ratio: float) -> Array:
     full = (1 + square) ** 2
     top = 6 * (1 + poisson_ratio) * full
     return np.asarray(top / ((7 + 6 * poisson_ratio) * full + (20 + 12 * poisson_ratio) * square))
+
+
+def _of_walls(parts: list[WallPart], outer: Array, scale: Array) -> Section:
+    """Return the section properties of concentric walls that bend as one bat: everything adds.
+
+    A laminate counts with its effective moduli along the bat and in shear [jones1999].
+    """
+    hole = np.asarray(np.min([np.where(part.thickness > 0, part.inner, outer) for part in parts], axis=0))
+    mass, rotary, bending, shear = (np.zeros_like(outer) for _ in range(4))
+    for part in parts:
+        along, across, poisson = _moduli(part)
+        area = math.pi * (part.outer**2 - part.inner**2)
+        second = math.pi * (part.outer**4 - part.inner**4) / 4
+        mass = mass + part.density * scale * area
+        rotary = rotary + part.density * scale * second
+        bending = bending + along * second
+        shear = shear + shear_coefficient(hole / outer, poisson) * across * area
+    return Section(mass, rotary, bending, shear)
+
+
+def _moduli(part: WallPart) -> tuple[float, float, float]:
+    """Return Young's modulus along the bat, shear modulus (Pa) and Poisson ratio of a wall."""
+    if part.laminate is not None:
+        found = effective_moduli(part.laminate)
+        return found.axial, found.shear, min(max(found.poisson_ratio, 0.0), 0.5)  # Cowper's range
+    material = part.material
+    poisson = DEFAULT_POISSON if material.poisson_ratio is None else material.poisson_ratio
+    return material.longitudinal_modulus, material.shear, poisson
 
 
 def integrate(line: Line, density_of: Callable[[Array], Array]) -> float:
@@ -170,10 +208,8 @@ def _inclusions(bat: Bat) -> Iterator[tuple[float, float, float, Material | None
         yield bat.length - bore.depth, bat.length - bore.plug, bore.diameter / 2, bore.fill
 
 
-def _void_radius(bat: Bat, position: Array, outer: Array) -> Array:
-    """Return the radius within which there is nothing at all: inside a shell, or in the cup."""
-    if bat.shell is not None:
-        return outer - bat.wall_at(position)
+def _void_radius(bat: Bat, position: Array) -> Array:
+    """Return the radius within which there is nothing at all: in the cup."""
     if bat.cup is None:
         return np.zeros_like(position)
     into_cup = 1 - (bat.length - position) / bat.cup.depth
@@ -181,10 +217,12 @@ def _void_radius(bat: Bat, position: Array, outer: Array) -> Array:
 
 
 def _own_point_masses(bat: Bat) -> tuple[Lump, ...]:
-    """Return the weights the description itself names: added ones, knob and end cap of a shell."""
+    """Return the weights the description itself names: added ones, knob, joint and end cap of a shell."""
     masses = [Lump(weight.position, weight.mass) for weight in bat.point_masses]
     if bat.shell is not None and bat.shell.knob_mass:
         masses.append(Lump(0.0, bat.shell.knob_mass))
+    if bat.shell is not None and bat.shell.joint is not None and bat.shell.joint_mass:
+        masses.append(Lump(bat.shell.joint, bat.shell.joint_mass))
     if bat.shell is not None and bat.shell.end_cap_mass:
         masses.append(Lump(bat.length, bat.shell.end_cap_mass))
     return tuple(masses)
@@ -225,8 +263,11 @@ def _fitted(bat: Bat) -> Line:
 def _check_fit(bat: Bat, base: Array, factor: float, gradient: float, knob_mass: float) -> None:
     """Refuse measured values that this outline cannot have, saying by how much they miss."""
     material = bat.material
-    low, high = material.density_range or (material.density, material.density)
-    density, slack = factor * material.density, 1e-9 * material.density
+    laminate = None if bat.shell is None else bat.shell.laminate
+    usual = material.density if laminate is None else laminate.density
+    light, heavy = material.density_range or (material.density, material.density)
+    low, high = usual * light / material.density, usual * heavy / material.density
+    density, slack = factor * usual, 1e-9 * usual
     fits = low - slack <= density <= high + slack
     lightest, heaviest = KNOB_MASS_LIMITS
     if bat.balance_point is None and bat.moi is None:

@@ -18,7 +18,7 @@ from matplotlib.transforms import Bbox
 
 from sweetspot import catalog
 from sweetspot.analysis import Analysis, analyse
-from sweetspot.bat import Bat, Shell
+from sweetspot.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.plot.bat import bat_figure
 from sweetspot.plot.hit import ENERGY_NAMES, hit_figure
@@ -26,6 +26,7 @@ from sweetspot.plot.marks import SPOT_LABELS, ladder
 from sweetspot.plot.report_figure import report_figure
 from sweetspot.plot.save import png_bytes, save, svg_bytes, write_all
 from sweetspot.plot.style import SPOT_COLOURS
+from sweetspot.shell import Shell
 from sweetspot.standard import standard_conditions
 from sweetspot.sweet_spots import SweetSpots
 from sweetspot.units import INCH, MPH

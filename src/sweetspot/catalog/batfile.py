@@ -8,12 +8,14 @@ from typing import Any
 
 from pydantic import ConfigDict, Field
 
-from sweetspot.bat import Bat, Bore, Cup, PointMass, Shell
+from sweetspot.bat import Bat, Bore, Cup, PointMass
 from sweetspot.catalog.materials import material
 from sweetspot.catalog.records import unwrapped
 from sweetspot.catalog.turned import turned_profile
 from sweetspot.errors import InputError
+from sweetspot.laminate import Laminate, Ply
 from sweetspot.material import Material
+from sweetspot.shell import InnerWall, Shell
 from sweetspot.thing import Thing
 from sweetspot.units import parse
 
@@ -44,10 +46,33 @@ class CupTable(FileTable):
     depth: Text
 
 
+class PlyTable(FileTable):
+    """One ply of a laminate, [{ material = "carbon ply", angle = "45 deg", thickness = "0.15 mm" }, ...]."""
+
+    material: str = Field(description="name in the catalogue; its longitudinal axis is that of the fibres")
+    angle: Text = Field("0 deg", description="from the bat's axis to the fibres, -90 to 90 deg")
+    thickness: Text = Field(description="only its share counts: plies are scaled to the wall")
+
+
+class InnerWallTable(FileTable):
+    """[shell.inner_wall]: a sleeve inside the barrel."""
+
+    wall: Pairs = Field(description="pairs of position and thickness, from where the sleeve starts to where it stops")
+    material: str | None = Field(None, description="name in the catalogue; absent: the bat's own")
+    laminate: tuple[PlyTable, ...] | None = Field(None, description="plies from the inside outwards")
+    gap: Text = Field("0 mm", description="between the outer wall and the sleeve")
+    bonded: bool = Field(False, description="true: the walls are glued to each other")
+
+
 class ShellTable(FileTable):
     """[shell]: a hollow bat."""
 
     wall: Pairs = Field(description="pairs of position from the knob end and wall thickness")
+    laminate: tuple[PlyTable, ...] | None = Field(None, description="plies from the inside outwards")
+    inner_wall: InnerWallTable | None = None
+    handle_material: str | None = Field(None, description="of a two-piece bat; name in the catalogue")
+    joint: Text | None = Field(None, description="where the handle of a two-piece bat ends, from the knob end")
+    joint_mass: Text = "0 oz"
     end_cap_mass: Text = "0 oz"
     knob_mass: Text = "0 oz"
 
@@ -76,6 +101,8 @@ class MaterialTable(FileTable):
     density: Text | None = None
     longitudinal_modulus: Text | None = None
     shear_modulus: Text | None = None
+    transverse_modulus: Text | None = None
+    poisson_ratio: float | None = None
     damping_ratio: float | None = None
 
 
@@ -123,6 +150,12 @@ def read_toml(path: Path) -> dict[str, Any]:
 
 def bat_from_table(table: dict[str, Any], where: str) -> Bat:
     """Return the bat that a table describes; ``where`` names the file in messages."""
+    loose = sorted(set(table) & set(ShellTable.model_fields))
+    if loose:
+        raise InputError(
+            f"{where}: {' and '.join(loose)} stand{'s' if len(loose) == 1 else ''} outside [shell]; only a hollow bat "
+            "has a wall, an end cap or a joint: put it into a [shell] table that has a wall"
+        )
     try:
         return _bat(BatFile(**{key: unwrapped(value) for key, value in table.items()}))
     except InputError as error:
@@ -131,6 +164,7 @@ def bat_from_table(table: dict[str, Any], where: str) -> Bat:
 
 def _bat(file: BatFile) -> Bat:
     length = parse(file.length, "length", "length")
+    own = _material(file.material)
     outlines = [name for name in ("profile", "turned", "linear_density") if getattr(file, name) is not None]
     if len(outlines) != 1:
         given = " and ".join(outlines) or "none of them"
@@ -142,12 +176,12 @@ def _bat(file: BatFile) -> Bat:
     return Bat(
         name=file.name,
         length=length,
-        material=_material(file.material),
+        material=own,
         profile=profile,
         linear_density=file.linear_density,
         bores=tuple(_bore(bore) for bore in file.bore),
         cup=None if file.cup is None else Cup(**_lengths(file.cup, "cup")),
-        shell=None if file.shell is None else _shell(file.shell),
+        shell=None if file.shell is None else _shell(file.shell, own),
         point_masses=tuple(
             PointMass(
                 position=parse(weight.position, "length", "point_mass.position"),
@@ -179,11 +213,40 @@ def _bore(table: BoreTable) -> Bore:
     return Bore(fill=None if table.fill is None else material(table.fill), **sizes)
 
 
-def _shell(table: ShellTable) -> Shell:
+def _shell(table: ShellTable, own: Material) -> Shell:
+    masses = ("joint_mass", "end_cap_mass", "knob_mass")
     return Shell(
         wall=_pairs(table.wall, "shell.wall"),
-        end_cap_mass=parse(table.end_cap_mass, "mass", "shell.end_cap_mass"),
-        knob_mass=parse(table.knob_mass, "mass", "shell.knob_mass"),
+        laminate=_laminate(table.laminate, "shell.laminate"),
+        inner_wall=None if table.inner_wall is None else _inner_wall(table.inner_wall, own),
+        handle_material=None if table.handle_material is None else material(table.handle_material),
+        joint=None if table.joint is None else parse(table.joint, "length", "shell.joint"),
+        **{name: parse(getattr(table, name), "mass", f"shell.{name}") for name in masses},
+    )
+
+
+def _inner_wall(table: InnerWallTable, own: Material) -> InnerWall:
+    return InnerWall(
+        wall=_pairs(table.wall, "shell.inner_wall"),
+        material=own if table.material is None else material(table.material),
+        laminate=_laminate(table.laminate, "shell.inner_wall.laminate"),
+        gap=parse(table.gap, "length", "shell.inner_wall.gap"),
+        bonded=table.bonded,
+    )
+
+
+def _laminate(plies: tuple[PlyTable, ...] | None, what: str) -> Laminate | None:
+    if plies is None:
+        return None
+    return Laminate(
+        plies=tuple(
+            Ply(
+                material=material(ply.material),
+                angle=parse(ply.angle, "angle", f"{what} angle"),
+                thickness=parse(ply.thickness, "length", f"{what} thickness"),
+            )
+            for ply in plies
+        )
     )
 
 
@@ -193,10 +256,11 @@ def _material(given: str | MaterialTable) -> Material:
     changes: dict[str, Any] = {}
     if given.density is not None:
         changes["density"] = parse(given.density, "density", "material.density")
-    for name in ("longitudinal_modulus", "shear_modulus"):
+    for name in ("longitudinal_modulus", "shear_modulus", "transverse_modulus"):
         text = getattr(given, name)
         if text is not None:
             changes[name] = parse(text, "pressure", f"material.{name}")
-    if given.damping_ratio is not None:
-        changes["damping_ratio"] = given.damping_ratio
+    for name in ("poisson_ratio", "damping_ratio"):
+        if getattr(given, name) is not None:
+            changes[name] = getattr(given, name)
     return material(given.like).replaced(**changes)

@@ -75,7 +75,7 @@ def hit(
     from sweetspot.report.border import hit_json
     from sweetspot.rigid import rigid_body
     from sweetspot.units import parse_position
-    from sweetspot.vibration.beam import bending_modes
+    from sweetspot.vibration.whole import modes_of
 
     described = catalog.load_bat(bat)
     conditions = conditions_for(described, swing)
@@ -84,7 +84,7 @@ def hit(
     check_position(described, position, "--at")
     line = reduce(described)
     body = rigid_body(line)
-    impact = hit_at(position, modes=bending_modes(line), conditions=conditions)
+    impact = hit_at(position, modes=modes_of(line, conditions.ball), conditions=conditions)
     if format == "json":
         print_json(hit_json(impact, body=body, conditions=conditions))
     elif format == "csv":
@@ -232,3 +232,14 @@ def _say(text: str) -> None:
     import sys
 
     print(f"sweetspot: {text}", file=sys.stderr)
+
+
+from sweetspot.cli.certify import certify  # noqa: E402
+
+app.command(certify)
+from sweetspot.cli.compare import compare  # noqa: E402
+
+app.command(compare)
+from sweetspot.cli.drop import drop  # noqa: E402
+
+app.command(drop)

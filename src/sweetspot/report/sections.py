@@ -152,13 +152,13 @@ def assumptions(analysis: Analysis) -> Html:
         for record in entries
         if record.kind == "assumed"
     ]
-    hollow = analysis.bat.shell is not None and "hoop" not in analysis.modes.families
+    hollow = "hoop" in analysis.modes.families
     low, high = STING_BAND
     points = [
         "The face of the bat is rigid. What solid wood itself gives and returns under the ball is contained in the "
         "ball's restitution, which is measured against white ash.",
-        "The barrel wall of this hollow bat is taken as rigid too: its trampoline effect is left out, and a real one "
-        "hits faster than this page says."
+        "The wall of this hollow bat gives way in hoop modes, felt through a round patch under the ball; the size of "
+        "that patch is uncertain and is worth about 2 mph either way."
         if hollow
         else "",
         "The bat bends as a beam of varying section (bending, shear and rotary inertia). That holds for waves longer "

@@ -20,6 +20,7 @@ from sweetspot.swing import Conditions
 from sweetspot.units import INCH, MPH, OUNCE, OUNCE_INCH_SQUARED
 
 SHOWN_MODES = 5
+SHOWN_HOOPS = 3
 
 SPOT_NAMES = {
     "max_exit_speed": ("greatest exit speed", "where the ball leaves fastest for this swing"),
@@ -141,10 +142,11 @@ def _mass(body: RigidBody) -> Table:
 def _modes(analysis: Analysis) -> Table:
     modes = analysis.modes
     table = _table("mode", "frequency", "damping", "nodes, in from tip", title="Vibration")
-    shown = [index for index in range(len(modes)) if modes.families[index] in ("bending", "hoop")][:SHOWN_MODES]
+    shown = modes.of_family("bending")[:SHOWN_MODES] + modes.of_family("hoop")[:SHOWN_HOOPS]
     for index in shown:
         nodes = ", ".join(f"{from_tip(analysis, node):.1f}" for node in modes.nodes(index)[::-1])
-        name = f"{modes.families[index]} {modes.harmonics[index]}"
+        hoop = modes.families[index] == "hoop"
+        name = f"hoop, n = {modes.harmonics[index]}" if hoop else f"bending {modes.harmonics[index]}"
         table.add_row(name, f"{modes.frequency[index]:.0f} Hz", f"{100 * modes.damping_ratio[index]:.2f} %", nodes)
     return table
 

@@ -15,10 +15,11 @@ SMALL = 1e-3
 def answer(analysis: Analysis) -> list[str]:
     """Return the answer as a few paragraphs, in the units that players and makers use."""
     words = [_where(analysis), _why_not_the_end(analysis), _miss(analysis), _hands(analysis)]
-    if analysis.bat.shell is not None:
+    if hoop := analysis.modes.of_family("hoop"):
+        lowest = analysis.modes.frequency[hoop].min()
         words.append(
-            "This bat is hollow. Its wall is treated as rigid here: the trampoline effect, which makes the ball "
-            "faster, is not in these numbers."
+            f"This bat is hollow: its wall gives way and springs back. It rings at {lowest:.0f} Hz (lowest hoop mode); "
+            "the lower that is, the more of the ball's lost energy the wall saves."
         )
     return words
 

@@ -26,6 +26,7 @@ INPUT_KINDS: dict[str, Kind] = {
     "length": "length", "pivot": "length", "axis": "length", "from_tip": "length", "distance": "length",
     "measured_at": "length", "bore_diameter": "length", "bore_depth": "length", "plug": "length",
     "balance_point": "length", "mass": "mass", "ball_mass": "mass", "moi": "moi", "contact_time": "time",
+    "diameter": "length", "wall": "length", "modulus": "pressure", "density": "density", "poisson_ratio": "ratio",
 }  # fmt: skip
 """What the inputs of computations are; inputs with other names (bats, mode numbers) are passed on as they stand."""
 

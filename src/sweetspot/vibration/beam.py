@@ -12,11 +12,11 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-import scipy.linalg
 from scipy.interpolate import PPoly
 from skfem import Basis, ElementLinePp, MeshLine
 
 from sweetspot.line import Array, Line, moments, section
+from sweetspot.vibration.eigen import lowest
 from sweetspot.vibration.modes import Family, Modes
 
 ELEMENTS = 16
@@ -48,7 +48,7 @@ def bending_modes(line: Line, *, count: int = MODES, elements: int = ELEMENTS) -
     edges = _element_edges(tuple(sorted(ends)), line.bat.length / elements)
     deflection, rotation = _bases(edges)
     stiffness, inertia = _matrices(line, deflection, rotation)
-    squares, vectors = _lowest(stiffness, inertia, first=2, last=count + 1)
+    squares, vectors = lowest(stiffness, inertia, first=2, last=count + 1)
     bending = _as_polynomials(deflection, vectors[: deflection.N])
     bending *= np.sign(bending[:, -1, :].sum(axis=0))  # positive at the tip (local coordinate 1 of the last element)
     coefficients = np.concatenate([_rigid_polynomials(line, edges), bending], axis=2)
@@ -67,20 +67,6 @@ def bending_modes(line: Line, *, count: int = MODES, elements: int = ELEMENTS) -
         rigid_part=np.eye(2, count + 2),
         dashpots=np.zeros((0, count + 2)),
     )
-
-
-def _lowest(stiffness: Array, inertia: Array, *, first: int, last: int) -> tuple[Array, Array]:
-    """Return eigenvalues and mass-normalised eigenvectors ``first`` to ``last`` of K v = lambda M v.
-
-    The steps of `scipy.linalg.eigh`, with the relatively robust solver that it offers for one matrix only: a third
-    faster here, and half again when BLAS threads get in each other's way.
-    """
-    lower = scipy.linalg.cholesky(inertia, lower=True, check_finite=False)
-    reduced, _ = scipy.linalg.lapack.dsygst(stiffness, lower, itype=1, lower=1)
-    squares, vectors = scipy.linalg.eigh(
-        reduced, lower=True, driver="evr", subset_by_index=[first, last], check_finite=False, overwrite_a=True
-    )
-    return squares, scipy.linalg.solve_triangular(lower, vectors, trans="T", lower=True, check_finite=False)
 
 
 def _element_edges(breakpoints: tuple[float, ...], size: float) -> Array:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Literal
 
@@ -60,7 +61,9 @@ class Modes:
     def nodes(self, mode: int) -> Array:
         """Return the positions in m where mode ``mode`` (its index in the list) stands still, from the knob up."""
         alone = PPoly.construct_fast(self.shapes.c[:, :, mode], self.shapes.x, extrapolate=False)
-        return np.sort(np.asarray(alone.roots(discontinuity=False), dtype=np.float64))
+        found = np.asarray(alone.roots(discontinuity=False), dtype=np.float64)
+        found = np.unique(found[np.isfinite(found)])  # nan stands for a stretch where the shape is zero all along
+        return found[np.abs(alone.derivative()(found)) > 0]
 
     def of_family(self, family: Family) -> list[int]:
         """Return the indices of the modes of one family, lowest frequency first."""
@@ -77,3 +80,27 @@ class Modes:
             self.rigid_part[:, indices],
             self.dashpots[:, indices],
         )
+
+
+def joined(first: Modes, second: Modes) -> Modes:
+    """Return the modes of both lists, one after the other, as one list over the same bat."""
+    edges = np.union1d(first.shapes.x, second.shapes.x)
+    degree = max(len(first.shapes.c), len(second.shapes.c)) - 1
+    shapes = np.concatenate([_refined(modes.shapes, edges, degree) for modes in (first, second)], axis=2)
+    zeros = [np.zeros((len(other.dashpots), len(modes))) for modes, other in ((second, first), (first, second))]
+    return Modes(
+        families=first.families + second.families,
+        harmonics=first.harmonics + second.harmonics,
+        frequency=np.concatenate([first.frequency, second.frequency]),
+        damping_rate=np.concatenate([first.damping_rate, second.damping_rate]),
+        shapes=PPoly.construct_fast(shapes, edges),
+        rigid_part=np.hstack([first.rigid_part, second.rigid_part]),
+        dashpots=np.block([[first.dashpots, zeros[0]], [zeros[1], second.dashpots]]),
+    )
+
+
+def _refined(shapes: PPoly, edges: Array, degree: int) -> Array:
+    """Return the same polynomials on more pieces: Taylor coefficients at the left end of each piece."""
+    left = edges[:-1]
+    terms = [shapes.derivative(order)(left) / math.factorial(order) for order in range(degree, 0, -1)]
+    return np.array([*terms, shapes(left)])

@@ -1,0 +1,103 @@
+"""What a comparison says, in plain words: who gains, who loses, and whether corking helps."""
+
+from __future__ import annotations
+
+import math
+
+from sweetspot.compare import Compared, Comparison
+from sweetspot.swing_law import Interval
+from sweetspot.units import MPH, OUNCE
+
+PUBLISHED_EFFICIENCY = (0.214, 0.193)
+"""q of a whole and of the corked bat in the laboratory [nathan2011corked]."""
+PUBLISHED_BREAK_EVEN = 2.9 * MPH
+"""m/s of bat speed that follows from these two at a 94 mph pitch and 70 mph of bat speed."""
+NOTHING = 0.005 * MPH
+"""m/s that no table shows."""
+
+
+def verdict(comparison: Comparison) -> list[str]:
+    """Return one sentence for every bat after the first."""
+    first = comparison.reference
+    return [_sentence(found, first) for found in comparison.compared[1:]]
+
+
+def cork_verdict(comparison: Comparison) -> list[str]:
+    """Return the answer to "does corking help?" for a comparison labelled unmodified, drilled, cork, ...
+
+    The published drop of q and break-even speed stand beside the predicted ones; nothing is fitted to them.
+    """
+    first = comparison.reference
+    corked = next(found for found in comparison.compared if found.label == "cork")
+    return [_answer(first, corked, comparison), _beside_published(first, corked), _papers_argument(first, corked)]
+
+
+def _sentence(found: Compared, first: Compared) -> str:
+    faster = found.bat_speed.shifted(-first.bat_speed.value)
+    text = f"{found.label}: "
+    if abs(faster.value) > NOTHING:
+        text += f"swung {abs(faster.value) / MPH:.1f} mph {'faster' if faster.value > 0 else 'slower'}, "
+    change = found.change
+    if max(abs(change.low), abs(change.high)) < NOTHING:
+        return text + f"the ball leaves as fast as from {first.label}."
+    text += f"the ball leaves {abs(change.value) / MPH:.1f} mph {'faster' if change.value > 0 else 'slower'}"
+    if change.low < change.high:
+        text += f" ({_range(change)})"
+    if change.low > 0:
+        return text + ": a gain."
+    if change.high < 0:
+        return text + ": a loss."
+    return text + ": the sign is not sure."
+
+
+def _range(interval: Interval) -> str:
+    return f"{interval.low / MPH:+.1f} to {interval.high / MPH:+.1f}"
+
+
+def _answer(first: Compared, corked: Compared, comparison: Comparison) -> str:
+    lighter = (first.analysis.body.mass - corked.analysis.body.mass) / OUNCE
+    text = f"Does corking help? The corked bat is {lighter:.1f} oz lighter"
+    if comparison.law is None:
+        text += f"; swung no faster, it sends the ball off {corked.change.value / MPH:+.1f} mph. "
+        return text + _needed(first, corked)
+    gained = corked.bat_speed.shifted(-first.bat_speed.value)
+    text += (
+        f" and the same player swings it {gained.value / MPH:.1f} mph faster ({_range(gained)}). "
+        f"{_needed(first, corked)} Net change of the exit speed: {corked.change.value / MPH:+.1f} mph "
+        f"({_range(corked.change)}). "
+    )
+    if corked.change.high < 0:
+        return text + "No, the ball leaves slower. What remains is a quicker, later swing, which is not computed here."
+    if corked.change.low > 0:
+        return text + "Here it does, by this law."
+    return text + "Whether it helps cannot be told within the spread of what players do."
+
+
+def _needed(first: Compared, corked: Compared) -> str:
+    more = (corked.break_even - first.bat_speed.value) / MPH
+    if math.isnan(more):
+        return "No swing is fast enough to break even with it."
+    return f"To break even it must be swung {more:.1f} mph {'faster' if more > 0 else 'slower'}."
+
+
+def _beside_published(first: Compared, corked: Compared) -> str:
+    whole, after = PUBLISHED_EFFICIENCY
+    return (
+        f"Predicted and published: the greatest q falls from {first.collision_efficiency:.3f} to "
+        f"{corked.collision_efficiency:.3f}, by {first.collision_efficiency - corked.collision_efficiency:.3f}; in the "
+        f"laboratory it fell from {whole} to {after}, by {whole - after:.3f}, for another bat. At a 94 mph pitch "
+        f"and 70 mph of bat speed the published q values need {PUBLISHED_BREAK_EVEN / MPH:+.1f} mph to break even. "
+        f"BBCOR changes by {corked.bbcor - first.bbcor:+.3f}: no trampoline. Nothing was fitted to these."
+    )
+
+
+def _papers_argument(first: Compared, corked: Compared) -> str:
+    before, after = first.analysis.best, corked.analysis.best
+    return (
+        "The paper argues with Hooke's law and momentum: a softer bat is pressed in further, so the force F = k x is "
+        "greater and acts longer, so F t and with it the ball's change of speed are greater. But a softer spring is "
+        "pressed in further by less force, not more. Here the peak force goes from "
+        f"{before.peak_force / 1e3:.1f} to {after.peak_force / 1e3:.1f} kN and contact from "
+        f"{1e3 * before.contact_time:.3f} to {1e3 * after.contact_time:.3f} ms. What counts is mass: a lighter barrel "
+        "is pushed back more and returns less speed to the ball."
+    )

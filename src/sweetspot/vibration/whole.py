@@ -1,0 +1,22 @@
+"""All motions of a bat that a ball can excite, in one list."""
+
+from __future__ import annotations
+
+from sweetspot.ball import Ball
+from sweetspot.line import Line
+from sweetspot.vibration.beam import bending_modes
+from sweetspot.vibration.modes import Modes, joined
+
+
+def modes_of(line: Line, ball: Ball) -> Modes:
+    """Return rigid motions and bending modes of a bat and, when it is hollow, the hoop modes of its barrel.
+
+    The hoop modes are felt through the ball's contact patch, which is why the ball is needed. A solid or drilled
+    wood barrel has none that matter: its hoop frequencies lie far above those a ball can excite.
+    """
+    bending = bending_modes(line)
+    if line.bat.shell is None:
+        return bending
+    from sweetspot.vibration.hoop import contact_patch, hoop_modes
+
+    return joined(bending, hoop_modes(line, patch=contact_patch(ball)))

@@ -1,0 +1,140 @@
+"""`sweetspot certify` as a user meets it: verdicts, exit codes, formats, messages."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sweetspot.cli import main
+
+HEADINGS = "ball_in_mph,ball_out_mph,position_in_from_tip,ball_cor"
+SIX = [f"136,{out},6.0,0.5444" for out in (27.9, 28.1, 28.0, 28.2, 27.8, 28.0)]
+
+
+def run(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
+    with pytest.raises(SystemExit) as stopped:
+        main(["certify", *arguments])
+    captured = capsys.readouterr()
+    return int(stopped.value.code or 0), captured.out, captured.err
+
+
+def written(folder: Path, *rows: str, headings: str = HEADINGS) -> str:
+    path = folder / "shots.csv"
+    path.write_text("\n".join([headings, *rows]) + "\n", encoding="utf-8")
+    return str(path)
+
+
+def checks(result: Any) -> dict[str, Any]:
+    return {check["quantity"]: check for check in result["checks"]}
+
+
+def test_a_wood_bat_passes(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run(capsys, "r161-ash")
+    words = " ".join(out.split())
+    assert code == 0 and "BBCOR" in words and "pass" in words and "not decidable" in words
+
+
+def test_json_keys_and_units(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run(capsys, "r161-ash", "--format", "json")
+    result = json.loads(out)
+    assert code == 0 and result["passed"] is True
+    test = result["test"]
+    assert {
+        "pivot_m", "bbcor", "collision_efficiency", "besr", "bpf", "batted_ball_speed_m_s", "best_position_m", "fast",
+        "slow",
+    } == set(test)  # fmt: skip
+    assert test["pivot_m"] == pytest.approx(0.1524)
+    assert test["fast"]["closing_speed_m_s"] == pytest.approx(136 * 0.44704)
+    assert test["slow"]["closing_speed_m_s"] == pytest.approx(60 * 0.44704)
+    assert len(test["fast"]["position_m"]) == len(test["fast"]["bbcor"]) >= 20
+    assert test["besr"] == pytest.approx(test["collision_efficiency"] + 0.5)
+    limit = checks(result)["bbcor"]
+    assert limit["verdict"] == "pass" and limit["margin"] == pytest.approx(0.5 - test["bbcor"])
+    assert (limit["source"], limit["year"], limit["unit"]) == ("ncaa_bbcor", 2011, "-")
+
+
+def test_a_corked_bat_fails_the_major_league(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run(capsys, "corked-r161", "--league", "mlb", "--format", "json")
+    result = json.loads(out)
+    assert code == 1 and result["passed"] is False
+    assert checks(result)["solid_wood"]["verdict"] == "fail"
+
+
+def test_csv_has_one_row_per_rule(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run(capsys, "r161-ash", "--league", "all", "--format", "csv")
+    rows = list(csv.DictReader(io.StringIO(out)))
+    assert code == 0
+    assert {"mlb", "ncaa", "ncaa-1999", "usssa", "usabat"} <= {row["league"] for row in rows}
+    assert "softball" not in {row["league"] for row in rows}  # another ball
+    assert {row["verdict"] for row in rows} <= {"pass", "fail", "not decidable", "does not apply"}
+
+
+def test_shots_that_pass(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    code, out, err = run(capsys, "russell-b1", "--shots", written(tmp_path, *SIX), "--format", "json")
+    assert code == 0, err
+    result = json.loads(out)
+    shots = result["shots"]
+    assert shots["good_rows"] == 6 and shots["bad_rows"] == []
+    assert shots["bbcor"]["count"] == 6
+    assert shots["bbcor"]["low"] < shots["bbcor"]["mean"] < shots["bbcor"]["high"] < 0.5
+    assert {"mean_m_s", "standard_error_m_s", "low_m_s", "high_m_s", "count"} == set(shots["batted_ball_speed"])
+    assert checks(result)["bbcor"]["verdict"] == "pass"
+
+
+def test_shots_that_fail(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    lively = [f"136,{out},6.0,0.5444" for out in (32.9, 33.1, 33.0, 33.2, 32.8, 33.0)]
+    code, out, _ = run(capsys, "russell-b1", "--shots", written(tmp_path, *lively))
+    assert code == 1 and "fail" in out
+    dead = run(capsys, "russell-b1", "--shots", written(tmp_path, *lively), "--standard-ball-cor", "0.50")
+    assert dead[0] == 0  # the same shots as from livelier balls
+
+
+def test_bad_rows_are_printed(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    path = written(tmp_path, *SIX, "136,-4,6,0.5", "136,,6,0.5", "136,31,6,0.5444")
+    code, out, _ = run(capsys, "russell-b1", "--shots", path)
+    words = " ".join(out.split())
+    assert code in (0, 1)
+    assert "Row 8 is not used: negative rebound" in words and "Row 9 is not used" in words
+    assert "Row 10 stands out" in words
+
+
+@pytest.mark.parametrize(
+    ("rows", "message"),
+    [
+        (["136,28,6,0.54"], "1 good shot: no uncertainty can be given"),
+        (["136,-28,6,0.54"], "negative rebound"),
+    ],
+)
+def test_shots_that_are_bad_input(
+    rows: list[str], message: str, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    code, out, err = run(capsys, "russell-b1", "--shots", written(tmp_path, *rows))
+    assert code == 2 and out == "" and message in err and err.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ((), "needs a bat"),
+        (("no-such-bat",), "not in the catalogue"),
+        (("r161-ash", "--league", "nca"), "ncaa"),
+        (("r161-ash", "--ball", "tennis"), "not in the catalogue"),
+        (("r161-ash", "--league", "all", "--ball", "baseball_dead"), "no league's rules name the ball"),
+        (("r161-ash", "--shots", "/no/such/file.csv"), "is not a file"),
+        (("r161-ash", "--standard-ball-cor", "0.5"), "--shots"),
+    ],
+)
+def test_bad_arguments(arguments: tuple[str, ...], message: str, capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = run(capsys, *arguments)
+    assert code == 2 and out == "" and message in err
+
+
+def test_mixed_units_are_refused(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    path = written(tmp_path, "136,60,28,6", headings="ball_in_mph,ball_in_m_s,ball_out_mph,position_in_from_tip")
+    code, _, err = run(capsys, "r161-ash", "--shots", path)
+    assert code == 2 and "keep one of them, in one unit" in err

@@ -1,0 +1,142 @@
+"""`sweetspot compare` as a user meets it."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sweetspot.cli import main
+
+
+def run(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
+    with pytest.raises(SystemExit) as stopped:
+        main(["compare", *arguments])
+    captured = capsys.readouterr()
+    return int(stopped.value.code or 0), captured.out, captured.err
+
+
+def run_json(capsys: pytest.CaptureFixture[str], *arguments: str) -> Any:
+    code, out, err = run(capsys, *arguments, "--format", "json")
+    assert code == 0, err
+    return json.loads(out)
+
+
+def test_table_says_who_gains(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run(capsys, "r161-ash", "corked-r161", "youth-30")
+    words = " ".join(out.split())
+    assert code == 0
+    for heading in ("mass oz", "MOI 6in oz in^2", "q max", "BBCOR max", "bat speed mph", "change mph", "reference"):
+        assert heading in words
+    assert "R161, corked: swung 2.0 mph faster, the ball leaves 1.2 mph slower (-1.8 to -0.6): a loss." in words
+    assert "about the knob to the power -0.29" in words and "nothing else" in words
+
+
+def test_corking_is_answered_beside_the_published_numbers(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run(capsys, "r161-ash", "--what-if", "cork")
+    words = " ".join(out.split())
+    assert code == 0
+    for text in (
+        "unmodified", "drilled", "rubber", "foam", "Does corking help?", "No, the ball leaves slower",
+        "from 0.214 to 0.193", "+2.9 mph", "Hooke's law and momentum",
+    ):  # fmt: skip
+        assert text in words
+
+
+def test_json_has_units_and_intervals(capsys: pytest.CaptureFixture[str]) -> None:
+    result = run_json(capsys, "r161-ash", "--what-if", "cork", "--bore-depth", "8in", "--plug", "20mm")
+    assert result["same"] == "effort" and result["reference"] == "unmodified"
+    assert result["swing_law"]["exponent"] == pytest.approx({"value": 0.29, "low": 0.2116, "high": 0.3684}, abs=1e-4)
+    whole, drilled, cork = result["bats"][:3]
+    assert whole["change_m_s"] == {"value": 0.0, "low": 0.0, "high": 0.0}
+    assert drilled["bat"]["mass_kg"] < cork["bat"]["mass_kg"] < whole["bat"]["mass_kg"]
+    assert whole["break_even_bat_speed_m_s"] == whole["bat_speed_m_s"]["value"] == pytest.approx(31.2928)
+    assert len(cork["scan"]["position_m"]) == len(cork["scan"]["exit_speed_m_s"])
+    assert len(result["verdict"]) == 4 + 3
+
+
+def test_same_speed_and_other_law(capsys: pytest.CaptureFixture[str]) -> None:
+    same = run_json(capsys, "r161-ash", "corked-r161", "--same-speed")
+    assert same["same"] == "speed" and same["swing_law"] is None
+    assert [bat["bat_speed_m_s"]["value"] for bat in same["bats"]] == pytest.approx([31.2928, 31.2928])
+    other = run_json(capsys, "r161-ash", "corked-r161", "--swing-law", "slow-pitch")
+    assert other["swing_law"]["axis_from_grip_m"] == pytest.approx(0.1524)
+    assert other["bats"][1]["bat_speed_m_s"]["value"] > 31.2928
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["r161-ash", "youth-30", "russell-b5"],
+        ["r161-ash", "--rows", "mass=30oz:31oz:2", "--columns", "bore-diameter=0.5in:3in:3"],
+    ],
+)
+def test_csv_is_a_table(capsys: pytest.CaptureFixture[str], arguments: list[str]) -> None:
+    code, out, err = run(capsys, *arguments, "--format", "csv")
+    rows = list(csv.reader(io.StringIO(out)))
+    assert code == 0, err
+    assert len(rows) > 3 and {len(row) for row in rows} == {len(rows[0])}
+    assert any(name.endswith("exit_speed_m_s") for name in rows[0])
+
+
+def test_files_are_written_whole(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    folder = tmp_path / "new" / "comparison"
+    code, _, err = run(capsys, "r161-ash", "youth-30", "--out", str(folder))
+    assert code == 0 and "wrote" in err
+    assert sorted(path.name for path in folder.iterdir()) == ["compare.json", "compare.png", "compare.svg"]
+    assert json.loads((folder / "compare.json").read_text())["bats"][1]["label"].startswith("youth")
+
+
+def test_what_if_table(capsys: pytest.CaptureFixture[str]) -> None:
+    asked = ["r161-ash", "--rows", "mass=30oz:31oz:2", "--columns", "bore-depth=0in:40in:3"]
+    code, out, _ = run(capsys, *asked, "--cell", "bbcor")
+    words = " ".join(out.split())
+    assert code == 0 and "bbcor: mass in oz down, bore depth in in across" in words
+    assert "make it shallower" in words
+    result = run_json(capsys, *asked)
+    assert result["columns"]["bore_depth_m"] == pytest.approx([0.0, 0.508, 1.016])
+    assert [row[2] for row in result["answers"]["exit_speed_m_s"]] == [None, None]
+    assert [failure["column"] for failure in result["failures"]] == [2, 2]
+
+
+def test_a_long_table_says_how_far_it_is(capsys: pytest.CaptureFixture[str]) -> None:
+    asked = ["--rows", "mass=30oz:31oz:5", "--columns", "pitch-speed=80mph:95mph:10", "--format", "csv"]
+    code, out, err = run(capsys, "r161-ash", *asked)
+    assert code == 0 and len(out.splitlines()) == 51
+    assert "sweetspot: 50 of 50 cells" in err and "sweetspot: 25 of 50 cells" in err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ([], "no bat was given"),
+        (["r161-ash", "r161"], "r161-ash"),
+        (["r161-ash", "youth-30", "--what-if", "cork"], "it takes one"),
+        (["r161-ash", "--what-if", "cork", "--bore-diameter", "3in"], "make it narrower"),
+        (["r161-ash", "--what-if", "cork", "--bore-diameter", "1"], "without a unit"),
+        (["r161-ash", "--swing-law", "golf"], "not in the catalogue"),
+        (["r161-ash", "--rows", "mass=30oz:31oz:2"], "--rows and --columns"),
+        (["r161-ash", "--rows", "mass=30oz:31oz:2", "--columns", "mass=30oz:31oz:2"], "two different things"),
+        (["r161-ash", "--rows", "colour=1:2:3", "--columns", "mass=30oz:31oz:2"], "write one of mass"),
+        (["r161-ash", "--rows", "mass=30oz:31oz", "--columns", "bore-depth=0in:1in:2"], "write one of mass"),
+        (["r161-ash", "--rows", "mass=30oz:31oz:0", "--columns", "bore-depth=0in:1in:2"], "allowed is 1 to 100"),
+        (
+            ["r161-ash", "--rows", "mass=30oz:31oz:2", "--columns", "bore-depth=0in:1in:2", "--cell", "taste"],
+            "allowed is one of exit-speed",
+        ),
+    ],
+)
+def test_bad_input_is_one_clear_line(capsys: pytest.CaptureFixture[str], arguments: list[str], message: str) -> None:
+    code, out, err = run(capsys, *arguments)
+    assert code == 2 and out == ""
+    assert message in err and err.count("\n") == 1 and "Traceback" not in err
+
+
+def test_a_folder_that_is_a_file_is_refused(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    (tmp_path / "taken").write_text("x")
+    code, _, err = run(capsys, "r161-ash", "--out", str(tmp_path / "taken"))
+    assert code == 2 and "cannot be made" in err
