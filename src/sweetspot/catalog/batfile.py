@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -159,7 +160,8 @@ def bat_from_table(table: dict[str, Any], where: str) -> Bat:
     try:
         return _bat(BatFile(**{key: unwrapped(value) for key, value in table.items()}))
     except InputError as error:
-        raise InputError(f"{where}: {str(error).removeprefix('batfile: ').removeprefix('bat: ')}") from None
+        message = re.sub(r"\b\w*table: ", "", str(error).removeprefix("batfile: ").removeprefix("bat: "))
+        raise InputError(f"{where}: {message}") from None
 
 
 def _bat(file: BatFile) -> Bat:

@@ -71,8 +71,9 @@ def hit(
     from sweetspot.bat import check_position
     from sweetspot.cli.options import conditions_for
     from sweetspot.cli.output import print_csv, print_json, print_table
+    from sweetspot.damage import damage
     from sweetspot.line import reduce
-    from sweetspot.report.border import hit_json
+    from sweetspot.report.border import damage_json, hit_json
     from sweetspot.rigid import rigid_body
     from sweetspot.units import parse_position
     from sweetspot.vibration.whole import modes_of
@@ -84,15 +85,18 @@ def hit(
     check_position(described, position, "--at")
     line = reduce(described)
     body = rigid_body(line)
-    impact = hit_at(position, modes=modes_of(line, conditions.ball), conditions=conditions)
+    modes = modes_of(line, conditions.ball)
+    impact = hit_at(position, modes=modes, conditions=conditions)
+    strains = damage(impact, line=line, modes=modes)
     if format == "json":
-        print_json(hit_json(impact, body=body, conditions=conditions))
+        print_json({**hit_json(impact, body=body, conditions=conditions), "damage": damage_json(strains)})
     elif format == "csv":
         print_csv(hit_json(impact, body=body, conditions=conditions)["history"])
     else:
-        from sweetspot.report.table import hit_table
+        from sweetspot.report.table import damage_lines, hit_table
 
         print_table(hit_table(impact, body=body, conditions=conditions, length=described.length))
+        print_table(damage_lines(strains))
 
 
 @app.command

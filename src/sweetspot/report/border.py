@@ -11,6 +11,7 @@ import numpy as np
 from sweetspot.analysis import Analysis, exit_speed_of
 from sweetspot.collision.impact import Impact
 from sweetspot.collision.momentum import bbcor
+from sweetspot.damage import Damage
 from sweetspot.paper_rows import Row
 from sweetspot.rigid import RigidBody
 from sweetspot.swing import Conditions
@@ -101,6 +102,20 @@ def hit_json(impact: Impact, *, body: RigidBody, conditions: Conditions) -> dict
                 "force_n": impact.force,
                 "compression_m": impact.compression,
             },
+        }
+    )
+
+
+def damage_json(found: Damage) -> dict[str, Any]:
+    """Return the strains of one hit; strains are ratios."""
+    return cleaned(
+        {
+            "handle_strain": found.handle_strain,
+            "handle_position_m": found.handle_position,
+            "handle_strain_limit": found.strain_limit,
+            "wall_strain": found.wall_strain,
+            "wall_strain_limit": found.wall_limit,
+            "warnings": list(found.warnings),
         }
     )
 

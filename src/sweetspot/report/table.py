@@ -12,6 +12,7 @@ from rich.text import Text
 from sweetspot.analysis import Analysis, exit_speed_of
 from sweetspot.collision.impact import Impact
 from sweetspot.collision.momentum import bbcor
+from sweetspot.damage import Damage
 from sweetspot.paper_rows import Row, Value
 from sweetspot.report.border import STANDARD_AXIS
 from sweetspot.report.words import answer, from_tip
@@ -63,6 +64,20 @@ def hit_table(impact: Impact, *, body: RigidBody, conditions: Conditions, length
         table.add_row(f"energy: {name}", f"{joules:7.1f} J  {part:5.1f} %")
     table.add_row("energy: sum misses", f"{energy.imbalance:+.1e} of {energy.incoming:.1f} J")
     return table
+
+
+def damage_lines(found: Damage) -> Text:
+    """Return the strains of one hit in words, with a warning for each limit that is passed."""
+    text = Text(
+        f"\nGreatest bending strain of the handle {100 * found.handle_strain:.2f} %, "
+        f"{found.handle_position / INCH:.1f} in from the knob"
+    )
+    if found.wall_strain is not None:
+        text.append(f"; of the barrel's wall {100 * found.wall_strain:.2f} %")
+    text.append(".")
+    for warning in found.warnings:
+        text.append(f"\nWarning: {warning}", style="yellow")
+    return text
 
 
 def paper_table(rows: list[Row]) -> Table:

@@ -1,0 +1,45 @@
+"""Hollow bats: all modes, the certification test, and two-way tables."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from benchmarks.cases import QUICK, ball, duration, measured
+from sweetspot import catalog, modes_of, reduce, standard_conditions
+from sweetspot.certification import certify
+from sweetspot.whatif import Axis, what_if
+
+SIDE = 4 if QUICK else 20
+
+
+def test_all_modes_of_a_hollow_bat(benchmark: Any, record: Callable[..., None]) -> None:
+    line = reduce(catalog.bat("single-wall"))
+    seconds = measured(benchmark, lambda: modes_of(line, ball()))
+    record("hollow bat to all modes, 12 bending and 24 hoop", duration(seconds), goal="60 ms")
+
+
+def test_certification(benchmark: Any, record: Callable[..., None]) -> None:
+    bat = catalog.bat("single-wall")
+    seconds = measured(benchmark, lambda: certify(bat, ball=ball()))
+    record("certify a hollow bat, 33 places at two speeds", duration(seconds), goal="0.3 s")
+
+
+def test_two_way_tables(benchmark: Any, record: Callable[..., None]) -> None:
+    wood, hollow = catalog.bat("r161-ash"), catalog.bat("single-wall")
+    depth = Axis("bore_depth", tuple(np.linspace(0, 0.3, SIDE)))
+    mass = Axis("mass", tuple(np.linspace(0.85, 0.92, SIDE)))
+    wall = Axis("wall_factor", tuple(np.linspace(0.7, 1.4, SIDE)))
+    added = Axis("mass", tuple(np.linspace(0.84, 0.95, SIDE)))
+
+    def of_wood() -> Any:
+        return what_if(wood, rows=mass, columns=depth, conditions=standard_conditions(wood))
+
+    seconds = measured(benchmark, of_wood, rounds=1)
+    record(f"table of weight and cork depth, {SIDE} x {SIDE}", duration(seconds), goal="20 s")
+    start = time.perf_counter()
+    what_if(hollow, rows=wall, columns=added, conditions=standard_conditions(hollow))
+    record(f"table of wall and weight, {SIDE} x {SIDE}", duration(time.perf_counter() - start), goal="20 s")
