@@ -15,6 +15,7 @@ The kink of the force at its peak leaves about third order. Release is the root 
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -56,8 +57,53 @@ def hit(
     check_step(step)
     if not closing_speed > 0:
         return _no_contact(modes, position, closing_speed)
-    law = law or Hysteretic(ball)
-    shape = modes.shape_at(position)
+    done = _integrated(modes, ball, modes.shape_at(position), closing_speed, step, law or Hysteretic(ball))
+    translation, rotation, bending, hoop = bat_energy(modes, done.displacement, done.velocity)
+    separated = done.outcome is Outcome.SEPARATED
+    return Impact(
+        outcome=done.outcome,
+        position=position,
+        closing_speed=closing_speed,
+        collision_efficiency=-done.ball_speed / closing_speed if separated else math.nan,
+        contact_time=_contact_time(done.forces, step) if separated else math.nan,
+        release_time=done.release,
+        peak_force=max(done.forces),
+        peak_compression=done.peak,
+        energy=EnergyLedger(
+            incoming=ball.mass * closing_speed**2 / 2,
+            ball=ball.mass * done.ball_speed**2 / 2,
+            heat=float(np.trapezoid([*done.forces, 0.0], [*done.compressions, 0.0])),
+            translation=translation,
+            rotation=rotation,
+            bending=bending,
+            hoop=hoop,
+            damping=done.damping,
+        ),
+        displacement=done.displacement,
+        velocity=done.velocity,
+        times=np.concatenate([[0.0], (np.arange(len(done.forces) - 1) + 0.5) * step]),
+        force=np.array(done.forces),
+        compression=np.array(done.compressions),
+    )
+
+
+@dataclass(frozen=True)
+class _Contact:
+    """How the integration ended, and its history kick by kick."""
+
+    outcome: Outcome
+    release: float
+    ball_speed: float
+    displacement: Array
+    velocity: Array
+    peak: float
+    damping: float
+    forces: list[float]
+    compressions: list[float]
+
+
+def _integrated(modes: Modes, ball: Ball, shape: Array, closing_speed: float, step: float, law: ContactLaw) -> _Contact:
+    """Step ball and modes from first touch to release, or to the time limit."""
     drift, half_dash = propagator(modes, step), dashpot_factors(modes, step / 2)
     correction = step**2 / 12 * (1 / ball.mass + float(shape @ shape))
 
@@ -98,33 +144,7 @@ def hit(
         velocity = _dashed(modes, half_dash, velocity)
         damping += before - _energy(modes, displacement, velocity)
 
-    translation, rotation, bending, hoop = bat_energy(modes, displacement, velocity)
-    separated = outcome is Outcome.SEPARATED
-    return Impact(
-        outcome=outcome,
-        position=position,
-        closing_speed=closing_speed,
-        collision_efficiency=-ball_speed / closing_speed if separated else math.nan,
-        contact_time=_contact_time(forces, step) if separated else math.nan,
-        release_time=release,
-        peak_force=max(forces),
-        peak_compression=peak,
-        energy=EnergyLedger(
-            incoming=ball.mass * closing_speed**2 / 2,
-            ball=ball.mass * ball_speed**2 / 2,
-            heat=float(np.trapezoid([*forces, 0.0], [*compressions, 0.0])),
-            translation=translation,
-            rotation=rotation,
-            bending=bending,
-            hoop=hoop,
-            damping=damping,
-        ),
-        displacement=displacement,
-        velocity=velocity,
-        times=np.concatenate([[0.0], (np.arange(len(forces) - 1) + 0.5) * step]),
-        force=np.array(forces),
-        compression=np.array(compressions),
-    )
+    return _Contact(outcome, release, ball_speed, displacement, velocity, peak, damping, forces, compressions)
 
 
 def check_step(step: float) -> None:
