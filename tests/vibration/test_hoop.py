@@ -103,6 +103,11 @@ def test_thinner_walls_ring_lower() -> None:
     assert lowest == sorted(lowest)
 
 
+def test_a_softball_bat_rings_where_it_should() -> None:
+    """Russell 2017: lowest hoop modes of softball bats lie at 1.0 to 2.5 kHz. The catalogue's lay-up is assumed."""
+    assert 1000 < hoop_modes(reduce(catalog.bat("slow-pitch")), patch=0.024).frequency[0] < 2500
+
+
 def test_no_net_force_and_nothing_before_the_taper() -> None:
     bat = catalog.bat("russell-b6")
     line = reduce(bat)
