@@ -223,6 +223,7 @@ def _energy(analysis: Analysis) -> Iterator[Row]:
         ("W2, metal", paper.PAPER_METAL_RESTITUTION, paper.PAPER_METAL_SHARE, 0.26),
     )
     measured = analysis.best.collision_efficiency * (1 + recoil) + recoil
+    metal = _metal_wall()
     for name, restitution, part, printed in cases:
         returned = paper.energy_returned(
             bat_restitution=restitution, ball_restitution=paper.PAPER_BALL_RESTITUTION, share=part
@@ -232,42 +233,54 @@ def _energy(analysis: Analysis) -> Iterator[Row]:
         speed = exit_speed(efficiency, ball_speed=conditions.pitch.speed, bat_speed=conditions.swing.speed_at(place))
         yield Row(
             "W", f"{name}: energy returned over energy stored", "ratio", printed, returned,
-            measured**2 if wood else None,
+            measured**2 if wood else metal.bbcor**2,
             f"e = {math.sqrt(returned):.3f}, which on this bat means {speed / MPH:.1f} mph. "
             + (
                 "Full model: this bat at its best point. The paper's 0.45 for the ball is low."
                 if wood
-                else "The share of a metal wall must come from its thickness, not from a guess."
+                else "Full model: an aluminium bat whose wall takes a tenth of the energy, at its best point."
             ),
         )  # fmt: skip
     yield Row(
         "z", "share of the energy that solid ash takes", "ratio", paper.PAPER_WOOD_SHARE, share, None,
         "From the wood's own stiffness across the grain under the ball: the paper's 2 % is right for solid wood.",
     )  # fmt: skip
-    yield from _metal_wall()
+    yield Row(
+        "z", "wall for which an aluminium bat takes that share", "mm", None, None, 1e3 * metal.thickness,
+        f"z = 10 %, from the hoop modes of the catalogue's {METAL_BAT} with other walls; nothing fitted. "
+        f"{metal.exit_speed / MPH:.0f} mph.",
+    )  # fmt: skip
+    yield Row(
+        "k", "restitution of that wall", "ratio", paper.PAPER_METAL_RESTITUTION, None, metal.restitution,
+        "What the wall gives back before the ball has gone, as the square root of the part of the energy.",
+    )  # fmt: skip
 
 
-def _metal_wall() -> Iterator[Row]:
-    """Yield what an aluminium wall really stores and gives back, and the thickness the paper's numbers belong to."""
+@dataclass(frozen=True)
+class _MetalWall:
+    """The aluminium wall that takes the paper's share: thickness (m), restitution, BBCOR, exit speed (m/s)."""
+
+    thickness: float
+    restitution: float
+    bbcor: float
+    exit_speed: float
+
+
+def _metal_wall() -> _MetalWall:
+    """Return that wall, interpolated in a sweep over wall thickness; nothing is fitted."""
     bat = catalog.bat(METAL_BAT)
     points = wall_sweep(bat, standard_conditions(bat), factors=METAL_WALLS)
     shares = [point.energy.share for point in points]
-    thickness, restitution, speed = (
-        float(np.interp(paper.PAPER_METAL_SHARE, shares, values))
-        for values in (
-            [point.thickness for point in points],
-            [point.energy.restitution for point in points],
-            [point.exit_speed for point in points],
-        )
+
+    def at_share(values: list[float]) -> float:
+        return float(np.interp(paper.PAPER_METAL_SHARE, shares, values))
+
+    return _MetalWall(
+        thickness=at_share([point.thickness for point in points]),
+        restitution=at_share([point.energy.restitution for point in points]),
+        bbcor=at_share([point.bbcor for point in points]),
+        exit_speed=at_share([point.exit_speed for point in points]),
     )
-    yield Row(
-        "z", "wall for which an aluminium bat takes that share", "mm", None, None, 1e3 * thickness,
-        f"z = 10 %, from the hoop modes of {bat.name} with other walls; nothing fitted. {speed / MPH:.0f} mph.",
-    )  # fmt: skip
-    yield Row(
-        "k", "restitution of that wall", "ratio", paper.PAPER_METAL_RESTITUTION, None, restitution,
-        "What the wall gives back before the ball has gone, as the square root of the part of the energy.",
-    )  # fmt: skip
 
 
 def _verdict(analysis: Analysis) -> Iterator[Row]:
