@@ -9,7 +9,7 @@ from pathlib import Path
 import tables
 from cases import analysed
 from facts import facts
-from figures import axes, ball, convergence, percussion, spots
+from figures import axes, ball, convergence, hollow, percussion, spots
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
@@ -28,6 +28,7 @@ def figures() -> dict[str, Callable[[], Figure]]:
         "modes": spots.modes_figure,
         "ledger": spots.ledger_figure,
         "ball": ball.force_figure,
+        "wall": hollow.wall_figure,
         "hand_force": percussion.hand_force_figure,
         "mesh_convergence": convergence.mesh_convergence,
         "step_convergence": convergence.step_convergence,
