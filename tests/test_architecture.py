@@ -34,7 +34,7 @@ LAYERS = [
     {"laminate"},
     {"material"},
     {"thing"},
-    {"units", "references"},
+    {"units", "references", "parabola"},
     {"errors"},
 ]
 RANK = {name: rank for rank, layer in enumerate(LAYERS) for name in layer}

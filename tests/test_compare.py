@@ -8,8 +8,9 @@ import pytest
 from sweetspot import catalog
 from sweetspot.analysis import exit_speed_of
 from sweetspot.bat import Bat
-from sweetspot.compare import Comparison, best_exit_speed, compare, on_barrel, peak
+from sweetspot.compare import Comparison, best_exit_speed, compare, on_barrel
 from sweetspot.errors import InputError
+from sweetspot.parabola import peak
 from sweetspot.standard import standard_conditions
 from sweetspot.swing_law import SwingLaw
 from sweetspot.units import INCH, MPH, OUNCE

@@ -104,7 +104,7 @@ def with_hands(analysis: Analysis, position: float) -> Conditions:
 )
 def test_impossible_conditions(analysis: Analysis, changed, said: str) -> None:  # type: ignore[no-untyped-def]
     with pytest.raises(InputError, match=said):
-        check_conditions(analysis.bat, changed(analysis))
+        check_conditions(analysis.bat, changed(analysis), body=analysis.body)
 
 
 def test_a_bat_that_runs_away_makes_no_contact(analysis: Analysis) -> None:

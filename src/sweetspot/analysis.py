@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from sweetspot.bat import Bat
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact
+from sweetspot.collision.momentum import exit_speed
 from sweetspot.errors import InputError
 from sweetspot.line import Line, reduce
 from sweetspot.rigid import RigidBody, rigid_body
@@ -50,9 +51,9 @@ def analyse(bat: Bat, conditions: Conditions) -> Analysis:
     Hands without mass leave the bat free, which is right for the ball's exit (published: grip
     does not matter) and an upper bound for the vibration.
     """
-    check_conditions(bat, conditions)
     line = reduce(bat)
     body = rigid_body(line)
+    check_conditions(bat, conditions, body=body)
     free = modes_of(line, conditions.ball)
     modes = gripped(free, conditions.hands)
     along = scan(bat, body=body, modes=modes, conditions=conditions)
@@ -73,10 +74,10 @@ def hit_at(position: float, *, modes: Modes, conditions: Conditions) -> Impact:
 def exit_speed_of(impact: Impact, conditions: Conditions) -> float:
     """Return the exit speed in m/s of a hit: q v_ball + (1 + q) v_bat."""
     bat_speed = conditions.swing.speed_at(impact.position)
-    return impact.collision_efficiency * conditions.pitch.speed + (1 + impact.collision_efficiency) * bat_speed
+    return exit_speed(impact.collision_efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed)
 
 
-def check_conditions(bat: Bat, conditions: Conditions) -> None:
+def check_conditions(bat: Bat, conditions: Conditions, *, body: RigidBody) -> None:
     """Refuse conditions that do not go with the bat: hands or swing off it, a ball that outweighs it."""
     check_hands(bat, conditions.hands)
     swing = conditions.swing
@@ -95,7 +96,6 @@ def check_conditions(bat: Bat, conditions: Conditions) -> None:
             f"hands are at {shown(conditions.hands.position)}, beyond the middle of the bat at "
             f"{shown(bat.length / 2)}; hold the handle"
         )
-    body = rigid_body(reduce(bat))
     if conditions.ball.mass >= body.mass:
         raise InputError(
             f"the ball weighs {conditions.ball.mass:.4g} kg and the bat {body.mass:.4g} kg; "

@@ -18,6 +18,7 @@ from sweetspot.collision.kernel import hits
 from sweetspot.collision.momentum import bbcor, exit_speed
 from sweetspot.errors import InputError
 from sweetspot.line import Line, reduce
+from sweetspot.parabola import top
 from sweetspot.rigid import RigidBody, rigid_body
 from sweetspot.rules import Finding
 from sweetspot.units import INCH, MPH, shown
@@ -71,7 +72,6 @@ class Certification:
     ----------
     fast : the test at 136 mph, for BBCOR and the older BESR.
     slow : the test at 60 mph, for BPF.
-    has_hoop : whether the model has the vibration of a hollow barrel's wall.
     """
 
     bat: Bat
@@ -79,7 +79,6 @@ class Certification:
     body: RigidBody
     fast: BatTest
     slow: BatTest
-    has_hoop: bool
 
     @property
     def bbcor(self) -> float:
@@ -102,12 +101,8 @@ class Certification:
         return exit_speed(self.fast.best_efficiency, ball_speed=OLD_BALL_SPEED, bat_speed=OLD_BAT_SPEED)
 
     def findings(self) -> dict[str, Finding]:
-        """Return the measures as rules take them; a hollow bat whose wall is not modelled decides nothing."""
-        doubt = ""
-        if self.bat.shell is not None and not self.has_hoop:
-            doubt = "the model of this hollow bat lacks its wall's vibration, so the ball would leave it too slowly"
-        elif self.fast.at_edge:
-            doubt = "the greatest BBCOR lies at an end of the scan and may be greater beyond"
+        """Return the measures as rules take them; a best place at an end of the scan decides nothing."""
+        doubt = "the greatest BBCOR lies at an end of the scan and may be greater beyond" if self.fast.at_edge else ""
         return {name: Finding(getattr(self, name), doubt) for name in ("bbcor", "besr", "bpf", "batted_ball_speed")}
 
 
@@ -135,7 +130,7 @@ def certify(bat: Bat, *, ball: Ball) -> Certification:
     body, modes = rigid_body(line), modes_of(line, ball)
     fast = bat_test(line, body=body, modes=modes, ball=ball, closing_speed=BBCOR_SPEED)
     slow = bat_test(line, body=body, modes=modes, ball=ball, closing_speed=BPF_SPEED)
-    return Certification(bat, ball, body, fast, slow, has_hoop=bool(len(modes.of_family("hoop"))))
+    return Certification(bat, ball, body, fast, slow)
 
 
 def bat_test(
@@ -173,17 +168,12 @@ def bat_test(
     places = np.linspace(length - FAR, length - NEAR, PLACES) if positions is None else positions
     done = hits(modes, ball=ball, position=places, closing_speed=closing_speed, keep_motion=False)
     efficiency = done.collision_efficiency
-    restitution = np.array(
-        [
-            bbcor(q, body=body, ball=ball, position=place, pivot=CLAMP)
-            for q, place in zip(efficiency, places, strict=True)
-        ]
-    )
+    restitution = bbcor(efficiency, body=body, ball=ball, position=places, pivot=CLAMP)
     if not np.isfinite(restitution).any():
         raise InputError("no hit of the test ended with ball and bat apart; check the bat's wall and the ball")
-    top = int(np.nanargmax(restitution))
-    best = float(places[top] + _shift(restitution, top) * (places[1] - places[0]))
-    best_efficiency = _parabola(places, efficiency, top, best)
+    index, shift, _ = top(restitution)
+    best = float(places[index] + shift * (places[1] - places[0]))
+    best_efficiency = _parabola(efficiency, index, shift)
     return BatTest(
         position=places,
         collision_efficiency=efficiency,
@@ -193,23 +183,13 @@ def bat_test(
         best_position=best,
         best_efficiency=best_efficiency,
         best_bbcor=bbcor(best_efficiency, body=body, ball=ball, position=best, pivot=CLAMP),
-        at_edge=top in (0, len(places) - 1),
+        at_edge=index in (0, len(places) - 1),
     )
 
 
-def _shift(value: Array, top: int) -> float:
-    """Return how far the parabola's top lies from the highest sample, in steps."""
-    if top in (0, len(value) - 1):
-        return 0.0
-    left, middle, right = value[top - 1 : top + 2]
-    bend = left - 2 * middle + right
-    return float((left - right) / (2 * bend)) if np.isfinite(bend) and bend < 0 else 0.0
-
-
-def _parabola(position: Array, value: Array, top: int, place: float) -> float:
-    """Return the parabola through three neighbours of ``top`` at a place."""
-    if top in (0, len(value) - 1) or not np.isfinite(value[top - 1 : top + 2]).all():
-        return float(value[top])
-    left, middle, right = value[top - 1 : top + 2]
-    along = (place - position[top]) / (position[top + 1] - position[top])
-    return float(middle + along * (right - left) / 2 + along**2 * (left - 2 * middle + right) / 2)
+def _parabola(value: Array, index: int, shift: float) -> float:
+    """Return the parabola through three neighbours of ``index``, ``shift`` steps beside it."""
+    if index in (0, len(value) - 1) or not np.isfinite(value[index - 1 : index + 2]).all():
+        return float(value[index])
+    left, middle, right = value[index - 1 : index + 2]
+    return float(middle + shift * (right - left) / 2 + shift**2 * (left - 2 * middle + right) / 2)

@@ -11,14 +11,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-import numpy as np
-
 from sweetspot.analysis import Analysis, analyse
 from sweetspot.bat import Bat
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.collision.kernel import hits
+from sweetspot.collision.momentum import exit_speed
 from sweetspot.errors import InputError
 from sweetspot.line import reduce
+from sweetspot.parabola import peak
 from sweetspot.rigid import RigidBody, rigid_body
 from sweetspot.scan import Array
 from sweetspot.swing import MAX_SPEED, Conditions
@@ -160,18 +160,7 @@ def best_exit_speed(modes: Modes, *, positions: Array, conditions: Conditions) -
     bat_speed = conditions.swing.angular_speed * (positions - conditions.swing.pivot)
     closing, ball = conditions.pitch.speed + bat_speed, conditions.ball
     done = hits(modes, ball=ball, position=positions, closing_speed=closing, keep_motion=False)
-    return peak(done.collision_efficiency * closing + bat_speed)
-
-
-def peak(values: Array) -> float:
-    """Return the top of evenly sampled values, by the parabola through the three highest neighbours."""
-    index = int(np.nanargmax(values))
-    middle = float(values[index])
-    if index in (0, len(values) - 1):
-        return middle
-    left, right = float(values[index - 1]), float(values[index + 1])
-    bend = left - 2 * middle + right
-    return middle if bend == 0 or not np.isfinite(bend) else middle - (left - right) ** 2 / (8 * bend)
+    return peak(exit_speed(done.collision_efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed))
 
 
 def break_even_speed(modes: Modes, *, positions: Array, conditions: Conditions, exit_speed: float) -> float:

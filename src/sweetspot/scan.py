@@ -82,11 +82,9 @@ def scan(bat: Bat, *, body: RigidBody, modes: Modes, conditions: Conditions, pos
         closing_speed=closing,
         collision_efficiency=efficiency,
         rigid_efficiency=rigid,
-        bbcor=np.array(
-            [bbcor(q, body=body, ball=ball, position=place) for q, place in zip(efficiency, positions, strict=True)]
-        ),
-        exit_speed=_exit(efficiency, ball_speed, bat_speed),
-        rigid_exit_speed=_exit(rigid, ball_speed, bat_speed),
+        bbcor=bbcor(efficiency, body=body, ball=ball, position=positions),
+        exit_speed=exit_speed(efficiency, ball_speed=ball_speed, bat_speed=bat_speed),
+        rigid_exit_speed=exit_speed(rigid, ball_speed=ball_speed, bat_speed=bat_speed),
         hand_impulse=ratio * ball.mass * closing * (1 + efficiency),
         sting=sting(modes, hands=hands, displacement=done.displacement, velocity=done.velocity),
         contact_time=done.contact_time,
@@ -109,9 +107,3 @@ def sting(modes: Modes, *, hands: Hands, displacement: Array, velocity: Array) -
     amplitude = velocity**2 + (modes.angular_frequency * displacement) ** 2
     shapes = modes.shape_at(np.array(hands.places)) ** 2
     return np.asarray(np.sqrt(amplitude[..., felt] @ shapes[:, felt].mean(axis=0) / 2))
-
-
-def _exit(efficiency: Array, ball_speed: float, bat_speed: Array) -> Array:
-    return np.array(
-        [exit_speed(q, ball_speed=ball_speed, bat_speed=speed) for q, speed in zip(efficiency, bat_speed, strict=True)]
-    )

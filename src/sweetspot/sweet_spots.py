@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sweetspot.errors import InputError
+from sweetspot.parabola import top
 from sweetspot.rigid import RigidBody, centre_of_percussion
 from sweetspot.scan import Array, Scan
 from sweetspot.swing import Conditions
@@ -106,10 +107,6 @@ def miss_cost(scan: Scan, distance: float) -> tuple[float, float]:
 
 
 def _top(position: Array, value: Array) -> float:
-    """Return where a sampled curve is highest, by the parabola through its three highest neighbours."""
-    index = int(np.nanargmax(value))
-    if index in (0, len(value) - 1):
-        return float(position[index])
-    left, middle, right = value[index - 1 : index + 2]
-    shift = (left - right) / (2 * (left - 2 * middle + right))
-    return float(position[index] + shift * (position[index + 1] - position[index]))
+    """Return where an evenly sampled curve is highest."""
+    index, shift, _ = top(value)
+    return float(position[index] + shift * (position[1] - position[0]))

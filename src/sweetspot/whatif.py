@@ -12,11 +12,12 @@ from sweetspot.bat import Bat
 from sweetspot.catalog.materials import material
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.collision.kernel import hits
-from sweetspot.collision.momentum import bbcor
-from sweetspot.compare import Same, peak, speed_ratios, swung_conditions
+from sweetspot.collision.momentum import bbcor, exit_speed
+from sweetspot.compare import Same, speed_ratios, swung_conditions
 from sweetspot.errors import InputError, SweetspotError
 from sweetspot.line import reduce
 from sweetspot.material import Material
+from sweetspot.parabola import peak
 from sweetspot.rigid import RigidBody, rigid_body
 from sweetspot.scan import Array
 from sweetspot.swing import Conditions
@@ -213,11 +214,10 @@ def _answers(
     closing = swung.pitch.speed + bat_speed
     done = hits(gripped(free, swung.hands), ball=ball, position=places, closing_speed=closing, keep_motion=False)
     efficiency = done.collision_efficiency
-    measured = [bbcor(q, body=body, ball=ball, position=place) for q, place in zip(efficiency, places, strict=True)]
     return Answers(
-        exit_speed=peak(efficiency * closing + bat_speed),
+        exit_speed=peak(exit_speed(efficiency, ball_speed=swung.pitch.speed, bat_speed=bat_speed)),
         collision_efficiency=peak(efficiency),
-        bbcor=peak(np.array(measured)),
+        bbcor=peak(bbcor(efficiency, body=body, ball=ball, position=places)),
         bat_speed=swung.swing.bat_speed,
         mass=body.mass,
         balance_point=body.balance_point,

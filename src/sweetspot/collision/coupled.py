@@ -24,6 +24,7 @@ from sweetspot.collision.impact import CONTACT_FORCE, Array, EnergyLedger, Impac
 from sweetspot.collision.propagator import dashpot_factors, propagator
 from sweetspot.contact import ContactLaw, Hysteretic
 from sweetspot.errors import InputError
+from sweetspot.parabola import vertex
 from sweetspot.vibration.modes import Modes
 
 STEP = 4e-6
@@ -167,7 +168,7 @@ def _vertex(compressions: list[float], latest: float) -> float:
     if len(compressions) < 3:
         return compressions[-1]
     first, middle = compressions[-2:]
-    return middle - (latest - first) ** 2 / (8 * (first - 2 * middle + latest))
+    return vertex(first, middle, latest)[1]
 
 
 def _contact_time(forces: list[float], step: float) -> float:

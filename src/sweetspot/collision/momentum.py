@@ -7,12 +7,19 @@ v_f = q v_ball + (1 + q) v_bat.
 from __future__ import annotations
 
 import math
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
 
 from sweetspot.ball import Ball
 from sweetspot.rigid import RigidBody, effective_mass
 
+Real = TypeVar("Real", float, NDArray[np.float64])
+"""One number or an array of them; what comes out has the shape of what went in."""
 
-def exit_speed(collision_efficiency: float, *, ball_speed: float, bat_speed: float) -> float:
+
+def exit_speed(collision_efficiency: Real, *, ball_speed: float, bat_speed: Real) -> Real:
     """Return v_f = q v_ball + (1 + q) v_bat, exact for any collision by a change of frame [nathan2003, eq. 3].
 
     >>> round(exit_speed(0.2, ball_speed=90.0, bat_speed=70.0), 9)  # any unit of speed
@@ -30,7 +37,7 @@ def collision_efficiency(restitution: float, *, recoil: float) -> float:
     return (restitution - recoil) / (1 + recoil)
 
 
-def restitution_from_efficiency(efficiency: float, *, recoil: float) -> float:
+def restitution_from_efficiency(efficiency: Real, *, recoil: Real) -> Real:
     """Return the ball-bat restitution e = q (1 + r) + r; the inverse of `collision_efficiency`.
 
     With r about a pivot 6 in from the knob this is BBCOR [astm_f2219].
@@ -41,13 +48,13 @@ def restitution_from_efficiency(efficiency: float, *, recoil: float) -> float:
     return efficiency * (1 + recoil) + recoil
 
 
-def bbcor(efficiency: float, *, body: RigidBody, ball: Ball, position: float, pivot: float = 0.1524) -> float:
+def bbcor(efficiency: Real, *, body: RigidBody, ball: Ball, position: Real, pivot: float = 0.1524) -> Real:
     """Return the BBCOR of a hit: e = q (1 + r) + r with r = m z^2 / I_pivot [astm_f2219; nathan2003].
 
     The laboratory's bat turns in a clamp; m z^2 / I_pivot is that clamp's recoil, so a free bat's BBCOR means
     little near the clamp itself.
     """
-    recoil = ball.mass / effective_mass(body, position, pivot=pivot)
+    recoil = ball.mass * (position - pivot) ** 2 / body.moi(pivot)
     return restitution_from_efficiency(efficiency, recoil=recoil)
 
 

@@ -60,8 +60,7 @@ def _best(bat: Bat, closing_speed: float) -> tuple[float, float]:
     ball, body, places = catalog.ball(), _body(bat), bat.length - PLACES
     done = hits(bending_modes(reduce(bat)), ball=ball, position=places, closing_speed=closing_speed)
     efficiency = done.collision_efficiency
-    measured = [bbcor(q, body=body, ball=ball, position=place) for q, place in zip(efficiency, places, strict=True)]
-    return float(efficiency.max()), max(measured)
+    return float(efficiency.max()), float(bbcor(efficiency, body=body, ball=ball, position=places).max())
 
 
 COMPUTATIONS = (

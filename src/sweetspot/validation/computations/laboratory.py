@@ -61,10 +61,7 @@ def laboratory_exit_speed(*, bat: str, ball_speed: float, bat_speed: float) -> f
     """
     test = bat_test(bat, ball_speed + bat_speed)
     swing = bat_speed * (shared.length(bat) - test.from_tip - CLAMP) / (shared.length(bat) - 6 * INCH - CLAMP)
-    speeds = [
-        exit_speed(q, ball_speed=ball_speed, bat_speed=speed) for q, speed in zip(test.efficiency, swing, strict=True)
-    ]
-    return max(speeds)
+    return float(exit_speed(test.efficiency, ball_speed=ball_speed, bat_speed=swing).max())
 
 
 def laboratory_bbcor_spread(*, bats: list[str], closing_speed: float) -> float:
