@@ -1,6 +1,10 @@
-"""Bats, balls and analyses that many tests share."""
+"""Bats, balls and analyses that many tests share, and running the command line inside a test."""
 
 from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from typing import Any
 
 import pytest
 
@@ -8,6 +12,7 @@ from sweetspot import catalog
 from sweetspot.analysis import Analysis, analyse
 from sweetspot.ball import Ball
 from sweetspot.bat import Bat
+from sweetspot.cli import main
 from sweetspot.material import Material
 from sweetspot.standard import standard_conditions
 
@@ -37,3 +42,28 @@ def analysis(r161: Bat) -> Analysis:
 def cone(ash: Material) -> Bat:
     """A plain cone, 25 mm to 65 mm over 0.84 m."""
     return Bat(name="cone", length=0.84, material=ash, profile=((0.0, 0.025), (0.84, 0.065)))
+
+
+@pytest.fixture
+def run(capsys: pytest.CaptureFixture[str]) -> Callable[..., tuple[int, str, str]]:
+    """Return a function that runs a command and returns (exit code, stdout, stderr)."""
+
+    def command(*arguments: str) -> tuple[int, str, str]:
+        with pytest.raises(SystemExit) as stopped:
+            main(list(arguments))
+        captured = capsys.readouterr()
+        return int(stopped.value.code or 0), captured.out, captured.err
+
+    return command
+
+
+@pytest.fixture
+def run_json(run: Callable[..., tuple[int, str, str]]) -> Callable[..., Any]:
+    """Return a function that runs a command with ``--format json`` and returns what it printed."""
+
+    def command(*arguments: str) -> Any:
+        code, out, err = run(*arguments, "--format", "json")
+        assert code == 0, err
+        return json.loads(out)
+
+    return command

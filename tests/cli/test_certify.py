@@ -5,22 +5,16 @@ from __future__ import annotations
 import csv
 import io
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from sweetspot.cli import main
+Run = Callable[..., tuple[int, str, str]]
 
 HEADINGS = "ball_in_mph,ball_out_mph,position_in_from_tip,ball_cor"
 SIX = [f"136,{out},6.0,0.5444" for out in (27.9, 28.1, 28.0, 28.2, 27.8, 28.0)]
-
-
-def run(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
-    with pytest.raises(SystemExit) as stopped:
-        main(["certify", *arguments])
-    captured = capsys.readouterr()
-    return int(stopped.value.code or 0), captured.out, captured.err
 
 
 def written(folder: Path, *rows: str, headings: str = HEADINGS) -> str:
@@ -33,14 +27,14 @@ def checks(result: Any) -> dict[str, Any]:
     return {check["quantity"]: check for check in result["checks"]}
 
 
-def test_a_wood_bat_passes(capsys: pytest.CaptureFixture[str]) -> None:
-    code, out, _ = run(capsys, "r161-ash")
+def test_a_wood_bat_passes(run: Run) -> None:
+    code, out, _ = run("certify", "r161-ash")
     words = " ".join(out.split())
     assert code == 0 and "BBCOR" in words and "pass" in words and "not decidable" in words
 
 
-def test_json_keys_and_units(capsys: pytest.CaptureFixture[str]) -> None:
-    code, out, _ = run(capsys, "r161-ash", "--format", "json")
+def test_json_keys_and_units(run: Run) -> None:
+    code, out, _ = run("certify", "r161-ash", "--format", "json")
     result = json.loads(out)
     assert code == 0 and result["passed"] is True
     test = result["test"]
@@ -58,15 +52,15 @@ def test_json_keys_and_units(capsys: pytest.CaptureFixture[str]) -> None:
     assert (limit["source"], limit["year"], limit["unit"]) == ("ncaa_bbcor", 2011, "-")
 
 
-def test_a_corked_bat_fails_the_major_league(capsys: pytest.CaptureFixture[str]) -> None:
-    code, out, _ = run(capsys, "corked-r161", "--league", "mlb", "--format", "json")
+def test_a_corked_bat_fails_the_major_league(run: Run) -> None:
+    code, out, _ = run("certify", "corked-r161", "--league", "mlb", "--format", "json")
     result = json.loads(out)
     assert code == 1 and result["passed"] is False
     assert checks(result)["solid_wood"]["verdict"] == "fail"
 
 
-def test_csv_has_one_row_per_rule(capsys: pytest.CaptureFixture[str]) -> None:
-    code, out, _ = run(capsys, "r161-ash", "--league", "all", "--format", "csv")
+def test_csv_has_one_row_per_rule(run: Run) -> None:
+    code, out, _ = run("certify", "r161-ash", "--league", "all", "--format", "csv")
     rows = list(csv.DictReader(io.StringIO(out)))
     assert code == 0
     assert {"mlb", "ncaa", "ncaa-1999", "usssa", "usabat"} <= {row["league"] for row in rows}
@@ -74,8 +68,8 @@ def test_csv_has_one_row_per_rule(capsys: pytest.CaptureFixture[str]) -> None:
     assert {row["verdict"] for row in rows} <= {"pass", "fail", "not decidable", "does not apply"}
 
 
-def test_shots_that_pass(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
-    code, out, err = run(capsys, "russell-b1", "--shots", written(tmp_path, *SIX), "--format", "json")
+def test_shots_that_pass(run: Run, tmp_path: Path) -> None:
+    code, out, err = run("certify", "russell-b1", "--shots", written(tmp_path, *SIX), "--format", "json")
     assert code == 0, err
     result = json.loads(out)
     shots = result["shots"]
@@ -86,17 +80,17 @@ def test_shots_that_pass(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> 
     assert checks(result)["bbcor"]["verdict"] == "pass"
 
 
-def test_shots_that_fail(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_shots_that_fail(run: Run, tmp_path: Path) -> None:
     lively = [f"136,{out},6.0,0.5444" for out in (32.9, 33.1, 33.0, 33.2, 32.8, 33.0)]
-    code, out, _ = run(capsys, "russell-b1", "--shots", written(tmp_path, *lively))
+    code, out, _ = run("certify", "russell-b1", "--shots", written(tmp_path, *lively))
     assert code == 1 and "fail" in out
-    dead = run(capsys, "russell-b1", "--shots", written(tmp_path, *lively), "--standard-ball-cor", "0.50")
+    dead = run("certify", "russell-b1", "--shots", written(tmp_path, *lively), "--standard-ball-cor", "0.50")
     assert dead[0] == 0  # the same shots as from livelier balls
 
 
-def test_bad_rows_are_printed(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_bad_rows_are_printed(run: Run, tmp_path: Path) -> None:
     path = written(tmp_path, *SIX, "136,-4,6,0.5", "136,,6,0.5", "136,31,6,0.5444")
-    code, out, _ = run(capsys, "russell-b1", "--shots", path)
+    code, out, _ = run("certify", "russell-b1", "--shots", path)
     words = " ".join(out.split())
     assert code in (0, 1)
     assert "Row 8 is not used: negative rebound" in words and "Row 9 is not used" in words
@@ -110,10 +104,8 @@ def test_bad_rows_are_printed(capsys: pytest.CaptureFixture[str], tmp_path: Path
         (["136,-28,6,0.54"], "negative rebound"),
     ],
 )
-def test_shots_that_are_bad_input(
-    rows: list[str], message: str, capsys: pytest.CaptureFixture[str], tmp_path: Path
-) -> None:
-    code, out, err = run(capsys, "russell-b1", "--shots", written(tmp_path, *rows))
+def test_shots_that_are_bad_input(rows: list[str], message: str, run: Run, tmp_path: Path) -> None:
+    code, out, err = run("certify", "russell-b1", "--shots", written(tmp_path, *rows))
     assert code == 2 and out == "" and message in err and err.count("\n") == 1
 
 
@@ -129,12 +121,12 @@ def test_shots_that_are_bad_input(
         (("r161-ash", "--standard-ball-cor", "0.5"), "--shots"),
     ],
 )
-def test_bad_arguments(arguments: tuple[str, ...], message: str, capsys: pytest.CaptureFixture[str]) -> None:
-    code, out, err = run(capsys, *arguments)
+def test_bad_arguments(arguments: tuple[str, ...], message: str, run: Run) -> None:
+    code, out, err = run("certify", *arguments)
     assert code == 2 and out == "" and message in err
 
 
-def test_mixed_units_are_refused(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_mixed_units_are_refused(run: Run, tmp_path: Path) -> None:
     path = written(tmp_path, "136,60,28,6", headings="ball_in_mph,ball_in_m_s,ball_out_mph,position_in_from_tip")
-    code, _, err = run(capsys, "r161-ash", "--shots", path)
+    code, _, err = run("certify", "r161-ash", "--shots", path)
     assert code == 2 and "keep one of them, in one unit" in err

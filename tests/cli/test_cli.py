@@ -7,13 +7,15 @@ import io
 import json
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import jsonschema
 import pytest
 
-from sweetspot.cli import main
+Run = Callable[..., tuple[int, str, str]]
+RunJson = Callable[..., Any]
 
 GOOD_BAT = """
 name = "my ash bat"
@@ -36,28 +38,15 @@ depth = "0.9 in"
 """
 
 
-def run(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
-    with pytest.raises(SystemExit) as stopped:
-        main(list(arguments))
-    captured = capsys.readouterr()
-    return int(stopped.value.code or 0), captured.out, captured.err
-
-
-def run_json(capsys: pytest.CaptureFixture[str], *arguments: str) -> Any:
-    code, out, err = run(capsys, *arguments, "--format", "json")
-    assert code == 0, err
-    return json.loads(out)
-
-
-def test_report_says_where_and_why(capsys: pytest.CaptureFixture[str]) -> None:
-    code, out, _ = run(capsys, "report", "r161-ash")
+def test_report_says_where_and_why(run: Run) -> None:
+    code, out, _ = run("report", "r161-ash")
     assert code == 0
     words = " ".join(out.split())
     assert "This bat hits best" in words and "Why not the end?" in words and "What a miss costs" in words
 
 
-def test_report_json_keeps_the_border_contract(capsys: pytest.CaptureFixture[str]) -> None:
-    result = run_json(capsys, "report", "r161-ash")
+def test_report_json_keeps_the_border_contract(run_json: RunJson) -> None:
+    result = run_json("report", "r161-ash")
     assert {
         "name", "length_m", "mass_kg", "balance_point_m", "moi_cm_kg_m2", "moi_knob_kg_m2", "moi_6in_kg_m2",
     } <= set(result["bat"])  # fmt: skip
@@ -75,8 +64,8 @@ def test_report_json_keeps_the_border_contract(capsys: pytest.CaptureFixture[str
     assert result["conditions"]["pitch_speed_m_s"] == pytest.approx(40.2336)
 
 
-def test_hit_json(capsys: pytest.CaptureFixture[str]) -> None:
-    result = run_json(capsys, "hit", "r161-ash", "--at", "6in-from-tip")
+def test_hit_json(run_json: RunJson) -> None:
+    result = run_json("hit", "r161-ash", "--at", "6in-from-tip")
     assert {
         "position_m", "collision_efficiency", "exit_speed_m_s", "bbcor", "contact_time_s", "peak_force_n",
         "peak_compression_m", "energy_j", "outcome",
@@ -84,52 +73,50 @@ def test_hit_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert result["outcome"] == "separated" and result["position_m"] == pytest.approx(0.6858)
     parts = sum(value for name, value in result["energy_j"].items() if name != "incoming")
     assert parts == pytest.approx(result["energy_j"]["incoming"], rel=1e-4)
-    same = run_json(capsys, "hit", "r161-ash", "--at", "27in")
+    same = run_json("hit", "r161-ash", "--at", "27in")
     assert same["exit_speed_m_s"] == pytest.approx(result["exit_speed_m_s"])
 
 
-def test_paper_json(capsys: pytest.CaptureFixture[str]) -> None:
-    rows = run_json(capsys, "paper")["rows"]
+def test_paper_json(run_json: RunJson) -> None:
+    rows = run_json("paper")["rows"]
     assert all({"equation", "quantity", "paper", "computed", "full_model", "comment"} <= set(row) for row in rows)
     assert pytest.approx(0.26325) in [row["computed"] for row in rows if row["equation"] == "W"]
 
 
 @pytest.mark.parametrize("command", [["report", "youth-30"], ["hit", "youth-30", "--at", "25in"], ["paper"], ["bats"]])
-def test_csv_is_a_table(capsys: pytest.CaptureFixture[str], command: list[str]) -> None:
-    code, out, err = run(capsys, *command, "--format", "csv")
+def test_csv_is_a_table(run: Run, command: list[str]) -> None:
+    code, out, err = run(*command, "--format", "csv")
     rows = list(csv.reader(io.StringIO(out)))
     assert code == 0, err
     assert len(rows) > 5 and {len(row) for row in rows} == {len(rows[0])}
 
 
-def test_options_mean_what_they_say(capsys: pytest.CaptureFixture[str]) -> None:
+def test_options_mean_what_they_say(run_json: RunJson) -> None:
     hit = ("hit", "r161-ash", "--at", "27in")
-    plain = run_json(capsys, *hit)
-    assert run_json(capsys, *hit, "--pitch-speed", "40.2336m/s")["exit_speed_m_s"] == pytest.approx(
-        plain["exit_speed_m_s"]
-    )
-    assert run_json(capsys, *hit, "--pitch-speed", "tee")["closing_speed_m_s"] == pytest.approx(31.2928)
-    assert run_json(capsys, *hit, "--bat-speed-at", "33in")["bat_speed_m_s"] < 31.29
-    assert run_json(capsys, *hit, "--pivot=-2in")["bat_speed_m_s"] == pytest.approx(31.2928)
-    assert run_json(capsys, *hit, "--ball-humidity", "70%")["exit_speed_m_s"] < plain["exit_speed_m_s"]
-    assert run_json(capsys, *hit, "--ball", "baseball-lively")["exit_speed_m_s"] > plain["exit_speed_m_s"]
-    choked = run_json(capsys, "report", "r161-ash", "--hands", "8in")
+    plain = run_json(*hit)
+    assert run_json(*hit, "--pitch-speed", "40.2336m/s")["exit_speed_m_s"] == pytest.approx(plain["exit_speed_m_s"])
+    assert run_json(*hit, "--pitch-speed", "tee")["closing_speed_m_s"] == pytest.approx(31.2928)
+    assert run_json(*hit, "--bat-speed-at", "33in")["bat_speed_m_s"] < 31.29
+    assert run_json(*hit, "--pivot=-2in")["bat_speed_m_s"] == pytest.approx(31.2928)
+    assert run_json(*hit, "--ball-humidity", "70%")["exit_speed_m_s"] < plain["exit_speed_m_s"]
+    assert run_json(*hit, "--ball", "baseball-lively")["exit_speed_m_s"] > plain["exit_speed_m_s"]
+    choked = run_json("report", "r161-ash", "--hands", "8in")
     assert (
         choked["sweet_spots"]["center_of_percussion_m"]
-        > run_json(capsys, "report", "r161-ash")["sweet_spots"]["center_of_percussion_m"]
+        > run_json("report", "r161-ash")["sweet_spots"]["center_of_percussion_m"]
     )
 
 
-def test_own_bat_file(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_own_bat_file(run_json: RunJson, tmp_path: Path) -> None:
     (tmp_path / "bat.toml").write_text(GOOD_BAT)
-    bat = run_json(capsys, "report", str(tmp_path / "bat.toml"))["bat"]
+    bat = run_json("report", str(tmp_path / "bat.toml"))["bat"]
     assert bat["length_m"] == pytest.approx(0.8509) and bat["mass_kg"] == pytest.approx(28 * 0.028349523125)
 
 
-def test_schema_describes_a_bat_file(capsys: pytest.CaptureFixture[str]) -> None:
+def test_schema_describes_a_bat_file(run: Run) -> None:
     import tomllib
 
-    code, out, _ = run(capsys, "schema")
+    code, out, _ = run("schema")
     schema = json.loads(out)
     assert code == 0
     jsonschema.Draft202012Validator.check_schema(schema)
@@ -138,10 +125,10 @@ def test_schema_describes_a_bat_file(capsys: pytest.CaptureFixture[str]) -> None
         jsonschema.validate({**tomllib.loads(GOOD_BAT), "colour": "red"}, schema)
 
 
-def test_pendulum_both_ways(capsys: pytest.CaptureFixture[str]) -> None:
+def test_pendulum_both_ways(run_json: RunJson) -> None:
     bat = ("pendulum", "--mass", "31oz", "--balance-point", "22.4in")
-    there = run_json(capsys, *bat, "--period", "1.4s")
-    back = run_json(capsys, *bat, "--moi", f"{there['moi_kg_m2']}kg*m^2")
+    there = run_json(*bat, "--period", "1.4s")
+    back = run_json(*bat, "--moi", f"{there['moi_kg_m2']}kg*m^2")
     assert back["period_s"] == pytest.approx(1.4)
 
 
@@ -169,11 +156,11 @@ BAD_FILES = {
 
 
 @pytest.mark.parametrize("fault", BAD_FILES)
-def test_bad_bat_files(capsys: pytest.CaptureFixture[str], tmp_path: Path, fault: str) -> None:
+def test_bad_bat_files(run: Run, tmp_path: Path, fault: str) -> None:
     text, said = BAD_FILES[fault]
     path = tmp_path / "bat.toml"
     path.write_text(text)
-    code, out, err = run(capsys, "report", str(path))
+    code, out, err = run("report", str(path))
     assert code == 2 and out == ""
     assert said in err and (str(path) in err or "my ash bat" in err) and err.count("\n") == 1
 
@@ -211,13 +198,13 @@ BAD_CALLS = {
 
 
 @pytest.mark.parametrize("arguments", BAD_CALLS, ids=" ".join)
-def test_bad_calls(capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...]) -> None:
-    code, out, err = run(capsys, *arguments)
+def test_bad_calls(run: Run, arguments: tuple[str, ...]) -> None:
+    code, out, err = run(*arguments)
     assert code == 2 and out == ""
     assert BAD_CALLS[arguments] in err and err.startswith("sweetspot: ") and err.count("\n") == 1
 
 
-def test_a_heavy_ball_on_a_light_bat(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_a_heavy_ball_on_a_light_bat(run: Run, tmp_path: Path) -> None:
     light = """
 name = "twig"
 length = "14 in"
@@ -225,19 +212,19 @@ material = "white ash"
 profile = [["0 in", "0.75 in"], ["14 in", "0.75 in"]]
 """
     (tmp_path / "twig.toml").write_text(light)
-    code, _, err = run(capsys, "report", str(tmp_path / "twig.toml"))
+    code, _, err = run("report", str(tmp_path / "twig.toml"))
     assert code == 2 and "a ball lighter than the bat" in err
 
 
-def test_output_folder_that_cannot_be_written(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_output_folder_that_cannot_be_written(run: Run, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("in the way")
-    code, out, err = run(capsys, "report", "r161-ash", "--out", str(tmp_path / "file" / "deeper"))
+    code, out, err = run("report", "r161-ash", "--out", str(tmp_path / "file" / "deeper"))
     assert code == 2 and out == "" and "Traceback" not in err
     assert (tmp_path / "file").read_text() == "in the way" and list(tmp_path.iterdir()) == [tmp_path / "file"]
 
 
-def test_validate(capsys: pytest.CaptureFixture[str]) -> None:
-    code, out, err = run(capsys, "validate", "--format", "json")
+def test_validate(run: Run) -> None:
+    code, out, err = run("validate", "--format", "json")
     assert code == 0, err
     assert len(json.loads(out)["rows"]) > 40
 

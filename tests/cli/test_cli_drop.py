@@ -5,44 +5,38 @@ from __future__ import annotations
 import csv
 import io
 import json
+from collections.abc import Callable
 
 import pytest
 
-from sweetspot.cli import main
+Run = Callable[..., tuple[int, str, str]]
 
 
-def run(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
-    with pytest.raises(SystemExit) as stopped:
-        main(["drop", *arguments])
-    captured = capsys.readouterr()
-    return int(stopped.value.code or 0), captured.out, captured.err
-
-
-def test_the_table_answers(capsys: pytest.CaptureFixture[str]) -> None:
-    code, out, _ = run(capsys, "--height", "1m", "--material", "white-ash", "--thickness", "10cm")
+def test_the_table_answers(run: Run) -> None:
+    code, out, _ = run("drop", "--height", "1m", "--material", "white-ash", "--thickness", "10cm")
     assert code == 0
     for words in ("comes back to", "restitution e", "contact time", "energy kept by the ball", "lying on a floor"):
         assert words in out
 
 
-def test_json_and_csv_agree(capsys: pytest.CaptureFixture[str]) -> None:
+def test_json_and_csv_agree(run: Run) -> None:
     arguments = ("--material", "aluminium-7xxx", "--thickness", "3mm", "--support", "clamped")
-    code, out, _ = run(capsys, *arguments, "--format", "json")
+    code, out, _ = run("drop", *arguments, "--format", "json")
     assert code == 0
     found = json.loads(out)
     assert found["rebound_height_m"] == pytest.approx(found["energy_kept"], rel=1e-9)  # from 1 m
     assert set(found["energy_j"]) == {
         "incoming", "ball", "heat", "block_translation", "block_vibration", "block_damping",
     }  # fmt: skip
-    code, out, _ = run(capsys, *arguments, "--format", "csv")
+    code, out, _ = run("drop", *arguments, "--format", "csv")
     (row,) = csv.DictReader(io.StringIO(out))
     assert float(row["rebound_height_m"]) == found["rebound_height_m"]
     assert float(row["energy_heat_j"]) == found["energy_j"]["heat"]
 
 
-def test_a_fired_ball_and_a_plate_bent_too_far(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_fired_ball_and_a_plate_bent_too_far(run: Run) -> None:
     code, out, _ = run(
-        capsys, "--speed", "60mph", "--material", "aluminium-7xxx", "--thickness", "3mm", "--support", "clamped"
+        "drop", "--speed", "60mph", "--material", "aluminium-7xxx", "--thickness", "3mm", "--support", "clamped"
     )
     assert code == 0 and "26.82 m/s (60.0 mph)" in out and "beware" in out and "comes back to" not in out
 
@@ -61,7 +55,7 @@ def test_a_fired_ball_and_a_plate_bent_too_far(capsys: pytest.CaptureFixture[str
         (("--ball", "cannonball"), "is not in the catalogue"),
     ],
 )
-def test_bad_input(capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], message: str) -> None:
-    code, out, err = run(capsys, *arguments)
+def test_bad_input(run: Run, arguments: tuple[str, ...], message: str) -> None:
+    code, out, err = run("drop", *arguments)
     assert code == 2 and out == ""
     assert message in err and "Traceback" not in err

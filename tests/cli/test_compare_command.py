@@ -5,29 +5,18 @@ from __future__ import annotations
 import csv
 import io
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from sweetspot.cli import main
+Run = Callable[..., tuple[int, str, str]]
+RunJson = Callable[..., Any]
 
 
-def run(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
-    with pytest.raises(SystemExit) as stopped:
-        main(["compare", *arguments])
-    captured = capsys.readouterr()
-    return int(stopped.value.code or 0), captured.out, captured.err
-
-
-def run_json(capsys: pytest.CaptureFixture[str], *arguments: str) -> Any:
-    code, out, err = run(capsys, *arguments, "--format", "json")
-    assert code == 0, err
-    return json.loads(out)
-
-
-def test_table_says_who_gains(capsys: pytest.CaptureFixture[str]) -> None:
-    code, out, _ = run(capsys, "r161-ash", "corked-r161", "youth-30")
+def test_table_says_who_gains(run: Run) -> None:
+    code, out, _ = run("compare", "r161-ash", "corked-r161", "youth-30")
     words = " ".join(out.split())
     assert code == 0
     for heading in ("mass oz", "MOI 6in oz in^2", "q max", "BBCOR max", "bat speed mph", "change mph", "reference"):
@@ -36,8 +25,8 @@ def test_table_says_who_gains(capsys: pytest.CaptureFixture[str]) -> None:
     assert "about the knob to the power -0.29" in words and "nothing else" in words
 
 
-def test_corking_is_answered_beside_the_published_numbers(capsys: pytest.CaptureFixture[str]) -> None:
-    code, out, _ = run(capsys, "r161-ash", "--what-if", "cork")
+def test_corking_is_answered_beside_the_published_numbers(run: Run) -> None:
+    code, out, _ = run("compare", "r161-ash", "--what-if", "cork")
     words = " ".join(out.split())
     assert code == 0
     for text in (
@@ -47,8 +36,8 @@ def test_corking_is_answered_beside_the_published_numbers(capsys: pytest.Capture
         assert text in words
 
 
-def test_json_has_units_and_intervals(capsys: pytest.CaptureFixture[str]) -> None:
-    result = run_json(capsys, "r161-ash", "--what-if", "cork", "--bore-depth", "8in", "--plug", "20mm")
+def test_json_has_units_and_intervals(run_json: RunJson) -> None:
+    result = run_json("compare", "r161-ash", "--what-if", "cork", "--bore-depth", "8in", "--plug", "20mm")
     assert result["same"] == "effort" and result["reference"] == "unmodified"
     assert result["swing_law"]["exponent"] == pytest.approx({"value": 0.29, "low": 0.2116, "high": 0.3684}, abs=1e-4)
     whole, drilled, cork = result["bats"][:3]
@@ -59,11 +48,11 @@ def test_json_has_units_and_intervals(capsys: pytest.CaptureFixture[str]) -> Non
     assert len(result["verdict"]) == 4 + 3
 
 
-def test_same_speed_and_other_law(capsys: pytest.CaptureFixture[str]) -> None:
-    same = run_json(capsys, "r161-ash", "corked-r161", "--same-speed")
+def test_same_speed_and_other_law(run_json: RunJson) -> None:
+    same = run_json("compare", "r161-ash", "corked-r161", "--same-speed")
     assert same["same"] == "speed" and same["swing_law"] is None
     assert [bat["bat_speed_m_s"]["value"] for bat in same["bats"]] == pytest.approx([31.2928, 31.2928])
-    other = run_json(capsys, "r161-ash", "corked-r161", "--swing-law", "slow-pitch")
+    other = run_json("compare", "r161-ash", "corked-r161", "--swing-law", "slow-pitch")
     assert other["swing_law"]["axis_from_grip_m"] == pytest.approx(0.1524)
     assert other["bats"][1]["bat_speed_m_s"]["value"] > 31.2928
 
@@ -75,37 +64,37 @@ def test_same_speed_and_other_law(capsys: pytest.CaptureFixture[str]) -> None:
         ["r161-ash", "--rows", "mass=30oz:31oz:2", "--columns", "bore-diameter=0.5in:3in:3"],
     ],
 )
-def test_csv_is_a_table(capsys: pytest.CaptureFixture[str], arguments: list[str]) -> None:
-    code, out, err = run(capsys, *arguments, "--format", "csv")
+def test_csv_is_a_table(run: Run, arguments: list[str]) -> None:
+    code, out, err = run("compare", *arguments, "--format", "csv")
     rows = list(csv.reader(io.StringIO(out)))
     assert code == 0, err
     assert len(rows) > 3 and {len(row) for row in rows} == {len(rows[0])}
     assert any(name.endswith("exit_speed_m_s") for name in rows[0])
 
 
-def test_files_are_written_whole(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_files_are_written_whole(run: Run, tmp_path: Path) -> None:
     folder = tmp_path / "new" / "comparison"
-    code, _, err = run(capsys, "r161-ash", "youth-30", "--out", str(folder))
+    code, _, err = run("compare", "r161-ash", "youth-30", "--out", str(folder))
     assert code == 0 and "wrote" in err
     assert sorted(path.name for path in folder.iterdir()) == ["compare.json", "compare.png", "compare.svg"]
     assert json.loads((folder / "compare.json").read_text())["bats"][1]["label"].startswith("youth")
 
 
-def test_what_if_table(capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_if_table(run: Run, run_json: RunJson) -> None:
     asked = ["r161-ash", "--rows", "mass=30oz:31oz:2", "--columns", "bore-depth=0in:40in:3"]
-    code, out, _ = run(capsys, *asked, "--cell", "bbcor")
+    code, out, _ = run("compare", *asked, "--cell", "bbcor")
     words = " ".join(out.split())
     assert code == 0 and "bbcor: mass in oz down, bore depth in in across" in words
     assert "make it shallower" in words
-    result = run_json(capsys, *asked)
+    result = run_json("compare", *asked)
     assert result["columns"]["bore_depth_m"] == pytest.approx([0.0, 0.508, 1.016])
     assert [row[2] for row in result["answers"]["exit_speed_m_s"]] == [None, None]
     assert [failure["column"] for failure in result["failures"]] == [2, 2]
 
 
-def test_a_long_table_says_how_far_it_is(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_long_table_says_how_far_it_is(run: Run) -> None:
     asked = ["--rows", "mass=30oz:31oz:5", "--columns", "pitch-speed=80mph:95mph:10", "--format", "csv"]
-    code, out, err = run(capsys, "r161-ash", *asked)
+    code, out, err = run("compare", "r161-ash", *asked)
     assert code == 0 and len(out.splitlines()) == 51
     assert "sweetspot: 50 of 50 cells" in err and "sweetspot: 25 of 50 cells" in err
 
@@ -130,13 +119,13 @@ def test_a_long_table_says_how_far_it_is(capsys: pytest.CaptureFixture[str]) -> 
         ),
     ],
 )
-def test_bad_input_is_one_clear_line(capsys: pytest.CaptureFixture[str], arguments: list[str], message: str) -> None:
-    code, out, err = run(capsys, *arguments)
+def test_bad_input_is_one_clear_line(run: Run, arguments: list[str], message: str) -> None:
+    code, out, err = run("compare", *arguments)
     assert code == 2 and out == ""
     assert message in err and err.count("\n") == 1 and "Traceback" not in err
 
 
-def test_a_folder_that_is_a_file_is_refused(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_a_folder_that_is_a_file_is_refused(run: Run, tmp_path: Path) -> None:
     (tmp_path / "taken").write_text("x")
-    code, _, err = run(capsys, "r161-ash", "--out", str(tmp_path / "taken"))
+    code, _, err = run("compare", "r161-ash", "--out", str(tmp_path / "taken"))
     assert code == 2 and "cannot be made" in err
