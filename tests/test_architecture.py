@@ -34,6 +34,7 @@ LAYERS = [
     {"laminate"},
     {"material"},
     {"thing"},
+    {"motion"},
     {"units", "references", "parabola"},
     {"errors"},
 ]
