@@ -12,7 +12,7 @@ from sweetspot import catalog, paper
 from sweetspot.analysis import Analysis, analyse
 from sweetspot.ball import Ball
 from sweetspot.errors import InputError
-from sweetspot.paper_rows import paper_rows
+from sweetspot.paper_rows import PARTS, Choices, paper_rows
 from sweetspot.rigid import centre_of_percussion, hand_impulse_ratio
 from sweetspot.standard import standard_conditions
 
@@ -91,3 +91,27 @@ def test_chain(analysis: Analysis) -> None:
 def test_chain_of_any_bat(name: str) -> None:
     bat = catalog.bat(name)
     assert len(paper_rows(analyse(bat, standard_conditions(bat)))) >= 15
+
+
+def test_choices_change_the_chain(analysis: Analysis) -> None:
+    """Twice the fall, twice the height lost by the two-spring formula; the sine of the entry angle; W by hand."""
+    choices = Choices(entry_angle=math.radians(30), bore_depth=0.05, drop_height=2.0, metal_share=0.2)
+    rows = paper_rows(analysis, choices)
+    along = next(row for row in rows if row.equation == "3")
+    assert along.computed == pytest.approx(analysis.conditions.pitch.speed / 2)
+    metal = next(row for row in rows if row.quantity.startswith("W2"))
+    assert metal.computed == pytest.approx(0.9**2 * 0.2 + 0.45**2 * 0.8)
+    fall = next(row for row in rows if row.equation == "Fig. 6")
+    assert "from 2 m" in fall.quantity and isinstance(fall.computed, float) and 0.6 < fall.computed < 1.0
+    usual = next(row for row in paper_rows(analysis) if row.quantity.startswith("exit speed at the same bat speed"))
+    shallow = next(row for row in rows if row.quantity.startswith("exit speed at the same bat speed"))
+    assert isinstance(shallow.full_model, float) and isinstance(usual.full_model, float)
+    assert shallow.full_model > usual.full_model
+
+
+def test_contact_travel_lies_between_its_limits(analysis: Analysis) -> None:
+    for degrees in (5, 20, 45):
+        rows = PARTS["end"](analysis, Choices(entry_angle=math.radians(degrees)))
+        plastic, elastic = (row for row in rows if row.equation == "S")
+        assert isinstance(elastic.computed, float) and isinstance(elastic.full_model, float)
+        assert plastic.computed == 0 < elastic.full_model < elastic.computed

@@ -3,27 +3,30 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
 from sweetspot import catalog, paper
 from sweetspot.analysis import Analysis, analyse, exit_speed_of
-from sweetspot.block import Block
+from sweetspot.bat import Bat
+from sweetspot.block import Block, Support
+from sweetspot.collision.coupled import hit
 from sweetspot.collision.momentum import collision_efficiency, exit_speed
 from sweetspot.collision.oblique import decompose, oblique
 from sweetspot.drop import drop
+from sweetspot.material import Material
 from sweetspot.rigid import centre_of_percussion, effective_mass, hand_impulse_ratio
 from sweetspot.standard import standard_conditions
 from sweetspot.trampoline import wall_sweep
 from sweetspot.units import INCH, MPH
 
 Value = float | str | None
-ENTRY_ANGLE = math.radians(10)
-"""The paper gives no number for its entry angle; this one shows the effect."""
-DROP_HEIGHT, THICK_BLOCK, THIN_PLATE = 1.0, 0.1, 0.003
-"""m: the fall, the blocks of Figure 6 as we take them (the paper gives no sizes), and a wall as thin as a bat's."""
+THIN_PLATE = 0.003
+"""m: a plate as thin as a bat's wall, beside the thick blocks of Figure 6."""
+STANDS: dict[Support, str] = {"floor": "lying on concrete", "clamped": "clamped at its edges", "free": "lying free"}
 METAL_BAT = "russell-b6"
 METAL_WALLS = (1.0, 0.95, 0.9, 0.85)
 """Factors on that bat's own wall."""
@@ -42,36 +45,69 @@ class Row:
     comment: str
 
 
-def paper_rows(analysis: Analysis) -> list[Row]:
+@dataclass(frozen=True)
+class Choices:
+    """What the paper leaves open, or takes from elsewhere; the defaults are its own numbers where it has any.
+
+    Parameters
+    ----------
+    entry_angle : rad; the paper gives none, 10 degrees show the effect.
+    rod_hands : m from the rod's end where it is held; the paper's rod is held at its end.
+    hands_moved : m that the hands are moved up.
+    bore_diameter, bore_depth, plug : m, of the hole, and the wood that closes at most half of it [nathan_corknote].
+    fill : what fills the hole; None: cork.
+    drop_height, block_thickness, block_support : of the experiment of Figure 6, for which the paper gives no sizes.
+    ball_restitution, wood_restitution, metal_restitution, wood_share, metal_share : k0, k1, k2, z1, z2.
+    """
+
+    entry_angle: float = math.radians(10)
+    rod_hands: float = 0.0
+    hands_moved: float = 2 * INCH
+    bore_diameter: float = 1 * INCH
+    bore_depth: float = 10 * INCH
+    plug: float = 1 * INCH
+    fill: Material | None = None
+    drop_height: float = 1.0
+    block_thickness: float = 0.1
+    block_support: Support = "floor"
+    ball_restitution: float = paper.PAPER_BALL_RESTITUTION
+    wood_restitution: float = paper.PAPER_WOOD_RESTITUTION
+    metal_restitution: float = paper.PAPER_METAL_RESTITUTION
+    wood_share: float = paper.PAPER_WOOD_SHARE
+    metal_share: float = paper.PAPER_METAL_SHARE
+
+
+def paper_rows(analysis: Analysis, choices: Choices | None = None) -> list[Row]:
     """Return the paper's chain for one analysed bat under its conditions, in the paper's order.
 
     Numbers are in the unit of the row; words stand where the paper gives a claim and no number.
+
+    Parameters
+    ----------
+    choices : what the paper leaves open; None: as in the documentation.
     """
-    return [
-        *_entry(analysis),
-        *_percussion(analysis),
-        *_hollowing(analysis),
-        *_drop(analysis),
-        *_energy(analysis),
-        *_verdict(analysis),
-    ]
+    chosen = choices or Choices()
+    return [row for part in PARTS.values() for row in part(analysis, chosen)]
 
 
-def _entry(analysis: Analysis) -> Iterator[Row]:
+def _entry(analysis: Analysis, choices: Choices) -> Iterator[Row]:
     """Yield equations 1 to 4 and the contact travel S."""
+    angle = choices.entry_angle
     ball, speed = analysis.conditions.ball, analysis.conditions.pitch.speed
-    best = analysis.best
-    normal, along = decompose(speed, ENTRY_ANGLE)
-    degrees = f"alpha = {math.degrees(ENTRY_ANGLE):.0f} deg"
+    normal, along = decompose(speed, angle)
+    place = analysis.best.position
+    closing = normal + analysis.conditions.swing.speed_at(place)
+    best = hit(analysis.modes, ball=ball, position=place, closing_speed=closing)
+    degrees = f"alpha = {math.degrees(angle):.3g} deg"
     mean = float(best.force.max()) / 2
     yield Row(
         "1", f"acceleration along the path at half the peak force, {degrees}", "m/s^2", None,
-        paper.path_acceleration(mean, angle=ENTRY_ANGLE, ball_mass=ball.mass), best.peak_force / ball.mass,
+        paper.path_acceleration(mean, angle=angle, ball_mass=ball.mass), best.peak_force / ball.mass,
         "a = F cos(alpha) / m0. The force is no constant: the full model's figure is the peak.",
     )  # fmt: skip
     yield Row(
         "2", f"radius of the path at half the peak force, {degrees}", "mm", None,
-        1e3 * paper.path_radius(mean, angle=ENTRY_ANGLE, ball_mass=ball.mass, speed=speed), None,
+        1e3 * paper.path_radius(mean, angle=angle, ball_mass=ball.mass, speed=speed), None,
         "F sin(alpha) = m0 v1^2 / r. True at one instant only; nothing in the answer rests on it.",
     )  # fmt: skip
     yield Row(
@@ -86,7 +122,7 @@ def _entry(analysis: Analysis) -> Iterator[Row]:
             ball=ball,
             body=analysis.body,
             ball_speed=speed,
-            angle=ENTRY_ANGLE,
+            angle=angle,
             contact=contact,  # type: ignore[arg-type]
         )
         return 1e3 * found.travel
@@ -104,44 +140,61 @@ def _entry(analysis: Analysis) -> Iterator[Row]:
     )  # fmt: skip
 
 
-def _percussion(analysis: Analysis) -> Iterator[Row]:
+def _percussion(analysis: Analysis, choices: Choices) -> Iterator[Row]:
     """Yield equations 5 to 12: the centre of percussion and the hands."""
     body, bat = analysis.body, analysis.bat
     hands = analysis.conditions.hands.position
-    rod = paper.rod(bat.length, body.mass)
+    rod, on_rod = paper.rod(bat.length, body.mass), choices.rod_hands
+    held = "rod held at its end" if on_rod == 0 else f"rod held {on_rod / INCH:.3g} in from its end"
     yield Row(
-        "12", "J_D = J_C + m l^2, rod held at its end", "kg m^2", None, rod.moi(0.0), body.moi(0.0),
+        "12", f"J_D = J_C + m l^2, {held}", "kg m^2", None, rod.moi(on_rod), body.moi(on_rod),
         "The parallel-axis theorem. A bat is thicker at the far end, so it is harder to turn than the rod.",
     )  # fmt: skip
     yield Row(
-        "10", "x = J_C / (m l), rod held at its end", "m", None, paper.best_point_beyond_centre(rod, hands=0.0),
+        "10", f"x = J_C / (m l), {held}", "m", None, paper.best_point_beyond_centre(rod, hands=on_rod),
         paper.best_point_beyond_centre(body, hands=hands),
         "Printed with 1 + x for l + x in equations 5 to 9. L/6 for a uniform rod. Full model: this bat, this grip.",
     )  # fmt: skip
     yield Row(
-        "11", "b = J_D / (m l), rod held at its end", "m", None, centre_of_percussion(rod, pivot=0.0),
+        "11", f"b = J_D / (m l), {held}", "m", None, centre_of_percussion(rod, pivot=on_rod) - on_rod,
         centre_of_percussion(body, pivot=hands) - hands,
         "The centre of percussion, 2L/3 for a uniform rod; full model: distance from this bat's grip. The hands feel "
         "no jolt there, but the ball does not leave fastest there.",
     )  # fmt: skip
     for name, place in (("mass centre", None), ("tip", bat.length)):
-        on_rod, on_bat = (rod.balance_point, body.balance_point) if place is None else (place, place)
+        blow, on_bat = (rod.balance_point, body.balance_point) if place is None else (place, place)
         yield Row(
             "9", f"hand force over blow, hit at the {name}", "ratio", None,
-            paper.hand_force_ratio(rod, on_rod, hands=0.0), hand_impulse_ratio(body, on_bat, hands=hands),
+            paper.hand_force_ratio(rod, blow, hands=on_rod), hand_impulse_ratio(body, on_bat, hands=hands),
             "(J_C - m x l) / (J_C + m l^2). Positive: the hands must hold on against being thrown back.",
         )  # fmt: skip
-    moved = 2 * INCH
+    moved = choices.hands_moved
     yield Row(
-        "11", "percussion centre moves when the hands move 2 in up", "mm", "closer to the mass centre as l grows",
-        1e3 * (centre_of_percussion(rod, pivot=moved) - centre_of_percussion(rod, pivot=0.0)),
+        "11", f"percussion centre moves when the hands move {moved / INCH:.3g} in up", "mm",
+        "closer to the mass centre as l grows",
+        1e3 * (centre_of_percussion(rod, pivot=on_rod + moved) - centre_of_percussion(rod, pivot=on_rod)),
         1e3 * (centre_of_percussion(body, pivot=hands + moved) - centre_of_percussion(body, pivot=hands)),
         "The paper is right: hands further from the mass centre bring it closer to the centre, so hands moved up push "
         "it to the tip. The place of greatest exit speed hardly moves: the hands are out of the collision.",
     )  # fmt: skip
 
 
-def _hollowing(analysis: Analysis) -> Iterator[Row]:
+def corked(bat: Bat, choices: Choices) -> Bat:
+    """Return the bat with the hole of these choices, filled and plugged."""
+    return bat.corked(
+        diameter=choices.bore_diameter,
+        depth=choices.bore_depth,
+        plug=min(choices.plug, choices.bore_depth / 2),
+        fill=choices.fill or catalog.material("cork"),
+    )
+
+
+def can_be_drilled(bat: Bat) -> bool:
+    """Return whether the paper's argument can be tried on a bat: solid, not drilled yet, with a known outline."""
+    return bat.shell is None and not bat.bores and bat.profile is not None
+
+
+def _hollowing(analysis: Analysis, choices: Choices) -> Iterator[Row]:
     """Yield equations 13 and 14 and the corking claim, on a bat of wood that can be drilled."""
     bat, conditions = analysis.bat, analysis.conditions
     best = analysis.best
@@ -156,24 +209,23 @@ def _hollowing(analysis: Analysis) -> Iterator[Row]:
         paper.mean_force(conditions.ball.mass, speed_change=change, contact_time=best.contact_time) / 1e3,
         best.peak_force / 1e3, "Full model: the peak.",
     )  # fmt: skip
-    if bat.shell is not None or bat.bores or bat.profile is None:
+    if not can_be_drilled(bat):
         return
-    corked = analyse(
-        bat.corked(diameter=1 * INCH, depth=10 * INCH, plug=1 * INCH, fill=catalog.material("cork")), conditions
-    )
-    before, after = exit_speed_of(best, conditions) / MPH, exit_speed_of(corked.best, conditions) / MPH
-    q_before, q_after = best.collision_efficiency, corked.best.collision_efficiency
+    softer = analyse(corked(bat, choices), conditions).best
+    before, after = exit_speed_of(best, conditions) / MPH, exit_speed_of(softer, conditions) / MPH
+    q_before, q_after = best.collision_efficiency, softer.collision_efficiency
     needed = (before * MPH - q_after * conditions.pitch.speed) / (1 + q_after)
-    extra = (needed - conditions.swing.speed_at(corked.best.position)) / MPH
+    extra = (needed - conditions.swing.speed_at(softer.position)) / MPH
+    hole = f"{choices.bore_diameter / INCH:.3g} in x {choices.bore_depth / INCH:.3g} in"
     yield Row(
-        "13", "F = k x: peak force, plain bat and corked 1 in x 10 in", "kN", "increases",
-        best.peak_force / 1e3, corked.best.peak_force / 1e3,
+        "13", f"F = k x: peak force, plain bat and corked {hole}", "kN", "increases",
+        best.peak_force / 1e3, softer.peak_force / 1e3,
         "Computed: plain; full model: corked. Softer means more travel at less force, not more of both. A drilled "
         "barrel is still far stiffer than the ball, and the force falls a little because the bat is lighter.",
     )  # fmt: skip
     yield Row(
         "14", "contact time, plain bat and corked", "ms", "increases", 1e3 * best.contact_time,
-        1e3 * corked.best.contact_time, "Computed: plain; full model: corked.",
+        1e3 * softer.contact_time, "Computed: plain; full model: corked.",
     )  # fmt: skip
     yield Row(
         "14", "exit speed at the same bat speed, plain and corked", "mph", "increases", before, after,
@@ -187,11 +239,11 @@ def _impulse(analysis: Analysis) -> float:
     return analysis.conditions.ball.mass * best.closing_speed * (1 + best.collision_efficiency)
 
 
-def _drop(analysis: Analysis) -> Iterator[Row]:
+def _drop(analysis: Analysis, choices: Choices) -> Iterator[Row]:
     """Yield the drop experiment of the paper's Figure 6."""
-    ball = analysis.conditions.ball
+    ball, height, thickness = analysis.conditions.ball, choices.drop_height, choices.block_thickness
     plate = Block(material=catalog.material("aluminium-7xxx"), thickness=THIN_PLATE, support="clamped")
-    sprung = drop(plate, ball=ball, height=DROP_HEIGHT)
+    sprung = drop(plate, ball=ball, height=height)
     remarks = {
         "wood": "Wood that gives back all it takes beats metal by a hair, since the block is the better spring; real "
         "wood loses some of it.",
@@ -199,34 +251,36 @@ def _drop(analysis: Analysis) -> Iterator[Row]:
         f"plate of {1e3 * THIN_PLATE:g} mm, clamped at its edges 20 cm apart, would hold "
         f"{100 * sprung.share:.0f} % of the energy and throw the ball back to {sprung.rebound:.2f} m: a trampoline.",
     }
+    kind = "thick " if thickness >= Choices.block_thickness else ""
     for name, key in (("wood", "white-ash"), ("metal", "aluminium-7xxx")):
         material = catalog.material(key)
-        limit = paper.drop_test(ball, height=DROP_HEIGHT, material=material)
-        real = drop(Block(material=material, thickness=THICK_BLOCK), ball=ball, height=DROP_HEIGHT)
+        limit = paper.drop_test(ball, height=height, material=material)
+        block = Block(material=material, thickness=thickness, support=choices.block_support)
+        real = drop(block, ball=ball, height=height)
         yield Row(
-            "Fig. 6", f"rebound from {DROP_HEIGHT:g} m on a thick {name} block", "m",
+            "Fig. 6", f"rebound from {height:.3g} m on a {kind}{name} block", "m",
             "metal higher" if name == "metal" else None, limit.rebound, real.rebound,
-            f"Full model: {100 * THICK_BLOCK:g} cm thick, lying on concrete. m g dH = E_D is the energy lost, "
-            f"{limit.lost_energy:.2f} J, and not an elastic one. The block takes {100 * limit.share:.2f} % of the "
-            f"energy. {remarks[name]}",
+            f"Full model: {100 * thickness:.3g} cm thick, {STANDS[choices.block_support]}. m g dH = E_D is the energy "
+            f"lost, {limit.lost_energy:.2f} J, and not an elastic one. The block takes {100 * limit.share:.2f} % of "
+            f"the energy. {remarks[name]}",
         )  # fmt: skip
 
 
-def _energy(analysis: Analysis) -> Iterator[Row]:
+def _energy(analysis: Analysis, choices: Choices) -> Iterator[Row]:
     """Yield the energy-return formula and what it means for the exit speed."""
     ball, conditions = analysis.conditions.ball, analysis.conditions
     place = analysis.sweet_spots.max_exit_speed
     recoil = ball.mass / effective_mass(analysis.body, place)
     share = paper.block_share(ball, material=catalog.material("white-ash"), compression=analysis.best.peak_compression)
     cases = (
-        ("W1, wood", paper.PAPER_WOOD_RESTITUTION, paper.PAPER_WOOD_SHARE, 0.20),
-        ("W2, metal", paper.PAPER_METAL_RESTITUTION, paper.PAPER_METAL_SHARE, 0.26),
+        ("W1, wood", choices.wood_restitution, choices.wood_share, 0.20),
+        ("W2, metal", choices.metal_restitution, choices.metal_share, 0.26),
     )
     measured = analysis.best.collision_efficiency * (1 + recoil) + recoil
     metal = _metal_wall()
     for name, restitution, part, printed in cases:
         returned = paper.energy_returned(
-            bat_restitution=restitution, ball_restitution=paper.PAPER_BALL_RESTITUTION, share=part
+            bat_restitution=restitution, ball_restitution=choices.ball_restitution, share=part
         )
         wood = name.startswith("W1")
         efficiency = collision_efficiency(math.sqrt(returned), recoil=recoil)
@@ -266,6 +320,7 @@ class _MetalWall:
     exit_speed: float
 
 
+@cache
 def _metal_wall() -> _MetalWall:
     """Return that wall, interpolated in a sweep over wall thickness; nothing is fitted."""
     bat = catalog.bat(METAL_BAT)
@@ -283,7 +338,7 @@ def _metal_wall() -> _MetalWall:
     )
 
 
-def _verdict(analysis: Analysis) -> Iterator[Row]:
+def _verdict(analysis: Analysis, _choices: Choices) -> Iterator[Row]:
     """Yield the paper's answer to its own question."""
     from_tip = analysis.bat.length - analysis.sweet_spots.max_exit_speed
     zone = analysis.sweet_spots.zone
@@ -293,3 +348,14 @@ def _verdict(analysis: Analysis) -> Iterator[Row]:
         "Not at the end, as the paper says, but for other reasons: out there the bat is light (its rotation gives "
         "way) and its bending takes energy that comes back too late." + width,
     )  # fmt: skip
+
+
+PARTS: dict[str, Callable[[Analysis, Choices], Iterator[Row]]] = {
+    "end": _entry,
+    "percussion": _percussion,
+    "corking": _hollowing,
+    "drop": _drop,
+    "energy": _energy,
+    "verdict": _verdict,
+}
+"""The paper's questions in its order, by name."""

@@ -100,25 +100,6 @@ def hit(
 
 
 @app.command
-def paper(bat: BatName = "r161-ash", /, *, swing: SwingOptions = DEFAULT_SWING, format: OutputFormat = "table") -> None:
-    """Work through the implemented paper: its claims, its formulas evaluated, and the full model's answer."""
-    from sweetspot.cli.output import patience, print_json, print_rows_csv, print_table
-    from sweetspot.paper_rows import paper_rows
-    from sweetspot.report.border import paper_json
-
-    with patience():
-        rows = paper_rows(_analysed(bat, swing))
-    if format == "json":
-        print_json(paper_json(rows))
-    elif format == "csv":
-        print_rows_csv(paper_json(rows)["rows"])
-    else:
-        from sweetspot.report.table import paper_table
-
-        print_table(paper_table(rows))
-
-
-@app.command
 def validate(*, format: OutputFormat = "table") -> int:
     """Compare with every published case: printed against computed, tolerance and reason. Exit 1 on a miss."""
     from sweetspot import validation
@@ -247,3 +228,6 @@ app.command(compare)
 from sweetspot.cli.drop import drop  # noqa: E402
 
 app.command(drop)
+from sweetspot.cli.paper import paper  # noqa: E402
+
+app.command(paper)
