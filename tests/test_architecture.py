@@ -28,7 +28,7 @@ LAYERS = [
     {"line"},
     {"plates"},
     {"swing_law"},
-    {"swing"},
+    {"swing", "swing_path"},
     {"ball", "bat", "shots"},
     {"shell"},
     {"laminate"},

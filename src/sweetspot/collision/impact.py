@@ -21,6 +21,7 @@ class Outcome(IntEnum):
     SEPARATED = 0
     STILL_IN_CONTACT = 1
     NO_CONTACT = 2
+    MISS = 3
 
     @property
     def sentence(self) -> str:
@@ -29,6 +30,7 @@ class Outcome(IntEnum):
             Outcome.SEPARATED: "ball and bat have separated",
             Outcome.STILL_IN_CONTACT: "ball and bat were still in contact at the time limit",
             Outcome.NO_CONTACT: "the bat does not reach the ball: their closing speed is not above zero",
+            Outcome.MISS: "a miss: the ball passes the bat above or below",
         }[self]
 
 
@@ -80,7 +82,8 @@ class Impact:
     peak_compression : m, of the ball.
     energy : the ledger.
     displacement, velocity : of every mode at release, shape (n,), sqrt(kg) m and sqrt(kg) m/s.
-    times, force, compression : history during contact, s, N, m, shape (steps,).
+    times, force, compression, impulse : history during contact, s, N, m, N s, shape (steps,); ``impulse`` is what each
+        kick gave, the force times the step but for the step's correction.
     """
 
     outcome: Outcome
@@ -97,6 +100,7 @@ class Impact:
     times: Array
     force: Array
     compression: Array
+    impulse: Array
 
 
 @dataclass(frozen=True)
@@ -116,9 +120,14 @@ class Impacts:
         return len(self.outcome)
 
 
-def bat_energy(modes: Modes, displacement: Array, velocity: Array) -> tuple[float, float, float, float]:
-    """Return translation, rotation, bending and hoop energy in J of a bat moving in its modes."""
+def bat_energy(modes: Modes, displacement: Array, velocity: Array) -> tuple[Array, Array, Array, Array]:
+    """Return translation, rotation, bending and hoop energy in J of a bat moving in its modes, each of shape (...).
+
+    Parameters
+    ----------
+    displacement, velocity : of every mode, shape (..., n): of one moment or of many.
+    """
     each = (velocity**2 + (modes.angular_frequency * displacement) ** 2) / 2
-    translation, rotation = (modes.rigid_part @ velocity) ** 2 / 2
-    hoop = float(each[modes.of_family("hoop")].sum())
-    return float(translation), float(rotation), float(each.sum() - translation - rotation - hoop), hoop
+    translation, rotation = np.moveaxis((velocity @ modes.rigid_part.T) ** 2 / 2, -1, 0)
+    hoop = each[..., modes.of_family("hoop")].sum(axis=-1)
+    return translation, rotation, each.sum(axis=-1) - translation - rotation - hoop, hoop
