@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
+from sweetspot.ball import Ball
 from sweetspot.bat import Bat
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact
@@ -24,14 +26,34 @@ TYPICAL_HAND = {"mass": 0.35, "stiffness": 20e3, "damping": 100.0}
 
 
 @dataclass(frozen=True)
+class Reduction:
+    """A bat with everything that a collision needs of it, whatever the swing; worked out once, used by many.
+
+    Parameters
+    ----------
+    modes : of the free bat, hands left out.
+    """
+
+    bat: Bat
+    line: Line
+    body: RigidBody
+    modes: Modes
+
+
+def reduction(bat: Bat, *, ball: Ball) -> Reduction:
+    """Return a bat with its beam, its rigid body and its modes under the patch that this ball presses."""
+    line = reduce(bat)
+    return Reduction(bat, line, rigid_body(line), modes_of(line, ball))
+
+
+@dataclass(frozen=True)
 class Analysis:
     """Everything computed about one bat under one set of conditions.
 
     Parameters
     ----------
     modes : of the bat as the collision saw it, free or gripped.
-    best : the hit at the place of greatest exit speed.
-    grip_effect : relative change of that hit's exit speed when typical hands hold the bat.
+    free : of the bat without hands.
     """
 
     bat: Bat
@@ -39,10 +61,22 @@ class Analysis:
     line: Line
     body: RigidBody
     modes: Modes
+    free: Modes
     scan: Scan
     sweet_spots: SweetSpots
-    best: Impact
-    grip_effect: float
+
+    @cached_property
+    def best(self) -> Impact:
+        """The hit at the place of greatest exit speed."""
+        return hit_at(self.sweet_spots.max_exit_speed, modes=self.modes, conditions=self.conditions)
+
+    @cached_property
+    def grip_effect(self) -> float:
+        """Relative change of the best hit's exit speed when typical hands hold the bat."""
+        hands = self.conditions.hands
+        typical = Hands(position=hands.position, spacing=hands.spacing, **TYPICAL_HAND)
+        with_grip = hit_at(self.best.position, modes=gripped(self.free, typical), conditions=self.conditions)
+        return exit_speed_of(with_grip, self.conditions) / exit_speed_of(self.best, self.conditions) - 1
 
 
 def analyse(bat: Bat, conditions: Conditions) -> Analysis:
@@ -51,18 +85,17 @@ def analyse(bat: Bat, conditions: Conditions) -> Analysis:
     Hands without mass leave the bat free, which is right for the ball's exit (published: grip
     does not matter) and an upper bound for the vibration.
     """
-    line = reduce(bat)
-    body = rigid_body(line)
+    return analyse_reduced(reduction(bat, ball=conditions.ball), conditions)
+
+
+def analyse_reduced(reduced: Reduction, conditions: Conditions) -> Analysis:
+    """Return the full answer for a bat whose modes are known already; see `analyse`."""
+    bat, body, free = reduced.bat, reduced.body, reduced.modes
     check_conditions(bat, conditions, body=body)
-    free = modes_of(line, conditions.ball)
     modes = gripped(free, conditions.hands)
     along = scan(bat, body=body, modes=modes, conditions=conditions)
     spots = sweet_spots(along, body=body, modes=free, conditions=conditions)
-    best = hit_at(spots.max_exit_speed, modes=modes, conditions=conditions)
-    typical = Hands(position=conditions.hands.position, spacing=conditions.hands.spacing, **TYPICAL_HAND)
-    with_grip = hit_at(spots.max_exit_speed, modes=gripped(free, typical), conditions=conditions)
-    effect = exit_speed_of(with_grip, conditions) / exit_speed_of(best, conditions) - 1
-    return Analysis(bat, conditions, line, body, modes, along, spots, best, effect)
+    return Analysis(bat, conditions, reduced.line, body, modes, free, along, spots)
 
 
 def hit_at(position: float, *, modes: Modes, conditions: Conditions) -> Impact:

@@ -11,15 +11,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from sweetspot.analysis import Analysis, analyse
+from sweetspot.analysis import Analysis, Reduction, analyse_reduced, reduction
 from sweetspot.bat import Bat
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.collision.kernel import hits
 from sweetspot.collision.momentum import exit_speed
 from sweetspot.errors import InputError
-from sweetspot.line import reduce
 from sweetspot.parabola import peak
-from sweetspot.rigid import RigidBody, rigid_body
+from sweetspot.rigid import RigidBody
 from sweetspot.scan import Array
 from sweetspot.swing import MAX_SPEED, Conditions
 from sweetspot.swing_law import Interval, SwingLaw, turned_faster
@@ -95,23 +94,37 @@ def compare(
     InputError
         without a bat, with labels that do not go with the bats, or when a bat or its swing is refused.
     """
-    if not bats:
+    reductions = [reduction(bat, ball=conditions.ball) for bat in bats]
+    return compare_reduced(reductions, conditions=conditions, same=same, law=law, labels=labels)
+
+
+def compare_reduced(
+    reductions: Sequence[Reduction],
+    *,
+    conditions: Conditions,
+    same: Same = "effort",
+    law: SwingLaw | None = None,
+    labels: Sequence[str] | None = None,
+) -> Comparison:
+    """Return any number of bats, whose modes are known already, under one player's swing; see `compare`."""
+    if not reductions:
         raise InputError("no bat was given; give at least one, and two to compare them")
-    if labels is not None and len(labels) != len(bats):
-        raise InputError(f"{len(labels)} labels were given for {len(bats)} bats; give one for each")
+    if labels is not None and len(labels) != len(reductions):
+        raise InputError(f"{len(labels)} labels were given for {len(reductions)} bats; give one for each")
     used = (law or swing_law()) if same == "effort" else None
-    reference = bats[0]
+    first = reductions[0]
     found: list[Compared] = []
-    body = rigid_body(reduce(reference))
-    names = labels or [bat.name for bat in bats]
-    for bat, label in zip(bats, names, strict=True):
-        other = rigid_body(reduce(bat))
-        ratios = Interval(1.0, 1.0, 1.0) if used is None else speed_ratios(used, bat, other, reference, body)
+    names = labels or [reduced.bat.name for reduced in reductions]
+    for reduced, label in zip(reductions, names, strict=True):
+        bat, reference = reduced.bat, first.bat
+        ratios = (
+            Interval(1.0, 1.0, 1.0) if used is None else speed_ratios(used, bat, reduced.body, reference, first.body)
+        )
         swung = [
             swung_conditions(bat, reference=reference, conditions=conditions, ratio=None if used is None else ratio)
             for ratio in (ratios.value, ratios.low, ratios.high)
         ]
-        found.append(_compared(label, analyse(bat, swung[0]), swung, found[0] if found else None))
+        found.append(_compared(label, analyse_reduced(reduced, swung[0]), swung, found[0] if found else None))
     return Comparison(tuple(found), used)
 
 
