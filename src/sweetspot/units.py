@@ -17,6 +17,8 @@ OUNCE = 0.028349523125
 MPH = 0.44704
 POUND_FORCE = 4.4482216152605
 FOOT = 0.3048
+RPM = math.pi / 30
+DEGREE = math.pi / 180
 OUNCE_INCH_SQUARED = OUNCE * INCH**2
 
 Kind = Literal[
@@ -53,6 +55,9 @@ FEET_INCHES = re.compile(
     r"^\s*(\d+(?:\.\d+)?)\s*(?:ft|feet|foot|')\s*(\d+(?:\.\d+)?(?:\s+\d+/\d+)?)\s*(?:in|inch|inches|\")\s*$"
 )
 NOT_FINITE = re.compile(r"^\s*[-+]?(nan|inf|infinity)\s*([^a-z]|$|mph|m/s|in\b|oz|kg|m\b|ft)", re.IGNORECASE)
+LONGEST_TEXT = 100
+POWER_OF_NUMBER = re.compile(r"[\d.)]\s*(\*\*|\^|[⁰¹²³⁴⁵⁶⁷⁸⁹])")
+"""`pint` calculates, and 9**9**9 would keep it busy for good."""
 NUMBER = re.compile(r"^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*$")
 
 
@@ -96,6 +101,8 @@ def parse(text: str | float, kind: Kind, what: str = "value") -> float:
         text = repr(float(text))
     if not isinstance(text, str):
         raise InputError(f"{what} was given as {text!r}; give a number with its unit in quotes, for example {example}")
+    if len(text) > LONGEST_TEXT or POWER_OF_NUMBER.search(text):
+        raise InputError(f"{what} was given as {text[:LONGEST_TEXT]!r}; write a number and its unit, as in {example}")
     if NOT_FINITE.match(text):
         raise InputError(f"{what} was given as {text!r}; allowed is a finite number, for example {example}")
     if NUMBER.match(text) and kind != "ratio":

@@ -5,11 +5,21 @@ Each takes keyword arguments (texts in a case file become SI numbers by their na
 
 from collections.abc import Callable
 
-from sweetspot.validation.computations import collision, corked, handle, hollow, identities, inertia, laboratory, modes
+from sweetspot.validation.computations import (
+    collision,
+    corked,
+    handle,
+    hollow,
+    identities,
+    inertia,
+    laboratory,
+    modes,
+    space,
+)
 
 COMPUTATIONS: dict[str, Callable[..., float]] = {
     function.__name__: function
-    for module in (identities, inertia, modes, collision, laboratory, handle, corked, hollow)
+    for module in (identities, inertia, modes, collision, laboratory, handle, corked, hollow, space)
     for function in module.COMPUTATIONS
 }
 """Every computation by the name that case files use."""
