@@ -8,8 +8,9 @@ from typing import Any
 import pytest
 
 from sweetspot.ball import Ball, RestitutionLaw, stiffness_from_peak_force
-from sweetspot.bat import Bat, Bore, check_position
+from sweetspot.bat import Bat, Bore
 from sweetspot.errors import InputError
+from sweetspot.implement import check_position
 from sweetspot.material import Material
 from sweetspot.swing import Hands, Pitch, Swing
 

@@ -13,11 +13,11 @@ from numpy.polynomial import polynomial
 from numpy.typing import ArrayLike, NDArray
 from pydantic import Field, model_validator
 
-from sweetspot.errors import InputError
+from sweetspot.implement import Array, DensityRange, Implement, Look, Lump
 from sweetspot.material import Material
+from sweetspot.section import Section, of_solid, of_walls
 from sweetspot.shell import Shell, Stations, between, check_order
 from sweetspot.thing import NonNegative, Positive, Thing
-from sweetspot.units import shown
 
 LENGTH_RANGE = (0.3, 1.3)
 DIAMETER_RANGE = (0.005, 0.12)
@@ -63,7 +63,7 @@ class PointMass(Thing):
     mass: Positive
 
 
-class Bat(Thing):
+class Bat(Implement):
     """A bat as its maker or owner would describe it; physics functions take it from here.
 
     Give the outline either as ``profile`` (a round bat made of conical pieces) or as
@@ -71,15 +71,12 @@ class Bat(Thing):
 
     Parameters
     ----------
-    name : what people call it.
+    name, sport, mass, balance_point, moi, moi_axis, choke : as for every `Implement`.
     length : m, 0.3 to 1.3.
     material : of the body.
     profile : (position, diameter) stations in m from 0 to ``length``, positions increasing.
     linear_density : coefficients c0, c1, c2, ... of c0 + c1 x + c2 x^2 + ... in kg/m, x from the knob end.
     bores, cup, shell, point_masses : what is drilled, turned, hollowed and added.
-    mass, balance_point : measured, kg and m from the knob end; None when not measured.
-    moi : measured moment of inertia in kg m^2 about ``moi_axis`` (m from the knob end).
-    choke : m the grip is moved up from the knob; shifts the default pivot and hands.
     original : the bat as it was measured, when this one is that bat with something changed.
 
     Raises
@@ -88,7 +85,6 @@ class Bat(Thing):
         when sizes are implausible, stations cross, or a hole does not fit into the wood.
     """
 
-    name: str
     length: Annotated[float, Field(ge=LENGTH_RANGE[0], le=LENGTH_RANGE[1])]
     material: Material
     profile: Stations | None = None
@@ -97,11 +93,6 @@ class Bat(Thing):
     cup: Cup | None = None
     shell: Shell | None = None
     point_masses: tuple[PointMass, ...] = ()
-    mass: Positive | None = None
-    balance_point: Positive | None = None
-    moi: Positive | None = None
-    moi_axis: float = 0.1524
-    choke: NonNegative = 0.0
     original: Bat | None = None
 
     @model_validator(mode="after")
@@ -204,6 +195,10 @@ class Bat(Thing):
         with np.errstate(invalid="ignore"):
             return np.asarray(np.sqrt(4 * mass_per_length / (math.pi * self.material.density)))
 
+    def width_at(self, position: ArrayLike) -> Array:
+        """Return the diameter: a round bat looks the same from all sides."""
+        return self.diameter_at(position)
+
     def wall_at(self, position: ArrayLike) -> NDArray[np.float64]:
         """Return the thickness in m of a hollow bat's outer wall at positions in m; a solid bat has its radius."""
         if self.shell is None:
@@ -224,6 +219,72 @@ class Bat(Thing):
                     edges.add(self.length - self.cup.depth * (1 - (bore.diameter / self.cup.diameter) ** 2))
         return tuple(sorted(edges))
 
+    @property
+    def made_of(self) -> str:
+        """Name of its material."""
+        return self.material.name
+
+    @property
+    def look(self) -> Look:
+        """Family of its material."""
+        return self.material.family
+
+    @property
+    def damping_ratio(self) -> float:
+        """Its material's."""
+        return self.material.damping_ratio
+
+    @property
+    def grip_end(self) -> str:
+        """What people call the end that the hand holds."""
+        return "knob end"
+
+    @property
+    def density_range(self) -> DensityRange:
+        """Of its material; a laminate may vary in the same proportion."""
+        material, laminate = self.material, None if self.shell is None else self.shell.laminate
+        usual = material.density if laminate is None else laminate.density
+        light, heavy = material.density_range or (material.density, material.density)
+        return DensityRange(usual, usual * light / material.density, usual * heavy / material.density)
+
+    def as_measured(self) -> Bat:
+        """Return the bat as it was measured, before something was changed."""
+        return self.original or self
+
+    def section_at(self, position: Array, scale: Array) -> Section:
+        """Return the sections at positions in m (not exactly at a jump: there the inner side is taken).
+
+        All walls of a hollow bat, sleeve and handle included, are scaled alike; fills are not.
+        """
+        outer = self.diameter_at(position) / 2
+        if self.shell is not None:
+            return of_walls(self.shell.parts(position, outer, self.material), outer, scale)
+        ends = ((bore, self.length - bore.depth, self.length - bore.plug) for bore in self.bores)
+        inclusions = [
+            (np.where((position > start) & (position <= stop), bore.diameter / 2, 0.0), bore.fill)
+            for bore, start, stop in sorted(ends, key=lambda found: -found[0].diameter)
+        ]
+        void = self._void_radius(position)
+        return of_solid(self.material, outer=outer, void=void, inclusions=inclusions, scale=scale)
+
+    def _void_radius(self, position: Array) -> Array:
+        """Return the radius within which there is nothing at all: in the cup."""
+        if self.cup is None:
+            return np.zeros_like(position)
+        into_cup = 1 - (self.length - position) / self.cup.depth
+        return self.cup.diameter / 2 * np.sqrt(np.maximum(into_cup, 0.0))
+
+    def lumps(self) -> tuple[Lump, ...]:
+        """Return the weights the description itself names: added ones, knob, joint and end cap of a shell."""
+        masses = [Lump(weight.position, weight.mass) for weight in self.point_masses]
+        if self.shell is not None and self.shell.knob_mass:
+            masses.append(Lump(0.0, self.shell.knob_mass))
+        if self.shell is not None and self.shell.joint is not None and self.shell.joint_mass:
+            masses.append(Lump(self.shell.joint, self.shell.joint_mass))
+        if self.shell is not None and self.shell.end_cap_mass:
+            masses.append(Lump(self.length, self.shell.end_cap_mass))
+        return tuple(masses)
+
     def drilled(self, *, diameter: float, depth: float) -> Self:
         """Return the bat with an empty hole drilled from the barrel end (m)."""
         return self._changed(f"{self.name}, drilled", bores=(*self.bores, Bore(diameter=diameter, depth=depth)))
@@ -241,6 +302,13 @@ class Bat(Thing):
         """Return the bat with a small weight (kg) fixed at a position (m)."""
         weights = (*self.point_masses, PointMass(position=position, mass=mass))
         return self._changed(f"{self.name}, weighted", point_masses=weights)
+
+    def reshaped(self, profile: Stations) -> Self:
+        """Return the bat turned to another outline from the same wood: (position, diameter) stations in m.
+
+        The last station sets the new length.
+        """
+        return self._changed(f"{self.name}, reshaped", profile=profile, linear_density=None, length=profile[-1][0])
 
     def choked_up(self, distance: float) -> Self:
         """Return the bat held further up the handle by ``distance`` (m)."""
@@ -261,15 +329,6 @@ class Bat(Thing):
         """Return a modified bat that remembers the bat its measured values belong to."""
         return self.replaced(
             name=name, mass=None, balance_point=None, moi=None, original=self.original or self, **changes
-        )
-
-
-def check_position(bat: Bat, position: float, what: str = "position") -> None:
-    """Refuse a position (m) that is not on the bat; ``what`` names it in the message."""
-    if not (math.isfinite(position) and 0 <= position <= bat.length):
-        raise InputError(
-            f"{what} is {shown(position)} from the knob end, off the bat; "
-            f"{bat.name} reaches from 0 to {shown(bat.length)}"
         )
 
 

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from sweetspot.bat import Bat
 from sweetspot.collision.impact import Impact
-from sweetspot.collision.propagator import dashpot_factors, propagator
-from sweetspot.line import Line, section
+from sweetspot.collision.replay import free_motion, replayed
+from sweetspot.line import Line, line_of_bat, section
 from sweetspot.material import Material
 from sweetspot.units import shown
 from sweetspot.vibration.modes import Modes
@@ -73,7 +73,7 @@ def damage(impact: Impact, *, line: Line, modes: Modes) -> Damage:
     -----
     The strain of the swing itself is left out. With twice as many modes the handle's strain changes by under 1 %.
     """
-    bat = line.bat
+    bat = line_of_bat(line)
     motion = modal_history(impact, modes)
     places = np.linspace(0.0, bat.length, POINTS)[1:-1]
     bending = [index for index, family in enumerate(modes.families) if family != "hoop"]
@@ -101,26 +101,12 @@ def damage(impact: Impact, *, line: Line, modes: Modes) -> Damage:
 def modal_history(impact: Impact, modes: Modes) -> Array:
     """Return the displacement of every mode during a hit and for 8 ms after it, sqrt(kg) m, shape (times, n).
 
-    The stored force drives the modes once more, in the middle of each step as in the hit; then they ring on freely.
+    The recorded kicks drive the modes once more; then they ring on freely.
     """
-    if not len(impact.times):
-        return np.zeros((1, len(modes)))
-    step = float(impact.times[-1] - impact.times[-2]) if len(impact.times) > 2 else float(2 * impact.times[-1])
-    shape = modes.shape_at(impact.position)
-    kicks = [*(shape * (force * step) for force in impact.force[1:])]
-    nothing = np.zeros(len(modes))
-    displacement, velocity, history = nothing, nothing, [nothing]
-    for size, pushes in ((step, kicks), (STEP_AFTER, [nothing] * round(AFTER / STEP_AFTER))):
-        drift, dash = propagator(modes, size), dashpot_factors(modes, size / 2)
-        for push in pushes:
-            velocity = _dashed(modes, dash, velocity + push)
-            displacement, velocity = (
-                drift[:, 0, 0] * displacement + drift[:, 0, 1] * velocity,
-                drift[:, 1, 0] * displacement + drift[:, 1, 1] * velocity,
-            )
-            velocity = _dashed(modes, dash, velocity)
-            history.append(displacement)
-    return np.array(history)
+    during = replayed(impact, modes)
+    last, speed = during.displacement[-1], during.velocity[-1]
+    after = free_motion(modes, displacement=last, velocity=speed, step=STEP_AFTER, count=round(AFTER / STEP_AFTER))
+    return np.concatenate([during.displacement, after.displacement])
 
 
 def wall_strain(impact: Impact, *, bat: Bat, modes: Modes, motion: Array) -> float | None:
@@ -208,8 +194,3 @@ def _warnings(
             "its material reaches its strength: a dent is possible; the model is linear and says no more."
         )
     return found
-
-
-def _dashed(modes: Modes, factors: Array, velocity: Array) -> Array:
-    """Return the modal velocities after the dashpots have acted for half a step."""
-    return np.asarray(velocity - (factors * (modes.dashpots @ velocity)) @ modes.dashpots)

@@ -45,11 +45,13 @@ def rigid_body(line: Line) -> RigidBody:
 
     M = int mu dx, x_c = int mu x dx / M, I_cm = int (mu (x - x_c)^2 + rho I) dx, I_roll = int 2 rho I dx.
 
-    Point masses count for mass, balance and I_cm, and as points for the roll: not at all.
+    Point masses count for mass, balance and I_cm, and for the roll with what they have of their own: that of a club's
+    head, nothing of a small weight.
     """
     mass, first, second = moments(line)
     balance_point = first / mass
-    roll = integrate(line, lambda position: 2 * section(line, position).rotary_inertia)
+    roll = integrate(line, lambda position: section(line, position).roll_inertia)
+    roll += sum(weight.roll_moi for weight in line.point_masses)
     return RigidBody(mass, balance_point, second - first * balance_point, roll)
 
 

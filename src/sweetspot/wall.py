@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sweetspot.errors import InputError
-from sweetspot.line import Line, density_scale
+from sweetspot.line import Line, density_scale, line_of_bat
 from sweetspot.plates import Plate, laminate_stiffness, sheet
 from sweetspot.shell import WallPart
 
@@ -57,7 +57,8 @@ def wall_stiffness(line: Line, position: Array) -> WallSection:
     scale = density_scale(line, places)
     thickness = sum((part.thickness for part in parts), np.zeros_like(places))
     middle = sum((part.thickness * part.middle for part in parts), np.zeros_like(places)) / thickness
-    bonded = line.bat.shell is not None and line.bat.shell.bonded
+    shell = line_of_bat(line).shell
+    bonded = shell is not None and shell.bonded
     plate = _nothing(places)
     ring = np.zeros_like(places)  # mass per length over 2 pi
     for part in parts:
@@ -68,7 +69,7 @@ def wall_stiffness(line: Line, position: Array) -> WallSection:
 
 
 def _parts(line: Line, position: Array) -> list[WallPart]:
-    bat = line.bat
+    bat = line_of_bat(line)
     outer = bat.diameter_at(position) / 2
     if bat.shell is not None:
         return bat.shell.parts(position, outer, bat.material)

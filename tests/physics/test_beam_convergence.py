@@ -12,8 +12,9 @@ from scipy.optimize import brentq
 
 from sweetspot import catalog
 from sweetspot.bat import Bat
-from sweetspot.line import reduce, shear_coefficient
+from sweetspot.line import reduce
 from sweetspot.material import Material
+from sweetspot.section import shear_coefficient
 from sweetspot.vibration.beam import ELEMENTS, bending_modes
 
 Array = NDArray[np.float64]

@@ -68,10 +68,10 @@ def hit(
     """Compute one collision: exit speed, q, BBCOR, contact time, peak force and where the energy goes."""
     from sweetspot import catalog
     from sweetspot.analysis import check_conditions, hit_at
-    from sweetspot.bat import check_position
     from sweetspot.cli.options import conditions_for
     from sweetspot.cli.output import print_csv, print_json, print_table
     from sweetspot.damage import damage
+    from sweetspot.implement import check_position
     from sweetspot.line import reduce
     from sweetspot.report.border import damage_json, hit_json
     from sweetspot.rigid import rigid_body

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sweetspot.ball import Ball
-from sweetspot.bat import Bat, check_position
+from sweetspot.bat import Bat
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact, Outcome
 from sweetspot.collision.kernel import hits
@@ -27,6 +27,7 @@ from sweetspot.collision.oblique import (
     travel,
 )  # fmt: skip
 from sweetspot.errors import InputError
+from sweetspot.implement import check_position
 from sweetspot.line import reduce
 from sweetspot.motion import BallMotion
 from sweetspot.rigid import RigidBody, rigid_body

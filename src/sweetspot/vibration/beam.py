@@ -41,6 +41,7 @@ def bending_modes(line: Line, *, count: int = MODES, elements: int = ELEMENTS) -
 
     Notes
     -----
+    Where the implement has a measured `frequency`, all its stiffness is scaled so that mode 1 has it.
     Damping is the material's free-free ratio, the same for every mode. Holds for transverse waves longer than
     the barrel is thick, that is up to about 10 kHz for a wood bat.
     """
@@ -49,6 +50,8 @@ def bending_modes(line: Line, *, count: int = MODES, elements: int = ELEMENTS) -
     deflection, rotation = _bases(edges)
     stiffness, inertia = _matrices(line, deflection, rotation)
     squares, vectors = lowest(stiffness, inertia, first=2, last=count + 1)
+    if line.bat.frequency is not None:  # stiffness known up to a factor, which does not change the shapes
+        squares *= (2 * np.pi * line.bat.frequency) ** 2 / squares[0]
     bending = _as_polynomials(deflection, vectors[: deflection.N])
     bending *= np.sign(bending[:, -1, :].sum(axis=0))  # positive at the tip (local coordinate 1 of the last element)
     coefficients = np.concatenate([_rigid_polynomials(line, edges), bending], axis=2)
@@ -56,7 +59,7 @@ def bending_modes(line: Line, *, count: int = MODES, elements: int = ELEMENTS) -
     coefficients /= widths[None, :, None] ** np.arange(DEGREE, -1, -1)[:, None, None]
     omega = np.sqrt(squares)
     frequency = np.concatenate([[0.0, 0.0], omega / (2 * np.pi)])
-    damping_rate = np.concatenate([[0.0, 0.0], 2 * line.bat.material.damping_ratio * omega])
+    damping_rate = np.concatenate([[0.0, 0.0], 2 * line.bat.damping_ratio * omega])
     bending_families: list[Family] = ["bending"] * count
     return Modes(
         families=("rigid", "rigid", *bending_families),
@@ -113,6 +116,9 @@ def _matrices(line: Line, deflection: Any, rotation: Any) -> tuple[Array, Array]
     for weight in line.point_masses:  # each sits on an element's end, whose deflection is an unknown of its own
         node = deflection.nodal_dofs[0, np.argmin(np.abs(deflection.mesh.p[0] - weight.position))]
         inertia[node, node] += weight.mass
+        if weight.moi:
+            tilt = split + rotation.nodal_dofs[0, np.argmin(np.abs(deflection.mesh.p[0] - weight.position))]
+            inertia[tilt, tilt] += weight.moi
     return stiffness, inertia
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import scipy.linalg
 from scipy.interpolate import PPoly
 
-from sweetspot.bat import Bat, check_position
+from sweetspot.implement import Implement, check_position
 from sweetspot.swing import Hands
 from sweetspot.vibration.modes import Array, Family, Modes
 
@@ -48,20 +48,31 @@ def gripped(modes: Modes, hands: Hands) -> Modes:
     )
 
 
-def check_hands(bat: Bat, hands: Hands) -> None:
+def check_hands(bat: Implement, hands: Hands) -> None:
     """Refuse hands that are not on the handle side of the bat."""
     check_position(bat, hands.position, "hand position")
 
 
 def _names(modes: Modes, vectors: Array) -> tuple[tuple[Family, ...], tuple[int, ...]]:
-    """Return family and harmonic of each held mode: the lowest two are rigid, two belong to the hands."""
+    """Return family and harmonic of each held mode: the lowest two are rigid, two belong to the hands.
+
+    Hoop modes, which hands on the handle do not feel, keep their names wherever they now stand in the list.
+    """
     count = len(modes)
+    hoop = modes.of_family("hoop")
+    ringing = (vectors[hoop] ** 2).sum(axis=0) > (vectors**2).sum(axis=0) / 2
     share = (vectors[count:] ** 2).sum(axis=0) / (vectors**2).sum(axis=0)
     share[:2] = -1.0
     of_hands = set(np.argsort(share)[-2:].tolist())
-    names = iter(zip(modes.families, modes.harmonics, strict=True))
+    names = list(zip(modes.families, modes.harmonics, strict=True))
+    in_order = iter(name for name in names if name[0] != "hoop")
     found: list[tuple[Family, int]] = []
     for index in range(count + 2):
-        found.append(("hand", 1 + sum(name == "hand" for name, _ in found)) if index in of_hands else next(names))
+        if index in of_hands:
+            found.append(("hand", 1 + sum(name == "hand" for name, _ in found)))
+        elif ringing[index]:
+            found.append(names[hoop[int(np.argmax(vectors[hoop, index] ** 2))]])
+        else:
+            found.append(next(in_order))
     families, harmonics = zip(*found, strict=True)
     return families, harmonics

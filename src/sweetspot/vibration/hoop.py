@@ -20,7 +20,7 @@ from scipy.interpolate import CubicHermiteSpline, CubicSpline, PPoly
 from skfem import Basis, ElementLineHermite, ElementLinePp, MeshLine
 
 from sweetspot.ball import Ball
-from sweetspot.line import Array, Line
+from sweetspot.line import Array, Line, line_of_bat
 from sweetspot.vibration.eigen import lowest
 from sweetspot.vibration.modes import Family, Modes
 from sweetspot.wall import wall_stiffness
@@ -104,7 +104,7 @@ def hoop_modes(
         families=tuple(families),
         harmonics=tuple(int(number) for number in numbers),
         frequency=omega[order] / (2 * np.pi),
-        damping_rate=2 * line.bat.material.damping_ratio * omega[order],
+        damping_rate=2 * line.bat.damping_ratio * omega[order],
         shapes=_over_the_whole_bat(grid, shapes[:, order], line.bat.length),
         rigid_part=np.zeros((2, count)),
         dashpots=np.zeros((0, count)),
@@ -113,18 +113,21 @@ def hoop_modes(
 
 def barrel_range(line: Line) -> tuple[float, float]:
     """Return (start, end) in m of the part of a hollow bat that can ring in hoop modes."""
-    places = np.linspace(0, line.bat.length, 2001)
-    beyond_knob = places > line.bat.length / 4
-    wide = line.bat.diameter_at(places) / 2 >= STIFF_TAPER * _barrel_radius(line)
-    return float(places[beyond_knob & wide][0]), line.bat.length
+    bat = line_of_bat(line)
+    places = np.linspace(0, bat.length, 2001)
+    beyond_knob = places > bat.length / 4
+    wide = bat.diameter_at(places) / 2 >= STIFF_TAPER * _barrel_radius(line)
+    return float(places[beyond_knob & wide][0]), bat.length
 
 
 def _barrel_radius(line: Line) -> float:
-    return float(np.max(line.bat.diameter_at(np.linspace(line.bat.length / 2, line.bat.length, 401)))) / 2
+    bat = line_of_bat(line)
+    return float(np.max(bat.diameter_at(np.linspace(bat.length / 2, bat.length, 401)))) / 2
 
 
 def _capped(line: Line) -> bool:
-    return line.bat.shell is not None and line.bat.shell.end_cap_mass > 0
+    shell = line_of_bat(line).shell
+    return shell is not None and shell.end_cap_mass > 0
 
 
 def _one_harmonic(line: Line, mesh: Any, n: int, count: int, *, capped: bool) -> tuple[Array, CubicHermiteSpline]:

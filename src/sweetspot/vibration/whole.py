@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from sweetspot.ball import Ball
+from sweetspot.bat import Bat
 from sweetspot.line import Line
 from sweetspot.vibration.beam import bending_modes
 from sweetspot.vibration.modes import Modes, joined
@@ -15,7 +16,7 @@ def modes_of(line: Line, ball: Ball) -> Modes:
     wood barrel has none that matter: its hoop frequencies lie far above those a ball can excite.
     """
     bending = bending_modes(line)
-    if line.bat.shell is None:
+    if not isinstance(line.bat, Bat) or line.bat.shell is None:
         return bending
     from sweetspot.vibration.hoop import contact_patch, hoop_modes
 
