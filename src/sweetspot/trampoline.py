@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.analysis import analyse, exit_speed_of
+from sweetspot.analysis import Analysis, analyse, exit_speed_of
 from sweetspot.ball import Ball
 from sweetspot.bat import Bat
-from sweetspot.collision.impact import Impact
+from sweetspot.collision.impact import Impact, bat_energy
 from sweetspot.collision.momentum import bbcor
-from sweetspot.collision.propagator import propagator
+from sweetspot.collision.replay import replayed
 from sweetspot.contact import loading_force
 from sweetspot.errors import InputError
 from sweetspot.swing import Conditions
@@ -76,18 +76,9 @@ def wall_energy(impact: Impact, modes: Modes) -> WallEnergy:
     hoop = modes.kept(modes.of_family("hoop"))
     if len(hoop) == 0 or len(impact.force) < 3:
         return WallEnergy(0.0, 0.0, 0.0, math.nan)
-    step = float(impact.times[2] - impact.times[1])
-    drift, shape = propagator(hoop, step), hoop.shape_at(impact.position)
-    displacement, velocity = np.zeros(len(hoop)), np.zeros(len(hoop))
-    stored = 0.0
-    for force in impact.force[1:]:
-        velocity = velocity + shape * force * step
-        displacement, velocity = (
-            drift[:, 0, 0] * displacement + drift[:, 0, 1] * velocity,
-            drift[:, 1, 0] * displacement + drift[:, 1, 1] * velocity,
-        )
-        held = float(np.sum(velocity**2 + (hoop.angular_frequency * displacement) ** 2) / 2)
-        stored = max(stored, held)
+    motion = replayed(impact, hoop)
+    energy = bat_energy(hoop, motion.displacement, motion.velocity)[3]
+    stored, held = float(energy.max()), float(energy[-1])
     restitution = math.sqrt(max(0.0, 1 - held / stored)) if stored > 0 else math.nan
     return WallEnergy(stored, held, stored / impact.energy.incoming, restitution)
 
@@ -113,19 +104,24 @@ def with_wall_factor(bat: Bat, factor: float) -> Bat:
 
 def wall_point(bat: Bat, conditions: Conditions) -> WallPoint:
     """Return wall, hoop frequency and best hit of one hollow bat."""
-    result = analyse(bat, conditions)
-    hoop = result.modes.of_family("hoop")
+    return wall_point_of(analyse(bat, conditions))
+
+
+def wall_point_of(analysis: Analysis) -> WallPoint:
+    """Return wall, hoop frequency and best hit of a hollow bat that is analysed already."""
+    modes, conditions = analysis.modes, analysis.conditions
+    hoop = modes.of_family("hoop")
     if not hoop:
-        raise InputError(f"{bat.name} has no hoop modes; give a bat with a shell")
-    best, ball = result.best, conditions.ball
+        raise InputError(f"{analysis.bat.name} has no hoop modes; give a bat with a shell")
+    best, ball = analysis.best, conditions.ball
     return WallPoint(
-        thickness=float(bat.wall_at(best.position)),
-        mass=result.body.mass,
-        hoop_frequency=float(result.modes.frequency[hoop].min()),
-        bbcor=bbcor(best.collision_efficiency, body=result.body, ball=ball, position=best.position),
+        thickness=float(analysis.bat.wall_at(best.position)),
+        mass=analysis.body.mass,
+        hoop_frequency=float(modes.frequency[hoop].min()),
+        bbcor=bbcor(best.collision_efficiency, body=analysis.body, ball=ball, position=best.position),
         exit_speed=exit_speed_of(best, conditions),
-        share=wall_share(ball, modes=result.modes, position=best.position, compression=best.peak_compression),
-        energy=wall_energy(best, result.modes),
+        share=wall_share(ball, modes=modes, position=best.position, compression=best.peak_compression),
+        energy=wall_energy(best, modes),
     )
 
 

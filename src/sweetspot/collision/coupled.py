@@ -21,7 +21,7 @@ import numpy as np
 
 from sweetspot.ball import Ball
 from sweetspot.collision.impact import CONTACT_FORCE, Array, EnergyLedger, Impact, Outcome, bat_energy
-from sweetspot.collision.propagator import dashpot_factors, propagator
+from sweetspot.collision.propagator import dashed, dashpot_factors, propagator
 from sweetspot.contact import ContactLaw, Hysteretic
 from sweetspot.errors import InputError
 from sweetspot.parabola import vertex
@@ -59,7 +59,7 @@ def hit(
     if not closing_speed > 0:
         return _no_contact(modes, position, closing_speed)
     done = _integrated(modes, ball, modes.shape_at(position), closing_speed, step, law or Hysteretic(ball))
-    translation, rotation, bending, hoop = bat_energy(modes, done.displacement, done.velocity)
+    translation, rotation, bending, hoop = map(float, bat_energy(modes, done.displacement, done.velocity))
     separated = done.outcome is Outcome.SEPARATED
     return Impact(
         outcome=done.outcome,
@@ -85,6 +85,7 @@ def hit(
         times=np.concatenate([[0.0], (np.arange(len(done.forces) - 1) + 0.5) * step]),
         force=np.array(done.forces),
         compression=np.array(done.compressions),
+        impulse=np.array(done.impulses),
     )
 
 
@@ -101,6 +102,7 @@ class _Contact:
     damping: float
     forces: list[float]
     compressions: list[float]
+    impulses: list[float]
 
 
 def _integrated(modes: Modes, ball: Ball, shape: Array, closing_speed: float, step: float, law: ContactLaw) -> _Contact:
@@ -112,7 +114,7 @@ def _integrated(modes: Modes, ball: Ball, shape: Array, closing_speed: float, st
     displacement, velocity = np.zeros(len(modes)), np.zeros(len(modes))
     peak, damping = 0.0, 0.0
     turned_at: float | None = None
-    compressions, forces = [0.0], [0.0]
+    compressions, forces, impulses = [0.0], [0.0], [0.0]
     outcome, release = Outcome.STILL_IN_CONTACT, math.nan
     for kick in range(round(TIME_LIMIT / step)):
         compression = ball_position - float(shape @ displacement)
@@ -132,20 +134,23 @@ def _integrated(modes: Modes, ball: Ball, shape: Array, closing_speed: float, st
         impulse = force * (1 - correction * law.slope(compression, rate, turned_at)) * step
         compressions.append(compression)
         forces.append(force)
+        impulses.append(impulse)
 
         ball_speed -= impulse / ball.mass
         velocity = velocity + shape * impulse
         before = _energy(modes, displacement, velocity)
-        velocity = _dashed(modes, half_dash, velocity)
+        velocity = dashed(modes, half_dash, velocity)
         ball_position += ball_speed * step
         displacement, velocity = (
             drift[:, 0, 0] * displacement + drift[:, 0, 1] * velocity,
             drift[:, 1, 0] * displacement + drift[:, 1, 1] * velocity,
         )
-        velocity = _dashed(modes, half_dash, velocity)
+        velocity = dashed(modes, half_dash, velocity)
         damping += before - _energy(modes, displacement, velocity)
 
-    return _Contact(outcome, release, ball_speed, displacement, velocity, peak, damping, forces, compressions)
+    return _Contact(
+        outcome, release, ball_speed, displacement, velocity, peak, damping, forces, compressions, impulses
+    )  # fmt: skip
 
 
 def check_step(step: float) -> None:
@@ -156,11 +161,6 @@ def check_step(step: float) -> None:
 
 def _energy(modes: Modes, displacement: Array, velocity: Array) -> float:
     return float(np.sum(velocity**2 + (modes.angular_frequency * displacement) ** 2) / 2)
-
-
-def _dashed(modes: Modes, factors: Array, velocity: Array) -> Array:
-    """Return the modal velocities after the dashpots have acted."""
-    return velocity - (factors * (modes.dashpots @ velocity)) @ modes.dashpots
 
 
 def _vertex(compressions: list[float], latest: float) -> float:
@@ -206,6 +206,7 @@ def _no_contact(modes: Modes, position: float, closing_speed: float) -> Impact:
         ledger,
         still,
         still,
+        nothing,
         nothing,
         nothing,
         nothing,

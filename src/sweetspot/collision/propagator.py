@@ -35,3 +35,8 @@ def dashpot_factors(modes: Modes, step: float) -> Array:
     return np.asarray(
         np.divide(-np.expm1(-squares * step), squares, out=np.full_like(squares, step), where=squares > 0)
     )
+
+
+def dashed(modes: Modes, factors: Array, velocity: Array) -> Array:
+    """Return the modal velocities after the dashpots have acted, with ``factors`` from `dashpot_factors`."""
+    return np.asarray(velocity - (factors * (modes.dashpots @ velocity)) @ modes.dashpots)
