@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import scipy.linalg
 
+from sweetspot import catalog
 from sweetspot.analysis import TYPICAL_HAND, Analysis, exit_speed_of, hit_at
 from sweetspot.bat import Bat
 from sweetspot.collision.propagator import propagator
@@ -16,6 +17,7 @@ from sweetspot.line import reduce
 from sweetspot.swing import Hands
 from sweetspot.vibration.beam import bending_modes
 from sweetspot.vibration.hands import check_hands, gripped
+from sweetspot.vibration.whole import modes_of
 
 
 def test_no_hands_is_the_free_bat(r161: Bat) -> None:
@@ -34,6 +36,17 @@ def test_hands_hardly_change_frequency_but_damp(r161: Bat) -> None:
     assert held.frequency[bending] == pytest.approx(free.frequency[free.of_family("bending")], rel=0.08)
     damped = np.sum(held.dashpots[:, bending] ** 2, axis=0) / (2 * held.angular_frequency[bending])
     assert damped[0] > 3 * free.damping_ratio[2]
+
+
+def test_hoop_modes_keep_their_names() -> None:
+    """The handle does not go out of round: every hoop mode of a held hollow bat has the frequency it had before."""
+    bat = catalog.bat("single-wall")
+    free = modes_of(reduce(bat), catalog.ball())
+    held = gripped(free, Hands(position=0.15, **TYPICAL_HAND))
+    assert held.families.count("hoop") == free.families.count("hoop") > 0
+    assert held.frequency[held.of_family("hoop")] == pytest.approx(free.frequency[free.of_family("hoop")], rel=1e-9)
+    bending = held.of_family("bending")
+    assert [held.harmonics[index] for index in bending] == list(range(1, 1 + len(bending)))
 
 
 def test_a_vice_pins_the_handle(r161: Bat) -> None:
