@@ -45,6 +45,7 @@ def certify(
     from sweetspot.cli.output import patience, print_json, print_rows_csv, print_table
     from sweetspot.line import reduce
     from sweetspot.report.border import bat_json, cleaned
+    from sweetspot.report.certification import check_json, simulated_json
     from sweetspot.rigid import rigid_body
     from sweetspot.rules import Verdict, check_rules, construction_findings
 
@@ -109,35 +110,6 @@ def _measured(path: Path, bat: Bat, *, body: RigidBody, ball: Ball, standard: st
     return read, measure(read.shots, bat=bat, body=body, ball=ball, standard_restitution=wanted)
 
 
-def simulated_json(done: Certification) -> dict[str, Any]:
-    """Return the simulated test."""
-    from sweetspot.certification import CLAMP
-
-    return {
-        "pivot_m": CLAMP,
-        "bbcor": done.bbcor,
-        "collision_efficiency": done.fast.best_efficiency,
-        "besr": done.besr,
-        "bpf": done.bpf,
-        "batted_ball_speed_m_s": done.batted_ball_speed,
-        "best_position_m": done.fast.best_position,
-        "fast": _scan_json(done.fast),
-        "slow": _scan_json(done.slow),
-    }
-
-
-def _scan_json(test: BatTest) -> dict[str, Any]:
-    return {
-        "closing_speed_m_s": test.closing_speed,
-        "ball_restitution": test.ball_restitution,
-        "best_position_m": test.best_position,
-        "best_at_edge": test.at_edge,
-        "position_m": test.position,
-        "collision_efficiency": test.collision_efficiency,
-        "bbcor": test.bbcor,
-    }
-
-
 def measured_json(measured: Measured, read: Shots) -> dict[str, Any]:
     """Return what the shots say, with the rows that were not used and why."""
     from dataclasses import asdict
@@ -168,28 +140,6 @@ def measured_json(measured: Measured, read: Shots) -> dict[str, Any]:
         "fastest_closing_speed_m_s": measured.fastest,
         "ball_stiffness_n_m": measured.ball_stiffness,
         "notes": measured.notes,
-    }
-
-
-def check_json(league: str, check: Check) -> dict[str, Any]:
-    """Return one rule held against the bat; value, limits and margin in ``unit``."""
-    from sweetspot.rules import QUANTITIES
-
-    rule = check.rule
-    return {
-        "league": league,
-        "quantity": rule.quantity,
-        "verdict": check.verdict.value,
-        "value": check.value,
-        "least": rule.least,
-        "most": rule.most,
-        "margin": check.margin,
-        "unit": QUANTITIES[rule.quantity][1],
-        "reason": check.reason,
-        "source": rule.source,
-        "where": rule.where,
-        "year": rule.year,
-        "reading": rule.reading,
     }
 
 
