@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Annotated, Self
 
+import numpy as np
 from pydantic import Field
 
 from sweetspot.errors import InputError
@@ -97,3 +98,48 @@ def stiffness_from_peak_force(peak_force: float, *, speed: float, mass: float, e
     """
     compression = (exponent + 1) * mass * speed**2 / (2 * peak_force)
     return float(peak_force / compression**exponent)
+
+
+def stiffness_from_load(load: float, *, compression: float, exponent: float) -> float:
+    """Return k of F = k u^n from a load (N) that presses one side of the ball in by ``compression`` (m): F / u^n.
+
+    A test between two plates presses both sides in; each takes half of what the plates approach.
+
+    >>> stiffness_from_load(80.0, compression=0.5, exponent=1.0)
+    160.0
+    """
+    return float(load / compression**exponent)
+
+
+def stiffness_from_contact_time(
+    contact_time: float, *, speed: float, mass: float, exponent: float, restitution: float
+) -> float:
+    """Return k of F = k u^n from the time (s) that a ball of ``mass`` touches a rigid wall at ``speed`` (m/s).
+
+    T = (U/v) (integral of ds / sqrt(1 - s^(n+1)) from 0 to 1 + the same with p for n, from s_1 to 1, over e), with U
+    the peak compression, p = (n+1) / e^2 - 1 the unloading exponent and s_1 where the force has fallen to 1 % of its
+    peak, as gauges see the end. U gives k = (n+1) m v^2 / (2 U^(n+1)).
+
+    Parameters
+    ----------
+    restitution : e at that speed, in (0, 1].
+
+    >>> mass, stiffness = 0.1, 1000.0  # a linear spring without loss touches for pi sqrt(m / k), less the last 1 %
+    >>> time = (math.pi - math.asin(0.01)) * math.sqrt(mass / stiffness)
+    >>> round(stiffness_from_contact_time(time, speed=3.0, mass=mass, exponent=1.0, restitution=1.0), 6)
+    1000.0
+    """
+    unloading = (exponent + 1) / restitution**2 - 1
+    last = 0.01 ** (1 / unloading)
+    stretched = _time_to_peak(exponent, 0.0) + _time_to_peak(unloading, last) / restitution
+    peak = contact_time * speed / stretched
+    return float((exponent + 1) * mass * speed**2 / (2 * peak ** (exponent + 1)))
+
+
+def _time_to_peak(exponent: float, start: float) -> float:
+    """Return the integral of ds / sqrt(1 - s^(n+1)) from ``start`` to 1; s = 1 - x^2 takes the infinite end away."""
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+    end = math.sqrt(1 - start)
+    x = end * (nodes + 1) / 2
+    values = 2 * x / np.sqrt(1 - (1 - x**2) ** (exponent + 1))
+    return float(end / 2 * weights @ values)

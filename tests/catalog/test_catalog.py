@@ -42,8 +42,8 @@ def test_materials(name: str) -> None:
 @pytest.mark.parametrize("name", catalog.ball_names())
 def test_balls(name: str) -> None:
     ball = catalog.ball(name)
-    assert 0.1 < ball.mass < 0.21 and 0.03 < ball.radius < 0.06
-    assert 0.3 < ball.restitution.at(45.0) < 0.6
+    assert 0.002 < ball.mass < 0.21 and 0.01 < ball.radius < 0.06
+    assert 0.3 < ball.restitution.at(45.0) < 0.8
 
 
 def test_the_baseball_is_the_rule_books() -> None:

@@ -41,6 +41,17 @@ def test_a_fired_ball_and_a_plate_bent_too_far(run: Run) -> None:
     assert code == 0 and "26.82 m/s (60.0 mph)" in out and "beware" in out and "comes back to" not in out
 
 
+def test_in_air_as_the_rule_books_do(run: Run) -> None:
+    tennis = ("--ball", "tennis", "--height", "254cm", "--material", "concrete", "--size", "60cm")
+    code, out, _ = run("drop", *tennis, "--in-air", "--format", "json")
+    assert code == 0
+    found = json.loads(out)
+    assert 1.35 < found["rebound_height_m"] < 1.47 and found["fall_height_m"] == pytest.approx(2.54)
+    assert found["terminal_speed_m_s"] > 20
+    assert json.loads(run("drop", *tennis, "--format", "json")[1])["terminal_speed_m_s"] is None
+    assert "carries it at" in run("drop", *tennis, "--in-air")[1]
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
@@ -53,6 +64,7 @@ def test_a_fired_ball_and_a_plate_bent_too_far(run: Run) -> None:
         (("--size", "3cm", "--speed", "100mph"), "wider than the face"),
         (("--speed", "2kg"), "which is not a speed"),
         (("--ball", "cannonball"), "is not in the catalogue"),
+        (("--speed", "9m/s", "--in-air"), "--in-air slows a ball that falls"),
     ],
 )
 def test_bad_input(run: Run, arguments: tuple[str, ...], message: str) -> None:

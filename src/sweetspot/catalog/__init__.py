@@ -3,14 +3,18 @@
 Data live in TOML files beside this module; physics never reads them.
 """
 
-from sweetspot.catalog.balls import ball, ball_names
+from sweetspot.catalog.aerodynamics import aerodynamics, aerodynamics_names
+from sweetspot.catalog.balls import ball, ball_names, ball_sport
 from sweetspot.catalog.bats import bat, bat_names, load_bat
 from sweetspot.catalog.materials import material, material_names
 from sweetspot.catalog.parks import park, park_names, parks
 
 __all__ = [
+    "aerodynamics",
+    "aerodynamics_names",
     "ball",
     "ball_names",
+    "ball_sport",
     "bat",
     "bat_names",
     "load_bat",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
@@ -28,6 +29,7 @@ def drop(
     height: Annotated[str | None, Parameter(help="Height the ball falls from; 1m unless --speed is given.")] = None,
     speed: Annotated[str | None, Parameter(help="Fire the ball at this speed instead, for example 60mph.")] = None,
     ball: Annotated[str, Parameter(help="Ball of the catalogue.")] = "baseball",
+    in_air: Annotated[bool, Parameter(help="Let air slow fall and rise, as in the tests of rule books.")] = False,
     format: OutputFormat = "table",
 ) -> None:
     """Drop or fire a ball on a block: rebound height, restitution, contact time and where the energy goes."""
@@ -50,9 +52,12 @@ def drop(
     )
     what = catalog.ball(ball)
     if speed is not None:
+        if in_air:
+            raise InputError("--in-air slows a ball that falls; with --speed it arrives as it is told to")
         found = drops.fire(block, ball=what, speed=parse(speed, "speed", "--speed"))
     else:
-        found = drops.drop(block, ball=what, height=parse(height or DEFAULT_HEIGHT, "length", "--height"))
+        fall = parse(height or DEFAULT_HEIGHT, "length", "--height")
+        found = drops.drop(block, ball=what, height=fall, air_density=drops.ROOM_AIR if in_air else 0.0)
     if format == "json":
         print_json(_nested(found))
     elif format == "csv":
@@ -73,6 +78,7 @@ def _flat(found: Rebound) -> dict[str, Any]:
         "ball": found.ball.name,
         "fall_speed_m_s": found.fall_speed,
         "fall_height_m": found.fall_height,
+        "terminal_speed_m_s": None if found.terminal == math.inf else found.terminal,
         "rebound_speed_m_s": found.rebound_speed,
         "rebound_height_m": found.rebound,
         "restitution": found.restitution,
@@ -120,6 +126,7 @@ def _table(found: Rebound, *, fired: bool) -> Any:
     if not fired:
         rows.append(("falls from", f"{found.fall_height:.3f} m ({found.fall_height / INCH:.1f} in)"))
         rows.append(("comes back to", f"{found.rebound:.3f} m ({found.rebound / INCH:.1f} in)"))
+        rows.append(("air", "none" if found.terminal == math.inf else f"carries it at {found.terminal:.1f} m/s"))
     rows += [
         ("restitution e", f"{found.restitution:.4f}"),
         ("energy kept by the ball", f"{100 * found.energy_kept:.1f} %"),
