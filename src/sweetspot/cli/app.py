@@ -231,3 +231,6 @@ app.command(drop)
 from sweetspot.cli.paper import paper  # noqa: E402
 
 app.command(paper)
+from sweetspot.cli.app_command import app as page  # noqa: E402
+
+app.command(page, name="app")

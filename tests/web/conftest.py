@@ -1,0 +1,107 @@
+"""A running server, programs that talk to it, and a real browser that looks at it.
+
+``server`` is the address of one server for the whole run; ``page`` is a fresh browser page on it (no view opened yet:
+``page.goto(f"{server}/modes")``, then ``answered(page)``, which waits for the drawn answer and counts them, or
+``until(page, "script")``; the page's content policy forbids ``page.wait_for_function``). Where no Chromium is found
+browser tests are skipped and say so; with CI=true in the environment that is a failure.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import threading
+import time
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import httpx
+import pytest
+from playwright.sync_api import Browser, Page, sync_playwright
+
+from sweetspot.web.serve import listening, server_for
+
+BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+FLAGS = ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"]
+PATIENCE = 20_000
+"""ms that a browser test waits for what it expects."""
+
+
+@pytest.fixture(scope="session")
+def server() -> Iterator[str]:
+    """The address of a running server."""
+    opened = listening("127.0.0.1", 0)
+    running = server_for()
+    thread = threading.Thread(target=running.run, kwargs={"sockets": [opened]}, daemon=True)
+    thread.start()
+    deadline = time.monotonic() + 30
+    while not running.started and time.monotonic() < deadline:
+        time.sleep(0.01)
+    assert running.started
+    yield f"http://127.0.0.1:{opened.getsockname()[1]}"
+    running.should_exit = True
+    thread.join(10)
+
+
+@pytest.fixture
+def client(server: str) -> Iterator[httpx.Client]:
+    """A program that talks to the API."""
+    with httpx.Client(base_url=server, timeout=30) as opened:
+        yield opened
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    """A real browser; the test is skipped where there is none."""
+    found = next((path for name in BROWSERS if (path := shutil.which(name))), None)
+    if found is None:
+        words = "no Chromium found: install it (`make browser` does on Debian as root) to test the page in a browser"
+        if os.environ.get("CI") == "true":
+            pytest.fail(words)
+        pytest.skip(words)
+    with sync_playwright() as playwright:
+        opened = playwright.chromium.launch(executable_path=found, args=FLAGS)
+        yield opened
+        opened.close()
+
+
+@pytest.fixture
+def page(browser: Browser) -> Iterator[Page]:
+    """A fresh page, 1280 by 900, that has been here before; what it complains about fails the test."""
+    context = browser.new_context(viewport={"width": 1280, "height": 900})
+    context.set_default_timeout(PATIENCE)
+    context.add_init_script("localStorage.setItem('guided', 'yes')")
+    opened = context.new_page()
+    complaints: list[str] = []
+    opened.on("pageerror", lambda error: complaints.append(str(error)))
+    opened.on("console", lambda said: complaints.append(said.text) if said.type == "error" else None)
+    yield opened
+    context.close()
+    expected = [words for words in complaints if "WebSocket" in words or "ERR_CONNECTION" in words]
+    assert complaints == expected, "\n".join(complaints)
+
+
+@pytest.fixture
+def until() -> Callable[[Page, str], Any]:
+    """A function that waits until a script's value is true, and returns it."""
+
+    def wait(page: Page, script: str) -> Any:
+        deadline = time.monotonic() + PATIENCE / 1000
+        while not (found := page.evaluate(script)):
+            assert time.monotonic() < deadline, f"never true: {script}"
+            page.wait_for_timeout(10)
+        return found
+
+    return wait
+
+
+@pytest.fixture
+def answered(until: Callable[[Page, str], Any]) -> Callable[..., int]:
+    """A function that waits until a view has drawn more than so many answers, and returns how many it has drawn."""
+
+    def wait(page: Page, more_than: int = 0) -> int:
+        drawn = "Number(document.querySelector('#view')?.dataset.answered ?? 0)"
+        until(page, f"{drawn} > {more_than}")
+        return int(page.evaluate(drawn))
+
+    return wait
