@@ -9,7 +9,7 @@ from pathlib import Path
 import tables
 from cases import analysed
 from facts import facts
-from figures import axes, ball, convergence, hollow, percussion, spots
+from figures import axes, ball, convergence, hollow, oblique, percussion, spots
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
@@ -29,6 +29,7 @@ def figures() -> dict[str, Callable[[], Figure]]:
         "ledger": spots.ledger_figure,
         "ball": ball.force_figure,
         "wall": hollow.wall_figure,
+        "offset": oblique.offset_figure,
         "hand_force": percussion.hand_force_figure,
         "mesh_convergence": convergence.mesh_convergence,
         "step_convergence": convergence.step_convergence,

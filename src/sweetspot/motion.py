@@ -11,7 +11,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from sweetspot.errors import InputError
 
@@ -110,8 +110,41 @@ def launched(
     )
 
 
-def spin_axes(launch_angle: float, spray: float) -> Array:
-    """Return the unit axes of back, side and gyro spin as the rows of a (3, 3) array; the last is the direction."""
-    up, level = math.sin(launch_angle), math.cos(launch_angle)
-    right, out = math.sin(spray), math.cos(spray)
-    return np.array([[out, -right, 0.0], [-up * right, -up * out, level], [level * right, level * out, up]])
+def launch_angles(velocity: Array, spin: Array) -> tuple[Array, Array, Array]:
+    """Return launch angle and spray of many balls, and their back, side and gyro spin.
+
+    Parameters
+    ----------
+    velocity, spin : m/s and rad/s, shape (..., 3).
+
+    Returns
+    -------
+    tuple
+        launch angle and spray in rad, shape (...), and the three spins in rad/s, shape (3, ...).
+
+    >>> ball = launched(speed=40.0, launch_angle=0.3, spray=0.1, backspin=200.0, sidespin=-30.0, gyrospin=10.0)
+    >>> up, aside, spins = launch_angles(ball.velocity, ball.spin)
+    >>> round(float(up), 9), round(float(aside), 9), spins.round(9).tolist()
+    (0.3, 0.1, [200.0, -30.0, 10.0])
+    """
+    across, out, up = np.moveaxis(velocity, -1, 0)
+    launch, spray = np.arctan2(up, np.hypot(across, out)), np.arctan2(across, out)
+    return launch, spray, np.einsum("i...j,...j->i...", spin_axes(launch, spray), spin)
+
+
+def spin_axes(launch_angle: ArrayLike, spray: ArrayLike) -> Array:
+    """Return the unit axes of back, side and gyro spin; the last is the direction of motion.
+
+    Parameters
+    ----------
+    launch_angle, spray : rad, shape (...).
+
+    Returns
+    -------
+    ndarray
+        shape (3, ..., 3): back, side and gyro, each a vector.
+    """
+    up, level = np.sin(launch_angle), np.cos(launch_angle)
+    right, out = np.sin(spray), np.cos(spray)
+    rows = ((out, -right, 0 * up), (-up * right, -up * out, level), (level * right, level * out, up))
+    return np.array([np.stack(np.broadcast_arrays(*row), axis=-1) for row in rows])
