@@ -11,7 +11,7 @@ from sweetspot.analysis import Analysis
 from sweetspot.ball import Ball
 from sweetspot.block import Block, Support
 from sweetspot.collision.momentum import collision_efficiency
-from sweetspot.drop import Rebound, drop, fire
+from sweetspot.drop import Rebound, bounce, drop, fire
 from sweetspot.errors import InputError
 from sweetspot.material import Material
 from sweetspot.paper_rows import paper_rows
@@ -117,3 +117,19 @@ def test_bad_input(baseball: Ball, ash: Material) -> None:
     soft = Block(material=catalog.material("rubber"), thickness=0.001, support="clamped")
     with pytest.raises(InputError, match="does not come off rubber of 1 mm in one clean contact"):
         drop(soft, ball=baseball, height=1.0)
+
+
+@pytest.mark.parametrize(("thickness", "support"), [(0.1, "floor"), (0.003, "clamped")])
+def test_bounce_is_the_drop(baseball: Ball, thickness: float, support: Support) -> None:
+    """The compiled solution and the readable one: the same arithmetic."""
+    block = Block(material=catalog.material("aluminium-7xxx"), thickness=thickness, support=support)
+    real = drop(block, ball=baseball, height=1.0)
+    height, share = bounce(block, ball=baseball, height=1.0)
+    assert height == pytest.approx(real.rebound, rel=1e-9) and share == pytest.approx(real.share)
+
+
+def test_bounce_off_what_gives_way_is_nan(baseball: Ball) -> None:
+    block = Block(material=catalog.material("white-ash"), thickness=0.001, support="clamped")
+    assert math.isnan(bounce(block, ball=baseball, height=1.0)[0])
+    with pytest.raises(InputError, match="height is 0 m"):
+        bounce(block, ball=baseball, height=0.0)

@@ -15,6 +15,7 @@ from sweetspot.ball import Ball
 from sweetspot.block import Block, Give, block_modes, expected_patch
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact, Outcome
+from sweetspot.collision.kernel import hits
 from sweetspot.contact import loading_force, unloading_exponent
 from sweetspot.errors import InputError
 from sweetspot.rigid import STANDARD_GRAVITY
@@ -158,6 +159,27 @@ def fire(block: Block, *, ball: Ball, speed: float) -> Rebound:
         restitution=restitution,
         impact=impact,
     )
+
+
+def bounce(block: Block, *, ball: Ball, height: float) -> tuple[float, float]:
+    """Return (rebound height in m, the block's share) of `drop` in vacuum, by the compiled solution and nothing else.
+
+    The height is nan where the ball does not come off in one clean contact.
+
+    Raises
+    ------
+    InputError
+        when the height is not a number above zero.
+    """
+    if not (math.isfinite(height) and height > 0):
+        raise InputError(f"height is {height:g} m; allowed is a number above zero, for example 1 m")
+    speed = math.sqrt(2 * STANDARD_GRAVITY * height)
+    modes = block_modes(block, patch=expected_patch(ball, speed))
+    step = _step(modes, ball, speed)
+    done = hits(modes, ball=ball, position=0.0, closing_speed=speed, step=step, keep_motion=False)
+    share = static_share(ball, speed=speed, compliance=Give(modes.frequency, modes.shape_at(0.0)).compliance)
+    back = float(np.maximum(0.0, done.collision_efficiency[0]))  # which keeps nan
+    return back**2 * height, share
 
 
 def _step(modes: Modes, ball: Ball, speed: float) -> float:

@@ -16,7 +16,7 @@ from sweetspot.block import Block, Support
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.momentum import collision_efficiency, exit_speed
 from sweetspot.collision.oblique import decompose, oblique
-from sweetspot.drop import drop
+from sweetspot.drop import bounce
 from sweetspot.material import Material
 from sweetspot.rigid import centre_of_percussion, effective_mass, hand_impulse_ratio
 from sweetspot.standard import standard_conditions
@@ -243,25 +243,25 @@ def _drop(analysis: Analysis, choices: Choices) -> Iterator[Row]:
     """Yield the drop experiment of the paper's Figure 6."""
     ball, height, thickness = analysis.conditions.ball, choices.drop_height, choices.block_thickness
     plate = Block(material=catalog.material("aluminium-7xxx"), thickness=THIN_PLATE, support="clamped")
-    sprung = drop(plate, ball=ball, height=height)
+    sprung_height, sprung_share = bounce(plate, ball=ball, height=height)
     remarks = {
         "wood": "Wood that gives back all it takes beats metal by a hair, since the block is the better spring; real "
         "wood loses some of it.",
         "metal": "A thick block measures the ball. It tells next to nothing about a thin wall: the same metal as a "
         f"plate of {1e3 * THIN_PLATE:g} mm, clamped at its edges 20 cm apart, would hold "
-        f"{100 * sprung.share:.0f} % of the energy and throw the ball back to {sprung.rebound:.2f} m: a trampoline.",
+        f"{100 * sprung_share:.0f} % of the energy and throw the ball back to {sprung_height:.2f} m: a trampoline.",
     }
     kind = "thick " if thickness >= Choices.block_thickness else ""
     for name, key in (("wood", "white-ash"), ("metal", "aluminium-7xxx")):
         material = catalog.material(key)
         limit = paper.drop_test(ball, height=height, material=material)
         block = Block(material=material, thickness=thickness, support=choices.block_support)
-        real = drop(block, ball=ball, height=height)
+        rebound, share = bounce(block, ball=ball, height=height)
         yield Row(
             "Fig. 6", f"rebound from {height:.3g} m on a {kind}{name} block", "m",
-            "metal higher" if name == "metal" else None, limit.rebound, real.rebound,
+            "metal higher" if name == "metal" else None, limit.rebound, rebound,
             f"Full model: {100 * thickness:.3g} cm thick, {STANDS[choices.block_support]}. m g dH = E_D is the energy "
-            f"lost, {limit.lost_energy:.2f} J, and not an elastic one. The block takes {100 * limit.share:.2f} % of "
+            f"lost, {limit.lost_energy:.2f} J, and not an elastic one. The block takes {100 * share:.2f} % of "
             f"the energy. {remarks[name]}",
         )  # fmt: skip
 

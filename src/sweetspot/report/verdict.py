@@ -6,6 +6,7 @@ import math
 
 from sweetspot.compare import Compared, Comparison
 from sweetspot.swing_law import Interval
+from sweetspot.trampoline import wall_point_of
 from sweetspot.units import MPH, OUNCE
 
 PUBLISHED_EFFICIENCY = (0.214, 0.193)
@@ -32,6 +33,21 @@ def cork_verdict(comparison: Comparison) -> list[str]:
     return [_answer(first, corked, comparison), _beside_published(first, corked), _papers_argument(first, corked)]
 
 
+def wall_verdict(comparison: Comparison) -> list[str]:
+    """Return what another wall does, for a comparison of a hollow bat with itself with that wall."""
+    first, other = (wall_point_of(found.analysis) for found in comparison.compared[:2])
+    size = "thinner" if other.thickness < first.thickness else "thicker"
+    temper = "livelier" if other.bbcor > first.bbcor else "deader"
+    return [
+        f"Where the ball hits best the wall is {1e3 * other.thickness:.2f} mm thick instead of "
+        f"{1e3 * first.thickness:.2f} mm and rings at {other.hoop_frequency:.0f} Hz instead of "
+        f"{first.hoop_frequency:.0f} Hz. It takes {100 * other.energy.share:.1f} % of the ball's energy instead of "
+        f"{100 * first.energy.share:.1f} % and gives {100 * other.energy.restitution**2:.0f} % of that back in time; "
+        f"what it takes, the ball does not lose. BBCOR there goes from {first.bbcor:.3f} to {other.bbcor:.3f}: the "
+        f"{size} wall is the {temper} one."
+    ]
+
+
 def _sentence(found: Compared, first: Compared) -> str:
     faster = found.bat_speed.shifted(-first.bat_speed.value)
     text = f"{found.label}: "
@@ -51,7 +67,7 @@ def _sentence(found: Compared, first: Compared) -> str:
 
 
 def _range(interval: Interval) -> str:
-    return f"{interval.low / MPH:+.1f} to {interval.high / MPH:+.1f}"
+    return f"{interval.low / MPH:+z.1f} to {interval.high / MPH:+z.1f}"
 
 
 def _answer(first: Compared, corked: Compared, comparison: Comparison) -> str:
