@@ -23,6 +23,7 @@ LAYERS = [
     {"sweet_spots", "shot_statistics"},
     {"scan", "certification"},
     {"paper", "drop", "damage"},
+    {"pitch"},
     {"flight"},
     {"collision", "block", "rules"},
     {"contact", "vibration", "rigid"},

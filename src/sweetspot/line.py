@@ -15,12 +15,11 @@ from numpy.typing import NDArray
 from sweetspot.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.implement import DensityRange, Implement, Lump
+from sweetspot.quadrature import quadrature
 from sweetspot.section import Section
 
 Array = NDArray[np.float64]
 
-GAUSS_POINTS = 6
-"""Exact to degree 11; the highest degree met is 7 (r^4 of a cone, times a density gradient, times x^2)."""
 GRADIENT_LIMIT = 0.25
 """Largest density change from the middle to an end that may explain a measured balance or MOI (assumed)."""
 KNOB_MASS_LIMITS = (-0.025, 0.085)
@@ -86,14 +85,6 @@ def integrate(line: Line, density_of: Callable[[Array], Array]) -> float:
     """Integrate a function of position over the bat, piece by piece between its breakpoints."""
     places, weights = quadrature(line.bat.breakpoints())
     return float(np.sum(weights * density_of(places)))
-
-
-def quadrature(edges: tuple[float, ...]) -> tuple[Array, Array]:
-    """Return Gauss-Legendre positions and weights on every piece between ``edges``, one after the other."""
-    nodes, weights = np.polynomial.legendre.leggauss(GAUSS_POINTS)
-    left, width = np.array(edges[:-1]), np.diff(edges)
-    places = left[:, None] + width[:, None] * (nodes + 1) / 2
-    return places.ravel(), (width[:, None] * weights / 2).ravel()
 
 
 def moments(line: Line) -> tuple[float, float, float]:

@@ -39,6 +39,7 @@ def hit(
     ball: Ball,
     position: float,
     closing_speed: float,
+    lateral: float = 0.0,
     step: float = STEP,
     law: ContactLaw | None = None,
 ) -> Impact:
@@ -52,14 +53,15 @@ def hit(
     ball : mass and, unless ``law`` is given, force law.
     position : m from the knob end.
     closing_speed : m/s; not above zero is no contact, an outcome and not an error.
+    lateral : m across the face from the bat's line.
     step : s, > 0; the error falls with its square.
     law : another contact law than the ball's own `Hysteretic` one.
     """
     check_step(step)
     if not closing_speed > 0:
         return _no_contact(modes, position, closing_speed)
-    done = _integrated(modes, ball, modes.shape_at(position), closing_speed, step, law or Hysteretic(ball))
-    translation, rotation, bending, hoop = map(float, bat_energy(modes, done.displacement, done.velocity))
+    done = _integrated(modes, ball, modes.shape_at(position, lateral), closing_speed, step, law or Hysteretic(ball))
+    translation, rotation, bending, hoop, face = map(float, bat_energy(modes, done.displacement, done.velocity))
     separated = done.outcome is Outcome.SEPARATED
     return Impact(
         outcome=done.outcome,
@@ -79,6 +81,7 @@ def hit(
             bending=bending,
             hoop=hoop,
             damping=done.damping,
+            face=face,
         ),
         displacement=done.displacement,
         velocity=done.velocity,
@@ -86,6 +89,7 @@ def hit(
         force=np.array(done.forces),
         compression=np.array(done.compressions),
         impulse=np.array(done.impulses),
+        lateral=lateral,
     )
 
 

@@ -33,7 +33,7 @@ class Energies(NamedTuple):
     ball : kinetic energy of the ball.
     stored : elastic energy in the ball: what it would give back if it sprang back from here.
     heat : lost in the ball: the rest of the work done on it.
-    translation, rotation, bending, hoop, damping : of the bat, as in `EnergyLedger`.
+    translation, rotation, bending, hoop, damping, face : of the bat, as in `EnergyLedger`.
     """
 
     ball: Array
@@ -44,6 +44,7 @@ class Energies(NamedTuple):
     bending: Array
     hoop: Array
     damping: Array
+    face: Array
 
 
 @dataclass(frozen=True)
@@ -123,7 +124,7 @@ def film(
         """Join the chosen moments of contact to what comes after."""
         return np.concatenate([during[chosen], np.broadcast_to(after, len(free.times))])
 
-    translation, rotation, bending, hoop = bat_energy(modes, bat.displacement, bat.velocity)
+    translation, rotation, bending, hoop, face = bat_energy(modes, bat.displacement, bat.velocity)
     return Film(
         impact=impact,
         times=bat.times,
@@ -141,6 +142,7 @@ def film(
             bending=bending,
             hoop=hoop,
             damping=bat.damping,
+            face=face,
         ),
     )
 

@@ -44,7 +44,8 @@ class EnergyLedger:
     ball : kinetic energy of the ball leaving.
     heat : lost in the ball.
     translation, rotation : rigid motion given to the bat.
-    bending, hoop : left vibrating in the bat (hands' springs and masses count as bending).
+    bending, hoop, face : left vibrating in the bat (hands' springs and masses count as bending) and in the strings,
+        rubber or plate of its face. Roll counts as rotation.
     damping : lost in the bat and the hands during contact.
     """
 
@@ -56,12 +57,13 @@ class EnergyLedger:
     bending: float
     hoop: float
     damping: float
+    face: float = 0.0
 
     @property
     def imbalance(self) -> float:
         """What the parts miss of the incoming energy, as a ratio: the error of the time steps."""
         parts = (
-            self.ball, self.heat, self.translation, self.rotation, self.bending, self.hoop, self.damping,
+            self.ball, self.heat, self.translation, self.rotation, self.bending, self.hoop, self.damping, self.face,
         )  # fmt: skip
         return sum(parts) / self.incoming - 1 if self.incoming else 0.0
 
@@ -84,6 +86,7 @@ class Impact:
     displacement, velocity : of every mode at release, shape (n,), sqrt(kg) m and sqrt(kg) m/s.
     times, force, compression, impulse : history during contact, s, N, m, N s, shape (steps,); ``impulse`` is what each
         kick gave, the force times the step but for the step's correction.
+    lateral : m across the face from the bat's line.
     """
 
     outcome: Outcome
@@ -101,6 +104,7 @@ class Impact:
     force: Array
     compression: Array
     impulse: Array
+    lateral: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -120,14 +124,15 @@ class Impacts:
         return len(self.outcome)
 
 
-def bat_energy(modes: Modes, displacement: Array, velocity: Array) -> tuple[Array, Array, Array, Array]:
-    """Return translation, rotation, bending and hoop energy in J of a bat moving in its modes, each of shape (...).
+def bat_energy(modes: Modes, displacement: Array, velocity: Array) -> tuple[Array, Array, Array, Array, Array]:
+    """Return translation, rotation, bending, hoop and face energy in J of a bat in its modes, each of shape (...).
 
     Parameters
     ----------
     displacement, velocity : of every mode, shape (..., n): of one moment or of many.
     """
     each = (velocity**2 + (modes.angular_frequency * displacement) ** 2) / 2
-    translation, rotation = np.moveaxis((velocity @ modes.rigid_part.T) ** 2 / 2, -1, 0)
-    hoop = each[..., modes.of_family("hoop")].sum(axis=-1)
-    return translation, rotation, each.sum(axis=-1) - translation - rotation - hoop, hoop
+    translation, *turning = np.moveaxis((velocity @ modes.rigid_part.T) ** 2 / 2, -1, 0)
+    rotation = np.sum(turning, axis=0)
+    hoop, face = (each[..., modes.of_family(family)].sum(axis=-1) for family in ("hoop", "face"))
+    return translation, rotation, each.sum(axis=-1) - translation - rotation - hoop - face, hoop, face

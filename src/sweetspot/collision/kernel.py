@@ -42,6 +42,7 @@ def hits(
     ball: Ball,
     position: ArrayLike,
     closing_speed: ArrayLike,
+    lateral: ArrayLike = 0.0,
     step: float = STEP,
     keep_motion: bool = True,
     threads: int | None = None,
@@ -50,14 +51,16 @@ def hits(
 
     Parameters
     ----------
-    position, closing_speed : m from the knob end and m/s, broadcast together to shape (hits,).
+    position, closing_speed, lateral : m from the knob end, m/s and m across the face from the bat's line, broadcast
+        together to shape (hits,).
     step : s, > 0.
     keep_motion : whether to return the bat's modal motion at release (224 bytes per hit).
     threads : workers; None: one per core, and one only for small batches.
     """
     check_step(step)
-    places, speeds = np.broadcast_arrays(np.asarray(position, float), np.asarray(closing_speed, float))
-    places, speeds = places.ravel(), np.ascontiguousarray(speeds.ravel())
+    given = (np.asarray(values, float) for values in (position, lateral, closing_speed))
+    places, across, speeds = (values.ravel() for values in np.broadcast_arrays(*given))
+    speeds = np.ascontiguousarray(speeds)
     count, size = len(speeds), len(modes)
     outcome = np.empty(count, np.int64)
     results = np.empty((5, count))
@@ -69,7 +72,7 @@ def hits(
     )
 
     def work(part: slice) -> None:
-        shapes = np.ascontiguousarray(modes.shape_at(places[part]))
+        shapes = np.ascontiguousarray(modes.shape_at(places[part], across[part]))
         kept = motion[:, part] if keep_motion else motion
         lanes = min(LANES, 4 * math.ceil(len(shapes) / 4))
         output = Output(outcome[part], results[:, part], kept)

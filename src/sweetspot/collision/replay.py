@@ -49,7 +49,7 @@ def replayed(impact: Impact, modes: Modes) -> Motion:
         return Motion(np.zeros(1), still[None], still[None], np.zeros(1))
     step = kick_step(impact)
     drift, half_dash = propagator(modes, step), dashpot_factors(modes, step / 2)
-    shape = modes.shape_at(impact.position)
+    shape = modes.shape_at(impact.position, impact.lateral)
     displacement, velocity = still, still
     places, before, after = [still], [still], [still]
     for push in impact.impulse[1:]:

@@ -45,6 +45,7 @@ def gripped(modes: Modes, hands: Hands) -> Modes:
         shapes=PPoly.construct_fast(modes.shapes.c @ vectors[:count], modes.shapes.x),
         rigid_part=modes.rigid_part @ vectors[:count],
         dashpots=turn.T @ dashpots,
+        surface=None if modes.surface is None else modes.surface.mixed(vectors[:count]),
     )
 
 
@@ -54,24 +55,26 @@ def check_hands(bat: Implement, hands: Hands) -> None:
 
 
 def _names(modes: Modes, vectors: Array) -> tuple[tuple[Family, ...], tuple[int, ...]]:
-    """Return family and harmonic of each held mode: the lowest two are rigid, two belong to the hands.
+    """Return family and harmonic of each held mode: the lowest ones are rigid, two belong to the hands.
 
-    Hoop modes, which hands on the handle do not feel, keep their names wherever they now stand in the list.
+    Modes of barrel and face, which hands on the handle do not feel, keep their names wherever they now stand in the
+    list.
     """
     count = len(modes)
-    hoop = modes.of_family("hoop")
-    ringing = (vectors[hoop] ** 2).sum(axis=0) > (vectors**2).sum(axis=0) / 2
+    apart = modes.of_family("hoop") + modes.of_family("face")
+    ringing = (vectors[apart] ** 2).sum(axis=0) > (vectors**2).sum(axis=0) / 2
     share = (vectors[count:] ** 2).sum(axis=0) / (vectors**2).sum(axis=0)
-    share[:2] = -1.0
+    share[: modes.families.count("rigid")] = -1.0
     of_hands = set(np.argsort(share)[-2:].tolist())
     names = list(zip(modes.families, modes.harmonics, strict=True))
-    in_order = iter(name for name in names if name[0] != "hoop")
+    others = [name for number, name in enumerate(names) if number not in apart]
+    in_order = iter(sorted(others, key=lambda name: name[0] != "rigid"))
     found: list[tuple[Family, int]] = []
     for index in range(count + 2):
         if index in of_hands:
             found.append(("hand", 1 + sum(name == "hand" for name, _ in found)))
         elif ringing[index]:
-            found.append(names[hoop[int(np.argmax(vectors[hoop, index] ** 2))]])
+            found.append(names[apart[int(np.argmax(vectors[apart, index] ** 2))]])
         else:
             found.append(next(in_order))
     families, harmonics = zip(*found, strict=True)

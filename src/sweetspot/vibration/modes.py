@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
@@ -11,7 +12,28 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import PPoly
 
 Array = NDArray[np.float64]
-Family = Literal["rigid", "bending", "hoop", "hand"]
+Family = Literal["rigid", "bending", "hoop", "face", "hand"]
+
+
+@dataclass(frozen=True)
+class Surface:
+    """How the struck surface moves where that depends on the place across it: a face that gives way, a turning blade.
+
+    It moves outwards by ``basis_k(x, y) weights_ki q_i``, over and above the line's own motion.
+
+    Parameters
+    ----------
+    basis : k functions of position and lateral place, m and m of shape (...), to 1/sqrt(kg) of shape (..., k); all
+        are zero off the face.
+    weights : how much of each function is in each mode, shape (k, n).
+    """
+
+    basis: Callable[[Array, Array], Array]
+    weights: Array
+
+    def mixed(self, vectors: Array) -> Surface:
+        """Return the same surface for modes that are mixtures of these, one column each."""
+        return Surface(self.basis, self.weights @ vectors)
 
 
 @dataclass(frozen=True)
@@ -23,13 +45,16 @@ class Modes:
 
     Parameters
     ----------
-    families : "rigid", "bending", "hoop" or "hand" (the hands' own motion on their flesh), one per mode.
+    families : "rigid", "bending", "hoop", "face" (strings, rubber, a club's plate) or "hand" (the hands' own motion
+        on their flesh), one per mode.
     harmonics : 1, 2, ... within the family; 0 for rigid motions.
     frequency : Hz, shape (n,); 0 for rigid motions.
     damping_rate : 2 zeta omega in 1/s, shape (n,).
     shapes : displacement shapes as polynomials in position, 1/sqrt(kg), n columns.
     dashpots : d_k, dampers that couple modes, orthogonal rows, sqrt(1/s), shape (k, n); none on a free bat.
-    rigid_part : how much of each mode is translation (row 0) and rotation (row 1) of the free bat, shape (2, n).
+    rigid_part : how much of each mode is translation (row 0), rotation (row 1) and, with a face, roll (row 2) of the
+        free bat, shape (2, n) or (3, n).
+    surface : what depends on the place across the face; None: nothing does.
     """
 
     families: tuple[Family, ...]
@@ -39,6 +64,7 @@ class Modes:
     shapes: PPoly
     rigid_part: Array
     dashpots: Array
+    surface: Surface | None = None
 
     def __len__(self) -> int:
         return len(self.families)
@@ -54,9 +80,19 @@ class Modes:
         omega = self.angular_frequency
         return np.divide(self.damping_rate, 2 * omega, out=np.zeros_like(omega), where=omega > 0)
 
-    def shape_at(self, position: ArrayLike) -> Array:
-        """Return the shapes at positions in m: shape (..., n) for positions of shape (...)."""
-        return np.asarray(self.shapes(np.asarray(position, float)))
+    def shape_at(self, position: ArrayLike, lateral: ArrayLike = 0.0) -> Array:
+        """Return the shapes at positions in m: shape (..., n) for positions of shape (...).
+
+        Parameters
+        ----------
+        lateral : m across the face from the line, of the same shape or one for all.
+        """
+        places = np.asarray(position, float)
+        along = np.asarray(self.shapes(places))
+        if self.surface is None:
+            return along
+        across = np.broadcast_to(np.asarray(lateral, float), places.shape)
+        return along + self.surface.basis(places, across) @ self.surface.weights
 
     def nodes(self, mode: int) -> Array:
         """Return the positions in m where mode ``mode`` (its index in the list) stands still, from the knob up."""
@@ -79,11 +115,12 @@ class Modes:
             PPoly.construct_fast(self.shapes.c[:, :, indices], self.shapes.x),
             self.rigid_part[:, indices],
             self.dashpots[:, indices],
+            None if self.surface is None else Surface(self.surface.basis, self.surface.weights[:, indices]),
         )
 
 
 def joined(first: Modes, second: Modes) -> Modes:
-    """Return the modes of both lists, one after the other, as one list over the same bat."""
+    """Return the modes of both lists, one after the other, as one list over the same bat; one may have a surface."""
     edges = np.union1d(first.shapes.x, second.shapes.x)
     degree = max(len(first.shapes.c), len(second.shapes.c)) - 1
     shapes = np.concatenate([_refined(modes.shapes, edges, degree) for modes in (first, second)], axis=2)
@@ -94,9 +131,24 @@ def joined(first: Modes, second: Modes) -> Modes:
         frequency=np.concatenate([first.frequency, second.frequency]),
         damping_rate=np.concatenate([first.damping_rate, second.damping_rate]),
         shapes=PPoly.construct_fast(shapes, edges),
-        rigid_part=np.hstack([first.rigid_part, second.rigid_part]),
+        rigid_part=_side_by_side(first.rigid_part, second.rigid_part),
         dashpots=np.block([[first.dashpots, zeros[0]], [zeros[1], second.dashpots]]),
+        surface=_joined_surface(first, second),
     )
+
+
+def _side_by_side(left: Array, right: Array) -> Array:
+    """Return two matrices side by side, the one with fewer rows filled up with zeros."""
+    rows = max(len(left), len(right))
+    return np.hstack([np.pad(part, ((0, rows - len(part)), (0, 0))) for part in (left, right)])
+
+
+def _joined_surface(first: Modes, second: Modes) -> Surface | None:
+    if first.surface is not None:
+        return first.surface.mixed(np.eye(len(first), len(first) + len(second)))
+    if second.surface is not None:
+        return second.surface.mixed(np.eye(len(second), len(first) + len(second), k=len(first)))
+    return None
 
 
 def _refined(shapes: PPoly, edges: Array, degree: int) -> Array:
