@@ -1,0 +1,181 @@
+"""How likely a player's swings are under given parameters, compiled.
+
+Bat speed is normal about the player's mean for that bat; position and offset are normal about theirs. What was not
+measured in a swing is summed over: position on a grid, offset by Gauss and Hermite's points, bat speed exactly, for
+exit speed is a straight line in it.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from sweetspot.collision.vector_math import exp
+from sweetspot.player.priors import Array
+
+IntArray = NDArray[np.int64]
+GRID_REACH = 3.5
+"""Standard deviations of the scatter to either side of its mean that are summed over."""
+NEAR_POINTS, FAR_POINTS = 3, 7
+"""Offsets summed over when the launch angle was measured, and when not."""
+WRONG, WRONG_RANGE = 0.01, 60.0
+"""Part of the exit speeds taken as wrong readings, spread evenly over this many m/s, so that one of them cannot rule."""
+EXP_FLOOR = -700.0
+ROOT_TWO_PI = math.sqrt(2 * math.pi)
+
+
+class Table(NamedTuple):
+    """Everything about the swings that does not change with the parameters; nan where not measured.
+
+    Parameters
+    ----------
+    bat_speed, exit_speed, pitch_speed, attack_angle, position : (n,) SI.
+    offset : (n,) m, worked back from launch and attack angle (the usual attack angle where it was not measured).
+    offset_noise : (n,) m, standard deviation of that.
+    offset_slope : (n,) m per rad of attack angle; 0 where it was measured.
+    bat : (n,) which bat, an index into the next three.
+    efficiency, efficiency_slope : (bats, places) at the places of the grid.
+    arm : (bats, places) bat speed at every place over that where bat speed is measured.
+    kept : (n, offsets) part of the exit speed left.
+    place_start, place_step, offset_start, offset_step : of the two grids, m.
+    constants : measuring error of bat speed and of position, spread of the attack angle, usual attack angle, and the
+        largest offset of a hit that is counted.
+    near, near_weights, far, far_weights : points of Gauss and Hermite.
+    """
+
+    bat_speed: Array
+    exit_speed: Array
+    pitch_speed: Array
+    attack_angle: Array
+    position: Array
+    offset: Array
+    offset_noise: Array
+    offset_slope: Array
+    bat: IntArray
+    efficiency: Array
+    efficiency_slope: Array
+    arm: Array
+    kept: Array
+    place_start: float
+    place_step: float
+    offset_start: float
+    offset_step: float
+    constants: Array
+    near: Array
+    near_weights: Array
+    far: Array
+    far_weights: Array
+
+
+@njit(nogil=True, cache=True)
+def normal(value: float, mean: float, variance: float) -> float:
+    """Return the logarithm of the normal density, without its constant."""
+    return -0.5 * ((value - mean) ** 2 / variance + math.log(variance))
+
+
+@njit(nogil=True, cache=True)
+def combined(value: float, noise: float, mean: float, spread: float) -> tuple[float, float]:
+    """Return mean and variance of a quantity that is normal and was measured with noise; nan: not measured."""
+    if math.isnan(value):
+        return mean, spread**2
+    gain = spread**2 / (spread**2 + noise**2)
+    return mean + gain * (value - mean), gain * noise**2
+
+
+@njit(nogil=True, cache=True)
+def within(mean: float, spread: float, limit: float) -> float:
+    """Return the part of a normal distribution that lies between -limit and limit."""
+    root = math.sqrt(2.0) * spread
+    return max(0.5 * (math.erf((limit - mean) / root) + math.erf((limit + mean) / root)), 1e-6)
+
+
+@njit(nogil=True, cache=True)
+def table_value(values: Array, start: float, step: float, place: float) -> float:
+    """Return the straight line between neighbours of an even table; beyond its ends their value."""
+    at = min(max((place - start) / step, 0.0), len(values) - 1.000001)
+    index = int(at)
+    return float(values[index] + (at - index) * (values[index + 1] - values[index]))
+
+
+@njit(nogil=True, cache=True)
+def fill_weights(weight: Array, start: float, step: float, mean: float, variance: float) -> tuple[int, int]:
+    """Fill the normal weights of a grid so that they add up to 1; return the first place that counts and the one after."""
+    reach = GRID_REACH * math.sqrt(variance) + step
+    first = max(0, math.ceil((mean - reach - start) / step))
+    last = min(len(weight), math.floor((mean + reach - start) / step) + 1)
+    total = 0.0
+    for j in range(first, last):
+        weight[j] = math.exp(-0.5 * (start + j * step - mean) ** 2 / variance)
+        total += weight[j]
+    if not total > 0:
+        return 0, 0
+    for j in range(first, last):
+        weight[j] /= total
+    return first, last
+
+
+@njit(nogil=True, cache=True, fastmath={"contract", "nsz", "reassoc"}, error_model="numpy")
+def log_likelihoods(parameters: Array, speeds: Array, table: Table, found: Array) -> None:
+    """Fill ``found`` with the log-likelihood of every row of parameters.
+
+    Parameters
+    ----------
+    parameters : (rows, 10) SI, in the order of `NAMES`.
+    speeds : (rows, bats) m/s, the player's mean bat speed with every bat.
+    found : (rows,).
+    """
+    places = table.efficiency.shape[1]
+    speed_noise, place_noise, attack_spread, usual_attack, farthest = table.constants
+    usual_weight, own_weight, part = np.empty(places), np.empty(places), np.empty(places)
+    ball_out, slope = np.empty(places), np.empty(places)
+    for row in range(len(parameters)):
+        theta = parameters[row]
+        speed_spread, centre, scatter = theta[1], theta[3], theta[4]
+        offset_mean, offset_spread, attack, shift, noise = theta[5], theta[6], theta[7], theta[8], theta[9]
+        counted = math.log(within(offset_mean, offset_spread, farthest))
+        usual = fill_weights(usual_weight, table.place_start, table.place_step, centre, scatter**2)
+        total = 0.0
+        for i in range(len(table.bat_speed)):
+            bat, pitch, out = table.bat[i], table.pitch_speed[i], table.exit_speed[i]
+            mean_speed = speeds[row, bat]
+            if not math.isnan(table.bat_speed[i]):
+                total += normal(table.bat_speed[i], mean_speed, speed_spread**2 + speed_noise**2)
+            speed, speed_variance = combined(table.bat_speed[i], speed_noise, mean_speed, speed_spread)
+            if not math.isnan(table.attack_angle[i]):
+                total += normal(table.attack_angle[i], attack, attack_spread**2)
+            told = table.offset[i] + table.offset_slope[i] * (attack - usual_attack)
+            above, above_variance = combined(told, table.offset_noise[i], offset_mean, offset_spread)
+            if not math.isnan(told):
+                total += normal(told, offset_mean, offset_spread**2 + table.offset_noise[i] ** 2) - counted
+                total += math.log(within(above, math.sqrt(above_variance), farthest))
+            weight, first, last = usual_weight, usual[0], usual[1]
+            if not math.isnan(table.position[i]):
+                total += normal(table.position[i], centre, scatter**2 + place_noise**2)
+                place, place_variance = combined(table.position[i], place_noise, centre, scatter)
+                weight = own_weight
+                first, last = fill_weights(weight, table.place_start, table.place_step, place, place_variance)
+            if math.isnan(out):
+                continue
+            for j in range(first, last):
+                there = speed * table.arm[bat, j]
+                closing = pitch + there
+                efficiency = table.efficiency[bat, j] + shift + table.efficiency_slope[bat, j] * closing
+                ball_out[j] = efficiency * closing + there
+                slope[j] = (1 + efficiency + table.efficiency_slope[bat, j] * closing) * table.arm[bat, j]
+            points, weights = (table.far, table.far_weights) if math.isnan(told) else (table.near, table.near_weights)
+            likelihood = 0.0
+            for k in range(len(points)):
+                height = above + points[k] * math.sqrt(above_variance)
+                kept = table_value(table.kept[i], table.offset_start, table.offset_step, height)
+                for j in range(first, last):
+                    variance = noise**2 + (slope[j] * kept) ** 2 * speed_variance
+                    miss = (out - ball_out[j] * kept) ** 2 / variance
+                    part[j] = weight[j] * exp(max(-0.5 * miss, EXP_FLOOR)) / math.sqrt(variance)
+                for j in range(first, last):
+                    likelihood += weights[k] * part[j]
+            total += math.log((1 - WRONG) / ROOT_TWO_PI * likelihood + WRONG / WRONG_RANGE)
+        found[row] = total
