@@ -32,14 +32,15 @@ LAYERS = [
     {"swing_law"},
     {"swing", "swing_path"},
     {"aerodynamics", "air", "ball", "bat", "park", "shots"},
-    {"implement"},
+    {"racket"},
+    {"implement", "string_bed"},
     {"section", "face"},
     {"shell", "plates"},
     {"laminate"},
     {"material"},
     {"thing"},
     {"motion"},
-    {"units", "references", "parabola"},
+    {"units", "references", "parabola", "quadrature", "distribution"},
     {"errors"},
 ]
 RANK = {name: rank for rank, layer in enumerate(LAYERS) for name in layer}

@@ -6,6 +6,7 @@ Data live in TOML files beside this module; physics never reads them.
 from sweetspot.catalog.aerodynamics import aerodynamics, aerodynamics_names
 from sweetspot.catalog.balls import ball, ball_names, ball_sport
 from sweetspot.catalog.bats import bat, bat_names, load_bat
+from sweetspot.catalog.deliveries import delivery, delivery_names
 from sweetspot.catalog.materials import material, material_names
 from sweetspot.catalog.parks import park, park_names, parks
 
@@ -17,6 +18,8 @@ __all__ = [
     "ball_sport",
     "bat",
     "bat_names",
+    "delivery",
+    "delivery_names",
     "load_bat",
     "material",
     "material_names",
