@@ -62,6 +62,11 @@ def patch_mean(wave_number: float, patch: float) -> float:
     return float(3 * (np.sin(phase) - phase * np.cos(phase)) / phase**3)
 
 
+def patch_mean_around(line: Line, *, harmonic: int, patch: float) -> float:
+    """Return the mean of cos(n theta) under the ball: what a hoop mode's shape holds of the wall's own motion there."""
+    return patch_mean(harmonic / _barrel_radius(line), patch)
+
+
 def hoop_modes(
     line: Line,
     *,
@@ -92,7 +97,7 @@ def hoop_modes(
     grid = np.linspace(start, end, GRID)
     shapes = np.hstack(
         [
-            _felt(grid, shape, patch) * patch_mean(n / _barrel_radius(line), patch)
+            _felt(grid, shape, patch) * patch_mean_around(line, harmonic=n, patch=patch)
             for n, (_, shape) in zip(harmonics, found, strict=True)
         ]
     )
