@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import Any
 
+import numpy as np
+
 from sweetspot.analysis import Reduction, check_conditions
 from sweetspot.collision.kernel import hits
 from sweetspot.collision.momentum import bbcor, exit_speed
@@ -32,6 +34,8 @@ def answer(state: ExplorerState) -> dict[str, Any]:
     check_conditions(found.bat, conditions, body=found.body)
     along = scan(found.bat, body=found.body, modes=found.modes, conditions=conditions)
     spots = sweet_spots(along, body=found.body, modes=found.modes, conditions=conditions)
+    best = float(np.nanmax(along.exit_speed))
+    hit = _hit(state, found, conditions, found.modes)
     return {
         "bat": {**bat_json(found.bat.name, found.bat.length, found.body), **outline(found.bat)},
         "hands_m": conditions.hands.places,
@@ -48,7 +52,10 @@ def answer(state: ExplorerState) -> dict[str, Any]:
             "hand_impulse_n_s": along.hand_impulse,
             "sting": along.sting,
         },
-        "hit": _hit(state, found, conditions, found.modes),
+        "hit": hit,
+        "best_exit_speed_m_s": best,
+        "lost_m_s": best - hit["exit_speed_m_s"],
+        "ball_radius_m": conditions.ball.radius,
         "conditions": conditions_json(conditions),
     }
 
