@@ -60,6 +60,9 @@ def test_names_teams_letters_and_old_names() -> None:
     daikin = catalog.park("daikin-park")
     for name in ("Daikin Park", "minute maid park", "Houston Astros", "astros", "HOU", "Enron_Field"):
         assert catalog.park(name) is not None and catalog.park(name) == daikin
+    assert catalog.park("coors").team == "Colorado Rockies"
+    with pytest.raises(InputError, match="not in the catalogue"):
+        catalog.park("new")  # two teams begin so
     assert catalog.park("Camden Yards").team == "Baltimore Orioles"
     with pytest.raises(InputError, match="Did you mean fenway"):
         catalog.park("fenwy park")

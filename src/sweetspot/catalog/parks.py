@@ -22,23 +22,24 @@ def park_names() -> list[str]:
 
 @cache
 def park(name: str) -> Park:
-    """Return a park by its name, an older name of it, its team or the team's letters.
+    """Return a park by its name or the beginning of it, an older name, its team or the team's letters.
 
     Raises
     ------
     InputError
         for an unknown one, with the nearest names.
 
-    >>> park("Fenway").name, park("Minute Maid Park").name, park("yankees").team
-    ('Fenway Park', 'Daikin Park', 'New York Yankees')
+    >>> park("wrigley").name, park("Minute Maid Park").name, park("yankees").team
+    ('Wrigley Field', 'Daikin Park', 'New York Yankees')
     """
     known, wanted = _keys(), canonical(name)
-    if wanted not in known:
+    begun = {key for word, key in known.items() if word == wanted or word.startswith(f"{wanted}-")}
+    if wanted not in known and len(begun) != 1:
         raise InputError(
             f"park {name!r} is not in the catalogue. {nearest_names(wanted, list(known))} "
             "A team's name or letters do too; `sweetspot parks` lists all."
         )
-    return _park(read_table(FILE)[known[wanted]])
+    return _park(read_table(FILE)[known.get(wanted) or begun.pop()])
 
 
 @cache
