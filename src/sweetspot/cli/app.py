@@ -234,3 +234,9 @@ app.command(paper)
 from sweetspot.cli.app_command import app as page  # noqa: E402
 
 app.command(page, name="app")
+from sweetspot.cli.parks import parks  # noqa: E402
+
+app.command(parks)
+from sweetspot.cli.sports import sports  # noqa: E402
+
+app.command(sports)
