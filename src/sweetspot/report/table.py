@@ -80,9 +80,9 @@ def damage_lines(found: Damage) -> Text:
     return text
 
 
-def paper_table(rows: list[Row]) -> Table:
+def paper_table(rows: list[Row], title: str = "The paper's chain") -> Table:
     """Return the paper's chain, each statement with its comment below it."""
-    table = _table("eq.", "statement", "paper", "computed", "full model", "unit", title="The paper's chain")
+    table = _table("eq.", "statement", "paper", "computed", "full model", "unit", title=title)
     table.columns[1].ratio = 1
     table.columns[2].max_width = 14
     table.expand = True
