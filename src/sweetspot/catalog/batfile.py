@@ -5,30 +5,24 @@ from __future__ import annotations
 import re
 import tomllib
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
-from pydantic import ConfigDict, Field
+from pydantic import Field
 
 from sweetspot.bat import Bat, Bore, Cup, PointMass
 from sweetspot.catalog.materials import material
 from sweetspot.catalog.records import unwrapped
+from sweetspot.catalog.tables import FileTable
 from sweetspot.catalog.turned import turned_profile
 from sweetspot.errors import InputError
 from sweetspot.laminate import Laminate, Ply
 from sweetspot.material import Material
 from sweetspot.shell import InnerWall, Shell
-from sweetspot.thing import Thing
 from sweetspot.units import parse
 
 Text = str
 Pairs = tuple[tuple[Text, Text], ...]
 MAX_BYTES = 1_000_000
-
-
-class FileTable(Thing):
-    """A table of a bat file: text with units, as people write it."""
-
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=False)
 
 
 class BoreTable(FileTable):
@@ -110,7 +104,9 @@ class MaterialTable(FileTable):
 class BatFile(FileTable):
     """A bat as written in a TOML file; every size, weight and modulus is a text with its unit."""
 
+    kind: Literal["bat"] = "bat"
     name: str
+    sport: str = Field("baseball", description="name in the catalogue")
     length: Text = Field(description="for example '33 in'")
     material: str | MaterialTable = Field(description="name in the catalogue, or a [material] table")
     profile: Pairs | None = Field(None, description="pairs of position from the knob end and diameter")
@@ -127,6 +123,7 @@ class BatFile(FileTable):
     shell: ShellTable | None = None
     point_mass: tuple[PointMassTable, ...] = ()
     choke: Text = Field("0 in", description="how far the grip is moved up from the knob")
+    original: BatFile | None = Field(None, description="the bat as it was measured, when this one is that bat changed")
     note: str | None = Field(None, description="anything worth knowing about this bat")
 
 
@@ -177,6 +174,7 @@ def _bat(file: BatFile) -> Bat:
         profile = turned_profile(length=length, **sizes)
     return Bat(
         name=file.name,
+        sport=file.sport,
         length=length,
         material=own,
         profile=profile,
@@ -196,6 +194,7 @@ def _bat(file: BatFile) -> Bat:
         moi=None if file.moi is None else parse(file.moi, "moi", "moi"),
         moi_axis=parse(file.moi_axis, "length", "moi_axis"),
         choke=parse(file.choke, "length", "choke"),
+        original=None if file.original is None else _bat(file.original),
     )
 
 

@@ -32,6 +32,10 @@ class SwingOptions:
         Parameter(help="Centre of the top hand, from the knob end; default: 6in above the bottom of the grip."),
     ] = None
     ball: Annotated[str, Parameter(help="Ball of the catalogue.")] = "baseball"
+    ball_cor: Annotated[
+        str | None,
+        Parameter(help="Restitution of the ball as bought, at its law's speed, in place of the catalogue's."),
+    ] = None
     ball_humidity: Annotated[
         str | None, Parameter(help="Relative humidity the ball was stored at, as a ratio: 0.5 or 50%.")
     ] = None
@@ -49,6 +53,8 @@ def conditions_for(bat: Bat, options: SwingOptions) -> Conditions:
         return default if text is None else parse_position(text, length=bat.length, what=what)
 
     ball = catalog.ball(options.ball)
+    if options.ball_cor is not None:
+        ball = ball.with_restitution(parse(options.ball_cor, "ratio", "--ball-cor"))
     if options.ball_humidity is not None or options.ball_temperature is not None:
         humid, warm = options.ball_humidity, options.ball_temperature
         ball = ball.conditioned(

@@ -8,17 +8,21 @@ from typing import Any
 import numpy as np
 
 from sweetspot.analysis import Reduction, check_conditions
+from sweetspot.collision.impact import Outcome
 from sweetspot.collision.kernel import hits
-from sweetspot.collision.momentum import bbcor, exit_speed
+from sweetspot.collision.momentum import bbcor
+from sweetspot.collision.strike import BatModel, strikes
+from sweetspot.motion import BallMotion
 from sweetspot.report.border import bat_json, conditions_json
 from sweetspot.scan import scan
 from sweetspot.sweet_spots import sweet_spots
 from sweetspot.swing import Conditions
+from sweetspot.swing_path import SwingPath
 from sweetspot.units import INCH
-from sweetspot.vibration.modes import Modes
 from sweetspot.web.bats import ball_of, conditions_of, reduced
 from sweetspot.web.faults import FieldError
 from sweetspot.web.outline import outline
+from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, swing_options
 from sweetspot.web.states import HitState
 from sweetspot.web.view import View
 
@@ -35,7 +39,7 @@ def answer(state: ExplorerState) -> dict[str, Any]:
     along = scan(found.bat, body=found.body, modes=found.modes, conditions=conditions)
     spots = sweet_spots(along, body=found.body, modes=found.modes, conditions=conditions)
     best = float(np.nanmax(along.exit_speed))
-    hit = _hit(state, found, conditions, found.modes)
+    hit = _hit(state, found, conditions)
     return {
         "bat": {**bat_json(found.bat.name, found.bat.length, found.body), **outline(found.bat)},
         "hands_m": conditions.hands.places,
@@ -54,36 +58,65 @@ def answer(state: ExplorerState) -> dict[str, Any]:
         },
         "hit": hit,
         "best_exit_speed_m_s": best,
-        "lost_m_s": best - hit["exit_speed_m_s"],
+        "lost_m_s": None if hit["exit_speed_m_s"] is None else best - hit["exit_speed_m_s"],
         "ball_radius_m": conditions.ball.radius,
         "conditions": conditions_json(conditions),
     }
 
 
-def _hit(state: ExplorerState, found: Reduction, conditions: Conditions, modes: Modes) -> dict[str, Any]:
-    """Return the collision at the chosen place, from the same compiled solution as the curves."""
+def recipe(state: ExplorerState) -> dict[str, str]:
+    """Return the lines that give the curves and, for a ball met in the middle, the hit."""
+    bat, options = bat_name(state), swing_options(state)
+    command = f"sweetspot report {bat}{options}"
+    python = (
+        conditions_lines(state) + "result = analyse(bat, conditions)\nresult.scan.exit_speed  # m/s along the bat\n"
+    )
+    if state.offset_in == 0:
+        command += f"\nsweetspot hit {bat} --at {state.impact_from_tip_in:.12g}in-from-tip{options}"
+        python += (
+            f"impact = hit_at(bat.length - {state.impact_from_tip_in!r} * INCH, modes=result.modes, "
+            "conditions=conditions)\n"
+        )
+    return {"command": command, "python": python, "toml": bat_text(state)}
+
+
+def _hit(state: ExplorerState, found: Reduction, conditions: Conditions) -> dict[str, Any]:
+    """Return the collision at the chosen place; off the bat's axis by a level swing at a ball that comes level."""
     place = found.bat.length - state.impact_from_tip_in * INCH
     if place < conditions.hands.position:
         most = (found.bat.length - conditions.hands.position) / INCH
         raise FieldError(
             "impact_from_tip_in", f"the ball would meet the hands; allowed is up to {most:.1f} in from the tip"
         )
-    bat_speed = conditions.swing.speed_at(place)
-    closing = conditions.pitch.speed + bat_speed
-    done = hits(modes, ball=conditions.ball, position=place, closing_speed=closing)
-    efficiency = float(done.collision_efficiency[0])
-    leaving = exit_speed(efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed)
-    restitution = bbcor(efficiency, body=found.body, ball=conditions.ball, position=place)
+    bat_speed, ball = conditions.swing.speed_at(place), conditions.ball
+    struck = strikes(
+        BatModel(found.bat, found.body, found.modes),
+        ball=ball,
+        bat_speed=bat_speed,
+        axes=SwingPath().axes,
+        pitch_velocity=(0.0, -conditions.pitch.speed, 0.0),
+        pitch_spin=(0.0, 0.0, 0.0),
+        position=place,
+        offset=state.offset_in * INCH,
+    )
+    outcome = Outcome(int(struck.outcome[0]))
+    met = hits(found.modes, ball=ball, position=place, closing_speed=np.nan_to_num(struck.closing_speed))
+    launched = BallMotion(np.zeros(3), struck.velocity[0], struck.spin[0]) if outcome is Outcome.SEPARATED else None
+    efficiency = float(struck.collision_efficiency[0])
     return {
         "position_m": place,
+        "outcome": outcome.name.lower(),
+        "outcome_text": outcome.sentence,
         "bat_speed_m_s": bat_speed,
-        "exit_speed_m_s": leaving,
+        "exit_speed_m_s": None if launched is None else launched.speed,
+        "launch_angle_rad": None if launched is None else launched.launch_angle,
+        "backspin_rad_s": None if launched is None else launched.backspin,
         "collision_efficiency": efficiency,
-        "bbcor": restitution,
-        "contact_time_s": float(done.contact_time[0]),
-        "peak_force_n": float(done.peak_force[0]),
-        "peak_compression_m": float(done.peak_compression[0]),
+        "bbcor": bbcor(efficiency, body=found.body, ball=ball, position=place),
+        "contact_time_s": float(met.contact_time[0]),
+        "peak_force_n": float(met.peak_force[0]),
+        "peak_compression_m": float(met.peak_compression[0]),
     }
 
 
-VIEW = View("explorer", "Explorer", ExplorerState, answer)
+VIEW = View("explorer", "Explorer", ExplorerState, answer, recipe)
