@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from sweetspot.errors import InputError
-from sweetspot.units import FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM, Kind, parse
+from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM, Kind, parse
 from sweetspot.validation.cases import CASES, Case, Row, sources
 from sweetspot.validation.computations.registry import COMPUTATIONS
 from sweetspot.validation.result import Result
@@ -15,7 +15,7 @@ from sweetspot.validation.result import Result
 UNITS = {
     "": 1.0, "%": 0.01, "m": 1.0, "cm": 0.01, "in": INCH, "ft": FOOT, "cm^3": 1e-6, "kg": 1.0, "oz": OUNCE,
     "kg m^2": 1.0, "oz in^2": OUNCE_INCH_SQUARED, "mph": MPH, "rad/s": 1.0, "ms": 1e-3, "Hz": 1.0,
-    "kN": 1e3, "rpm": RPM, "GPa": 1e9, "mph per mph": 1.0,
+    "kN": 1e3, "rpm": RPM, "deg": DEGREE, "GPa": 1e9, "mph per mph": 1.0,
 }  # fmt: skip
 """Units of printed values, each in SI."""
 

@@ -14,12 +14,13 @@ from sweetspot.validation.computations import (
     inertia,
     laboratory,
     modes,
+    pitching,
     space,
 )
 
 COMPUTATIONS: dict[str, Callable[..., float]] = {
     function.__name__: function
-    for module in (identities, inertia, modes, collision, laboratory, handle, corked, hollow, space)
+    for module in (identities, inertia, modes, collision, laboratory, handle, corked, hollow, space, pitching)
     for function in module.COMPUTATIONS
 }
 """Every computation by the name that case files use."""
