@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from sweetspot.drop import bounce
 from sweetspot.material import Material
 from sweetspot.rigid import centre_of_percussion, effective_mass, hand_impulse_ratio
 from sweetspot.standard import standard_conditions
+from sweetspot.swing import Conditions
 from sweetspot.trampoline import wall_sweep
 from sweetspot.units import INCH, MPH
 
@@ -189,6 +190,12 @@ def corked(bat: Bat, choices: Choices) -> Bat:
     )
 
 
+@lru_cache(maxsize=8)
+def corked_analysis(bat: Bat, choices: Choices, conditions: Conditions) -> Analysis:
+    """Return the full answer for the corked bat under the same swing; the last few are kept."""
+    return analyse(corked(bat, choices), conditions)
+
+
 def can_be_drilled(bat: Bat) -> bool:
     """Return whether the paper's argument can be tried on a bat: solid, not drilled yet, with a known outline."""
     return bat.shell is None and not bat.bores and bat.profile is not None
@@ -211,7 +218,7 @@ def _hollowing(analysis: Analysis, choices: Choices) -> Iterator[Row]:
     )  # fmt: skip
     if not can_be_drilled(bat):
         return
-    softer = analyse(corked(bat, choices), conditions).best
+    softer = corked_analysis(bat, choices, conditions).best
     before, after = exit_speed_of(best, conditions) / MPH, exit_speed_of(softer, conditions) / MPH
     q_before, q_after = best.collision_efficiency, softer.collision_efficiency
     needed = (before * MPH - q_after * conditions.pitch.speed) / (1 + q_after)

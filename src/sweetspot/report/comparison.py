@@ -16,6 +16,7 @@ from rich.text import Text
 from sweetspot.compare import Compared, Comparison
 from sweetspot.errors import InputError
 from sweetspot.report.border import STANDARD_AXIS, bat_json, cleaned, conditions_json
+from sweetspot.report.verdict import US, Readers
 from sweetspot.swing_law import Interval
 from sweetspot.units import INCH, MPH, OUNCE, OUNCE_INCH_SQUARED
 
@@ -98,13 +99,13 @@ def _table(title: str, columns: tuple[str, ...]) -> Table:
     return table
 
 
-def assumptions(comparison: Comparison) -> str:
+def assumptions(comparison: Comparison, readers: Readers = US) -> str:
     """Return what the numbers were computed under, in words."""
     reference = comparison.reference.analysis
     conditions, law = reference.conditions, comparison.law
-    from_tip = (reference.bat.length - conditions.swing.measured_at) / INCH
+    from_tip = readers.place(reference.bat.length - conditions.swing.measured_at)
     text = (
-        f"Pitch {conditions.pitch.speed / MPH:.0f} mph. Bat speed is that {from_tip:.1f} in from the tip; q and "
+        f"Pitch {readers.speeds(conditions.pitch.speed)}. Bat speed is that {from_tip} from the tip; q and "
         "BBCOR are the greatest on the barrel at this swing's closing speed. Break-even: the bat speed with which the "
         "ball leaves as fast as from the first bat. "
     )
@@ -112,7 +113,7 @@ def assumptions(comparison: Comparison) -> str:
         return text + "All bats are swung at the same speed, as no player does with unequal bats."
     low, high = law.exponents.low, law.exponents.high
     return (
-        f"{text}Same effort: bat speed goes as the moment of inertia about {_axis(law.axis)} to the power "
+        f"{text}Same effort: bat speed goes as the moment of inertia about {_axis(law.axis, readers)} to the power "
         f"-{law.exponent:g} ({law.name}). In brackets: the interval from powers of -{low:.2f} to "
         f"-{high:.2f}: {INTERVAL_MEANS}."
     )
@@ -194,5 +195,5 @@ def _tidy(text: str) -> str:
     return text if float(text) else "0.0"
 
 
-def _axis(axis: float) -> str:
-    return "the knob" if axis == 0 else f"{axis / INCH:g} in above the bottom of the grip"
+def _axis(axis: float, readers: Readers) -> str:
+    return "the knob" if axis == 0 else f"{readers.place(axis)} above the bottom of the grip"
