@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
@@ -32,6 +32,13 @@ MOST_VALUES, LONGEST_VALUE, DEEPEST = 600, 2000, 8
 PLUG = 1 * INCH
 
 
+@dataclass(frozen=True)
+class ReducedBat(Reduction):
+    """A reduction of which it is known that it is a bat's and no other implement's."""
+
+    bat: Bat
+
+
 def described(state: BatState) -> Bat:
     """Return the bat that a state's controls describe; a `FieldError` names the control that does not work."""
     bat = _changed(_unheld(state))
@@ -39,7 +46,7 @@ def described(state: BatState) -> Bat:
         return bat.choked_up(state.choke_up_in * INCH) if state.choke_up_in else bat
 
 
-def reduced(state: BatState, ball: Ball) -> Reduction:
+def reduced(state: BatState, ball: Ball) -> ReducedBat:
     """Return a state's bat with its beam and modes; only another bat or another make of ball works them out anew."""
     found = _reduced(_unheld(state), _make(ball))
     return replace(found, bat=described(state)) if state.choke_up_in else found
@@ -115,10 +122,11 @@ _ANY_RESTITUTION = catalog.ball().restitution
 
 
 @lru_cache(maxsize=KEPT)
-def _reduced(state: BatState, ball: Ball) -> Reduction:
+def _reduced(state: BatState, ball: Ball) -> ReducedBat:
     bat = _changed(state)
     with about("bat_toml" if state.bat_toml is not None else "bat"):
-        return reduction(bat, ball=ball)
+        found = reduction(bat, ball=ball)
+    return ReducedBat(bat, found.line, found.body, found.modes)
 
 
 @lru_cache(maxsize=KEPT)

@@ -31,6 +31,7 @@
 import { addressOf, stateIn } from "./address.js";
 import { exportButton } from "./exports.js";
 import { guide } from "./guide.js";
+import { posted } from "./post.js";
 import { Line } from "./socket.js";
 import { text } from "./units.js";
 
@@ -217,16 +218,6 @@ class App {
     });
     if (again) this.redraw();
   }
-}
-
-// POST JSON; a refusal is thrown as {field, message}.
-export async function posted(path, table) {
-  const response = await fetch(path, {
-    method: "POST", headers: { "content-type": "application/json" }, body: JSON.stringify(table),
-  });
-  const answer = await response.json();
-  if (!response.ok) throw answer.error;
-  return answer;
 }
 
 function fieldsOf(schema) {

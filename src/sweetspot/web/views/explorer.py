@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from sweetspot.analysis import Reduction, check_conditions
+from sweetspot.analysis import check_conditions
 from sweetspot.collision.impact import Outcome
 from sweetspot.collision.kernel import hits
 from sweetspot.collision.momentum import bbcor
@@ -19,7 +19,7 @@ from sweetspot.sweet_spots import sweet_spots
 from sweetspot.swing import Conditions
 from sweetspot.swing_path import SwingPath
 from sweetspot.units import INCH
-from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.bats import ReducedBat, ball_of, conditions_of, reduced
 from sweetspot.web.faults import FieldError
 from sweetspot.web.outline import outline
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, swing_options
@@ -80,7 +80,7 @@ def recipe(state: ExplorerState) -> dict[str, str]:
     return {"command": command, "python": python, "toml": bat_text(state)}
 
 
-def _hit(state: ExplorerState, found: Reduction, conditions: Conditions) -> dict[str, Any]:
+def _hit(state: ExplorerState, found: ReducedBat, conditions: Conditions) -> dict[str, Any]:
     """Return the collision at the chosen place; off the bat's axis by a level swing at a ball that comes level."""
     place = found.bat.length - state.impact_from_tip_in * INCH
     if place < conditions.hands.position:

@@ -2,8 +2,8 @@
 
 import { BatView } from "../batview.js";
 import { Chart } from "../chart.js";
-import { benchOf } from "./explorer_bench.js";
 import { choice, group, slider } from "../controls.js";
+import { Bench } from "./explorer_bench.js";
 
 const INCH = 0.0254;
 const PANELS = [
@@ -22,6 +22,8 @@ const FACTS = [
   ["Peak force", (a) => ["peak_force_n", a.hit.peak_force_n]],
   ["Contact time", (a) => ["contact_time_s", a.hit.contact_time_s]],
   ["Lost against the best", (a) => ["exit_speed_m_s", a.lost_m_s]],
+  ["Launch angle", (a) => ["launch_angle_rad", a.hit.launch_angle_rad]],
+  ["Backspin", (a) => ["backspin_rad_s", a.hit.backspin_rad_s]],
   ["Weight", (a) => ["mass_kg", a.bat.mass_kg]],
   ["Swing weight, 6 in axis", (a) => ["moi_6in_kg_m2", a.bat.moi_6in_kg_m2]],
 ];
@@ -40,7 +42,7 @@ export const view = {
       axis: { kind: "position_m", from: () => app.answer?.bat.length_m ?? 0.84, label: "from the tip" },
       onPick: (position, { last }) => this.moveBall(position, last),
     });
-    this.bench = benchOf(app, this.picture);
+    this.bench = new Bench(app, this.picture, root);
     const side = Object.assign(document.createElement("div"), { className: "side" });
     side.append(this.bench.element, ...controls(app));
     this.words = Object.assign(document.createElement("p"), { className: "verdict", id: "verdict" });
@@ -86,7 +88,7 @@ export const view = {
     this.app.setState({ impact_from_tip_in: this.within(inches) }, { commit: last });
   },
 
-  update(answer) {
+  update(answer, state) {
     const { bat, sweet_spots: spots, scan, hit } = answer;
     this.picture.draw({ bat, sweet_spots: spots, hands_m: answer.hands_m, ball: { position_m: hit.position_m, radius_m: answer.ball_radius_m } });
     const zone = spots.zone_m;
@@ -100,13 +102,14 @@ export const view = {
       this.values[i].textContent = this.app.text(name, number);
     });
     this.say(answer);
-    this.bench.update(answer);
+    this.bench.update(answer, state);
   },
 
   say({ bat, sweet_spots: spots, hit, best_exit_speed_m_s: best }) {
     const show = (name, value, digits) => this.app.text(name, value, digits);
+    const here = hit.exit_speed_m_s === null ? hit.outcome_text : show("exit_speed_m_s", hit.exit_speed_m_s);
     const words = `${bat.name} hits fastest ${show("from_m", bat.length_m - spots.max_exit_speed_m, 1)} from the tip: ` +
-      `${show("exit_speed_m_s", best)}. Here, ${show("from_m", bat.length_m - hit.position_m, 1)} from the tip: ${show("exit_speed_m_s", hit.exit_speed_m_s)}.`;
+      `${show("exit_speed_m_s", best)}. Here, ${show("from_m", bat.length_m - hit.position_m, 1)} from the tip: ${here}.`;
     this.words.textContent = words;
     this.app.announce(words);
     this.picture.label(`Ball along the bat. ${words}`);
@@ -116,7 +119,9 @@ export const view = {
     canvas.setAttribute("aria-valuetext", `${show("from_m", bat.length_m - hit.position_m, 1)} from the tip`);
   },
 
-  unmount() {},
+  unmount() {
+    this.root.classList.remove("drop");
+  },
 
   figures() {
     return [this.picture.figure("bat"), this.chart.figure("curves")];
