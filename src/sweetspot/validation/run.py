@@ -14,7 +14,8 @@ from sweetspot.validation.result import Result
 
 UNITS = {
     "": 1.0, "%": 0.01, "m": 1.0, "cm": 0.01, "in": INCH, "ft": FOOT, "cm^3": 1e-6, "kg": 1.0, "oz": OUNCE,
-    "kg m^2": 1.0, "oz in^2": OUNCE_INCH_SQUARED, "mph": MPH, "rad/s": 1.0, "ms": 1e-3, "Hz": 1.0,
+    "kg m^2": 1.0, "kg cm^2": 1e-4, "m/s": 1.0, "yd": 3 * FOOT, "s": 1.0,
+    "oz in^2": OUNCE_INCH_SQUARED, "mph": MPH, "rad/s": 1.0, "ms": 1e-3, "Hz": 1.0,
     "kN": 1e3, "rpm": RPM, "deg": DEGREE, "GPa": 1e9, "mph per mph": 1.0,
 }  # fmt: skip
 """Units of printed values, each in SI."""
@@ -25,7 +26,8 @@ INPUT_KINDS: dict[str, Kind] = {
     "bat_restitution": "ratio", "ball_restitution": "ratio", "share": "ratio", "within": "ratio",
     "length": "length", "pivot": "length", "axis": "length", "from_tip": "length", "distance": "length",
     "measured_at": "length", "bore_diameter": "length", "bore_depth": "length", "plug": "length",
-    "balance_point": "length", "mass": "mass", "ball_mass": "mass", "moi": "moi", "contact_time": "time",
+    "balance_point": "length", "mass": "mass", "ball_mass": "mass", "added_mass": "mass",
+    "moi": "moi", "other_moi": "moi", "contact_time": "time",
     "launch_angle": "angle", "deflection": "angle", "other_deflection": "angle",
     "diameter": "length", "wall": "length", "modulus": "pressure", "density": "density", "poisson_ratio": "ratio",
 }  # fmt: skip

@@ -16,11 +16,12 @@ from sweetspot.validation.computations import (
     modes,
     pitching,
     space,
+    sports,
 )
 
 COMPUTATIONS: dict[str, Callable[..., float]] = {
     function.__name__: function
-    for module in (identities, inertia, modes, collision, laboratory, handle, corked, hollow, space, pitching)
+    for module in (identities, inertia, modes, collision, laboratory, handle, corked, hollow, space, sports, pitching)
     for function in module.COMPUTATIONS
 }
 """Every computation by the name that case files use."""
