@@ -33,7 +33,7 @@ LAYERS = [
     {"swing_law"},
     {"swing", "swing_path"},
     {"aerodynamics", "air", "ball", "bat", "park", "shots", "sport"},
-    {"racket"},
+    {"racket", "cricket_bat"},
     {"implement", "string_bed"},
     {"section", "face"},
     {"shell", "plates"},

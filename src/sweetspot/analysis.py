@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Generic
+
+from typing_extensions import TypeVar
 
 from sweetspot.ball import Ball
 from sweetspot.bat import Bat
@@ -11,6 +14,7 @@ from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact
 from sweetspot.collision.momentum import exit_speed
 from sweetspot.errors import InputError
+from sweetspot.implement import Implement
 from sweetspot.line import Line, reduce
 from sweetspot.rigid import RigidBody, rigid_body
 from sweetspot.scan import Scan, scan
@@ -21,12 +25,15 @@ from sweetspot.vibration.hands import check_hands, gripped
 from sweetspot.vibration.modes import Modes
 from sweetspot.vibration.whole import modes_of
 
+Tool_co = TypeVar("Tool_co", bound=Implement, covariant=True, default=Bat)
+"""What was analysed: a bat unless said otherwise."""
+Given = TypeVar("Given", bound=Implement)
 TYPICAL_HAND = {"mass": 0.35, "stiffness": 20e3, "damping": 100.0}
 """kg, N/m, N s/m per hand; soft defaults, recalled and not read, used only to show that grip hardly matters."""
 
 
 @dataclass(frozen=True)
-class Reduction:
+class Reduction(Generic[Tool_co]):
     """A bat with everything that a collision needs of it, whatever the swing; worked out once, used by many.
 
     Parameters
@@ -34,20 +41,20 @@ class Reduction:
     modes : of the free bat, hands left out.
     """
 
-    bat: Bat
+    bat: Tool_co
     line: Line
     body: RigidBody
     modes: Modes
 
 
-def reduction(bat: Bat, *, ball: Ball) -> Reduction:
+def reduction(bat: Given, *, ball: Ball) -> Reduction[Given]:
     """Return a bat with its beam, its rigid body and its modes under the patch that this ball presses."""
     line = reduce(bat)
     return Reduction(bat, line, rigid_body(line), modes_of(line, ball))
 
 
 @dataclass(frozen=True)
-class Analysis:
+class Analysis(Generic[Tool_co]):
     """Everything computed about one bat under one set of conditions.
 
     Parameters
@@ -56,7 +63,7 @@ class Analysis:
     free : of the bat without hands.
     """
 
-    bat: Bat
+    bat: Tool_co
     conditions: Conditions
     line: Line
     body: RigidBody
@@ -79,7 +86,7 @@ class Analysis:
         return exit_speed_of(with_grip, self.conditions) / exit_speed_of(self.best, self.conditions) - 1
 
 
-def analyse(bat: Bat, conditions: Conditions) -> Analysis:
+def analyse(bat: Given, conditions: Conditions) -> Analysis[Given]:
     """Return the full answer for a bat: reduce it, find its modes, hit it everywhere, read off the sweet spots.
 
     Hands without mass leave the bat free, which is right for the ball's exit (published: grip
@@ -88,7 +95,7 @@ def analyse(bat: Bat, conditions: Conditions) -> Analysis:
     return analyse_reduced(reduction(bat, ball=conditions.ball), conditions)
 
 
-def analyse_reduced(reduced: Reduction, conditions: Conditions) -> Analysis:
+def analyse_reduced(reduced: Reduction[Given], conditions: Conditions) -> Analysis[Given]:
     """Return the full answer for a bat whose modes are known already; see `analyse`."""
     bat, body, free = reduced.bat, reduced.body, reduced.modes
     check_conditions(bat, conditions, body=body)
@@ -110,7 +117,7 @@ def exit_speed_of(impact: Impact, conditions: Conditions) -> float:
     return exit_speed(impact.collision_efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed)
 
 
-def check_conditions(bat: Bat, conditions: Conditions, *, body: RigidBody) -> None:
+def check_conditions(bat: Implement, conditions: Conditions, *, body: RigidBody) -> None:
     """Refuse conditions that do not go with the bat: hands or swing off it, a ball that outweighs it."""
     check_hands(bat, conditions.hands)
     swing = conditions.swing

@@ -225,6 +225,11 @@ class Bat(Implement):
         return self.material.name
 
     @property
+    def materials(self) -> tuple[Material, ...]:
+        """Its own and those of its fills."""
+        return (self.material, *(bore.fill for bore in self.bores if bore.fill is not None))
+
+    @property
     def look(self) -> Look:
         """Family of its material."""
         return self.material.family

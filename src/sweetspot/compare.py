@@ -9,14 +9,14 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Generic, Literal
 
-from sweetspot.analysis import Analysis, Reduction, analyse_reduced, reduction
-from sweetspot.bat import Bat
+from sweetspot.analysis import Analysis, Given, Reduction, Tool_co, analyse_reduced, reduction
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.collision.kernel import hits
 from sweetspot.collision.momentum import exit_speed
 from sweetspot.errors import InputError
+from sweetspot.implement import Implement
 from sweetspot.parabola import peak
 from sweetspot.rigid import RigidBody
 from sweetspot.scan import Array
@@ -31,7 +31,7 @@ TRIALS = 30
 
 
 @dataclass(frozen=True)
-class Compared:
+class Compared(Generic[Tool_co]):
     """One bat of a comparison.
 
     Parameters
@@ -46,7 +46,7 @@ class Compared:
     """
 
     label: str
-    analysis: Analysis
+    analysis: Analysis[Tool_co]
     collision_efficiency: float
     bbcor: float
     bat_speed: Interval
@@ -56,29 +56,29 @@ class Compared:
 
 
 @dataclass(frozen=True)
-class Comparison:
+class Comparison(Generic[Tool_co]):
     """Bats side by side, the reference first; ``law`` is None when all are swung at the same speed.
 
     The intervals hold the spread of the law's exponent and nothing else.
     """
 
-    compared: tuple[Compared, ...]
+    compared: tuple[Compared[Tool_co], ...]
     law: SwingLaw | None
 
     @property
-    def reference(self) -> Compared:
+    def reference(self) -> Compared[Tool_co]:
         """The bat that the others are measured against."""
         return self.compared[0]
 
 
 def compare(
-    bats: Sequence[Bat],
+    bats: Sequence[Given],
     *,
     conditions: Conditions,
     same: Same = "effort",
     law: SwingLaw | None = None,
     labels: Sequence[str] | None = None,
-) -> Comparison:
+) -> Comparison[Given]:
     """Return any number of bats under one player's swing.
 
     Parameters
@@ -99,13 +99,13 @@ def compare(
 
 
 def compare_reduced(
-    reductions: Sequence[Reduction],
+    reductions: Sequence[Reduction[Given]],
     *,
     conditions: Conditions,
     same: Same = "effort",
     law: SwingLaw | None = None,
     labels: Sequence[str] | None = None,
-) -> Comparison:
+) -> Comparison[Given]:
     """Return any number of bats, whose modes are known already, under one player's swing; see `compare`."""
     if not reductions:
         raise InputError("no bat was given; give at least one, and two to compare them")
@@ -113,7 +113,7 @@ def compare_reduced(
         raise InputError(f"{len(labels)} labels were given for {len(reductions)} bats; give one for each")
     used = (law or swing_law()) if same == "effort" else None
     first = reductions[0]
-    found: list[Compared] = []
+    found: list[Compared[Given]] = []
     names = labels or [reduced.bat.name for reduced in reductions]
     for reduced, label in zip(reductions, names, strict=True):
         bat, reference = reduced.bat, first.bat
@@ -128,7 +128,9 @@ def compare_reduced(
     return Comparison(tuple(found), used)
 
 
-def speed_ratios(law: SwingLaw, bat: Bat, body: RigidBody, reference: Bat, reference_body: RigidBody) -> Interval:
+def speed_ratios(
+    law: SwingLaw, bat: Implement, body: RigidBody, reference: Implement, reference_body: RigidBody
+) -> Interval:
     """Return omega / omega_0 of a bat against the reference with the law's 95 % interval.
 
     The moment of inertia is taken about the law's axis, counted from the bottom of each bat's grip.
@@ -142,7 +144,9 @@ def speed_ratios(law: SwingLaw, bat: Bat, body: RigidBody, reference: Bat, refer
     return Interval(ratios[0], min(ratios), max(ratios))
 
 
-def swung_conditions(bat: Bat, *, reference: Bat, conditions: Conditions, ratio: float | None) -> Conditions:
+def swung_conditions(
+    bat: Implement, *, reference: Implement, conditions: Conditions, ratio: float | None
+) -> Conditions:
     """Return the conditions of another bat in the same player's hands.
 
     Parameters
@@ -199,7 +203,9 @@ def break_even_speed(modes: Modes, *, positions: Array, conditions: Conditions, 
     return speed
 
 
-def _compared(label: str, analysis: Analysis, swung: list[Conditions], reference: Compared | None) -> Compared:
+def _compared(
+    label: str, analysis: Analysis[Given], swung: list[Conditions], reference: Compared[Given] | None
+) -> Compared[Given]:
     body, along, modes = analysis.body, analysis.scan, analysis.modes
     barrel = along.position > body.balance_point
     places = on_barrel(along.position, body)

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from sweetspot.errors import InputError
 from sweetspot.face import Face, Outline
+from sweetspot.material import Material
 from sweetspot.section import Section
 from sweetspot.thing import NonNegative, Positive, Thing
 from sweetspot.units import shown
@@ -72,6 +73,11 @@ class Implement(Thing, ABC):
     @abstractmethod
     def made_of(self) -> str:
         """What it is made of, in a few words."""
+
+    @property
+    def materials(self) -> tuple[Material, ...]:
+        """Its materials, as far as it is described by them."""
+        return ()
 
     @property
     @abstractmethod

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sweetspot.bat import Bat
 from sweetspot.collision.kernel import hits
 from sweetspot.collision.momentum import bbcor, exit_speed, rigid_efficiency
+from sweetspot.implement import Implement
 from sweetspot.rigid import RigidBody, hand_impulse_ratio
 from sweetspot.swing import Conditions, Hands
 from sweetspot.vibration.modes import Modes
@@ -20,7 +20,7 @@ POINTS = 161
 STING_BAND = (50.0, 700.0)
 """Hz; palms feel best between about 100 and 400 Hz and hardly beyond 700 Hz [griffin2012; russell2017acoustics]."""
 ABOVE_HANDS = 0.05
-"""m above the top hand's centre where a scan begins."""
+"""m above the top hand's centre where a scan begins; an implement with a face is hit on its face only."""
 
 
 @dataclass(frozen=True)
@@ -53,16 +53,23 @@ class Scan:
     peak_force: Array
 
 
-def scan(bat: Bat, *, body: RigidBody, modes: Modes, conditions: Conditions, positions: Array | None = None) -> Scan:
+def scan(
+    bat: Implement, *, body: RigidBody, modes: Modes, conditions: Conditions, positions: Array | None = None
+) -> Scan:
     """Return hits all along a bat.
 
     Parameters
     ----------
-    positions : m from the knob end; None: evenly from just above the top hand to the tip.
+    positions : m from the knob end; None: evenly from just above the top hand to the tip, or along the face.
     """
     if positions is None:
+        outline = bat.outline
         start = max(conditions.hands.position + ABOVE_HANDS, conditions.swing.pivot + ABOVE_HANDS)
-        positions = np.linspace(start, bat.length, POINTS)
+        positions = (
+            np.linspace(start, bat.length, POINTS)
+            if outline is None
+            else np.linspace(max(start, outline.start), outline.end, POINTS)
+        )
     ball, hands = conditions.ball, conditions.hands
     ball_speed = conditions.pitch.speed
     bat_speed = conditions.swing.angular_speed * (positions - conditions.swing.pivot)

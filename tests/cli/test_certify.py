@@ -115,7 +115,7 @@ def test_shots_that_are_bad_input(rows: list[str], message: str, run: Run, tmp_p
         ((), "needs a bat"),
         (("no-such-bat",), "not in the catalogue"),
         (("r161-ash", "--league", "nca"), "ncaa"),
-        (("r161-ash", "--ball", "tennis"), "not in the catalogue"),
+        (("r161-ash", "--ball", "marble"), "not in the catalogue"),
         (("r161-ash", "--league", "all", "--ball", "baseball_dead"), "no league's rules name the ball"),
         (("r161-ash", "--shots", "/no/such/file.csv"), "is not a file"),
         (("r161-ash", "--standard-ball-cor", "0.5"), "--shots"),

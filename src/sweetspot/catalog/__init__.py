@@ -7,6 +7,7 @@ from sweetspot.catalog.aerodynamics import aerodynamics, aerodynamics_names
 from sweetspot.catalog.balls import ball, ball_names, ball_sport
 from sweetspot.catalog.bats import bat, bat_names, load_bat
 from sweetspot.catalog.deliveries import delivery, delivery_names
+from sweetspot.catalog.implements import implement, implement_names, load_implement
 from sweetspot.catalog.materials import material, material_names
 from sweetspot.catalog.parks import park, park_names, parks
 
@@ -20,7 +21,10 @@ __all__ = [
     "bat_names",
     "delivery",
     "delivery_names",
+    "implement",
+    "implement_names",
     "load_bat",
+    "load_implement",
     "material",
     "material_names",
     "park",

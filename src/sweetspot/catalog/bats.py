@@ -33,11 +33,11 @@ def bat(name: str = DEFAULT_BAT) -> Bat:
 
 
 def load_bat(name_or_path: str) -> Bat:
-    """Return the bat of a TOML file, or the catalogue's bat of that name.
+    """Return the bat of a TOML file, or the catalogue's bat of that name; see `is_file` for what is a file."""
+    return read_bat(Path(name_or_path)) if is_file(name_or_path) else bat(name_or_path)
 
-    Anything that ends in ``.toml``, holds a path separator or names an existing file is a file.
-    """
+
+def is_file(name_or_path: str) -> bool:
+    """Say whether a text is meant as a file: it ends in ``.toml``, holds a path separator or names an existing one."""
     path = Path(name_or_path)
-    if path.suffix.lower() == ".toml" or "/" in name_or_path or "\\" in name_or_path or path.is_file():
-        return read_bat(path)
-    return bat(name_or_path)
+    return path.suffix.lower() == ".toml" or "/" in name_or_path or "\\" in name_or_path or path.is_file()

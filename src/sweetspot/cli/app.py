@@ -78,7 +78,7 @@ def hit(
     from sweetspot.units import parse_position
     from sweetspot.vibration.whole import modes_of
 
-    described = catalog.load_bat(bat)
+    described = catalog.load_implement(bat)
     conditions = conditions_for(described, swing)
     line = reduce(described)
     body = rigid_body(line)
@@ -209,7 +209,7 @@ def _analysed(name: str, swing: SwingOptions) -> Any:
     from sweetspot.analysis import analyse
     from sweetspot.cli.options import conditions_for
 
-    described = catalog.load_bat(name)
+    described = catalog.load_implement(name)
     return analyse(described, conditions_for(described, swing))
 
 

@@ -10,7 +10,7 @@ from cyclopts import Parameter
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
-    from sweetspot.bat import Bat
+    from sweetspot.implement import Implement
     from sweetspot.swing import Conditions
 
 Format = Literal["table", "json", "csv"]
@@ -19,11 +19,17 @@ Format = Literal["table", "json", "csv"]
 @Parameter(name="*")
 @dataclass(frozen=True)
 class SwingOptions:
-    """Pitch, swing, hands and ball; every quantity takes a unit."""
+    """Pitch, swing, hands and ball; every quantity takes a unit. Defaults are baseball's, or of the racket's sport."""
 
-    pitch_speed: Annotated[str, Parameter(help="Speed of the ball at the plate: 90mph, 40m/s, or tee.")] = "90mph"
-    bat_speed: Annotated[str, Parameter(help="Speed of the bat before impact at --bat-speed-at.")] = "70mph"
-    bat_speed_at: Annotated[str, Parameter(help="Where the bat speed is measured.")] = "6in-from-tip"
+    pitch_speed: Annotated[
+        str | None, Parameter(help="Speed of the ball as it arrives: 90mph, 40m/s, or tee; default: 90mph for a bat.")
+    ] = None
+    bat_speed: Annotated[
+        str | None, Parameter(help="Speed of the bat before impact at --bat-speed-at; default: 70mph for a bat.")
+    ] = None
+    bat_speed_at: Annotated[
+        str | None, Parameter(help="Where the bat speed is measured; default: 6in-from-tip for a bat.")
+    ] = None
     pivot: Annotated[
         str | None, Parameter(help="Axis the bat turns about, from the knob end; default: the bottom of the grip.")
     ] = None
@@ -31,7 +37,7 @@ class SwingOptions:
         str | None,
         Parameter(help="Centre of the top hand, from the knob end; default: 6in above the bottom of the grip."),
     ] = None
-    ball: Annotated[str, Parameter(help="Ball of the catalogue.")] = "baseball"
+    ball: Annotated[str | None, Parameter(help="Ball of the catalogue; default: baseball for a bat.")] = None
     ball_cor: Annotated[
         str | None,
         Parameter(help="Restitution of the ball as bought, at its law's speed, in place of the catalogue's."),
@@ -42,17 +48,19 @@ class SwingOptions:
     ball_temperature: Annotated[str | None, Parameter(help="Temperature of the ball, for example 40degF.")] = None
 
 
-def conditions_for(bat: Bat, options: SwingOptions) -> Conditions:
+def conditions_for(bat: Implement, options: SwingOptions) -> Conditions:
     """Return the conditions that the options describe for a bat."""
     from sweetspot import catalog
-    from sweetspot.standard import HANDS
+    from sweetspot.standard import standard_conditions
     from sweetspot.swing import Conditions, Hands, Pitch, Swing
     from sweetspot.units import parse, parse_position
+
+    usual = standard_conditions(bat)
 
     def place(text: str | None, default: float, what: str) -> float:
         return default if text is None else parse_position(text, length=bat.length, what=what)
 
-    ball = catalog.ball(options.ball)
+    ball = usual.ball if options.ball is None else catalog.ball(options.ball)
     if options.ball_cor is not None:
         ball = ball.with_restitution(parse(options.ball_cor, "ratio", "--ball-cor"))
     if options.ball_humidity is not None or options.ball_temperature is not None:
@@ -62,13 +70,17 @@ def conditions_for(bat: Bat, options: SwingOptions) -> Conditions:
             temperature=None if warm is None else parse(warm, "temperature", "--ball-temperature"),
         )
     return Conditions(
-        pitch=Pitch(speed=_pitch_speed(options.pitch_speed)),
+        pitch=usual.pitch if options.pitch_speed is None else Pitch(speed=_pitch_speed(options.pitch_speed)),
         swing=Swing(
-            bat_speed=parse(options.bat_speed, "speed", "--bat-speed"),
-            measured_at=parse_position(options.bat_speed_at, length=bat.length, what="--bat-speed-at"),
-            pivot=place(options.pivot, bat.choke, "--pivot"),
+            bat_speed=(
+                usual.swing.bat_speed
+                if options.bat_speed is None
+                else parse(options.bat_speed, "speed", "--bat-speed")
+            ),
+            measured_at=place(options.bat_speed_at, usual.swing.measured_at, "--bat-speed-at"),
+            pivot=place(options.pivot, usual.swing.pivot, "--pivot"),
         ),
-        hands=Hands(position=place(options.hands, bat.choke + HANDS, "--hands")),
+        hands=Hands(position=place(options.hands, usual.hands.position, "--hands")),
         ball=ball,
     )
 

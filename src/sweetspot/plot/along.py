@@ -10,6 +10,7 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
 
 from sweetspot.analysis import Analysis
+from sweetspot.implement import Implement
 from sweetspot.plot import ruler
 from sweetspot.plot.style import (
     BLUE,
@@ -35,7 +36,7 @@ MODES_SHOWN = 3
 
 
 @styled
-def exit_speed(axes: Axes, analysis: Analysis) -> None:
+def exit_speed(axes: Axes, analysis: Analysis[Implement]) -> None:
     """Draw the ball's exit speed along the bat: mph on the left, m/s on the right, the rigid bat dashed."""
     scan = analysis.scan
     speed, rigid = scan.exit_speed / MPH, scan.rigid_exit_speed / MPH
@@ -63,7 +64,7 @@ def exit_speed(axes: Axes, analysis: Analysis) -> None:
 
 
 @styled
-def efficiency(axes: Axes, analysis: Analysis) -> None:
+def efficiency(axes: Axes, analysis: Analysis[Implement]) -> None:
     """Draw the collision efficiency q along the bat, the rigid bat dashed."""
     scan = analysis.scan
     _prepare(axes, analysis, "Collision efficiency q", "what part of its speed a ball gets back from a bat at rest")
@@ -81,7 +82,7 @@ def efficiency(axes: Axes, analysis: Analysis) -> None:
 
 
 @styled
-def hand_impulse(axes: Axes, analysis: Analysis) -> None:
+def hand_impulse(axes: Axes, analysis: Analysis[Implement]) -> None:
     """Draw the impulse at the top hand, with its sign: zero at the centre of percussion."""
     scan = analysis.scan
     _prepare(axes, analysis, "Jolt at the top hand", "the blow that the bat's turning passes on")
@@ -97,7 +98,7 @@ def hand_impulse(axes: Axes, analysis: Analysis) -> None:
 
 
 @styled
-def sting(axes: Axes, analysis: Analysis) -> None:
+def sting(axes: Axes, analysis: Analysis[Implement]) -> None:
     """Draw the vibration that the hands feel after a hit."""
     scan = analysis.scan
     _prepare(axes, analysis, "Sting", "vibration at the hands right after the hit, 50 to 700 Hz")
@@ -110,7 +111,7 @@ def sting(axes: Axes, analysis: Analysis) -> None:
 
 
 @styled
-def mode_shapes(axes: Axes, analysis: Analysis) -> None:
+def mode_shapes(axes: Axes, analysis: Analysis[Implement]) -> None:
     """Draw how the bat bends in its first modes, each on its own line, nodes as dots."""
     bat, modes = analysis.bat, analysis.modes
     ruler.set_limits(axes, bat.length)
@@ -140,7 +141,7 @@ def mode_shapes(axes: Axes, analysis: Analysis) -> None:
     axes.set_ylim(-len(shown) + 0.45, 0.55)
 
 
-def _prepare(axes: Axes, analysis: Analysis, title: str, note: str) -> None:
+def _prepare(axes: Axes, analysis: Analysis[Implement], title: str, note: str) -> None:
     ruler.set_limits(axes, analysis.bat.length)
     ruler.show_inches(axes, analysis.bat.length, labels=False)
     axes.yaxis.set_major_locator(MaxNLocator(nbins=4))

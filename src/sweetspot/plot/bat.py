@@ -13,6 +13,7 @@ from matplotlib.patches import Polygon
 
 from sweetspot.analysis import Analysis
 from sweetspot.bat import Bat
+from sweetspot.implement import Implement
 from sweetspot.plot import ruler
 from sweetspot.plot.marks import draw_marks, draw_notes
 from sweetspot.plot.style import ZONE, ZONE_EDGE, axes_in_inches, styled
@@ -53,7 +54,7 @@ class BatPanel:
 
 
 @styled
-def bat_figure(analysis: Analysis) -> Figure:
+def bat_figure(analysis: Analysis[Implement]) -> Figure:
     """Return the bat alone, to scale, with its sweet spots, the sweet zone, balance point and hands."""
     panel = bat_panel(analysis.bat)
     figure = Figure(figsize=(WIDTH, panel.height + FOOT))
@@ -68,15 +69,15 @@ def bat_figure(analysis: Analysis) -> Figure:
     return figure
 
 
-def bat_panel(bat: Bat) -> BatPanel:
+def bat_panel(bat: Implement) -> BatPanel:
     """Return the paper that a bat's drawing needs at the common width."""
     scale = ruler.metres_per_inch_of_paper(bat.length, WIDTH - 2 * SIDE)
-    half = float(bat.diameter_at(_places(bat)).max()) / 2 / scale
+    half = float(bat.width_at(_places(bat)).max()) / 2 / scale
     return BatPanel(half + ABOVE, half + BELOW, scale)
 
 
 @styled
-def draw_bat_panel(axes: Axes, analysis: Analysis, panel: BatPanel) -> None:
+def draw_bat_panel(axes: Axes, analysis: Analysis[Implement], panel: BatPanel) -> None:
     """Draw bat, marks and notes on axes whose paper size is the panel's, one scale in both directions."""
     bat = analysis.bat
     ruler.set_limits(axes, bat.length)
@@ -90,28 +91,29 @@ def draw_bat_panel(axes: Axes, analysis: Analysis, panel: BatPanel) -> None:
 
 
 @styled
-def draw_bat(axes: Axes, bat: Bat) -> None:
+def draw_bat(axes: Axes, bat: Implement) -> None:
     """Draw the bat itself around y = 0, both directions in m."""
     places = _places(bat)
-    radius = bat.diameter_at(places) / 2
-    fill, edge = BODY[bat.material.family]
+    radius = bat.width_at(places) / 2
+    fill, edge = BODY[bat.look]
     _band(axes, places, -radius, radius, facecolor=fill, edgecolor="none", zorder=2)
-    if bat.material.family == "wood":
+    if bat.look == "wood":
         waves = [part + 0.035 * np.sin(9 * places / bat.length + 7 * part) for part in GRAIN]
         lines = [np.column_stack([places, wave * radius]) for wave in waves]
         axes.add_artist(LineCollection(lines, color=edge, alpha=0.22, linewidth=0.5, zorder=2.1))
     for low, high, colour, strength in SHADES:
         _band(axes, places, low * radius, high * radius, facecolor=colour, alpha=strength, edgecolor="none", zorder=2.2)
-    _draw_inside(axes, bat, places, radius)
+    if isinstance(bat, Bat):
+        _draw_inside(axes, bat, places, radius)
     _band(axes, places, -radius, radius, facecolor="none", edgecolor=edge, linewidth=1.1, zorder=2.8)
-    for weight in bat.point_masses:
-        reach = float(bat.diameter_at(weight.position)) / 2
+    for weight in bat.point_masses if isinstance(bat, Bat) else ():
+        reach = float(bat.width_at(weight.position)) / 2
         axes.plot([weight.position] * 2, [-reach, reach], color=edge, linewidth=2.4, alpha=0.7, zorder=2.7)
 
 
 def _draw_inside(axes: Axes, bat: Bat, places: Array, radius: Array) -> None:
     """Draw what a cut along the axis would show: the hollow of a shell, holes with their fills, the cup."""
-    _, edge = BODY[bat.material.family]
+    _, edge = BODY[bat.look]
     look: dict[str, Any] = {"edgecolor": edge, "linewidth": 0.6, "zorder": 2.4}
     if bat.shell is not None:
         inner = radius - bat.wall_at(places)
@@ -131,7 +133,7 @@ def _draw_inside(axes: Axes, bat: Bat, places: Array, radius: Array) -> None:
         _band(axes, depth, -reach, reach, facecolor=HOLLOW, **look)
 
 
-def _places(bat: Bat) -> Array:
+def _places(bat: Implement) -> Array:
     """Return positions that catch every corner of the outline."""
     return np.union1d(np.linspace(0, bat.length, POINTS), bat.breakpoints())
 

@@ -11,6 +11,7 @@ from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
 from sweetspot.compare import Compared, Comparison
+from sweetspot.implement import Implement
 from sweetspot.plot import ruler
 from sweetspot.plot.style import (
     BLUE,
@@ -43,7 +44,7 @@ DASHES: tuple[Any, ...] = ("solid", (0, (5, 1.5)), (0, (1.5, 1.2)))
 
 
 @styled
-def compare_figure(comparison: Comparison) -> Figure:
+def compare_figure(comparison: Comparison[Implement]) -> Figure:
     """Return the figure: curves of exit speed above, a row with zone, best place and speed for every bat below."""
     compared = comparison.compared
     length = max(found.analysis.bat.length for found in compared)
@@ -63,7 +64,7 @@ def compare_figure(comparison: Comparison) -> Figure:
     return figure
 
 
-def _header(figure: Figure, comparison: Comparison, height: float) -> None:
+def _header(figure: Figure, comparison: Comparison[Implement], height: float) -> None:
     conditions, law = comparison.reference.analysis.conditions, comparison.law
     left = SIDE / WIDTH
     number = len(comparison.compared)
@@ -77,7 +78,7 @@ def _header(figure: Figure, comparison: Comparison, height: float) -> None:
     figure.text(left, 1 - 0.66 / height, first, color=MUTED, size=NORMAL, parse_math=False)
 
 
-def _curves(axes: Axes, compared: tuple[Compared, ...], length: float) -> None:
+def _curves(axes: Axes, compared: tuple[Compared[Implement], ...], length: float) -> None:
     ruler.show_inches(axes, length, labels=False)
     axes.yaxis.set_major_locator(MaxNLocator(nbins=6))
     light_grid(axes)
@@ -96,7 +97,7 @@ def _curves(axes: Axes, compared: tuple[Compared, ...], length: float) -> None:
     axes.set_ylim(min(0.0, *lows), 1.08 * max(tops))
 
 
-def _zones(axes: Axes, compared: tuple[Compared, ...], length: float) -> None:
+def _zones(axes: Axes, compared: tuple[Compared[Implement], ...], length: float) -> None:
     """Draw a row per bat: name, sweet zone on the common axis, exit speed, and the change with its interval."""
     ruler.show_inches(axes, length)
     axes.set_xlabel("inches from the tip", labelpad=2)
@@ -125,7 +126,7 @@ def _zones(axes: Axes, compared: tuple[Compared, ...], length: float) -> None:
         axes.text(left, -number, words, ha="right", va="center_baseline", color=INK, size=SMALL, parse_math=False)
 
 
-def _change(found: Compared) -> str:
+def _change(found: Compared[Implement]) -> str:
     change = found.change
     text = f"{change.value / MPH:+.1f}"
     return text if change.low == change.high else f"{text} ({change.low / MPH:+.1f} to {change.high / MPH:+.1f})"
@@ -135,6 +136,6 @@ def _look(number: int) -> tuple[str, Any]:
     return COLOURS[number % len(COLOURS)], DASHES[min(number // len(COLOURS), len(DASHES) - 1)]
 
 
-def _best(found: Compared, length: float) -> float:
+def _best(found: Compared[Implement], length: float) -> float:
     """Return the best place in m on the common axis, on which all tips lie at ``length``."""
     return found.analysis.sweet_spots.max_exit_speed + length - found.analysis.bat.length

@@ -34,6 +34,7 @@ ENERGY_NAMES = {
     "rotation": ("bat, turned", SKY),
     "bending": ("bat, bending vibration", PURPLE),
     "hoop": ("bat, barrel vibration", ORANGE),
+    "face": ("face, vibration", ORANGE),
     "damping": ("heat in bat and hands", GREEN),
 }
 """Field of `EnergyLedger`: (what the picture calls it, colour)."""

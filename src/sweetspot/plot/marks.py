@@ -8,6 +8,8 @@ from typing import Any
 from matplotlib.axes import Axes
 
 from sweetspot.analysis import Analysis
+from sweetspot.bat import Bat
+from sweetspot.implement import Implement
 from sweetspot.plot.style import INK, MUTED, NORMAL, PAPER, SMALL, SPOT_COLOURS, ZONE_INK
 from sweetspot.units import INCH
 
@@ -33,7 +35,7 @@ class Mark:
     place: float
 
 
-def ladder(analysis: Analysis) -> tuple[list[Mark], list[Mark]]:
+def ladder(analysis: Analysis[Implement]) -> tuple[list[Mark], list[Mark]]:
     """Return the marks on the handle's and on the barrel's half, each from the lowest label up.
 
     A label's line runs level from the label to above its place and then straight down; in this order no line
@@ -46,7 +48,7 @@ def ladder(analysis: Analysis) -> tuple[list[Mark], list[Mark]]:
     return left, [mark for mark in marks if mark.place >= middle]
 
 
-def draw_marks(axes: Axes, analysis: Analysis, scale: float, *, top: float) -> None:
+def draw_marks(axes: Axes, analysis: Analysis[Implement], scale: float, *, top: float) -> None:
     """Draw a dot on the bat for every sweet spot, and lead each to its label.
 
     Parameters
@@ -59,7 +61,7 @@ def draw_marks(axes: Axes, analysis: Analysis, scale: float, *, top: float) -> N
     column = min((mark.place for mark in right), default=analysis.bat.length) - GAP * scale
     for number, mark in enumerate(marks):
         level = top - (len(marks) - number - 0.5 + 1) * ROW * scale
-        radius = float(analysis.bat.diameter_at(mark.place)) / 2
+        radius = float(analysis.bat.width_at(mark.place)) / 2
         dot = radius * (0.72 - 1.44 * number / (len(marks) - 1))
         colour = SPOT_COLOURS[mark.field]
         ahead = mark in right
@@ -79,7 +81,9 @@ def draw_marks(axes: Axes, analysis: Analysis, scale: float, *, top: float) -> N
         )  # fmt: skip
 
 
-def _label(axes: Axes, analysis: Analysis, mark: Mark, at: tuple[float, float], scale: float, *, ahead: bool) -> None:
+def _label(
+    axes: Axes, analysis: Analysis[Implement], mark: Mark, at: tuple[float, float], scale: float, *, ahead: bool
+) -> None:
     inches = f"{(analysis.bat.length - mark.place) / INCH:.1f}"
     place, level = at
     best = mark.field == "max_exit_speed"
@@ -94,7 +98,7 @@ def _label(axes: Axes, analysis: Analysis, mark: Mark, at: tuple[float, float], 
         axes.text(place + step + NUMBER * scale, level, name, ha="left", weight=weight, **look)
 
 
-def draw_notes(axes: Axes, analysis: Analysis, scale: float, *, bottom: float) -> None:
+def draw_notes(axes: Axes, analysis: Analysis[Implement], scale: float, *, bottom: float) -> None:
     """Draw what is below the bat: zone and its width, balance point, hands, and what was drilled.
 
     Parameters
@@ -105,7 +109,7 @@ def draw_notes(axes: Axes, analysis: Analysis, scale: float, *, bottom: float) -
     bat, body = analysis.bat, analysis.body
     upper, lower = bottom + 0.42 * scale, bottom + 0.16 * scale
     _zone(axes, analysis, upper, lower)
-    below = -float(bat.diameter_at(body.balance_point)) / 2 - 0.08 * scale
+    below = -float(bat.width_at(body.balance_point)) / 2 - 0.08 * scale
     axes.plot(body.balance_point, below, "^", color=INK, markersize=6, zorder=4, clip_on=False)
     balance = f"balance {body.balance_point / INCH:.1f} in from the knob"
     axes.text(
@@ -113,7 +117,7 @@ def draw_notes(axes: Axes, analysis: Analysis, scale: float, *, bottom: float) -
     )
     hands = analysis.conditions.hands.places
     for place in hands:
-        reach = float(bat.diameter_at(place)) / 2 + 0.05 * scale
+        reach = float(bat.width_at(place)) / 2 + 0.05 * scale
         axes.plot([place, place], [-reach, reach], color=MUTED, linewidth=1.2, linestyle=(0, (1.5, 1.5)), zorder=3)
     axes.text(sum(hands) / 2, upper, "hands", ha="center", va="center_baseline", color=MUTED, size=SMALL)
     note = _inside_note(analysis)
@@ -123,7 +127,7 @@ def draw_notes(axes: Axes, analysis: Analysis, scale: float, *, bottom: float) -
         )
 
 
-def _zone(axes: Axes, analysis: Analysis, upper: float, lower: float) -> None:
+def _zone(axes: Axes, analysis: Analysis[Implement], upper: float, lower: float) -> None:
     zone, length = analysis.sweet_spots.zone, analysis.bat.length
     look: dict[str, Any] = {"ha": "center", "va": "center_baseline", "size": NORMAL, "zorder": 5}
     if zone is None:
@@ -140,9 +144,11 @@ def _zone(axes: Axes, analysis: Analysis, upper: float, lower: float) -> None:
     )  # fmt: skip
 
 
-def _inside_note(analysis: Analysis) -> str:
+def _inside_note(analysis: Analysis[Implement]) -> str:
     """Say what the section shows."""
     bat = analysis.bat
+    if not isinstance(bat, Bat):
+        return ""
     notes = []
     for bore in bat.bores:
         fill = f"filled with {bore.fill.name}" if bore.fill else "empty"

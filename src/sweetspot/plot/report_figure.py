@@ -9,6 +9,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 
 from sweetspot.analysis import Analysis, exit_speed_of
+from sweetspot.implement import Implement
 from sweetspot.plot import along, ruler
 from sweetspot.plot.bat import ABOVE, GUIDE_START, RULER, SIDE, WIDTH, bat_panel, draw_bat_panel
 from sweetspot.plot.style import (
@@ -41,7 +42,7 @@ STANDARD_AXIS = 6 * INCH
 
 
 @styled
-def report_figure(analysis: Analysis) -> Figure:
+def report_figure(analysis: Analysis[Implement]) -> Figure:
     """Return the tall figure: title, bat to scale, then exit speed, q, jolt, sting and modes on the same axis."""
     bat, panel = analysis.bat, bat_panel(analysis.bat)
     across = WIDTH - 2 * SIDE
@@ -66,7 +67,7 @@ def report_figure(analysis: Analysis) -> Figure:
     return figure
 
 
-def _header(figure: Figure, analysis: Analysis, height: float) -> None:
+def _header(figure: Figure, analysis: Analysis[Implement], height: float) -> None:
     """Write the bat's name, its sizes and the answer."""
     bat, body, conditions = analysis.bat, analysis.body, analysis.conditions
     left, right = SIDE / WIDTH, 1 - SIDE / WIDTH
@@ -76,7 +77,7 @@ def _header(figure: Figure, analysis: Analysis, height: float) -> None:
     figure.text(left, 1 - 0.45 / height, name, size=size, weight="bold", parse_math=False)
     moi = body.moi(STANDARD_AXIS) / OUNCE_INCH_SQUARED
     quiet: dict[str, Any] = {"color": MUTED, "size": NORMAL, "parse_math": False}
-    sizes = f"{bat.length / INCH:.2f} in  ·  {body.mass / OUNCE:.1f} oz  ·  {bat.material.name}"
+    sizes = f"{bat.length / INCH:.2f} in  ·  {body.mass / OUNCE:.1f} oz  ·  {bat.made_of}"
     figure.text(left, 1 - 0.68 / height, sizes, **quiet)
     figure.text(left, 1 - 0.86 / height, f"moment of inertia {moi:,.0f} oz in² about 6 in from the knob", **quiet)
     pitch, swing = conditions.pitch.speed / MPH, conditions.swing
@@ -86,7 +87,9 @@ def _header(figure: Figure, analysis: Analysis, height: float) -> None:
     figure.text(right, 1 - 0.86 / height, f"measured {at:.1f} in from the tip", ha="right", **quiet)
 
 
-def _guides(figure: Figure, analysis: Analysis, height: float, *, bat_top: float, top: float, bottom: float) -> None:
+def _guides(
+    figure: Figure, analysis: Analysis[Implement], height: float, *, bat_top: float, top: float, bottom: float
+) -> None:
     """Run the sweet zone from the bat and the best place from below it down the paper, in inches from its top."""
     bat, spots = analysis.bat, analysis.sweet_spots
     start, span = -ruler.MARGIN * bat.length, (1 + 2 * ruler.MARGIN) * bat.length
@@ -107,7 +110,7 @@ def _guides(figure: Figure, analysis: Analysis, height: float, *, bat_top: float
     )
 
 
-def _footer(figure: Figure, analysis: Analysis, height: float) -> None:
+def _footer(figure: Figure, analysis: Analysis[Implement], height: float) -> None:
     """Say what was hit with what, and what the lines are."""
     words = (
         "Shaded: sweet zone.  Red line: best place.  Dashed: the same bat if it were rigid.  Free bat, "

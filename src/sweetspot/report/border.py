@@ -12,6 +12,7 @@ from sweetspot.analysis import Analysis, exit_speed_of
 from sweetspot.collision.impact import Impact
 from sweetspot.collision.momentum import bbcor
 from sweetspot.damage import Damage
+from sweetspot.implement import Implement
 from sweetspot.paper_rows import Row
 from sweetspot.rigid import RigidBody
 from sweetspot.swing import Conditions
@@ -20,7 +21,7 @@ STANDARD_AXIS = 0.1524
 """m from the knob end: 6 in, the axis at which bats' moments of inertia are compared."""
 
 
-def report_json(analysis: Analysis) -> dict[str, Any]:
+def report_json(analysis: Analysis[Implement]) -> dict[str, Any]:
     """Return everything `sweetspot report` knows, with the keys of the border contract."""
     spots, along = analysis.sweet_spots, analysis.scan
     return cleaned(
@@ -62,7 +63,7 @@ def bat_json(name: str, length: float, body: RigidBody) -> dict[str, Any]:
     }
 
 
-def modes_json(analysis: Analysis) -> list[dict[str, Any]]:
+def modes_json(analysis: Analysis[Implement]) -> list[dict[str, Any]]:
     """Return the bat's vibrating modes; rigid motions and the hands' own are left out."""
     modes = analysis.modes
     ratio = modes.damping_ratio

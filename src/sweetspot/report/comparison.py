@@ -15,6 +15,7 @@ from rich.text import Text
 
 from sweetspot.compare import Compared, Comparison
 from sweetspot.errors import InputError
+from sweetspot.implement import Implement
 from sweetspot.report.border import STANDARD_AXIS, bat_json, cleaned, conditions_json
 from sweetspot.report.verdict import US, Readers
 from sweetspot.swing_law import Interval
@@ -25,7 +26,7 @@ BAT_COLUMNS = ("bat", "mass oz", "balance in", "MOI 6in oz in^2", "f1 Hz", "q ma
 PLAY_COLUMNS = ("bat", "bat speed mph", "exit speed mph", "change mph", "break-even bat speed mph")
 
 
-def comparison_json(comparison: Comparison, verdict: list[str]) -> dict[str, Any]:
+def comparison_json(comparison: Comparison[Implement], verdict: list[str]) -> dict[str, Any]:
     """Return everything about a comparison; the first bat is the reference."""
     law, reference = comparison.law, comparison.reference
     exponents = law.exponents if law else None
@@ -47,7 +48,7 @@ def comparison_json(comparison: Comparison, verdict: list[str]) -> dict[str, Any
     )  # fmt: skip
 
 
-def comparison_rows(comparison: Comparison) -> list[dict[str, Any]]:
+def comparison_rows(comparison: Comparison[Implement]) -> list[dict[str, Any]]:
     """Return one flat row per bat."""
     rows = []
     for found in comparison.compared:
@@ -65,7 +66,7 @@ def comparison_rows(comparison: Comparison) -> list[dict[str, Any]]:
     return rows
 
 
-def comparison_table(comparison: Comparison, verdict: list[str]) -> Group:
+def comparison_table(comparison: Comparison[Implement], verdict: list[str]) -> Group:
     """Return what the bats are, what they do in play, what that assumes, and the verdict."""
     bats, play = _table("The bats", BAT_COLUMNS), _table("In play", PLAY_COLUMNS)
     for number, found in enumerate(comparison.compared):
@@ -99,7 +100,7 @@ def _table(title: str, columns: tuple[str, ...]) -> Table:
     return table
 
 
-def assumptions(comparison: Comparison, readers: Readers = US) -> str:
+def assumptions(comparison: Comparison[Implement], readers: Readers = US) -> str:
     """Return what the numbers were computed under, in words."""
     reference = comparison.reference.analysis
     conditions, law = reference.conditions, comparison.law
@@ -119,7 +120,7 @@ def assumptions(comparison: Comparison, readers: Readers = US) -> str:
     )
 
 
-def first_frequency(found: Compared, family: str) -> float:
+def first_frequency(found: Compared[Implement], family: str) -> float:
     """Return the lowest frequency in Hz of a family of modes, nan where the bat has none."""
     modes = found.analysis.modes
     return min(
@@ -127,7 +128,7 @@ def first_frequency(found: Compared, family: str) -> float:
     )
 
 
-def write_comparison(comparison: Comparison, verdict: list[str], folder: Path) -> list[Path]:
+def write_comparison(comparison: Comparison[Implement], verdict: list[str], folder: Path) -> list[Path]:
     """Write compare.png, compare.svg and compare.json into a folder, all of them or none.
 
     Raises
@@ -161,7 +162,7 @@ def write_comparison(comparison: Comparison, verdict: list[str], folder: Path) -
     return list(contents)
 
 
-def _bat(found: Compared) -> dict[str, Any]:
+def _bat(found: Compared[Implement]) -> dict[str, Any]:
     analysis = found.analysis
     return {
         "label": found.label,

@@ -10,6 +10,7 @@ from pathlib import Path
 from sweetspot import __version__
 from sweetspot.analysis import Analysis, exit_speed_of
 from sweetspot.errors import InputError
+from sweetspot.implement import Implement
 from sweetspot.report.border import report_json
 from sweetspot.report.words import answer, from_tip
 from sweetspot.units import INCH, MPH, OUNCE
@@ -17,7 +18,7 @@ from sweetspot.units import INCH, MPH, OUNCE
 NAMES = ("report.html", "report.png", "report.svg", "report.json")
 
 
-def write_report(analysis: Analysis, folder: Path) -> list[Path]:
+def write_report(analysis: Analysis[Implement], folder: Path) -> list[Path]:
     """Write report.html, report.png, report.svg and report.json into a folder, all of them or none.
 
     The page needs nothing else: pictures and style are inside it. A folder that does not exist is made.
@@ -67,7 +68,7 @@ def check_folder(folder: Path) -> None:
             raise InputError(f"{folder / name} is a folder where a file of the report would go; choose another folder")
 
 
-def page(analysis: Analysis, *, overview: bytes, hit: bytes) -> str:
+def page(analysis: Analysis[Implement], *, overview: bytes, hit: bytes) -> str:
     """Return the whole page as HTML.
 
     Parameters
@@ -80,7 +81,7 @@ def page(analysis: Analysis, *, overview: bytes, hit: bytes) -> str:
 
     bat, body = analysis.bat, analysis.body
     sizes = (
-        f"{bat.length / INCH:.2f} in long, {body.mass / OUNCE:.1f} oz, {bat.material.name}, "
+        f"{bat.length / INCH:.2f} in long, {body.mass / OUNCE:.1f} oz, {bat.made_of}, "
         f"balance {body.balance_point / INCH:.1f} in from the knob"
     )
     hit_caption = (
@@ -116,7 +117,7 @@ def page(analysis: Analysis, *, overview: bytes, hit: bytes) -> str:
     )
 
 
-def _overview_label(analysis: Analysis) -> str:
+def _overview_label(analysis: Analysis[Implement]) -> str:
     best = from_tip(analysis, analysis.sweet_spots.max_exit_speed)
     speed = exit_speed_of(analysis.best, analysis.conditions) / MPH
     return (
@@ -126,7 +127,7 @@ def _overview_label(analysis: Analysis) -> str:
     )
 
 
-def _hit_label(analysis: Analysis) -> str:
+def _hit_label(analysis: Analysis[Implement]) -> str:
     impact = analysis.best
     heat = 100 * impact.energy.heat / impact.energy.incoming
     return (

@@ -6,13 +6,13 @@ from typing import Any
 
 from sweetspot.analysis import Analysis
 from sweetspot.ball import Ball
-from sweetspot.bat import Bat
 from sweetspot.catalog.balls import FILE as BALL_FILE
 from sweetspot.catalog.balls import ball
-from sweetspot.catalog.bats import bat, bat_tables
+from sweetspot.catalog.implements import implement, implement_tables
 from sweetspot.catalog.materials import FILE as MATERIAL_FILE
 from sweetspot.catalog.materials import material
 from sweetspot.catalog.records import Record, read_table, records
+from sweetspot.implement import Implement
 from sweetspot.material import Material
 
 METHOD_SOURCES = (
@@ -23,27 +23,27 @@ METHOD_SOURCES = (
 STATIONS_SHOWN = 3
 
 
-def used_records(analysis: Analysis) -> dict[str, list[Record]]:
+def used_records(analysis: Analysis[Implement]) -> dict[str, list[Record]]:
     """Return the records of everything that went into an analysis, under a heading for each thing."""
     described = analysis.bat
     found = {f"bat: {described.name}": bat_records(described)}
-    fills = {bore.fill.name: bore.fill for bore in described.bores if bore.fill is not None}
-    for made_of in (described.material, *fills.values()):
+    for made_of in {used.name: used for used in described.materials}.values():
         found[f"material: {made_of.name}"] = material_records(made_of)
     used = analysis.conditions.ball
     found[f"ball: {used.name}"] = ball_records(used)
     return {heading: entries for heading, entries in found.items() if entries}
 
 
-def own_values(analysis: Analysis) -> list[str]:
+def own_values(analysis: Analysis[Implement]) -> list[str]:
     """Return in words what was used but is not the catalogue's: a bat from a file, changed materials or balls."""
     words = []
     described, used = analysis.bat, analysis.conditions.ball
     if not bat_records(described):
         words.append(f"Sizes and weight of {described.name}: as given by whoever described it.")
-    elif described.original is not None:
-        words.append(f"The records of the bat are those of {described.original.name}, before it was changed.")
-    for made_of in (described.material, *(bore.fill for bore in described.bores if bore.fill is not None)):
+    elif described.as_measured() is not described:
+        measured = described.as_measured().name
+        words.append(f"The records of the bat are those of {measured}, before it was changed.")
+    for made_of in described.materials:
         words += (
             _changes("material", made_of, material(key))
             if (key := _material_key(made_of))
@@ -57,12 +57,14 @@ def own_values(analysis: Analysis) -> list[str]:
     return list(dict.fromkeys(words))
 
 
-def bat_records(described: Bat) -> list[Record]:
+def bat_records(described: Implement) -> list[Record]:
     """Return the records of a catalogue bat, or of the one a modified bat was made from; none for any other bat."""
-    measured = described.original or described
-    for key, entry in bat_tables().items():
-        if entry.get("name") == measured.name and bat(key) == measured:
-            return records(entry, key)
+    measured = described.as_measured()
+    for key, entry in implement_tables().items():
+        if entry.get("name") == measured.name and implement(key) == measured:
+            tables = {f"{key}.{name}": table for name, table in entry.items() if isinstance(table, dict)}
+            inside = [record for name, table in tables.items() for record in records(table, name)]
+            return records(entry, key) + inside
     return []
 
 

@@ -6,6 +6,7 @@ import math
 
 from sweetspot.analysis import Analysis, exit_speed_of
 from sweetspot.collision.momentum import bbcor
+from sweetspot.implement import Implement
 from sweetspot.references import cite, reference
 from sweetspot.report.border import STANDARD_AXIS
 from sweetspot.report.markup import Html, bullets, paragraphs, section, table, text
@@ -21,7 +22,7 @@ MISSES = (1, 2, 3)
 """Inches."""
 
 
-def key_numbers(analysis: Analysis) -> Html:
+def key_numbers(analysis: Analysis[Implement]) -> Html:
     """Return the few numbers that everybody asks for, large."""
     spots = analysis.sweet_spots
     inside, outside = (loss / MPH for loss in miss_cost(analysis.scan, 2 * INCH))
@@ -36,7 +37,7 @@ def key_numbers(analysis: Analysis) -> Html:
     return Html(f'<dl class="cards">\n{items}\n</dl>')
 
 
-def sweet_spots(analysis: Analysis) -> Html:
+def sweet_spots(analysis: Analysis[Implement]) -> Html:
     """Return every meaning of "sweet spot" with its place."""
     rows = []
     for field, (name, meaning) in SPOT_NAMES.items():
@@ -55,7 +56,7 @@ def sweet_spots(analysis: Analysis) -> Html:
     return section("Every sweet spot", table(columns, rows, numbers=(1, 2), name="spots"), name="sweet-spots")
 
 
-def mass_properties(analysis: Analysis) -> Html:
+def mass_properties(analysis: Analysis[Implement]) -> Html:
     """Return weight, balance and moments of inertia in both systems of units."""
     body, bat = analysis.body, analysis.bat
     rows = [
@@ -76,7 +77,7 @@ def mass_properties(analysis: Analysis) -> Html:
     return section("Weight and balance", table(("", "US", "SI"), rows, numbers=(1, 2)), name="mass")
 
 
-def modes(analysis: Analysis) -> Html:
+def modes(analysis: Analysis[Implement]) -> Html:
     """Return the lowest vibrations with their damping and nodes."""
     found, ratio = analysis.modes, analysis.modes.damping_ratio
     ringing = [index for index in range(len(found)) if found.families[index] != "rigid" and found.frequency[index] > 0]
@@ -93,7 +94,7 @@ def modes(analysis: Analysis) -> Html:
     return section("How it rings", table(columns, rows, numbers=(1, 2)), name="modes")
 
 
-def best_hit(analysis: Analysis, figure: Html) -> Html:
+def best_hit(analysis: Analysis[Implement], figure: Html) -> Html:
     """Return the best hit: its numbers and its picture."""
     impact, conditions = analysis.best, analysis.conditions
     efficiency = impact.collision_efficiency
@@ -114,7 +115,7 @@ def best_hit(analysis: Analysis, figure: Html) -> Html:
     return section("The best hit", table(("", "US", "SI"), rows, numbers=(1, 2)), figure, name="best-hit")
 
 
-def misses(analysis: Analysis) -> Html:
+def misses(analysis: Analysis[Implement]) -> Html:
     """Return what hitting beside the best place costs, either way."""
     rows = []
     for inches in MISSES:
@@ -125,7 +126,7 @@ def misses(analysis: Analysis) -> Html:
     return section("What a miss costs", table(columns, rows, numbers=(1, 2)), name="misses")
 
 
-def conditions(analysis: Analysis) -> Html:
+def conditions(analysis: Analysis[Implement]) -> Html:
     """Return pitch, swing, hands and ball."""
     given, bat = analysis.conditions, analysis.bat
     swing, ball = given.swing, given.ball
@@ -144,7 +145,7 @@ def conditions(analysis: Analysis) -> Html:
     return section("Conditions", table(("", "US", "SI"), rows, numbers=(1, 2)), name="conditions")
 
 
-def assumptions(analysis: Analysis) -> Html:
+def assumptions(analysis: Analysis[Implement]) -> Html:
     """Return what the model takes for granted, and where it stops being right."""
     assumed = [
         f"{heading.partition(': ')[2]} {record.name.rpartition('.')[2].replace('_', ' ')}"
@@ -173,7 +174,7 @@ def assumptions(analysis: Analysis) -> Html:
     return section("Assumptions and limits", bullets([point for point in points if point]), name="assumptions")
 
 
-def _grip(analysis: Analysis) -> str:
+def _grip(analysis: Analysis[Implement]) -> str:
     """Say how the bat is held, and how little that matters to the ball."""
     size = 100 * abs(analysis.grip_effect)
     change = "less than 0.1 %" if size < 0.1 else f"{size:.1f} %"
@@ -185,12 +186,12 @@ def _grip(analysis: Analysis) -> str:
     )
 
 
-def _held(analysis: Analysis) -> bool:
+def _held(analysis: Analysis[Implement]) -> bool:
     hands = analysis.conditions.hands
     return any((hands.mass, hands.stiffness, hands.damping))
 
 
-def provenance(analysis: Analysis) -> Html:
+def provenance(analysis: Analysis[Implement]) -> Html:
     """Return value, spread, kind and source of every catalogue number used."""
     parts: list[str] = [paragraphs(own_values(analysis))]
     for heading, entries in used_records(analysis).items():
@@ -206,7 +207,7 @@ def provenance(analysis: Analysis) -> Html:
     return section("Where the constants come from", *parts, name="constants")
 
 
-def sources(analysis: Analysis) -> Html:
+def sources(analysis: Analysis[Implement]) -> Html:
     """Return the sources behind the constants and the methods, and how far each was read."""
     items = []
     for key in sources_of(used_records(analysis)):

@@ -13,6 +13,7 @@ from sweetspot.analysis import Analysis, exit_speed_of
 from sweetspot.collision.impact import Impact
 from sweetspot.collision.momentum import bbcor
 from sweetspot.damage import Damage
+from sweetspot.implement import Implement
 from sweetspot.paper_rows import Row, Value
 from sweetspot.report.border import STANDARD_AXIS
 from sweetspot.report.words import answer, from_tip
@@ -34,11 +35,11 @@ SPOT_NAMES = {
 """Field of `SweetSpots`: (name, what it means)."""
 
 
-def report_table(analysis: Analysis) -> Group:
+def report_table(analysis: Analysis[Implement]) -> Group:
     """Return the terminal report: the answer, sweet spots, exit speed along the bat, mass properties, modes."""
     body, bat = analysis.body, analysis.bat
     title = Text(f"{bat.name}  ", style="bold")
-    title.append(f"{bat.length / INCH:.2f} in, {body.mass / OUNCE:.1f} oz, {bat.material.name}", style="dim")
+    title.append(f"{bat.length / INCH:.2f} in, {body.mass / OUNCE:.1f} oz, {bat.made_of}", style="dim")
     words = [Padding(Text(paragraph), (0, 0, 1, 0)) for paragraph in answer(analysis)]
     return Group(
         title, Text(), *words, _spots(analysis), Text(), _along(analysis), Text(), _mass(analysis.body), Text(),
@@ -58,8 +59,10 @@ def hit_table(impact: Impact, *, body: RigidBody, conditions: Conditions, length
     table.add_row("peak force", f"{impact.peak_force / 1e3:.1f} kN")
     table.add_row("peak compression", f"{1e3 * impact.peak_compression:.1f} mm")
     energy = impact.energy
-    for name in ("ball", "heat", "translation", "rotation", "bending", "hoop", "damping"):
+    for name in ("ball", "heat", "translation", "rotation", "bending", "hoop", "face", "damping"):
         joules = getattr(energy, name)
+        if name == "face" and not joules:  # round bats have none
+            continue
         part = 100 * joules / energy.incoming if energy.incoming else 0.0
         table.add_row(f"energy: {name}", f"{joules:7.1f} J  {part:5.1f} %")
     table.add_row("energy: sum misses", f"{energy.imbalance:+.1e} of {energy.incoming:.1f} J")
@@ -109,7 +112,7 @@ def _table(*columns: str, title: str) -> Table:
     return table
 
 
-def _spots(analysis: Analysis) -> Table:
+def _spots(analysis: Analysis[Implement]) -> Table:
     table = _table("sweet spot", "in from tip", "cm from knob", "what it means", title="Where it hits best")
     for field, (name, meaning) in SPOT_NAMES.items():
         place = getattr(analysis.sweet_spots, field)
@@ -117,7 +120,7 @@ def _spots(analysis: Analysis) -> Table:
     return table
 
 
-def _along(analysis: Analysis) -> Table:
+def _along(analysis: Analysis[Implement]) -> Table:
     import numpy as np
 
     scan = analysis.scan
@@ -154,7 +157,7 @@ def _mass(body: RigidBody) -> Table:
     return table
 
 
-def _modes(analysis: Analysis) -> Table:
+def _modes(analysis: Analysis[Implement]) -> Table:
     modes = analysis.modes
     table = _table("mode", "frequency", "damping", "nodes, in from tip", title="Vibration")
     shown = modes.of_family("bending")[:SHOWN_MODES] + modes.of_family("hoop")[:SHOWN_HOOPS]
@@ -166,7 +169,7 @@ def _modes(analysis: Analysis) -> Table:
     return table
 
 
-def _best(analysis: Analysis) -> Table:
+def _best(analysis: Analysis[Implement]) -> Table:
     return hit_table(analysis.best, body=analysis.body, conditions=analysis.conditions, length=analysis.bat.length)
 
 

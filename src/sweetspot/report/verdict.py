@@ -6,6 +6,7 @@ import math
 from typing import NamedTuple
 
 from sweetspot.compare import Compared, Comparison
+from sweetspot.implement import Implement
 from sweetspot.swing_law import Interval
 from sweetspot.trampoline import wall_point_of
 from sweetspot.units import INCH, MPH, OUNCE
@@ -55,13 +56,13 @@ US = Readers(MPH, "mph", 1, OUNCE, "oz", 1, INCH, "in")
 SI = Readers(1.0, "m/s", 2, 1e-3, "g", 0, 0.01, "cm")
 
 
-def verdict(comparison: Comparison, readers: Readers = US) -> list[str]:
+def verdict(comparison: Comparison[Implement], readers: Readers = US) -> list[str]:
     """Return one sentence for every bat after the first."""
     first = comparison.reference
     return [_sentence(found, first, readers) for found in comparison.compared[1:]]
 
 
-def cork_verdict(comparison: Comparison, readers: Readers = US) -> list[str]:
+def cork_verdict(comparison: Comparison[Implement], readers: Readers = US) -> list[str]:
     """Return the answer to "does corking help?" for a comparison labelled unmodified, drilled, cork, ...
 
     The published drop of q and break-even speed stand beside the predicted ones; nothing is fitted to them.
@@ -90,7 +91,7 @@ def wall_verdict(comparison: Comparison) -> list[str]:
     ]
 
 
-def _sentence(found: Compared, first: Compared, readers: Readers) -> str:
+def _sentence(found: Compared[Implement], first: Compared[Implement], readers: Readers) -> str:
     faster = found.bat_speed.shifted(-first.bat_speed.value)
     text = f"{found.label}: "
     if abs(faster.value) > NOTHING:
@@ -108,7 +109,9 @@ def _sentence(found: Compared, first: Compared, readers: Readers) -> str:
     return text + ": the sign is not sure."
 
 
-def _answer(first: Compared, corked: Compared, comparison: Comparison, readers: Readers) -> str:
+def _answer(
+    first: Compared[Implement], corked: Compared[Implement], comparison: Comparison[Implement], readers: Readers
+) -> str:
     lighter = first.analysis.body.mass - corked.analysis.body.mass
     text = f"Does corking help? The corked bat is {readers.weight(lighter)} lighter"
     if comparison.law is None:
@@ -127,14 +130,14 @@ def _answer(first: Compared, corked: Compared, comparison: Comparison, readers: 
     return text + "Whether it helps cannot be told within the spread of what players do."
 
 
-def _needed(first: Compared, corked: Compared, readers: Readers) -> str:
+def _needed(first: Compared[Implement], corked: Compared[Implement], readers: Readers) -> str:
     more = corked.break_even - first.bat_speed.value
     if math.isnan(more):
         return "No swing is fast enough to break even with it."
     return f"To break even it must be swung {readers.speeds(abs(more))} {'faster' if more > 0 else 'slower'}."
 
 
-def _beside_published(first: Compared, corked: Compared, readers: Readers) -> str:
+def _beside_published(first: Compared[Implement], corked: Compared[Implement], readers: Readers) -> str:
     whole, after = PUBLISHED_EFFICIENCY
     return (
         f"Predicted and published: the greatest q falls from {first.collision_efficiency:.3f} to "
@@ -145,7 +148,7 @@ def _beside_published(first: Compared, corked: Compared, readers: Readers) -> st
     )
 
 
-def _papers_argument(first: Compared, corked: Compared) -> str:
+def _papers_argument(first: Compared[Implement], corked: Compared[Implement]) -> str:
     before, after = first.analysis.best, corked.analysis.best
     return (
         "The paper argues with Hooke's law and momentum: a softer bat is pressed in further, so the force F = k x is "

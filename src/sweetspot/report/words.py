@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from sweetspot.analysis import Analysis, exit_speed_of
+from sweetspot.implement import Implement
 from sweetspot.rigid import effective_mass
 from sweetspot.sweet_spots import miss_cost
 from sweetspot.units import INCH, MPH, OUNCE
@@ -12,7 +13,7 @@ from sweetspot.units import INCH, MPH, OUNCE
 SMALL = 1e-3
 
 
-def answer(analysis: Analysis) -> list[str]:
+def answer(analysis: Analysis[Implement]) -> list[str]:
     """Return the answer as a few paragraphs, in the units that players and makers use."""
     words = [_where(analysis), _why_not_the_end(analysis), _miss(analysis), _hands(analysis)]
     if hoop := analysis.modes.of_family("hoop"):
@@ -24,12 +25,12 @@ def answer(analysis: Analysis) -> list[str]:
     return words
 
 
-def from_tip(analysis: Analysis, position: float) -> float:
+def from_tip(analysis: Analysis[Implement], position: float) -> float:
     """Return a position's distance from the tip in inches."""
     return (analysis.bat.length - position) / INCH
 
 
-def _where(analysis: Analysis) -> str:
+def _where(analysis: Analysis[Implement]) -> str:
     spots = analysis.sweet_spots
     best = from_tip(analysis, spots.max_exit_speed)
     speed = exit_speed_of(analysis.best, analysis.conditions) / MPH
@@ -44,7 +45,7 @@ def _where(analysis: Analysis) -> str:
     )
 
 
-def _why_not_the_end(analysis: Analysis) -> str:
+def _why_not_the_end(analysis: Analysis[Implement]) -> str:
     scan, body = analysis.scan, analysis.body
     best, tip = analysis.sweet_spots.max_exit_speed, analysis.bat.length
     speed_gain = (analysis.conditions.swing.speed_at(tip) - analysis.conditions.swing.speed_at(best)) / MPH
@@ -59,7 +60,7 @@ def _why_not_the_end(analysis: Analysis) -> str:
     )
 
 
-def _miss(analysis: Analysis) -> str:
+def _miss(analysis: Analysis[Implement]) -> str:
     def cost(inches: float) -> str:
         inside, outside = (loss / MPH for loss in miss_cost(analysis.scan, inches * INCH))
         outer = "off the bat" if np.isnan(outside) else f"{outside:.1f} mph"
@@ -68,7 +69,7 @@ def _miss(analysis: Analysis) -> str:
     return f"What a miss costs: {'; '.join(cost(inches) for inches in (1, 2, 3))}."
 
 
-def _hands(analysis: Analysis) -> str:
+def _hands(analysis: Analysis[Implement]) -> str:
     spots = analysis.sweet_spots
     quiet, percussion = from_tip(analysis, spots.min_sting), from_tip(analysis, spots.center_of_percussion)
     return (
