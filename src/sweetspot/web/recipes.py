@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from sweetspot.catalog.batwriter import bat_toml
 from sweetspot.web.bats import described
-from sweetspot.web.states import BatState, HitState
+from sweetspot.web.states import BatState, SwungState
 
 BAT_FILE = "bat.toml"
 _FIRST = BatState()
@@ -31,9 +31,9 @@ def bat_text(state: BatState) -> str:
     return bat_toml(described(state))
 
 
-def swing_options(state: HitState) -> str:
+def swing_options(state: SwungState) -> str:
     """Return the command line's options for swing and ball; those that have their usual value are left out."""
-    first = HitState()
+    first = SwungState()
     pitch = "tee" if state.pitch_speed_mph == 0 else f"{state.pitch_speed_mph:.12g}mph"
     options = {
         "--pitch-speed": pitch if state.pitch_speed_mph != first.pitch_speed_mph else None,
@@ -47,7 +47,7 @@ def swing_options(state: HitState) -> str:
     return "".join(f" {name} {value}" for name, value in options.items() if value is not None)
 
 
-def conditions_lines(state: HitState) -> str:
+def conditions_lines(state: SwungState) -> str:
     """Return Python lines that make ``bat`` and ``conditions``."""
     source = f'catalog.bat("{state.bat}")' if is_catalogued(state) else f'catalog.load_bat("{BAT_FILE}")'
     ball = f'catalog.ball("{state.ball}")'
@@ -67,6 +67,18 @@ def conditions_lines(state: HitState) -> str:
         f"    hands=Hands(position=bat.choke + {state.hands_in!r} * INCH),\n"
         f"    ball={ball},\n"
         ")\n"
+    )
+
+
+def modes_line(*, held: bool) -> str:
+    """Return Python lines that make ``modes`` of ``bat`` and ``conditions``, held by typical hands or free."""
+    if not held:
+        return "modes = modes_of(reduce(bat), conditions.ball)\n"
+    return (
+        "from sweetspot import gripped\n"
+        "from sweetspot.analysis import TYPICAL_HAND\n\n"
+        "hands = conditions.hands.replaced(**TYPICAL_HAND)\n"
+        "modes = gripped(modes_of(reduce(bat), conditions.ball), hands)\n"
     )
 
 

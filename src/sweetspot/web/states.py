@@ -62,7 +62,11 @@ class SwingState(ViewState):
     )
 
 
-class HitState(SwingState, BatState):
+class SwungState(SwingState, BatState):
+    """The bat, the swing and the ball."""
+
+
+class HitState(SwungState):
     """The bat, the swing, the ball, and where they meet."""
 
     impact_from_tip_in: float = Field(6.0, ge=0, le=40, description="where the ball meets the bat")

@@ -72,6 +72,7 @@ export class Chart {
     }
     this.paintGrid(context, box, low, high, up);
     for (const mark of this.data.marks ?? []) vertical(context, across(mark.at), box, colors[mark.color], 1, [3, 3]);
+    if (panel === this.panels[0]) this.paintMarkNames(context, box, across);
     context.save();
     context.beginPath();
     context.rect(box.left, box.top - 1, box.right - box.left, box.bottom - box.top + 2);
@@ -84,6 +85,16 @@ export class Chart {
     context.restore();
     if (this.data.cursor !== undefined && this.data.cursor !== null) this.paintCursor(context, panel, shown, box, across, up);
     this.paintTitle(context, panel, box);
+  }
+
+  // In the first panel, each name a row lower than the one before.
+  paintMarkNames(context, box, across) {
+    const { colors } = this.app;
+    context.font = `11px ${FONT}`;
+    context.textAlign = "left";
+    context.textBaseline = "middle";
+    (this.data.marks ?? []).filter((mark) => mark.label).forEach((mark, row) =>
+      haloText(context, mark.label, across(mark.at) + 4, box.top + 7 + 13 * row, colors.ink, colors.panel));
   }
 
   paintGrid(context, box, low, high, up) {

@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import Field
 
 from sweetspot.analysis import TYPICAL_HAND, Reduction, check_conditions, exit_speed_of, hit_at
-from sweetspot.collision.film import DURATION, Film, arrival_time, film, impulse_given
+from sweetspot.collision.film import Film, arrival_time, film, impulse_given
 from sweetspot.collision.impact import Array, Impact
 from sweetspot.report.border import bat_json, conditions_json
 from sweetspot.rigid import RigidBody
@@ -22,21 +22,22 @@ from sweetspot.vibration.modes import Modes
 from sweetspot.web.bats import ball_of, conditions_of, reduced
 from sweetspot.web.faults import FieldError
 from sweetspot.web.outline import outline
-from sweetspot.web.states import BatState, SwingState
+from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, modes_line, swing_options
+from sweetspot.web.states import SwungState
 from sweetspot.web.view import View
 
 PLACES = 61
 """Places along the bat at which a drawing needs its shapes."""
 
 
-class HitFilmState(SwingState, BatState):
+class HitFilmState(SwungState):
     """The bat, the swing, where they meet, and how the film is shown."""
 
     impact_from_tip_in: float = Field(6.0, ge=0, le=40, description="where the ball meets the bat")
     held: bool = Field(False, description="typical hands hold the bat: a mass behind a spring and a damper each")
-    duration_ms: float = Field(DURATION * 1e3, ge=1.5, le=20, description="how long the film goes on after first touch")
+    duration_ms: float = Field(4.0, ge=1.5, le=20, description="how long the film goes on after first touch")
     moment_ms: float = Field(0.6, ge=-0.5, le=20, description="moment that is shown; the answer does not depend on it")
-    exaggeration: float = Field(4.0, ge=1, le=20, description="how many times larger the bat's motion is drawn")
+    exaggeration: float = Field(3.0, ge=1, le=20, description="how many times larger the bat's motion is drawn")
     recoil: bool = Field(True, description="whether the drawing moves the whole bat too, or bends it alone")
     slowness: float = Field(1000.0, ge=100, le=10000, description="how many times slower than life the film plays")
 
@@ -79,6 +80,7 @@ def _answer(state: HitFilmState) -> dict[str, Any]:
             "ball_travel_m": _short(scene.travel, 6),
             "force_n": _short(scene.force, 1),
             "compression_m": _short(scene.compression, 7),
+            "gap_m": _short(np.maximum(scene.displacement @ modes.shape_at(place) - scene.travel, 0.0), 6),
             **_bat_motion(scene, modes, found.body, found.bat.length),
         },
         "energy_j": {name: _short(part, 3) for name, part in scene.energy._asdict().items() if part.any()},
@@ -158,4 +160,20 @@ def _short(values: Array, digits: int) -> Array:
     return np.round(values, digits) + 0.0
 
 
-VIEW = View("hit", "Slow motion", HitFilmState, answer)
+def recipe(state: HitFilmState) -> dict[str, str]:
+    """Return the lines that give the hit and its film; the command line knows no hands that weigh something."""
+    place = f"{state.impact_from_tip_in:.12g}in-from-tip"
+    python = conditions_lines(state) + (
+        "from sweetspot import modes_of, reduce\n"
+        "from sweetspot.collision.film import arrival_time, film\n\n"
+        f"{modes_line(held=state.held)}"
+        f"impact = hit_at(bat.length - {state.impact_from_tip_in!r} * INCH, modes=modes, conditions=conditions)\n"
+        f"scene = film(impact, modes=modes, ball=conditions.ball, duration={state.duration_ms!r} * 1e-3)\n"
+        "scene.times, scene.force, scene.energy.bending  # s, N, J\n"
+        "arrival_time(scene, modes=modes, position=conditions.hands.position)  # s\n"
+    )
+    command = f"sweetspot hit {bat_name(state)} --at {place}{swing_options(state)}"
+    return {"python": python, "toml": bat_text(state)} | ({} if state.held else {"command": command})
+
+
+VIEW = View("hit", "Slow motion", HitFilmState, answer, recipe)

@@ -21,7 +21,8 @@ from sweetspot.vibration.tap import tapped
 from sweetspot.web.bats import ball_of, conditions_of, reduced
 from sweetspot.web.faults import FieldError
 from sweetspot.web.outline import outline
-from sweetspot.web.states import BatState, SwingState
+from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, modes_line, swing_options
+from sweetspot.web.states import SwungState
 from sweetspot.web.view import View
 
 PLACES = 101
@@ -31,7 +32,7 @@ STILL = 1e-3
 """Part of the greatest shape below which a stretch of a hoop mode counts as still all along."""
 
 
-class ModesState(SwingState, BatState):
+class ModesState(SwungState):
     """The bat, who holds it, which motion is shown, and where it is tapped."""
 
     held: bool = Field(False, description="typical hands hold the bat: a mass behind a spring and a damper each")
@@ -130,4 +131,17 @@ def _signed_largest(shape: Array) -> float:
     return largest if not len(moving) or moving[-1] > 0 else -largest
 
 
-VIEW = View("modes", "Modes", ModesState, answer)
+def recipe(state: ModesState) -> dict[str, str]:
+    """Return the lines that give the motions and the tap; the command line knows no hands that weigh something."""
+    python = conditions_lines(state) + (
+        "from sweetspot import modes_of, reduce\n"
+        "from sweetspot.vibration.tap import tapped\n\n"
+        f"{modes_line(held=state.held)}"
+        "modes.frequency, modes.damping_ratio, modes.nodes(2)  # Hz, ratios, m from the knob end\n"
+        f"tapped(modes, position=bat.length - {state.tap_from_tip_in!r} * INCH, duration={state.tap_ms!r} * 1e-3)\n"
+    )
+    command = f"sweetspot report {bat_name(state)}{swing_options(state)} --format json"
+    return {"python": python, "toml": bat_text(state)} | ({} if state.held else {"command": command})
+
+
+VIEW = View("modes", "Modes", ModesState, answer, recipe)
