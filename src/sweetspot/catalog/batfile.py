@@ -142,7 +142,7 @@ def read_toml(path: Path) -> dict[str, Any]:
         raise InputError(f"{path} cannot be read: {(error.strerror or str(error)).lower()}") from None
     except UnicodeDecodeError:
         raise InputError(f"{path} is not a text file in UTF-8; a bat file is TOML text") from None
-    except tomllib.TOMLDecodeError as error:
+    except (ValueError, RecursionError) as error:  # wrong TOML, a number of thousands of digits, thousands of brackets
         raise InputError(f"{path} is not valid TOML: {error}") from None
 
 

@@ -81,7 +81,7 @@ def bat_from_text(text: str) -> Bat:
     """Return the bat of an uploaded TOML text, within limits on its size and depth; no file is opened."""
     try:
         table = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
+    except ValueError as error:  # wrong TOML, or a number of thousands of digits
         raise InputError(f"the bat file is not valid TOML: {error}") from None
     except RecursionError:
         raise InputError("the bat file holds tables inside tables beyond all need; a bat has a few lines") from None

@@ -16,7 +16,7 @@ LONGEST_QUERY = 32 * 1024
 REQUESTS_PER_SECOND, REQUESTS_AT_ONCE = 100.0, 300.0
 """Of one address, after which it is told to wait."""
 MESSAGES_PER_SECOND, MESSAGES_AT_ONCE = 120.0, 240.0
-"""On one socket."""
+"""On one socket, which is read no faster than that."""
 MOST_SOCKETS = 200
 ADDRESSES_KEPT = 10_000
 
@@ -55,6 +55,11 @@ class Bucket:
             return False
         self._left -= 1
         return True
+
+    @property
+    def wait(self) -> float:
+        """How long until there is one, s."""
+        return max(0.0, (1 - self._left) / self._rate)
 
 
 def host_allowed(host: str, names: Iterable[str]) -> bool:

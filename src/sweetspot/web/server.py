@@ -11,6 +11,7 @@ from typing import Any
 from fastapi import APIRouter, FastAPI, Request, Response, WebSocket
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse
+from starlette.exceptions import HTTPException
 
 from sweetspot import __version__
 from sweetspot.errors import SweetspotError
@@ -26,6 +27,8 @@ from sweetspot.web.views import VIEWS
 
 LOCAL_NAMES = ("localhost", "testserver")
 API = "/api/v1"
+NOT_FOUND = 404
+_NO_PAGE = "there is no page {}"
 
 
 def create_app(*, names: Iterable[str] = ()) -> FastAPI:
@@ -54,6 +57,7 @@ def create_app(*, names: Iterable[str] = ()) -> FastAPI:
     )
     app.add_middleware(Guard, names=(*LOCAL_NAMES, *names))
     app.add_exception_handler(RequestValidationError, _invalid)
+    app.add_exception_handler(HTTPException, _refused)
     app.add_exception_handler(SweetspotError, _wrong)
     api = APIRouter(prefix=API, responses=REFUSALS)
     catalogue_routes(api)
@@ -109,8 +113,7 @@ def _page_routes(app: FastAPI) -> None:
 
 def _handed(file: File | None, request: Request) -> Response:
     if file is None:
-        message = f"there is no page {request.url.path[:80]}"
-        return JSONResponse({"error": {"field": "", "message": message}}, 404)
+        raise HTTPException(NOT_FOUND)
     headers = {"etag": file.tag, "cache-control": "no-cache"}
     if request.headers.get("if-none-match") == file.tag:
         return Response(status_code=304, headers=headers)
@@ -120,6 +123,12 @@ def _handed(file: File | None, request: Request) -> Response:
 async def _invalid(_: Request, error: Exception) -> JSONResponse:
     assert isinstance(error, RequestValidationError)
     return JSONResponse({"error": fault(error)}, 422)
+
+
+async def _refused(request: Request, error: Exception) -> JSONResponse:
+    assert isinstance(error, HTTPException)
+    words = _NO_PAGE.format(request.url.path[:80]) if error.status_code == NOT_FOUND else str(error.detail)
+    return JSONResponse({"error": {"field": "", "message": words}}, error.status_code, headers=error.headers)
 
 
 async def _wrong(_: Request, error: Exception) -> JSONResponse:

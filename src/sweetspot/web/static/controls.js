@@ -1,7 +1,8 @@
 // Controls: a label, what is chosen, its unit, and what is wrong with it beside it. Bounds come from the schema.
 //
 //   slider(app, "pitch_speed_mph", { label: "Pitch speed", step: 0.5 })   a range and a number field
-//   slider(app, "ball_cor", { label: "Ball COR", step: 0.005, empty: 0.55 })   may be empty (null): shows 0.55 until moved
+//   slider(app, "ball_cor", { label: "Ball COR", step: 0.005, empty: 0.55 })   may be empty (null): shows 0.55 until moved;
+//                                                      empty may be a function, asked again after every answer
 //   choice(app, "ball", { label: "Ball", options: [["baseball", "Baseball"]] })
 //   toggle(app, "fixed", { label: "Held fast" })
 //   group("Swing", [slider(...), ...], { open: true })   controls under a heading that folds
@@ -61,9 +62,10 @@ export function slider(app, field, { label, step, empty = null, note = "", onInp
   number.addEventListener("change", () => take(number.value, true));
   const control = {
     field,
+    follows: typeof empty === "function",
     sync(state) {
       scale();
-      const value = state[field] ?? empty;
+      const value = state[field] ?? (typeof empty === "function" ? empty() : empty);
       if (typeof value !== "number") return;
       const fine = stepShown();
       if (document.activeElement !== range || Math.abs(Number(range.value) - shown(value)) > fine / 2) range.value = shown(value);
@@ -178,6 +180,6 @@ function niceStep(step, convert) {
   return power * (step / power >= 5 ? 5 : step / power >= 2 ? 2 : 1);
 }
 
-const decimals = (step) => Math.max(0, Math.ceil(-Math.log10(step) - 1e-9) + (String(step).endsWith("5") && step < 1 ? 0 : 0));
+const decimals = (step) => Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
 const round = (value, step, how) => Number((how(value / step - (how === Math.ceil ? 1e-9 : -1e-9)) * step).toFixed(6));
 const tidy = (value) => Number(value.toPrecision(9));

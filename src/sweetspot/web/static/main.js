@@ -24,7 +24,7 @@
 //   app.onFrame(step)   calls step(milliseconds) before every repaint until the returned function is called or unmount
 //   app.announce(text)  says something to a screen reader, at most twice a second
 //   app.ask(view, state)     a promise of another answer, over the API
-//   app.lists()    a promise of { bats, balls, materials }
+//   app.lists()    a promise of { bats, balls, materials, leagues, parks }
 //   app.control(control)     registers a control made by controls.js; those made with (app, field, ...) do it themselves
 //   app.calm       true where people asked their system for less motion: do not start animations by yourself
 
@@ -99,8 +99,8 @@ class App {
   }
 
   lists() {
-    this.known ??= Promise.all(["bats", "balls", "materials"].map((name) => fetch(`/api/v1/${name}`).then((r) => r.json())))
-      .then(([bats, balls, materials]) => ({ bats, balls, materials }));
+    this.known ??= Promise.all(["bats", "balls", "materials", "leagues", "parks"].map((name) => fetch(`/api/v1/${name}`).then((r) => r.json())))
+      .then(([bats, balls, materials, leagues, parks]) => ({ bats, balls, materials, leagues, parks }));
     return this.known;
   }
 
@@ -155,7 +155,10 @@ class App {
     this.answer = answer;
     this.answered = state;
     clearFault();
-    for (const control of this.controls.values()) control.fault("");
+    for (const control of this.controls.values()) {
+      control.fault("");
+      if (control.follows) control.sync(this.state);
+    }
     this.view.update(answer, state);
     element("view").dataset.answered = String(Number(element("view").dataset.answered ?? 0) + 1);
   }

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from sweetspot import catalog
 from sweetspot.analysis import check_conditions
 from sweetspot.collision.impact import Outcome
 from sweetspot.collision.kernel import hits
@@ -59,7 +60,7 @@ def answer(state: ExplorerState) -> dict[str, Any]:
         "hit": hit,
         "best_exit_speed_m_s": best,
         "lost_m_s": None if hit["exit_speed_m_s"] is None else best - hit["exit_speed_m_s"],
-        "ball_radius_m": conditions.ball.radius,
+        "ball": _ball(state, conditions),
         "conditions": conditions_json(conditions),
     }
 
@@ -78,6 +79,17 @@ def recipe(state: ExplorerState) -> dict[str, str]:
             "conditions=conditions)\n"
         )
     return {"command": command, "python": python, "toml": bat_text(state)}
+
+
+def _ball(state: ExplorerState, conditions: Conditions) -> dict[str, Any]:
+    """Return the ball's size, and what its controls stand at where nobody has moved them."""
+    own = catalog.ball(state.ball)
+    return {
+        "radius_m": conditions.ball.radius,
+        "cor": own.restitution.reference,
+        "humidity": own.reference_humidity,
+        "temperature_degf": own.reference_temperature * 1.8 + 32,
+    }
 
 
 def _hit(state: ExplorerState, found: ReducedBat, conditions: Conditions) -> dict[str, Any]:

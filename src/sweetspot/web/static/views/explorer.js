@@ -2,7 +2,7 @@
 
 import { BatView } from "../batview.js";
 import { Chart } from "../chart.js";
-import { choice, group, slider } from "../controls.js";
+import { button, choice, group, slider } from "../controls.js";
 import { Bench } from "./explorer_bench.js";
 
 const INCH = 0.0254;
@@ -45,13 +45,13 @@ export const view = {
     this.bench = new Bench(app, this.picture, root);
     const side = Object.assign(document.createElement("div"), { className: "side" });
     side.append(this.bench.element, ...controls(app));
-    this.words = Object.assign(document.createElement("p"), { className: "verdict", id: "verdict" });
+    this.words = Object.assign(document.createElement("p"), { className: "verdict wide", id: "verdict" });
     this.facts = Object.assign(document.createElement("dl"), { className: "facts" });
     this.values = FACTS.map(([name]) => this.fact(name));
     const picture = Object.assign(document.createElement("section"), { className: "picture" });
     picture.setAttribute("aria-label", "Bat and curves");
-    picture.append(this.words, this.picture.element, this.chart.element, this.facts);
-    root.append(side, picture);
+    picture.append(this.picture.element, this.chart.element, this.facts);
+    root.append(this.words, side, picture);
     this.handle();
   },
 
@@ -90,7 +90,7 @@ export const view = {
 
   update(answer, state) {
     const { bat, sweet_spots: spots, scan, hit } = answer;
-    this.picture.draw({ bat, sweet_spots: spots, hands_m: answer.hands_m, ball: { position_m: hit.position_m, radius_m: answer.ball_radius_m } });
+    this.picture.draw({ bat, sweet_spots: spots, hands_m: answer.hands_m, ball: { position_m: hit.position_m, radius_m: answer.ball.radius_m } });
     const zone = spots.zone_m;
     this.chart.draw({
       x: scan.position_m, lines: scan, range: [0, bat.length_m], cursor: hit.position_m,
@@ -146,9 +146,10 @@ function controls(app) {
     ]),
     group("Ball", [
       choice(app, "ball", { label: "Ball", options: app.lists().then(({ balls }) => balls.map((name) => [name, name])) }),
-      slider(app, "ball_cor", { label: "Restitution (COR)", step: 0.005, empty: 0.55 }),
-      slider(app, "ball_humidity", { label: "Stored at humidity", step: 0.01, empty: 0.5 }),
-      slider(app, "ball_temperature_degf", { label: "Temperature", step: 1, empty: 70 }),
+      slider(app, "ball_cor", { label: "Restitution (COR) as bought", step: 0.005, empty: () => app.answer?.ball.cor ?? 0.55 }),
+      slider(app, "ball_humidity", { label: "Stored at humidity", step: 0.01, empty: () => app.answer?.ball.humidity ?? 0.5 }),
+      slider(app, "ball_temperature_degf", { label: "Temperature", step: 1, empty: () => app.answer?.ball.temperature_degf ?? 70 }),
+      button("As it came", () => app.setState({ ball_cor: null, ball_humidity: null, ball_temperature_degf: null })),
     ], { open: false }),
   ];
 }

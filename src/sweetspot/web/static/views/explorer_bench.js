@@ -3,7 +3,7 @@
 import { button, choice, group, slider } from "../controls.js";
 import { posted } from "../post.js";
 
-const INCH = 0.0254;
+const INCH = 0.0254, OUNCE = 0.028349523125;
 const LONGEST_TOML = 20000;
 const UNCHANGED = ["bat_toml", "profile_in", "mass_oz", "wall_factor", "bore_diameter_in", "cup_diameter_in", "weight_oz"];
 const FILLS = [["nothing", "nothing"], ["cork", "cork"], ["rubber", "rubber"], ["polyurethane-foam", "polyurethane foam"]];
@@ -27,7 +27,7 @@ export class Bench {
       choice(app, "bat", { label: "Bat", options: bats, onChange: () => app.setState({ bat_toml: null, profile_in: null, mass_oz: null }) }),
       this.own.element, this.outline.element,
       group("Workshop", [
-        slider(app, "mass_oz", { label: "Weight of the bat", step: 0.1, empty: 31 }),
+        slider(app, "mass_oz", { label: "Weight of the bat", step: 0.1, empty: () => (app.answer?.bat.mass_kg ?? 0.88) / OUNCE }),
         this.wall, this.holes,
         slider(app, "weight_oz", { label: "Added weight", step: 0.1 }),
         slider(app, "weight_from_tip_in", { label: "Added weight, from the tip", step: 0.25 }),

@@ -1,0 +1,227 @@
+"""The API as a program sees it: right answers, and a clear refusal of everything else, with the server still up."""
+
+from __future__ import annotations
+
+import json
+import shlex
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+
+from sweetspot import catalog
+from sweetspot.analysis import analyse, exit_speed_of, hit_at
+from sweetspot.standard import standard_conditions
+from sweetspot.units import INCH
+from sweetspot.web.limits import LARGEST_BODY
+from sweetspot.web.views import VIEWS
+
+
+@pytest.mark.parametrize("name", VIEWS)
+def test_every_view_answers_with_its_first_picture(client: httpx.Client, name: str) -> None:
+    response = client.post(f"/api/v1/{name}", json={})
+    assert response.status_code == 200, response.text
+    assert response.json()
+
+
+def test_the_explorer_gives_the_librarys_numbers(client: httpx.Client) -> None:
+    """Golden by construction: the same bat and conditions asked of the library."""
+    found = client.post("/api/v1/explorer", json={"impact_from_tip_in": 5}).json()
+    bat = catalog.bat()
+    conditions = standard_conditions(bat)
+    result = analyse(bat, conditions)
+    assert found["scan"]["exit_speed_m_s"] == pytest.approx(result.scan.exit_speed.tolist(), rel=1e-12)
+    assert found["sweet_spots"]["max_exit_speed_m"] == pytest.approx(result.sweet_spots.max_exit_speed, rel=1e-12)
+    impact = hit_at(bat.length - 5 * INCH, modes=result.modes, conditions=conditions)
+    # the compiled solution takes longer steps; its exit speeds are stated to lie within 1e-4
+    assert found["hit"]["exit_speed_m_s"] == pytest.approx(exit_speed_of(impact, conditions), rel=2e-4)
+
+
+@pytest.mark.parametrize(
+    "state",
+    [
+        {},
+        {"pitch_speed_mph": 0, "ball": "softball-12in", "hands_in": 7},
+        {"bat": "composite", "wall_factor": 0.9, "choke_up_in": 1, "ball_cor": 0.5, "ball_temperature_degf": 40},
+        {"bore_diameter_in": 1, "cup_diameter_in": 1.2, "weight_oz": 1, "impact_from_tip_in": 4.5},
+    ],
+)
+def test_recipes_give_the_same_numbers(
+    client: httpx.Client,
+    state: dict[str, Any],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    run_json: Callable[..., Any],
+) -> None:
+    found = client.post("/api/v1/explorer", json=state).json()
+    lines = client.post("/api/v1/explorer/recipe", json=state).json()
+    monkeypatch.chdir(tmp_path)
+    Path("bat.toml").write_text(lines["toml"], encoding="utf-8")
+    report, hit = (run_json(*shlex.split(line)[1:]) for line in lines["command"].splitlines())
+    assert report["scan"]["exit_speed_m_s"] == pytest.approx(found["scan"]["exit_speed_m_s"], rel=1e-9)
+    assert report["sweet_spots"]["min_sting_m"] == pytest.approx(found["sweet_spots"]["min_sting_m"], rel=1e-9)
+    assert hit["exit_speed_m_s"] == pytest.approx(found["hit"]["exit_speed_m_s"], rel=2e-4)
+    names: dict[str, Any] = {}
+    exec(lines["python"], names)
+    assert names["result"].scan.sting == pytest.approx(found["scan"]["sting"], rel=1e-9)
+
+
+def test_a_ball_met_off_the_axis_is_lifted_and_slower(client: httpx.Client) -> None:
+    middle, above, over = (
+        client.post("/api/v1/explorer", json={"offset_in": inches}).json()["hit"] for inches in (0, 0.7, 2.5)
+    )
+    assert middle["launch_angle_rad"] == pytest.approx(0, abs=1e-12)
+    assert above["launch_angle_rad"] > 0.2
+    assert above["backspin_rad_s"] > 100
+    assert above["exit_speed_m_s"] < middle["exit_speed_m_s"]
+    assert over["exit_speed_m_s"] < above["exit_speed_m_s"]
+
+
+def test_uploaded_bats_are_parsed(client: httpx.Client) -> None:
+    text = 'name = "x"\nlength = "33 in"\nmaterial = "white ash"\nprofile = [["0 in", "1 in"], ["33 in", "2.5 in"]]'
+    response = client.post("/api/v1/bat", json={"toml": text})
+    assert response.status_code == 200
+    assert response.json()["length_m"] == pytest.approx(0.8382)
+    found = client.post("/api/v1/explorer", json={"bat_toml": text}).json()
+    assert found["bat"]["name"] == "x"
+    listed = client.get("/api/v1/bats").json()
+    assert {bat["key"] for bat in listed} == set(catalog.bat_names())
+
+
+WRONG_STATES: list[tuple[dict[str, Any], str]] = [
+    ({"pitch_speed_mph": 1e308}, "pitch_speed_mph"),
+    ({"pitch_speed_mph": "fast"}, "pitch_speed_mph"),
+    ({"pitch_speed_mph": None}, "pitch_speed_mph"),
+    ({"bat": "no-such-bat"}, "bat"),
+    ({"bat": "../../etc/passwd"}, "bat"),
+    ({"bat": "/etc/passwd.toml"}, "bat"),
+    ({"bat": "x" * 61}, "bat"),
+    ({"ball": "no-such-ball"}, "ball"),
+    ({"bore_diameter_in": 1, "bore_fill": "gold"}, "bore_fill"),
+    ({"bore_diameter_in": 2}, "bore_diameter_in"),
+    ({"bat": "composite", "bore_diameter_in": 1}, "bore_diameter_in"),
+    ({"wall_factor": 0.9}, "wall_factor"),
+    ({"mass_oz": 11}, "mass_oz"),
+    ({"profile_in": [[0, 1], [0, 2]]}, "profile_in"),
+    ({"profile_in": [[0, 1]] * 61}, "profile_in"),
+    ({"weight_oz": 1, "weight_from_tip_in": 50}, "weight_from_tip_in"),
+    ({"impact_from_tip_in": 30}, "impact_from_tip_in"),
+    ({"no_such_control": 1}, "no_such_control"),
+    ({"bat_toml": ""}, "bat_toml"),
+    ({"bat_toml": "name = 'x'"}, "bat_toml"),
+]
+
+
+@pytest.mark.parametrize(("state", "field"), WRONG_STATES, ids=lambda value: str(value)[:40])
+def test_wrong_controls_are_named(client: httpx.Client, state: dict[str, Any], field: str) -> None:
+    response = client.post("/api/v1/explorer", json=state)
+    assert response.status_code == 422, response.text
+    error = response.json()["error"]
+    assert error["field"] == field
+    assert 10 < len(error["message"]) <= 500
+    assert "Traceback" not in error["message"]
+    assert "/work" not in error["message"]
+
+
+BOMBS = {
+    "nested arrays": "a=" + "[" * 9000,
+    "nested tables": "[" + ".".join(["a"] * 4000) + "]",
+    "dotted keys": "\n".join(f"{'a.' * 50}b{number} = 1" for number in range(150)),
+    "powers": 'name = "x"\nlength = "9**9**9 in"\nmaterial = "white ash"\nlinear_density = [1.0]',
+    "superscripts": 'name = "x"\nlength = "9⁹⁹⁹⁹⁹⁹⁹⁹ in"\nmaterial = "white ash"\nlinear_density = [1.0]',
+    "many values": "name = 'x'\nlinear_density = [" + "1.0," * 3000 + "]",
+    "not a number": 'name = "x"\nlength = "nan in"\nmaterial = "white ash"\nlinear_density = [1.0]',
+    "infinite": 'name = "x"\nlength = "33 in"\nmaterial = "white ash"\nlinear_density = [inf]',
+    "long integer": "a = " + "9" * 9000,
+    "control letters": "a = '\x00'",
+}
+
+
+@pytest.mark.parametrize("name", BOMBS)
+def test_bombs_are_refused_quickly(client: httpx.Client, name: str) -> None:
+    response = client.post("/api/v1/bat", json={"toml": BOMBS[name]}, timeout=5)
+    assert response.status_code == 422, response.text
+    assert response.json()["error"]["field"] == "toml"
+
+
+BODIES = {
+    "not JSON": (b"{", 422),
+    "NaN": (b'{"pitch_speed_mph": NaN}', 422),
+    "infinite": (b'{"pitch_speed_mph": 1e999}', 422),
+    "a list": (b"[]", 422),
+    "empty": (b"", 422),
+    "not UTF-8": (b'{"bat": "\xff"}', 400),
+    "deep": (b"[" * 30_000, 400),
+    "10 MB": (b"x" * 10_000_000, 413),
+    "just too large": (b" " * (LARGEST_BODY + 1), 413),
+}
+
+
+@pytest.mark.parametrize("name", BODIES)
+def test_malformed_messages_are_refused(client: httpx.Client, name: str) -> None:
+    body, status = BODIES[name]
+    response = client.post("/api/v1/explorer", content=body, headers={"content-type": "application/json"})
+    assert response.status_code in (status, 400, 422), response.text
+    assert status != 413 or response.status_code == 413
+    assert response.json()["error"]["message"]
+    assert client.post("/api/v1/explorer", json={}).status_code == 200
+
+
+def test_a_body_without_an_honest_length_is_stopped(client: httpx.Client) -> None:
+    def endless() -> Any:
+        for _ in range(100):
+            yield b" " * 10_000
+
+    response = client.post("/api/v1/explorer", content=endless(), headers={"content-type": "application/json"})
+    assert 400 <= response.status_code < 500
+
+
+def test_paths_do_not_reach_the_disk(client: httpx.Client) -> None:
+    for path in (
+        "/static/../server.py",
+        "/static/%2e%2e/server.py",
+        "/static//etc/passwd",
+        "/..%2f..%2fetc/passwd",
+        "/x",
+    ):
+        response = client.get(path)
+        assert response.status_code == 404, path
+        assert response.json()["error"]["message"].startswith("there is no page")
+
+
+def test_pages_come_with_a_policy_and_a_tag(client: httpx.Client) -> None:
+    response = client.get("/explorer")
+    assert response.headers["content-type"].startswith("text/html")
+    assert "default-src 'none'" in response.headers["content-security-policy"]
+    assert response.headers["x-content-type-options"] == "nosniff"
+    again = client.get("/explorer", headers={"if-none-match": response.headers["etag"]})
+    assert again.status_code == 304
+    assert "http://" not in response.text.replace("http://www.w3.org", "")
+    assert "https://" not in response.text
+
+
+def test_plotly_comes_from_the_installed_package(client: httpx.Client) -> None:
+    response = client.get("/vendor/plotly.min.js")
+    assert response.status_code == 200
+    assert b"plotly.js v" in response.content[:300]
+
+
+def test_only_this_server_by_name_and_its_own_pages(client: httpx.Client, server: str) -> None:
+    assert client.get("/", headers={"host": "evil.example"}).status_code == 421
+    assert client.get("/", headers={"host": "[::1"}).status_code == 421
+    foreign = client.post("/api/v1/explorer", json={}, headers={"origin": "https://evil.example"})
+    assert foreign.status_code == 403
+    assert client.post("/api/v1/explorer", json={}, headers={"origin": server}).status_code == 200
+    assert client.get("/explorer?" + "x" * 40_000).status_code == 414
+
+
+def test_the_api_describes_itself(client: httpx.Client) -> None:
+    document = client.get("/api/v1/openapi.json").json()
+    for name, view in VIEWS.items():
+        body = document["paths"][f"/api/v1/{name}"]["post"]["requestBody"]["content"]["application/json"]["schema"]
+        schema = document["components"]["schemas"][body["$ref"].rsplit("/", 1)[1]]
+        assert set(schema["properties"]) == set(view.state.model_fields)
+    assert client.get("/docs").status_code == 200
+    assert json.dumps(document)

@@ -1,0 +1,47 @@
+"""Anything a program may send within the described API, and beside it: never a 5xx, always what is described."""
+
+from __future__ import annotations
+
+import pytest
+import schemathesis
+from hypothesis import HealthCheck, Phase, given, settings
+from schemathesis import Case
+from schemathesis.checks import not_a_server_error
+from schemathesis.generation import GenerationMode
+from schemathesis.specs.openapi.checks import (
+    content_type_conformance,
+    response_schema_conformance,
+    status_code_conformance,
+)
+
+from sweetspot.web import limits
+from sweetspot.web.server import create_app
+from sweetspot.web.views import VIEWS
+
+CHECKS = [not_a_server_error, status_code_conformance, content_type_conformance, response_schema_conformance]
+EXAMPLES = 10
+
+
+@pytest.mark.parametrize("mode", list(GenerationMode))
+def test_no_example_breaks_the_server(mode: GenerationMode, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(limits.Bucket, "take", lambda _: True)  # the rate limit would answer most examples
+    schema = schemathesis.openapi.from_asgi("/api/v1/openapi.json", create_app())
+    operations = [found.ok() for found in schema.get_all_operations()]
+    assert {f"/api/v1/{name}" for name in VIEWS} <= {operation.path for operation in operations}
+    for operation in operations:
+        if mode is GenerationMode.NEGATIVE and operation.method == "get":
+            continue  # takes nothing that could be wrong
+
+        @settings(
+            max_examples=EXAMPLES,
+            deadline=None,
+            derandomize=True,
+            database=None,
+            phases=(Phase.generate,),
+            suppress_health_check=list(HealthCheck),
+        )
+        @given(case=operation.as_strategy(generation_mode=mode))
+        def check(case: Case) -> None:
+            case.call_and_validate(checks=CHECKS)
+
+        check()

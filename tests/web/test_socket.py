@@ -1,0 +1,146 @@
+"""The socket: the latest question wins, everything wrong is said, and nobody disturbs anybody else."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import httpx
+import pytest
+from websockets.exceptions import ConnectionClosed, InvalidHandshake, InvalidStatus
+from websockets.sync.client import ClientConnection, connect
+
+from sweetspot.web import answers
+from sweetspot.web.faults import FieldError
+from sweetspot.web.limits import LARGEST_BODY, MESSAGES_AT_ONCE, Bucket
+from sweetspot.web.states import ViewState
+from sweetspot.web.view import View
+
+
+@contextmanager
+def talking(server: str, **options: Any) -> Iterator[ClientConnection]:
+    with connect(server.replace("http", "ws") + "/ws", compression=None, max_size=2**22, **options) as line:
+        yield line
+
+
+def asked(line: ClientConnection, number: int, **state: Any) -> dict[str, Any]:
+    line.send(json.dumps({"id": number, "view": "explorer", "state": state}))
+    answer: dict[str, Any] = json.loads(line.recv(timeout=10))
+    return answer
+
+
+def test_a_question_is_answered_under_its_number(server: str, client: httpx.Client) -> None:
+    with talking(server) as line:
+        found = asked(line, 7, pitch_speed_mph=85)
+    assert found["id"] == 7
+    assert found["answer"] == client.post("/api/v1/explorer", json={"pitch_speed_mph": 85}).json()
+
+
+def test_the_latest_question_wins(server: str) -> None:
+    """A burst is not answered one by one: what was overtaken while it waited is left out."""
+    with talking(server) as line:
+        last = 60
+        for number in range(1, last + 1):
+            state = {"pitch_speed_mph": 50 + number / 2}
+            line.send(json.dumps({"id": number, "view": "explorer", "state": state}))
+        numbers = []
+        while not numbers or numbers[-1] != last:
+            numbers.append(json.loads(line.recv(timeout=10))["id"])
+    assert numbers == sorted(numbers)
+    assert len(numbers) < last
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("{", "JSON"),
+        ("[" * 5000, "recursion"),
+        ("null", "JSON object"),
+        ('{"id": 1}', "required"),
+        ('{"id": -1, "view": "explorer", "state": {}}', "greater"),
+        ('{"id": 1, "view": "nothing", "state": {}}', "no view"),
+        ('{"id": 1, "view": "explorer", "state": {"pitch_speed_mph": NaN}}', "pitch_speed_mph"),
+        ('{"id": 1, "view": "explorer", "state": {"pitch_speed_mph": 1e999}}', "pitch_speed_mph"),
+        ('{"id": 1, "view": "explorer", "state": {"bat": "gold"}}', "catalogue"),
+        ('{"id": 1, "view": "explorer", "state": {}, "more": 1}', "more"),
+    ],
+)
+def test_what_is_wrong_is_said_and_the_line_stays_open(server: str, text: str, words: str) -> None:
+    with talking(server) as line:
+        line.send(text)
+        error = json.loads(line.recv(timeout=10))["error"]
+        assert words in error["message"]
+        assert "answer" in asked(line, 2)
+
+
+def test_bytes_are_refused_with_a_message(server: str) -> None:
+    with talking(server) as line:
+        line.send(b"\x00\xff")
+        assert "JSON text" in json.loads(line.recv(timeout=10))["error"]["message"]
+
+
+def test_a_message_too_large_ends_the_line_and_nothing_else(server: str) -> None:
+    with talking(server) as other:
+        with talking(server) as line, pytest.raises(ConnectionClosed):
+            line.send("x" * (LARGEST_BODY + 1))
+            line.recv(timeout=10)
+        assert "answer" in asked(other, 1)
+
+
+def test_a_line_closed_in_mid_answer_disturbs_nobody(server: str) -> None:
+    with talking(server) as other:
+        for number in range(5):
+            with talking(server) as line:
+                line.send(json.dumps({"id": number, "view": "explorer", "state": {"bat_speed_mph": 60 + number / 7}}))
+        assert "answer" in asked(other, 1, bat_speed_mph=61.234)
+
+
+def test_users_do_not_see_each_other(server: str) -> None:
+    with talking(server) as first, talking(server) as second:
+        for line, speed in ((first, 81.5), (second, 82.5)):
+            line.send(json.dumps({"id": 1, "view": "explorer", "state": {"pitch_speed_mph": speed}}))
+        found = [json.loads(line.recv(timeout=10))["answer"]["conditions"] for line in (first, second)]
+    assert [speed["pitch_speed_m_s"] for speed in found] == pytest.approx([81.5 * 0.44704, 82.5 * 0.44704])
+
+
+def test_pages_of_other_servers_are_kept_out(server: str) -> None:
+    with pytest.raises((InvalidStatus, InvalidHandshake)), talking(server, origin="https://evil.example"):
+        pass
+    with talking(server, origin=server) as line:
+        assert "answer" in asked(line, 1)
+
+
+def test_a_flood_is_read_slowly_and_ends_with_its_last_question(server: str) -> None:
+    """Beyond the allowance messages are read as it refills; the others are served meanwhile."""
+    last = int(MESSAGES_AT_ONCE) + 60
+    with talking(server) as other, talking(server) as line:
+        for number in range(1, last + 1):
+            line.send(json.dumps({"id": number, "view": "nothing", "state": {}}))
+        assert "answer" in asked(other, 1)
+        while json.loads(line.recv(timeout=10))["id"] != last:
+            pass
+
+
+def test_an_answer_that_takes_too_long_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    def slow(_: ViewState) -> dict[str, Any]:
+        time.sleep(0.3)
+        return {}
+
+    monkeypatch.setitem(answers.VIEWS, "slow", View("slow", "Slow", ViewState, slow))
+    monkeypatch.setattr(answers, "TIME_LIMIT", 0.05)
+    found = answers.Answers()
+    with pytest.raises(FieldError, match="longer than"):
+        asyncio.run(found.json("slow", ViewState()))
+    found.close()
+
+
+def test_an_allowance_refills() -> None:
+    bucket = Bucket(rate=1000, size=2)
+    assert [bucket.take() for _ in range(3)] == [True, True, False]
+    assert 0 < bucket.wait <= 1e-3
+    time.sleep(0.01)
+    assert bucket.take()
