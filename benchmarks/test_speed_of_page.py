@@ -1,0 +1,189 @@
+"""The page as people feel it: start, first picture, slider to redraw, many at once, and memory."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import re
+import shutil
+import statistics
+import subprocess
+import time
+from collections.abc import Callable, Coroutine, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeVar
+
+import httpx
+import pytest
+from playwright.sync_api import sync_playwright
+from websockets.asyncio.client import connect
+
+from benchmarks.cases import QUICK, duration, measured
+from benchmarks.test_speed_of_start import command
+
+Record = Callable[..., None]
+Result = TypeVar("Result")
+MOVES = 40 if QUICK else 200
+CLIENTS, SECONDS = 50, 2.0 if QUICK else 10.0
+PAUSE = 0.05
+"""s between two moves of a dragged slider, as a hand makes them."""
+UPDATES = 1000 if QUICK else 10_000
+FLAGS = ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"]
+DRAG = """async ({ moves, pauses }) => {
+  const view = document.querySelector('#view');
+  const range = document.querySelector('[data-field=pitch_speed_mph] input[type=range]');
+  const times = [];
+  for (let move = 0; move < moves; move += 1) {
+    await new Promise((done) => setTimeout(done, 17 + pauses[move]));
+    const start = performance.now();
+    range.value = String(50 + ((move * 0.5) % 60));
+    range.dispatchEvent(new Event('input', { bubbles: true }));
+    await new Promise((done) => new MutationObserver((_, observer) => {
+      observer.disconnect();
+      requestAnimationFrame(() => {  // the frame that shows it; its message comes after the painting
+        const channel = new MessageChannel();
+        channel.port1.onmessage = done;
+        channel.port2.postMessage(0);
+      });
+    }).observe(view, { attributes: true, attributeFilter: ['data-answered'] }));
+    times.push(performance.now() - start);
+  }
+  return times;
+}"""
+FIRST = """() => new Promise((done) => {
+  const look = () => document.querySelector('#view')?.dataset.answered ? done(performance.now()) : setTimeout(look, 5);
+  look();
+})"""
+
+
+@dataclass(frozen=True)
+class Running:
+    """A server of its own process: its address, its process and how long it took until it answered, s."""
+
+    address: str
+    process: subprocess.Popen[str]
+    start: float
+
+    def memory(self) -> float:
+        """Return the memory it holds in MiB."""
+        status = Path(f"/proc/{self.process.pid}/status").read_text(encoding="ascii")
+        return int(re.findall(r"VmRSS:\s+(\d+)", status)[0]) / 1024
+
+
+@pytest.fixture(scope="module")
+def running() -> Iterator[Running]:
+    begin = time.perf_counter()
+    words = command("app", "--port", "0", "--no-browser")
+    process = subprocess.Popen(words, stderr=subprocess.PIPE, text=True)
+    assert process.stderr is not None
+    address = re.findall(r"http://\S+", process.stderr.readline())[0].rstrip("/")
+    response = httpx.get(f"{address}/explorer", timeout=30)
+    start = time.perf_counter() - begin
+    assert response.status_code == 200
+    yield Running(address, process, start)
+    process.terminate()
+    process.communicate(timeout=10)
+
+
+@pytest.fixture(scope="module")
+def drawn(running: Running) -> Iterator[Any]:
+    """A browser's page on the warm server, and when its first picture was drawn, s."""
+    found = next(
+        (path for name in ("chromium", "chromium-browser", "google-chrome") if (path := shutil.which(name))), None
+    )
+    if found is None:
+        pytest.skip("no Chromium found")
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=found, args=FLAGS)
+        firsts = []
+        for _ in range(3):
+            page = browser.new_page(viewport={"width": 1280, "height": 900})
+            page.add_init_script("localStorage.setItem('guided', 'yes')")
+            page.goto(f"{running.address}/explorer")
+            firsts.append(page.evaluate(FIRST) / 1000)
+        yield page, min(firsts)
+        browser.close()
+
+
+def test_start(benchmark: Any, record: Record, running: Running) -> None:
+    measured(benchmark, lambda: httpx.get(f"{running.address}/explorer"), 3)
+    record("sweetspot app, start to first page", duration(running.start), goal="3 s")
+
+
+def test_first_picture(benchmark: Any, record: Record, drawn: Any) -> None:
+    measured(benchmark, lambda: None, 1)
+    record("the page, opened to first picture", duration(drawn[1]), goal="1.5 s")
+
+
+def test_slider_to_redraw(benchmark: Any, record: Record, drawn: Any) -> None:
+    page = drawn[0]
+    pauses = [(move * 7919) % 16 for move in range(MOVES)]  # so that moves fall anywhere between two frames
+    page.evaluate(DRAG, {"moves": 10, "pauses": pauses})
+    times = sorted(value / 1000 for value in page.evaluate(DRAG, {"moves": MOVES, "pauses": pauses}))
+    measured(benchmark, lambda: None, 1)
+    record("slider to redraw, median", duration(statistics.median(times)), goal="35 ms")
+    record("slider to redraw, 90 of 100", duration(times[int(0.9 * len(times))]), goal="50 ms")
+
+
+def test_fifty_people_dragging(benchmark: Any, record: Record, running: Running) -> None:
+    times = sorted(apart(_crowd(running.address, CLIENTS, SECONDS)))
+    measured(benchmark, lambda: None, 1)
+    record(f"{CLIENTS} people dragging, 95 of 100", duration(times[int(0.95 * len(times))]), goal="250 ms",
+           rival=f"{len(times) / SECONDS:,.0f} answers/s, median {duration(statistics.median(times))}")  # fmt: skip
+
+
+def test_memory_of_the_server(benchmark: Any, record: Record, running: Running) -> None:
+    if not Path("/proc/self/status").exists():
+        pytest.skip("this system does not tell how much memory a process holds")
+    apart(_updates(running.address, UPDATES // 2))
+    before = running.memory()
+    apart(_updates(running.address, UPDATES, first=UPDATES))
+    after = running.memory()
+    measured(benchmark, lambda: None, 1)
+    record(
+        f"memory of the server, {UPDATES:,} updates later",
+        f"{after:.0f} MiB",
+        goal="flat",
+        rival=f"before: {before:.0f} MiB",
+    )
+
+
+def apart(work: Coroutine[Any, Any, Result]) -> Result:
+    """Return what a coroutine does in a thread of its own; the browser's driver has the loop of this one."""
+    with ThreadPoolExecutor(1) as pool:
+        return pool.submit(asyncio.run, work).result()
+
+
+async def _crowd(address: str, clients: int, seconds: float) -> list[float]:
+    """Return how long every question of many people took, s; each drags a slider and waits for the answer."""
+    loop = asyncio.get_running_loop()
+    end = loop.time() + seconds
+
+    async def person(number: int) -> list[float]:
+        times = []
+        async with connect(address.replace("http", "ws") + "/ws", compression=None) as line:
+            await asyncio.sleep(PAUSE * number / clients)
+            move = 0
+            while loop.time() < end:
+                move += 1
+                state = {"pitch_speed_mph": 50 + (move % 400) / 10 + number / 1000}  # nobody asks what another asked
+                begin = loop.time()
+                await line.send(json.dumps({"id": move, "view": "explorer", "state": state}))
+                text = await line.recv()
+                times.append(loop.time() - begin)
+                assert b'"answer"' in text.encode()[:60]
+                await asyncio.sleep(max(0.0, PAUSE - times[-1]))
+        return times
+
+    found = await asyncio.gather(*(person(number) for number in range(clients)))
+    return [value for times in found for value in times]
+
+
+async def _updates(address: str, count: int, first: int = 0) -> None:
+    async with connect(address.replace("http", "ws") + "/ws", compression=None) as line:
+        for move in range(first, first + count):
+            state = {"pitch_speed_mph": 40 + move / 1000, "choke_up_in": (move % 50) / 10}
+            await line.send(json.dumps({"id": move, "view": "explorer", "state": state}))
+            await line.recv()
