@@ -8,12 +8,13 @@ from fastapi import APIRouter
 
 from sweetspot import catalog
 from sweetspot.bat import Bat
+from sweetspot.catalog.rules import league, league_names
 from sweetspot.line import reduce
 from sweetspot.report.border import bat_json
 from sweetspot.rigid import rigid_body
 from sweetspot.web.bats import bat_from_text
 from sweetspot.web.faults import about
-from sweetspot.web.schemas import BatFacts, BatText
+from sweetspot.web.schemas import BatFacts, BatText, Choice
 
 
 def catalogue_routes(api: APIRouter) -> None:
@@ -33,6 +34,16 @@ def catalogue_routes(api: APIRouter) -> None:
     def materials() -> list[str]:
         """Return the names of the catalogue's materials."""
         return catalog.material_names()
+
+    @api.get("/leagues", tags=["catalogue"])
+    def leagues() -> list[Choice]:
+        """Return the leagues whose rules are known."""
+        return [Choice(key=name, name=league(name).name) for name in league_names()]
+
+    @api.get("/parks", tags=["catalogue"])
+    def parks() -> list[Choice]:
+        """Return the ball parks of the catalogue."""
+        return [Choice(key=name, name=catalog.park(name).name) for name in catalog.park_names()]
 
     @api.post("/bat", tags=["catalogue"])
     def bat(text: BatText) -> BatFacts:

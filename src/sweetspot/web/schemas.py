@@ -26,6 +26,13 @@ class BatText(BaseModel):
     toml: str = Field(max_length=20_000)
 
 
+class Choice(BaseModel):
+    """One of a list: what programs call it, and what people do."""
+
+    key: str
+    name: str
+
+
 class BatFacts(BaseModel):
     """A bat in a list."""
 

@@ -57,6 +57,12 @@ async function addLines(app, dialog) {
     button.addEventListener("click", () => download("bat.toml", "application/toml", lines.toml));
     dialog.querySelector(".files").append(button);
   }
+  for (const name of Object.keys(lines).filter((key) => key.endsWith(".toml"))) {
+    const button = Object.assign(document.createElement("button"), { type: "button", textContent: name });
+    button.dataset.format = "toml";
+    button.addEventListener("click", () => download(name, "application/toml", lines[name]));
+    dialog.querySelector(".files").append(button);
+  }
   for (const [key, words] of [["command", "Command line"], ["python", "Python"]]) {
     if (lines[key]) place.append(block(app, words, lines[key], key));
   }

@@ -23,7 +23,8 @@ from sweetspot.trampoline import wall_point_of
 from sweetspot.web.bats import ball_of, conditions_of, reduced
 from sweetspot.web.faults import FieldError, about
 from sweetspot.web.outline import outline
-from sweetspot.web.states import BatState, Name, SwingState
+from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, is_catalogued, swing_options
+from sweetspot.web.states import BatState, HitState, Name, SwingState
 from sweetspot.web.view import View
 
 ALL = "all"
@@ -166,4 +167,48 @@ def _certified(bat: Bat, ball: str) -> Certification:
     return certify(bat, ball=catalog.ball(ball))
 
 
-VIEW = View("compare", "Compare", CompareState, answer)
+def recipe(state: CompareState) -> dict[str, str]:
+    """Return command line, Python lines and bat files that give the same numbers."""
+    first, files = state.bats[0], {}
+    names = [bat_name(first)]
+    others = state.bats[1:] if state.what_if == "none" else ()
+    if state.what_if == "wall":
+        others = (_changed(state, wall_factor=first.wall_factor * state.wall_times),)
+    for number, bat in enumerate(others, start=2):
+        if is_catalogued(bat):
+            names.append(bat.bat)
+        else:
+            names.append(f"bat-{number}.toml")
+            files[names[-1]] = bat_text(bat)
+    swing = HitState.model_construct(
+        **{**dict(first), **{name: getattr(state, name) for name in SwingState.model_fields}}
+    )
+    options = swing_options(swing)
+    if state.same == "speed":
+        options += " --same-speed"
+    if state.swing_law != CompareState.model_fields["swing_law"].default:
+        options += f" --swing-law {state.swing_law}"
+    plug = min(1.0, state.hole_depth_in / 2)
+    if state.what_if == "cork":
+        options += f" --what-if cork --bore-diameter {state.hole_diameter_in:.12g}in"
+        options += f" --bore-depth {state.hole_depth_in:.12g}in --plug {plug:.12g}in"
+    made = [f'catalog.load_bat("{name}")' for name in names[1:]]
+    if state.what_if == "cork":
+        hole = f"diameter={state.hole_diameter_in!r} * INCH, depth={state.hole_depth_in!r} * INCH"
+        made = [f"bat.drilled({hole})"]
+        made += [
+            f'bat.corked({hole}, plug={plug!r} * INCH, fill=catalog.material("{fill}"))' for fill in FILLS.values()
+        ]
+    python = conditions_lines(swing) + (
+        "\nfrom sweetspot.catalog.swing_laws import swing_law\nfrom sweetspot.compare import compare\n\n"
+        f"bats = [{', '.join(['bat', *made])}]\n"
+        f'found = compare(bats, conditions=conditions, same="{state.same}", law=swing_law("{state.swing_law}"))\n'
+        "for one in found.compared:\n"
+        "    print(one.label, one.exit_speed.value / MPH, one.change.low / MPH, one.change.high / MPH)\n"
+    )
+    lines = [f"sweetspot compare {' '.join(names)}{options}"]
+    lines += [f"sweetspot certify {name} --league {state.league}" for name in names]
+    return {"command": "\n".join(lines), "python": python, "toml": bat_text(first), **files}
+
+
+VIEW = View("compare", "Compare", CompareState, answer, recipe)
