@@ -112,3 +112,34 @@ def _moduli(part: WallPart) -> tuple[float, float, float]:
         found = effective_moduli(part.laminate)
         return found.axial, found.shear, min(max(found.poisson_ratio, 0.0), 0.5)  # Cowper's range
     return part.material.longitudinal_modulus, part.material.shear, poisson_of(part.material)
+
+
+def of_oval_tube(material: Material, *, width: Array, depth: Array, wall: Array, scale: Array) -> Section:
+    """Return the section of an elliptical tube, solid where the wall reaches its middle.
+
+    EI = E pi (a b^3 - (a - h) (b - h)^3) / 4 with half width a, half depth b and wall h; the shear coefficient is that
+    of the round tube with the same ratio of hole to outside.
+
+    Parameters
+    ----------
+    width, depth, wall : m, across the ball's path, along it, and of the wall.
+    scale : density over the material's catalogue value.
+    """
+    a, b = width / 2, depth / 2
+    inner_a, inner_b = np.maximum(a - wall, 0.0), np.maximum(b - wall, 0.0)
+    area = math.pi * (a * b - inner_a * inner_b)
+    second = math.pi * (a * b**3 - inner_a * inner_b**3) / 4
+    sideways = math.pi * (a**3 * b - inner_a**3 * inner_b) / 4
+    density = material.density * scale
+    shear = shear_coefficient(inner_b / b, poisson_of(material)) * material.shear * area
+    bending = material.longitudinal_modulus * second
+    return Section(density * area, density * second, bending, shear, density * (second + sideways))
+
+
+def evenly(mass: Array | float, radius: Array | float, sections: Section) -> Section:
+    """Return sections in a thin sleeve of mass per length (kg/m) at a radius (m), which adds no stiffness."""
+    about = np.asarray(mass) * np.asarray(radius) ** 2
+    return Section(
+        sections.mass + mass, sections.rotary_inertia + about / 2, sections.bending_stiffness, sections.shear_stiffness,
+        sections.roll_inertia + about,
+    )  # fmt: skip

@@ -23,7 +23,7 @@ OUNCE_INCH_SQUARED = OUNCE * INCH**2
 
 Kind = Literal[
     "length", "mass", "speed", "moi", "density", "pressure", "force", "time", "angle", "angular speed",
-    "linear density", "temperature", "stiffness", "damping", "frequency", "ratio", "slope per speed",
+    "linear density", "areal density", "temperature", "stiffness", "damping", "frequency", "ratio", "slope per speed",
     "slope per temperature",
 ]  # fmt: skip
 
@@ -39,6 +39,7 @@ SI: dict[Kind, tuple[str, str]] = {
     "angle": ("radian", "27deg"),
     "angular speed": ("radian/second", "45 rad/s"),
     "linear density": ("kilogram/meter", "1.2 kg/m"),
+    "areal density": ("kilogram/meter**2", "2.4 kg/m^2"),
     "temperature": ("kelvin", "21 degC or 70 degF"),
     "stiffness": ("newton/meter", "20 kN/m"),
     "damping": ("newton*second/meter", "100 N*s/m"),

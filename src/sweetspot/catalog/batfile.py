@@ -218,7 +218,7 @@ def _shell(table: ShellTable, own: Material) -> Shell:
     masses = ("joint_mass", "end_cap_mass", "knob_mass")
     return Shell(
         wall=_pairs(table.wall, "shell.wall"),
-        laminate=_laminate(table.laminate, "shell.laminate"),
+        laminate=laminate_of(table.laminate, "shell.laminate"),
         inner_wall=None if table.inner_wall is None else _inner_wall(table.inner_wall, own),
         handle_material=None if table.handle_material is None else material(table.handle_material),
         joint=None if table.joint is None else parse(table.joint, "length", "shell.joint"),
@@ -230,13 +230,13 @@ def _inner_wall(table: InnerWallTable, own: Material) -> InnerWall:
     return InnerWall(
         wall=_pairs(table.wall, "shell.inner_wall"),
         material=own if table.material is None else material(table.material),
-        laminate=_laminate(table.laminate, "shell.inner_wall.laminate"),
+        laminate=laminate_of(table.laminate, "shell.inner_wall.laminate"),
         gap=parse(table.gap, "length", "shell.inner_wall.gap"),
         bonded=table.bonded,
     )
 
 
-def _laminate(plies: tuple[PlyTable, ...] | None, what: str) -> Laminate | None:
+def laminate_of(plies: tuple[PlyTable, ...] | None, what: str) -> Laminate | None:
     if plies is None:
         return None
     return Laminate(

@@ -9,9 +9,10 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
-from sweetspot.catalog.batfile import BatFile, bat_from_table, read_toml
+from sweetspot.catalog.batfile import BatFile, PlyTable, bat_from_table, laminate_of, read_toml
 from sweetspot.catalog.materials import material
 from sweetspot.catalog.records import unwrapped
+from sweetspot.catalog.rubbers import rubber
 from sweetspot.catalog.tables import (
     FORCE,
     FREQUENCY,
@@ -19,6 +20,7 @@ from sweetspot.catalog.tables import (
     LINEAR_DENSITY,
     MASS,
     MOI,
+    STIFFNESS,
     FileTable,
     Length,
     Mass,
@@ -28,10 +30,13 @@ from sweetspot.catalog.tables import (
 )  # fmt: skip
 from sweetspot.cricket_bat import CricketBat
 from sweetspot.errors import InputError, nearest_names
-from sweetspot.face import Outline
+from sweetspot.face import Face, Outline
+from sweetspot.golf_club import ClubHead, GolfClub
+from sweetspot.hockey_stick import HockeyStick
 from sweetspot.implement import Implement
 from sweetspot.racket import Racket
 from sweetspot.string_bed import StringBed
+from sweetspot.table_tennis_racket import TableTennisRacket
 
 
 class CommonTable(FileTable):
@@ -79,7 +84,7 @@ class RacketFile(CommonTable):
     first_frequency: Annotated[str, FREQUENCY] = Field(description="of bending mode 1, hung freely")
     damping: float = Field(0.01, description="fraction of critical damping, hung freely")
     handle_length: Length
-    relative_stiffness: Parts | None = Field(None, description="pairs of position and stiffness; only ratios count")
+    relative_stiffness: Parts = Field(None, description="pairs of position and stiffness; only ratios count")
     twist_moi: Annotated[str | None, MOI] = Field(None, description="measured, about the long axis")
     greatest_tension: Annotated[str | None, FORCE] = Field(None, description="per string that the frame is made for")
     frame: str = "carbon-fibre frame"
@@ -98,6 +103,61 @@ class CricketBatFile(CommonTable):
     concavity: float = Field(1.5, description="1: a back of two planes; more: scooped out")
     splice: Length = Field(description="how far the handle reaches into the blade")
     grip_mass: Mass = "0 g"
+
+
+class HockeyStickFile(CommonTable):
+    """A field-hockey stick."""
+
+    kind: Literal["hockey-stick"]
+    material: str
+    width: Sizes = Field(description="pairs of position and width across the ball's path, over the whole length")
+    depth: Sizes = Field(description="pairs of position and thickness along the ball's path")
+    wall: Sizes = Field(description="pairs of position and wall thickness")
+    face_start: Length = Field(description="where the playing face begins")
+    grip_mass: Mass = "0 g"
+    grip_length: Length = "30 cm"
+    hook_mass: Mass = "0 g"
+    hook_reach: Length = "0 cm"
+
+
+class ClubHeadTable(FileTable):
+    """[head]: of a golf club."""
+
+    mass: Mass
+    height: Length = Field(description="of the face, along the shaft")
+    face_width: Length
+    moi: Annotated[str, MOI] = Field(description="about the axis from heel to toe")
+    roll_moi: Annotated[str, MOI] = Field(description="about the shaft's direction")
+    face_stiffness: Annotated[str | None, STIFFNESS] = Field(None, description="of the plate under the ball")
+    face_mass: Annotated[str | None, MASS] = Field(None, description="that moves with the ball")
+    face_restitution: float = Field(1.0, description="of a hard ball on the face held fast")
+
+
+class GolfClubFile(CommonTable):
+    """A golf club, weighed by its parts."""
+
+    kind: Literal["golf-club"]
+    material: str = Field(description="of the shaft; name in the catalogue")
+    diameter: Sizes = Field(description="pairs of position and outer diameter of the shaft")
+    wall: Sizes = Field(description="pairs of position and wall thickness of the shaft")
+    head: ClubHeadTable
+    grip_mass: Mass = "50 g"
+    grip_length: Length = "27 cm"
+
+
+class TableTennisRacketFile(CommonTable):
+    """A table-tennis racket."""
+
+    kind: Literal["table-tennis-racket"]
+    blade: tuple[PlyTable, ...] = Field(description="plies from one side to the other; angle 0 along the handle")
+    blade_length: Length
+    blade_width: Length
+    handle_width: Length
+    handle_thickness: Length = Field(description="with the blade between the scales")
+    handle_material: str
+    front: str | None = Field(None, description="rubber of the catalogue that the ball meets")
+    back: str | None = Field(None, description="rubber of the other side")
+    damping: float = 0.02
 
 
 def implement_from_table(table: dict[str, Any], where: str) -> Implement:
@@ -143,11 +203,35 @@ def _cricket_bat(file: CricketBatFile) -> CricketBat:
     return CricketBat(**{**_common(file), **made_of})
 
 
+def _hockey_stick(file: HockeyStickFile) -> HockeyStick:
+    return HockeyStick(**{**_common(file), "material": material(file.material)})
+
+
+def _golf_club(file: GolfClubFile) -> GolfClub:
+    head = in_si(file.head, "head")
+    face = Face(
+        stiffness=head.pop("face_stiffness"),
+        moving_mass=head.pop("face_mass"),
+        restitution=head.pop("face_restitution"),
+        edge="plate",
+    )
+    return GolfClub(**{**_common(file), "material": material(file.material), "head": ClubHead(face=face, **head)})
+
+
+def _table_tennis_racket(file: TableTennisRacketFile) -> TableTennisRacket:
+    sides = {side: rubber(name) for side, name in (("front", file.front), ("back", file.back)) if name is not None}
+    made_of = {"blade": laminate_of(file.blade, "blade"), "handle_material": material(file.handle_material)}
+    return TableTennisRacket(**{**_common(file), **made_of, **sides})
+
+
 KINDS: dict[str, tuple[type[FileTable], Callable[[Any], Implement]]] = {
     "racket": (RacketFile, _racket),
     "cricket-bat": (CricketBatFile, _cricket_bat),
+    "hockey-stick": (HockeyStickFile, _hockey_stick),
+    "golf-club": (GolfClubFile, _golf_club),
+    "table-tennis-racket": (TableTennisRacketFile, _table_tennis_racket),
 }
 """What a file's ``kind`` says it is: the table it is read as, and what makes the thing of it."""
-PREFIXES = r"^(?:\w*file|racket|cricketbat|\w*table|outline|stringbed): "
+PREFIXES = r"^(?:\w*file|\w*racket|cricketbat|hockeystick|golfclub|\w*table|outline|stringbed|clubhead|face): "
 FILES: dict[str, type[FileTable]] = {"bat": BatFile, **{kind: made_from for kind, (made_from, _) in KINDS.items()}}
 """The table of every kind, for schemas."""

@@ -32,8 +32,8 @@ Length = Annotated[str, LENGTH]
 Mass = Annotated[str, MASS]
 Sizes = Annotated[tuple[tuple[str, str], ...], PairsOf("length", "length")]
 """Pairs of position from the butt end and size."""
-Parts = Annotated[tuple[tuple[str, float], ...], PairsOf("length", "ratio")]
-"""Pairs of position from the butt end and a ratio."""
+Parts = Annotated[tuple[tuple[str, float], ...] | None, PairsOf("length", "ratio")]
+"""Pairs of position from the butt end and a ratio, or None."""
 
 
 class FileTable(Thing):
