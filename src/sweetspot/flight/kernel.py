@@ -76,7 +76,7 @@ class Flights:
     @property
     def landed(self) -> NDArray[np.bool_]:
         """Which flights came down, shape (n,)."""
-        return self.outcome == LANDED
+        return np.asarray(self.outcome == LANDED)
 
     @property
     def landing_angle(self) -> Array:
