@@ -10,6 +10,7 @@ from sweetspot.catalog.deliveries import delivery, delivery_names
 from sweetspot.catalog.implements import implement, implement_names, load_implement
 from sweetspot.catalog.materials import material, material_names
 from sweetspot.catalog.parks import park, park_names, parks
+from sweetspot.catalog.sports import sport, sport_names
 
 __all__ = [
     "aerodynamics",
@@ -30,4 +31,6 @@ __all__ = [
     "park",
     "park_names",
     "parks",
+    "sport",
+    "sport_names",
 ]

@@ -49,6 +49,7 @@ def bat_table(bat: Bat) -> dict[str, Any]:
         "moi": _with(bat.moi, "kg*m^2"),
         "moi_axis": None if bat.moi is None else _metres(bat.moi_axis),
         "choke": _metres(bat.choke) if bat.choke else None,
+        "sport": None if bat.sport == Bat.model_fields["sport"].default else bat.sport,
     }
     table |= {name: value for name, value in measured.items() if value is not None}
     if bat.cup is not None:

@@ -6,7 +6,8 @@ from functools import cache
 from typing import Any
 
 from sweetspot.catalog.balls import FILE as BALLS
-from sweetspot.catalog.bats import DEFAULT_BAT, bat_tables
+from sweetspot.catalog.bats import DEFAULT_BAT
+from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.records import Record, canonical, entry, quantity, read_table, records
 from sweetspot.sport import Certainty, DropRule, Known, Limit, Mark, Sport, Stroke, Words, counted
 from sweetspot.units import Kind, parse
@@ -68,7 +69,7 @@ def sport_records(name: str) -> list[Record]:
     found = sport(name)
     own = [Record(one.name, one.written, None, one.source, one.where, one.kind) for one in found.known()]
     balls = {canonical(key): table for key, table in read_table(BALLS).items()}
-    tools = {canonical(key): table for key, table in bat_tables().items()}
+    tools = implement_tables()
     for names, tables in ((found.balls, balls), (found.implements, tools)):
         own += [record for key in names if key in tables for record in records(tables[key], key)]
     return own
@@ -76,7 +77,7 @@ def sport_records(name: str) -> list[Record]:
 
 def _implements(key: str) -> tuple[str, ...]:
     """Return the catalogue's implements of a sport; the default bat comes first in baseball."""
-    own = [name for name, table in bat_tables().items() if canonical(table.get("sport", DEFAULT_SPORT)) == key]
+    own = [name for name, table in implement_tables().items() if canonical(table.get("sport", DEFAULT_SPORT)) == key]
     return tuple(sorted(own, key=lambda name: (name != DEFAULT_BAT, name)))
 
 

@@ -68,6 +68,7 @@ def hit(
     """Compute one collision: exit speed, q, BBCOR, contact time, peak force and where the energy goes."""
     from sweetspot import catalog
     from sweetspot.analysis import check_conditions, hit_at
+    from sweetspot.bat import Bat
     from sweetspot.cli.options import conditions_for
     from sweetspot.cli.output import print_csv, print_json, print_table
     from sweetspot.damage import damage
@@ -87,16 +88,23 @@ def hit(
     check_position(described, position, "--at")
     modes = modes_of(line, conditions.ball)
     impact = hit_at(position, modes=modes, conditions=conditions)
-    strains = damage(impact, line=line, modes=modes)
+    strains = damage(impact, line=line, modes=modes) if isinstance(described, Bat) else None
     if format == "json":
-        print_json({**hit_json(impact, body=body, conditions=conditions), "damage": damage_json(strains)})
+        extra = {"damage": damage_json(strains)} if strains else {}
+        print_json({**hit_json(impact, body=body, conditions=conditions), **extra})
     elif format == "csv":
         print_csv(hit_json(impact, body=body, conditions=conditions)["history"])
     else:
+        from sweetspot.report.speech import speaks_otherwise
+        from sweetspot.report.sport_table import sport_hit
         from sweetspot.report.table import damage_lines, hit_table
 
-        print_table(hit_table(impact, body=body, conditions=conditions, length=described.length))
-        print_table(damage_lines(strains))
+        if speaks_otherwise(described):
+            print_table(sport_hit(impact, body=body, conditions=conditions, bat=described))
+        else:
+            print_table(hit_table(impact, body=body, conditions=conditions, length=described.length))
+        if strains:
+            print_table(damage_lines(strains))
 
 
 @app.command

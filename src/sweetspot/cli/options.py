@@ -61,6 +61,8 @@ def conditions_for(bat: Implement, options: SwingOptions) -> Conditions:
         return default if text is None else parse_position(text, length=bat.length, what=what)
 
     ball = usual.ball if options.ball is None else catalog.ball(options.ball)
+    if options.ball is not None:
+        say_if_of_another_sport(bat, options.ball)
     if options.ball_cor is not None:
         ball = ball.with_restitution(parse(options.ball_cor, "ratio", "--ball-cor"))
     if options.ball_humidity is not None or options.ball_temperature is not None:
@@ -73,9 +75,7 @@ def conditions_for(bat: Implement, options: SwingOptions) -> Conditions:
         pitch=usual.pitch if options.pitch_speed is None else Pitch(speed=_pitch_speed(options.pitch_speed)),
         swing=Swing(
             bat_speed=(
-                usual.swing.bat_speed
-                if options.bat_speed is None
-                else parse(options.bat_speed, "speed", "--bat-speed")
+                usual.swing.bat_speed if options.bat_speed is None else parse(options.bat_speed, "speed", "--bat-speed")
             ),
             measured_at=place(options.bat_speed_at, usual.swing.measured_at, "--bat-speed-at"),
             pivot=place(options.pivot, usual.swing.pivot, "--pivot"),
@@ -83,6 +83,18 @@ def conditions_for(bat: Implement, options: SwingOptions) -> Conditions:
         hands=Hands(position=place(options.hands, usual.hands.position, "--hands")),
         ball=ball,
     )
+
+
+def say_if_of_another_sport(bat: Implement, ball_name: str) -> None:
+    """Say on stderr that a ball belongs to another sport than what it is hit with; that is allowed."""
+    import sys
+
+    from sweetspot.catalog import ball_sport, sport
+
+    its, theirs = ball_sport(ball_name), sport(bat.sport).name.lower()
+    if sport(its).key != sport(bat.sport).key:
+        print(f"sweetspot: {ball_name} is a ball of {its}, {bat.name} is made for {theirs}; computed all the same",
+              file=sys.stderr)  # fmt: skip
 
 
 def _pitch_speed(text: str) -> float:

@@ -16,6 +16,8 @@ from sweetspot.damage import Damage
 from sweetspot.implement import Implement
 from sweetspot.paper_rows import Row, Value
 from sweetspot.report.border import STANDARD_AXIS
+from sweetspot.report.speech import speaks_otherwise
+from sweetspot.report.sport_table import sport_report
 from sweetspot.report.words import answer, from_tip
 from sweetspot.rigid import RigidBody
 from sweetspot.swing import Conditions
@@ -37,6 +39,8 @@ SPOT_NAMES = {
 
 def report_table(analysis: Analysis[Implement]) -> Group:
     """Return the terminal report: the answer, sweet spots, exit speed along the bat, mass properties, modes."""
+    if speaks_otherwise(analysis.bat):
+        return sport_report(analysis)
     body, bat = analysis.body, analysis.bat
     title = Text(f"{bat.name}  ", style="bold")
     title.append(f"{bat.length / INCH:.2f} in, {body.mass / OUNCE:.1f} oz, {bat.made_of}", style="dim")

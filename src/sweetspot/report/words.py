@@ -6,6 +6,8 @@ import numpy as np
 
 from sweetspot.analysis import Analysis, exit_speed_of
 from sweetspot.implement import Implement
+from sweetspot.report.speech import speaks_otherwise
+from sweetspot.report.sport_words import sport_answer
 from sweetspot.rigid import effective_mass
 from sweetspot.sweet_spots import miss_cost
 from sweetspot.units import INCH, MPH, OUNCE
@@ -15,6 +17,8 @@ SMALL = 1e-3
 
 def answer(analysis: Analysis[Implement]) -> list[str]:
     """Return the answer as a few paragraphs, in the units that players and makers use."""
+    if speaks_otherwise(analysis.bat):
+        return sport_answer(analysis)
     words = [_where(analysis), _why_not_the_end(analysis), _miss(analysis), _hands(analysis)]
     if hoop := analysis.modes.of_family("hoop"):
         lowest = analysis.modes.frequency[hoop].min()
