@@ -10,6 +10,8 @@ export class Film {
     this.shapes = film.shape_per_sqrt_kg;
     this.places = film.place_m;
     this.fastest = this.greatestSpeed();
+    this.deepest = this.deepestDent();
+    this.lowest = Math.max(...[0.25, 0.5, 0.75, 1].map((part) => Math.max(...this.line(part * this.end))));
   }
 
   // [index, part] of a moment between two moments of the answer; before first touch [0, 0].

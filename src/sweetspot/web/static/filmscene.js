@@ -26,7 +26,8 @@ export function paintSide(context, width, height, { film, moment, exaggeration, 
   context.font = `12px ${FONT}`;
   context.textAlign = "left";
   context.textBaseline = "alphabetic";
-  notes.forEach((words, i) => haloText(context, words, PAD, height - 10 - 16 * (notes.length - 1 - i), colors.muted, colors.panel));
+  const rows = notes.flatMap((words) => wrapped(context, words, width - 2 * PAD));
+  rows.forEach((words, i) => haloText(context, words, PAD, height - 8 - 16 * (rows.length - 1 - i), colors.muted, colors.panel));
 }
 
 // Where the axis of the undisturbed bat lies, px from the top: room for the ball on its way.
@@ -35,9 +36,10 @@ export function sideMiddle(film, width) {
   return 14 + scale * (2 * film.ball.radius_m + 0.05 + radiusAt(film.bat, film.hit.position_m));
 }
 
-export function sideHeight(film, width) {
+export function sideHeight(film, width, { exaggeration, recoil }) {
   const scale = (width - 2 * PAD) / film.bat.length_m;
-  return Math.round(sideMiddle(film, width) + 0.2 * scale + 44);
+  const room = recoil ? Math.min(0.42, Math.max(0.15, exaggeration * film.lowest + 0.04)) : 0.15;
+  return Math.round(sideMiddle(film, width) + room * scale + (width < 640 ? 80 : 48));
 }
 
 function paintRest(context, { across, middle, length }, colors) {
@@ -96,14 +98,16 @@ function paintHands(context, film, moment, { across, middle, drop, scale }, colo
   context.strokeStyle = arrived ? colors.purple : colors.muted;
   for (const place of hands) {
     const [x, y, reach] = [across(place), middle + drop(place), radiusAt(film.bat, place) * scale + 7];
+    const tilt = (drop(place + 0.03) - drop(place - 0.03)) / 2;
     for (const side of [-1, 1]) {
       context.beginPath();
-      context.moveTo(x - 0.03 * scale, y + side * reach);
-      context.lineTo(x + 0.03 * scale, y + side * reach);
+      context.moveTo(x - 0.03 * scale, y - tilt + side * reach);
+      context.lineTo(x + 0.03 * scale, y + tilt + side * reach);
       context.stroke();
     }
   }
-  const [x, y] = [across((hands[0] + hands[1]) / 2), middle + drop(hands[0]) - radiusAt(film.bat, hands[0]) * scale - 14];
+  const top = Math.min(...hands.map((hand) => drop(hand)));
+  const [x, y] = [across((hands[0] + hands[1]) / 2), middle + top - radiusAt(film.bat, hands[0]) * scale - 14];
   context.font = `${arrived ? "600 " : ""}12px ${FONT}`;
   context.textAlign = "center";
   context.textBaseline = "alphabetic";
@@ -188,6 +192,16 @@ function interpolated(places, values, x) {
   const step = places[1] - places[0];
   const i = Math.min(places.length - 2, Math.max(0, Math.floor(x / step)));
   return values[i] + ((x - places[i]) / (places[i + 1] - places[i])) * (values[i + 1] - values[i]);
+}
+
+function wrapped(context, words, width) {
+  const rows = [""];
+  for (const word of words.split(" ")) {
+    const longer = `${rows.at(-1)} ${word}`.trim();
+    if (context.measureText(longer).width <= width || rows.at(-1) === "") rows[rows.length - 1] = longer;
+    else rows.push(word);
+  }
+  return rows;
 }
 
 function unionOf(first, second) {

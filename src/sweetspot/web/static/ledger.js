@@ -19,14 +19,26 @@ class Areas extends Chart {
   // The parts' names in their own areas, where those are high enough.
   paintPanel(context, panel, box, across) {
     super.paintPanel(context, panel, box, across);
+    const key = `${box.right} ${panel.lines.length}`;
+    if (this.named !== this.data.lines || this.namedAt !== key) {
+      this.names = this.placed(context, panel, box, across);
+      Object.assign(this, { named: this.data.lines, namedAt: key });
+    }
+    context.font = `600 12px ${FONT}`;
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    for (const { name, middle, y } of this.names) haloText(context, name, middle, y, this.app.colors.ink, this.app.colors.panel);
+  }
+
+  // Where each name fits into its own area, as high as possible; names that fit nowhere stand in the list alone.
+  placed(context, panel, box, across) {
     const { x, lines } = this.data;
     const total = Math.max(...x.map((_, i) => panel.lines.reduce((sum, { key }) => sum + lines[key][i], 0)));
     const up = (joules) => ((box.bottom - box.top) * joules) / (1.06 * total);
     const at = x.map(across);
     context.font = `600 12px ${FONT}`;
-    context.textAlign = "center";
-    context.textBaseline = "middle";
     const below = x.map(() => 0);
+    const found = [];
     for (const { key, name } of panel.lines) {
       const half = context.measureText(name).width / 2 + 4;
       let best = { room: 15 };
@@ -36,9 +48,10 @@ class Areas extends Chart {
         const bottom = Math.max(...inside.map((i) => up(below[i])));
         if (top - bottom > best.room) best = { room: top - bottom, middle, y: box.bottom - (top + bottom) / 2 };
       }
-      if (best.middle) haloText(context, name, best.middle, best.y, this.app.colors.ink, this.app.colors.panel);
+      if (best.middle) found.push({ name, ...best });
       lines[key].forEach((joules, i) => (below[i] += joules));
     }
+    return found;
   }
 }
 

@@ -172,9 +172,9 @@ function paintCut(context, stage, { motion, answer, phase, largest, both, colors
     context.fill();
   }
   context.font = `12px ${FONT}`;
-  context.textAlign = "center";
+  context.textAlign = "left";
   context.textBaseline = "alphabetic";
-  haloText(context, `cut across, ${2 * motion.harmonic} still lines`, x, stage.height - 8, colors.muted, colors.panel);
+  haloText(context, `cut across: ${2 * motion.harmonic} still lines`, PAD, stage.height - 8, colors.muted, colors.panel);
 }
 
 // Still places: from the moving bat up to the bat at rest, with their distance from the tip.
@@ -207,7 +207,7 @@ function paintNodes(context, stage, { motion, answer, colors, text }) {
   context.textAlign = "right";
   context.fillStyle = colors.muted;
   context.textBaseline = "alphabetic";
-  context.fillText("● stands still; numbers are from the tip", stage.width - PAD, stage.height - 8);
+  context.fillText(stage.width < 560 ? "● stands still" : "● stands still; numbers are from the tip", stage.width - PAD, stage.height - 8);
 }
 
 export function between(places, values, x) {

@@ -79,10 +79,7 @@ export class Transport {
       const passed = before === null ? 0 : Math.min(100, now - before);
       before = now;
       this.show(this.moment + passed / 1000 / this.slowness);
-      if (this.moment >= this.to - 1e-9) {
-        this.pause();
-        this.rest();
-      }
+      if (this.moment >= this.to - 1e-9) this.pause();
     });
     this.label();
   }

@@ -37,7 +37,7 @@ class HitFilmState(SwungState):
     held: bool = Field(False, description="typical hands hold the bat: a mass behind a spring and a damper each")
     duration_ms: float = Field(4.0, ge=1.5, le=20, description="how long the film goes on after first touch")
     moment_ms: float = Field(0.6, ge=-0.5, le=20, description="moment that is shown; the answer does not depend on it")
-    exaggeration: float = Field(3.0, ge=1, le=20, description="how many times larger the bat's motion is drawn")
+    exaggeration: float = Field(2.0, ge=1, le=20, description="how many times larger the bat's motion is drawn")
     recoil: bool = Field(True, description="whether the drawing moves the whole bat too, or bends it alone")
     slowness: float = Field(1000.0, ge=100, le=10000, description="how many times slower than life the film plays")
 

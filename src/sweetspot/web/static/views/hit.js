@@ -28,7 +28,7 @@ export const view = {
   mount(root, app) {
     Object.assign(this, { app, film: null, started: false });
     this.side = new Surface(app, {
-      label: "Ball and bat from the side", height: (width) => (this.film ? sideHeight(this.film, width) : 300),
+      label: "Ball and bat from the side", height: (width) => (this.film ? sideHeight(this.film, width, this.state) : 300),
       paint: (...all) => this.film && paintSide(...all, this.shown()),
     });
     this.end = new Surface(app, {
@@ -43,7 +43,7 @@ export const view = {
     this.transport = new Transport(app, {
       field: "moment_ms", onMoment: () => this.paint(), describe: (moment) => this.describe(moment),
     });
-    this.words = Object.assign(document.createElement("p"), { className: "verdict", id: "verdict" });
+    this.words = Object.assign(document.createElement("p"), { className: "verdict flow", id: "verdict" });
     this.facts = Object.assign(document.createElement("dl"), { className: "facts" });
     this.values = FACTS.map(([name]) => fact(this.facts, name));
     root.append(this.controls(), this.pictures());
@@ -105,7 +105,7 @@ export const view = {
   // What the pictures need to know of this moment.
   shown() {
     const { film, app, state } = this;
-    const deepest = film.deepestDent();
+    const { deepest } = film;
     const times = Number(state.exaggeration.toFixed(1));
     return {
       film, moment: this.transport.moment, colors: app.colors, exaggeration: state.exaggeration, recoil: state.recoil,
@@ -155,6 +155,7 @@ export const view = {
       : `The wave reaches the top hand ${time(hands.arrival_s)} after first touch, when the ball has had ${this.app.text("given_pct", 100 * hands.impulse_given, 0)} of its push. ` +
         back + (2 * hands.arrival_s > hit.contact_time_s ? "too late." : "while ball and bat still push each other.");
     const words = `${bat.name}: the push is over ${time(hit.contact_time_s)} after first touch. ${wave}`;
+    if (this.words.textContent !== words) this.app.announce(words);
     this.words.textContent = words;
     this.side.label(`Ball and bat from the side, ${this.state.exaggeration} times its motion. ${words}`);
     this.chart.label(`Force on the ball, at most ${this.app.text("force_n", hit.peak_force_n)}, and speed of the bat under the top hand, in time.`);

@@ -20,7 +20,7 @@ export const view = {
     });
     this.stage.element.style.cursor = "ew-resize";
     this.stage.drags(({ x, last }) => this.tapAt(x, last));
-    this.words = Object.assign(document.createElement("p"), { className: "verdict", id: "verdict" });
+    this.words = Object.assign(document.createElement("p"), { className: "verdict flow", id: "verdict" });
     this.toggle = button("Play", () => (this.stop ? this.pause() : this.play()), { primary: true, title: "Play or pause (K)" });
     this.toggle.id = "play";
     this.speed = Object.assign(document.createElement("span"), { className: "note" });
@@ -29,7 +29,10 @@ export const view = {
     this.rowsBox = Object.assign(document.createElement("div"), { className: "scroll" });
     const picture = Object.assign(document.createElement("section"), { className: "picture" });
     picture.setAttribute("aria-label", "Motions of the bat");
-    picture.append(this.words, this.stage.element, row, this.rowsBox);
+    Object.assign(this.rowsBox, { tabIndex: 0 }).setAttribute("role", "region");
+    this.rowsBox.setAttribute("aria-label", "Motions of the bat");
+    this.aside = Object.assign(document.createElement("p"), { className: "note" });
+    picture.append(this.words, this.stage.element, row, this.rowsBox, this.aside);
     root.append(this.controls(), picture);
     root.addEventListener("keydown", (event) => this.key(event));
   },
@@ -80,6 +83,9 @@ export const view = {
     this.wall.hidden = !answer.bat.hollow && state.wall_factor === 1;
     this.list();
     this.say();
+    this.aside.textContent = state.held
+      ? "Damping of a held bat is each motion's own part; the hands' dampers couple the motions too. Hands: typical values, recalled and not measured."
+      : "Damping of the hanging bat: the material's, the same ratio for every motion.";
     this.stage.draw();
     if (!this.begun && !this.app.calm) this.play();
     this.begun = true;
@@ -175,7 +181,8 @@ export const view = {
     this.words.textContent = `${words} ${where}${tap}`;
     this.speed.textContent = motion.frequency_hz ? `slowed down ${Math.round((motion.frequency_hz * PERIOD) / 1000)} times, drawn larger than life` : "drawn larger than life";
     this.stage.label(`${answer.bat.name}. ${this.words.textContent}`);
-    app.announce(this.words.textContent);
+    if (this.stage.element.ariaLabel !== this.spoken) app.announce(this.words.textContent);
+    this.spoken = this.stage.element.ariaLabel;
   },
 
   unmount() {
@@ -193,9 +200,9 @@ export const view = {
   },
 };
 
-function nameOf({ family, number, harmonic, axial }) {
+function nameOf({ family, number, harmonic, axial, nodes_m: nodes }) {
   if (family === "hoop") return `Hoop ${harmonic}.${axial}`;
-  if (family === "rigid") return number === 1 ? "Push" : "Turn";
+  if (family === "rigid") return nodes.length ? "Turn" : "Push";
   return `${family === "hand" ? "Hands" : "Bending"} ${number}`;
 }
 
