@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import Field
 
 from sweetspot.errors import InputError
-from sweetspot.thing import Fraction, Positive, Thing
+from sweetspot.thing import Fraction, Positive, Real, Thing
 
 COR_FLOOR = 0.05
 """Lowest restitution the linear law may reach; keeps the law meaningful far beyond game speed."""
@@ -31,10 +31,11 @@ class RestitutionLaw(Thing):
     reference_speed: Positive
     slope: Annotated[float, Field(ge=0)] = 0.0
 
-    def at(self, speed: float) -> float:
+    def at(self, speed: Real) -> Real:
         """Return e at an impact speed in m/s."""
         line = self.reference - self.slope * (speed - self.reference_speed)
-        return min(1.0, max(COR_FLOOR, line))
+        within: Real = np.minimum(1.0, np.maximum(COR_FLOOR, line))
+        return within
 
 
 class Ball(Thing):

@@ -8,8 +8,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+import numpy as np
+
 from sweetspot.errors import InputError
 from sweetspot.line import Line, integrate, moments, section
+from sweetspot.thing import Real
 
 STANDARD_GRAVITY = 9.80665
 """m/s^2."""
@@ -83,7 +86,7 @@ def centre_of_percussion(body: RigidBody, *, pivot: float) -> float:
     return pivot + body.moi(pivot) / (body.mass * arm)
 
 
-def effective_mass(body: RigidBody, position: float, *, pivot: float | None = None) -> float:
+def effective_mass(body: RigidBody, position: Real, *, pivot: float | None = None) -> Real:
     """Return the mass in kg that the ball meets at ``position``.
 
     Free bat: 1 / M_eff = 1 / M + b^2 / I_cm, b from the balance point [nathan2003].
@@ -96,10 +99,12 @@ def effective_mass(body: RigidBody, position: float, *, pivot: float | None = No
     if pivot is None:
         return 1 / (1 / body.mass + (position - body.balance_point) ** 2 / body.moi_cm)
     arm = position - pivot
-    return math.inf if arm == 0 else body.moi(pivot) / arm**2
+    with np.errstate(divide="ignore"):
+        turning: Real = np.divide(body.moi(pivot), arm**2)
+    return turning
 
 
-def hand_impulse_ratio(body: RigidBody, position: float, *, hands: float) -> float:
+def hand_impulse_ratio(body: RigidBody, position: Real, *, hands: float) -> Real:
     """Return the impulse that the hands must give, as a part of the ball's blow at ``position``.
 
     S = 1 - M d z / I_hands with d from hands to balance point and z from hands to blow: what it takes to

@@ -76,13 +76,9 @@ def scan(
     closing = ball_speed + bat_speed
     done = hits(modes, ball=ball, position=positions, closing_speed=closing)
     efficiency = done.collision_efficiency
-    rigid = np.array(
-        [
-            rigid_efficiency(ball, body=body, position=place, closing_speed=speed) if speed > 0 else np.nan
-            for place, speed in zip(positions, closing, strict=True)
-        ]
-    )
-    ratio = np.array([hand_impulse_ratio(body, place, hands=hands.position) for place in positions])
+    rigid = rigid_efficiency(ball, body=body, position=positions, closing_speed=closing)
+    rigid = np.where(closing > 0, rigid, np.nan)
+    ratio = hand_impulse_ratio(body, positions, hands=hands.position)
     return Scan(
         position=positions,
         bat_speed=bat_speed,

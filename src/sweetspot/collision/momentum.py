@@ -6,17 +6,11 @@ v_f = q v_ball + (1 + q) v_bat.
 
 from __future__ import annotations
 
-import math
-from typing import TypeVar
-
 import numpy as np
-from numpy.typing import NDArray
 
 from sweetspot.ball import Ball
 from sweetspot.rigid import RigidBody, effective_mass
-
-Real = TypeVar("Real", float, NDArray[np.float64])
-"""One number or an array of them; what comes out has the shape of what went in."""
+from sweetspot.thing import Real
 
 
 def exit_speed(collision_efficiency: Real, *, ball_speed: float, bat_speed: Real) -> Real:
@@ -28,7 +22,7 @@ def exit_speed(collision_efficiency: Real, *, ball_speed: float, bat_speed: Real
     return collision_efficiency * ball_speed + (1 + collision_efficiency) * bat_speed
 
 
-def collision_efficiency(restitution: float, *, recoil: float) -> float:
+def collision_efficiency(restitution: Real, *, recoil: Real) -> Real:
     """Return q = (e - r) / (1 + r), r = ball mass over effective bat mass [nathan2003, eq. 6].
 
     >>> round(collision_efficiency(0.50, recoil=0.25), 12)
@@ -59,8 +53,8 @@ def bbcor(efficiency: Real, *, body: RigidBody, ball: Ball, position: Real, pivo
 
 
 def rigid_efficiency(
-    ball: Ball, *, body: RigidBody, position: float, closing_speed: float, pivot: float | None = None
-) -> float:
+    ball: Ball, *, body: RigidBody, position: Real, closing_speed: Real, pivot: float | None = None
+) -> Real:
     """Return q of a rigid bat, free or turning about a fixed ``pivot``.
 
     The ball stores the energy mu v^2 / 2, mu = m / (1 + r), as on a wall at v / sqrt(1 + r): its restitution is
@@ -71,5 +65,6 @@ def rigid_efficiency(
     closing_speed : m/s, ball speed plus bat speed at the point of impact, > 0.
     """
     recoil = ball.mass / effective_mass(body, position, pivot=pivot)
-    restitution = ball.restitution.at(closing_speed / math.sqrt(1 + recoil))
+    wall_speed: Real = closing_speed / np.sqrt(1 + recoil)
+    restitution = ball.restitution.at(wall_speed)
     return collision_efficiency(restitution, recoil=recoil)

@@ -82,12 +82,16 @@ class Strikes:
     outcome : one per hit.
     closing_speed : m/s along the line of centres.
     collision_efficiency : q of the part along the line of centres.
+    contact_time, peak_force, peak_compression : s, N and m of that part.
     exit_speed, velocity, spin : of the ball as it leaves, m/s and rad/s, shapes (n,), (n, 3) and (n, 3).
     """
 
     outcome: NDArray[np.int64]
     closing_speed: Array
     collision_efficiency: Array
+    contact_time: Array
+    peak_force: Array
+    peak_compression: Array
     exit_speed: Array
     velocity: Array
     spin: Array
@@ -224,6 +228,9 @@ def strikes(
         outcome=np.where(missed, int(Outcome.MISS), done.outcome),
         closing_speed=np.where(missed, np.nan, closing),
         collision_efficiency=done.collision_efficiency,
+        contact_time=done.contact_time,
+        peak_force=done.peak_force,
+        peak_compression=done.peak_compression,
         exit_speed=np.linalg.norm(left.velocity, axis=-1),
         velocity=left.velocity,
         spin=left.spin,

@@ -11,7 +11,6 @@ from typing import Any
 import pydantic_core
 from pydantic import ValidationError
 
-from sweetspot.report.border import cleaned
 from sweetspot.web.faults import FieldError, fault
 from sweetspot.web.states import ViewState
 from sweetspot.web.views import VIEWS
@@ -47,7 +46,12 @@ class Answers:
 @lru_cache(maxsize=KEPT)
 def answer_json(name: str, state: ViewState) -> bytes:
     """Return a view's answer as JSON; numbers that are not finite become null."""
-    return pydantic_core.to_json(cleaned(VIEWS[name].answer(state)))
+    return pydantic_core.to_json(VIEWS[name].answer(state), inf_nan_mode="null", fallback=_plain)
+
+
+def _plain(value: Any) -> Any:
+    """Return an array, or a number of numpy's own, as what JSON knows."""
+    return value.tolist()
 
 
 def state_of(name: str, table: Any) -> ViewState:

@@ -10,7 +10,6 @@ import numpy as np
 from sweetspot import catalog
 from sweetspot.analysis import check_conditions
 from sweetspot.collision.impact import Outcome
-from sweetspot.collision.kernel import hits
 from sweetspot.collision.momentum import bbcor
 from sweetspot.collision.strike import BatModel, strikes
 from sweetspot.motion import BallMotion
@@ -112,7 +111,6 @@ def _hit(state: ExplorerState, found: ReducedBat, conditions: Conditions) -> dic
         offset=state.offset_in * INCH,
     )
     outcome = Outcome(int(struck.outcome[0]))
-    met = hits(found.modes, ball=ball, position=place, closing_speed=np.nan_to_num(struck.closing_speed))
     launched = BallMotion(np.zeros(3), struck.velocity[0], struck.spin[0]) if outcome is Outcome.SEPARATED else None
     efficiency = float(struck.collision_efficiency[0])
     return {
@@ -125,9 +123,9 @@ def _hit(state: ExplorerState, found: ReducedBat, conditions: Conditions) -> dic
         "backspin_rad_s": None if launched is None else launched.backspin,
         "collision_efficiency": efficiency,
         "bbcor": bbcor(efficiency, body=found.body, ball=ball, position=place),
-        "contact_time_s": float(met.contact_time[0]),
-        "peak_force_n": float(met.peak_force[0]),
-        "peak_compression_m": float(met.peak_compression[0]),
+        "contact_time_s": float(struck.contact_time[0]),
+        "peak_force_n": float(struck.peak_force[0]),
+        "peak_compression_m": float(struck.peak_compression[0]),
     }
 
 
