@@ -10,11 +10,13 @@ from cases import analysed, from_tip
 from sweetspot import Pitch, analyse, bending_modes, catalog, hit, references, standard_conditions
 from sweetspot.analysis import TYPICAL_HAND, Analysis, exit_speed_of, hit_at
 from sweetspot.ball import Ball
+from sweetspot.catalog.records import read_table
 from sweetspot.collision.oblique import oblique
 from sweetspot.contact import equivalent_wall_speed, loading_force
 from sweetspot.rigid import effective_mass, pendulum_period
 from sweetspot.sweet_spots import miss_cost
 from sweetspot.units import INCH, MPH, OUNCE, OUNCE_INCH_SQUARED
+from sweetspot.validation.computations.pitching import flown
 
 
 def facts() -> dict[str, str]:
@@ -27,6 +29,7 @@ def facts() -> dict[str, str]:
         **_collision(analysis),
         **_ball(analysis.conditions.ball),
         **_corking(analysis),
+        **_parks_and_pitches(),
         "source_count": str(_source_count()),
         "bat_count": str(len(catalog.bat_names())),
     }
@@ -165,4 +168,19 @@ def _corking(analysis: Analysis) -> dict[str, str]:
         "cork_q": f"{q:.3f}",
         "cork_exit_speed": f"{exit_speed_of(corked.best, conditions) / MPH:.1f}",
         "cork_break_even": f"{(needed - conditions.swing.speed_at(corked.best.position)) / MPH:.1f}",
+    }
+
+
+def _parks_and_pitches() -> dict[str, str]:
+    spreads = [
+        entry["fence"]["spread_ft"] for entry in read_table("parks.toml").values() if "spread_ft" in entry["fence"]
+    ]
+    fastball = flown("four-seam", "pitched-baseball")
+    return {
+        "park_count": str(len(catalog.park_names())),
+        "park_spread": f"{np.median(spreads):.0f}",
+        "park_least": f"{min(spreads):.0f}",
+        "park_most": f"{max(spreads):.0f}",
+        "pitch_count": str(len(catalog.delivery_names())),
+        "pitch_spin_loss": f"{100 * (1 - np.linalg.norm(fastball.plate.spin) / fastball.delivery.spin_rate):.1f}",
     }

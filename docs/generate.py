@@ -9,7 +9,7 @@ from pathlib import Path
 import tables
 from cases import analysed
 from facts import facts
-from figures import axes, ball, convergence, hollow, oblique, percussion, spots
+from figures import axes, ball, convergence, hollow, oblique, parks, percussion, spots
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
@@ -30,6 +30,7 @@ def figures() -> dict[str, Callable[[], Figure]]:
         "ball": ball.force_figure,
         "wall": hollow.wall_figure,
         "offset": oblique.offset_figure,
+        "parks": parks.parks_figure,
         "hand_force": percussion.hand_force_figure,
         "mesh_convergence": convergence.mesh_convergence,
         "step_convergence": convergence.step_convergence,
@@ -44,6 +45,8 @@ def pages() -> dict[str, Callable[[], str]]:
         "along_table": tables.along_table,
         "paper_table": tables.paper_table,
         "bats_table": tables.bats_table,
+        "parks_table": tables.parks_table,
+        "pitches_table": tables.pitches_table,
         "catalogue": tables.catalogue_page,
         "sources": tables.sources_page,
         "validation": tables.validation_page,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
@@ -13,7 +14,8 @@ from sweetspot import catalog, paper_rows, references, validation
 from sweetspot.analysis import exit_speed_of
 from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.records import Record, read_table, records
-from sweetspot.units import INCH, MPH, OUNCE, OUNCE_INCH_SQUARED
+from sweetspot.units import FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM
+from sweetspot.validation.computations.pitching import flown
 
 MINUS = "\N{MINUS SIGN}"
 CITATION = re.compile(r"\[([a-z][a-z0-9_]+)((?:[,;] [^\]]*)?)\]")
@@ -141,6 +143,7 @@ def catalogue_page() -> str:
         ("Materials", read_table("materials.toml")),
         ("Balls", read_table("balls.toml")),
         ("Bats", bat_tables()),
+        ("Pitches", read_table("pitches.toml")),
     ):
         parts.append(f"## {heading}\n")
         for key, entry in entries.items():
@@ -204,3 +207,42 @@ def validation_summary() -> str:
         return kind, len(own), sum(result.calibrated for result in own), len(own) - len(missed), len(missed)
 
     return table(("kind", "cases", "of these calibrated", "agree", "miss"), [row(kind) for kind in kinds])
+
+
+def parks_table() -> str:
+    """Return elevation, roof and fence of every park, with the spread from the other public list."""
+
+    def row(name: str) -> Iterator[str]:
+        park, fence = catalog.park(name), read_table("parks.toml")[name]["fence"]
+        yield park.name
+        yield park.team
+        yield f"{park.elevation / FOOT:.0f}"
+        yield park.roof
+        yield from (f"{park.distance_at(math.radians(angle)) / FOOT:.0f}" for angle in (-45, -22.5, 0, 22.5, 45))
+        heights = [height / FOOT for _, _, height in park.fence]
+        yield f"{min(heights):.0f} to {max(heights):.0f}"
+        yield str(fence["year"])
+        yield f"{fence['spread_ft']:.0f}" if "spread_ft" in fence else "-"
+
+    head = ("park", "team", "elevation, ft", "roof", "left, ft", "", "centre", "", "right", "wall, ft", "year", "±, ft")
+    return table(head, [list(row(name)) for name in catalog.park_names()])
+
+
+def pitches_table() -> str:
+    """Return the catalogue's pitches as they leave the hand and as they arrive."""
+
+    def row(name: str) -> Iterator[str]:
+        found = flown(name, "pitched-baseball")
+        delivery = found.delivery
+        yield name
+        yield f"{delivery.speed / MPH:.1f}"
+        yield f"{delivery.spin_rate / RPM:.0f}"
+        yield f"{math.degrees(delivery.spin_axis):.0f}"
+        yield f"{delivery.efficiency:.2f}"
+        yield f"{found.plate.speed / MPH:.1f}"
+        yield f"{found.speed_ratio:.3f}"
+        yield f"{math.degrees(found.vertical_approach_angle):.1f}".replace("-", MINUS)
+        yield f"{1e3 * found.time:.0f}"
+
+    head = ("pitch", "mph", "rpm", "axis, deg", "active", "mph at the plate", "ratio", "approach, deg", "ms")
+    return table(head, [list(row(name)) for name in catalog.delivery_names()])
