@@ -134,12 +134,14 @@ class Stroke(Thing):
     from_tip : m, how far from the tip that is.
     ball_speed : of the ball towards the implement; 0 for a ball at rest.
     hands : m from the butt end, centre of the hand nearer to the ball.
+    pivot : m from the butt end of the axis that the implement turns about; negative: behind it, in the arm.
     """
 
     swing_speed: Known
     from_tip: NonNegative
     ball_speed: Known
     hands: Positive
+    pivot: float = 0.0
 
 
 class Sport(Thing):
@@ -151,6 +153,7 @@ class Sport(Thing):
     name : what people call it.
     balls : catalogue names, the usual one first.
     implements : catalogue names, the usual one first.
+    aerodynamics : catalogue name of the coefficients of drag and lift of its balls.
     stroke : the usual one.
     words : what its people call things.
     speeds : other typical speeds and spins.
@@ -166,6 +169,7 @@ class Sport(Thing):
     name: str
     balls: tuple[str, ...]
     implements: tuple[str, ...]
+    aerodynamics: str
     stroke: Stroke
     words: Words = Words()
     speeds: tuple[Known, ...] = ()

@@ -37,7 +37,11 @@ def _usual_stroke(bat: Implement) -> Conditions:
     stroke = found.stroke
     return Conditions(
         pitch=Pitch(speed=stroke.ball_speed.value),
-        swing=Swing(bat_speed=stroke.swing_speed.value, measured_at=bat.length - stroke.from_tip, pivot=bat.choke),
+        swing=Swing(
+            bat_speed=stroke.swing_speed.value,
+            measured_at=bat.length - stroke.from_tip,
+            pivot=bat.choke + stroke.pivot,
+        ),
         hands=Hands(position=bat.choke + stroke.hands),
         ball=catalog.ball(found.balls[0]),
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
+from sweetspot.catalog.aerodynamics import FILE as AIR
 from sweetspot.catalog.balls import FILE as BALLS
 from sweetspot.catalog.bats import DEFAULT_BAT
 from sweetspot.catalog.implements import implement_tables
@@ -42,11 +43,13 @@ def sport(name: str = DEFAULT_SPORT) -> Sport:
         name=found["name"],
         balls=tuple(found["balls"]),
         implements=_implements(canonical(key)),
+        aerodynamics=found["aerodynamics"],
         stroke=Stroke(
             swing_speed=_known(stroke["swing_speed"]),
             from_tip=parse(stroke["from_tip"], "length", f"{key} from_tip"),
             ball_speed=_known(stroke["ball_speed"]),
             hands=parse(stroke["hands"], "length", f"{key} hands"),
+            pivot=parse(stroke.get("pivot", "0 m"), "length", f"{key} pivot"),
         ),
         words=Words(**found.get("words", {})),
         speeds=tuple(_known(table) for table in found.get("speed", ())),
@@ -60,7 +63,7 @@ def sport(name: str = DEFAULT_SPORT) -> Sport:
 
 
 def certainty(name: str) -> dict[Certainty, int]:
-    """Return how many numbers rest on what: those of the sport, its balls and its implements in the catalogue."""
+    """Return how many numbers rest on what: those of the sport, its balls, their flight and its implements."""
     return counted([record.kind for record in sport_records(name)])
 
 
@@ -70,7 +73,8 @@ def sport_records(name: str) -> list[Record]:
     own = [Record(one.name, one.written, None, one.source, one.where, one.kind) for one in found.known()]
     balls = {canonical(key): table for key, table in read_table(BALLS).items()}
     tools = implement_tables()
-    for names, tables in ((found.balls, balls), (found.implements, tools)):
+    air = {canonical(key): table for key, table in read_table(AIR).items()}
+    for names, tables in ((found.balls, balls), (found.implements, tools), ((found.aerodynamics,), air)):
         own += [record for key in names if key in tables for record in records(tables[key], key)]
     return own
 
