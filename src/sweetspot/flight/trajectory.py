@@ -18,7 +18,7 @@ from sweetspot.aerodynamics import Aerodynamics
 from sweetspot.air import CALM, Air, Wind
 from sweetspot.ball import Ball
 from sweetspot.errors import InputError
-from sweetspot.flight.cubic import on_cubic, root_on_cubic, turn_on_cubic
+from sweetspot.flight.cubic import first_crossing, on_cubic, turn_on_cubic
 from sweetspot.flight.forces import SLOWEST, acceleration, drag_and_lift
 from sweetspot.motion import BallMotion
 
@@ -224,22 +224,25 @@ class _Solver:
         sheltered = height < edge or (height == edge and climb < 0)
         step /= max(1.0, SLOW * self.response_rate(state, sheltered))
         after = self.stepped(state, step, sheltered)
-        if (height < edge < after[2]) or (after[2] < edge < height):
-            slopes = step * climb, step * float(after[5])
-            step *= root_on_cubic(height - edge, float(after[2]) - edge, *slopes, 0.0, 1.0)
+        part = first_crossing(*_heights(state, after, step, edge)) if edge > 0 else -1.0
+        if part >= 0:
+            step *= part
             after = self.stepped(state, step, sheltered)
             after[2] = edge
-        cubic = (height, float(after[2]), step * climb, step * float(after[5]))
-        turn = turn_on_cubic(*cubic) if climb * after[5] < 0 else None
-        if turn is not None and climb > 0:
+        cubic = _heights(state, after, step, 0.0)
+        if climb > 0 > after[5]:
+            turn = turn_on_cubic(*cubic)
             self.apex = max(self.apex, (on_cubic(turn, *cubic), self.times[-1] + turn * step))
-        low = turn if turn is not None and climb > 0 else 0.0
-        high = turn if turn is not None and climb < 0 else 1.0
-        landed = on_cubic(high, *cubic) <= 0
-        if landed:
-            step *= root_on_cubic(*cubic, low, high)
+        part = first_crossing(*cubic)
+        if part >= 0:
+            step *= part
             after = self.stepped(state, step, sheltered)
             after[2] = 0.0
         self.times.append(self.times[-1] + step)
         self.states.append(after)
-        return landed
+        return part >= 0
+
+
+def _heights(before: Array, after: Array, step: float, ground: float) -> tuple[float, float, float, float]:
+    """Return what the cubic of the height above a ground needs: heights and climbs per step, before and after."""
+    return float(before[2]) - ground, float(after[2]) - ground, step * float(before[5]), step * float(after[5])
