@@ -21,7 +21,7 @@ from sweetspot.material import Material
 from sweetspot.rigid import centre_of_percussion, effective_mass, hand_impulse_ratio
 from sweetspot.standard import standard_conditions
 from sweetspot.swing import Conditions
-from sweetspot.trampoline import wall_sweep
+from sweetspot.trampoline import WallPoint, wall_point, with_wall_factor
 from sweetspot.units import INCH, MPH
 
 Value = float | str | None
@@ -328,10 +328,15 @@ class _MetalWall:
 
 
 @cache
+def metal_wall_point(factor: float) -> WallPoint:
+    """Return the best hit of the catalogue's aluminium bat with its wall ``factor`` times as thick."""
+    bat = with_wall_factor(catalog.bat(METAL_BAT), factor)
+    return wall_point(bat, standard_conditions(bat))
+
+
 def _metal_wall() -> _MetalWall:
     """Return that wall, interpolated in a sweep over wall thickness; nothing is fitted."""
-    bat = catalog.bat(METAL_BAT)
-    points = wall_sweep(bat, standard_conditions(bat), factors=METAL_WALLS)
+    points = [metal_wall_point(factor) for factor in METAL_WALLS]
     shares = [point.energy.share for point in points]
 
     def at_share(values: list[float]) -> float:

@@ -27,6 +27,7 @@ class PaperOptions:
     hands_moved: Annotated[str, Parameter(help="How far the hands are moved up the handle.")] = "2in"
     bore_diameter: Annotated[str, Parameter(help="Width of the corked hole, equations 13 and 14.")] = "1in"
     bore_depth: Annotated[str, Parameter(help="Depth of the corked hole.")] = "10in"
+    fill: Annotated[str, Parameter(help="Material of the catalogue that fills it.")] = "cork"
     drop_height: Annotated[str, Parameter(help="Fall of the drop experiment, Figure 6.")] = "1m"
     block_thickness: Annotated[str, Parameter(help="Thickness of its blocks.")] = "10cm"
     block_support: Annotated[
@@ -46,6 +47,7 @@ RATIOS = ("ball_restitution", "wood_restitution", "metal_restitution", "wood_sha
 
 def choices_for(options: PaperOptions) -> Choices:
     """Return the choices that the options describe."""
+    from sweetspot.catalog.materials import material
     from sweetspot.paper_rows import Choices
     from sweetspot.units import parse
 
@@ -54,9 +56,10 @@ def choices_for(options: PaperOptions) -> Choices:
 
     return Choices(
         entry_angle=read("entry_angle", "angle"),
+        fill=material(options.fill),
         block_support=options.block_support,
-        **{name: read(name, "length") for name in LENGTHS},  # type: ignore[arg-type]
-        **{name: read(name, "ratio") for name in RATIOS},  # type: ignore[arg-type]
+        **{name: read(name, "length") for name in LENGTHS},
+        **{name: read(name, "ratio") for name in RATIOS},
     )
 
 

@@ -141,5 +141,8 @@ def _warm() -> None:
     try:
         for view in VIEWS.values():
             answer_json(view.name, view.state())
+        for view in VIEWS.values():
+            for state in view.slow:
+                answer_json(view.name, state)
     except Exception:
         logging.getLogger("sweetspot.web").exception("warming up")

@@ -21,6 +21,7 @@ class View:
     answer : from its controls to numbers and lists under keys with units; pure, safe in many threads at once, and
         raises `FieldError` where a control does not work.
     recipe : from its controls to the lines that give the same numbers without the page; see `web.recipes`.
+    slow : states whose first answer takes long, worked out once before anyone asks.
     """
 
     name: str
@@ -28,3 +29,4 @@ class View:
     state: type[ViewState]
     answer: Callable[[Any], dict[str, Any]]
     recipe: Callable[[Any], dict[str, str]] | None = None
+    slow: tuple[ViewState, ...] = ()

@@ -18,9 +18,15 @@ export function tableOf(caption, columns, rows) {
   };
   const head = make("tr", {}, ...columns.map((words, i) => Object.assign(cell("th", words, i > 0), { scope: "col" })));
   const body = rows.map((row) => make("tr", {}, ...row.map((given, i) => (
-    i === 0 ? Object.assign(cell("th", given, false), { scope: "row" }) : cell("td", given, true)))));
+    i === 0 ? Object.assign(cell("th", given, false), { scope: "row" }) : labelled(cell("td", given, true), columns[i])))));
   const table = make("table", {}, make("caption", { textContent: caption }), make("thead", {}, head), make("tbody", {}, ...body));
   return make("div", { className: "scroll", tabIndex: 0, role: "region", ariaLabel: caption }, table);
+}
+
+// The column's name beside the cell, for narrow screens where the head is not shown.
+function labelled(cell, column) {
+  cell.dataset.label = typeof column === "object" ? column.text : column;
+  return cell;
 }
 
 export function paragraphs(place, texts) {

@@ -14,6 +14,8 @@ const ENDINGS = [
   ["_degc", { us: { unit: "°F", scale: 1.8, offset: 32, digits: 0 }, si: { unit: "°C", scale: 1, digits: 0 } }],
   ["_deg", same("°", 1, 1)],
   ["_rpm", same("rpm", 1, 0)],
+  ["_inhg", { us: { unit: "inHg", scale: 1, digits: 2 }, si: { unit: "hPa", scale: 33.86389, digits: 0 } }],
+  ["_kg_m3", { us: { unit: "lb/ft³", scale: 0.06242796, digits: 4 }, si: { unit: "kg/m³", scale: 1, digits: 3 } }],
   ["_humidity", same("%", 100, 0)],
   ["_kg_m2", { us: { unit: "oz in²", scale: 1 / (OUNCE * INCH * INCH), digits: 0 }, si: { unit: "kg m²", scale: 1, digits: 4 } }],
   ["_m_s", { us: { unit: "mph", scale: 1 / MPH, digits: 1 }, si: { unit: "m/s", scale: 1, digits: 2 } }],

@@ -17,6 +17,8 @@ How to write one, say ``modes``:
 from __future__ import annotations
 
 from sweetspot.web.view import View
-from sweetspot.web.views import compare, explorer, hit, modes, paper
+from sweetspot.web.views import compare, explorer, flight, hit, modes, paper
 
-VIEWS: dict[str, View] = {view.name: view for view in (explorer.VIEW, hit.VIEW, modes.VIEW, compare.VIEW, paper.VIEW)}
+VIEWS: dict[str, View] = {
+    view.name: view for view in (explorer.VIEW, hit.VIEW, modes.VIEW, compare.VIEW, flight.VIEW, paper.VIEW)
+}

@@ -16,20 +16,20 @@ from sweetspot.analysis import Analysis, analyse_reduced
 from sweetspot.ball import Ball
 from sweetspot.block import Block, Support
 from sweetspot.drop import bounce
-from sweetspot.paper_rows import METAL_BAT, PARTS, Choices, Row, can_be_drilled, corked_analysis
+from sweetspot.paper_rows import PARTS, Choices, Row, can_be_drilled, corked_analysis, metal_wall_point
 from sweetspot.report.border import bat_json, cleaned, conditions_json
 from sweetspot.rigid import centre_of_percussion, hand_impulse_ratio
-from sweetspot.standard import standard_conditions
-from sweetspot.trampoline import WallPoint, wall_sweep
 from sweetspot.units import INCH
 from sweetspot.web.bats import ball_of, conditions_of, reduced
 from sweetspot.web.faults import FieldError, about
 from sweetspot.web.outline import outline
-from sweetspot.web.states import BatState, Name, SwingState
+from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, swing_options
+from sweetspot.web.states import BatState, HitState, Name, SwingState
 from sweetspot.web.view import View
 
 Question = Literal["end", "percussion", "corking", "drop", "energy", "verdict"]
 PLACES = 121
+RATIOS = ("ball_restitution", "wood_restitution", "metal_restitution", "wood_share", "metal_share")
 MATERIALS = {"wood": "white-ash", "metal": "aluminium-7xxx"}
 THICKNESSES = (0.001, 0.002, 0.003, 0.005, 0.008, 0.012, 0.02, 0.035, 0.06, 0.1)
 """m, of the blocks in the picture of the drop experiment."""
@@ -195,7 +195,7 @@ def _energy(_analysis: Analysis, choices: Choices, _rows: list[Row]) -> dict[str
             for share in shares
         ]
 
-    walls = _walls()
+    walls = [metal_wall_point(factor) for factor in WALLS]
     return {
         "share": shares,
         "wood_returned": returned(choices.wood_restitution),
@@ -210,12 +210,6 @@ def _energy(_analysis: Analysis, choices: Choices, _rows: list[Row]) -> dict[str
             "exit_speed_m_s": [wall.exit_speed for wall in walls],
         },
     }
-
-
-@lru_cache(maxsize=1)
-def _walls() -> tuple[WallPoint, ...]:
-    bat = catalog.bat(METAL_BAT)
-    return tuple(wall_sweep(bat, standard_conditions(bat), factors=WALLS))
 
 
 def _verdict(analysis: Analysis, _choices: Choices, _rows: list[Row]) -> dict[str, Any]:
@@ -233,4 +227,46 @@ PICTURES: dict[str, Callable[[Analysis, Choices, list[Row]], dict[str, Any]]] = 
     "verdict": _verdict,
 }
 
-VIEW = View("paper", "The paper", PaperState, answer)
+
+def recipe(state: PaperState) -> dict[str, str]:
+    """Return command line, Python lines and the bat's file that give the same numbers."""
+    swing = HitState.model_construct(
+        **{name: getattr(state, name) for name in HitState.model_fields if hasattr(state, name)}
+    )
+    texts = {
+        "entry_angle": f"{state.entry_angle_deg:.12g}deg",
+        "rod_hands": f"{state.rod_hands_in:.12g}in",
+        "hands_moved": f"{state.hands_moved_in:.12g}in",
+        "bore_diameter": f"{state.hole_diameter_in:.12g}in",
+        "bore_depth": f"{state.hole_depth_in:.12g}in",
+        "fill": state.hole_fill,
+        "drop_height": f"{state.drop_height_m:.12g}m",
+        "block_thickness": f"{state.block_thickness_m:.12g}m",
+        "block_support": state.block_support,
+        **{name: f"{getattr(state, name):.12g}" for name in RATIOS},
+    }
+    options = "".join(f" --{name.replace('_', '-')} {text}" for name, text in texts.items())
+    python = conditions_lines(swing) + (
+        "\nfrom math import radians\nfrom sweetspot.paper_rows import PARTS, Choices\n\n"
+        "choices = Choices(\n"
+        f"    entry_angle=radians({state.entry_angle_deg!r}), rod_hands={state.rod_hands_in!r} * INCH,\n"
+        f"    hands_moved={state.hands_moved_in!r} * INCH, bore_diameter={state.hole_diameter_in!r} * INCH,\n"
+        f'    bore_depth={state.hole_depth_in!r} * INCH, fill=catalog.material("{state.hole_fill}"),\n'
+        f"    drop_height={state.drop_height_m!r}, block_thickness={state.block_thickness_m!r},\n"
+        f'    block_support="{state.block_support}",\n'
+        f"    {', '.join(f'{name}={getattr(state, name)!r}' for name in RATIOS)},\n"
+        ")\n"
+        f'for row in PARTS["{state.question}"](analyse(bat, conditions), choices):\n'
+        "    print(row.equation, row.quantity, row.paper, row.computed, row.full_model)\n"
+    )
+    return {
+        "command": f"sweetspot paper {bat_name(state)}{options}{swing_options(swing)}",
+        "python": python,
+        "toml": bat_text(state),
+    }
+
+
+VIEW = View(
+    "paper", "The paper", PaperState, answer, recipe,
+    slow=(PaperState(question="energy"), PaperState(question="drop", block_support="clamped")),
+)  # fmt: skip

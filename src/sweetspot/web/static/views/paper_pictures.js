@@ -35,9 +35,9 @@ export const PICTURES = {
     }),
 
   percussion: (app) => pictureOf({ bat: new BatView(app), curves: new Chart(app, { label: "", axis: AXIS(app), panels: [
-    { title: "Force of the hands over the blow, F / I", kind: "ratio", height: 190, lines: [
-      { key: "rod_ratio", label: "the paper's rod", color: "muted", dash: [5, 4] }, { key: "bat_ratio", label: "this bat", color: "green", width: 2.4 },
-      { key: "moved_ratio", label: "hands moved up", color: "purple", dash: [2, 2.5] }] }] }) },
+    { title: "Hands over blow, F / I", kind: "ratio", height: 190, lines: [
+      { key: "rod_ratio", label: "rod", color: "muted", dash: [5, 4] }, { key: "bat_ratio", label: "bat", color: "green", width: 2.4 },
+      { key: "moved_ratio", label: "moved up", color: "purple", dash: [2, 2.5] }] }] }) },
   ({ bat, curves }, answer) => {
     const { picture } = answer;
     strip(bat, { ...answer, picture: { ...picture, percussion_m: picture.bat_percussion_m } });
@@ -63,7 +63,7 @@ export const PICTURES = {
   drop: (app) => pictureOf({
     blocks: new DropPicture(app),
     curves: new Chart(app, { label: "Rebound over fall against the thickness of the block", axis: { kind: "thickness_m", label: "thickness" }, panels: [
-      { title: "Rebound over fall, blocks held so, from 1 m", kind: "ratio", height: 150, lines: [
+      { title: "Rebound over fall, from 1 m", kind: "ratio", height: 150, lines: [
         { key: "wood", label: "wood", color: "orange", width: 2.4 }, { key: "metal", label: "metal", color: "blue", dash: [6, 3] }] }] }),
   }, ({ blocks, curves }, answer, state) => {
     const { wood, metal, thickness_m: thickness, block_thickness_m: own } = answer.picture;
@@ -75,8 +75,8 @@ export const PICTURES = {
   energy: (app) => pictureOf({
     curves: new Chart(app, { label: "Energy returned against the bat's share", axis: { kind: "ratio", label: "z, the bat's share of the energy" }, panels: [
       { title: "Energy returned, W", kind: "ratio", height: 230, zero: true, lines: [
-        { key: "metal_returned", label: "formula, metal", color: "blue" }, { key: "wood_returned", label: "formula, wood", color: "orange", dash: [6, 3] },
-        { key: "walls", label: "full model, aluminium walls", color: "red", dash: [1, 4], width: 5 }] }] }),
+        { key: "metal_returned", label: "metal", color: "blue" }, { key: "wood_returned", label: "wood", color: "orange", dash: [6, 3] },
+        { key: "walls", label: "model walls", color: "red", dash: [3, 3], width: 3 }] }] }),
   }, ({ curves }, answer) => {
     const { share, wood, metal, walls, wood_returned, metal_returned } = answer.picture;
     curves.draw({ x: share, xs: { walls: walls.share }, lines: { wood_returned, metal_returned, walls: walls.returned }, range: [0, 0.3], bands: [],
