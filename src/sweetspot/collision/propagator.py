@@ -39,4 +39,6 @@ def dashpot_factors(modes: Modes, step: float) -> Array:
 
 def dashed(modes: Modes, factors: Array, velocity: Array) -> Array:
     """Return the modal velocities after the dashpots have acted, with ``factors`` from `dashpot_factors`."""
+    if not len(factors):
+        return velocity
     return np.asarray(velocity - (factors * (modes.dashpots @ velocity)) @ modes.dashpots)

@@ -9,9 +9,11 @@ from typing import Any
 import numpy as np
 
 from sweetspot.analysis import Analysis, exit_speed_of
+from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.collision.impact import Impact
 from sweetspot.collision.momentum import bbcor
 from sweetspot.damage import Damage
+from sweetspot.face_map import FaceMap, face_map
 from sweetspot.implement import Implement
 from sweetspot.paper_rows import Row
 from sweetspot.rigid import RigidBody
@@ -45,6 +47,28 @@ def report_json(analysis: Analysis[Implement]) -> dict[str, Any]:
             "best_hit": hit_json(analysis.best, body=analysis.body, conditions=analysis.conditions),
             "grip_effect": analysis.grip_effect,
             "conditions": conditions_json(analysis.conditions),
+            **({} if analysis.bat.face is None else _of_face(analysis)),
+        }
+    )
+
+
+def _of_face(analysis: Analysis[Implement]) -> dict[str, Any]:
+    """Return what only an implement with a face has: its sport, how that weighs a swing, and the map."""
+    convention = swing_weight(analysis.bat.sport)
+    told = {"name": convention.name, "text": convention.shown(analysis.body), "moment_si": convention.moment(analysis.body)}
+    found = face_map(analysis.reduced, analysis.conditions)
+    return {"sport": analysis.bat.sport, "swing_weight": told, "face_map": face_map_json(found)}
+
+
+def face_map_json(found: FaceMap) -> dict[str, Any]:
+    """Return hits all over a face as lists of rows across it; None off the face."""
+    return cleaned(
+        {
+            "position_m": found.position,
+            "lateral_m": found.lateral,
+            "collision_efficiency": found.collision_efficiency,
+            "exit_speed_m_s": found.exit_speed,
+            "sting": found.sting,
         }
     )
 
@@ -76,7 +100,7 @@ def modes_json(analysis: Analysis[Implement]) -> list[dict[str, Any]]:
             "nodes_m": modes.nodes(index).tolist(),
         }
         for index in range(len(modes))
-        if modes.families[index] in ("bending", "hoop")
+        if modes.families[index] in ("bending", "hoop", "face")
     ]
 
 
@@ -85,6 +109,7 @@ def hit_json(impact: Impact, *, body: RigidBody, conditions: Conditions) -> dict
     return cleaned(
         {
             "position_m": impact.position,
+            "lateral_m": impact.lateral,
             "collision_efficiency": impact.collision_efficiency,
             "closing_speed_m_s": impact.closing_speed,
             "bat_speed_m_s": conditions.swing.speed_at(impact.position),
@@ -151,6 +176,8 @@ def cleaned(table: dict[str, Any]) -> dict[str, Any]:
 def _clean(value: Any) -> Any:
     if isinstance(value, dict):
         return cleaned(value)
+    if isinstance(value, np.ndarray) and value.dtype.kind in "fiu" and np.isfinite(value).all():
+        return value.tolist()
     if isinstance(value, np.ndarray | list | tuple):
         return [_clean(item) for item in value]
     if isinstance(value, np.floating | float):

@@ -8,18 +8,17 @@ from typing import Any
 import numpy as np
 from pydantic import Field
 
-from sweetspot.analysis import TYPICAL_HAND, Reduction, check_conditions, exit_speed_of, hit_at
+from sweetspot.analysis import TYPICAL_HAND, check_conditions, exit_speed_of, hit_at
 from sweetspot.collision.film import Film, arrival_time, film, impulse_given
 from sweetspot.collision.impact import Array, Impact
 from sweetspot.report.border import bat_json, conditions_json
 from sweetspot.rigid import RigidBody
-from sweetspot.sweet_spots import barrel_node
 from sweetspot.swing import Conditions, Hands
 from sweetspot.units import INCH
 from sweetspot.vibration.hands import gripped
 from sweetspot.vibration.hoop import HARMONICS, contact_patch, patch_mean_around
 from sweetspot.vibration.modes import Modes
-from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.bats import ReducedBat, ball_of, conditions_of, reduced
 from sweetspot.web.faults import FieldError
 from sweetspot.web.outline import outline
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, modes_line, swing_options
@@ -73,7 +72,6 @@ def _answer(state: HitFilmState) -> dict[str, Any]:
         "bat": {**bat_json(found.bat.name, found.bat.length, found.body), **outline(found.bat)},
         "ball": {"radius_m": conditions.ball.radius, "mass_kg": conditions.ball.mass},
         "hands_m": conditions.hands.places,
-        "nodes": {f"node_{n}_m": barrel_node(found.modes, harmonic=n) for n in (1, 2)},
         "hit": _hit(impact, conditions),
         "film": {
             "time_s": _short(scene.times, 9),
@@ -135,7 +133,7 @@ def _hands(scene: Film, modes: Modes, position: float) -> dict[str, Any]:
     }
 
 
-def _hoop(scene: Film, modes: Modes, found: Reduction, conditions: Conditions) -> dict[str, Any] | None:
+def _hoop(scene: Film, modes: Modes, found: ReducedBat, conditions: Conditions) -> dict[str, Any] | None:
     """Return how far each harmonic dents a hollow barrel's wall under the ball: inwards by a_n(t) cos(n theta)."""
     hoop = modes.of_family("hoop")
     if not hoop or found.bat.shell is None:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
-from typing import Any, Literal
+from functools import lru_cache
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from pydantic import Field
 
-from sweetspot.analysis import TYPICAL_HAND, Reduction, check_conditions
+from sweetspot.analysis import TYPICAL_HAND, check_conditions
 from sweetspot.collision.impact import Array
 from sweetspot.report.border import bat_json
 from sweetspot.sweet_spots import barrel_node
@@ -28,6 +29,7 @@ from sweetspot.web.view import View
 PLACES = 101
 HIGHEST = 10e3
 """Hz; above it a beam or a thin shell says little, and nobody hears or feels it."""
+TAP_FIELDS = ("tap_from_tip_in", "tap_ms")
 STILL = 1e-3
 """Part of the greatest shape below which a stretch of a hoop mode counts as still all along."""
 
@@ -45,52 +47,61 @@ class ModesState(SwungState):
 
 def answer(state: ModesState) -> dict[str, Any]:
     """Return every motion of the bat and what the tap leaves in it."""
-    found = reduced(state, ball_of(state))
-    conditions = conditions_of(state, found.bat)
-    check_conditions(found.bat, conditions, body=found.body)
-    place = found.bat.length - state.tap_from_tip_in * INCH
+    still = {name: ModesState.model_fields[name].default for name in ("family", "number", "exaggeration", *TAP_FIELDS)}
+    held = _held(state.model_copy(update=still))
+    length = held.answer["bat"]["length_m"]
+    place, duration = length - state.tap_from_tip_in * INCH, state.tap_ms * 1e-3
     if place < 0:
-        raise FieldError(
-            "tap_from_tip_in", f"the bat is {found.bat.length / INCH:.4g} in long; tap it no further from its tip"
-        )
-    hands, modes = conditions.hands, found.modes
-    if state.held:
-        modes = gripped(modes, Hands(position=hands.position, spacing=hands.spacing, **TYPICAL_HAND))
-    places = np.linspace(0, found.bat.length, PLACES)
-    listed = _listed(modes)
-    hoop_start = barrel_range(found.line)[0] if found.bat.shell is not None else None
+        raise FieldError("tap_from_tip_in", f"the bat is {length / INCH:.4g} in long; tap it no further from its tip")
+    taps = _taps(held, place, duration)
     return {
-        "bat": {**bat_json(found.bat.name, found.bat.length, found.body), **outline(found.bat)},
-        "hands_m": hands.places,
-        "nodes": {f"node_{n}_m": barrel_node(found.modes, harmonic=n) for n in (1, 2)},
-        "tap": {"position_m": place, "duration_s": state.tap_ms * 1e-3},
-        "place_m": np.round(places, 5),
-        "hoop_start_m": hoop_start,
-        "modes": _modes(found, modes, listed, places, tap=(place, state.tap_ms * 1e-3), hand=hands.position),
+        **held.answer,
+        "tap": {"position_m": place, "duration_s": duration},
+        "modes": [{**row, "tap": tap} for row, tap in zip(held.answer["modes"], taps, strict=True)],
     }
 
 
-def _listed(modes: Modes) -> list[int]:
-    """Return the motions to show, in the order of their frequencies: all that can be heard or felt."""
+class _Held(NamedTuple):
+    """What does not depend on the tap: the motions, which of them are listed, the top hand's place, and their rows."""
+
+    modes: Modes
+    listed: list[int]
+    hand: float
+    answer: dict[str, Any]
+
+
+@lru_cache(maxsize=64)
+def _held(state: ModesState) -> _Held:
+    found = reduced(state, ball_of(state))
+    conditions = conditions_of(state, found.bat)
+    check_conditions(found.bat, conditions, body=found.body)
+    bat, hands, modes = found.bat, conditions.hands, found.modes
+    if state.held:
+        modes = gripped(modes, Hands(position=hands.position, spacing=hands.spacing, **TYPICAL_HAND))
+    places = np.linspace(0, bat.length, PLACES)
     order = np.argsort(modes.frequency, kind="stable")
-    return [int(index) for index in order if modes.frequency[index] < HIGHEST]
+    listed = [int(index) for index in order if modes.frequency[index] < HIGHEST]
+    table = {
+        "bat": {**bat_json(bat.name, bat.length, found.body), **outline(bat)},
+        "hands_m": hands.places,
+        "nodes": {f"node_{n}_m": barrel_node(found.modes, harmonic=n) for n in (1, 2)},
+        "place_m": np.round(places, 5),
+        "hoop_start_m": barrel_range(found.line)[0] if bat.shell is not None else None,
+        "modes": _rows(modes, listed, places),
+    }
+    return _Held(modes, listed, hands.position, table)
 
 
-def _modes(
-    found: Reduction, modes: Modes, listed: list[int], places: Array, *, tap: tuple[float, float], hand: float
-) -> list[dict[str, Any]]:
-    speeds = tapped(modes, position=tap[0], duration=tap[1])
-    shapes, at_hand, at_tap = modes.shape_at(places), modes.shape_at(hand), modes.shape_at(tap[0])
-    rings = [index for index in listed if modes.families[index] != "rigid"]
-    total = float(np.sum(speeds[rings] ** 2))
+def _rows(modes: Modes, listed: list[int], places: Array) -> list[dict[str, Any]]:
+    """Return the motions, lowest first, with shapes one high and positive at the tip."""
+    shapes = modes.shape_at(places)
     damping = modes.damping_rate + np.sum(modes.dashpots**2, axis=0)
     counts: Counter[str] = Counter()
     rows = []
     for index in listed:
         family, harmonic = modes.families[index], modes.harmonics[index]
         counts.update([family, f"{family} {harmonic}"])
-        largest = _signed_largest(shapes[:, index])
-        omega = float(modes.angular_frequency[index]) if index in rings else 0.0
+        omega = 0.0 if family == "rigid" else float(modes.angular_frequency[index])
         rows.append(
             {
                 "family": family,
@@ -100,16 +111,26 @@ def _modes(
                 "frequency_hz": omega / (2 * np.pi),
                 "damping_ratio": damping[index] / (2 * omega) if omega > 0 else None,
                 "decay_s": 2 / damping[index] if damping[index] * omega > 0 else None,
-                "nodes_m": _nodes(modes, index, found.bat.length),
-                "shape": np.round(shapes[:, index] / largest, 4) + 0.0,
-                "tap": {
-                    "energy_share": float(speeds[index] ** 2 / total) if index in rings and total > 0 else None,
-                    "hand_speed_m_s_per_n_s": float(abs(speeds[index] * at_hand[index])),
-                    "shape_at_tap": float(at_tap[index] / largest),
-                },
+                "nodes_m": _nodes(modes, index, float(places[-1])),
+                "shape": np.round(shapes[:, index] / _signed_largest(shapes[:, index]), 4) + 0.0,
             }
         )
     return rows
+
+
+def _taps(held: _Held, place: float, duration: float) -> list[dict[str, float | None]]:
+    """Return what the tap leaves in each motion: its part of the vibration's energy, and the speed at the top hand."""
+    modes, listed = held.modes, held.listed
+    speeds, at_hand = tapped(modes, position=place, duration=duration), modes.shape_at(held.hand)
+    rings = [index for index in listed if modes.families[index] != "rigid"]
+    total = float(np.sum(speeds[rings] ** 2))
+    return [
+        {
+            "energy_share": float(speeds[index] ** 2 / total) if index in rings and total > 0 else None,
+            "hand_speed_m_s_per_n_s": float(abs(speeds[index] * at_hand[index])),
+        }
+        for index in listed
+    ]
 
 
 def _nodes(modes: Modes, index: int, length: float) -> list[float]:
@@ -121,7 +142,8 @@ def _nodes(modes: Modes, index: int, length: float) -> list[float]:
     moving = np.abs(shape) > STILL * np.abs(shape).max()
     places, shape = places[moving], shape[moving]
     turns = np.flatnonzero(shape[1:] * shape[:-1] < 0)
-    return [float(np.interp(0.0, sorted(shape[turn : turn + 2]), places[turn : turn + 2])) for turn in turns]
+    parts = shape[turns] / (shape[turns] - shape[turns + 1])
+    return [float(node) for node in places[turns] + parts * (places[turns + 1] - places[turns])]
 
 
 def _signed_largest(shape: Array) -> float:

@@ -110,7 +110,7 @@ export const view = {
     return {
       film, moment: this.transport.moment, colors: app.colors, exaggeration: state.exaggeration, recoil: state.recoil,
       wall: deepest > 0 ? Math.min(state.exaggeration, (0.5 * film.answer.hoop.radius_m) / deepest) : 1,
-      notes: [`${state.recoil ? "bat's motion" : "bat's bending alone"} × ${times}; ball and bat to scale; dashed: where the swing alone would take it`,
+      notes: [`${state.recoil ? "bat's motion" : "bat's bending alone"} × ${times}; ball and bat to scale; dashed: ${state.recoil ? "where the swing alone would take it" : "the straight bat"}`,
         `red: the bat moves fast, up to ${app.text("speed_m_s", film.fastest, 0)}`],
     };
   },
