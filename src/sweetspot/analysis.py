@@ -72,6 +72,11 @@ class Analysis(Generic[Tool_co]):
     scan: Scan
     sweet_spots: SweetSpots
 
+    @property
+    def reduced(self) -> Reduction[Tool_co]:
+        """The bat with its beam, body and free modes."""
+        return Reduction(self.bat, self.line, self.body, self.free)
+
     @cached_property
     def best(self) -> Impact:
         """The hit at the place of greatest exit speed."""
@@ -105,10 +110,10 @@ def analyse_reduced(reduced: Reduction[Given], conditions: Conditions) -> Analys
     return Analysis(bat, conditions, reduced.line, body, modes, free, along, spots)
 
 
-def hit_at(position: float, *, modes: Modes, conditions: Conditions) -> Impact:
-    """Return the hit at one place (m from the knob end) under these conditions."""
+def hit_at(position: float, *, modes: Modes, conditions: Conditions, lateral: float = 0.0) -> Impact:
+    """Return the hit at one place (m from the knob end, and across the face) under these conditions."""
     closing = conditions.pitch.speed + conditions.swing.speed_at(position)
-    return hit(modes, ball=conditions.ball, position=position, closing_speed=closing)
+    return hit(modes, ball=conditions.ball, position=position, lateral=lateral, closing_speed=closing)
 
 
 def exit_speed_of(impact: Impact, conditions: Conditions) -> float:

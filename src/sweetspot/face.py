@@ -5,9 +5,15 @@ from __future__ import annotations
 import math
 from typing import Annotated, Literal
 
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 from pydantic import Field, model_validator
 
 from sweetspot.thing import Fraction, NonNegative, Positive, Thing
+
+Array = NDArray[np.float64]
+MEMBRANE_MEAN = 0.25
+"""Added to ln(R / a): mean give of a stretched membrane of radius R under an even pressure on a patch of radius a."""
 
 
 class Face(Thing):
@@ -70,6 +76,30 @@ class Outline(Thing):
     def middle(self) -> float:
         """Position of the middle of the face in m from the butt end."""
         return (self.start + self.end) / 2
+
+    @property
+    def mean_radius(self) -> float:
+        """Radius in m of a round face of the same area."""
+        area = (self.end - self.start) * self.width
+        return math.sqrt(area / 4 if self.shape == "oval" else area / math.pi)
+
+    def radius_squared(self, position: ArrayLike, lateral: ArrayLike) -> Array:
+        """Return r^2 of places on the face: 0 in its middle, 1 on its edge.
+
+        An oval has r^2 = u^2 + v^2 and an oblong the larger of u^2 and v^2, u and v the distances from the middle along
+        and across over half of length and width.
+
+        Parameters
+        ----------
+        position, lateral : m from the butt end and across from the line, of shape (...).
+        """
+        along = ((np.asarray(position, float) - self.middle) / ((self.end - self.start) / 2)) ** 2
+        across = (np.asarray(lateral, float) / (self.width / 2)) ** 2
+        return np.asarray(along + across if self.shape == "oval" else np.maximum(along, across))
+
+    def holds(self, position: ArrayLike, lateral: ArrayLike) -> NDArray[np.bool_]:
+        """Return whether places lie on the face, shape (...)."""
+        return np.asarray(self.radius_squared(position, lateral) <= 1 + 1e-12)
 
 
 def damping_coefficient(restitution: Fraction, *, stiffness: float, mass: float) -> float:

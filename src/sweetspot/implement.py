@@ -142,3 +142,19 @@ def check_position(bat: Implement, position: float, what: str = "position") -> N
             f"{what} is {shown(position)} from the {bat.grip_end}, off the bat; "
             f"{bat.name} reaches from 0 to {shown(bat.length)}"
         )
+
+
+def check_lateral(bat: Implement, position: float, lateral: float) -> None:
+    """Refuse a place beside the line that is not on the face: ``lateral`` m across it at ``position`` m."""
+    if lateral == 0:
+        return
+    if bat.face is None or bat.outline is None:
+        raise InputError(
+            f"{bat.name} is round: a hit has no place beside its line. Leave it out, or give an implement with a face"
+        )
+    if not (math.isfinite(lateral) and bat.outline.holds(position, lateral)):
+        raise InputError(
+            f"the hit is {shown(abs(lateral))} beside the line at {shown(position)}, off the face; the face of "
+            f"{bat.name} is {shown(bat.outline.width)} wide and reaches from {shown(bat.outline.start)} to "
+            f"{shown(bat.outline.end)}"
+        )

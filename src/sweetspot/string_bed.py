@@ -7,11 +7,9 @@ from typing import Annotated
 
 from pydantic import Field
 
-from sweetspot.face import Face, Outline
+from sweetspot.face import MEMBRANE_MEAN, Face, Outline
 from sweetspot.thing import Positive, Thing
 
-MEMBRANE_MEAN = 0.25
-"""Mean under the patch over the logarithm at its middle: a stretched membrane under an even pressure."""
 MEAN_CHORD = math.pi / 4
 """Mean length of an ellipse's chords over its axis."""
 
@@ -55,8 +53,7 @@ class StringBed(Thing):
         moves with the patch is m_strings / (2 (ln(R / a) + 1/4)^2), from the membrane's slow deflection. Stretching of
         the strings is left out: it stiffens the bed under hard hits.
         """
-        radius = math.sqrt((outline.end - outline.start) * outline.width) / 2
-        softness = math.log(radius / self.patch) + MEMBRANE_MEAN
+        softness = math.log(outline.mean_radius / self.patch) + MEMBRANE_MEAN
         return Face(
             stiffness=2 * math.pi * self.surface_tension(outline) / softness,
             moving_mass=self.mass(outline) / (2 * softness**2),

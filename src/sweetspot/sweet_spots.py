@@ -97,11 +97,11 @@ def sweet_zone(scan: Scan, *, loss: float = ZONE_LOSS, sting: float = ZONE_STING
 def miss_cost(scan: Scan, distance: float) -> tuple[float, float]:
     """Return the exit speed in m/s lost by hitting ``distance`` m nearer the knob and nearer the tip than the best.
 
-    Beyond the tip there is no bat: the second value is then nan.
+    Beyond the tip there is no bat, and beyond a face nothing to hit with: the value is then nan.
     """
     best = max_exit_speed(scan)
     top = float(np.interp(best, scan.position, scan.exit_speed))
-    inside = float(np.interp(best - distance, scan.position, scan.exit_speed))
+    inside = float(np.interp(best - distance, scan.position, scan.exit_speed, left=np.nan))
     outside = float(np.interp(best + distance, scan.position, scan.exit_speed, right=np.nan))
     return top - inside, top - outside
 

@@ -23,7 +23,8 @@ OUNCE_INCH_SQUARED = OUNCE * INCH**2
 
 Kind = Literal[
     "length", "mass", "speed", "moi", "density", "pressure", "force", "time", "angle", "angular speed",
-    "linear density", "areal density", "temperature", "stiffness", "damping", "frequency", "ratio", "slope per speed",
+    "linear density", "areal density", "first moment", "temperature",
+    "stiffness", "damping", "frequency", "ratio", "slope per speed",
     "slope per temperature",
 ]  # fmt: skip
 
@@ -40,6 +41,7 @@ SI: dict[Kind, tuple[str, str]] = {
     "angular speed": ("radian/second", "45 rad/s"),
     "linear density": ("kilogram/meter", "1.2 kg/m"),
     "areal density": ("kilogram/meter**2", "2.4 kg/m^2"),
+    "first moment": ("kilogram*meter", "213.5 in*oz"),
     "temperature": ("kelvin", "21 degC or 70 degF"),
     "stiffness": ("newton/meter", "20 kN/m"),
     "damping": ("newton*second/meter", "100 N*s/m"),

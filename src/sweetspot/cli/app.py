@@ -62,6 +62,7 @@ def hit(
     /,
     *,
     at: Annotated[str, Parameter(help="Where the ball meets the bat: 27in, 6in-from-tip or 0.152m-from-tip.")],
+    beside: Annotated[str | None, Parameter(help="How far beside a face's middle line: 3cm; not for bats.")] = None,
     swing: SwingOptions = DEFAULT_SWING,
     format: OutputFormat = "table",
 ) -> None:
@@ -72,11 +73,11 @@ def hit(
     from sweetspot.cli.options import conditions_for
     from sweetspot.cli.output import print_csv, print_json, print_table
     from sweetspot.damage import damage
-    from sweetspot.implement import check_position
+    from sweetspot.implement import check_lateral, check_position
     from sweetspot.line import reduce
     from sweetspot.report.border import damage_json, hit_json
     from sweetspot.rigid import rigid_body
-    from sweetspot.units import parse_position
+    from sweetspot.units import parse, parse_position
     from sweetspot.vibration.whole import modes_of
 
     described = catalog.load_implement(bat)
@@ -87,7 +88,9 @@ def hit(
     position = parse_position(at, length=described.length, what="--at")
     check_position(described, position, "--at")
     modes = modes_of(line, conditions.ball)
-    impact = hit_at(position, modes=modes, conditions=conditions)
+    lateral = 0.0 if beside is None else parse(beside, "length", "--beside")
+    check_lateral(described, position, lateral)
+    impact = hit_at(position, modes=modes, conditions=conditions, lateral=lateral)
     strains = damage(impact, line=line, modes=modes) if isinstance(described, Bat) else None
     if format == "json":
         extra = {"damage": damage_json(strains)} if strains else {}
@@ -248,3 +251,6 @@ app.command(parks)
 from sweetspot.cli.sports import sports  # noqa: E402
 
 app.command(sports)
+from sweetspot.cli.play import play  # noqa: E402
+
+app.command(play)

@@ -55,7 +55,7 @@ def report_json(analysis: Analysis[Implement]) -> dict[str, Any]:
 def _of_face(analysis: Analysis[Implement]) -> dict[str, Any]:
     """Return what only an implement with a face has: its sport, how that weighs a swing, and the map."""
     convention = swing_weight(analysis.bat.sport)
-    told = {"name": convention.name, "text": convention.shown(analysis.body), "moment_si": convention.moment(analysis.body)}
+    told = {"name": convention.name, "text": convention.shown(analysis.body)}
     found = face_map(analysis.reduced, analysis.conditions)
     return {"sport": analysis.bat.sport, "swing_weight": told, "face_map": face_map_json(found)}
 

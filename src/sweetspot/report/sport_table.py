@@ -11,6 +11,7 @@ from rich.table import Table
 from rich.text import Text
 
 from sweetspot.analysis import Analysis, exit_speed_of
+from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.collision.impact import Impact
 from sweetspot.implement import Implement
 from sweetspot.report.speech import Speech, speech
@@ -111,8 +112,9 @@ def _mass(analysis: Analysis[Implement], said: Speech) -> Table:
     table = _columns("Weight and balance", "mass property", "value")
     table.add_row("mass", f"{1e3 * body.mass:.1f} g")
     table.add_row(f"balance point, from the {butt}", f"{100 * body.balance_point:.1f} cm")
-    axis = f"about {100 * bat.moi_axis:.3g} cm from the {butt}" if bat.moi_axis else f"about the {butt}"
-    table.add_row(f"swing weight, {axis}", f"{1e4 * body.moi(bat.moi_axis):.1f} kg cm^2")
+    convention = swing_weight(bat.sport)
+    axis = f"about {100 * convention.axis:.4g} cm from the {butt}" if convention.axis else f"about the {butt}"
+    table.add_row(f"{convention.name}, {axis}", convention.shown(body))
     table.add_row("moment of inertia about the balance point", f"{1e4 * body.moi_cm:.1f} kg cm^2")
     table.add_row("twist weight, about the long axis", f"{1e4 * body.roll_moi:.2f} kg cm^2")
     return table

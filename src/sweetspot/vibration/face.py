@@ -15,13 +15,10 @@ from scipy.interpolate import PPoly
 
 from sweetspot.ball import Ball
 from sweetspot.errors import InputError
-from sweetspot.face import Face, Outline, damping_coefficient
+from sweetspot.face import MEMBRANE_MEAN, Face, Outline, damping_coefficient
 from sweetspot.line import Line
 from sweetspot.rigid import rigid_body
 from sweetspot.vibration.modes import Array, Family, Modes, Surface
-
-MEMBRANE_MEAN = 0.25
-"""Mean under the patch over the logarithm at its middle: a stretched membrane under an even pressure."""
 
 
 def face_modes(line: Line, ball: Ball) -> Modes:
@@ -51,7 +48,7 @@ def face_modes(line: Line, ball: Ball) -> Modes:
     count = len(families)
 
     def basis(position: Array, lateral: Array) -> Array:
-        here = on_face(outline, position, lateral)
+        here = outline.holds(position, lateral)
         shapes = [np.where(here, lateral, 0.0) / math.sqrt(roll_moi)]
         if face.moving_mass is not None:
             shapes.append(give(face, outline, position, lateral) / math.sqrt(face.moving_mass))
@@ -71,22 +68,6 @@ def face_modes(line: Line, ball: Ball) -> Modes:
     )
 
 
-def on_face(outline: Outline, position: Array, lateral: Array) -> Array:
-    """Return whether places lie on the face, shape (...)."""
-    return np.asarray(radius_squared(outline, position, lateral) <= 1 + 1e-12)
-
-
-def radius_squared(outline: Outline, position: Array, lateral: Array) -> Array:
-    """Return r^2 of places on the face: 0 in its middle, 1 on its edge.
-
-    An oval has r^2 = u^2 + v^2 and an oblong the larger of u^2 and v^2, u and v the distances from the middle along and
-    across over half of length and width.
-    """
-    along = ((position - outline.middle) / ((outline.end - outline.start) / 2)) ** 2
-    across = (lateral / (outline.width / 2)) ** 2
-    return np.asarray(along + across if outline.shape == "oval" else np.maximum(along, across))
-
-
 def give(face: Face, outline: Outline, position: Array, lateral: Array) -> Array:
     """Return g, the square root of the face's compliance at places over that in its middle; 0 off the face.
 
@@ -94,19 +75,13 @@ def give(face: Face, outline: Outline, position: Array, lateral: Array) -> Array
         (radius R) pushed evenly over a patch of radius a at distance r R from its middle (image charge);
     plate: g^2 = (1 - r^2)^2, a round plate clamped at its edge; layer: g = 1.
     """
-    square = radius_squared(outline, position, lateral)
+    square = outline.radius_squared(position, lateral)
     inside = np.maximum(1 - square, 0.0)
     if face.edge == "layer":
         return np.where(square <= 1 + 1e-12, 1.0, 0.0)
     if face.edge == "plate":
         return inside
-    ratio = mean_radius(outline) / face.patch
+    ratio = outline.mean_radius / face.patch
     with np.errstate(divide="ignore"):
         soft = (np.log(inside * ratio) + MEMBRANE_MEAN) / (math.log(ratio) + MEMBRANE_MEAN)
     return np.sqrt(np.maximum(soft, 0.0))
-
-
-def mean_radius(outline: Outline) -> float:
-    """Return the radius in m of a round face of the same area."""
-    area = (outline.end - outline.start) * outline.width
-    return math.sqrt(area / 4 if outline.shape == "oval" else area / math.pi)
