@@ -254,3 +254,6 @@ app.command(sports)
 from sweetspot.cli.play import play  # noqa: E402
 
 app.command(play)
+from sweetspot.cli.optimum import optimum  # noqa: E402
+
+app.command(optimum)

@@ -28,7 +28,7 @@ class AirOptions:
         str, Parameter(help="Where the wind blows to: 0deg is out to centre field, 90deg to right field, 180deg in.")
     ] = "0deg"
     wind_profile: Annotated[
-        str, Parameter(help="Exponent of the wind's growth with height from 10 m: 0 is alike everywhere, 0.14 is usual.")
+        str, Parameter(help="Exponent of the wind's growth with height, from 10 m: 0 is alike everywhere, 0.14 usual.")
     ] = "0"
     calm_below: Annotated[str, Parameter(help="Height that the stands shelter from the wind: 30ft.")] = "0ft"
     park: Annotated[str | None, Parameter(help="Ballpark whose fence and elevation count (see `sweetspot parks`).")] = (

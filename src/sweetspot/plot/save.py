@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import os
 import warnings
+from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -81,3 +82,44 @@ def write_all(contents: dict[Path, bytes]) -> None:
         for temporary in waiting.values():
             with suppress(OSError):
                 temporary.unlink()
+
+
+def write_folder(folder: Path, contents: Mapping[str, bytes]) -> list[Path]:
+    """Write files into a folder, which is made if need be: all of them, or none and no folder either.
+
+    Parameters
+    ----------
+    contents : what each file holds, by its name.
+
+    Raises
+    ------
+    InputError
+        when the folder cannot be made or written.
+    """
+    made = _made(folder)
+    files = {folder / name: content for name, content in contents.items()}
+    try:
+        write_all(files)
+    except BaseException:
+        _unmade(made)
+        raise
+    return list(files)
+
+
+def _made(folder: Path) -> list[Path]:
+    """Make a folder with the folders above it; return those that were new, innermost first."""
+    missing = [path for path in (folder, *folder.parents) if not path.exists()]
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        _unmade(missing)
+        reason = (error.strerror or str(error)).lower()
+        raise InputError(f"{folder} cannot be made: {reason}; choose another folder") from None
+    return missing
+
+
+def _unmade(folders: list[Path]) -> None:
+    """Remove folders, innermost first, as far as they are there and empty."""
+    for folder in folders:
+        with suppress(OSError):
+            folder.rmdir()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +13,6 @@ from rich.table import Table
 from rich.text import Text
 
 from sweetspot.compare import Compared, Comparison
-from sweetspot.errors import InputError
 from sweetspot.implement import Implement
 from sweetspot.report.border import STANDARD_AXIS, bat_json, cleaned, conditions_json
 from sweetspot.report.verdict import US, Readers
@@ -137,29 +135,12 @@ def write_comparison(comparison: Comparison[Implement], verdict: list[str], fold
         when the folder cannot be made or written.
     """
     from sweetspot.plot.compare import compare_figure
-    from sweetspot.plot.save import png_bytes, svg_bytes, write_all
+    from sweetspot.plot.save import png_bytes, svg_bytes, write_folder
 
     figure = compare_figure(comparison)
     text = json.dumps(comparison_json(comparison, verdict), indent=1, allow_nan=False) + "\n"
-    contents = {
-        folder / "compare.png": png_bytes(figure),
-        folder / "compare.svg": svg_bytes(figure),
-        folder / "compare.json": text.encode(),
-    }
-    new = not folder.exists()
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        reason = (error.strerror or str(error)).lower()
-        raise InputError(f"{folder} cannot be made: {reason}; choose another folder") from None
-    try:
-        write_all(contents)
-    except BaseException:
-        if new:
-            with suppress(OSError):
-                folder.rmdir()
-        raise
-    return list(contents)
+    contents = {"compare.png": png_bytes(figure), "compare.svg": svg_bytes(figure), "compare.json": text.encode()}
+    return write_folder(folder, contents)
 
 
 def _bat(found: Compared[Implement]) -> dict[str, Any]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-from contextlib import suppress
 from pathlib import Path
 
 from sweetspot import __version__
@@ -30,7 +29,7 @@ def write_report(analysis: Analysis[Implement], folder: Path) -> list[Path]:
     """
     from sweetspot.plot.hit import hit_figure
     from sweetspot.plot.report_figure import report_figure
-    from sweetspot.plot.save import png_bytes, svg_bytes, write_all
+    from sweetspot.plot.save import png_bytes, svg_bytes, write_folder
 
     check_folder(folder)
     overview = report_figure(analysis)
@@ -41,13 +40,7 @@ def write_report(analysis: Analysis[Implement], folder: Path) -> list[Path]:
         "report.svg": drawing,
         "report.json": (json.dumps(report_json(analysis), indent=1, allow_nan=False) + "\n").encode(),
     }
-    made = _made(folder)
-    try:
-        write_all({folder / name: contents[name] for name in NAMES})
-    except BaseException:
-        _unmade(made)
-        raise
-    return [folder / name for name in NAMES]
+    return write_folder(folder, {name: contents[name] for name in NAMES})
 
 
 def check_folder(folder: Path) -> None:
@@ -134,22 +127,3 @@ def _hit_label(analysis: Analysis[Implement]) -> str:
         f"Force of the best hit: it rises to {impact.peak_force / 1e3:.1f} kilonewtons and lasts "
         f"{1e3 * impact.contact_time:.2f} milliseconds. Of the energy, {heat:.0f} per cent become heat in the ball."
     )
-
-
-def _made(folder: Path) -> list[Path]:
-    """Make a folder with the folders above it; return those that were new, innermost first."""
-    missing = [path for path in (folder, *folder.parents) if not path.exists()]
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        _unmade(missing)
-        reason = (error.strerror or str(error)).lower()
-        raise InputError(f"{folder} cannot be made: {reason}; choose another folder") from None
-    return missing
-
-
-def _unmade(folders: list[Path]) -> None:
-    """Remove folders, innermost first, as far as they are there and empty."""
-    for folder in folders:
-        with suppress(OSError):
-            folder.rmdir()
