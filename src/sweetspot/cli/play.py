@@ -78,10 +78,6 @@ def play(
     from sweetspot.units import parse, parse_position
 
     described = catalog.load_bat(bat)
-    if not isinstance(described, Bat):
-        raise InputError(
-            f"{described.name} is no bat; a play is a pitch that a bat hits, so name one (`sweetspot bats`)"
-        )
     conditions = conditions_for(described, swing)
     model = bat_model(described, ball=conditions.ball, hands=conditions.hands)
     check_conditions(described, conditions, body=model.body)
