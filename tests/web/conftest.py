@@ -77,8 +77,9 @@ def page(browser: Browser) -> Iterator[Page]:
     opened.on("console", lambda said: complaints.append(said.text) if said.type == "error" else None)
     yield opened
     context.close()
-    expected = [words for words in complaints if "WebSocket" in words or "ERR_CONNECTION" in words]
-    assert complaints == expected, "\n".join(complaints)
+    expected = ("WebSocket", "ERR_CONNECTION", "status of 4")  # lost connections and refusals, which tests ask for
+    surprises = [words for words in complaints if not any(part in words for part in expected)]
+    assert not surprises, "\n".join(surprises)
 
 
 @pytest.fixture

@@ -2,11 +2,241 @@
 
 from __future__ import annotations
 
+import json
+import re
 from collections.abc import Callable
+from pathlib import Path
+from typing import Any
 
-from playwright.sync_api import Page
+import pytest
+from playwright.sync_api import Page, expect
+
+from sweetspot import catalog
+from sweetspot.catalog.batwriter import bat_toml
+
+Answered = Callable[..., int]
+Until = Callable[[Page, str], Any]
 
 
-def test_opens(page: Page, server: str, answered: Callable[..., int]) -> None:
+@pytest.fixture
+def opened(page: Page, server: str, answered: Answered) -> Page:
     page.goto(f"{server}/explorer")
-    assert answered(page) >= 1
+    answered(page)
+    return page
+
+
+def number(page: Page, name: str) -> float:
+    """Return a number below the curves, in the unit shown."""
+    text = page.locator(f".facts div:has(dt:text-is('{name}')) dd").inner_text()
+    return float(re.findall(r"-?[\d.]+", text.replace("\N{MINUS SIGN}", "-"))[0])
+
+
+def moved(page: Page, answered: Answered, field: str, value: float) -> None:
+    """Write a number into a control's field and wait for the picture."""
+    before = answered(page)
+    box = page.locator(f"[data-field={field}] input[type=number]")
+    box.evaluate(
+        "(field) => { for (let at = field; at; at = at.parentElement) if (at.tagName === 'DETAILS') at.open = true }"
+    )
+    box.fill(str(value))
+    box.press("Enter")
+    answered(page, before)
+
+
+def picture(page: Page) -> str:
+    """Return what is on the canvases, as text."""
+    return str(page.evaluate("[...document.querySelectorAll('#view canvas')].map((c) => c.toDataURL()).join()"))
+
+
+def test_the_first_picture_says_where_the_bat_hits_best(opened: Page) -> None:
+    expect(opened.locator("#verdict")).to_contain_text("R161, white ash hits fastest 5.8 in from the tip")
+    assert opened.locator("#view canvas").count() == 2
+    assert number(opened, "Exit speed") == pytest.approx(103.3, abs=1)
+    drawn = opened.evaluate(
+        "[...document.querySelectorAll('#view canvas')].map((c) => new Set(c.getContext('2d')"
+        ".getImageData(0, 0, c.width, c.height).data).size)"
+    )
+    assert min(drawn) > 50  # shades on every canvas: something is drawn on it
+
+
+CONTROLS = {
+    "pitch_speed_mph": (60, "Exit speed"),
+    "bat_speed_mph": (80, "Exit speed"),
+    "impact_from_tip_in": (2, "Exit speed"),
+    "ball_cor": (0.45, "Exit speed"),
+    "ball_humidity": (95, "Exit speed"),
+    "ball_temperature_degf": (20, "Exit speed"),
+    "choke_up_in": (2, "Exit speed"),
+    "offset_in": (0.8, "Launch angle"),
+    "mass_oz": (33, "Weight"),
+    "bore_diameter_in": (1, "Weight"),
+    "cup_diameter_in": (1.5, "Weight"),
+    "weight_oz": (2, "Weight"),
+}
+
+
+def test_every_control_changes_number_picture_and_address(opened: Page, answered: Answered) -> None:
+    for field, (value, name) in CONTROLS.items():
+        before, shown = number(opened, name), picture(opened)
+        moved(opened, answered, field, value)
+        assert abs(number(opened, name) - before) > 0.05, field
+        assert picture(opened) != shown, field
+        assert f"{field}=" in opened.url
+
+
+def test_hands_move_the_centre_of_percussion(opened: Page, answered: Answered) -> None:
+    before = picture(opened)
+    moved(opened, answered, "hands_in", 8)
+    assert picture(opened) != before
+
+
+def test_dragging_a_slider_redraws_before_it_is_let_go(opened: Page, answered: Answered) -> None:
+    before, count = number(opened, "Exit speed"), answered(opened)
+    slider = opened.get_by_role("slider", name="Pitch speed")
+    box = slider.bounding_box()
+    assert box is not None
+    middle = box["y"] + box["height"] / 2
+    opened.mouse.move(box["x"] + 0.8 * box["width"], middle)
+    opened.mouse.down()
+    opened.mouse.move(box["x"] + 0.5 * box["width"], middle, steps=5)
+    answered(opened, count + 1)
+    assert number(opened, "Exit speed") < before - 2
+    assert "pitch_speed_mph" not in opened.url  # not yet a step for the back button
+    opened.mouse.up()
+    expect(opened).to_have_url(re.compile("pitch_speed_mph="))
+
+
+def test_dragging_the_ball_along_the_bat(opened: Page, answered: Answered) -> None:
+    before, count = number(opened, "Exit speed"), answered(opened)
+    canvas = opened.locator("#view canvas").first.bounding_box()
+    assert canvas is not None
+    level = canvas["y"] + canvas["height"] * 0.6
+    opened.mouse.move(canvas["x"] + 0.8 * canvas["width"], level)
+    opened.mouse.down()
+    opened.mouse.move(canvas["x"] + 0.6 * canvas["width"], level, steps=4)
+    answered(opened, count + 1)
+    opened.mouse.up()
+    expect(opened).to_have_url(re.compile("impact_from_tip_in=1"))
+    assert number(opened, "Exit speed") < before - 5
+
+
+def test_the_curves_can_be_pressed_too(opened: Page, answered: Answered) -> None:
+    count = answered(opened)
+    opened.locator("#view canvas").nth(1).click(position={"x": 700, "y": 100})
+    answered(opened, count)
+    expect(opened).to_have_url(re.compile("impact_from_tip_in="))
+
+
+def test_a_bat_of_the_catalogue(opened: Page, answered: Answered) -> None:
+    count = answered(opened)
+    opened.get_by_label("Bat", exact=True).select_option("single-wall")
+    answered(opened, count)
+    expect(opened.locator("#verdict")).to_contain_text("Single-wall aluminium")
+    opened.locator("summary", has_text="Workshop").click()
+    expect(opened.get_by_role("slider", name="Wall thickness")).to_be_visible()
+    expect(opened.get_by_role("slider", name="Hole in the barrel")).to_be_hidden()
+    before = number(opened, "BBCOR")
+    moved(opened, answered, "wall_factor", 0.9)
+    assert number(opened, "BBCOR") > before  # a thinner wall springs more
+
+
+def test_an_uploaded_bat(opened: Page, answered: Answered, tmp_path: Path) -> None:
+    own = catalog.bat("youth-30").replaced(name="My bat")
+    (tmp_path / "my.toml").write_text(bat_toml(own), encoding="utf-8")
+    opened.locator("summary", has_text="Your own bat").click()
+    count = answered(opened)
+    opened.get_by_label("Bat file (TOML)").set_input_files(tmp_path / "my.toml")
+    answered(opened, count)
+    expect(opened.locator("#verdict")).to_contain_text("My bat hits fastest")
+    opened.reload()
+    answered(opened)
+    expect(opened.locator("#verdict")).to_contain_text("My bat")  # the address holds it
+
+
+def test_a_dropped_bat(opened: Page, answered: Answered) -> None:
+    text = bat_toml(catalog.bat("mlb-a").replaced(name="Dropped"))
+    count = answered(opened)
+    opened.evaluate(
+        """(text) => {
+          const data = new DataTransfer();
+          data.items.add(new File([text], 'dropped.toml', { type: 'text/plain' }));
+          document.querySelector('#view').dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true }));
+        }""",
+        text,
+    )
+    answered(opened, count)
+    expect(opened.locator("#verdict")).to_contain_text("Dropped")
+
+
+def test_a_wrong_file_is_explained_beside_the_field(opened: Page, answered: Answered, tmp_path: Path) -> None:
+    opened.locator("summary", has_text="Your own bat").click()
+    for content, words in (("name = 'x'\nlength = '33 in'", "material is missing"), ("#" * 30_000, "at most 20000")):
+        (tmp_path / "wrong.toml").write_text(content, encoding="utf-8")
+        opened.get_by_label("Bat file (TOML)").set_input_files(tmp_path / "wrong.toml")
+        expect(opened.locator("#bat-fault")).to_contain_text(words)
+    assert number(opened, "Exit speed") > 100  # the last good picture stays
+
+
+def test_drawing_the_outline(opened: Page, answered: Answered) -> None:
+    before, count = number(opened, "Weight"), answered(opened)
+    opened.locator("summary", has_text="Draw the outline").click()
+    station = catalog.bat().profile[9]  # type: ignore[index]
+    place = opened.evaluate(
+        """([position, diameter]) => {
+          const box = document.querySelector('#view canvas').getBoundingClientRect();
+          const scale = (box.width - 58) / 0.8382;
+          return [box.left + 46 + position * scale, box.top + 112 + 0.038 * scale - diameter / 2 * scale];
+        }""",
+        list(station),
+    )
+    opened.mouse.move(*place)
+    opened.mouse.down()
+    opened.mouse.move(place[0], place[1] - 20, steps=4)
+    opened.mouse.up()
+    answered(opened, count + 1)
+    expect(opened).to_have_url(re.compile("profile_in="))
+    assert number(opened, "Weight") > before + 0.5
+    rows = opened.locator(".stations tbody tr")
+    stations = rows.count()
+    count = answered(opened)
+    opened.get_by_role("button", name="Add a station after station 3", exact=True).click()
+    answered(opened, count)
+    expect(rows).to_have_count(stations + 1)
+
+
+def test_a_number_out_of_bounds_is_explained_beside_the_field(opened: Page) -> None:
+    box = opened.locator("[data-field=pitch_speed_mph]")
+    box.locator("input[type=number]").fill("900")
+    box.locator("input[type=number]").press("Enter")
+    expect(box.locator(".fault")).to_have_text("Allowed is 0 to 110 mph.")
+    expect(box.locator("input[type=number]")).to_have_attribute("aria-invalid", "true")
+
+
+def test_what_the_server_refuses_stands_beside_its_field(opened: Page, answered: Answered) -> None:
+    box = opened.locator("[data-field=mass_oz]")
+    box.evaluate(
+        "(field) => { for (let at = field; at; at = at.parentElement) if (at.tagName === 'DETAILS') at.open = true }"
+    )
+    box.locator("input[type=number]").fill("12")
+    box.locator("input[type=number]").press("Enter")
+    expect(box.locator(".fault")).to_contain_text("density")
+    moved(opened, answered, "mass_oz", 32)
+    expect(box.locator(".fault")).to_be_hidden()
+
+
+def test_the_export_gives_the_numbers_and_pictures(opened: Page) -> None:
+    opened.get_by_role("button", name="Export").click()
+    found = {}
+    for name in ("png", "svg", "csv", "json", "toml"):
+        with opened.expect_download() as download:
+            opened.locator(f"dialog [data-format={name}]").click()
+        found[name] = download.value.path().read_bytes()
+    assert found["png"].startswith(b"\x89PNG")
+    assert found["svg"].startswith(b"<svg")
+    assert b"sweet zone" in found["svg"]
+    assert found["csv"].splitlines()[0].startswith(b"position_m,exit_speed_m_s")
+    assert len(found["csv"].splitlines()) == 162
+    assert json.loads(found["json"])["answer"]["bat"]["name"] == "R161, white ash"
+    assert b'material = "white-ash"' in found["toml"]
+    expect(opened.locator("[data-lines=command]")).to_contain_text("sweetspot report r161-ash")
+    expect(opened.locator("[data-lines=python]")).to_contain_text("analyse(bat, conditions)")

@@ -6,6 +6,7 @@ import asyncio
 import json
 import time
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from typing import Any
 
@@ -61,12 +62,12 @@ def test_the_latest_question_wins(server: str) -> None:
         ("[" * 5000, "recursion"),
         ("null", "JSON object"),
         ('{"id": 1}', "required"),
-        ('{"id": -1, "view": "explorer", "state": {}}', "greater"),
+        ('{"id": -1, "view": "explorer", "state": {}}', "0 or more"),
         ('{"id": 1, "view": "nothing", "state": {}}', "no view"),
-        ('{"id": 1, "view": "explorer", "state": {"pitch_speed_mph": NaN}}', "pitch_speed_mph"),
-        ('{"id": 1, "view": "explorer", "state": {"pitch_speed_mph": 1e999}}', "pitch_speed_mph"),
+        ('{"id": 1, "view": "explorer", "state": {"pitch_speed_mph": NaN}}', "finite"),
+        ('{"id": 1, "view": "explorer", "state": {"pitch_speed_mph": 1e999}}', "finite"),
         ('{"id": 1, "view": "explorer", "state": {"bat": "gold"}}', "catalogue"),
-        ('{"id": 1, "view": "explorer", "state": {}, "more": 1}', "more"),
+        ('{"id": 1, "view": "explorer", "state": {}, "more": 1}', "no such"),
     ],
 )
 def test_what_is_wrong_is_said_and_the_line_stays_open(server: str, text: str, words: str) -> None:
@@ -133,8 +134,10 @@ def test_an_answer_that_takes_too_long_is_given_up(monkeypatch: pytest.MonkeyPat
     monkeypatch.setitem(answers.VIEWS, "slow", View("slow", "Slow", ViewState, slow))
     monkeypatch.setattr(answers, "TIME_LIMIT", 0.05)
     found = answers.Answers()
-    with pytest.raises(FieldError, match="longer than"):
-        asyncio.run(found.json("slow", ViewState()))
+    with ThreadPoolExecutor(1) as apart, pytest.raises(FieldError, match="longer than"):
+        apart.submit(
+            lambda: asyncio.run(found.json("slow", ViewState()))
+        ).result()  # the browser has this thread's loop
     found.close()
 
 

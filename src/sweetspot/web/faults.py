@@ -37,7 +37,7 @@ def about(field: str) -> Iterator[None]:
 def fault(error: SweetspotError | ValidationError | RequestValidationError) -> dict[str, str]:
     """Return {"field", "message"} of an error, short enough to show."""
     if isinstance(error, ValidationError):
-        return _first(error.errors(include_url=False, include_context=False)[0])
+        return _first(error.errors(include_url=False)[0])
     if isinstance(error, RequestValidationError):
         found = error.errors()[0]
         return _first({**found, "loc": found["loc"][1:]})  # the first part says that it stood in the body
@@ -56,13 +56,32 @@ def _first(found: Any) -> dict[str, str]:
     field = names[0] if names else ""
     if found["type"] in ("model_attributes_type", "model_type", "dict_type", "missing") and not field:
         return {"field": "", "message": "the message must be one JSON object, sent as application/json"}
-    return {"field": field, "message": shortened(f"{field or 'the message'}: {_sentence(found)}")}
+    return {"field": field, "message": shortened(_sentence(found))}
 
 
 def _sentence(found: Any) -> str:
-    if found["type"] == "extra_forbidden":
-        return "there is no such control"
+    """Return one of pydantic's complaints in our words."""
+    words = _WORDS.get(found["type"])
     text = found["msg"].removeprefix("Value error, ")
-    text = text[0].lower() + text[1:]
+    text = text[0].lower() + text[1:] if words is None else words.format(**found.get("ctx", {}))
     given = found.get("input")
-    return f"{text} (given was {str(given)[:60]!r})" if isinstance(given, str | int | float) else text
+    return f"{text}; given was {str(given)[:60]!r}" if isinstance(given, str | int | float) else text
+
+
+_WORDS = {
+    "extra_forbidden": "there is no such control",
+    "missing": "this field is required",
+    "greater_than_equal": "allowed is {ge:g} or more",
+    "less_than_equal": "allowed is {le:g} or less",
+    "greater_than": "allowed is more than {gt:g}",
+    "less_than": "allowed is less than {lt:g}",
+    "finite_number": "give a finite number",
+    "float_type": "give a number",
+    "float_parsing": "give a number",
+    "int_type": "give a whole number",
+    "int_parsing": "give a whole number",
+    "int_from_float": "give a whole number",
+    "bool_parsing": "give true or false",
+    "literal_error": "allowed is {expected}",
+    "string_too_long": "this is longer than the {max_length} letters allowed",
+}

@@ -90,6 +90,7 @@ export class BatView {
     paintBat(context, bat, place, colors);
     this.paintBelow(context, bat, hands, across, place);
     if (ball) paintBall(context, ball, bat, place, colors);
+    if (ball && ball.offset_m !== undefined) paintMeeting(context, ball, bat, place, colors);
     if (spots) this.paintSpots(context, spots, bat, across, place);
     if (this.drawing) this.paintStations(context, bat, across, place);
   }
@@ -214,6 +215,49 @@ export function paintBall(context, ball, bat, place, colors) {
     context.arc(x + side * 1.45 * radius, y, radius, side < 0 ? -0.72 : Math.PI - 0.72, side < 0 ? 0.72 : Math.PI + 0.72);
     context.stroke();
   }
+}
+
+// Bat and ball as seen along the bat: how far off the axis they meet, and where the ball goes.
+function paintMeeting(context, ball, bat, place, colors) {
+  const scale = Math.min(place.scale, 500);
+  const [own, its] = [radiusAt(bat, ball.position_m) * scale, ball.radius_m * scale];
+  const x = place.left + 0.3 * bat.length_m * place.scale;
+  const y = place.middle + (WIDEST / 2) * place.scale + its + 4;
+  const up = ball.offset_m * scale;
+  const across = Math.sqrt(Math.max(0, (own + its) ** 2 - up ** 2));
+  const circle = (at, height, radius, fill, edge) => {
+    context.beginPath();
+    context.arc(at, height, radius, 0, 2 * Math.PI);
+    context.fillStyle = fill;
+    context.fill();
+    context.strokeStyle = edge;
+    context.lineWidth = 1.3;
+    context.stroke();
+  };
+  circle(x, y, own, bat.hollow ? colors.metal : colors.wood, bat.hollow ? colors.metalEdge : colors.woodEdge);
+  circle(x + across, y - up, its, colors.paper, colors.ink);
+  if (ball.launch_angle_rad !== null && ball.launch_angle_rad !== undefined) {
+    const [c, s] = [Math.cos(ball.launch_angle_rad), Math.sin(ball.launch_angle_rad)];
+    const [fromX, fromY, length] = [x + across, y - up, its + 26];
+    context.strokeStyle = colors.red;
+    context.fillStyle = colors.red;
+    context.lineWidth = 2;
+    context.beginPath();
+    context.moveTo(fromX, fromY);
+    context.lineTo(fromX + length * c, fromY - length * s);
+    context.stroke();
+    context.beginPath();
+    context.moveTo(fromX + (length + 7) * c, fromY - (length + 7) * s);
+    context.lineTo(fromX + length * c - 4 * s, fromY - length * s - 4 * c);
+    context.lineTo(fromX + length * c + 4 * s, fromY - length * s + 4 * c);
+    context.closePath();
+    context.fill();
+  }
+  context.font = `11px ${FONT}`;
+  context.fillStyle = colors.muted;
+  context.textAlign = "right";
+  context.textBaseline = "middle";
+  context.fillText("along the bat", x - own - 8, y);
 }
 
 export function radiusAt(bat, x) {

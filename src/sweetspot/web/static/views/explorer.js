@@ -90,7 +90,9 @@ export const view = {
 
   update(answer, state) {
     const { bat, sweet_spots: spots, scan, hit } = answer;
-    this.picture.draw({ bat, sweet_spots: spots, hands_m: answer.hands_m, ball: { position_m: hit.position_m, radius_m: answer.ball.radius_m } });
+    this.picture.draw({ bat, sweet_spots: spots, hands_m: answer.hands_m, ball: {
+      position_m: hit.position_m, radius_m: answer.ball.radius_m, offset_m: state.offset_in * INCH,
+      launch_angle_rad: hit.launch_angle_rad } });
     const zone = spots.zone_m;
     this.chart.draw({
       x: scan.position_m, lines: scan, range: [0, bat.length_m], cursor: hit.position_m,

@@ -70,7 +70,10 @@ class OwnBat {
       button("Use this text", () => this.take(this.text.value), { primary: true }),
       button("Show the present bat", () => this.show()),
     );
-    this.element.querySelector("input").addEventListener("change", (event) => this.read(event.target.files[0]));
+    this.element.querySelector("input").addEventListener("change", (event) => {
+      this.read(event.target.files[0]);
+      event.target.value = ""; // so that the same file can be chosen again once it is mended
+    });
     this.element.addEventListener("toggle", () => this.element.open && !this.text.value && this.show());
     root.addEventListener("dragover", (event) => (event.preventDefault(), root.classList.add("drop")));
     root.addEventListener("dragleave", () => root.classList.remove("drop"));

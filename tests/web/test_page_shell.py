@@ -1,0 +1,153 @@
+"""What every view has from the page around it: address, back button, units, theme, guide, and a lost connection."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from sweetspot.web.serve import listening, server_for
+from sweetspot.web.views import VIEWS
+
+Answered = Callable[..., int]
+Until = Callable[[Page, str], Any]
+
+
+def field(page: Page, name: str) -> Any:
+    return page.locator(f"[data-field={name}] input[type=number]")
+
+
+@pytest.mark.parametrize("name", VIEWS)
+def test_every_view_opens_by_its_address_draws_and_fits_a_phone(
+    page: Page, server: str, answered: Answered, name: str
+) -> None:
+    page.goto(f"{server}/{name}")
+    answered(page)
+    expect(page).to_have_title(re.compile(re.escape(VIEWS[name].title)))
+    expect(page.locator("#views [aria-current=page]")).to_have_text(VIEWS[name].title)
+    expect(page.locator("#fault")).to_be_hidden()
+    page.set_viewport_size({"width": 360, "height": 740})
+    page.wait_for_timeout(100)
+    assert page.evaluate("document.documentElement.scrollWidth") <= 360
+
+
+def test_the_address_is_the_state(page: Page, server: str, answered: Answered) -> None:
+    page.goto(f"{server}/explorer?bat=youth-30&pitch_speed_mph=61.5&no_such=1")
+    answered(page)
+    expect(page.locator("#verdict")).to_contain_text("youth 30 in")
+    assert field(page, "pitch_speed_mph").input_value() == "61.5"
+
+
+def test_back_and_forward(page: Page, server: str, answered: Answered) -> None:
+    page.goto(f"{server}/explorer")
+    count = answered(page)
+    for speed in ("80", "85"):
+        field(page, "pitch_speed_mph").fill(speed)
+        field(page, "pitch_speed_mph").press("Enter")
+        count = answered(page, count)
+    page.go_back()
+    answered(page, count)
+    assert field(page, "pitch_speed_mph").input_value() == "80"
+    page.go_back()
+    expect(page).to_have_url(f"{server}/explorer")
+    page.go_forward()
+    expect(page).to_have_url(re.compile("pitch_speed_mph=80"))
+
+
+def test_a_wrong_address_is_explained(page: Page, server: str) -> None:
+    page.goto(f"{server}/explorer?bat=no-such-bat")
+    expect(page.locator("[data-field=bat] .fault")).to_contain_text("not in the catalogue")
+    page.goto(f"{server}/explorer?pitch_speed_mph=NaN")
+    expect(page.locator("[data-field=pitch_speed_mph] .fault")).to_contain_text("finite number")
+
+
+def test_units_switch_everywhere(page: Page, server: str, answered: Answered) -> None:
+    page.goto(f"{server}/explorer")
+    answered(page)
+    page.get_by_role("radio", name="SI").check()
+    expect(page.locator("#verdict")).to_contain_text("m/s")
+    assert field(page, "pitch_speed_mph").input_value() == "40.2"
+    assert "mph" not in page.locator("#view").inner_text()
+    field(page, "pitch_speed_mph").fill("40")
+    field(page, "pitch_speed_mph").press("Enter")
+    expect(page).to_have_url(re.compile(r"pitch_speed_mph=89\.477"))
+    page.reload()
+    answered(page)
+    expect(page.locator("#verdict")).to_contain_text("m/s")  # remembered
+
+
+def test_light_and_dark(page: Page, server: str, answered: Answered) -> None:
+    page.goto(f"{server}/explorer")
+    answered(page)
+    ground = "getComputedStyle(document.documentElement).backgroundColor"
+    light, drawn = page.evaluate(ground), page.locator("#view canvas").first.screenshot()
+    page.locator("#theme").click()
+    assert page.evaluate(ground) != light
+    assert page.locator("#view canvas").first.screenshot() != drawn
+    page.reload()
+    answered(page)
+    assert page.evaluate(ground) != light  # remembered
+
+
+def test_the_first_visit_is_guided(browser: Browser, server: str) -> None:
+    context = browser.new_context()
+    page = context.new_page()
+    page.goto(f"{server}/explorer")
+    for step in (1, 2, 3):
+        expect(page.locator("dialog")).to_contain_text(f"Step {step} of 3")
+        page.locator("dialog .next").click()
+    expect(page.locator("dialog")).to_have_count(0)
+    page.reload()
+    page.wait_for_timeout(200)
+    expect(page.locator("dialog")).to_have_count(0)
+    page.get_by_role("button", name="Guide").click()
+    expect(page.locator("dialog")).to_be_visible()
+    page.keyboard.press("Escape")
+    expect(page.locator("dialog")).to_have_count(0)
+    context.close()
+
+
+def test_a_lost_connection_is_shown_and_comes_back(page: Page, answered: Answered) -> None:
+    import threading
+
+    opened = listening("127.0.0.1", 0)
+    port = opened.getsockname()[1]
+    first = server_for()
+    thread = threading.Thread(target=first.run, kwargs={"sockets": [opened]}, daemon=True)
+    thread.start()
+    page.goto(f"http://127.0.0.1:{port}/explorer")
+    count = answered(page)
+    first.should_exit = True
+    thread.join(10)
+    expect(page.locator("#status")).to_contain_text("connection to the server is lost")
+    field(page, "pitch_speed_mph").fill("70")  # asked while nobody listens
+    field(page, "pitch_speed_mph").press("Enter")
+    again = server_for()
+    thread = threading.Thread(target=again.run, kwargs={"sockets": [listening("127.0.0.1", port)]}, daemon=True)
+    thread.start()
+    expect(page.locator("#status")).to_be_hidden()
+    answered(page, count)
+    assert field(page, "pitch_speed_mph").input_value() == "70"
+    again.should_exit = True
+    thread.join(10)
+
+
+def test_nothing_comes_from_elsewhere(page: Page, server: str, answered: Answered) -> None:
+    asked: list[str] = []
+    page.on("request", lambda request: asked.append(request.url))
+    for name in (*VIEWS, "docs"):
+        page.goto(f"{server}/{name}")
+        page.wait_for_load_state("networkidle")
+    assert [url for url in asked if not url.startswith((server, "data:", "blob:"))] == []
+
+
+def test_the_description_of_the_api_is_readable_and_works(page: Page, server: str) -> None:
+    page.goto(f"{server}/docs")
+    section = page.locator("section", has=page.locator("h2", has_text="POST /api/v1/explorer")).first
+    expect(section).to_contain_text("pitch_speed_mph")
+    section.locator("summary").click()
+    section.get_by_role("button", name="Send").click()
+    expect(section.locator("pre")).to_contain_text("R161, white ash")
