@@ -8,6 +8,7 @@ from sweetspot.analysis import Analysis, exit_speed_of
 from sweetspot.implement import Implement
 from sweetspot.report.speech import Speech, speech
 from sweetspot.rigid import effective_mass
+from sweetspot.sport_rows import dead_spot
 from sweetspot.sweet_spots import ZONE_LOSS, miss_cost
 
 MISSES = (0.02, 0.04, 0.06)
@@ -76,18 +77,6 @@ def _bounce(analysis: Analysis[Implement], said: Speech) -> str:
             "and follows it."
         )
     return " ".join(parts)
-
-
-def dead_spot(analysis: Analysis[Implement]) -> float | None:
-    """Return the place (m from the butt end) beyond the best one where a ball is left with no speed: q = 0; or None."""
-    scan = analysis.scan
-    beyond = scan.position >= analysis.sweet_spots.max_collision_efficiency
-    places, efficiency = scan.position[beyond], scan.collision_efficiency[beyond]
-    below = np.flatnonzero(efficiency < 0)
-    if len(below) == 0 or below[0] == 0:
-        return None
-    after = int(below[0])
-    return float(np.interp(0.0, efficiency[[after, after - 1]], places[[after, after - 1]]))
 
 
 def _tip(analysis: Analysis[Implement], said: Speech) -> str:

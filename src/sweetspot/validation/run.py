@@ -28,7 +28,7 @@ INPUT_KINDS: dict[str, Kind] = {
     "measured_at": "length", "bore_diameter": "length", "bore_depth": "length", "plug": "length",
     "balance_point": "length", "mass": "mass", "ball_mass": "mass", "added_mass": "mass",
     "moi": "moi", "other_moi": "moi", "contact_time": "time",
-    "launch_angle": "angle", "deflection": "angle", "other_deflection": "angle",
+    "launch_angle": "angle", "backspin": "angular speed", "deflection": "angle", "other_deflection": "angle",
     "diameter": "length", "wall": "length", "modulus": "pressure", "density": "density", "poisson_ratio": "ratio",
 }  # fmt: skip
 """What the inputs of computations are; inputs with other names (bats, mode numbers) are passed on as they stand."""
