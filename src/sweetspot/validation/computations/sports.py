@@ -86,7 +86,7 @@ def contact_time_on(*, implement: str, from_tip: float, closing_speed: float) ->
     return _struck(implement, from_tip, closing_speed).contact_time
 
 
-def node_from_tip(*, implement: str) -> float:
+def first_node_from_tip(*, implement: str) -> float:
     """Return the node of the first mode nearest to the tip, from the tip."""
     found = _usual(implement)
     return found.bat.length - found.sweet_spots.node_1
@@ -226,7 +226,7 @@ COMPUTATIONS = (
     swing_law_loss,
     efficiency_on,
     contact_time_on,
-    node_from_tip,
+    first_node_from_tip,
     percussion_towards_hands,
     faster_ball,
     best_bounce_from_throat,
