@@ -82,6 +82,16 @@ def test_does_corking_help(headline: str, flagship: Analysis) -> None:
     assert gained < needed  # published: corking does not make the ball go farther [nathan2011corked]
 
 
+@pytest.mark.parametrize("headline", ["is_it_out.py"], indirect=True)
+def test_is_it_out(headline: str) -> None:
+    below, carry, out, parks = numbers(
+        "Met # in below its centre the ball carries # ft and is out in # of # parks", headline
+    )
+    assert 0.4 <= below <= 0.8  # launched at 15 to 30 degrees, where fly balls carry farthest [nathan_calculator]
+    assert 400 < carry < 440
+    assert parks == 30 == len(catalog.park_names()) and 10 < out <= 30
+
+
 def test_every_example_is_tested_and_short() -> None:
     text = Path(__file__).read_text(encoding="utf-8")
     assert [script.name for script in SCRIPTS if f'"{script.name}"' not in text] == []

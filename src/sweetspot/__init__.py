@@ -19,18 +19,26 @@ __version__ = "0.1.0"
 
 if TYPE_CHECKING:
     from sweetspot import catalog
+    from sweetspot.air import Air, Wind
     from sweetspot.analysis import Analysis, analyse, exit_speed_of, hit_at
     from sweetspot.ball import Ball, RestitutionLaw
     from sweetspot.bat import Bat
     from sweetspot.collision.coupled import hit
     from sweetspot.collision.kernel import hits
+    from sweetspot.collision.strike import bat_model, strike, strikes
     from sweetspot.errors import InputError, SweetspotError
+    from sweetspot.flight.everywhere import landings_everywhere
+    from sweetspot.flight.kernel import flights
+    from sweetspot.flight.trajectory import fly
     from sweetspot.line import Line, reduce
     from sweetspot.material import Material
+    from sweetspot.motion import BallMotion, launched
     from sweetspot.paper_rows import paper_rows
+    from sweetspot.play import play, plays
     from sweetspot.rigid import RigidBody, centre_of_percussion, effective_mass, rigid_body
     from sweetspot.standard import standard_conditions
     from sweetspot.swing import Conditions, Hands, Pitch, Swing
+    from sweetspot.swing_path import SwingPath
     from sweetspot.vibration.beam import bending_modes
     from sweetspot.vibration.hands import gripped
     from sweetspot.vibration.hoop import hoop_modes
@@ -63,6 +71,19 @@ _HOMES = {
     "analyse": "analysis",
     "hit_at": "analysis",
     "exit_speed_of": "analysis",
+    "BallMotion": "motion",
+    "launched": "motion",
+    "SwingPath": "swing_path",
+    "bat_model": "collision.strike",
+    "strike": "collision.strike",
+    "strikes": "collision.strike",
+    "play": "play",
+    "plays": "play",
+    "Air": "air",
+    "Wind": "air",
+    "fly": "flight.trajectory",
+    "flights": "flight.kernel",
+    "landings_everywhere": "flight.everywhere",
     "paper_rows": "paper_rows",
     "InputError": "errors",
     "SweetspotError": "errors",
@@ -70,8 +91,10 @@ _HOMES = {
 """Public name: the module below the package where it lives, in the order of the story."""
 
 __all__ = [
+    "Air",
     "Analysis",
     "Ball",
+    "BallMotion",
     "Bat",
     "Conditions",
     "Hands",
@@ -83,22 +106,33 @@ __all__ = [
     "RigidBody",
     "SweetspotError",
     "Swing",
+    "SwingPath",
+    "Wind",
     "analyse",
+    "bat_model",
     "bending_modes",
     "catalog",
     "centre_of_percussion",
     "effective_mass",
     "exit_speed_of",
+    "flights",
+    "fly",
     "gripped",
     "hit",
     "hit_at",
     "hits",
     "hoop_modes",
+    "landings_everywhere",
+    "launched",
     "modes_of",
     "paper_rows",
+    "play",
+    "plays",
     "reduce",
     "rigid_body",
     "standard_conditions",
+    "strike",
+    "strikes",
 ]
 
 

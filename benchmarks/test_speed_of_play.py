@@ -1,0 +1,49 @@
+"""From contact to the fence: one play and many, by the compiled kernels."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from benchmarks.cases import QUICK, ball, duration, measured
+from sweetspot import catalog
+from sweetspot.air import Air
+from sweetspot.collision.strike import BatModel, bat_model
+from sweetspot.motion import launched
+from sweetspot.play import Plays, plays
+from sweetspot.swing_path import path_axes
+from sweetspot.units import DEGREE, INCH, MPH, RPM
+
+COUNT = 2_000 if QUICK else 100_000
+PITCH = launched(speed=82 * MPH, launch_angle=-6 * DEGREE, spray=math.pi, backspin=2200 * RPM)
+
+
+@cache
+def model() -> BatModel:
+    """Return the bat that everybody hits with."""
+    return bat_model(catalog.bat("r161-ash"), ball=ball())
+
+
+def played(count: int) -> Plays:
+    """Return so many random swings at a fastball, met and flown."""
+    draw = np.random.default_rng(7)
+    axes = path_axes(draw.normal(9, 8, count) * DEGREE, 0.0, tilt=draw.normal(32, 7, count) * DEGREE, left=False)
+    return plays(
+        model(), ball=ball(), bat_speed=draw.normal(71, 5, count) * MPH, axes=axes, pitch_velocity=PITCH.velocity,
+        pitch_spin=PITCH.spin, position=model().bat.length - draw.uniform(4, 9, count) * INCH,
+        offset=draw.normal(0.2, 0.9, count) * INCH, aerodynamics=catalog.aerodynamics("baseball"), air=Air(),
+    )  # fmt: skip
+
+
+def test_one_play(benchmark: Any, record: Callable[..., None]) -> None:
+    seconds = measured(benchmark, lambda: played(1))
+    record("one play: contact in space and flight, in the kernels", duration(seconds), goal="1 ms")
+
+
+def test_many_plays(benchmark: Any, record: Callable[..., None]) -> None:
+    seconds = measured(benchmark, lambda: played(COUNT), rounds=2)
+    record(f"{COUNT:,} plays", f"{COUNT / seconds:,.0f} plays/s")

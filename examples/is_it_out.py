@@ -1,0 +1,38 @@
+"""Is it out? One swing at a fastball, the ball met a little lower each time, and the parks it leaves.
+
+Run: python examples/is_it_out.py
+"""
+
+from math import pi
+
+from sweetspot import Air, Swing, SwingPath, bat_model, catalog, landings_everywhere, launched, play
+from sweetspot.units import DEGREE, FOOT, INCH, MPH, RPM
+
+bat, ball, wings = catalog.bat("r161-ash"), catalog.ball(), catalog.aerodynamics("baseball")
+model = bat_model(bat, ball=ball)
+place = bat.length - 6 * INCH
+fastball = launched(
+    speed=85 * MPH, launch_angle=-6 * DEGREE, spray=pi, backspin=2200 * RPM, height=3 * FOOT, forward=2 * FOOT
+)
+swing = Swing(bat_speed=74 * MPH, measured_at=place)
+path = SwingPath(attack_angle=9 * DEGREE, attack_direction=-12 * DEGREE, tilt=32 * DEGREE)
+parks = [catalog.park(name) for name in catalog.park_names()]
+best = (0, 0.0, 0.0)
+for tenths in range(2, 13, 2):
+    offset = tenths / 10 * INCH
+    found = play(
+        model, ball=ball, swing=swing, path=path, pitch=fastball, position=place, offset=offset,
+        aerodynamics=wings, air=Air(),
+    )  # fmt: skip
+    hit = found.strike.launched
+    ends = landings_everywhere(
+        hit.position, hit.velocity, hit.spin, parks=parks, ball=ball, aerodynamics=wings, air=Air()
+    )
+    out = sum(int(end.out.sum()) for end in ends)
+    carry = found.flight.carry / FOOT
+    up = hit.launch_angle / DEGREE
+    print(f"{offset / INCH:.1f} in below: {hit.speed / MPH:5.1f} mph, {up:4.1f} deg up, {carry:3.0f} ft, out in {out}")
+    best = max(best, (out, carry, offset / INCH))
+
+out, carry, low = best
+print(f"Met {low:.1f} in below its centre the ball carries {carry:.0f} ft and is out in {out} of {len(parks)} parks")
