@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from shlex import quote
 from typing import Annotated, Any, Literal
 
 from pydantic import Field
@@ -187,7 +188,7 @@ def recipe(state: CompareState) -> dict[str, str]:
     if state.same == "speed":
         options += " --same-speed"
     if state.swing_law != CompareState.model_fields["swing_law"].default:
-        options += f" --swing-law {state.swing_law}"
+        options += f" --swing-law {quote(state.swing_law)}"
     plug = min(1.0, state.hole_depth_in / 2)
     if state.what_if == "cork":
         options += f" --what-if cork --bore-diameter {state.hole_diameter_in:.12g}in"
@@ -202,12 +203,12 @@ def recipe(state: CompareState) -> dict[str, str]:
     python = conditions_lines(swing) + (
         "\nfrom sweetspot.catalog.swing_laws import swing_law\nfrom sweetspot.compare import compare\n\n"
         f"bats = [{', '.join(['bat', *made])}]\n"
-        f'found = compare(bats, conditions=conditions, same="{state.same}", law=swing_law("{state.swing_law}"))\n'
+        f'found = compare(bats, conditions=conditions, same="{state.same}", law=swing_law({state.swing_law!r}))\n'
         "for one in found.compared:\n"
         "    print(one.label, one.exit_speed.value / MPH, one.change.low / MPH, one.change.high / MPH)\n"
     )
     lines = [f"sweetspot compare {' '.join(names)}{options}"]
-    lines += [f"sweetspot certify {name} --league {state.league}" for name in names]
+    lines += [f"sweetspot certify {name} --league {quote(state.league)}" for name in names]
     return {"command": "\n".join(lines), "python": python, "toml": bat_text(first), **files}
 
 

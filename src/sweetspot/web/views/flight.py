@@ -19,7 +19,6 @@ from sweetspot.flight.fence import landing
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.motion import BallMotion, launched
 from sweetspot.park import FOUL_LINE, Park, fence_at
-from sweetspot.pitch import PLATE
 from sweetspot.swing_path import SwingPath
 from sweetspot.units import FOOT, INCH, MPH, RPM
 from sweetspot.vibration.hands import gripped
@@ -28,9 +27,12 @@ from sweetspot.web.faults import FieldError, about
 from sweetspot.web.outline import outline
 from sweetspot.web.states import HitState, Name
 from sweetspot.web.view import View
+from sweetspot.web.views.flight_recipe import flight_lines
 
 INCH_OF_MERCURY = 3386.389
 """Pa."""
+FORWARD = 2 * FOOT
+"""m in front of the plate's tip where ball and bat meet."""
 SHOWN = 2
 """Every how many points of a path are handed out."""
 FENCE_POINTS = 91
@@ -46,8 +48,8 @@ class FlightState(HitState):
     backspin_rpm: float = Field(2200.0, ge=-5000, le=6000, description="positive lifts the ball")
     sidespin_rpm: float = Field(0.0, ge=-5000, le=5000, description="positive bends the path to the left")
     height_ft: float = Field(3.0, ge=0.5, le=7, description="of the ball at contact")
-    attack_angle_deg: float = Field(10.0, ge=-20, le=35, description="of the barrel's path above the level")
-    attack_direction_deg: float = Field(-5.0, ge=-45, le=45, description="from centre field, negative to the pull side")
+    attack_angle_deg: float = Field(9.0, ge=-20, le=35, description="of the barrel's path above the level")
+    attack_direction_deg: float = Field(0.0, ge=-45, le=45, description="from centre field, negative to the pull side")
     tilt_deg: float = Field(32.0, ge=0, le=75, description="of the swing's plane; at least the attack angle")
     bats: Literal["right", "left"] = "right"
     pitch_angle_deg: float = Field(-6.0, ge=-20, le=5, description="of the pitch at the plate, negative falls")
@@ -118,7 +120,7 @@ def launched_by(state: FlightState) -> BallMotion:
         backspin=state.backspin_rpm * RPM,
         sidespin=state.sidespin_rpm * RPM,
         height=state.height_ft * FOOT,
-        forward=PLATE,
+        forward=FORWARD,
     )
 
 
@@ -156,7 +158,7 @@ def _struck(state: FlightState, ball: Ball) -> dict[str, Any]:
         spray=math.pi,
         backspin=state.pitch_backspin_rpm * RPM,
         height=state.height_ft * FOOT,
-        forward=PLATE,
+        forward=FORWARD,
     )
     model = BatModel(bat, found.body, gripped(found.modes, conditions.hands))
     bat_speed = conditions.swing.speed_at(place)
@@ -277,4 +279,4 @@ def _parks(motion: BallMotion, *, ball: Ball, weather: Weather, own_elevation: b
     return {"parks": rows, "out_in": sum(row["outcome"] == "home run" for row in rows), "of": len(rows)}
 
 
-VIEW = View("flight", "Flight", FlightState, answer)
+VIEW = View("flight", "Flight", FlightState, answer, flight_lines)

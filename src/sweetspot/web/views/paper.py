@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import asdict
 from functools import lru_cache
+from shlex import quote
 from typing import Any, Literal
 
 import numpy as np
@@ -239,7 +240,7 @@ def recipe(state: PaperState) -> dict[str, str]:
         "hands_moved": f"{state.hands_moved_in:.12g}in",
         "bore_diameter": f"{state.hole_diameter_in:.12g}in",
         "bore_depth": f"{state.hole_depth_in:.12g}in",
-        "fill": state.hole_fill,
+        "fill": quote(state.hole_fill),
         "drop_height": f"{state.drop_height_m:.12g}m",
         "block_thickness": f"{state.block_thickness_m:.12g}m",
         "block_support": state.block_support,
@@ -251,7 +252,7 @@ def recipe(state: PaperState) -> dict[str, str]:
         "choices = Choices(\n"
         f"    entry_angle=radians({state.entry_angle_deg!r}), rod_hands={state.rod_hands_in!r} * INCH,\n"
         f"    hands_moved={state.hands_moved_in!r} * INCH, bore_diameter={state.hole_diameter_in!r} * INCH,\n"
-        f'    bore_depth={state.hole_depth_in!r} * INCH, fill=catalog.material("{state.hole_fill}"),\n'
+        f"    bore_depth={state.hole_depth_in!r} * INCH, fill=catalog.material({state.hole_fill!r}),\n"
         f"    drop_height={state.drop_height_m!r}, block_thickness={state.block_thickness_m!r},\n"
         f'    block_support="{state.block_support}",\n'
         f"    {', '.join(f'{name}={getattr(state, name)!r}' for name in RATIOS)},\n"

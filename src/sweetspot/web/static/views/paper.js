@@ -19,7 +19,8 @@ export const view = {
     const list = make("ol", { className: "questions" }, ...this.steps.map((step) => make("li", {}, step)));
     const nav = make("nav", { className: "group", ariaLabel: "Questions of the paper" }, make("h2", { textContent: "Questions" }), list);
     this.own = Object.fromEntries(STEPS.map((step) => [step.key, make("div", {}, ...step.controls(app))]));
-    const sliders = group("Move it", Object.values(this.own));
+    this.sliders = group("Move it", Object.values(this.own));
+    this.sliders.classList.add("across");
     app.control({ field: "question", sync: ({ question }) => this.choose(question), fault() {} });
     this.said = make("div", { className: "claim" });
     this.formulas = make("div", { className: "formulas" });
@@ -32,9 +33,9 @@ export const view = {
     const section = (title, ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
     this.title = make("h1");
     root.append(
-      make("div", { className: "side" }, nav, sliders, ...model(app)),
+      make("div", { className: "side" }, nav, ...model(app)),
       make("div", { className: "stack" }, this.title, section("The paper says", this.said, this.formulas, this.slips),
-        section("What the full model says", this.truth, this.picture),
+        this.sliders, section("What the full model says", this.truth, this.picture),
         section("Statement by statement", this.rows), this.turn));
   },
 
@@ -77,6 +78,7 @@ export const view = {
     this.slips.replaceChildren(make("summary", { textContent: "Misprints to know" }),
       make("ul", {}, ...step.slips.map((text) => make("li", { textContent: text }))));
     this.slips.hidden = step.slips.length === 0;
+    this.sliders.hidden = this.own[step.key].childElementCount === 0;
     this.drawing = PICTURES[step.key](this.app);
     this.picture.replaceChildren(...this.drawing.elements);
   },

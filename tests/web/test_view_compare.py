@@ -1,0 +1,110 @@
+"""The comparison's answers: those of the library, with intervals, verdict and rules; and its lines."""
+
+from __future__ import annotations
+
+import io
+from contextlib import redirect_stdout
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sweetspot import catalog
+from sweetspot.compare import compare
+from sweetspot.report.verdict import verdict
+from sweetspot.standard import standard_conditions
+from sweetspot.units import MPH
+from sweetspot.web.faults import FieldError
+from sweetspot.web.views.compare import VIEW, CompareState, answer
+
+
+def asked(**controls: Any) -> dict[str, Any]:
+    return answer(CompareState.model_validate(controls))
+
+
+def test_it_is_the_librarys_comparison() -> None:
+    bats = [catalog.bat("r161-ash"), catalog.bat("russell-b6")]
+    expected = compare(bats, conditions=standard_conditions(bats[0]))
+    found = asked(bats=[{}, {"bat": "russell-b6"}])
+    assert found["verdict"] == verdict(expected)
+    for row, one in zip(found["bats"], expected.compared, strict=True):
+        for end in ("value", "low", "high"):
+            assert row["exit_speed_m_s"][end] == pytest.approx(getattr(one.exit_speed, end), rel=1e-12)
+            assert row["change_m_s"][end] == pytest.approx(getattr(one.change, end), abs=1e-12)
+
+
+def test_corking_is_answered_in_both_systems() -> None:
+    found = asked(what_if="cork", hole_depth_in=10.0)
+    assert [row["label"] for row in found["bats"]] == ["unmodified", "drilled", "cork", "rubber", "foam"]
+    assert any("Does corking help?" in text and " oz lighter" in text for text in found["verdict"])
+    assert any("Does corking help?" in text and " g lighter" in text for text in found["si"]["verdict"])
+    assert not any("mph faster" in text for text in found["si"]["verdict"])
+    assert found["bats"][2]["change_m_s"]["high"] < 0  # cork loses, surely
+
+
+def test_a_thinner_wall_takes_more_energy() -> None:
+    found = asked(what_if="wall", bats=[{"bat": "russell-b6"}], wall_times=0.85)
+    own, thin = (row["wall"] for row in found["bats"])
+    assert thin["thickness_m"] == pytest.approx(0.85 * own["thickness_m"], rel=0.02)  # best places differ a little
+    assert thin["energy_share"] > own["energy_share"] and thin["hoop_frequency_hz"] < own["hoop_frequency_hz"]
+    assert "the thinner wall is the livelier one" in found["verdict"][-1]
+
+
+def test_rules_are_held_against_every_bat() -> None:
+    found = asked(bats=[{}, {"bat": "russell-b6"}], league="ncaa")
+    first, metal = ({check["quantity"]: check["verdict"] for check in row["checks"]} for row in found["certification"])
+    assert first["bbcor"] == "pass" and metal["bbcor"] == "fail"
+    leagues = {check["league"] for check in asked(bats=[{}], league="all")["certification"][0]["checks"]}
+    assert {"mlb", "ncaa", "usssa", "softball"} <= leagues
+
+
+def test_one_bat_alone_is_no_fault() -> None:
+    found = asked(bats=[{}])
+    assert len(found["bats"]) == 1 and "Choose another bat" in found["verdict"][0]
+
+
+def test_the_same_bat_twice_has_two_names() -> None:
+    assert [row["label"] for row in asked(bats=[{}, {}])["bats"]] == ["R161, white ash", "R161, white ash (2)"]
+
+
+@pytest.mark.parametrize(
+    ("controls", "field", "words"),
+    [
+        ({"bats": [{}, {"bat": "rosewood"}]}, "bats.1.bat", "bat 2: bat 'rosewood' is not in the catalogue"),
+        ({"what_if": "wall"}, "what_if", "is solid and has no wall"),
+        ({"what_if": "cork", "hole_diameter_in": 2, "hole_depth_in": 20}, "hole_diameter_in", "make it narrower"),
+        ({"league": "sandlot"}, "league", "not in the catalogue"),
+        ({"swing_law": "cricket"}, "swing_law", "not in the catalogue"),
+    ],
+)
+def test_faults_name_their_control(controls: dict[str, Any], field: str, words: str) -> None:
+    with pytest.raises(FieldError, match=words) as caught:
+        asked(**controls)
+    assert caught.value.field == field
+
+
+@pytest.mark.parametrize(
+    "controls",
+    [
+        {"bats": [{}, {"bat": "youth-30", "choke_up_in": 1.0}], "bat_speed_mph": 66.0},
+        {"what_if": "cork", "hole_depth_in": 1.5, "same": "speed"},
+        {"what_if": "wall", "bats": [{"bat": "russell-b6"}]},
+    ],
+)
+def test_python_lines_give_the_same_numbers(
+    controls: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    state = CompareState.model_validate(controls)
+    assert VIEW.recipe is not None
+    lines = VIEW.recipe(state)
+    for name, text in lines.items():
+        if name.endswith("toml"):
+            (tmp_path / ("bat.toml" if name == "toml" else name)).write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    said = io.StringIO()
+    with redirect_stdout(said):
+        exec(lines["python"], {})
+    shown = [float(line.split()[-3]) for line in said.getvalue().splitlines()]
+    expected = [row["exit_speed_m_s"]["value"] / MPH for row in answer(state)["bats"]]
+    assert shown == pytest.approx(expected, rel=1e-6)
+    assert lines["command"].startswith("sweetspot compare ") and "sweetspot certify " in lines["command"]

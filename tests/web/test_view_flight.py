@@ -1,0 +1,100 @@
+"""The flight's answers: the library's flight and fence, without air the parabola, from a swing the play."""
+
+from __future__ import annotations
+
+import io
+import math
+from contextlib import redirect_stdout
+from typing import Any
+
+import numpy as np
+import pytest
+
+from sweetspot.rigid import STANDARD_GRAVITY
+from sweetspot.units import FOOT, MPH
+from sweetspot.web.faults import FieldError
+from sweetspot.web.views.flight import VIEW, FlightState, answer
+
+
+def asked(**controls: Any) -> dict[str, Any]:
+    return answer(FlightState.model_validate(controls))
+
+
+def test_without_air_it_is_a_parabola() -> None:
+    """R = v cos(a) t with t from height to the ground: exact."""
+    found = asked(exit_speed_mph=90, launch_angle_deg=30, spray_deg=0, height_ft=3)
+    speed, angle = 90 * MPH, math.radians(30)
+    up = speed * math.sin(angle)
+    time = (up + math.sqrt(up**2 + 2 * STANDARD_GRAVITY * 3 * FOOT)) / STANDARD_GRAVITY
+    assert found["without_air"]["carry_m"] == pytest.approx(2 * FOOT + speed * math.cos(angle) * time, rel=1e-9)
+    assert found["flight"]["carry_m"] < found["without_air"]["carry_m"]
+
+
+def test_high_and_warm_carries_farther() -> None:
+    boston, denver = (asked(park=park)["flight"]["carry_m"] for park in ("fenway-park", "coors-field"))
+    assert denver > boston + 5
+    assert asked(temperature_degf=100)["flight"]["carry_m"] > asked(temperature_degf=40)["flight"]["carry_m"]
+    out, into = (asked(wind_speed_mph=10, wind_direction_deg=to)["flight"]["carry_m"] for to in (0, 180))
+    assert out > boston > into
+
+
+def test_the_green_monster_stops_what_clears_other_fences() -> None:
+    low = asked(exit_speed_mph=98, launch_angle_deg=21, spray_deg=-25)
+    assert low["park"]["name"] == "Fenway Park" and low["end"]["outcome"] == "off the wall"
+    assert low["end"]["clearance_m"] < 0 and 0 < low["out_in"] < low["of"] == 30
+    assert low["out_in"] == sum(row["outcome"] == "home run" for row in low["parks"])
+
+
+def test_own_elevation_counts() -> None:
+    own, same = (asked(own_elevation=choice, exit_speed_mph=104)["parks"] for choice in (True, False))
+    pair = next((a, b) for a, b in zip(own, same, strict=True) if a["park"] == "Coors Field")
+    assert pair[0]["clearance_m"] > pair[1]["clearance_m"] + 5
+
+
+def test_foul_is_foul() -> None:
+    assert asked(spray_deg=50)["end"]["outcome"] == "foul"
+
+
+def test_a_better_met_ball_goes_farther() -> None:
+    under, dead = (asked(start="swing", offset_in=offset) for offset in (0.7, 0.0))
+    assert under["launch"]["backspin_rad_s"] > 100 > abs(dead["launch"]["backspin_rad_s"])
+    assert under["flight"]["carry_m"] > dead["flight"]["carry_m"]
+    assert under["swing"]["bat_speed_m_s"] == pytest.approx(70 * MPH)
+
+
+def test_a_miss_is_said() -> None:
+    found = asked(start="swing", offset_in=2.5, impact_from_tip_in=20)
+    assert found["missed"] and "flight" not in found
+
+
+@pytest.mark.parametrize(
+    ("controls", "field", "words"),
+    [
+        ({"park": "Sandlot"}, "park", "not in the catalogue"),
+        ({"start": "swing", "tilt_deg": 5}, "tilt_deg", "no path in a plane is steeper than the plane"),
+        ({"start": "swing", "impact_from_tip_in": 30}, "impact_from_tip_in", "would meet the hands"),
+    ],
+)
+def test_faults_name_their_control(controls: dict[str, Any], field: str, words: str) -> None:
+    with pytest.raises(FieldError, match=words) as caught:
+        asked(**controls)
+    assert caught.value.field == field
+
+
+@pytest.mark.parametrize(
+    "controls",
+    [{"wind_speed_mph": 8.0, "wind_direction_deg": -30.0}, {"start": "swing", "offset_in": 0.6, "bats": "left"}],
+)
+def test_python_lines_give_the_same_numbers(controls: dict[str, Any]) -> None:
+    state = FlightState.model_validate(controls)
+    assert VIEW.recipe is not None
+    lines = VIEW.recipe(state)
+    said = io.StringIO()
+    names: dict[str, Any] = {}
+    with redirect_stdout(said):
+        exec(lines["python"], names)
+    flight = names["flight"] if "flight" in names else names["done"].flight
+    found = answer(state)
+    assert flight.carry == pytest.approx(found["flight"]["carry_m"], rel=1e-4)  # the readable solution
+    assert f"outcome='{found['end']['outcome']}'" in said.getvalue()
+    assert np.isfinite(flight.hang_time)
