@@ -257,3 +257,6 @@ app.command(play)
 from sweetspot.cli.optimum import optimum  # noqa: E402
 
 app.command(optimum)
+from sweetspot.cli.fly import fly  # noqa: E402
+
+app.command(fly)
