@@ -148,6 +148,8 @@ def read_toml(path: Path) -> dict[str, Any]:
 
 def bat_from_table(table: dict[str, Any], where: str) -> Bat:
     """Return the bat that a table describes; ``where`` names the file in messages."""
+    if table.get("kind", "bat") != "bat":
+        raise InputError(f"{where} is a {table['kind']}, not a bat; `sweetspot report`, `hit` and `compare` take it")
     loose = sorted(set(table) & set(ShellTable.model_fields))
     if loose:
         raise InputError(

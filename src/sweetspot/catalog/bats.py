@@ -10,7 +10,7 @@ from sweetspot.bat import Bat
 from sweetspot.catalog.batfile import bat_from_table, read_bat, read_toml
 from sweetspot.catalog.records import FOLDER, canonical, entry
 
-BAT_FOLDER = FOLDER / "bats"
+BAT_FOLDER, IMPLEMENT_FOLDER = FOLDER / "bats", FOLDER / "implements"
 DEFAULT_BAT = "r161-ash"
 
 
@@ -18,6 +18,12 @@ DEFAULT_BAT = "r161-ash"
 def bat_tables() -> dict[str, dict[str, Any]]:
     """Return every bat file of the catalogue as written, by name."""
     return {canonical(path.stem): read_toml(path) for path in sorted(BAT_FOLDER.glob("*.toml"))}
+
+
+@cache
+def other_tables() -> dict[str, dict[str, Any]]:
+    """Return every file of a racket, club or stick in the catalogue as written, by name."""
+    return {canonical(path.stem): read_toml(path) for path in sorted(IMPLEMENT_FOLDER.glob("*.toml"))}
 
 
 def bat_names() -> list[str]:
@@ -33,8 +39,14 @@ def bat(name: str = DEFAULT_BAT) -> Bat:
 
 
 def load_bat(name_or_path: str) -> Bat:
-    """Return the bat of a TOML file, or the catalogue's bat of that name; see `is_file` for what is a file."""
-    return read_bat(Path(name_or_path)) if is_file(name_or_path) else bat(name_or_path)
+    """Return the bat of a TOML file, or the catalogue's bat of that name; see `is_file` for what is a file.
+
+    A racket, club or stick is refused.
+    """
+    if is_file(name_or_path):
+        return read_bat(Path(name_or_path))
+    other = other_tables().get(canonical(name_or_path))
+    return bat(name_or_path) if other is None else bat_from_table(other, name_or_path)
 
 
 def is_file(name_or_path: str) -> bool:

@@ -6,20 +6,16 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from sweetspot.catalog.batfile import read_toml
-from sweetspot.catalog.bats import bat_tables, is_file
+from sweetspot.catalog.bats import bat_tables, is_file, other_tables
 from sweetspot.catalog.implementfile import implement_from_table, read_implement
-from sweetspot.catalog.records import FOLDER, canonical, entry
+from sweetspot.catalog.records import entry
 from sweetspot.implement import Implement
-
-IMPLEMENT_FOLDER = FOLDER / "implements"
 
 
 @cache
 def implement_tables() -> dict[str, dict[str, Any]]:
     """Return every bat, racket, club and stick of the catalogue as written, by name."""
-    others = {canonical(path.stem): read_toml(path) for path in sorted(IMPLEMENT_FOLDER.glob("*.toml"))}
-    return {**bat_tables(), **others}
+    return {**bat_tables(), **other_tables()}
 
 
 def implement_names() -> list[str]:

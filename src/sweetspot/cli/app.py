@@ -163,12 +163,20 @@ def bats(*, format: OutputFormat = "table") -> None:
 
 
 @app.command
-def schema() -> None:
-    """Print the JSON schema of a bat file."""
-    from sweetspot.catalog.batfile import BatFile
+def schema(
+    kind: Annotated[
+        str, Parameter(help="bat, racket, cricket-bat, golf-club, hockey-stick or table-tennis-racket.")
+    ] = "bat",
+    /,
+) -> None:
+    """Print the JSON schema of a file that describes a bat, racket, club or stick."""
+    from sweetspot.catalog.implementfile import FILES
     from sweetspot.cli.output import print_json
+    from sweetspot.errors import nearest_names
 
-    print_json(BatFile.model_json_schema())
+    if kind not in FILES:
+        raise InputError(f"kind {kind!r} is not known. {nearest_names(kind, sorted(FILES))}")
+    print_json(FILES[kind].model_json_schema())
 
 
 @app.command
