@@ -6,8 +6,6 @@ v_f = q v_ball + (1 + q) v_bat.
 
 from __future__ import annotations
 
-import numpy as np
-
 from sweetspot.ball import Ball
 from sweetspot.rigid import RigidBody, effective_mass
 from sweetspot.thing import Real
@@ -65,6 +63,6 @@ def rigid_efficiency(
     closing_speed : m/s, ball speed plus bat speed at the point of impact, > 0.
     """
     recoil = ball.mass / effective_mass(body, position, pivot=pivot)
-    wall_speed: Real = closing_speed / np.sqrt(1 + recoil)
+    wall_speed: Real = closing_speed / (1 + recoil) ** 0.5  # a power, not np.sqrt: plain numbers stay plain
     restitution = ball.restitution.at(wall_speed)
     return collision_efficiency(restitution, recoil=recoil)
