@@ -25,6 +25,8 @@ LAYERS = [
     {"sweet_spots", "shot_statistics"},
     {"scan", "certification"},
     {"paper", "drop", "damage"},
+    {"optimum"},
+    {"play"},
     {"pitch"},
     {"flight"},
     {"collision", "block", "rules"},

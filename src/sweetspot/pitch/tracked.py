@@ -54,7 +54,7 @@ class NineParameters:
         >>> fast = nine_parameters([0.0, -41.0, -1.5], acceleration=[0.0, 8.2, -4.9])
         >>> position, velocity = fast.at(PLATE)
         >>> round(float(np.linalg.norm(velocity)), 2)
-        38.09
+        38.07
         """
         time = self.time_to(forward)[..., None]
         return (

@@ -1,0 +1,63 @@
+"""The command `optimum`: three questions, three formats, and clear refusals."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from sweetspot.units import FOOT, MPH
+
+Run = Callable[..., tuple[int, str, str]]
+
+
+def test_all_three_questions(run_json: Callable[..., Any]) -> None:
+    found = run_json("optimum", "--park", "fenway", "--exit-speed", "100mph")
+    assert [row["pitch"] for row in found["swings"]] == ["four-seam fastball", "curve ball"]
+    fast, slow = found["swings"]
+    assert fast["pitch_speed_m_s"] > slow["pitch_speed_m_s"] and fast["carry_m"] > slow["carry_m"] > 380 * FOOT
+    assert [row["launch_angle_rad"] for row in found["launches"]] == pytest.approx([0.513], abs=0.01)
+    assert found["parks"][0]["park"] == "Fenway Park"
+    assert 75 * MPH < found["parks"][0]["exit_speed_m_s"] < 85 * MPH
+
+
+def test_csv_answers_one_question(run: Run) -> None:
+    code, out, _ = run("optimum", "--show", "parks", "--park", "all", "--format", "csv")
+    rows = list(csv.DictReader(io.StringIO(out)))
+    assert code == 0 and len(rows) == 30
+    assert min(rows, key=lambda row: float(row["exit_speed_m_s"]))["park"] == "Fenway Park"
+    code, out, _ = run("optimum", "--pitch", "CH", "--format", "csv")
+    assert code == 0 and [row["pitch"] for row in csv.DictReader(io.StringIO(out))] == ["changeup"]
+
+
+def test_given_angle_place_and_speed_are_kept(run_json: Callable[..., Any]) -> None:
+    arguments = ("--show", "swing", "--pitch", "FF", "--attack-angle", "9deg", "--at", "5in-from-tip")
+    found = run_json("optimum", *arguments, "--release-speed", "80mph")["swings"]
+    assert found[0]["attack_angle_rad"] == pytest.approx(0.15708, abs=1e-5)
+    assert found[0]["position_m"] == pytest.approx(28 * 0.0254)
+    assert found[0]["release_speed_m_s"] == pytest.approx(80 * MPH)
+
+
+def test_tables_for_people(run: Run) -> None:
+    code, out, _ = run("optimum", "--park", "coors", "--pitch", "slider")
+    assert code == 0 and "slider" in out and "Coors Field" in out and "Launch angle" in out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("--pitch", "slidr"), "Did you mean slider"),
+        (("--release-speed", "20mph"), "does not reach it"),
+        (("--park", "fenwey"), "Did you mean fenway"),
+        (("--park", "fenway", "--wind-speed", "5mph"), "still air only"),
+        (("--exit-speed", "90"), "without a unit"),
+        (("--at", "50in"), "off the bat"),
+        (("--attack-angle", "70deg"), "-20 to 60 deg"),
+    ],
+)
+def test_bad_input(run: Run, arguments: tuple[str, ...], message: str) -> None:
+    code, _, err = run("optimum", *arguments)
+    assert code == 2 and message in err
