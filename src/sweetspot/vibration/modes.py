@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
@@ -96,6 +97,16 @@ class Modes:
 
     def nodes(self, mode: int) -> Array:
         """Return the positions in m where mode ``mode`` (its index in the list) stands still, from the knob up."""
+        if mode not in self._nodes:
+            self._nodes[mode] = self._roots(mode)
+        return self._nodes[mode]
+
+    @cached_property
+    def _nodes(self) -> dict[int, Array]:
+        """Those found so far: the same modes are asked for their nodes with every swing."""
+        return {}
+
+    def _roots(self, mode: int) -> Array:
         alone = PPoly.construct_fast(self.shapes.c[:, :, mode], self.shapes.x, extrapolate=False)
         found = np.asarray(alone.roots(discontinuity=False), dtype=np.float64)
         found = np.unique(found[np.isfinite(found)])  # nan stands for a stretch where the shape is zero all along
