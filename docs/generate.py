@@ -6,10 +6,11 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
+import sport_tables
 import tables
 from cases import analysed
 from facts import facts
-from figures import axes, ball, convergence, hollow, oblique, parks, percussion, spots
+from figures import axes, ball, convergence, hollow, oblique, optimum, parks, percussion, spots
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
@@ -31,6 +32,7 @@ def figures() -> dict[str, Callable[[], Figure]]:
         "wall": hollow.wall_figure,
         "offset": oblique.offset_figure,
         "parks": parks.parks_figure,
+        "optimum": optimum.optimum_figure,
         "hand_force": percussion.hand_force_figure,
         "mesh_convergence": convergence.mesh_convergence,
         "step_convergence": convergence.step_convergence,
@@ -46,11 +48,15 @@ def pages() -> dict[str, Callable[[], str]]:
         "paper_table": tables.paper_table,
         "bats_table": tables.bats_table,
         "parks_table": tables.parks_table,
+        "optimum_table": tables.optimum_table,
+        "launch_table": tables.launch_table,
+        "home_runs_table": tables.home_runs_table,
         "pitches_table": tables.pitches_table,
         "catalogue": tables.catalogue_page,
         "sources": tables.sources_page,
         "validation": tables.validation_page,
         "validation_summary": tables.validation_summary,
+        **sport_tables.pages(),
     }
 
 

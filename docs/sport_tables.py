@@ -1,0 +1,129 @@
+"""Tables of the sports' pages, written as Markdown from the catalogue and the published cases."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache, partial
+
+from tables import escaped, source, table
+
+from sweetspot import validation
+from sweetspot.catalog.sports import certainty, sport, sport_names
+from sweetspot.sport import CERTAINTIES, Known, Limit, Sport
+from sweetspot.sport_rows import sport_rows
+from sweetspot.validation.result import Result
+
+CASES: dict[str, tuple[str, ...]] = {
+    "softball": ("kensrud2017", "russell2004hoop", "russell2017acoustics"),
+    "cricket": ("cross_cricket",),
+    "tennis": ("itf_ball", "rsi2006", "cross1997dead", "cross1999racket", "crosslindsey2013"),
+    "table-tennis": ("ittf_bounce", "ittf_laws"),
+    "badminton": ("badminton_swingweight", "cohen2015", "bwf_laws"),
+    "golf": ("shoptalk_smash", "golf_smash_tour", "usga_impact", "tutelman_impact", "trackman_tour", "nathan_golf"),
+    "field-hockey": ("hockey2012", "fih_rules"),
+}
+"""Published cases of each sport, by source."""
+
+
+def pages() -> dict[str, Callable[[], str]]:
+    """Return every included text of the sports' pages by the name of its file."""
+    each = {f"sport_{name.replace('-', '_')}": partial(sport_page, name) for name in CASES}
+    return {"sports_table": sports_table, **each}
+
+
+def sports_table() -> str:
+    """Return all sports with their usual stroke and how many of their numbers rest on what."""
+    rows = []
+    for name in sport_names():
+        found, counts = sport(name), certainty(name)
+        stroke = found.stroke
+        rows.append(
+            (
+                found.name,
+                ", ".join(found.balls),
+                ", ".join(found.implements[:3]) + (" …" if len(found.implements) > 3 else ""),
+                stroke.swing_speed.marked,
+                stroke.ball_speed.marked,
+                *(counts[kind] for kind in CERTAINTIES),
+            )
+        )
+    return table(("sport", "balls", "implements", "swing", "ball", *CERTAINTIES), rows)
+
+
+def sport_page(name: str) -> str:
+    """Return what is known of a sport, its formulas, its published cases and what the model leaves out."""
+    found = sport(name)
+    counts = ", ".join(f"{number} {kind}" for kind, number in certainty(name).items() if number)
+    parts = [
+        f"## What is known, and how sure\n\nOf its numbers, balls and implements included: {counts}.",
+        _numbers(found),
+    ]
+    if found.marks:
+        parts.append(_marks(found))
+    parts.append("## The paper's formulas\n\n" + _formulas(found))
+    if found.terms:
+        parts.append("## Words\n\n" + "\n\n".join(f"{escaped(word)}\n: {escaped(told)}" for word, told in found.terms))
+    parts.append("## Published cases\n\n" + _cases(name))
+    left_out = "\n".join(f"- {escaped(text)}" for text in found.not_covered)
+    parts.append(f"## What the model does not cover\n\n{left_out}")
+    return "\n\n".join(parts) + "\n"
+
+
+def _numbers(found: Sport) -> str:
+    stroke = found.stroke
+    known: tuple[Known, ...] = (stroke.swing_speed, stroke.ball_speed, *found.speeds, *found.limits, *found.facts)
+
+    def row(one: Known) -> str:
+        side = f"at {one.side} " if isinstance(one, Limit) else ""
+        cells = (one.name, f"{side}{one.marked}", one.kind, source(one.source), one.where)
+        return "| " + " | ".join(cell if "](#" in cell else escaped(cell) for cell in cells) + " |"
+
+    return "\n".join(["| | value | kind | source | where |", "|" + " --- |" * 5, *map(row, known)])
+
+
+def _marks(found: Sport) -> str:
+    rows = [
+        (
+            mark.name,
+            mark.distance.marked,
+            mark.height.marked if mark.height else None,
+            "passes it in the air" if mark.side == "beyond" else "lands before it",
+        )
+        for mark in found.marks
+    ]
+    head = ("court or field", "distance from the stroke", "height", "a good flight")
+    return table(head, rows)
+
+
+def _formulas(found: Sport) -> str:
+    rows = [
+        (row.equation, row.quantity, row.unit, row.paper, row.computed, row.full_model, row.comment)
+        for row in sport_rows(found)
+    ]
+    return table(("eq.", "quantity", "unit", "rule or claim", "formula", "full model", "comment"), rows)
+
+
+@cache
+def _results() -> tuple[Result, ...]:
+    return validation.results()
+
+
+def _cases(name: str) -> str:
+    own = [result for result in _results() if result.source in CASES[name]]
+    rows = [
+        (
+            f"{result.name}: {result.quantity}",
+            f"{result.printed} {result.unit if result.unit not in result.printed else ''}".strip(),
+            f"{result.computed:.4g}",
+            result.status + (", calibrated" if result.calibrated else ""),
+            f"[{result.source}]",
+        )
+        for result in own
+    ]
+    misses = "\n".join(
+        f"- **{escaped(result.name)}, {escaped(result.quantity)}:** {escaped(result.expected_miss)}"
+        for result in own
+        if result.expected_miss
+    )
+    told = f"\n\nWhy some miss:\n\n{misses}" if misses else ""
+    return table(("case", "printed", "computed", "verdict", "source"), rows) + told
