@@ -15,7 +15,7 @@ from sweetspot.validation.result import Result
 UNITS = {
     "": 1.0, "%": 0.01, "m": 1.0, "cm": 0.01, "in": INCH, "ft": FOOT, "cm^3": 1e-6, "kg": 1.0, "oz": OUNCE,
     "kg m^2": 1.0, "kg cm^2": 1e-4, "m/s": 1.0, "yd": 3 * FOOT, "s": 1.0,
-    "oz in^2": OUNCE_INCH_SQUARED, "mph": MPH, "rad/s": 1.0, "ms": 1e-3, "Hz": 1.0,
+    "oz in^2": OUNCE_INCH_SQUARED, "mph": MPH, "rad/s": 1.0, "ms": 1e-3, "Hz": 1.0, "ft/s^2": FOOT, "kg/m^3": 1.0,
     "kN": 1e3, "rpm": RPM, "deg": DEGREE, "GPa": 1e9, "mph per mph": 1.0,
 }  # fmt: skip
 """Units of printed values, each in SI."""
@@ -29,6 +29,8 @@ INPUT_KINDS: dict[str, Kind] = {
     "balance_point": "length", "mass": "mass", "ball_mass": "mass", "added_mass": "mass",
     "moi": "moi", "other_moi": "moi", "contact_time": "time",
     "launch_angle": "angle", "backspin": "angular speed", "deflection": "angle", "other_deflection": "angle",
+    "spray": "angle", "sidespin": "angular speed", "temperature": "temperature", "humidity": "ratio",
+    "elevation": "length", "wind_speed": "speed", "wind_direction": "angle", "height": "length", "time": "time",
     "diameter": "length", "wall": "length", "modulus": "pressure", "density": "density", "poisson_ratio": "ratio",
 }  # fmt: skip
 """What the inputs of computations are; inputs with other names (bats, mode numbers) are passed on as they stand."""

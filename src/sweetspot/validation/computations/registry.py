@@ -8,12 +8,14 @@ from collections.abc import Callable
 from sweetspot.validation.computations import (
     collision,
     corked,
+    flight,
     handle,
     hollow,
     identities,
     inertia,
     laboratory,
     modes,
+    optimum,
     pitching,
     space,
     sports,
@@ -21,7 +23,21 @@ from sweetspot.validation.computations import (
 
 COMPUTATIONS: dict[str, Callable[..., float]] = {
     function.__name__: function
-    for module in (identities, inertia, modes, collision, laboratory, handle, corked, hollow, space, sports, pitching)
+    for module in (
+        identities,
+        inertia,
+        modes,
+        collision,
+        laboratory,
+        handle,
+        corked,
+        hollow,
+        space,
+        sports,
+        pitching,
+        optimum,
+        flight,
+    )
     for function in module.COMPUTATIONS
 }
 """Every computation by the name that case files use."""
