@@ -6,8 +6,12 @@ from functools import cache
 from typing import Any
 
 from sweetspot import analyse, catalog, standard_conditions
+from sweetspot.air import Air
 from sweetspot.analysis import Analysis
+from sweetspot.collision.strike import bat_model
+from sweetspot.optimum import BestSwing, best_swing
 from sweetspot.units import INCH
+from sweetspot.validation.computations.pitching import flown
 
 FLAGSHIP = "r161-ash"
 
@@ -22,3 +26,18 @@ def analysed(name: str = FLAGSHIP) -> Analysis:
 def from_tip(analysis: Analysis, position: Any) -> Any:
     """Return a position, or an array of them, as inches from the tip."""
     return (analysis.bat.length - position) / INCH
+
+
+@cache
+def best_contact(pitch: str, attack_angle: float | None = None) -> BestSwing:
+    """Return the contact of the flagship bat, held level, that carries a pitch of the catalogue farthest."""
+    bat, ball = catalog.bat(FLAGSHIP), catalog.ball()
+    return best_swing(
+        bat_model(bat, ball=ball),
+        ball=ball,
+        swing=standard_conditions(bat).swing,
+        pitch=flown(pitch, "pitched-baseball").plate,
+        aerodynamics=catalog.aerodynamics(),
+        air=Air(),
+        attack_angle=attack_angle,
+    )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from cases import analysed, from_tip
+from cases import analysed, best_contact, from_tip
 
 from sweetspot import Pitch, analyse, bending_modes, catalog, hit, references, standard_conditions
 from sweetspot.analysis import TYPICAL_HAND, Analysis, exit_speed_of, hit_at
@@ -15,7 +15,8 @@ from sweetspot.collision.oblique import oblique
 from sweetspot.contact import equivalent_wall_speed, loading_force
 from sweetspot.rigid import effective_mass, pendulum_period
 from sweetspot.sweet_spots import miss_cost
-from sweetspot.units import INCH, MPH, OUNCE, OUNCE_INCH_SQUARED
+from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED
+from sweetspot.validation.computations.optimum import best
 from sweetspot.validation.computations.pitching import flown
 
 
@@ -30,6 +31,7 @@ def facts() -> dict[str, str]:
         **_ball(analysis.conditions.ball),
         **_corking(analysis),
         **_parks_and_pitches(),
+        **_optimum(),
         "source_count": str(_source_count()),
         "bat_count": str(len(catalog.bat_names())),
     }
@@ -183,4 +185,20 @@ def _parks_and_pitches() -> dict[str, str]:
         "park_most": f"{max(spreads):.0f}",
         "pitch_count": str(len(catalog.delivery_names())),
         "pitch_spin_loss": f"{100 * (1 - np.linalg.norm(fastball.plate.spin) / fastball.delivery.spin_rate):.1f}",
+    }
+
+
+def _optimum() -> dict[str, str]:
+    fast, curve, level = best_contact("four-seam"), best_contact("curve"), best_contact("four-seam", 9 * DEGREE)
+    order = ("curve", "fastball", "knuckleball")
+    carries = {model: [best(pitch, model).carry for pitch in order] for model in ("rolling", "measured")}
+    return {
+        "optimum_offset_9": f"{level.offset / INCH:.1f}",
+        "optimum_loss_9": f"{(fast.carry - level.carry) / FOOT:.0f}",
+        "optimum_curve_deficit": f"{(fast.carry - curve.carry) / FOOT:.0f}",
+        "optimum_active_deficit": f"{(carries['measured'][1] - carries['measured'][0]) / FOOT:.0f}",
+        "optimum_undercut": f"{100 * fast.undercut:.1f}",
+        "optimum_rolling": ", ".join(f"{carry:.1f}" for carry in carries["rolling"]),
+        "optimum_measured": ", ".join(f"{carry:.1f}" for carry in carries["measured"]),
+        "optimum_rolling_angle": f"{best('fastball', 'rolling').attack_angle / DEGREE:.0f}",
     }

@@ -8,12 +8,14 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
-from cases import analysed, from_tip
+from cases import analysed, best_contact, from_tip
 
 from sweetspot import catalog, paper_rows, references, validation
+from sweetspot.air import Air
 from sweetspot.analysis import exit_speed_of
 from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.records import Record, read_table, records
+from sweetspot.optimum import EasiestHomeRun, best_launch, easiest_home_run, own_air
 from sweetspot.units import FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM
 from sweetspot.validation.computations.pitching import flown
 
@@ -246,3 +248,55 @@ def pitches_table() -> str:
 
     head = ("pitch", "mph", "rpm", "axis, deg", "active", "mph at the plate", "ratio", "approach, deg", "ms")
     return table(head, [list(row(name)) for name in catalog.delivery_names()])
+
+
+def optimum_table() -> str:
+    """Return the best contact with each of the catalogue's pitches, the flagship bat held level."""
+
+    def row(name: str) -> Iterator[str]:
+        best, pitch = best_contact(name), flown(name, "pitched-baseball")
+        left = best.launched
+        yield name
+        yield f"{pitch.plate.speed / MPH:.0f}"
+        yield f"{math.degrees(best.attack_angle):.1f}"
+        yield f"{best.offset / INCH:.2f}".replace("-", MINUS)
+        yield f"{best.undercut / INCH:.2f}"
+        yield f"{left.speed / MPH:.1f}"
+        yield f"{math.degrees(left.launch_angle):.1f}"
+        yield f"{left.backspin / RPM:.0f}"
+        yield f"{best.carry / FOOT:.0f}"
+
+    head = ("pitch", "mph", "attack, deg", "offset, in", "undercut, in", "exit, mph", "launch, deg", "rpm", "carry, ft")
+    return table(head, [list(row(name)) for name in catalog.delivery_names()])
+
+
+def launch_table() -> str:
+    """Return the best launch angle for some exit speeds and spins."""
+
+    def row(speed: int) -> Iterator[str]:
+        yield str(speed)
+        for rate in (1500, 2200, 3000):
+            law = {"ball": catalog.ball(), "aerodynamics": catalog.aerodynamics(), "air": Air()}
+            best = best_launch(speed * MPH, backspin=rate * RPM, **law)
+            yield f"{math.degrees(best.launch_angle):.1f}"
+            yield f"{best.carry / FOOT:.0f}"
+
+    head = ("mph", "1500 rpm: deg", "ft", "2200 rpm: deg", "ft", "3000 rpm: deg", "ft")
+    return table(head, [list(row(speed)) for speed in (80, 85, 90, 95, 100, 105, 110, 115)])
+
+
+def home_runs_table() -> str:
+    """Return the slowest home run of each park, slowest first."""
+    law = {"backspin": 2200 * RPM, "ball": catalog.ball(), "aerodynamics": catalog.aerodynamics()}
+    found = [easiest_home_run(park, air=own_air(Air(), park), **law) for park in catalog.parks()]
+
+    def row(best: EasiestHomeRun) -> Iterator[str]:
+        yield best.park.name
+        yield f"{best.exit_speed / MPH:.1f}"
+        yield f"{math.degrees(best.launch_angle):.1f}"
+        yield f"{math.degrees(best.direction):.0f}".replace("-", MINUS)
+        yield f"{best.distance / FOOT:.0f}"
+        yield f"{best.height / FOOT:.0f}"
+
+    head = ("park", "exit speed, mph", "launch, deg", "towards, deg", "fence, ft", "wall, ft")
+    return table(head, [list(row(best)) for best in sorted(found, key=lambda best: best.exit_speed)])

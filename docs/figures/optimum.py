@@ -1,0 +1,57 @@
+"""Carry of a fastball over attack angle and offset, with the place on the barrel at its best."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from figures.style import INK, RED, new_figure
+from sweetspot import catalog, standard_conditions
+from sweetspot.air import Air
+from sweetspot.collision.strike import bat_model
+from sweetspot.optimum import best_swing
+from sweetspot.play import plays
+from sweetspot.swing_path import path_axes
+from sweetspot.units import FOOT, INCH
+from sweetspot.validation.computations.pitching import flown
+
+ANGLES, OFFSETS = np.radians(np.linspace(-5, 40, 91)), np.linspace(-0.5, 2.0, 101) * INCH
+LEVELS = (100, 150, 200, 250, 300, 325, 350, 375, 390, 400, 410)
+LEAGUE = 9.0
+"""deg, mean attack angle of the major leagues [sure2026]."""
+
+
+def optimum_figure() -> Figure:
+    """Return lines of equal carry in ft, the best contact, and the launch angles that go with them."""
+    bat, ball = catalog.bat(), catalog.ball()
+    model, swing = bat_model(bat, ball=ball), standard_conditions(bat).swing
+    pitch = flown("four-seam", "pitched-baseball").plate
+    conditions = {"ball": ball, "aerodynamics": catalog.aerodynamics(), "air": Air()}
+    best = best_swing(model, swing=swing, pitch=pitch, **conditions)
+    angle, offset = np.meshgrid(ANGLES, OFFSETS)
+    place = np.full(angle.size, best.position)
+    found = plays(
+        model, bat_speed=swing.speed_at(best.position) * np.ones(angle.size),
+        axes=path_axes(angle.ravel(), 0.0, tilt=0.0, left=False), pitch_velocity=pitch.velocity,
+        pitch_spin=pitch.spin, position=place, offset=offset.ravel(), **conditions,
+    )  # fmt: skip
+    velocity = found.strikes.velocity
+    launch = np.degrees(np.arctan2(velocity[:, 2], np.hypot(velocity[:, 0], velocity[:, 1]))).reshape(angle.shape)
+    carry = found.flights.carry.reshape(angle.shape) / FOOT
+    figure, (plot,) = new_figure(7.0, 4.6)
+    across, up = np.degrees(angle), offset / INCH
+    lines = plot.contour(across, up, carry, levels=LEVELS, cmap="viridis_r")
+    plot.clabel(lines, fmt="%.0f ft", fontsize=8)
+    rays = plot.contour(across, up, launch, levels=(10, 20, 30, 40), colors=INK, linewidths=0.6, linestyles=":")
+    plot.clabel(rays, fmt="launch %.0f°", fontsize=7)
+    plot.plot(
+        math.degrees(best.attack_angle), best.offset / INCH, "o", color=RED, label=f"best: {best.carry / FOOT:.0f} ft"
+    )
+    column = int(np.abs(ANGLES - math.radians(LEAGUE)).argmin())
+    top = int(carry[:, column].argmax())
+    plot.plot(LEAGUE, OFFSETS[top] / INCH, "s", color=INK, label=f"best at {LEAGUE:.0f}°: {carry[top, column]:.0f} ft")
+    plot.set(xlabel="attack angle (degrees)", ylabel="ball's centre above the bat's axis (in)")
+    plot.legend(loc="upper right")
+    return figure
