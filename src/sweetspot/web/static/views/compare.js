@@ -2,7 +2,7 @@
 
 import { Chart } from "../chart.js";
 import { choice, group, slider } from "../controls.js";
-import { make, paragraphs, tableOf } from "../parts.js";
+import { inUnits, make, paragraphs, tableOf } from "../parts.js";
 import { ChangePicture, LINES, RowsPicture } from "./compare_pictures.js";
 import { Slots } from "./compare_slots.js";
 
@@ -57,8 +57,8 @@ export const view = {
     this.longest = Math.max(...bats.map(({ bat }) => bat.length_m));
     this.slots.update(answer, state);
     const words = this.app.units === "si" ? answer.si : answer;
-    paragraphs(this.words, words.verdict);
-    this.assumed.textContent = words.assumptions;
+    paragraphs(this.words, words.verdict.map((text) => inUnits(text, this.app.units)));
+    this.assumed.textContent = inUnits(words.assumptions, this.app.units);
     this.app.announce(words.verdict[0]);
     this.rows.draw(bats, this.longest);
     this.change.draw(bats);

@@ -91,6 +91,7 @@ export class Slots {
       return;
     }
     const text = await file.text();
+    input.value = ""; // so that the same file, mended, can be chosen again
     try {
       await posted("/api/v1/bat", { toml: text });
     } catch (fault) {

@@ -1,0 +1,135 @@
+"""The comparison in a real browser: bats, what-ifs, verdict, rules, exports, by what a person sees."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from sweetspot import catalog
+from sweetspot.catalog.batwriter import bat_toml
+
+Answered = Callable[..., int]
+
+
+@pytest.fixture
+def opened(page: Page, server: str, answered: Answered) -> Page:
+    page.goto(f"{server}/compare")
+    answered(page)
+    return page
+
+
+def picture(page: Page) -> str:
+    return str(page.evaluate("[...document.querySelectorAll('#view canvas')].map((c) => c.toDataURL()).join()"))
+
+
+def test_the_first_picture_has_three_bats_and_a_verdict(opened: Page) -> None:
+    expect(opened.locator("#verdict")).to_contain_text("R161, corked")
+    expect(opened.locator("#verdict")).to_contain_text(": a loss.")
+    rows = opened.get_by_role("region", name=re.compile("what they do in play")).locator("tbody tr")
+    assert rows.count() == 3
+    expect(rows.nth(0)).to_contain_text("reference")
+    expect(opened.get_by_role("img", name=re.compile("^Change of exit speed"))).to_be_visible()
+
+
+def test_bats_come_and_go(opened: Page, answered: Answered) -> None:
+    before, count = picture(opened), answered(opened)
+    opened.get_by_role("button", name="Add a bat").click()
+    count = answered(opened, count)
+    assert picture(opened) != before
+    expect(opened.get_by_role("button", name="Add a bat")).to_be_hidden()
+    opened.get_by_label("Bat 4", exact=True).select_option("composite")
+    count = answered(opened, count)
+    expect(opened.locator("#verdict")).to_contain_text("Composite")
+    opened.get_by_role("button", name="Remove Bat 2").click()
+    answered(opened, count)
+    expect(opened.locator("#verdict")).not_to_contain_text("corked")
+    opened.go_back()
+    expect(opened.locator("#verdict")).to_contain_text("corked")
+
+
+def test_a_bat_is_changed_in_its_place(opened: Page, answered: Answered) -> None:
+    count = answered(opened)
+    slot = opened.get_by_role("group", name="Bat 2", exact=True)
+    slot.locator("summary").click()
+    weight = slot.get_by_role("spinbutton", name="Weight of the bat, oz")
+    weight.fill("33")
+    weight.press("Enter")
+    answered(opened, count)
+    expect(opened.get_by_role("region", name=re.compile("in play")).locator("tbody tr").nth(1)).to_contain_text("oz")
+    assert '"mass_oz":33' in opened.evaluate("decodeURIComponent(location.search)")
+    assert "wall_factor" not in opened.url  # only what was changed
+
+
+def test_an_own_bat_takes_a_place(opened: Page, answered: Answered, tmp_path: Path) -> None:
+    file = tmp_path / "mine.toml"
+    file.write_text(bat_toml(catalog.bat("youth-30").replaced(name="My own")), encoding="utf-8")
+    count = answered(opened)
+    opened.get_by_role("group", name="Bat 3", exact=True).locator("summary").click()
+    opened.get_by_label("Bat 3: your own bat file (TOML)").set_input_files(file)
+    answered(opened, count)
+    expect(opened.locator("#verdict")).to_contain_text("My own")
+    file.write_text("name = 'x'", encoding="utf-8")
+    opened.get_by_label("Bat 3: your own bat file (TOML)").set_input_files(file)
+    expect(opened.get_by_role("group", name="Bat 3", exact=True)).to_contain_text("is missing")
+
+
+def test_corking_and_another_wall(opened: Page, answered: Answered) -> None:
+    count = answered(opened)
+    opened.get_by_label("Compare", exact=True).select_option("cork")
+    count = answered(opened, count)
+    expect(opened.locator("#verdict")).to_contain_text("Does corking help?")
+    expect(opened.get_by_label("Bat 2", exact=True)).to_be_hidden()
+    before = opened.locator("#verdict").inner_text()
+    depth = opened.locator("[data-field=hole_depth_in] input[type=number]")
+    depth.fill("5")
+    depth.press("Enter")
+    count = answered(opened, count)
+    assert opened.locator("#verdict").inner_text() != before
+    opened.get_by_label("Compare", exact=True).select_option("wall")
+    expect(opened.locator("[data-field=what_if] .fault")).to_contain_text("solid and has no wall")
+    opened.get_by_label("Bat 1, the reference", exact=True).select_option("russell-b6")
+    answered(opened, count)
+    expect(opened.locator("#verdict")).to_contain_text("thinner wall is the livelier one")
+
+
+def test_rules_of_a_league(opened: Page, answered: Answered) -> None:
+    rules = opened.get_by_role("region", name=re.compile("Every rule"))
+    expect(rules.locator("tbody tr").first).to_contain_text("fail")
+    count = answered(opened)
+    opened.get_by_label("Rules of").select_option("mlb")
+    answered(opened, count)
+    expect(rules).to_contain_text("one piece of solid wood")
+    expect(rules).to_contain_text("Major League Baseball")
+
+
+def test_units_and_phone(opened: Page) -> None:
+    opened.get_by_label("Compare", exact=True).select_option("cork")
+    opened.get_by_role("radio", name="SI").check()
+    expect(opened.locator("#verdict")).to_contain_text("m/s")
+    expect(opened.locator("#verdict")).to_contain_text("Does corking help?")
+    assert "mph" not in opened.locator("#view").inner_text()
+    opened.set_viewport_size({"width": 360, "height": 740})
+    opened.wait_for_timeout(100)
+    assert opened.evaluate("document.documentElement.scrollWidth") <= 360
+
+
+def test_exports(opened: Page) -> None:
+    opened.get_by_role("button", name="Export").click()
+    lines = opened.locator("dialog pre")
+    expect(lines.first).to_contain_text("sweetspot compare r161-ash corked-r161 russell-b6")
+    for form in ("png", "svg", "csv", "json"):
+        with opened.expect_download() as saved:
+            opened.locator(f"dialog [data-format={form}]").click()
+        content = Path(saved.value.path()).read_bytes()
+        assert len(content) > 1000
+        if form == "json":
+            assert len(json.loads(content)["answer"]["bats"]) == 3
+        if form == "csv":
+            assert content.decode().splitlines()[0].startswith("label,position_m,exit_speed_m_s")
+        if form == "svg":
+            assert b"R161, corked" in content

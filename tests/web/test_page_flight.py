@@ -1,0 +1,117 @@
+"""The flight in a real browser: path, park, weather and count, by what a person sees."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Page, expect
+
+Answered = Callable[..., int]
+
+
+@pytest.fixture
+def opened(page: Page, server: str, answered: Answered) -> Page:
+    page.goto(f"{server}/flight")
+    answered(page)
+    return page
+
+
+def number(page: Page, name: str) -> float:
+    text = page.locator(f".facts div:has(dt:text-is('{name}')) dd").inner_text()
+    return float(re.findall(r"[\d.]+", text)[0])
+
+
+def picture(page: Page) -> str:
+    return str(page.evaluate("[...document.querySelectorAll('#view canvas')].map((c) => c.toDataURL()).join()"))
+
+
+def moved(page: Page, answered: Answered, field: str, value: float) -> None:
+    count = answered(page)
+    box = page.locator(f"[data-field={field}] input[type=number]")
+    box.fill(str(value))
+    box.press("Enter")
+    answered(page, count)
+
+
+def test_the_first_picture_says_over_which_fences(opened: Page) -> None:
+    expect(opened.locator("#verdict")).to_contain_text(re.compile(r"Fenway Park.*Out in \d+ of 30 parks"))
+    assert opened.get_by_role("region", name=re.compile("every park")).locator("tbody tr").count() == 30
+    expect(opened.get_by_role("img", name=re.compile("^The flight from the side"))).to_be_visible()
+    expect(opened.get_by_role("img", name=re.compile("^The field of Fenway Park"))).to_be_visible()
+    assert number(opened, "Without air") > number(opened, "Carry") + 50
+
+
+CONTROLS = {
+    "exit_speed_mph": 92,
+    "launch_angle_deg": 35,
+    "backspin_rpm": 500,
+    "wind_speed_mph": 12,
+    "temperature_degf": 40,
+    "elevation_ft": 5000,
+    "pressure_inhg": 28,
+    "height_ft": 6,
+}
+
+
+def test_each_control_changes_carry_and_picture(opened: Page, answered: Answered) -> None:
+    for field, value in CONTROLS.items():
+        before, shown = number(opened, "Carry"), picture(opened)
+        moved(opened, answered, field, value)
+        assert number(opened, "Carry") != before and picture(opened) != shown, field
+        assert f"{field}=" in opened.url
+
+
+def test_direction_and_sidespin_move_the_path_on_the_field(opened: Page, answered: Answered) -> None:
+    for field, value in (("spray_deg", 25), ("sidespin_rpm", 1500)):
+        shown = picture(opened)
+        moved(opened, answered, field, value)
+        assert picture(opened) != shown
+    moved(opened, answered, "spray_deg", 55)
+    expect(opened.locator("#verdict")).to_contain_text("Foul")
+
+
+def test_another_park_brings_its_elevation(opened: Page, answered: Answered) -> None:
+    before, count = number(opened, "Carry"), answered(opened)
+    opened.get_by_label("Park", exact=True).select_option("coors-field")
+    answered(opened, count)
+    assert number(opened, "Carry") > before + 10
+    assert float(opened.locator("[data-field=elevation_ft] input[type=number]").input_value()) > 5000
+    expect(opened.locator("#verdict")).to_contain_text("Coors Field")
+
+
+def test_from_the_swing(opened: Page, answered: Answered) -> None:
+    count = answered(opened)
+    opened.get_by_label("The ball starts").select_option("swing")
+    answered(opened, count)
+    expect(opened.get_by_text("The bat moves at")).to_be_visible()
+    expect(opened.get_by_role("slider", name="Exit speed")).to_be_hidden()
+    before = number(opened, "Carry")
+    moved(opened, answered, "bat_speed_mph", 60)
+    assert number(opened, "Carry") < before
+    moved(opened, answered, "offset_in", 2.5)
+    moved(opened, answered, "impact_from_tip_in", 20)
+    expect(opened.locator("#verdict")).to_contain_text("The bat misses the ball")
+    moved(opened, answered, "impact_from_tip_in", 6)
+    moved(opened, answered, "offset_in", 0.7)
+    expect(opened.get_by_role("img", name=re.compile("^The flight from the side"))).to_be_visible()
+    moved_tilt = opened.locator("[data-field=tilt_deg] input[type=number]")
+    moved_tilt.fill("2")
+    moved_tilt.press("Enter")
+    expect(opened.locator("[data-field=tilt_deg] .fault")).to_contain_text("no path in a plane")
+
+
+def test_units_phone_and_lines(opened: Page, answered: Answered) -> None:
+    opened.get_by_role("radio", name="SI").check()
+    expect(opened.locator("#verdict")).to_contain_text(" m ")
+    text = opened.locator("#view").inner_text()
+    assert "mph" not in text and " ft" not in text
+    opened.set_viewport_size({"width": 360, "height": 740})
+    opened.wait_for_timeout(100)
+    assert opened.evaluate("document.documentElement.scrollWidth") <= 360
+    opened.get_by_role("button", name="Export").click()
+    expect(opened.locator("dialog pre").first).to_contain_text("sweetspot fly --exit-speed 100mph")
+    with opened.expect_download() as saved:
+        opened.locator("dialog [data-format=csv]").click()
+    assert saved.value.suggested_filename == "sweetspot-flight.csv"
