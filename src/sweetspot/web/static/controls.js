@@ -75,6 +75,7 @@ export function slider(app, field, { label, step, empty = null, note = "", onInp
     },
     fault: faultSetter(fault, [range, number]),
   };
+  scale();
   app.control(control);
   return box;
 }

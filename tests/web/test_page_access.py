@@ -1,0 +1,118 @@
+"""The page for people who use a keyboard, a screen reader, large contrast or calm pictures: checked on every view.
+
+The checks are our own, after the Web Content Accessibility Guidelines 2.2: names and roles of controls (4.1.2, 1.3.1),
+contrast of text (1.4.3: 4.5, or 3 for large text) and of what a control is known by (1.4.11: 3), order and visibility
+of the focus (2.4.3, 2.4.7), and pictures with words (1.1.1).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from sweetspot.web.views import VIEWS
+
+Answered = Callable[..., int]
+CHECKS = Path(__file__).with_name("access.js").read_text(encoding="utf-8")
+
+
+def check(page: Page, name: str) -> Any:
+    """Return what one of the checks in access.js finds."""
+    return page.evaluate(f"{CHECKS.rstrip()}.{name}()")
+
+
+@pytest.mark.parametrize("name", [*VIEWS, "docs"])
+def test_names_roles_and_contrast(page: Page, server: str, answered: Answered, name: str) -> None:
+    page.goto(f"{server}/{name}")
+    if name == "docs":
+        page.locator("section").first.wait_for()
+    else:
+        answered(page)
+    page.evaluate("document.querySelectorAll('details').forEach((details) => (details.open = true))")
+    page.wait_for_timeout(100)
+    assert check(page, "names") == []
+    assert check(page, "contrast") == []
+    page.evaluate("document.documentElement.dataset.theme = 'dark'")
+    assert check(page, "contrast") == []
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_texts_on_canvases_have_contrast_too(page: Page, server: str, answered: Answered, theme: str) -> None:
+    page.goto(f"{server}/explorer")
+    answered(page)
+    page.evaluate(f"document.documentElement.dataset.theme = '{theme}'")
+    colours = check(page, "palette")
+    for name in ("ink", "muted"):
+        assert contrast(colours[name], colours["panel"]) >= 4.5
+        assert contrast(colours[name], colours["zone"]) >= 4.5
+    assert contrast(colours["zone-ink"], colours["panel"]) >= 4.5
+
+
+def contrast(one: str, other: str) -> float:
+    """Return the contrast of two colours written #rrggbb, after WCAG."""
+
+    def light(colour: str) -> float:
+        values = [int(colour[place : place + 2], 16) / 255 for place in (1, 3, 5)]
+        linear = [value / 12.92 if value <= 0.03928 else ((value + 0.055) / 1.055) ** 2.4 for value in values]
+        return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+    low, high = sorted([light(one), light(other)])
+    return (high + 0.05) / (low + 0.05)
+
+
+@pytest.mark.parametrize("name", VIEWS)
+def test_everything_is_reached_by_the_keyboard_in_order_and_seen(
+    page: Page, server: str, answered: Answered, name: str
+) -> None:
+    """Tab goes through all that can be used, in the order of the document, and each stop shows an outline."""
+    page.goto(f"{server}/{name}")
+    answered(page)
+    page.evaluate(
+        "window.stops = [...document.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex]')]"
+        ".filter((element) => element.tabIndex >= 0 && !element.disabled && element.checkVisibility())"
+    )
+    reached = []
+    for _ in range(page.evaluate("window.stops.length") + 5):
+        page.keyboard.press("Tab")
+        place, seen = check(page, "stop")
+        if place < 0 or place in reached:
+            break
+        assert seen, page.evaluate("document.activeElement.outerHTML.slice(0, 120)")
+        reached.append(place)
+    radios = page.evaluate("window.stops.filter((stop) => stop.type === 'radio').length")
+    groups = page.evaluate("new Set(window.stops.filter((s) => s.type === 'radio').map((s) => s.name)).size")
+    assert reached == sorted(reached)
+    assert len(reached) == page.evaluate("window.stops.length") - (radios - groups)  # a group of radios is one stop
+
+
+def test_the_explorer_works_without_a_mouse(page: Page, server: str, answered: Answered) -> None:
+    page.goto(f"{server}/explorer")
+    count = answered(page)
+    ball = page.get_by_role("slider", name="Ball along the bat")
+    ball.focus()
+    page.keyboard.press("ArrowLeft")
+    count = answered(page, count)
+    expect(ball).to_have_attribute("aria-valuetext", "6.1 in from the tip")
+    page.get_by_role("slider", name="Pitch speed").focus()
+    page.keyboard.press("ArrowRight")
+    answered(page, count)
+    assert "pitch_speed_mph=90.5" in page.url
+    expect(page.locator("#announcer")).to_contain_text("hits fastest")  # said to a screen reader
+    page.keyboard.press("Tab")
+    page.locator(".skip").focus()
+    page.keyboard.press("Enter")
+    assert page.evaluate("document.activeElement.id") == "view"
+
+
+def test_what_is_wrong_is_tied_to_its_field(page: Page, server: str, answered: Answered) -> None:
+    page.goto(f"{server}/explorer")
+    answered(page)
+    field = page.locator("[data-field=pitch_speed_mph] input[type=number]")
+    field.fill("900")
+    field.press("Enter")
+    described = field.get_attribute("aria-describedby")
+    expect(page.locator(f"[id='{described}']")).to_contain_text("Allowed is")
