@@ -5,12 +5,21 @@ UV := $(BIN)/uv
 BAT := r161-ash
 OUT := report
 
-.PHONY: report test lint types docs bench bench-quick format lock clean
+.PHONY: report app browser test lint types docs bench bench-quick format lock clean
 
 report: $(VENV)/.run  ## where does this bat hit best? BAT=name or file, OUT=folder
 	$(BIN)/sweetspot report $(BAT) --out $(OUT)
 
-test: $(VENV)/.dev  ## all tests
+app: $(VENV)/.run  ## the laboratory in a browser
+	$(BIN)/sweetspot app
+
+browser:  ## Chromium for the page's tests, where apt-get may install it
+	@for name in chromium chromium-browser google-chrome; do command -v $$name > /dev/null && exit 0; done; \
+	if [ "$$(id -u)" = 0 ] && command -v apt-get > /dev/null && export DEBIAN_FRONTEND=noninteractive && \
+		apt-get update -qq && apt-get install -y -qq --no-install-recommends chromium > /dev/null; then exit 0; fi; \
+	echo "No Chromium here and none could be installed: tests of the page in a browser are skipped (with CI=true: fail)."
+
+test: $(VENV)/.dev browser  ## all tests
 	$(BIN)/python -m pytest -q -n 2
 
 lint: $(VENV)/.dev

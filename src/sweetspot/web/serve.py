@@ -6,6 +6,7 @@ import socket
 import threading
 import webbrowser
 from collections.abc import Iterable
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from sweetspot.errors import InputError
@@ -47,7 +48,8 @@ def serve(opened: socket.socket, *, names: Iterable[str] = (), open_page: str | 
     server = server_for(names=names)
     if open_page is not None:
         threading.Timer(0.5, webbrowser.open, [open_page]).start()
-    server.run(sockets=[opened])
+    with suppress(KeyboardInterrupt):
+        server.run(sockets=[opened])
 
 
 def server_for(*, names: Iterable[str] = ()) -> uvicorn.Server:
