@@ -10,12 +10,13 @@ from typing import Any
 import numpy as np
 from cases import analysed, best_contact, from_tip
 
-from sweetspot import catalog, paper_rows, references, validation
+from sweetspot import catalog, references, validation
 from sweetspot.air import Air
 from sweetspot.analysis import exit_speed_of
 from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.records import Record, read_table, records
 from sweetspot.optimum import EasiestHomeRun, best_launch, easiest_home_run, own_air
+from sweetspot.paper_rows import paper_rows
 from sweetspot.units import FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM
 from sweetspot.validation.computations.pitching import flown
 
