@@ -20,6 +20,7 @@ from sweetspot.web.faults import FieldError
 from sweetspot.web.limits import LARGEST_BODY, MESSAGES_AT_ONCE, Bucket
 from sweetspot.web.states import ViewState
 from sweetspot.web.view import View
+from sweetspot.web.views import VIEWS
 
 
 @contextmanager
@@ -48,7 +49,7 @@ def test_the_latest_question_wins(server: str) -> None:
         for number in range(1, last + 1):
             state = {"pitch_speed_mph": 50 + number / 2}
             line.send(json.dumps({"id": number, "view": "explorer", "state": state}))
-        numbers = []
+        numbers: list[int] = []
         while not numbers or numbers[-1] != last:
             numbers.append(json.loads(line.recv(timeout=10))["id"])
     assert numbers == sorted(numbers)
@@ -131,7 +132,7 @@ def test_an_answer_that_takes_too_long_is_given_up(monkeypatch: pytest.MonkeyPat
         time.sleep(0.3)
         return {}
 
-    monkeypatch.setitem(answers.VIEWS, "slow", View("slow", "Slow", ViewState, slow))
+    monkeypatch.setitem(VIEWS, "slow", View("slow", "Slow", ViewState, slow))
     monkeypatch.setattr(answers, "TIME_LIMIT", 0.05)
     found = answers.Answers()
     with ThreadPoolExecutor(1) as apart, pytest.raises(FieldError, match="longer than"):
