@@ -138,6 +138,17 @@ def test_keys(still: Page, server: str, answered: Answered, until: Until) -> Non
     assert "after first touch" in words and "hands" in words
 
 
+def test_keys_still_work_after_other_views(still: Page, server: str, answered: Answered, until: Until) -> None:
+    still.goto(f"{server}/hit")
+    answered(still)
+    for name in ("Modes", "Slow motion"):
+        still.get_by_role("link", name=name).click()
+        until(still, f"document.title.startsWith('{name}')")
+        answered(still)
+    still.keyboard.press("k")
+    until(still, "document.querySelector('#play').textContent === 'Pause'")
+
+
 def test_exaggeration_and_recoil_change_the_drawing_alone(still: Page, server: str, answered: Answered) -> None:
     still.goto(f"{server}/hit?moment_ms=2")
     drawn = answered(still)

@@ -1,7 +1,7 @@
 // Play, pause, step and scrub through a time that is drawn, by pointer and keyboard.
 //
 //   const transport = new Transport(app, { field: "moment_ms", onMoment(seconds) {} });
-//   box.append(transport.element); transport.keys(root);
+//   box.append(transport.element); transport.keys(root);        // transport.end() when the view goes
 //   transport.set({ from, to, frames: [seconds], slowness });   // after every answer
 //   transport.play(); transport.pause(); transport.moment
 //
@@ -105,12 +105,20 @@ export class Transport {
   }
 
   keys(root) {
+    this.heard = new AbortController();
     root.addEventListener("keydown", (event) => {
       if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches("input[type=number], input[type=text], select, textarea")) return;
       const act = { k: () => this.flip(), ",": () => this.step(-1), ".": () => this.step(1) }[event.key.toLowerCase()];
       if (!act) return;
       event.preventDefault();
       act();
-    });
+    }, { signal: this.heard.signal });
+  }
+
+  // Nothing moves or listens any more.
+  end() {
+    this.stop?.();
+    this.stop = null;
+    this.heard?.abort();
   }
 }

@@ -163,7 +163,7 @@ export const view = {
   },
 
   unmount() {
-    this.transport.stop = null;
+    this.transport.end();
   },
 
   figures() {

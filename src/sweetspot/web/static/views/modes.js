@@ -34,7 +34,8 @@ export const view = {
     this.aside = Object.assign(document.createElement("p"), { className: "note" });
     picture.append(this.words, this.stage.element, row, this.rowsBox, this.aside);
     root.append(this.controls(), picture);
-    root.addEventListener("keydown", (event) => this.key(event));
+    this.heard = new AbortController();
+    root.addEventListener("keydown", (event) => this.key(event), { signal: this.heard.signal });
   },
 
   controls() {
@@ -186,7 +187,9 @@ export const view = {
   },
 
   unmount() {
+    this.stop?.();
     this.stop = null;
+    this.heard.abort();
   },
 
   figures() {
