@@ -96,7 +96,7 @@ class GolfClub(Implement):
     @property
     def made_of(self) -> str:
         """Shaft and head."""
-        return f"shaft of {self.material.name}, head of {1e3 * self.head.mass:.0f} g"
+        return f"{self.material.name}, head of {1e3 * self.head.mass:.0f} g"
 
     @property
     def materials(self) -> tuple[Material, ...]:

@@ -14,6 +14,7 @@ from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
     from sweetspot.bat import Bat
+    from sweetspot.implement import Implement
     from sweetspot.units import Kind
     from sweetspot.whatif import Axis, Variation
 
@@ -57,23 +58,33 @@ def compare(
 
     if not bats:
         raise InputError("no bat was given; name one or more, for example: sweetspot compare r161-ash youth-30")
-    described = [catalog.load_bat(name) for name in bats]
+    described = [catalog.load_implement(name) for name in bats]
     law = law_named(swing_law)
     if rows is not None or columns is not None:
         if len(bats) != 1 or what_if is not None or rows is None or columns is None or out is not None:
             raise InputError("a what-if table takes one bat, --rows and --columns, and neither --what-if nor --out")
-        _table(described[0], (rows, columns, cell), (same_speed, law), swing, format)
+        _table(_bat(described[0]), (rows, columns, cell), (same_speed, law), swing, format)
         return
     labels = None
     if what_if is not None:
         if len(bats) != 1:
             raise InputError(f"--what-if was given with {len(bats)} bats; it takes one")
-        described, labels = _corkings(described[0], bore_diameter, bore_depth, plug)
+        drilled, labels = _corkings(_bat(described[0]), bore_diameter, bore_depth, plug)
+        described = list(drilled)
     _side_by_side(described, labels, (same_speed, law), swing, format, out)
 
 
+def _bat(described: Implement) -> Bat:
+    """Return a bat, or refuse any other implement."""
+    from sweetspot.bat import Bat
+
+    if not isinstance(described, Bat):
+        raise InputError(f"{described.name} is not a bat; only bats can be drilled, corked or varied in a table")
+    return described
+
+
 def _side_by_side(
-    bats: list[Bat],
+    bats: list[Implement],
     labels: list[str] | None,
     effort: tuple[bool, Any],
     swing: SwingOptions,
@@ -84,6 +95,8 @@ def _side_by_side(
     from sweetspot.cli.output import patience, print_json, print_rows_csv, print_table
     from sweetspot.compare import compare as compared
     from sweetspot.report.comparison import comparison_json, comparison_rows, comparison_table, write_comparison
+    from sweetspot.report.speech import speaks_otherwise
+    from sweetspot.report.sport_comparison import readers_of, sport_comparison_table
     from sweetspot.report.verdict import cork_verdict, verdict
 
     same_speed, law = effort
@@ -91,13 +104,15 @@ def _side_by_side(
         conditions = conditions_for(bats[0], swing)
         same: Literal["speed", "effort"] = "speed" if same_speed else "effort"
         found = compared(bats, conditions=conditions, same=same, law=law, labels=labels)
-    words = verdict(found) + (cork_verdict(found) if labels else [])
+    other = speaks_otherwise(bats[0])
+    words = verdict(found, readers_of(bats[0])) if other else verdict(found)
+    words += cork_verdict(found) if labels else []
     if format == "json":
         print_json(comparison_json(found, words))
     elif format == "csv":
         print_rows_csv(comparison_rows(found))
     else:
-        print_table(comparison_table(found, words))
+        print_table(sport_comparison_table(found, words) if other else comparison_table(found, words))
     if out is not None:
         written = ", ".join(str(path) for path in write_comparison(found, words, out))
         print(f"sweetspot: wrote {written}", file=sys.stderr)

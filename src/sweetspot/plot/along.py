@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
-from numpy.typing import ArrayLike
 
 from sweetspot.analysis import Analysis
 from sweetspot.implement import Implement
@@ -29,8 +29,8 @@ from sweetspot.plot.style import (
     light_grid,
     styled,
 )
+from sweetspot.plot.told import told
 from sweetspot.scan import Array
-from sweetspot.units import INCH, MPH
 
 MODES_SHOWN = 3
 
@@ -38,36 +38,40 @@ MODES_SHOWN = 3
 @styled
 def exit_speed(axes: Axes, analysis: Analysis[Implement]) -> None:
     """Draw the ball's exit speed along the bat: mph on the left, m/s on the right, the rigid bat dashed."""
-    scan = analysis.scan
-    speed, rigid = scan.exit_speed / MPH, scan.rigid_exit_speed / MPH
-    _prepare(axes, analysis, "Exit speed", "how fast the ball leaves, for this pitch and swing")
+    scan, telling = analysis.scan, told(analysis.bat)
+    words = telling.words
+    speed, rigid = scan.exit_speed / telling.speed_size, scan.rigid_exit_speed / telling.speed_size
+    _prepare(axes, analysis, "Exit speed", f"how fast the ball leaves, for this {words.incoming} and swing")
     axes.plot(scan.position, rigid, color=MUTED, linewidth=1.2, linestyle=(0, (4, 2.5)))
     axes.plot(scan.position, speed, color=RED)
     top = float(np.nanmax(np.concatenate([speed, rigid])))
     axes.set_ylim(min(0.0, float(np.nanmin(speed))), 1.18 * top)
-    axes.set_ylabel("mph")
-    second = axes.secondary_yaxis("right", functions=(_to_si, _from_si))
-    second.set_ylabel("m/s")
+    axes.set_ylabel(words.speed_unit)
+    size, name = telling.other_speed
+    factor = telling.speed_size / size
+    second = axes.secondary_yaxis("right", functions=(partial(np.multiply, factor), partial(np.multiply, 1 / factor)))
+    second.set_ylabel(name)
     second.spines["right"].set_visible(True)
     spots = analysis.sweet_spots
     best = float(np.interp(spots.max_exit_speed, scan.position, speed))
     _dot(axes, spots.max_exit_speed, best, RED)
-    inches = (analysis.bat.length - spots.max_exit_speed) / INCH
+    place = telling.place(analysis.bat.length - spots.max_exit_speed)
     axes.annotate(
-        f"{best:.1f} mph, {inches:.1f} in from the tip", (spots.max_exit_speed, best),
+        f"{best:.1f} {words.speed_unit}, {place} from the {words.tip}", (spots.max_exit_speed, best),
         xytext=(spots.max_exit_speed - 0.08 * analysis.bat.length, 1.08 * top), textcoords="data",
         ha="right", va="center", weight="bold", color=INK,
         arrowprops={"arrowstyle": "-", "color": RED, "linewidth": 0.8, "shrinkA": 1, "shrinkB": 3, "relpos": (1, 0.4)},
     )  # fmt: skip
-    _curve_label(axes, scan.position, rigid, "if the bat were rigid", at=0.42, colour=MUTED, above=True)
-    _curve_label(axes, scan.position, speed, "this bat", at=0.42, colour=RED, above=False)
+    _curve_label(axes, scan.position, rigid, f"if the {words.implement} were rigid", at=0.42, colour=MUTED, above=True)
+    _curve_label(axes, scan.position, speed, f"this {words.implement}", at=0.42, colour=RED, above=False)
 
 
 @styled
 def efficiency(axes: Axes, analysis: Analysis[Implement]) -> None:
     """Draw the collision efficiency q along the bat, the rigid bat dashed."""
     scan = analysis.scan
-    _prepare(axes, analysis, "Collision efficiency q", "what part of its speed a ball gets back from a bat at rest")
+    tool = told(analysis.bat).words.implement
+    _prepare(axes, analysis, "Collision efficiency q", f"what part of its speed a ball gets back from a {tool} at rest")
     axes.plot(scan.position, scan.rigid_efficiency, color=MUTED, linewidth=1.2, linestyle=(0, (4, 2.5)))
     axes.plot(scan.position, scan.collision_efficiency, color=ORANGE)
     axes.axhline(0, color=MUTED, linewidth=0.7)
@@ -85,7 +89,8 @@ def efficiency(axes: Axes, analysis: Analysis[Implement]) -> None:
 def hand_impulse(axes: Axes, analysis: Analysis[Implement]) -> None:
     """Draw the impulse at the top hand, with its sign: zero at the centre of percussion."""
     scan = analysis.scan
-    _prepare(axes, analysis, "Jolt at the top hand", "the blow that the bat's turning passes on")
+    tool = told(analysis.bat).words.implement
+    _prepare(axes, analysis, "Jolt at the top hand", f"the blow that the {tool}'s turning passes on")
     axes.axhline(0, color=MUTED, linewidth=0.7)
     axes.fill_between(scan.position, 0, scan.hand_impulse, color=GREEN, alpha=0.16, linewidth=0)
     axes.plot(scan.position, scan.hand_impulse, color=GREEN)
@@ -117,7 +122,8 @@ def mode_shapes(axes: Axes, analysis: Analysis[Implement]) -> None:
     ruler.set_limits(axes, bat.length)
     hands = analysis.conditions.hands
     held = "held" if any((hands.mass, hands.stiffness, hands.damping)) else "free"
-    heading(axes, "Bending modes", f"how the {held} bat rings; a hit at a node does not ring that mode")
+    tool = told(bat).words.implement
+    heading(axes, "Bending modes", f"how the {held} {tool} rings; a hit at a node does not ring that mode")
     axes.set_yticks([])
     axes.spines["left"].set_visible(False)
     places = np.linspace(0, bat.length, 200)
@@ -143,7 +149,7 @@ def mode_shapes(axes: Axes, analysis: Analysis[Implement]) -> None:
 
 def _prepare(axes: Axes, analysis: Analysis[Implement], title: str, note: str) -> None:
     ruler.set_limits(axes, analysis.bat.length)
-    ruler.show_inches(axes, analysis.bat.length, labels=False)
+    ruler.show_from_tip(axes, analysis.bat.length, told(analysis.bat), labels=False)
     axes.yaxis.set_major_locator(MaxNLocator(nbins=4))
     light_grid(axes)
     heading(axes, title, note)
@@ -165,16 +171,9 @@ def _dot(axes: Axes, place: float, height: float, colour: str, *, filled: bool =
 def _curve_label(axes: Axes, places: Array, values: Array, words: str, *, at: float, colour: str, above: bool) -> None:
     """Write beside a curve what it is, at a part of the horizontal axis."""
     place = axes.get_xlim()[0] + at * (axes.get_xlim()[1] - axes.get_xlim()[0])
+    place = float(np.clip(place, places[0], places[-1]))
     axes.annotate(
         words, (place, float(np.interp(place, places, values))), xytext=(-4 if above else 4, 3 if above else -3),
         textcoords="offset points", ha="right" if above else "left", va="bottom" if above else "top", color=colour,
         size=SMALL, path_effects=halo(),
     )  # fmt: skip
-
-
-def _to_si(speed: ArrayLike) -> ArrayLike:
-    return np.asarray(speed) * MPH
-
-
-def _from_si(speed: ArrayLike) -> ArrayLike:
-    return np.asarray(speed) / MPH

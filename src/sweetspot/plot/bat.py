@@ -13,11 +13,15 @@ from matplotlib.patches import Polygon
 
 from sweetspot.analysis import Analysis
 from sweetspot.bat import Bat
+from sweetspot.face import Outline
 from sweetspot.implement import Implement
 from sweetspot.plot import ruler
-from sweetspot.plot.marks import draw_marks, draw_notes
+from sweetspot.plot.marks import draw_marks, draw_notes, from_the_tip
 from sweetspot.plot.style import ZONE, ZONE_EDGE, axes_in_inches, styled
+from sweetspot.plot.told import told
+from sweetspot.racket import Racket
 from sweetspot.scan import Array
+from sweetspot.table_tennis_racket import TableTennisRacket
 
 WIDTH, SIDE = 8.5, 0.8
 """Inches of paper: the figure, and the room left and right of the axes."""
@@ -34,6 +38,7 @@ BODY = {
 }
 """Fill and outline of a body, by its material's family."""
 FILL, FILL_EDGE, HOLLOW = "#c98f55", "#7d5733", "#f4efe6"
+STRING, RUBBER = "#9aa1a8", "#a63a32"
 SHADES = ((-1.0, -0.62, "#000000", 0.16), (-0.62, -0.3, "#000000", 0.06), (0.25, 0.62, "#fffffe", 0.20))
 """Bands of the radius (from, to, colour, strength) that make a round body look round; its white is not the paper's."""
 GRAIN = (-0.8, -0.55, -0.33, -0.12, 0.1, 0.36, 0.58, 0.82)
@@ -64,8 +69,8 @@ def bat_figure(analysis: Analysis[Implement]) -> Figure:
     if zone is not None:  # from the axis up to a little above the bat
         top = (panel.below + panel.above - ABOVE + GUIDE_START) / panel.height
         axes.axvspan(*zone, ymax=top, facecolor=ZONE, edgecolor=ZONE_EDGE, linewidth=0.6, zorder=0)
-    axes.set_xlabel("inches from the tip", labelpad=2)
-    ruler.show_centimetres(axes, analysis.bat.length, offset=30)
+    axes.set_xlabel(from_the_tip(analysis), labelpad=2)
+    ruler.show_centimetres(axes, analysis.bat.length, offset=30, butt=analysis.bat.grip_end)
     return figure
 
 
@@ -84,7 +89,7 @@ def draw_bat_panel(axes: Axes, analysis: Analysis[Implement], panel: BatPanel) -
     axes.set_ylim(-panel.below * panel.scale, panel.above * panel.scale)
     axes.spines["left"].set_visible(False)
     axes.set_yticks([])
-    ruler.show_inches(axes, bat.length)
+    ruler.show_from_tip(axes, bat.length, told(bat))
     draw_bat(axes, bat)
     draw_marks(axes, analysis, panel.scale, top=panel.above * panel.scale)
     draw_notes(axes, analysis, panel.scale, bottom=-panel.below * panel.scale)
@@ -105,6 +110,10 @@ def draw_bat(axes: Axes, bat: Implement) -> None:
         _band(axes, places, low * radius, high * radius, facecolor=colour, alpha=strength, edgecolor="none", zorder=2.2)
     if isinstance(bat, Bat):
         _draw_inside(axes, bat, places, radius)
+    elif isinstance(bat, Racket):
+        _draw_strings(axes, bat)
+    elif isinstance(bat, TableTennisRacket):
+        _band(axes, *_oval(bat.outline), facecolor=RUBBER, edgecolor="none", zorder=2.4)
     _band(axes, places, -radius, radius, facecolor="none", edgecolor=edge, linewidth=1.1, zorder=2.8)
     for weight in bat.point_masses if isinstance(bat, Bat) else ():
         reach = float(bat.width_at(weight.position)) / 2
@@ -131,6 +140,29 @@ def _draw_inside(axes: Axes, bat: Bat, places: Array, radius: Array) -> None:
         reach = bat.cup.diameter / 2 * np.sqrt(into)
         depth = bat.length - bat.cup.depth * (1 - into)
         _band(axes, depth, -reach, reach, facecolor=HOLLOW, **look)
+
+
+def _draw_strings(axes: Axes, racket: Racket) -> None:
+    """Draw the string bed: mains along, crosses across, each as long as the oval is there."""
+    head = racket.head
+    _band(axes, *_oval(head), facecolor=HOLLOW, edgecolor=BODY[racket.look][1], linewidth=0.6, zorder=2.4)
+    half, reach = (head.end - head.start) / 2, head.width / 2
+    lines = []
+    for part in 2 * (np.arange(racket.bed.mains) + 0.5) / racket.bed.mains - 1:
+        chord = half * np.sqrt(1 - part**2)
+        lines.append([(head.middle - chord, part * reach), (head.middle + chord, part * reach)])
+    for part in 2 * (np.arange(racket.bed.crosses) + 0.5) / racket.bed.crosses - 1:
+        chord = reach * np.sqrt(1 - part**2)
+        lines.append([(head.middle + part * half, -chord), (head.middle + part * half, chord)])
+    axes.add_artist(LineCollection(lines, color=STRING, linewidth=0.5, zorder=2.5))
+
+
+def _oval(outline: Outline) -> tuple[Array, Array, Array]:
+    """Return places along an oval face and its lower and upper edge there, m."""
+    angles = np.linspace(0, np.pi, POINTS // 2)
+    places = outline.middle - (outline.end - outline.start) / 2 * np.cos(angles)
+    reach = outline.width / 2 * np.sin(angles)
+    return places, -reach, reach
 
 
 def _places(bat: Implement) -> Array:

@@ -32,7 +32,7 @@ from sweetspot.plot.style import (
     light_grid,
     styled,
 )
-from sweetspot.units import MPH
+from sweetspot.plot.told import told
 
 WIDTH, SIDE, HEADER, CURVES, ROW, BETWEEN, FOOTER = 8.0, 0.62, 1.05, 3.1, 0.27, 0.62, 0.85
 """Inches of paper: page, margins, title, curves, one bat's row of the zones, the gap, the foot."""
@@ -66,31 +66,39 @@ def compare_figure(comparison: Comparison[Implement]) -> Figure:
 
 def _header(figure: Figure, comparison: Comparison[Implement], height: float) -> None:
     conditions, law = comparison.reference.analysis.conditions, comparison.law
-    left = SIDE / WIDTH
+    telling = told(comparison.reference.analysis.bat)
+    left, tool = SIDE / WIDTH, telling.words.implement
     number = len(comparison.compared)
-    title = "One bat" if number == 1 else f"{number} bats, one player"
+    title = f"One {tool}" if number == 1 else f"{number} {tool}s, one player"
     figure.text(left, 1 - 0.42 / height, title, size=HUGE, weight="bold")
-    effort = "all at the same bat speed" if law is None else f"same effort by the law of {law.name}"
+    effort = f"all at the same {tool} speed" if law is None else f"same effort by the law of {law.name}"
+    arriving = (
+        f"{telling.speed(conditions.pitch.speed, digits=0)} {telling.words.incoming}"
+        if conditions.pitch.speed
+        else telling.coming(0.0)
+    )
     first = (
-        f"{conditions.pitch.speed / MPH:.0f} mph pitch; {conditions.swing.bat_speed / MPH:.0f} mph of bat speed with "
-        f"the first bat, {effort}"
+        f"{arriving}; {telling.speed(conditions.swing.bat_speed, digits=0)} of {tool} speed with the first {tool}, "
+        f"{effort}"
     )
     figure.text(left, 1 - 0.66 / height, first, color=MUTED, size=NORMAL, parse_math=False)
 
 
 def _curves(axes: Axes, compared: tuple[Compared[Implement], ...], length: float) -> None:
-    ruler.show_inches(axes, length, labels=False)
+    telling = told(compared[0].analysis.bat)
+    size = telling.speed_size
+    ruler.show_from_tip(axes, length, telling, labels=False)
     axes.yaxis.set_major_locator(MaxNLocator(nbins=6))
     light_grid(axes)
-    heading(axes, "Exit speed", "how fast the ball leaves, mph")
+    heading(axes, "Exit speed", f"how fast the ball leaves, {telling.words.speed_unit}")
     tops, lows = [], []
     for number, found in reversed(list(enumerate(compared))):  # the reference last, on top
         scan = found.analysis.scan
         places = scan.position + length - found.analysis.bat.length
-        speed = scan.exit_speed / MPH
+        speed = scan.exit_speed / size
         colour, dash = _look(number)
         axes.plot(places, speed, color=colour, linestyle=dash, linewidth=1.5)
-        axes.plot(_best(found, length), found.exit_speed.value / MPH, "o", color=colour, markersize=5,
+        axes.plot(_best(found, length), found.exit_speed.value / size, "o", color=colour, markersize=5,
                   markeredgecolor=PAPER, markeredgewidth=0.8, zorder=5)  # fmt: skip
         tops.append(float(np.nanmax(speed)))
         lows.append(float(np.nanmin(speed)))
@@ -99,8 +107,9 @@ def _curves(axes: Axes, compared: tuple[Compared[Implement], ...], length: float
 
 def _zones(axes: Axes, compared: tuple[Compared[Implement], ...], length: float) -> None:
     """Draw a row per bat: name, sweet zone on the common axis, exit speed, and the change with its interval."""
-    ruler.show_inches(axes, length)
-    axes.set_xlabel("inches from the tip", labelpad=2)
+    telling = told(compared[0].analysis.bat)
+    ruler.show_from_tip(axes, length, telling)
+    axes.set_xlabel(f"{telling.place_long} from the {telling.words.tip}", labelpad=2)
     axes.set_yticks([])
     axes.spines["left"].set_visible(False)
     axes.set_ylim(-len(compared) + 0.3, 0.7)
@@ -120,16 +129,16 @@ def _zones(axes: Axes, compared: tuple[Compared[Implement], ...], length: float)
         name, size = fitted(found.label, width=NAME_WIDTH, size=NORMAL, smallest=SMALL)
         look: dict[str, Any] = {"va": "center_baseline", "color": INK, "size": size, "parse_math": False}
         axes.text(edge + 0.035 * length, -number, name, ha="left", **look)
-        words = f"{found.exit_speed.value / MPH:.1f} mph"
-        words += "" if number == 0 else f"  {_change(found)}"
+        words = telling.speed(found.exit_speed.value)
+        words += "" if number == 0 else f"  {_change(found, telling.speed_size)}"
         left = edge + 0.66 * (axes.get_xlim()[1] - edge)
         axes.text(left, -number, words, ha="right", va="center_baseline", color=INK, size=SMALL, parse_math=False)
 
 
-def _change(found: Compared[Implement]) -> str:
+def _change(found: Compared[Implement], size: float) -> str:
     change = found.change
-    text = f"{change.value / MPH:+.1f}"
-    return text if change.low == change.high else f"{text} ({change.low / MPH:+.1f} to {change.high / MPH:+.1f})"
+    text = f"{change.value / size:+.1f}"
+    return text if change.low == change.high else f"{text} ({change.low / size:+.1f} to {change.high / size:+.1f})"
 
 
 def _look(number: int) -> tuple[str, Any]:

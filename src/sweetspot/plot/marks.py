@@ -11,6 +11,7 @@ from sweetspot.analysis import Analysis
 from sweetspot.bat import Bat
 from sweetspot.implement import Implement
 from sweetspot.plot.style import INK, MUTED, NORMAL, PAPER, SMALL, SPOT_COLOURS, ZONE_INK
+from sweetspot.plot.told import told
 from sweetspot.units import INCH
 
 SPOT_LABELS = {
@@ -48,6 +49,12 @@ def ladder(analysis: Analysis[Implement]) -> tuple[list[Mark], list[Mark]]:
     return left, [mark for mark in marks if mark.place >= middle]
 
 
+def from_the_tip(analysis: Analysis[Implement]) -> str:
+    """Return what the numbers beside the marks count: "inches from the tip"."""
+    telling = told(analysis.bat)
+    return f"{telling.place_long} from the {telling.words.tip}"
+
+
 def draw_marks(axes: Axes, analysis: Analysis[Implement], scale: float, *, top: float) -> None:
     """Draw a dot on the bat for every sweet spot, and lead each to its label.
 
@@ -76,7 +83,7 @@ def draw_marks(axes: Axes, analysis: Analysis[Implement], scale: float, *, top: 
         _label(axes, analysis, mark, (start, level), scale, ahead=ahead)
     if right:
         axes.text(
-            column - 0.06 * scale, top - 0.5 * ROW * scale, "inches from the tip", ha="right", va="center_baseline",
+            column - 0.06 * scale, top - 0.5 * ROW * scale, from_the_tip(analysis), ha="right", va="center_baseline",
             color=MUTED, size=SMALL,
         )  # fmt: skip
 
@@ -84,17 +91,17 @@ def draw_marks(axes: Axes, analysis: Analysis[Implement], scale: float, *, top: 
 def _label(
     axes: Axes, analysis: Analysis[Implement], mark: Mark, at: tuple[float, float], scale: float, *, ahead: bool
 ) -> None:
-    inches = f"{(analysis.bat.length - mark.place) / INCH:.1f}"
+    distance = f"{(analysis.bat.length - mark.place) / told(analysis.bat).place_size:.1f}"
     place, level = at
     best = mark.field == "max_exit_speed"
     name, step = SPOT_LABELS[mark.field], 0.06 * scale
     look: dict[str, Any] = {"va": "center_baseline", "color": INK, "size": NORMAL, "zorder": 5}
     weight = "bold" if best else "normal"
     if ahead:
-        axes.text(place - step, level, inches, ha="right", weight="bold", **look)
+        axes.text(place - step, level, distance, ha="right", weight="bold", **look)
         axes.text(place - step - NUMBER * scale, level, name, ha="right", weight=weight, **look)
     else:
-        axes.text(place + step, level, inches, ha="left", weight="bold", **look)
+        axes.text(place + step, level, distance, ha="left", weight="bold", **look)
         axes.text(place + step + NUMBER * scale, level, name, ha="left", weight=weight, **look)
 
 
@@ -111,7 +118,8 @@ def draw_notes(axes: Axes, analysis: Analysis[Implement], scale: float, *, botto
     _zone(axes, analysis, upper, lower)
     below = -float(bat.width_at(body.balance_point)) / 2 - 0.08 * scale
     axes.plot(body.balance_point, below, "^", color=INK, markersize=6, zorder=4, clip_on=False)
-    balance = f"balance {body.balance_point / INCH:.1f} in from the knob"
+    telling = told(bat)
+    balance = f"balance {telling.place(body.balance_point)} from the {telling.words.butt}"
     axes.text(
         body.balance_point - 0.12 * scale, upper, balance, ha="right", va="center_baseline", color=MUTED, size=SMALL
     )
@@ -131,16 +139,17 @@ def _zone(axes: Axes, analysis: Analysis[Implement], upper: float, lower: float)
     zone, length = analysis.sweet_spots.zone, analysis.bat.length
     look: dict[str, Any] = {"ha": "center", "va": "center_baseline", "size": NORMAL, "zorder": 5}
     if zone is None:
-        axes.text(0.8 * length, lower, "no sweet zone", color=MUTED, **look)
+        axes.text(0.8 * length, lower, f"no {told(analysis.bat).words.zone}", color=MUTED, **look)
         return
     axes.annotate(
         "", (zone[0], upper), (zone[1], upper),
         arrowprops={"arrowstyle": "<->", "color": ZONE_INK, "linewidth": 1.0, "shrinkA": 0, "shrinkB": 0,
                     "mutation_scale": 8},
     )  # fmt: skip
-    width = (zone[1] - zone[0]) / INCH
+    telling = told(analysis.bat)
+    width = telling.place(zone[1] - zone[0])
     axes.text(
-        (zone[0] + zone[1]) / 2, lower, f"sweet zone {width:.1f} in", color=ZONE_INK, weight="bold", **look,
+        (zone[0] + zone[1]) / 2, lower, f"{telling.words.zone} {width}", color=ZONE_INK, weight="bold", **look,
     )  # fmt: skip
 
 

@@ -9,9 +9,12 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 
 from sweetspot.analysis import Analysis, exit_speed_of
+from sweetspot.bat import Bat
+from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.implement import Implement
 from sweetspot.plot import along, ruler
 from sweetspot.plot.bat import ABOVE, GUIDE_START, RULER, SIDE, WIDTH, bat_panel, draw_bat_panel
+from sweetspot.plot.marks import from_the_tip
 from sweetspot.plot.style import (
     HUGE,
     MUTED,
@@ -24,7 +27,8 @@ from sweetspot.plot.style import (
     fitted,
     styled,
 )
-from sweetspot.units import INCH, MPH, OUNCE, OUNCE_INCH_SQUARED
+from sweetspot.plot.told import told
+from sweetspot.units import INCH, OUNCE_INCH_SQUARED
 
 HEADER, FOOTER, BETWEEN = 1.0, 1.15, 0.34
 """Inches of paper for the title, the rulers at the foot, and between panels."""
@@ -58,9 +62,9 @@ def report_figure(analysis: Analysis[Implement]) -> Figure:
         axes = axes_in_inches(figure, left=SIDE, top=top, width=across, height=tall)
         draw(axes, analysis)
         top += tall
-    ruler.show_inches(axes, bat.length)
-    axes.set_xlabel("inches from the tip", labelpad=2)
-    ruler.show_centimetres(axes, bat.length, offset=30)
+    ruler.show_from_tip(axes, bat.length, told(bat))
+    axes.set_xlabel(from_the_tip(analysis), labelpad=2)
+    ruler.show_centimetres(axes, bat.length, offset=30, butt=bat.grip_end)
     foot_of_bat = HEADER + panel.height + RULER
     _guides(figure, analysis, height, bat_top=HEADER + ABOVE - GUIDE_START, top=foot_of_bat, bottom=top)
     _footer(figure, analysis, height)
@@ -71,20 +75,30 @@ def _header(figure: Figure, analysis: Analysis[Implement], height: float) -> Non
     """Write the bat's name, its sizes and the answer."""
     bat, body, conditions = analysis.bat, analysis.body, analysis.conditions
     left, right = SIDE / WIDTH, 1 - SIDE / WIDTH
-    speed = exit_speed_of(analysis.best, conditions) / MPH
-    figure.text(right, 1 - 0.45 / height, f"{speed:.0f} mph", size=HUGE, weight="bold", color=RED, ha="right")
+    telling = told(bat)
+    speed = telling.speed(exit_speed_of(analysis.best, conditions), digits=0)
+    figure.text(right, 1 - 0.45 / height, speed, size=HUGE, weight="bold", color=RED, ha="right")
     name, size = fitted(bat.name, width=WIDTH - 2 * SIDE - SPEED_ROOM, size=HUGE)
     figure.text(left, 1 - 0.45 / height, name, size=size, weight="bold", parse_math=False)
-    moi = body.moi(STANDARD_AXIS) / OUNCE_INCH_SQUARED
     quiet: dict[str, Any] = {"color": MUTED, "size": NORMAL, "parse_math": False}
-    sizes = f"{bat.length / INCH:.2f} in  ·  {body.mass / OUNCE:.1f} oz  ·  {bat.made_of}"
+    sizes = f"{telling.length(bat.length)}  ·  {telling.weight(body.mass)}  ·  {bat.made_of}"
     figure.text(left, 1 - 0.68 / height, sizes, **quiet)
-    figure.text(left, 1 - 0.86 / height, f"moment of inertia {moi:,.0f} oz in² about 6 in from the knob", **quiet)
-    pitch, swing = conditions.pitch.speed / MPH, conditions.swing
-    figure.text(right, 1 - 0.68 / height, f"from a {pitch:.0f} mph pitch and a {swing.bat_speed / MPH:.0f} mph swing,",
-                ha="right", **quiet)  # fmt: skip
-    at = (bat.length - swing.measured_at) / INCH
-    figure.text(right, 1 - 0.86 / height, f"measured {at:.1f} in from the tip", ha="right", **quiet)
+    figure.text(left, 1 - 0.86 / height, _swing_weight(analysis), **quiet)
+    swing = conditions.swing
+    swung = f"from {telling.coming(conditions.pitch.speed)} and a {telling.speed(swing.bat_speed, digits=0)} swing,"
+    figure.text(right, 1 - 0.68 / height, swung, ha="right", **quiet)
+    at = f"measured {telling.place(bat.length - swing.measured_at)} from the {telling.words.tip}"
+    figure.text(right, 1 - 0.86 / height, at, ha="right", **quiet)
+
+
+def _swing_weight(analysis: Analysis[Implement]) -> str:
+    """Say how heavy the swing is, as the sport weighs it."""
+    bat, body = analysis.bat, analysis.body
+    if isinstance(bat, Bat):
+        moi = body.moi(STANDARD_AXIS) / OUNCE_INCH_SQUARED
+        return f"moment of inertia {moi:,.0f} oz in² about 6 in from the knob"
+    convention = swing_weight(bat.sport)
+    return f"{convention.name} {convention.shown(body)}".replace("^2", "²")
 
 
 def _guides(
@@ -112,8 +126,9 @@ def _guides(
 
 def _footer(figure: Figure, analysis: Analysis[Implement], height: float) -> None:
     """Say what was hit with what, and what the lines are."""
-    words = (
-        "Shaded: sweet zone.  Red line: best place.  Dashed: the same bat if it were rigid.  Free bat, "
-        f"{analysis.conditions.ball.name}, hit straight on."
+    words = told(analysis.bat).words
+    text = (
+        f"Shaded: {words.zone}.  Red line: best place.  Dashed: the same {words.implement} if it were rigid.  "
+        f"Free {words.implement}, {analysis.conditions.ball.name}, hit straight on."
     )
-    figure.text(SIDE / WIDTH, 0.12 / height, words, color=MUTED, size=SMALL, parse_math=False)
+    figure.text(SIDE / WIDTH, 0.12 / height, text, color=MUTED, size=SMALL, parse_math=False)

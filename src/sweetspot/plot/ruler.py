@@ -1,4 +1,4 @@
-"""The one horizontal axis of all pictures of a bat: metres from the knob end inside, inches from the tip for people."""
+"""The one horizontal axis of all pictures: metres from the knob end inside, inches or cm from the tip for people."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from matplotlib.axes import Axes
 from matplotlib.markers import TICKDOWN
 
 from sweetspot.plot.style import MUTED
-from sweetspot.units import INCH
+from sweetspot.plot.told import Told
 
 MARGIN = 0.02
 """Empty part of the bat's length at either end of the axis."""
-INCH_STEP, CENTIMETRE_STEP = 3, 10
+CENTIMETRE_STEP = 10
 
 
 def set_limits(axes: Axes, length: float) -> None:
@@ -24,20 +24,21 @@ def metres_per_inch_of_paper(length: float, width: float) -> float:
     return (1 + 2 * MARGIN) * length / width
 
 
-def show_inches(axes: Axes, length: float, *, labels: bool = True) -> None:
-    """Put ticks every few inches from the tip, as people count."""
-    inches = np.arange(0, length / INCH + 1e-6, INCH_STEP)
-    names = [f"{value:.0f}" for value in inches] if labels else [""] * len(inches)
-    axes.set_xticks(length - inches * INCH, names)
-    if labels:  # a mark for every inch, as one line: matplotlib's own minor ticks take a tenth of a second
-        places = length - np.arange(0, length / INCH + 1e-6) * INCH
+def show_from_tip(axes: Axes, length: float, telling: Told, *, labels: bool = True) -> None:
+    """Put ticks every few inches or centimetres from the tip, as people count."""
+    size = telling.place_size
+    counts = np.arange(0, length / size + 1e-6, telling.tick_step)
+    names = [f"{value:.0f}" for value in counts] if labels else [""] * len(counts)
+    axes.set_xticks(length - counts * size, names)
+    if labels:  # a mark for every unit, as one line: matplotlib's own minor ticks take a tenth of a second
+        places = length - np.arange(0, length / size + 1e-6) * size
         axes.plot(
             places, np.zeros_like(places), linestyle="", marker=TICKDOWN, markersize=1.8, markeredgewidth=0.5,
             color=MUTED, transform=axes.get_xaxis_transform(), clip_on=False, scalex=False, scaley=False,
         )  # fmt: skip
 
 
-def show_centimetres(axes: Axes, length: float, *, offset: float) -> Axes:
+def show_centimetres(axes: Axes, length: float, *, offset: float, butt: str = "knob end") -> Axes:
     """Add a second ruler, in cm from the knob, ``offset`` points below the axis; return it."""
     places = np.arange(0, length + 1e-9, CENTIMETRE_STEP / 100)
     ruler = axes.twiny()
@@ -48,5 +49,5 @@ def show_centimetres(axes: Axes, length: float, *, offset: float) -> Axes:
     ruler.spines["bottom"].set_visible(True)
     ruler.spines["bottom"].set_position(("outward", offset))
     ruler.set_xticks(places, [f"{100 * place:.0f}" for place in places])
-    ruler.set_xlabel("cm from the knob end", labelpad=2)
+    ruler.set_xlabel(f"cm from the {butt}", labelpad=2)
     return ruler
