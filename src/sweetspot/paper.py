@@ -20,6 +20,22 @@ PAPER_BALL_RESTITUTION, PAPER_WOOD_RESTITUTION, PAPER_METAL_RESTITUTION = 0.45, 
 PAPER_WOOD_SHARE, PAPER_METAL_SHARE = 0.02, 0.10
 
 
+Value = float | str | None
+
+
+@dataclass(frozen=True)
+class Row:
+    """One statement: the paper's number or claim, its formula evaluated here, the full model's answer."""
+
+    equation: str
+    quantity: str
+    unit: str
+    paper: Value
+    computed: Value
+    full_model: Value
+    comment: str
+
+
 def path_acceleration(force: float, *, angle: float, ball_mass: float) -> float:
     """Return the ball's acceleration along its path in m/s^2, a = F cos(alpha) / m [paper2014, eq. 1].
 

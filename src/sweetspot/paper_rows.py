@@ -18,32 +18,19 @@ from sweetspot.collision.momentum import collision_efficiency, exit_speed
 from sweetspot.collision.oblique import decompose, oblique
 from sweetspot.drop import bounce
 from sweetspot.material import Material
+from sweetspot.paper import Row
 from sweetspot.rigid import centre_of_percussion, effective_mass, hand_impulse_ratio
 from sweetspot.standard import standard_conditions
 from sweetspot.swing import Conditions
 from sweetspot.trampoline import WallPoint, wall_point, with_wall_factor
 from sweetspot.units import INCH, MPH
 
-Value = float | str | None
 THIN_PLATE = 0.003
 """m: a plate as thin as a bat's wall, beside the thick blocks of Figure 6."""
 STANDS: dict[Support, str] = {"floor": "lying on concrete", "clamped": "clamped at its edges", "free": "lying free"}
 METAL_BAT = "russell-b6"
 METAL_WALLS = (1.0, 0.95, 0.9, 0.85)
 """Factors on that bat's own wall."""
-
-
-@dataclass(frozen=True)
-class Row:
-    """One statement: the paper's number or claim, its formula evaluated here, the full model's answer."""
-
-    equation: str
-    quantity: str
-    unit: str
-    paper: Value
-    computed: Value
-    full_model: Value
-    comment: str
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from sweetspot.catalog.sports import sport as catalogue_sport
 from sweetspot.drop import ROOM_AIR, Rebound, drop, static_share
 from sweetspot.implement import Implement
 from sweetspot.material import Material
-from sweetspot.paper_rows import Row
+from sweetspot.paper import Row
 from sweetspot.rigid import centre_of_percussion, effective_mass, hand_impulse_ratio
 from sweetspot.sport import DropRule, Sport
 from sweetspot.standard import standard_conditions

@@ -15,7 +15,7 @@ from sweetspot.collision.momentum import bbcor
 from sweetspot.damage import Damage
 from sweetspot.face_map import FaceMap, face_map
 from sweetspot.implement import Implement
-from sweetspot.paper_rows import Row
+from sweetspot.paper import Row
 from sweetspot.rigid import RigidBody
 from sweetspot.swing import Conditions
 

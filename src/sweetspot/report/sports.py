@@ -9,7 +9,7 @@ from rich.console import Group
 from rich.table import Table
 from rich.text import Text
 
-from sweetspot.paper_rows import Row
+from sweetspot.paper import Row
 from sweetspot.report.table import names_table, paper_table
 from sweetspot.sport import CERTAINTIES, Known, Limit, Sport
 

@@ -14,7 +14,7 @@ from sweetspot.collision.impact import Impact
 from sweetspot.collision.momentum import bbcor
 from sweetspot.damage import Damage
 from sweetspot.implement import Implement
-from sweetspot.paper_rows import Row, Value
+from sweetspot.paper import Row, Value
 from sweetspot.report.border import STANDARD_AXIS
 from sweetspot.report.speech import speaks_otherwise
 from sweetspot.report.sport_table import sport_report

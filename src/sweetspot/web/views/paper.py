@@ -17,7 +17,8 @@ from sweetspot.analysis import Analysis, analyse_reduced
 from sweetspot.ball import Ball
 from sweetspot.block import Block, Support
 from sweetspot.drop import bounce
-from sweetspot.paper_rows import PARTS, Choices, Row, can_be_drilled, corked_analysis, metal_wall_point
+from sweetspot.paper import Row
+from sweetspot.paper_rows import PARTS, Choices, can_be_drilled, corked_analysis, metal_wall_point
 from sweetspot.report.border import bat_json, cleaned, conditions_json
 from sweetspot.rigid import centre_of_percussion, hand_impulse_ratio
 from sweetspot.units import INCH
