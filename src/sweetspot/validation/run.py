@@ -16,7 +16,7 @@ UNITS = {
     "": 1.0, "%": 0.01, "m": 1.0, "cm": 0.01, "in": INCH, "ft": FOOT, "cm^3": 1e-6, "kg": 1.0, "oz": OUNCE,
     "kg m^2": 1.0, "kg cm^2": 1e-4, "m/s": 1.0, "yd": 3 * FOOT, "s": 1.0,
     "oz in^2": OUNCE_INCH_SQUARED, "mph": MPH, "rad/s": 1.0, "ms": 1e-3, "Hz": 1.0, "ft/s^2": FOOT, "kg/m^3": 1.0,
-    "kN": 1e3, "rpm": RPM, "deg": DEGREE, "GPa": 1e9, "mph per mph": 1.0,
+    "kN": 1e3, "rpm": RPM, "rpm/deg": RPM / DEGREE, "deg": DEGREE, "GPa": 1e9, "mph per mph": 1.0,
 }  # fmt: skip
 """Units of printed values, each in SI."""
 
