@@ -68,9 +68,10 @@ def _assumptions(comparison: Comparison[Implement], readers: Readers) -> str:
     if law is None:
         return f"{text}Every {tool} is swung at the same speed, as no player does with unequal ones."
     low, high = law.exponents.low, law.exponents.high
+    axis = f"{readers.place(law.axis)} above the bottom" if law.axis else "the bottom"
     return (
-        f"{text}Same effort: speed goes as the moment of inertia about {readers.place(law.axis)} above the bottom of "
-        f"the grip to the power -{law.exponent:g} ({law.name}); no law of this sport's own players is used. In "
+        f"{text}Same effort: speed goes as the moment of inertia about {axis} of the grip to the power "
+        f"-{law.exponent:g} ({law.name}); no law of this sport's own players is used. In "
         f"brackets: the interval from powers of -{low:.2f} to -{high:.2f}: {INTERVAL_MEANS}."
     )
 
