@@ -158,8 +158,8 @@ def arrival_time(film: Film, *, modes: Modes, position: float) -> float | None:
     modes : the same as in the film.
     position : m from the knob end.
     """
-    struck, here = np.abs(film.velocity @ modes.shape_at(np.array([film.impact.position, position])).T).T
-    moving = np.flatnonzero(here >= ARRIVAL * struck.max())
+    struck = np.abs(film.velocity @ modes.shape_at(film.impact.position, film.impact.lateral))
+    moving = np.flatnonzero(np.abs(film.velocity @ modes.shape_at(position)) >= ARRIVAL * struck.max())
     return float(film.times[moving[0]]) if len(moving) else None
 
 
