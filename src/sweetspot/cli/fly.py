@@ -32,7 +32,7 @@ KINDS: dict[str, Kind] = {
 """Every number of a hit and its weather, and the kind of quantity."""
 
 
-@Parameter(name="*")
+@Parameter(name="*", allow_leading_hyphen=True)
 @dataclass(frozen=True)
 class LaunchOptions:
     """How the ball leaves; every quantity takes a unit, and one or two may be ranges such as 90mph:110mph:5."""
@@ -74,7 +74,7 @@ def fly(
     ranges: list[Varied] = []
     for name, text in _texts(launch, air).items():
         varied = next((known for known in VARIATIONS if known == name), None)
-        if varied is not None and text.count(":") == 2:
+        if ":" in text and varied is not None:
             ranges.append((varied, _range(name, text)))
         else:
             values[name] = _number(name, text)
@@ -123,12 +123,14 @@ def _number(name: str, text: str) -> float:
 
 def _range(name: str, text: str) -> tuple[float, ...]:
     """Return the values of a range written as ``90mph:110mph:5``: from, to, and how many."""
-    first, last, count = text.split(":")
-    if not count.strip().isdecimal() or not 1 <= int(count) <= MOST_VALUES:
+    parts = text.split(":")
+    if len(parts) != 3:
         raise InputError(
-            f"{_option(name)} asks for {count!r} values; write from, to and how many, 1 to {MOST_VALUES}: "
-            "90mph:110mph:5"
+            f"{_option(name)} was given as {text!r}; a range is from, to and how many values: 90mph:110mph:5"
         )
+    first, last, count = parts
+    if not count.strip().isdecimal() or not 1 <= int(count) <= MOST_VALUES:
+        raise InputError(f"{_option(name)} asks for {count!r} values; allowed is 1 to {MOST_VALUES}")
     low, high, steps = _number(name, first), _number(name, last), max(int(count) - 1, 1)
     return tuple(low + (high - low) * step / steps for step in range(int(count)))
 

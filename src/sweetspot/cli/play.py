@@ -20,7 +20,7 @@ DEFAULT_SWING = SwingOptions()
 DEFAULT_AIR = AirOptions()
 
 
-@Parameter(name="*")
+@Parameter(name="*", allow_leading_hyphen=True)
 @dataclass(frozen=True)
 class PathOptions:
     """Where the bat goes at contact; the defaults are the mean of the major leagues [sure2026]."""
@@ -33,7 +33,7 @@ class PathOptions:
     bats: Annotated[Literal["right", "left"], Parameter(help="Side the batter bats from.")] = "right"
 
 
-@Parameter(name="*")
+@Parameter(name="*", allow_leading_hyphen=True)
 @dataclass(frozen=True)
 class ArrivalOptions:
     """How the pitch arrives; its speed is --pitch-speed."""

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from sweetspot.park import Park
 
 
-@Parameter(name="*")
+@Parameter(name="*", allow_leading_hyphen=True)
 @dataclass(frozen=True)
 class AirOptions:
     """Weather and field; every quantity takes a unit."""

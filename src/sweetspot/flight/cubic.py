@@ -41,6 +41,8 @@ def turn_on_cubic(before: float, after: float, slope_before: float, slope_after:
     square = 3 * (slope_before + slope_after - 2 * rise)
     sign = 1.0 if slope_before > 0 else -1.0
     root = math.sqrt(max(linear * linear - 4 * square * slope_before, 0.0))
+    if sign * linear > 0:  # of the two ways to write the root, the one that subtracts nothing
+        return min(1.0, -(linear + sign * root) / (2 * square))
     return min(1.0, 2 * abs(slope_before) / (root - sign * linear))
 
 

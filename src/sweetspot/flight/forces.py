@@ -43,7 +43,7 @@ def drag_and_lift(
 ) -> tuple[Array, Array]:
     """Return the accelerations by drag and by lift in m/s^2, each of shape (3,); see `acceleration`."""
     speed = math.sqrt(float(velocity @ velocity))
-    if speed < SLOWEST:
+    if speed < SLOWEST:  # no direction to push in
         return np.zeros(3), np.zeros(3)
     across = np.array(
         [

@@ -84,7 +84,7 @@ def _rates(
         lift * across_out - braking * out,
         lift * across_up - braking * up - STANDARD_GRAVITY,
         -decay * speed * left,
-        braking + lift * across / speed,
+        braking + lift * across / speed + math.sqrt(STANDARD_GRAVITY * braking / speed),
     )
 
 

@@ -21,6 +21,7 @@ from sweetspot.errors import InputError
 from sweetspot.flight.cubic import first_crossing, on_cubic, turn_on_cubic
 from sweetspot.flight.forces import SLOWEST, acceleration, drag_and_lift
 from sweetspot.motion import BallMotion
+from sweetspot.rigid import STANDARD_GRAVITY
 
 Array = NDArray[np.float64]
 
@@ -198,14 +199,22 @@ class _Solver:
         return np.concatenate([state[3:6], push, [worn]])
 
     def response_rate(self, state: Array, sheltered: bool) -> float:
-        """Return how fast the air changes the velocity, 1/s: what it pushes with, over the speed through it."""
+        """Return how fast the air changes the velocity, 1/s.
+
+        That is what it pushes with, over the speed through it; and how fast a ball let go at rest would come near its
+        terminal speed V, g / V, for light balls that are slow only now.
+        """
         velocity = self.through_air(state, sheltered)
+        if float(velocity @ velocity) < SLOWEST**2:
+            velocity = np.array([0.0, 0.0, SLOWEST])
         drag, lift = drag_and_lift(
             velocity, spin=state[6] * self.spin, ball=self.ball, aerodynamics=self.aerodynamics, density=self.density
         )
-        speed = math.sqrt(float(velocity @ velocity))
-        push = math.sqrt(float(drag @ drag)) + math.sqrt(float(lift @ lift))
-        return push / speed if speed > SLOWEST else 0.0
+        square = float(velocity @ velocity)
+        braking = math.sqrt(float(drag @ drag))
+        return (braking + math.sqrt(float(lift @ lift))) / math.sqrt(square) + math.sqrt(
+            STANDARD_GRAVITY * braking / square
+        )
 
     def stepped(self, state: Array, step: float, sheltered: bool) -> Array:
         """Return the state one step later, by the classical method of Runge and Kutta."""

@@ -1,0 +1,134 @@
+"""`sweetspot fly` as a user meets it."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sweetspot.units import FOOT
+
+Run = Callable[..., tuple[int, str, str]]
+RunJson = Callable[..., Any]
+SHEET = ("--exit-speed", "103mph", "--launch-angle", "27.5deg", "--backspin", "2500rpm", "--sidespin", "0rpm",
+         "--elevation", "15ft")  # fmt: skip
+
+
+def test_the_published_run_in_words(run: Run) -> None:
+    """Published: nathan_calculator, 421.5 ft in 5.52 s, 92.0 ft high, 55.5 mph; see the data tests for the 1 ft."""
+    code, out, _ = run("fly", *SHEET)
+    words = " ".join(out.split())
+    assert code == 0
+    assert "It carries 423 ft in 5.5 s, at most 92 ft high, and comes down 47 deg steep at 56 mph." in words
+    assert "1.1938 kg/m^3; no wind" in words and "2500 rpm of backspin" in words and "usually" not in words
+
+
+def test_border_contract(run_json: RunJson) -> None:
+    found = run_json("fly", *SHEET)
+    assert found["carry_m"] == pytest.approx(422.6 * FOOT, abs=0.1)
+    assert {"hang_time_s", "apex_m", "landing_speed_m_s", "landing_angle_rad", "outcome", "launch"} < set(found)
+    path = found["path"]
+    assert path["time_s"][-1] == found["hang_time_s"] and path["up_m"][-1] == 0.0
+    assert math.hypot(path["right_m"][-1], path["out_m"][-1]) == pytest.approx(found["carry_m"])
+
+
+def test_usual_spin_is_named(run: Run, run_json: RunJson) -> None:
+    _, out, _ = run("fly", "--bats", "left")
+    assert "(what such hits usually have)" in " ".join(out.split())
+    assert "849 rpm that bend it left" in " ".join(out.split())
+    assert run_json("fly", "--bats", "left")["launch"]["sidespin_rad_s"] == pytest.approx(849 * math.pi / 30)
+
+
+def test_a_park_and_all_the_others(run: Run, run_json: RunJson) -> None:
+    _, out, _ = run("fly", *SHEET, "--park", "fenway")
+    words = " ".join(out.split())
+    assert "At Fenway Park it reaches the fence" in words and "of 30 parks" in words
+    found = run_json("fly", *SHEET, "--park", "fenway")
+    assert found["fence"]["outcome"] == "home run" and 0 < found["out_in"] <= found["parks"] == 30
+
+
+def test_the_park_brings_its_elevation(run_json: RunJson) -> None:
+    hit = SHEET[:-2]
+    high, low = run_json("fly", *hit, "--park", "coors"), run_json("fly", *hit, "--park", "coors", "--elevation", "0ft")
+    assert 25 < (high["carry_m"] - low["carry_m"]) / FOOT < 35
+
+
+def test_two_way_table(run: Run, run_json: RunJson) -> None:
+    ranges = ("--exit-speed", "90mph:110mph:3", "--launch-angle", "20deg:40deg:5")
+    _, out, _ = run("fly", *ranges)
+    lines = out.splitlines()
+    assert lines[0].strip() == "carry in ft: exit speed in mph down, launch angle in deg across"
+    assert lines[1].split() == ["20", "25", "30", "35", "40"]
+    assert [line.split()[0] for line in lines[2:5]] == ["90", "100", "110"]
+    found = run_json("fly", *ranges)
+    assert found["rows"]["exit_speed_m_s"][1] == pytest.approx(44.704)
+    assert len(found["answers"]["carry_m"]) == 3 and len(found["answers"]["carry_m"][0]) == 5
+    single = run_json("fly", "--exit-speed", "100mph", "--launch-angle", "30deg")
+    assert found["answers"]["carry_m"][1][2] == pytest.approx(single["carry_m"], abs=0.001)
+    assert float(lines[3].split()[3]) == round(single["carry_m"] / FOOT)
+
+
+def test_weather_down_and_elevation_across(run: Run) -> None:
+    _, out, _ = run(
+        "fly", "--temperature", "50degF:90degF:3", "--elevation", "0ft:5000ft:2", "--cell", "hang-time"
+    )  # fmt: skip
+    lines = out.splitlines()
+    assert lines[0].strip() == "hang time in s: temperature in degF down, elevation in ft across"
+    assert [line.split()[0] for line in lines[2:5]] == ["50", "70", "90"]
+
+
+def test_one_way_table_as_csv(run: Run) -> None:
+    _, out, _ = run("fly", "--wind-speed", "0mph:10mph:3", "--format", "csv")
+    rows = list(csv.DictReader(io.StringIO(out)))
+    carries = [float(row["carry_m"]) for row in rows]
+    assert len(rows) == 3 and carries == sorted(carries)
+    assert float(rows[2]["wind_speed_m_s"]) == pytest.approx(4.4704)
+
+
+def test_path_as_csv(run: Run) -> None:
+    _, out, _ = run("fly", "--format", "csv")
+    rows = list(csv.DictReader(io.StringIO(out)))
+    assert list(rows[0]) == ["time_s", "right_m", "out_m", "up_m"] and float(rows[-1]["up_m"]) == 0.0
+
+
+def test_golf_flies_by_its_own_law(run_json: RunJson) -> None:
+    found = run_json("fly", "--ball", "golf", "--exit-speed", "160mph", "--launch-angle", "11deg", "--height", "0m",
+                     "--backspin", "3000rpm")  # fmt: skip
+    assert 240 < found["carry_m"] / (3 * FOOT) < 280
+    assert found["launch"]["sidespin_rad_s"] == 0.0
+
+
+def test_files(run: Run, tmp_path: Path) -> None:
+    code, _, err = run("fly", *SHEET, "--park", "yankees", "--out", str(tmp_path / "new"))
+    assert code == 0 and "fly.png" in err
+    assert (tmp_path / "new" / "fly.png").read_bytes()[:4] == b"\x89PNG"
+    assert "<svg" in (tmp_path / "new" / "fly.svg").read_text(encoding="utf-8")
+    assert json.loads((tmp_path / "new" / "fly.json").read_text(encoding="utf-8"))["outcome"] == "landed"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("--exit-speed", "100"), "--exit-speed was given as 100 without a unit"),
+        (("--exit-speed", "-5mph"), "exit speed"),
+        (("--height", "-1ft"), "below the ground"),
+        (("--height", "-1ft:1ft:3"), "below the ground"),
+        (("--temperature", "900degF"), "temperature"),
+        (("--park", "fenwei"), "fenway"),
+        (("--ball", "melon"), "not in the catalogue"),
+        (("--spray", "0deg:10deg"), "--spray"),
+        (("--spray", "0deg:10deg:0"), "--spray asks for '0' values"),
+        (("--spray", "0deg:9deg:2", "--height", "1ft:2ft:2", "--backspin", "0rpm:9rpm:2"), "at most two options"),
+        (("--spray", "0deg:9deg:2", "--out", "somewhere"), "makes no picture"),
+    ],
+)
+def test_bad_input_is_one_clear_line(run: Run, arguments: tuple[str, ...], words: str) -> None:
+    code, out, err = run("fly", *arguments)
+    assert code == 2 and not out
+    assert words in err and err.count("\n") == 1 and "Traceback" not in err

@@ -1,0 +1,103 @@
+"""Drag and lift: laws of other sports as members of one family, and what each force may not do."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from sweetspot import catalog
+from sweetspot.aerodynamics import Aerodynamics
+from sweetspot.errors import InputError
+from sweetspot.flight.forces import acceleration, drag_and_lift, drag_from_terminal_speed
+
+BALL, LAW = catalog.ball(), catalog.aerodynamics("baseball")
+part = st.floats(-300, 300)
+vectors = st.tuples(part, part, part).map(np.array)
+
+
+@given(vectors, vectors)
+def test_drag_brakes_and_lift_turns(velocity: np.ndarray, spin: np.ndarray) -> None:
+    drag, lift = drag_and_lift(velocity, spin=spin, ball=BALL, aerodynamics=LAW, density=1.2)
+    power = float(np.linalg.norm(lift) * np.linalg.norm(velocity))
+    assert drag @ velocity <= 0
+    assert abs(lift @ velocity) <= 1e-9 * power + 1e-12
+    assert abs(lift @ spin) <= 1e-9 * float(np.linalg.norm(lift) * np.linalg.norm(spin)) + 1e-12
+
+
+def test_gyro_spin_lifts_nothing_but_brakes() -> None:
+    velocity = np.array([0.0, 40.0, 0.0])
+    drag, lift = drag_and_lift(velocity, spin=np.array([0.0, 250.0, 0.0]), ball=BALL, aerodynamics=LAW, density=1.2)
+    still, _ = drag_and_lift(velocity, spin=np.zeros(3), ball=BALL, aerodynamics=LAW, density=1.2)
+    assert np.array_equal(lift, np.zeros(3))
+    assert drag[1] < still[1] < 0
+
+
+def test_backspin_lifts_and_positive_sidespin_bends_left() -> None:
+    velocity = np.array([0.0, 40.0, 0.0])
+    _, up = drag_and_lift(velocity, spin=np.array([250.0, 0.0, 0.0]), ball=BALL, aerodynamics=LAW, density=1.2)
+    _, left = drag_and_lift(velocity, spin=np.array([0.0, 0.0, 250.0]), ball=BALL, aerodynamics=LAW, density=1.2)
+    assert up[2] > 0 and left[0] < 0
+    assert up[2] == pytest.approx(-left[0])
+
+
+def test_a_ball_at_rest_in_the_air_falls_freely() -> None:
+    found = acceleration(np.zeros(3), spin=np.array([300.0, 0.0, 0.0]), ball=BALL, aerodynamics=LAW, density=1.2)
+    assert found == pytest.approx([0.0, 0.0, -9.80665])
+
+
+def test_numbers_of_the_sheet() -> None:
+    """Published: nathan_calculator, first row: S 0.20969, Cd 0.37380, Cl 0.21904."""
+    assert LAW.drag_coefficient(0.20969, spin=2500 * math.pi / 30) == pytest.approx(0.37380, abs=5e-6)
+    assert LAW.lift_coefficient(0.20969) == pytest.approx(0.21904, abs=5e-6)
+
+
+def test_laws_of_other_sports() -> None:
+    """Exact: Cl = 1 / (2 + v / (R w)) = S / (1 + 2 S) of tennis, a S^0.4 of golf, none for a shuttle."""
+    tennis = Aerodynamics(drag=0.5, lift_scale=1.0, lift_offset=1.0, lift_slope=2.0)
+    golf = Aerodynamics(drag=0.2, lift_scale=0.3, lift_exponent=0.4, drag_per_spin_factor=0.5)
+    for factor in (0.01, 0.2, 1.5):
+        assert tennis.lift_coefficient(factor) == pytest.approx(1 / (2 + 1 / factor))
+        assert golf.lift_coefficient(factor) == pytest.approx(0.3 * factor**0.4)
+        assert golf.drag_coefficient(factor, spin=300.0) == pytest.approx(0.2 + 0.5 * factor)
+        assert Aerodynamics(drag=0.6).lift_coefficient(factor) == 0.0
+    assert golf.lift_coefficient(0.0) == 0.0
+
+
+def test_terminal_speed_gives_the_drag_that_gives_the_terminal_speed() -> None:
+    drag = drag_from_terminal_speed(6.8, mass=0.0052, radius=0.033, density=1.2)
+    shuttle = BALL.replaced(mass=0.0052, radius=0.033)
+    found = acceleration(
+        np.array([0.0, 0.0, -6.8]), spin=np.zeros(3), ball=shuttle, aerodynamics=Aerodynamics(drag=drag), density=1.2
+    )
+    assert found == pytest.approx([0.0, 0.0, 0.0], abs=1e-12)
+
+
+def test_a_terminal_speed_of_nothing_is_refused() -> None:
+    with pytest.raises(InputError, match="terminal_speed is 0"):
+        drag_from_terminal_speed(0.0, mass=0.005, radius=0.03, density=1.2)
+
+
+@pytest.mark.parametrize(
+    "values", [{"drag": -0.1}, {"drag": 0.3, "lift_offset": 0.0}, {"drag": 0.3, "spin_decay_time": 0.0}]
+)
+def test_coefficients_that_cannot_be_are_refused(values: dict[str, float]) -> None:
+    with pytest.raises(InputError, match=list(values)[-1]):
+        Aerodynamics(**values)
+
+
+def test_every_catalogue_entry_can_fly() -> None:
+    for name in catalog.aerodynamics_names():
+        law = catalog.aerodynamics(name)
+        _, lift = drag_and_lift(
+            np.array([0.0, 30.0, 5.0]), spin=np.array([100.0, 0.0, 0.0]), ball=BALL, aerodynamics=law, density=1.2
+        )
+        assert np.isfinite(lift).all()
+
+
+def test_unknown_aerodynamics_names_the_nearest() -> None:
+    with pytest.raises(InputError, match="baseball"):
+        catalog.aerodynamics("basebal")
