@@ -16,7 +16,8 @@ from sweetspot.units import DEGREE
 
 def court_json(flight: Flight, said: Speech, *, ball: Ball) -> dict[str, Any]:
     """Return a flight at every mark of its sport."""
-    found = passages(flight, said.sport.marks, ball=ball)
+    landed = flight.outcome is FlightOutcome.LANDED
+    found = passages(flight, said.sport.marks, ball=ball) if landed else ()
     return {"sport": said.sport.key, "marks": [cleaned(_mark_json(passage)) for passage in found]}
 
 
