@@ -223,7 +223,8 @@ def parks_table() -> str:
         yield park.roof
         yield from (f"{park.distance_at(math.radians(angle)) / FOOT:.0f}" for angle in (-45, -22.5, 0, 22.5, 45))
         heights = [height / FOOT for _, _, height in park.fence]
-        yield f"{min(heights):.0f} to {max(heights):.0f}"
+        low, high = f"{min(heights):.0f}", f"{max(heights):.0f}"
+        yield low if low == high else f"{low}\N{EN DASH}{high}"
         yield str(fence["year"])
         yield f"{fence['spread_ft']:.0f}" if "spread_ft" in fence else "-"
 
