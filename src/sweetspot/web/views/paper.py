@@ -33,9 +33,9 @@ Question = Literal["end", "percussion", "corking", "drop", "energy", "verdict"]
 PLACES = 121
 RATIOS = ("ball_restitution", "wood_restitution", "metal_restitution", "wood_share", "metal_share")
 MATERIALS = {"wood": "white-ash", "metal": "aluminium-7xxx"}
-THICKNESSES = (0.001, 0.002, 0.003, 0.005, 0.008, 0.012, 0.02, 0.035, 0.06, 0.1)
+THICKNESSES = (0.002, 0.003, 0.005, 0.008, 0.015, 0.03, 0.1)
 """m, of the blocks in the picture of the drop experiment."""
-WALLS = (1.25, 1.1, 1.0, 0.95, 0.9, 0.85, 0.75, 0.65)
+WALLS = (1.2, 1.0, 0.95, 0.9, 0.85, 0.7)
 """Factors on the wall of the catalogue's aluminium bat in the picture of the energy."""
 
 

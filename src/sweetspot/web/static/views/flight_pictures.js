@@ -156,7 +156,7 @@ export class FieldPicture {
     const [x, y] = at(path.right_m.at(-1), path.out_m.at(-1));
     haloText(context, this.app.text("distance", flight.carry_m), Math.min(width - 30, Math.max(30, x)), Math.max(10, y - 13), colors.ink, colors.panel);
     this.paintDistances(context, fence, park, at);
-    this.paintWind(context, width);
+    this.paintWind(context, height);
   }
 
   // The fence is the thicker the higher it is.
@@ -179,17 +179,18 @@ export class FieldPicture {
     }
   }
 
-  paintWind(context, width) {
+  // Down in the corner, where no ball goes.
+  paintWind(context, height) {
     const { wind_speed_mph: speed, wind_direction_deg: to } = this.state;
     if (!speed) return;
     const { colors } = this.app;
-    const [x, y, angle] = [width - 40, 40, (to * Math.PI) / 180];
+    const [x, y, angle] = [38, height - 62, (to * Math.PI) / 180];
     const reach = 12 + Math.min(18, speed * 0.6);
     const tip = [x + reach * Math.sin(angle), y - reach * Math.cos(angle)];
     const wing = (turn) => [tip[0] - 9 * Math.sin(angle + turn), tip[1] + 9 * Math.cos(angle + turn)];
     line(context, [[x - reach * Math.sin(angle), y + reach * Math.cos(angle)], tip], { color: colors.blue, width: 3 });
     line(context, [wing(0.5), tip, wing(-0.5)], { color: colors.blue, width: 3 });
-    Object.assign(context, { font: `11px ${FONT}`, textAlign: "right", textBaseline: "middle" });
-    haloText(context, `wind ${this.app.text("wind_mph", speed, 0)}`, width - 8, 84, colors.ink, colors.panel);
+    Object.assign(context, { font: `11px ${FONT}`, textAlign: "left", textBaseline: "middle" });
+    haloText(context, `wind ${this.app.text("wind_mph", speed, this.app.units === "us" ? 0 : 1)}`, 6, height - 14, colors.ink, colors.panel);
   }
 }

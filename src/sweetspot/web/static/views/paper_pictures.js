@@ -74,9 +74,9 @@ export const PICTURES = {
 
   energy: (app) => pictureOf({
     curves: new Chart(app, { label: "Energy returned against the bat's share", axis: { kind: "ratio", label: "z, the bat's share of the energy" }, panels: [
-      { title: "Energy returned, W", kind: "ratio", height: 230, zero: true, lines: [
+      { title: "W", kind: "ratio", height: 230, zero: true, lines: [
         { key: "metal_returned", label: "metal", color: "blue" }, { key: "wood_returned", label: "wood", color: "orange", dash: [6, 3] },
-        { key: "walls", label: "model walls", color: "red", dash: [3, 3], width: 3 }] }] }),
+        { key: "walls", label: "model, aluminium walls", color: "red", dash: [3, 3], width: 3 }] }] }),
   }, ({ curves }, answer) => {
     const { share, wood, metal, walls, wood_returned, metal_returned } = answer.picture;
     curves.draw({ x: share, xs: { walls: walls.share }, lines: { wood_returned, metal_returned, walls: walls.returned }, range: [0, 0.3], bands: [],

@@ -153,7 +153,8 @@ export const STEPS = [
   {
     key: "verdict", title: "The answer", question: "So where does a bat hit best?",
     claim: [
-      "The best place is not the end; it lies between the end and S from it. Solid wood suits the game better. Air resistance is left out, which is said to matter little.",
+      "The best place is not the end; it lies between the end and S from it. Solid wood suits the game better.",
+      "Air resistance is left out, which is said to matter little. The model should help to train players, and serve table tennis, badminton and other sports with other coefficients.",
     ],
     formulas: [], slips: [],
     controls: () => [],
@@ -163,7 +164,7 @@ export const STEPS = [
       return `${answer.bat.name} hits fastest ${fromTip(answer, best, app)} from the tip` +
         (zone ? `, and hits fast and quietly from ${fromTip(answer, zone[1], app)} to ${fromTip(answer, zone[0], app)}. ` : ". ") +
         "“Sweet spot” has at least six meanings, each with its own place: they differ because the ball asks for speed, the hands for quiet. " +
-        "And air matters a great deal to a batted ball: the view Flight shows by how much.";
+        "And air matters a great deal to a batted ball: the view Flight shows by how much. Other sports need other balls, other faces and other rules, not only other coefficients: the command sweetspot sports has them.";
     },
   },
 ];
