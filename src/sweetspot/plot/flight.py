@@ -60,6 +60,8 @@ def draw_above(axes: Axes, flight: Flight, park: Park | None = None) -> None:
         draw_fence(axes, park, colour=GREEN, thick=True)
     right, out, _ = flight.positions.T / FOOT
     axes.plot(right, out, color=RED)
+    reach = max(310.0, 1.1 * float(np.abs(right).max()))
+    axes.set(xlim=(-reach, reach), ylim=(min(-10.0, float(out.min()) - 20), max(440.0, 1.08 * float(out.max()))))
     dots = np.arange(0, flight.times[-1], MARKS)
     axes.plot(np.interp(dots, flight.times, right), np.interp(dots, flight.times, out), "o", color=RED, ms=3)
     axes.plot(right[-1], out[-1], "x", color=RED, ms=7)
