@@ -71,8 +71,12 @@ def page(analysis: Analysis[Implement], *, overview: bytes, hit: bytes) -> str:
     from sweetspot.report import sections
     from sweetspot.report.markup import paragraphs, picture, text
     from sweetspot.report.published import published
+    from sweetspot.report.speech import speaks_otherwise
+    from sweetspot.report.sport_page import sport_page
 
     bat, body = analysis.bat, analysis.body
+    if speaks_otherwise(bat):
+        return sport_page(analysis, overview=overview, hit=hit)
     sizes = (
         f"{bat.length / INCH:.2f} in long, {body.mass / OUNCE:.1f} oz, {bat.made_of}, "
         f"balance {body.balance_point / INCH:.1f} in from the knob"
