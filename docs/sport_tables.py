@@ -40,14 +40,14 @@ def sports_table() -> str:
         rows.append(
             (
                 found.name,
-                ", ".join(found.balls),
-                ", ".join(found.implements[:3]) + (" …" if len(found.implements) > 3 else ""),
+                found.balls[0],
+                found.implements[0] + (" …" if len(found.implements) > 1 else ""),
                 stroke.swing_speed.marked,
                 stroke.ball_speed.marked,
-                *(counts[kind] for kind in CERTAINTIES),
+                " / ".join(str(counts[kind]) for kind in CERTAINTIES),
             )
         )
-    return table(("sport", "balls", "implements", "swing", "ball", *CERTAINTIES), rows)
+    return table(("sport", "ball", "implement", "swing", "ball arrives at", " / ".join(CERTAINTIES)), rows)
 
 
 def sport_page(name: str) -> str:

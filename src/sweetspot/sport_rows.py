@@ -149,7 +149,7 @@ def _drops(sport: Sport, ball: Ball) -> Iterator[Row]:
         yield Row(
             "Fig. 6", f"{rule.name}: rebound from {100 * rule.drop_height:.4g} cm", "cm", rule.printed,
             100 * limit.rebound, 100 * real.rebound,
-            f"Column 'paper' is the rule's. The formula leaves the air out, the full model does not: e = "
+            f"The claim is the rule's. The formula leaves the air out, the full model does not: e = "
             f"{real.restitution:.3f} at {real.fall_speed:.2f} m/s, while sqrt(rebound / fall) = "
             f"{math.sqrt(real.rebound / rule.drop_height):.3f}.",
         )  # fmt: skip

@@ -53,3 +53,21 @@ def test_rule_book_drops_are_shown(run_json: Callable[..., Any]) -> None:
 def test_unknown_sport(run: Run) -> None:
     code, out, err = run("sports", "crickett")
     assert code == 2 and out == "" and "Did you mean cricket" in err
+
+
+def test_a_flight_meets_the_court_of_its_ball(run: Run, run_json: Callable[..., Any]) -> None:
+    serve = ("fly", "--ball", "tennis", "--exit-speed", "57m/s", "--launch-angle=-6deg", "--backspin=-1500rpm",
+             "--height", "2.7m")  # fmt: skip
+    code, out, _ = run(*serve)
+    assert code == 0 and "Tennis: It carries" in out and "over the net" in out
+    court = run_json(*serve)["court"]
+    assert court["sport"] == "tennis" and all(mark["good"] for mark in court["marks"])
+    golf = run("fly", "--ball", "golf", "--exit-speed", "167mph", "--launch-angle", "10.9deg", "--backspin", "2686rpm",
+               "--height", "0ft")[1]  # fmt: skip
+    assert "Golf: It carries 274.0 yd" in golf  # radar mean 275 yd [trackman_tour]
+    assert "court" not in run_json("fly", "--exit-speed", "100mph")
+
+
+def test_unknown_ball_of_a_flight(run: Run) -> None:
+    code, out, err = run("fly", "--ball", "shuttel")
+    assert code == 2 and out == "" and "Did you mean shuttle" in err

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from sweetspot.aerodynamics import Aerodynamics
     from sweetspot.ball import Ball
     from sweetspot.flight.what_if import BattedBall, Varied
+    from sweetspot.report.speech import Speech
     from sweetspot.units import Kind
 
     Flying = tuple[Ball, Aerodynamics]
@@ -82,7 +83,7 @@ def fly(
         values[name] = spread[0]
     hit, flying = BattedBall(**values, bats=launch.bats), _flying(launch.ball)
     if not ranges:
-        _single(hit, air, flying, out, format)
+        _single(hit, air, flying, out, format, said=_court(launch.ball))
     elif out is not None or len(ranges) > 2:
         named = " and ".join(_option(name) for name, _ in ranges)
         raise InputError(
@@ -142,7 +143,18 @@ def _flying(name: str) -> Flying:
     return catalog.ball(name), catalog.aerodynamics(catalog.sport(catalog.ball_sport(name)).aerodynamics)
 
 
-def _single(hit: BattedBall, air: AirOptions, flying: Flying, out: Path | None, format: Format) -> None:
+def _court(ball_name: str) -> Speech | None:
+    """Return how the ball's sport speaks of its flights; None for baseball, which has parks."""
+    from sweetspot.catalog import ball_sport
+    from sweetspot.report.speech import speech
+
+    said = speech(ball_sport(ball_name))
+    return None if said.sport.key == "baseball" else said
+
+
+def _single(
+    hit: BattedBall, air: AirOptions, flying: Flying, out: Path | None, format: Format, *, said: Speech | None
+) -> None:
     from sweetspot.cli.output import print_csv, print_json, print_table
     from sweetspot.report.fly import FlyReport, fly_json, fly_table, write_fly
 
@@ -150,11 +162,18 @@ def _single(hit: BattedBall, air: AirOptions, flying: Flying, out: Path | None, 
         hit, ball=flying[0], aerodynamics=flying[1], park=park_of(air), own_elevation=air.elevation is None
     )
     if format == "json":
-        print_json(fly_json(report))
+        from sweetspot.report.court import court_json
+
+        court = {} if said is None else {"court": court_json(report.flight, said, ball=flying[0])}
+        print_json({**fly_json(report), **court})
     elif format == "csv":
         print_csv(fly_json(report)["path"])
     else:
         print_table(fly_table(report))
+        if said is not None:
+            from sweetspot.report.court import court_words
+
+            print_table(f"\n{said.sport.name}: {court_words(report.flight, said, ball=flying[0])}")
     if out is not None:
         print("sweetspot: wrote " + ", ".join(str(path) for path in write_fly(report, out)), file=sys.stderr)
 
