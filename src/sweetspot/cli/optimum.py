@@ -46,12 +46,14 @@ def optimum(
     bat: Annotated[str, Parameter(help="Name in the catalogue (see `sweetspot bats`) or a TOML file.")] = "r161-ash",
     /,
     *,
-    pitch: Annotated[tuple[str, ...], Parameter(help="Pitches by name or letters; may be given again.")] = (
-        FAST_AND_SLOW
-    ),
+    pitch: Annotated[
+        tuple[str, ...], Parameter(help="Pitches by name or letters; may be given again.", negative="")
+    ] = (FAST_AND_SLOW),
     release_speed: Annotated[str | None, Parameter(help="Throw them all this fast; default: as is usual.")] = None,
     contact: ContactOptions = DEFAULT_CONTACT,
-    exit_speed: Annotated[tuple[str, ...], Parameter(help="For the best launch angle; may be given again.")] = SPEEDS,
+    exit_speed: Annotated[
+        tuple[str, ...], Parameter(help="For the best launch angle; may be given again.", negative="")
+    ] = SPEEDS,
     backspin: Annotated[str, Parameter(help="Of the ball in the last two questions.")] = "2200rpm",
     air: AirOptions = DEFAULT_AIR,
     show: Annotated[
