@@ -12,8 +12,11 @@ from sweetspot.catalog.implements import implement, implement_tables
 from sweetspot.catalog.materials import FILE as MATERIAL_FILE
 from sweetspot.catalog.materials import material
 from sweetspot.catalog.records import Record, read_table, records
+from sweetspot.catalog.rubbers import FILE as RUBBER_FILE
 from sweetspot.implement import Implement
 from sweetspot.material import Material
+from sweetspot.rubber import Rubber
+from sweetspot.table_tennis_racket import TableTennisRacket
 
 METHOD_SOURCES = (
     "nathan2000", "nathan2003", "cross1998", "cowper1966", "astm_f2398", "astm_f2219", "griffin2012",
@@ -29,6 +32,8 @@ def used_records(analysis: Analysis[Implement]) -> dict[str, list[Record]]:
     found = {f"bat: {described.name}": bat_records(described)}
     for made_of in {used.name: used for used in described.materials}.values():
         found[f"material: {made_of.name}"] = material_records(made_of)
+    for rubber in described.rubbers if isinstance(described, TableTennisRacket) else ():
+        found[f"rubber: {rubber.name}"] = rubber_records(rubber)
     used = analysis.conditions.ball
     found[f"ball: {used.name}"] = ball_records(used)
     return {heading: entries for heading, entries in found.items() if entries}
@@ -78,6 +83,12 @@ def ball_records(used: Ball) -> list[Record]:
     """Return the records of a ball; none when its name is not in the catalogue."""
     key = _ball_key(used)
     return records(read_table(BALL_FILE)[key], key) if key else []
+
+
+def rubber_records(used: Rubber) -> list[Record]:
+    """Return the records of a table-tennis rubber; none when its name is not in the catalogue."""
+    table = read_table(RUBBER_FILE)
+    return next((records(entry, key) for key, entry in table.items() if entry["name"] == used.name), [])
 
 
 def sources_of(found: dict[str, list[Record]]) -> list[str]:
