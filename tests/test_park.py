@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from sweetspot import catalog
 from sweetspot.errors import InputError
-from sweetspot.park import FOUL_LINE, Park, fence_at
+from sweetspot.park import FOUL_LINE, Park, fence_at, nearest_fence
 
 POLE = math.radians(45)
 
@@ -35,6 +35,13 @@ def test_every_point_of_a_fence_lies_on_the_line_between_its_vertices(name: str,
     place = distance * np.array([math.sin(direction), math.cos(direction)]) - ends[0]
     along = ends[1] - ends[0]
     assert abs(place[0] * along[1] - place[1] * along[0]) / np.linalg.norm(along) < 1e-9
+
+
+@given(st.floats(30, 240), st.floats(30, 240), st.floats(-0.7, 0.7), st.floats(30, 240))
+def test_no_point_of_a_fence_is_nearer_than_its_nearest(left: float, middle: float, turn: float, right: float) -> None:
+    park = Park(name="odd", fence=((-POLE, left, 3.0), (turn, middle, 3.0), (POLE, right, 3.0)))
+    distance, _ = fence_at(park, np.linspace(-POLE, POLE, 400))
+    assert nearest_fence(park) <= distance.min() * (1 + 1e-12)
 
 
 def test_many_directions_at_once_and_beyond_the_poles() -> None:

@@ -109,3 +109,14 @@ def fence_at(park: Park, direction: ArrayLike) -> tuple[Array, Array]:
     before, after = at[left], at[left + 1]
     inverse = np.sin(after - wanted) / distance[left] + np.sin(wanted - before) / distance[left + 1]
     return np.sin(after - before) / inverse, np.interp(wanted, at, height)
+
+
+def nearest_fence(park: Park) -> float:
+    """Return a distance in m that no point of the fence is nearer than: d_min cos(half the widest gap of directions).
+
+    >>> round_park = Park(name="round", fence=((-FOUL_LINE, 100.0, 3.0), (FOUL_LINE, 100.0, 3.0)))
+    >>> nearest_fence(round_park) == 100 * math.cos(FOUL_LINE)
+    True
+    """
+    at, distance, _ = np.array(park.fence).T
+    return float(distance.min() * math.cos(np.diff(at).max() / 2))

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sweetspot.errors import InputError
-from sweetspot.park import FOUL_LINE, Park, fence_at
+from sweetspot.park import FOUL_LINE, Park, fence_at, nearest_fence
 
 Array = NDArray[np.float64]
 Outcome = Literal["home run", "off the wall", "in play", "foul"]
@@ -108,7 +108,9 @@ def landings(path: Array, park: Park) -> Landings:
 
 def _end(path: Array, park: Park) -> tuple[Array, NDArray[np.bool_]]:
     """Return where each flight passes the fence's distance, or else its last point, (..., 3), and whether it passes."""
-    outside = _beyond(path, park) > 0
+    far = np.hypot(path[..., 0], path[..., 1]) > nearest_fence(park)
+    outside = np.zeros(far.shape, bool)
+    outside[far] = _beyond(path[far], park) > 0
     passed = np.asarray(outside.any(axis=-1))
     last = np.sum(~np.isnan(path[..., 0]), axis=-1) - 1
     after = np.where(passed, outside.argmax(axis=-1), last)
