@@ -88,11 +88,13 @@ def _tip(analysis: Analysis[Implement], said: Speech) -> str:
     if not gain > 0 or not top > end:
         return ""
     here, there = 1e3 * effective_mass(body, best), 1e3 * effective_mass(body, last)
+    face = analysis.bat.face
+    springy = face is not None and face.stiffness is not None
+    stiff = "" if springy else f"a rigid {words.implement} would send it off at {said.speed(rigid)}, "
     return (
         f"Why not at the {words.tip}? The last place to be hit moves {said.speed(gain)} faster, but there only "
-        f"{there:.0f} g stand behind the {words.incoming} instead of {here:.0f} g: a rigid {words.implement} would "
-        f"send it off at {said.speed(rigid)}, this one does at {said.speed(end)}, {said.speed(top - end)} less than at "
-        "its best."
+        f"{there:.0f} g stand behind the {words.incoming} instead of {here:.0f} g: {stiff}this one sends it off at "
+        f"{said.speed(end)}, {said.speed(top - end)} less than at its best."
     )
 
 
