@@ -11,6 +11,7 @@ from sweetspot import Pitch, analyse, bending_modes, catalog, hit, references, s
 from sweetspot.analysis import TYPICAL_HAND, Analysis, exit_speed_of, hit_at
 from sweetspot.ball import Ball
 from sweetspot.catalog.records import read_table
+from sweetspot.cli.app_command import PORT
 from sweetspot.collision.oblique import oblique
 from sweetspot.contact import equivalent_wall_speed, loading_force
 from sweetspot.rigid import effective_mass, pendulum_period
@@ -18,6 +19,9 @@ from sweetspot.sweet_spots import miss_cost
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED
 from sweetspot.validation.computations.optimum import best
 from sweetspot.validation.computations.pitching import flown
+from sweetspot.web.answers import TIME_LIMIT
+from sweetspot.web.limits import LARGEST_BODY, MESSAGES_PER_SECOND, MOST_SOCKETS, REQUESTS_PER_SECOND
+from sweetspot.web.states import LONGEST_TOML, MOST_STATIONS
 
 
 def facts() -> dict[str, str]:
@@ -32,8 +36,23 @@ def facts() -> dict[str, str]:
         **_corking(analysis),
         **_parks_and_pitches(),
         **_optimum(),
+        **_page(),
         "source_count": str(_source_count()),
         "bat_count": str(len(catalog.bat_names())),
+    }
+
+
+def _page() -> dict[str, str]:
+    """Return the limits of the page's server."""
+    return {
+        "page_port": str(PORT),
+        "page_body": f"{LARGEST_BODY // 1024} kB",
+        "page_bat": f"{LONGEST_TOML // 1000} kB",
+        "page_stations": str(MOST_STATIONS),
+        "page_time": f"{TIME_LIMIT:g} s",
+        "page_rate": f"{REQUESTS_PER_SECOND:g}",
+        "page_messages": f"{MESSAGES_PER_SECOND:g}",
+        "page_sockets": str(MOST_SOCKETS),
     }
 
 

@@ -21,6 +21,7 @@ export const SPOTS = {
   center_of_percussion_m: ["centre of percussion", "green"],
 };
 const ROW = 17, ROOM_BELOW = 30, HANDLE = 5;
+const NARROW = 500; // pixels per m below which there is no room for words under the bat
 const WIDEST = 0.076; // m; room for the barrel and the ball is kept, so that the picture does not jump
 
 export class BatView {
@@ -143,6 +144,7 @@ export class BatView {
     context.lineTo(x + 5, y + 9);
     context.closePath();
     context.fill();
+    if (place.scale < NARROW) return;
     context.fillStyle = colors.muted;
     context.fillText(`balance ${text("balance_point_m", bat.balance_point_m, this.app.units, 1)}`, x, y + 12);
   }
@@ -253,6 +255,7 @@ function paintMeeting(context, ball, bat, place, colors) {
     context.closePath();
     context.fill();
   }
+  if (place.scale < NARROW) return;
   context.font = `11px ${FONT}`;
   context.fillStyle = colors.muted;
   context.textAlign = "right";

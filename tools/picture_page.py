@@ -1,0 +1,60 @@
+"""Take the pictures of the page that the documentation shows: ``python tools/picture_page.py`` writes docs/pictures."""
+
+from __future__ import annotations
+
+import io
+import shutil
+import threading
+import time
+from pathlib import Path
+
+from PIL import Image
+from playwright.sync_api import sync_playwright
+
+from sweetspot.web.serve import listening, server_for
+
+FOLDER = Path(__file__).parents[1] / "docs" / "pictures"
+SHOTS = {
+    "page-explorer": ("/explorer?bat=r161-ash&offset_in=0.5", "light", 1180, 1010),
+    "page-explorer-dark": ("/explorer?bat=composite", "dark", 1180, 760),
+    "page-phone": ("/explorer?bat=youth-30&pitch_speed_mph=50&bat_speed_mph=50", "light", 390, 900),
+    "page-hit": ("/hit?bat=single-wall&moment_ms=0.45", "light", 1180, 900),
+    "page-modes": ("/modes", "light", 1180, 760),
+    "page-compare": ("/compare", "light", 1180, 980),
+    "page-flight": ("/flight", "light", 1180, 760),
+    "page-paper": ("/paper", "light", 1180, 900),
+}
+"""Name of the picture: address, theme, width and height in pixels."""
+FLAGS = ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"]
+COLOURS = 200
+
+
+def main() -> None:
+    """Start a server, look at each view and keep what is seen."""
+    opened = listening("127.0.0.1", 0)
+    address = f"http://127.0.0.1:{opened.getsockname()[1]}"
+    server = server_for()
+    thread = threading.Thread(target=server.run, kwargs={"sockets": [opened]}, daemon=True)
+    thread.start()
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        for name, (path, theme, width, height) in SHOTS.items():
+            context = browser.new_context(viewport={"width": width, "height": height}, reduced_motion="reduce")
+            context.add_init_script(f"localStorage.setItem('guided', 'yes'); localStorage.setItem('theme', '{theme}')")
+            page = context.new_page()
+            page.goto(address + path)
+            page.locator("#view[data-answered]").wait_for()
+            time.sleep(1.0)  # lists of bats and parks arrive after the first picture
+            shot = Image.open(io.BytesIO(page.screenshot()))
+            small = shot.convert("RGB").quantize(
+                COLOURS, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE
+            )
+            small.save(FOLDER / f"{name}.png", optimize=True)
+            context.close()
+        browser.close()
+    server.should_exit = True
+    thread.join(10)
+
+
+if __name__ == "__main__":
+    main()
