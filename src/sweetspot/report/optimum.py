@@ -64,18 +64,20 @@ def swings_table(rows: list[dict[str, Any]], *, length: float) -> Table:
         {
             "pitch": row["pitch"],
             "mph": f"{row['pitch_speed_m_s'] / MPH:.0f}",
-            "attack deg": f"{math.degrees(row['attack_angle_rad']):.1f}",
-            "offset in": f"{row['offset_m'] / INCH:.2f}",
-            "undercut in": f"{row['undercut_m'] / INCH:.2f}",
+            "attack": f"{math.degrees(row['attack_angle_rad']):.1f} deg",
+            "offset": f"{row['offset_m'] / INCH:.2f} in",
+            "undercut": f"{row['undercut_m'] / INCH:.2f} in",
             "in from tip": f"{(length - row['position_m']) / INCH:.1f}",
             "exit mph": f"{row['exit_speed_m_s'] / MPH:.1f}",
             "launch deg": f"{math.degrees(row['launch_angle_rad']):.1f}",
-            "backspin rpm": f"{row['backspin_rad_s'] / RPM:.0f}",
+            "rpm": f"{row['backspin_rad_s'] / RPM:.0f}",
             "carry ft": f"{row['carry_m'] / FOOT:.0f}",
         }
         for row in rows
     ]
-    return names_table(shown, "Contact that carries farthest (mph at the plate)")
+    return names_table(
+        shown, "Contact that carries farthest (first mph: the pitch at the plate; rpm: backspin of the hit)"
+    )
 
 
 def launches_table(rows: list[dict[str, Any]]) -> Table:
