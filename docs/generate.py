@@ -10,7 +10,7 @@ import sport_tables
 import tables
 from cases import analysed
 from facts import facts
-from figures import axes, ball, convergence, hollow, oblique, optimum, parks, percussion, spots
+from figures import axes, ball, convergence, flight, hollow, oblique, optimum, parks, percussion, spots
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
@@ -33,6 +33,8 @@ def figures() -> dict[str, Callable[[], Figure]]:
         "offset": oblique.offset_figure,
         "parks": parks.parks_figure,
         "optimum": optimum.optimum_figure,
+        "flight": flight.flight_figure,
+        "flight_convergence": flight.flight_convergence,
         "hand_force": percussion.hand_force_figure,
         "mesh_convergence": convergence.mesh_convergence,
         "step_convergence": convergence.step_convergence,
