@@ -75,9 +75,7 @@ def swings_table(rows: list[dict[str, Any]], *, length: float) -> Table:
         }
         for row in rows
     ]
-    return names_table(
-        shown, "Contact that carries farthest (first mph: the pitch at the plate; rpm: backspin of the hit)"
-    )
+    return names_table(shown, "Contact that carries farthest (mph: the pitch at the plate; rpm: backspin of the hit)")
 
 
 def launches_table(rows: list[dict[str, Any]]) -> Table:
