@@ -11,6 +11,7 @@ from sweetspot.ball import Ball, RestitutionLaw, stiffness_from_peak_force
 from sweetspot.bat import Bat, Bore
 from sweetspot.errors import InputError
 from sweetspot.implement import check_position
+from sweetspot.line import reduce
 from sweetspot.material import Material
 from sweetspot.swing import Hands, Pitch, Swing
 
@@ -58,6 +59,14 @@ def test_bat_refuses(ash: Material, changes: dict[str, Any], said: str) -> None:
     with pytest.raises(InputError) as caught:
         bat(ash, **changes)
     assert said in str(caught.value)
+
+
+def test_another_outline_from_the_same_wood(r161: Bat) -> None:
+    """A reshaped bat keeps the density that its original's weight says, and may have another length."""
+    shorter = r161.reshaped(((0.0, 0.03), (0.8, 0.06)))
+    assert shorter.length == 0.8
+    assert shorter.mass is None
+    assert reduce(shorter).density_factor == reduce(r161).density_factor
 
 
 def test_verbs_return_new_bats(ash: Material) -> None:

@@ -79,3 +79,13 @@ def test_positions() -> None:
     assert parse_position("6 1/2 in-from-knob", length=0.8382) == pytest.approx(0.1651)
     with pytest.raises(InputError, match="without a unit"):
         parse_position("6-from-tip", length=0.8382)
+
+
+@pytest.mark.parametrize("text", ["9**9**9 in", "2^64 in", "(9)**9 in", "9⁹⁹⁹⁹⁹⁹⁹⁹⁹ in", "1 in*" * 40 + "in"])
+def test_what_would_be_calculated_without_end_is_refused_at_once(text: str) -> None:
+    with pytest.raises(InputError, match="write a number and its unit"):
+        parse(text, "length")
+
+
+def test_powers_of_units_are_understood() -> None:
+    assert parse("1 kg*m^2", "moi") == parse("1 kg m²", "moi") == parse("1 kg*m**2", "moi") == 1.0
