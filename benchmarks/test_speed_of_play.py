@@ -12,9 +12,10 @@ import numpy as np
 from benchmarks.cases import QUICK, ball, duration, measured
 from sweetspot import catalog
 from sweetspot.air import Air
-from sweetspot.collision.strike import BatModel, bat_model
+from sweetspot.bat import Bat
 from sweetspot.motion import launched
 from sweetspot.play import Plays, plays
+from sweetspot.reduction import Reduction, reduction
 from sweetspot.swing_path import path_axes
 from sweetspot.units import DEGREE, INCH, MPH, RPM
 
@@ -23,9 +24,9 @@ PITCH = launched(speed=82 * MPH, launch_angle=-6 * DEGREE, spray=math.pi, backsp
 
 
 @cache
-def model() -> BatModel:
+def model() -> Reduction[Bat]:
     """Return the bat that everybody hits with."""
-    return bat_model(catalog.bat("r161-ash"), ball=ball())
+    return reduction(catalog.bat("r161-ash"), ball=ball())
 
 
 def played(count: int) -> Plays:

@@ -8,8 +8,8 @@ from typing import Any
 from sweetspot import analyse, catalog, standard_conditions
 from sweetspot.air import Air
 from sweetspot.analysis import Analysis
-from sweetspot.collision.strike import bat_model
 from sweetspot.optimum import BestSwing, best_swing
+from sweetspot.reduction import reduction
 from sweetspot.units import INCH
 from sweetspot.validation.computations.pitching import flown
 
@@ -33,7 +33,7 @@ def best_contact(pitch: str, attack_angle: float | None = None) -> BestSwing:
     """Return the contact of the flagship bat, held level, that carries a pitch of the catalogue farthest."""
     bat, ball = catalog.bat(FLAGSHIP), catalog.ball()
     return best_swing(
-        bat_model(bat, ball=ball),
+        reduction(bat, ball=ball),
         ball=ball,
         swing=standard_conditions(bat).swing,
         pitch=flown(pitch, "pitched-baseball").plate,

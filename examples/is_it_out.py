@@ -5,11 +5,13 @@ Run: python examples/is_it_out.py
 
 from math import pi
 
-from sweetspot import Air, Swing, SwingPath, bat_model, catalog, landings_everywhere, launched, play
+from sweetspot import Air, Swing, SwingPath, catalog, landings_everywhere, launched
+from sweetspot.play import play
+from sweetspot.reduction import reduction
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, RPM
 
 bat, ball, wings = catalog.bat("r161-ash"), catalog.ball(), catalog.aerodynamics("baseball")
-model = bat_model(bat, ball=ball)
+model = reduction(bat, ball=ball)
 place = bat.length - 6 * INCH
 fastball = launched(
     speed=85 * MPH, launch_angle=-6 * DEGREE, spray=pi, backspin=2200 * RPM, height=3 * FOOT, forward=2 * FOOT

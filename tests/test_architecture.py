@@ -30,6 +30,7 @@ LAYERS = [
     {"pitch"},
     {"flight"},
     {"collision", "block", "rules"},
+    {"reduction"},
     {"swing_weight"},
     {"contact", "vibration"},
     {"rigid"},

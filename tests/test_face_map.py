@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
-from sweetspot.analysis import hit_at, reduction
+from sweetspot.analysis import hit_at
 from sweetspot.errors import InputError
 from sweetspot.face_map import FaceMap, face_map
+from sweetspot.reduction import reduction
 from sweetspot.standard import standard_conditions
 
 

@@ -10,11 +10,12 @@ import pytest
 from sweetspot import catalog
 from sweetspot.air import VACUUM, Air
 from sweetspot.analysis import Analysis
+from sweetspot.bat import Bat
 from sweetspot.collision.impact import Outcome
-from sweetspot.collision.strike import BatModel
 from sweetspot.flight.trajectory import fly
 from sweetspot.motion import BallMotion, launched
 from sweetspot.play import Play, play, plays
+from sweetspot.reduction import Reduction
 from sweetspot.swing import Swing
 from sweetspot.swing_path import SwingPath
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, RPM
@@ -28,11 +29,11 @@ AERODYNAMICS = catalog.aerodynamics("baseball")
 
 
 @pytest.fixture(scope="module")
-def model(analysis: Analysis) -> BatModel:
-    return BatModel(analysis.bat, analysis.body, analysis.modes)
+def model(analysis: Analysis) -> Reduction[Bat]:
+    return analysis.reduced
 
 
-def played(model: BatModel, *, offset: float = 0.6 * INCH, air: Air = Air(), pitch: BallMotion = PITCH) -> Play:  # noqa: B008
+def played(model: Reduction[Bat], *, offset: float = 0.6 * INCH, air: Air = Air(), pitch: BallMotion = PITCH) -> Play:  # noqa: B008
     place = model.bat.length - 6 * INCH
     return play(
         model, ball=BALL, swing=Swing(bat_speed=72 * MPH, measured_at=place), path=PATH, pitch=pitch, position=place,
@@ -40,7 +41,7 @@ def played(model: BatModel, *, offset: float = 0.6 * INCH, air: Air = Air(), pit
     )  # fmt: skip
 
 
-def test_the_whole_is_its_parts(model: BatModel) -> None:
+def test_the_whole_is_its_parts(model: Reduction[Bat]) -> None:
     found = played(model)
     assert found.strike.launched is not None and found.flight is not None
     alone = fly(found.strike.launched, ball=BALL, aerodynamics=AERODYNAMICS, air=Air())
@@ -48,14 +49,14 @@ def test_the_whole_is_its_parts(model: BatModel) -> None:
     assert found.flight.launch.position == pytest.approx(PITCH.position)
 
 
-def test_a_well_hit_fastball_is_a_long_fly(model: BatModel) -> None:
+def test_a_well_hit_fastball_is_a_long_fly(model: Reduction[Bat]) -> None:
     """[nathan_calculator]: about 102 mph at 21 degrees carries 380 to 400 ft."""
     flight = played(model).flight
     assert flight is not None
     assert 370 < flight.carry / FOOT < 410
 
 
-def test_without_air_it_is_a_parabola(model: BatModel) -> None:
+def test_without_air_it_is_a_parabola(model: Reduction[Bat]) -> None:
     found = played(model, air=VACUUM)
     assert found.flight is not None and found.strike.launched is not None
     up, height = found.strike.launched.velocity[2], PITCH.position[2]
@@ -63,12 +64,12 @@ def test_without_air_it_is_a_parabola(model: BatModel) -> None:
     assert found.flight.hang_time == pytest.approx(expected, rel=1e-9)
 
 
-def test_a_miss_does_not_fly(model: BatModel) -> None:
+def test_a_miss_does_not_fly(model: Reduction[Bat]) -> None:
     found = played(model, offset=0.1)
     assert found.strike.outcome is Outcome.MISS and found.flight is None
 
 
-def test_one_and_many_agree(model: BatModel) -> None:
+def test_one_and_many_agree(model: Reduction[Bat]) -> None:
     place = model.bat.length - 6 * INCH
     offsets = np.array([0.2, 0.6, 1.0, 9.0]) * INCH
     many = plays(

@@ -26,7 +26,7 @@ SHOTS = {
 }
 """Name of the picture: address, theme, width and height in pixels."""
 FLAGS = ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"]
-COLOURS = 200
+COLOURS = 256
 
 
 def main() -> None:
@@ -46,9 +46,7 @@ def main() -> None:
             page.locator("#view[data-answered]").wait_for()
             time.sleep(1.0)  # lists of bats and parks arrive after the first picture
             shot = Image.open(io.BytesIO(page.screenshot()))
-            small = shot.convert("RGB").quantize(
-                COLOURS, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE
-            )
+            small = shot.convert("RGB").quantize(COLOURS, kmeans=3, dither=Image.Dither.NONE)
             small.save(FOLDER / f"{name}.png", optimize=True)
             context.close()
         browser.close()

@@ -9,7 +9,7 @@ from cases import analysed
 from matplotlib.figure import Figure
 
 from figures.style import BLUE, GREY, RED, new_figure
-from sweetspot.collision.strike import BatModel, Strikes, strikes
+from sweetspot.collision.strike import Strikes, strikes
 from sweetspot.motion import launch_angles, launched
 from sweetspot.swing_path import SwingPath
 from sweetspot.units import DEGREE, INCH, MPH, RPM
@@ -47,7 +47,7 @@ def _swept(path: SwingPath) -> Strikes:
     place = analysis.bat.length - 6 * INCH
     pitch = launched(speed=PLATE_SPEED, launch_angle=-FALL, spray=math.pi, backspin=PITCH_SPIN)
     return strikes(
-        BatModel(analysis.bat, analysis.body, analysis.modes),
+        analysis.reduced,
         ball=analysis.conditions.ball,
         bat_speed=np.full(len(OFFSETS), BAT_SPEED),
         axes=path.axes,

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from sweetspot.bat import Bat
     from sweetspot.collision.coupled import hit
     from sweetspot.collision.kernel import hits
-    from sweetspot.collision.strike import bat_model, strike, strikes
+    from sweetspot.collision.strike import strike, strikes
     from sweetspot.errors import InputError, SweetspotError
     from sweetspot.flight.everywhere import landings_everywhere
     from sweetspot.flight.kernel import flights
@@ -34,7 +34,8 @@ if TYPE_CHECKING:
     from sweetspot.material import Material
     from sweetspot.motion import BallMotion, launched
     from sweetspot.paper_rows import paper_rows
-    from sweetspot.play import play, plays
+    from sweetspot.play import plays
+    from sweetspot.reduction import reduction
     from sweetspot.rigid import RigidBody, centre_of_percussion, effective_mass, rigid_body
     from sweetspot.standard import standard_conditions
     from sweetspot.swing import Conditions, Hands, Pitch, Swing
@@ -74,10 +75,9 @@ _HOMES = {
     "BallMotion": "motion",
     "launched": "motion",
     "SwingPath": "swing_path",
-    "bat_model": "collision.strike",
+    "Reduction": "reduction",
     "strike": "collision.strike",
     "strikes": "collision.strike",
-    "play": "play",
     "plays": "play",
     "Air": "air",
     "Wind": "air",
@@ -102,6 +102,7 @@ __all__ = [
     "Line",
     "Material",
     "Pitch",
+    "Reduction",
     "RestitutionLaw",
     "RigidBody",
     "SweetspotError",
@@ -109,7 +110,6 @@ __all__ = [
     "SwingPath",
     "Wind",
     "analyse",
-    "bat_model",
     "bending_modes",
     "catalog",
     "centre_of_percussion",
@@ -126,7 +126,6 @@ __all__ = [
     "launched",
     "modes_of",
     "paper_rows",
-    "play",
     "plays",
     "reduce",
     "rigid_body",

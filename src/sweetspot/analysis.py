@@ -6,51 +6,23 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Generic
 
-from typing_extensions import TypeVar
-
-from sweetspot.ball import Ball
-from sweetspot.bat import Bat
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact
 from sweetspot.collision.momentum import exit_speed
 from sweetspot.errors import InputError
 from sweetspot.implement import Implement
-from sweetspot.line import Line, reduce
-from sweetspot.rigid import RigidBody, rigid_body
+from sweetspot.line import Line
+from sweetspot.reduction import Given, Reduction, Tool_co, reduction
+from sweetspot.rigid import RigidBody
 from sweetspot.scan import Scan, scan
 from sweetspot.sweet_spots import SweetSpots, sweet_spots
 from sweetspot.swing import Conditions, Hands
 from sweetspot.units import shown
 from sweetspot.vibration.hands import check_hands, gripped
 from sweetspot.vibration.modes import Modes
-from sweetspot.vibration.whole import modes_of
 
-Tool_co = TypeVar("Tool_co", bound=Implement, covariant=True, default=Bat)
-"""What was analysed: a bat unless said otherwise."""
-Given = TypeVar("Given", bound=Implement)
 TYPICAL_HAND = {"mass": 0.35, "stiffness": 20e3, "damping": 100.0}
 """kg, N/m, N s/m per hand; soft defaults, recalled and not read, used only to show that grip hardly matters."""
-
-
-@dataclass(frozen=True)
-class Reduction(Generic[Tool_co]):
-    """A bat with everything that a collision needs of it, whatever the swing; worked out once, used by many.
-
-    Parameters
-    ----------
-    modes : of the free bat, hands left out.
-    """
-
-    bat: Tool_co
-    line: Line
-    body: RigidBody
-    modes: Modes
-
-
-def reduction(bat: Given, *, ball: Ball) -> Reduction[Given]:
-    """Return a bat with its beam, its rigid body and its modes under the patch that this ball presses."""
-    line = reduce(bat)
-    return Reduction(bat, line, rigid_body(line), modes_of(line, ball))
 
 
 @dataclass(frozen=True)
@@ -133,16 +105,16 @@ def check_conditions(bat: Implement, conditions: Conditions, *, body: RigidBody)
         )
     if not -1.0 <= swing.pivot < bat.length / 2:
         raise InputError(
-            f"pivot is {shown(swing.pivot)} from the knob end; allowed is from 1 m behind the knob to the middle of "
-            f"the bat, {shown(bat.length / 2)}"
+            f"pivot is {shown(swing.pivot)} from the {bat.grip_end}; allowed is from 1 m behind it to the middle, "
+            f"{shown(bat.length / 2)}"
         )
     if conditions.hands.position > bat.length / 2:
         raise InputError(
-            f"hands are at {shown(conditions.hands.position)}, beyond the middle of the bat at "
-            f"{shown(bat.length / 2)}; hold the handle"
+            f"hands are at {shown(conditions.hands.position)}, beyond the middle at {shown(bat.length / 2)}; "
+            "hold the handle"
         )
     if conditions.ball.mass >= body.mass:
         raise InputError(
-            f"the ball weighs {conditions.ball.mass:.4g} kg and the bat {body.mass:.4g} kg; "
-            "allowed is a ball lighter than the bat"
+            f"the ball weighs {conditions.ball.mass:.4g} kg and {bat.name} {body.mass:.4g} kg; "
+            "allowed is a ball lighter than what it is hit with"
         )

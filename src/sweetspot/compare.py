@@ -11,13 +11,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Generic, Literal
 
-from sweetspot.analysis import Analysis, Given, Reduction, Tool_co, analyse_reduced, reduction
+from sweetspot.analysis import Analysis, analyse_reduced
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.collision.kernel import hits
 from sweetspot.collision.momentum import exit_speed
 from sweetspot.errors import InputError
 from sweetspot.implement import Implement
 from sweetspot.parabola import peak
+from sweetspot.reduction import Given, Reduction, Tool_co, reduction
 from sweetspot.rigid import RigidBody
 from sweetspot.scan import Array
 from sweetspot.swing import MAX_SPEED, Conditions

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sweetspot.analysis import Reduction
 from sweetspot.collision.kernel import hits
 from sweetspot.collision.momentum import exit_speed
 from sweetspot.errors import InputError
 from sweetspot.face import Outline
 from sweetspot.implement import Implement
+from sweetspot.reduction import Reduction
 from sweetspot.scan import Array, sting
 from sweetspot.swing import Conditions
 from sweetspot.vibration.hands import gripped

@@ -10,12 +10,14 @@ from numpy.typing import ArrayLike
 from sweetspot.aerodynamics import Aerodynamics
 from sweetspot.air import CALM, Air, Wind
 from sweetspot.ball import Ball
+from sweetspot.bat import Bat
 from sweetspot.collision.impact import Array
 from sweetspot.collision.oblique import FRICTION, TANGENTIAL_RESTITUTION
-from sweetspot.collision.strike import BatModel, Strike, Strikes, strike, strikes
+from sweetspot.collision.strike import Strike, Strikes, strike, strikes
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.flight.trajectory import Flight, fly
 from sweetspot.motion import BallMotion
+from sweetspot.reduction import Reduction
 from sweetspot.swing import Swing
 from sweetspot.swing_path import PathAxes, SwingPath
 
@@ -37,7 +39,7 @@ class Plays:
 
 
 def play(
-    model: BatModel,
+    reduced: Reduction[Bat],
     *,
     ball: Ball,
     swing: Swing,
@@ -55,13 +57,13 @@ def play(
 
     Parameters
     ----------
-    model : from `sweetspot.collision.strike.bat_model`.
+    reduced : the bat, from `sweetspot.reduction.reduction`.
     swing, path : how fast the bat moves, and where to.
     pitch : the ball where the bat meets it, in the field's frame; the flight starts there.
     position, offset : m from the knob end, and m by which the ball's centre lies above the bat's axis.
     """
     struck = strike(
-        model,
+        reduced,
         ball=ball,
         swing=swing,
         path=path,
@@ -77,7 +79,7 @@ def play(
 
 
 def plays(
-    model: BatModel,
+    reduced: Reduction[Bat],
     *,
     ball: Ball,
     bat_speed: ArrayLike,
@@ -104,7 +106,7 @@ def plays(
     threads : workers; None: one per core, and one only for small batches.
     """
     struck = strikes(
-        model,
+        reduced,
         ball=ball,
         bat_speed=bat_speed,
         axes=axes,

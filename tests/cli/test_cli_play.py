@@ -11,9 +11,9 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.air import Air
-from sweetspot.collision.strike import bat_model
 from sweetspot.motion import launched
 from sweetspot.play import play
+from sweetspot.reduction import reduction
 from sweetspot.swing import Swing
 from sweetspot.swing_path import SwingPath
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, RPM
@@ -27,7 +27,7 @@ def test_the_command_gives_the_librarys_numbers(run_json: Callable[..., Any]) ->
                      "--elevation", "0ft", "--pressure", "1013.25hPa")  # fmt: skip
     bat, ball = catalog.bat("r161-ash"), catalog.ball()
     expected = play(
-        bat_model(bat, ball=ball), ball=ball, swing=Swing(bat_speed=74 * MPH, measured_at=bat.length - 6 * INCH),
+        reduction(bat, ball=ball), ball=ball, swing=Swing(bat_speed=74 * MPH, measured_at=bat.length - 6 * INCH),
         path=SwingPath(attack_angle=11 * DEGREE, tilt=32 * DEGREE, bats="left"),
         pitch=launched(speed=84 * MPH, launch_angle=-6 * DEGREE, spray=math.pi, backspin=2200 * RPM, height=3 * FOOT,
                        forward=2 * FOOT),

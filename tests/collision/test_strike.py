@@ -11,11 +11,13 @@ from hypothesis import strategies as st
 
 from sweetspot import catalog
 from sweetspot.analysis import Analysis, exit_speed_of, hit_at
+from sweetspot.bat import Bat
 from sweetspot.collision.impact import Outcome
 from sweetspot.collision.oblique import SPHERE
-from sweetspot.collision.strike import BatModel, Strike, Strikes, bat_model, strike, strikes
+from sweetspot.collision.strike import Strike, Strikes, strike, strikes
 from sweetspot.errors import InputError
 from sweetspot.motion import BallMotion
+from sweetspot.reduction import Reduction, reduction
 from sweetspot.swing import Swing
 from sweetspot.swing_path import SwingPath
 from sweetspot.units import INCH, MPH
@@ -25,8 +27,8 @@ TO_RPM = 30 / np.pi
 
 
 @pytest.fixture(scope="module")
-def model(analysis: Analysis) -> BatModel:
-    return BatModel(analysis.bat, analysis.body, analysis.modes)
+def model(analysis: Analysis) -> Reduction[Bat]:
+    return analysis.reduced
 
 
 def pitched(speed: float = 82 * MPH, *, drop: float = 0.0, spin: tuple[float, float, float] = (0, 0, 0)) -> BallMotion:
@@ -34,7 +36,7 @@ def pitched(speed: float = 82 * MPH, *, drop: float = 0.0, spin: tuple[float, fl
     return BallMotion(np.zeros(3), speed * np.array([0, -np.cos(drop), -np.sin(drop)]), np.array(spin, float))
 
 
-def struck(model: BatModel, **changes: object) -> Strike:
+def struck(model: Reduction[Bat], **changes: object) -> Strike:
     x = model.bat.length - 6 * INCH
     given_ = {
         "ball": BALL, "swing": Swing(bat_speed=72 * MPH, measured_at=x), "path": SwingPath(), "pitch": pitched(),
@@ -43,7 +45,7 @@ def struck(model: BatModel, **changes: object) -> Strike:
     return strike(model, **{**given_, **changes})  # type: ignore[arg-type]
 
 
-def test_head_on_is_the_main_job(model: BatModel, analysis: Analysis) -> None:
+def test_head_on_is_the_main_job(model: Reduction[Bat], analysis: Analysis) -> None:
     """Exact: level path, ball straight against it, no spin: nothing slides, so the exit speed is the normal part's."""
     conditions, place = analysis.conditions, analysis.sweet_spots.max_exit_speed
     found = struck(model, swing=conditions.swing, position=place, pitch=pitched(conditions.pitch.speed))
@@ -55,7 +57,7 @@ def test_head_on_is_the_main_job(model: BatModel, analysis: Analysis) -> None:
 
 @given(offset=st.floats(-0.05, 0.05), attack=st.floats(-0.4, 0.4), drop=st.floats(-0.3, 0.3))
 @settings(max_examples=20, deadline=None)
-def test_without_friction_the_spin_stays(model: BatModel, offset: float, attack: float, drop: float) -> None:
+def test_without_friction_the_spin_stays(model: Reduction[Bat], offset: float, attack: float, drop: float) -> None:
     spin = (-240.0, 30.0, 50.0)
     found = struck(
         model, offset=offset, path=SwingPath(attack_angle=attack), pitch=pitched(drop=drop, spin=spin), friction=0.0
@@ -64,7 +66,7 @@ def test_without_friction_the_spin_stays(model: BatModel, offset: float, attack:
     assert found.launched.spin == pytest.approx(spin, abs=1e-12)
 
 
-def batch(model: BatModel, seed: int, count: int = 60) -> tuple[Strikes, dict[str, np.ndarray]]:
+def batch(model: Reduction[Bat], seed: int, count: int = 60) -> tuple[Strikes, dict[str, np.ndarray]]:
     rng = np.random.default_rng(seed)
     inputs = {
         "bat_speed": rng.uniform(20, 40, count),
@@ -77,7 +79,7 @@ def batch(model: BatModel, seed: int, count: int = 60) -> tuple[Strikes, dict[st
     return strikes(model, ball=BALL, axes=axes, **inputs), inputs  # type: ignore[arg-type]
 
 
-def test_angular_momentum_about_the_contact_is_kept(model: BatModel) -> None:
+def test_angular_momentum_about_the_contact_is_kept(model: Reduction[Bat]) -> None:
     """Exact: every impulse acts at the point of contact, r n below the centre, so I w + m r n x v stays."""
     found, given_ = batch(model, 1)
     axes = SwingPath(attack_angle=0.15, attack_direction=-0.1, tilt=0.55).axes
@@ -93,7 +95,7 @@ def test_angular_momentum_about_the_contact_is_kept(model: BatModel) -> None:
     assert about_contact(found.velocity, found.spin) == pytest.approx(before, rel=1e-9, abs=1e-9)
 
 
-def test_one_and_many_agree(model: BatModel) -> None:
+def test_one_and_many_agree(model: Reduction[Bat]) -> None:
     """The readable hit and the kernel differ by the kernel's coarser step, 1e-4 of the exit speed."""
     path = SwingPath(attack_angle=0.15, tilt=0.55)
     x = model.bat.length - 6 * INCH
@@ -109,7 +111,7 @@ def test_one_and_many_agree(model: BatModel) -> None:
         assert many.spin[0] == pytest.approx(one.launched.spin, rel=1e-3, abs=0.3)
 
 
-def test_left_mirrors_right(model: BatModel) -> None:
+def test_left_mirrors_right(model: Reduction[Bat]) -> None:
     sides = [
         struck(model, path=SwingPath(attack_angle=0.15, attack_direction=-0.1, tilt=0.5, bats=side), offset=0.01)
         for side in ("right", "left")
@@ -120,7 +122,7 @@ def test_left_mirrors_right(model: BatModel) -> None:
     assert right.spin * [1, -1, -1] == pytest.approx(left.spin)
 
 
-def test_below_the_centre_makes_backspin_and_a_tilted_bat_side_spin(model: BatModel) -> None:
+def test_below_the_centre_makes_backspin_and_a_tilted_bat_side_spin(model: Reduction[Bat]) -> None:
     level = struck(model, offset=0.02).launched
     tilted = struck(model, offset=0.02, path=SwingPath(tilt=radians(32))).launched
     assert level is not None and tilted is not None
@@ -130,7 +132,7 @@ def test_below_the_centre_makes_backspin_and_a_tilted_bat_side_spin(model: BatMo
     assert 0 < tilted.backspin < level.backspin
 
 
-def test_a_miss_is_an_outcome(model: BatModel) -> None:
+def test_a_miss_is_an_outcome(model: Reduction[Bat]) -> None:
     assert struck(model, offset=0.1).outcome is Outcome.MISS
     assert struck(model, offset=-0.1).launched is None
     assert (
@@ -144,7 +146,7 @@ def test_a_miss_is_an_outcome(model: BatModel) -> None:
     assert np.isnan(found.exit_speed[0]) and found.exit_speed[1] > 30
 
 
-def test_off_the_bat_is_refused(model: BatModel) -> None:
+def test_off_the_bat_is_refused(model: Reduction[Bat]) -> None:
     with pytest.raises(InputError, match="on the bat"):
         strikes(
             model, ball=BALL, bat_speed=[30.0], axes=SwingPath().axes, pitch_velocity=[0, -30, 0], pitch_spin=[0, 0, 0],
@@ -152,13 +154,13 @@ def test_off_the_bat_is_refused(model: BatModel) -> None:
         )  # fmt: skip
 
 
-def test_grazing_contact_slides(model: BatModel) -> None:
+def test_grazing_contact_slides(model: Reduction[Bat]) -> None:
     reach = BALL.radius + 0.031
     assert struck(model, offset=0.9 * reach).gripped is False
     assert struck(model, offset=0.2 * reach).gripped is True
 
 
-def test_second_plane_shakes_less_than_the_first(model: BatModel) -> None:
+def test_second_plane_shakes_less_than_the_first(model: Reduction[Bat]) -> None:
     """Friction is at most 0.2 of the normal force [kensrud2017]."""
     found = struck(model, offset=0.03)
     assert found.second_plane is not None and 0 < found.second_plane <= 0.2
@@ -166,7 +168,7 @@ def test_second_plane_shakes_less_than_the_first(model: BatModel) -> None:
 
 
 @pytest.mark.parametrize(("bat_speed", "low", "high"), [(63, 0, 3500), (77, 2800, 3500), (88, 0, 4000)])
-def test_published_spin_off_a_tee(model: BatModel, bat_speed: float, low: float, high: float) -> None:
+def test_published_spin_off_a_tee(model: Reduction[Bat], bat_speed: float, low: float, high: float) -> None:
     """[kensrud2017]: bat at 63 to 88 mph on a ball at rest, launch to 30 degrees, spin to 3500 rpm; at 77 mph and 20
     degrees about 3100 to 3200 rpm, within 10 %."""
     x = model.bat.length - 6 * INCH
@@ -178,7 +180,7 @@ def test_published_spin_off_a_tee(model: BatModel, bat_speed: float, low: float,
     assert low <= at_20.backspin * TO_RPM <= high
 
 
-def test_bat_model_is_what_analysis_uses(analysis: Analysis) -> None:
-    found = bat_model(analysis.bat, ball=analysis.conditions.ball)
+def test_a_reduction_is_what_analysis_uses(analysis: Analysis) -> None:
+    found = reduction(analysis.bat, ball=analysis.conditions.ball)
     assert found.body == analysis.body
     assert found.modes.frequency == pytest.approx(analysis.modes.frequency)

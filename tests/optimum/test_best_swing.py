@@ -10,11 +10,12 @@ import pytest
 from sweetspot import catalog
 from sweetspot.air import VACUUM, Air
 from sweetspot.analysis import Analysis
-from sweetspot.collision.strike import BatModel
+from sweetspot.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.motion import launched
 from sweetspot.optimum import BestSwing, best_swing
 from sweetspot.play import play
+from sweetspot.reduction import Reduction
 from sweetspot.swing_path import SwingPath
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, RPM
 
@@ -23,18 +24,18 @@ PITCH = launched(speed=85 * MPH, launch_angle=-5 * DEGREE, spray=math.pi, backsp
 
 
 @pytest.fixture(scope="module")
-def model(analysis: Analysis) -> BatModel:
-    return BatModel(analysis.bat, analysis.body, analysis.modes)
+def model(analysis: Analysis) -> Reduction[Bat]:
+    return analysis.reduced
 
 
 @pytest.fixture(scope="module")
-def best(model: BatModel, analysis: Analysis) -> BestSwing:
+def best(model: Reduction[Bat], analysis: Analysis) -> BestSwing:
     return best_swing(model, ball=BALL, swing=analysis.conditions.swing, pitch=PITCH, aerodynamics=LAW, air=AIR)
 
 
 @pytest.mark.parametrize("change", [(1.0, 0, 0), (-1.0, 0, 0), (0, 0.04, 0), (0, -0.04, 0), (0, 0, 0.4), (0, 0, -0.4)])
 def test_no_neighbour_is_farther(
-    model: BatModel, analysis: Analysis, best: BestSwing, change: tuple[float, float, float]
+    model: Reduction[Bat], analysis: Analysis, best: BestSwing, change: tuple[float, float, float]
 ) -> None:
     """By the readable collision and flight: 1 deg, 1 mm and 0.4 in to either side carry less; 1 cm for their steps."""
     turn, lift, along = change
@@ -46,7 +47,7 @@ def test_no_neighbour_is_farther(
     assert moved.flight is not None and moved.flight.carry < best.carry + 0.01
 
 
-def test_the_answer_is_what_the_parts_say(model: BatModel, analysis: Analysis, best: BestSwing) -> None:
+def test_the_answer_is_what_the_parts_say(model: Reduction[Bat], analysis: Analysis, best: BestSwing) -> None:
     again = play(
         model, ball=BALL, swing=analysis.conditions.swing, path=SwingPath(attack_angle=best.attack_angle),
         pitch=PITCH, position=best.position, offset=best.offset, aerodynamics=LAW, air=AIR,
@@ -64,14 +65,14 @@ def test_the_place_is_that_of_the_greatest_exit_speed(analysis: Analysis, best: 
     assert best.position == pytest.approx(analysis.sweet_spots.max_exit_speed, abs=0.25 * INCH)
 
 
-def test_without_air_the_best_launch_is_half_a_right_angle(model: BatModel, analysis: Analysis) -> None:
+def test_without_air_the_best_launch_is_half_a_right_angle(model: Reduction[Bat], analysis: Analysis) -> None:
     """A parabola from near the ground goes farthest at 45 deg; the exit speed changes slowly there, hence 2 deg."""
     found = best_swing(model, ball=BALL, swing=analysis.conditions.swing, pitch=PITCH, aerodynamics=LAW, air=VACUUM)
     assert found.launched.launch_angle / DEGREE == pytest.approx(45, abs=2)
     assert found.carry > 180
 
 
-def test_what_is_given_stays_and_costs_carry(model: BatModel, analysis: Analysis, best: BestSwing) -> None:
+def test_what_is_given_stays_and_costs_carry(model: Reduction[Bat], analysis: Analysis, best: BestSwing) -> None:
     place = model.bat.length - 4 * INCH
     held = best_swing(
         model, ball=BALL, swing=analysis.conditions.swing, pitch=PITCH, aerodynamics=LAW, air=AIR,
@@ -81,7 +82,7 @@ def test_what_is_given_stays_and_costs_carry(model: BatModel, analysis: Analysis
     assert held.carry < best.carry - 5
 
 
-def test_topspin_is_worth_more_to_a_ball_that_rolls_off(model: BatModel, analysis: Analysis) -> None:
+def test_topspin_is_worth_more_to_a_ball_that_rolls_off(model: Reduction[Bat], analysis: Analysis) -> None:
     """The two reasons why our curve is not the longest hit: gains of a curve as fast as the fastball, both ways."""
     curve = launched(
         speed=85 * MPH, launch_angle=-5 * DEGREE, spray=math.pi, backspin=-2200 * RPM, height=0.9, forward=0.6
@@ -99,7 +100,7 @@ def test_topspin_is_worth_more_to_a_ball_that_rolls_off(model: BatModel, analysi
     assert 0 < gains[0] < gains[1]
 
 
-def test_impossible_questions_are_refused(model: BatModel, analysis: Analysis) -> None:
+def test_impossible_questions_are_refused(model: Reduction[Bat], analysis: Analysis) -> None:
     with pytest.raises(InputError, match="allowed is -20 to 60 deg"):
         best_swing(
             model, ball=BALL, swing=analysis.conditions.swing, pitch=PITCH, aerodynamics=LAW, air=AIR, attack_angle=1.2

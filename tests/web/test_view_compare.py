@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import io
+import shlex
+from collections.abc import Callable
 from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
@@ -108,3 +110,11 @@ def test_python_lines_give_the_same_numbers(
     expected = [row["exit_speed_m_s"]["value"] / MPH for row in answer(state)["bats"]]
     assert shown == pytest.approx(expected, rel=1e-6)
     assert lines["command"].startswith("sweetspot compare ") and "sweetspot certify " in lines["command"]
+
+
+def test_the_command_line_gives_the_same_numbers(run_json: Callable[..., Any]) -> None:
+    state = CompareState.model_validate({"what_if": "cork", "hole_depth_in": 8, "pitch_speed_mph": 80})
+    assert VIEW.recipe is not None
+    rows = run_json(*shlex.split(VIEW.recipe(state)["command"].splitlines()[0])[1:])["bats"]
+    for row, expected in zip(rows, answer(state)["bats"], strict=True):
+        assert row["change_m_s"] == pytest.approx(expected["change_m_s"], abs=1e-9)

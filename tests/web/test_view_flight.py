@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import io
 import math
+import shlex
+from collections.abc import Callable
 from contextlib import redirect_stdout
 from typing import Any
 
@@ -98,3 +100,12 @@ def test_python_lines_give_the_same_numbers(controls: dict[str, Any]) -> None:
     assert flight.carry == pytest.approx(found["flight"]["carry_m"], rel=1e-4)  # the readable solution
     assert f"outcome='{found['end']['outcome']}'" in said.getvalue()
     assert np.isfinite(flight.hang_time)
+
+
+@pytest.mark.parametrize("controls", [{"sidespin_rpm": -300.0}, {"start": "swing", "offset_in": 0.6}])
+def test_the_command_line_gives_the_same_numbers(controls: dict[str, Any], run_json: Callable[..., Any]) -> None:
+    state = FlightState.model_validate(controls)
+    assert VIEW.recipe is not None
+    found = run_json(*shlex.split(VIEW.recipe(state)["command"])[1:])
+    carry = found["carry_m"] if "carry_m" in found else found["flight"]["carry_m"]
+    assert carry == pytest.approx(answer(state)["flight"]["carry_m"], rel=1e-4)

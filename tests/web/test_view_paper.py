@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import io
 import math
+import shlex
+from collections.abc import Callable
 from contextlib import redirect_stdout
 from typing import Any
 
@@ -95,3 +97,11 @@ def test_python_lines_give_the_same_numbers() -> None:
     expected = [row["computed"] for row in answer(state)["rows"]]
     assert shown == pytest.approx(expected) and not any(map(math.isnan, shown))
     assert "--entry-angle 25deg" in lines["command"] and "--bat-speed 64mph" in lines["command"]
+
+
+def test_the_command_line_gives_the_same_numbers(run_json: Callable[..., Any]) -> None:
+    state = PaperState(question="drop", drop_height_m=2.0, block_support="clamped", block_thickness_m=0.01)
+    assert VIEW.recipe is not None
+    rows = run_json(*shlex.split(VIEW.recipe(state)["command"])[1:])["rows"]
+    expected = answer(state)["rows"]
+    assert [row for row in rows if row["equation"] == "Fig. 6"] == expected

@@ -100,10 +100,10 @@ def _swings(
     from sweetspot import catalog
     from sweetspot.cli.options import conditions_for
     from sweetspot.cli.weather import air_of, wind_of
-    from sweetspot.collision.strike import bat_model
     from sweetspot.implement import check_position
     from sweetspot.optimum import best_swing
     from sweetspot.pitch import aimed
+    from sweetspot.reduction import reduction
     from sweetspot.report.optimum import swing_row
     from sweetspot.units import parse, parse_position
 
@@ -117,7 +117,7 @@ def _swings(
     if position is not None:
         check_position(described, position, "--at")
     steep = None if contact.attack_angle is None else parse(contact.attack_angle, "angle", "--attack-angle")
-    model = bat_model(described, ball=conditions.ball, hands=conditions.hands)
+    model = reduction(described, ball=conditions.ball).held(conditions.hands)
     rows = []
     for name in pitches:
         delivery = catalog.delivery(name)

@@ -71,15 +71,15 @@ def play(
     from sweetspot.cli.options import conditions_for
     from sweetspot.cli.output import patience, print_csv, print_json, print_table
     from sweetspot.cli.weather import air_of, park_of, wind_of
-    from sweetspot.collision.strike import bat_model
     from sweetspot.flight.fence import landing
     from sweetspot.play import play as played
+    from sweetspot.reduction import reduction
     from sweetspot.report.play import PlayReport, path_columns, play_json, play_table, write_play
     from sweetspot.units import parse, parse_position
 
     described = catalog.load_bat(bat)
     conditions = conditions_for(described, swing)
-    model = bat_model(described, ball=conditions.ball, hands=conditions.hands)
+    model = reduction(described, ball=conditions.ball).held(conditions.hands)
     check_conditions(described, conditions, body=model.body)
     position = parse_position(at, length=described.length, what="--at")
     under, park = parse(offset, "length", "--offset"), park_of(air)

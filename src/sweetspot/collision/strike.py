@@ -28,23 +28,10 @@ from sweetspot.collision.oblique import (
 )  # fmt: skip
 from sweetspot.errors import InputError
 from sweetspot.implement import check_position
-from sweetspot.line import reduce
 from sweetspot.motion import BallMotion
-from sweetspot.rigid import RigidBody, rigid_body
-from sweetspot.swing import Hands, Swing
+from sweetspot.reduction import Reduction
+from sweetspot.swing import Swing
 from sweetspot.swing_path import PathAxes, SwingPath
-from sweetspot.vibration.hands import gripped
-from sweetspot.vibration.modes import Modes
-from sweetspot.vibration.whole import modes_of
-
-
-@dataclass(frozen=True)
-class BatModel:
-    """A bat as the collision needs it: reduced once, struck as often as you like."""
-
-    bat: Bat
-    body: RigidBody
-    modes: Modes
 
 
 @dataclass(frozen=True)
@@ -97,15 +84,8 @@ class Strikes:
     spin: Array
 
 
-def bat_model(bat: Bat, *, ball: Ball, hands: Hands | None = None) -> BatModel:
-    """Return a bat reduced to rigid body and modes; ``hands`` without mass, or None, leave it free."""
-    line = reduce(bat)
-    modes = modes_of(line, ball)
-    return BatModel(bat, rigid_body(line), modes if hands is None else gripped(modes, hands))
-
-
 def strike(
-    model: BatModel,
+    reduced: Reduction[Bat],
     *,
     ball: Ball,
     swing: Swing,
@@ -134,15 +114,15 @@ def strike(
     InputError
         for a position that is not on the bat.
     """
-    check_position(model.bat, position, "position")
-    reach = ball.radius + float(model.bat.diameter_at(np.array(position))) / 2
+    check_position(reduced.bat, position, "position")
+    reach = ball.radius + float(reduced.bat.diameter_at(np.array(position))) / 2
     bat_speed = swing.speed_at(position)
     if abs(offset) >= reach:
         return Strike(Outcome.MISS, bat_speed)
     frame = contact_frame(*path.axes, lift=np.arcsin(offset / reach))
     bat_velocity = bat_speed * path.axes.forward
     closing = float((bat_velocity - pitch.velocity) @ frame.normal)
-    impact = hit(model.modes, ball=ball, position=position, closing_speed=closing)
+    impact = hit(reduced.modes, ball=ball, position=position, closing_speed=closing)
     if impact.outcome is not Outcome.SEPARATED:
         return Strike(impact.outcome, bat_speed)
     impulse = ball.mass * closing * (1 + impact.collision_efficiency)
@@ -153,8 +133,8 @@ def strike(
         ball_spin=pitch.spin,
         bat_velocity=bat_velocity,
         normal_impulse=impulse,
-        recoil_around=_recoil_around(model, np.array(position), impact.velocity, impulse),
-        recoil_along=1 / model.body.mass,
+        recoil_around=_recoil_around(reduced, np.array(position), impact.velocity, impulse),
+        recoil_along=1 / reduced.body.mass,
         friction=friction,
         tangential_restitution=tangential_restitution,
     )
@@ -172,7 +152,7 @@ def strike(
 
 
 def strikes(
-    model: BatModel,
+    reduced: Reduction[Bat],
     *,
     ball: Ball,
     bat_speed: ArrayLike,
@@ -201,16 +181,16 @@ def strikes(
         for a position that is not on the bat.
     """
     speed, place, above = np.broadcast_arrays(*(np.asarray(v, float).ravel() for v in (bat_speed, position, offset)))
-    if np.any((place < 0) | (place > model.bat.length)):
-        worst = float(place[np.argmax(np.abs(place - model.bat.length / 2))])
-        raise InputError(f"position {worst:.4g} m is not on the bat; allowed is 0 to {model.bat.length:.4g} m")
+    if np.any((place < 0) | (place > reduced.bat.length)):
+        worst = float(place[np.argmax(np.abs(place - reduced.bat.length / 2))])
+        raise InputError(f"position {worst:.4g} m is not on the bat; allowed is 0 to {reduced.bat.length:.4g} m")
     velocity, spin = (np.broadcast_to(np.asarray(v, float), (len(speed), 3)) for v in (pitch_velocity, pitch_spin))
-    reach = ball.radius + model.bat.diameter_at(place) / 2
+    reach = ball.radius + reduced.bat.diameter_at(place) / 2
     missed = np.abs(above) >= reach
     frame = contact_frame(*axes, lift=np.arcsin(np.clip(above / reach, -1.0, 1.0)))
     bat_velocity = speed[:, None] * axes.forward
     closing = np.where(missed, 0.0, np.sum((bat_velocity - velocity) * frame.normal, axis=-1))
-    done = hits(model.modes, ball=ball, position=place, closing_speed=closing, threads=threads)
+    done = hits(reduced.modes, ball=ball, position=place, closing_speed=closing, threads=threads)
     impulse = ball.mass * closing * (1 + done.collision_efficiency)
     left = launch(
         ContactFrame(*(np.broadcast_to(axis, (len(speed), 3)) for axis in frame)),
@@ -219,8 +199,8 @@ def strikes(
         ball_spin=spin,
         bat_velocity=bat_velocity,
         normal_impulse=impulse,
-        recoil_around=_recoil_around(model, place, done.velocity, impulse),
-        recoil_along=1 / model.body.mass,
+        recoil_around=_recoil_around(reduced, place, done.velocity, impulse),
+        recoil_along=1 / reduced.body.mass,
         friction=friction,
         tangential_restitution=tangential_restitution,
     )
@@ -237,8 +217,8 @@ def strikes(
     )
 
 
-def _recoil_around(model: BatModel, place: Array, velocity: Array, impulse: ArrayLike) -> Array:
+def _recoil_around(reduced: Reduction[Bat], place: Array, velocity: Array, impulse: ArrayLike) -> Array:
     """Return the speed that one N s of friction around the bat gives its surface: as a beam, and by rolling, 1/kg."""
-    beam = [i for i, family in enumerate(model.modes.families) if family != "hoop"]
-    across = recoil_across(model.modes.shape_at(place)[..., beam], velocity[..., beam], normal_impulse=impulse)
-    return across + (model.bat.diameter_at(place) / 2) ** 2 / model.body.roll_moi
+    beam = [i for i, family in enumerate(reduced.modes.families) if family != "hoop"]
+    across = recoil_across(reduced.modes.shape_at(place)[..., beam], velocity[..., beam], normal_impulse=impulse)
+    return across + (reduced.bat.diameter_at(place) / 2) ** 2 / reduced.body.roll_moi

@@ -166,7 +166,7 @@ def _rows(
 
 
 def _constants(ball: Ball, aerodynamics: Aerodynamics, wind: Wind | ArrayLike) -> Array:
-    """Return the numbers that every flight shares, in the order `_push` and `solve` take them."""
+    """Return the numbers that every flight shares, in the order that `lanes.solve` takes them."""
     edge, height = (wind.calm_below, wind.reference_height) if isinstance(wind, Wind) else (0.0, 1.0)
     return np.array(
         [

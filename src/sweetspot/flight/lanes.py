@@ -30,6 +30,7 @@ Spin = tuple[float, float, float, float]
 Pair = tuple[float, float]
 
 LANES = 16
+"""Flights side by side."""
 INPUT_ROWS = 12
 HANG, APEX_HEIGHT, APEX_TIME = 7, 8, 9
 RESULT_ROWS = 10

@@ -15,11 +15,12 @@ from numpy.typing import NDArray
 from sweetspot.aerodynamics import Aerodynamics
 from sweetspot.air import CALM, Air, Wind
 from sweetspot.ball import Ball
+from sweetspot.bat import Bat
 from sweetspot.collision.oblique import FRICTION, TANGENTIAL_RESTITUTION, contact_frame
-from sweetspot.collision.strike import BatModel
 from sweetspot.errors import InputError
 from sweetspot.motion import BallMotion
 from sweetspot.play import Plays, plays
+from sweetspot.reduction import Reduction
 from sweetspot.swing import Swing
 from sweetspot.swing_path import PathAxes, Side, path_axes
 from sweetspot.units import DEGREE, INCH
@@ -64,7 +65,7 @@ class BestSwing:
 
 
 def best_swing(
-    model: BatModel,
+    model: Reduction[Bat],
     *,
     ball: Ball,
     swing: Swing,

@@ -15,9 +15,10 @@ import numpy as np
 from sweetspot.ball import Ball
 from sweetspot.bat import Bat
 from sweetspot.collision.kernel import hits
-from sweetspot.collision.strike import BatModel, bat_model, strikes
+from sweetspot.collision.strike import strikes
 from sweetspot.errors import InputError
 from sweetspot.player.priors import Array, fixed, priors
+from sweetspot.reduction import Reduction, reduction
 from sweetspot.swing_path import path_axes
 from sweetspot.units import INCH
 
@@ -73,7 +74,7 @@ def contact_table(bat: Bat, *, ball: Ball, axis: float) -> ContactTable:
     InputError
         when the bat is no heavier than the ball, or does not send it back anywhere on the barrel.
     """
-    model = bat_model(bat, ball=ball)
+    model = reduction(bat, ball=ball)
     if ball.mass >= model.body.mass:
         raise InputError(
             f"{bat.name} weighs {model.body.mass:.4g} kg and the ball {ball.mass:.4g} kg; allowed is a ball lighter "
@@ -89,7 +90,7 @@ def contact_table(bat: Bat, *, ball: Ball, axis: float) -> ContactTable:
     )  # fmt: skip
 
 
-def _efficiency(model: BatModel, ball: Ball, from_tip: Array, speed: float) -> Array:
+def _efficiency(model: Reduction[Bat], ball: Ball, from_tip: Array, speed: float) -> Array:
     place = model.bat.length - np.minimum(from_tip, 0.6 * model.bat.length)
     done = hits(model.modes, ball=ball, position=place, closing_speed=speed, keep_motion=False)
     known = np.isfinite(done.collision_efficiency)
@@ -98,7 +99,7 @@ def _efficiency(model: BatModel, ball: Ball, from_tip: Array, speed: float) -> A
     return np.interp(from_tip, from_tip[known], done.collision_efficiency[known])
 
 
-def _off_centre(model: BatModel, ball: Ball) -> tuple[Array, Array, Array]:
+def _off_centre(model: Reduction[Bat], ball: Ball) -> tuple[Array, Array, Array]:
     """Return offsets and, for every ratio of speeds, the part of exit speed kept and the deflection.
 
     The swing has the usual attack angle and tilt, the pitch the usual descent and no spin; both answers hardly depend

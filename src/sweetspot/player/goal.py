@@ -10,12 +10,13 @@ import numpy as np
 
 from sweetspot.aerodynamics import Aerodynamics
 from sweetspot.air import Air
-from sweetspot.collision.strike import bat_model, strikes
+from sweetspot.collision.strike import strikes
 from sweetspot.errors import InputError
 from sweetspot.flight.kernel import flights
 from sweetspot.player.contact_table import BARREL, BAT_SPEED
 from sweetspot.player.model import PlayerModel
 from sweetspot.player.priors import Array, fixed
+from sweetspot.reduction import reduction
 from sweetspot.swing_path import path_axes
 from sweetspot.units import FOOT, INCH
 
@@ -97,7 +98,7 @@ def carry_table(model: PlayerModel, *, pitch_speed: float, aerodynamics: Aerodyn
     pitch_speed : m/s at the plate.
     """
     own = model.bats[0]
-    bat = bat_model(own.bat, ball=model.ball)
+    bat = reduction(own.bat, ball=model.ball)
     offset = np.linspace(own.offset[0], own.offset[-1], OFFSET_COUNT)
     attack, above = (grid.ravel() for grid in np.meshgrid(ATTACKS, offset, indexing="ij"))
     descent = fixed("pitch_descent")

@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from sweetspot.ball import Ball
 from sweetspot.bat import Bat
 from sweetspot.flight.fence import Landing

@@ -9,12 +9,12 @@ from functools import lru_cache
 from typing import Any
 
 from sweetspot import catalog
-from sweetspot.analysis import Reduction, reduction
 from sweetspot.ball import Ball
 from sweetspot.bat import Bat
 from sweetspot.catalog.batfile import bat_from_table
 from sweetspot.errors import InputError
 from sweetspot.line import reduce
+from sweetspot.reduction import Reduction, reduction
 from sweetspot.standard import SPEED_FROM_TIP
 from sweetspot.swing import Conditions, Hands, Pitch, Swing
 from sweetspot.trampoline import with_wall_factor

@@ -9,9 +9,9 @@ from typing import Literal
 from sweetspot import catalog
 from sweetspot.air import Air
 from sweetspot.collision.oblique import FRICTION, TANGENTIAL_RESTITUTION
-from sweetspot.collision.strike import bat_model
 from sweetspot.motion import launched
 from sweetspot.optimum import BestSwing, best_launch, best_swing
+from sweetspot.reduction import reduction
 from sweetspot.standard import standard_conditions
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
 
@@ -36,7 +36,7 @@ def best(pitch: str, model: Model, friction: float = FRICTION) -> BestSwing:
     )
     law = catalog.aerodynamics()
     return best_swing(
-        bat_model(bat, ball=ball),
+        reduction(bat, ball=ball),
         ball=ball,
         swing=standard_conditions(bat).swing,
         pitch=arriving,

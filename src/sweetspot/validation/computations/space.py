@@ -10,9 +10,11 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from sweetspot import catalog
+from sweetspot.bat import Bat
 from sweetspot.collision.oblique import SPHERE
-from sweetspot.collision.strike import BatModel, bat_model, strike, strikes
+from sweetspot.collision.strike import strike, strikes
 from sweetspot.motion import BallMotion, launch_angles
+from sweetspot.reduction import Reduction, reduction
 from sweetspot.swing import Swing
 from sweetspot.swing_path import SwingPath, path_axes
 from sweetspot.units import DEGREE, INCH, MPH, RPM
@@ -23,8 +25,8 @@ STILL = BallMotion(np.zeros(3), np.zeros(3), np.zeros(3))
 
 
 @cache
-def _model(bat: str) -> BatModel:
-    return bat_model(catalog.bat(bat), ball=catalog.ball())
+def _model(bat: str) -> Reduction[Bat]:
+    return reduction(catalog.bat(bat), ball=catalog.ball())
 
 
 def tangential_recoil(*, bat: str) -> float:

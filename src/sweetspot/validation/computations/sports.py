@@ -8,7 +8,7 @@ from functools import cache
 
 from sweetspot import catalog
 from sweetspot.air import Air
-from sweetspot.analysis import Analysis, Reduction, analyse_reduced, exit_speed_of, reduction
+from sweetspot.analysis import Analysis, analyse_reduced, exit_speed_of
 from sweetspot.block import Block
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.collision.coupled import hit
@@ -18,6 +18,7 @@ from sweetspot.drop import Rebound, fire
 from sweetspot.flight.trajectory import Flight, fly
 from sweetspot.implement import Implement
 from sweetspot.motion import launched
+from sweetspot.reduction import Reduction, reduction
 from sweetspot.rigid import RigidBody, centre_of_percussion
 from sweetspot.sport_rows import dead_spot, rule_book_drops
 from sweetspot.standard import standard_conditions

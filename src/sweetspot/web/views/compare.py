@@ -9,13 +9,13 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from sweetspot import catalog
-from sweetspot.analysis import Reduction
 from sweetspot.ball import Ball
 from sweetspot.bat import Bat
 from sweetspot.catalog.rules import league, league_names
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.certification import Certification, certify
 from sweetspot.compare import Compared, Comparison, compare_reduced
+from sweetspot.reduction import Reduction
 from sweetspot.report.certification import check_json
 from sweetspot.report.comparison import assumptions, comparison_json
 from sweetspot.report.verdict import SI, US, Readers, cork_verdict, verdict, wall_verdict

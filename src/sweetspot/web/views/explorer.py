@@ -13,7 +13,7 @@ from sweetspot.analysis import check_conditions
 from sweetspot.collision.impact import Impacts, Outcome
 from sweetspot.collision.kernel import hits
 from sweetspot.collision.momentum import bbcor, exit_speed
-from sweetspot.collision.strike import BatModel, Strikes, strikes
+from sweetspot.collision.strike import Strikes, strikes
 from sweetspot.motion import BallMotion
 from sweetspot.report.border import bat_json, conditions_json
 from sweetspot.scan import scan
@@ -134,7 +134,7 @@ def _met(
         leaving = exit_speed(float(done.collision_efficiency[0]), ball_speed=coming, bat_speed=bat_speed)
         return done, (leaving, 0.0, 0.0)
     struck = strikes(
-        BatModel(found.bat, found.body, found.modes),
+        found,
         ball=ball,
         bat_speed=bat_speed,
         axes=SwingPath().axes,

@@ -13,7 +13,7 @@ from sweetspot import catalog
 from sweetspot.air import Air, Wind
 from sweetspot.ball import Ball
 from sweetspot.catalog.aerodynamics import aerodynamics
-from sweetspot.collision.strike import BatModel, strikes
+from sweetspot.collision.strike import strikes
 from sweetspot.flight.everywhere import PATH_POINTS, landings_everywhere
 from sweetspot.flight.fence import landing
 from sweetspot.flight.kernel import Flights, flights
@@ -21,7 +21,6 @@ from sweetspot.motion import BallMotion, launched
 from sweetspot.park import FOUL_LINE, Park, fence_at
 from sweetspot.swing_path import SwingPath
 from sweetspot.units import FOOT, INCH, MPH, RPM
-from sweetspot.vibration.hands import gripped
 from sweetspot.web.bats import ball_of, conditions_of, reduced
 from sweetspot.web.faults import FieldError, about
 from sweetspot.web.outline import outline
@@ -160,7 +159,7 @@ def _struck(state: FlightState, ball: Ball) -> dict[str, Any]:
         height=state.height_ft * FOOT,
         forward=FORWARD,
     )
-    model = BatModel(bat, found.body, gripped(found.modes, conditions.hands))
+    model = found.held(conditions.hands)
     bat_speed = conditions.swing.speed_at(place)
     done = strikes(
         model,

@@ -101,7 +101,7 @@ def _swing_python(state: FlightState) -> str:
     return conditions_lines(state) + (
         "\nfrom math import pi, radians\n"
         "from sweetspot.air import Air, Wind\n"
-        "from sweetspot.collision.strike import bat_model\n"
+        "from sweetspot.reduction import reduction\n"
         "from sweetspot.flight.fence import landing\n"
         "from sweetspot.motion import launched\n"
         "from sweetspot.play import play\n"
@@ -113,7 +113,7 @@ def _swing_python(state: FlightState) -> str:
         f"                 backspin={state.pitch_backspin_rpm!r} * RPM, height={state.height_ft!r} * FOOT,\n"
         "                 forward=2 * FOOT)\n"
         f"{_field_python(state)}"
-        "model = bat_model(bat, ball=conditions.ball, hands=conditions.hands)\n"
+        "model = reduction(bat, ball=conditions.ball).held(conditions.hands)\n"
         "done = play(model, ball=conditions.ball, swing=conditions.swing, path=path, pitch=pitch,\n"
         f"            position=bat.length - {state.impact_from_tip_in!r} * INCH, offset={state.offset_in!r} * INCH,\n"
         "            aerodynamics=aerodynamics, air=air, wind=wind)\n"
