@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from sweetspot.motion import BallMotion, launched
     from sweetspot.paper_rows import paper_rows
     from sweetspot.play import plays
-    from sweetspot.reduction import reduction
+    from sweetspot.reduction import Reduction
     from sweetspot.rigid import RigidBody, centre_of_percussion, effective_mass, rigid_body
     from sweetspot.standard import standard_conditions
     from sweetspot.swing import Conditions, Hands, Pitch, Swing
