@@ -13,6 +13,7 @@ from sweetspot.cli import main
 README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"```(\w+)\n(.*?)```", README, flags=re.DOTALL)
 SHELL_LINES = [line for kind, text in BLOCKS if kind == "sh" for line in text.splitlines()]
+ANSWERS = re.findall(r"<!-- answer: (sweetspot .*?) -->\n```text\n(.*?)```", README, flags=re.DOTALL)
 COMMANDS = [line.split("#")[0].strip() for line in SHELL_LINES if line.startswith("sweetspot ")]
 
 
@@ -24,15 +25,17 @@ def flat(text: str) -> str:
     return " ".join(text.split())
 
 
-def test_the_answer_is_the_one_it_prints(capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize(("command", "answer"), ANSWERS)
+def test_the_answer_is_the_one_it_prints(command: str, answer: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as stopped:
-        main(["report", "r161-ash"])
+        main(shlex.split(command)[1:])
     assert not stopped.value.code
-    assert flat(block("text")) in flat(capsys.readouterr().out)
+    assert flat(answer) in flat(capsys.readouterr().out)
 
 
 def test_there_are_commands() -> None:
-    assert len(COMMANDS) >= 7
+    assert len(COMMANDS) >= 15
+    assert len(ANSWERS) == README.count("```text")
 
 
 @pytest.mark.parametrize("command", COMMANDS)
