@@ -82,17 +82,17 @@ def root_on_cubic(
 def first_crossing(before: float, after: float, slope_before: float, slope_after: float) -> float:
     """Return the part of the step where the cubic first reaches zero, -1 where it does not; a start at zero is none.
 
-    >>> first_crossing(1.0, -1.0, -2.0, -2.0), first_crossing(1.0, 2.0, 1.0, 1.0)
+    >>> round(first_crossing(1.0, -1.0, -2.0, -2.0), 12), first_crossing(1.0, 2.0, 1.0, 1.0)
     (0.5, -1.0)
     >>> round(first_crossing(0.0, -3.0, 1.0, -7.0), 9)  # part - 4 part^2
     0.25
     """
     turn, middle = 0.0, before
-    if slope_before * slope_after < 0:
+    if slope_before > 0 > slope_after or slope_before < 0 < slope_after:
         turn = turn_on_cubic(before, after, slope_before, slope_after)
         middle = on_cubic(turn, before, after, slope_before, slope_after)
-        if before * middle < 0:
+        if before > 0 > middle or before < 0 < middle:
             return root_on_cubic(before, after, slope_before, slope_after, 0.0, turn)
-    if middle * after < 0 or (after == 0 and middle != 0):
+    if middle > 0 >= after or middle < 0 <= after:
         return root_on_cubic(before, after, slope_before, slope_after, turn, 1.0)
     return -1.0

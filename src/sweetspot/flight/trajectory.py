@@ -1,7 +1,8 @@
 """One flight, step by step: the readable version.
 
-Position, velocity and the part of the spin that is left advance by the classical Runge-Kutta method of fourth order. Apex and landing are roots on the cubic through both ends of a step, which is as accurate. Where the
-wind's profile has a jump, a step ends on it.
+Position, velocity and the part of the spin that is left advance by the classical Runge-Kutta method of fourth order.
+Apex and landing are roots on the cubic through both ends of a step, which is as accurate. Where the wind's profile has
+a jump, a step ends on it.
 """
 
 from __future__ import annotations
