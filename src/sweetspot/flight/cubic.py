@@ -91,6 +91,8 @@ def first_crossing(before: float, after: float, slope_before: float, slope_after
     if slope_before > 0 > slope_after or slope_before < 0 < slope_after:
         turn = turn_on_cubic(before, after, slope_before, slope_after)
         middle = on_cubic(turn, before, after, slope_before, slope_after)
+        if middle == 0:  # it just touches, or the hop is too small for a number
+            return turn
         if before > 0 > middle or before < 0 < middle:
             return root_on_cubic(before, after, slope_before, slope_after, 0.0, turn)
     if middle > 0 >= after or middle < 0 <= after:
