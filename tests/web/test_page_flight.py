@@ -72,6 +72,19 @@ def test_direction_and_sidespin_move_the_path_on_the_field(opened: Page, answere
     expect(opened.locator("#verdict")).to_contain_text("Foul")
 
 
+def test_dragging_on_the_field_turns_the_ball(opened: Page, answered: Answered) -> None:
+    count = answered(opened)
+    box = opened.get_by_role("img", name=re.compile("^The field of")).bounding_box()
+    assert box is not None
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] - 14
+    opened.mouse.move(x, y - 200)
+    opened.mouse.down()
+    opened.mouse.move(x + 150, y - 150, steps=4)
+    answered(opened, count)
+    opened.mouse.up()
+    expect(opened).to_have_url(re.compile(r"spray_deg=(4\d|50)"))  # the plate is drawn a few pixels above the corner
+
+
 def test_another_park_brings_its_elevation(opened: Page, answered: Answered) -> None:
     before, count = number(opened, "Carry"), answered(opened)
     opened.get_by_label("Park", exact=True).select_option("coors-field")

@@ -27,6 +27,7 @@ export const view = {
     app.control({ field: "parts of start", fault() {}, sync: ({ start }) => {
       own.hidden = start !== "ball";
       swung.hidden = start === "ball";
+      if (this.hint) this.hint.hidden = start !== "ball";
     } });
     const side = make("div", { className: "side" },
       group("Start", [choice(app, "start", { label: "The ball starts", options: [["ball", "with these numbers"], ["swing", "from pitch and swing"]] })]),
@@ -35,11 +36,12 @@ export const view = {
     this.launch = make("p", { className: "note" });
     this.facts = make("dl", { className: "facts" });
     this.side = new SidePicture(app);
-    this.field = new FieldPicture(app);
+    this.field = new FieldPicture(app, { onAim: (angle, { last }) => this.aim(angle, last) });
+    this.hint = make("p", { className: "note", textContent: "Drag on the field to turn the ball." });
     this.parks = make("div");
     this.pictures = make("div", { className: "pair" },
       make("div", {}, make("h2", { textContent: "From the side" }), this.side.element, this.facts),
-      make("div", {}, make("h2", { textContent: "From above" }), this.field.element));
+      make("div", {}, make("h2", { textContent: "From above" }), this.field.element, this.hint));
     this.list = make("section", { className: "picture" }, make("h2", { textContent: "In every park" }),
       toggle(app, "own_elevation", { label: "Each park with the air of its own elevation" }), this.parks);
     root.append(side, make("div", { className: "stack" },
@@ -59,6 +61,15 @@ export const view = {
       this.elevation,
       slider(app, "height_ft", { label: "Height at contact", step: 0.1 }),
     ]);
+  },
+
+  // Dragging on the field turns the ball that starts with its own numbers; a swing's ball goes where it must.
+  aim(angle, last) {
+    if (this.app.state.start !== "ball") return false;
+    const { minimum, maximum } = this.app.schema.spray_deg;
+    const degrees = Math.round((2 * angle * 180) / Math.PI) / 2;
+    this.app.setState({ spray_deg: Math.min(maximum, Math.max(minimum, degrees)) }, { commit: last });
+    return true;
   },
 
   // Until it is moved the elevation's control shows the park's.

@@ -114,10 +114,12 @@ export class SidePicture {
 }
 
 export class FieldPicture {
-  constructor(app) {
+  // onAim(radians from centre field, { last }): the ball is dragged to another direction.
+  constructor(app, { onAim }) {
     Object.assign(this, { app, data: null });
     this.surface = new Surface(app, { height: (width) => 0.98 * width, paint: (...all) => this.paint(...all) });
     this.element = this.surface.element;
+    this.surface.drags(({ x, y, last }) => this.plate && onAim(Math.atan2(x - this.plate[0], this.plate[1] - y), { last }));
   }
 
   draw(answer, state) {
@@ -135,6 +137,7 @@ export class FieldPicture {
     const scale = Math.min((height - 30) / (reach + 6), width / (2 * wide));
     const at = (right, out) => [width / 2 + right * scale, height - 14 - (out + 4) * scale];
     const fence = park.right_m.map((right, i) => at(right, park.out_m[i]));
+    this.plate = at(0, 0);
     context.beginPath();
     context.moveTo(...at(0, 0));
     for (const point of fence) context.lineTo(...point);
