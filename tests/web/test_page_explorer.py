@@ -153,6 +153,21 @@ def test_an_uploaded_bat(opened: Page, answered: Answered, tmp_path: Path) -> No
     expect(opened.locator("#verdict")).to_contain_text("My bat")  # the address holds it
 
 
+def test_a_bat_too_long_for_an_address_is_kept_by_the_browser(opened: Page, answered: Answered, tmp_path: Path) -> None:
+    own = catalog.bat("youth-30").replaced(name="Long bat")
+    (tmp_path / "long.toml").write_text("# " + "many words " * 1600 + "\n" + bat_toml(own), encoding="utf-8")
+    opened.locator("summary", has_text="Your own bat").click()
+    count = answered(opened)
+    opened.get_by_label("Bat file (TOML)").set_input_files(tmp_path / "long.toml")
+    answered(opened, count)
+    assert len(opened.url) < 1000
+    opened.reload()
+    answered(opened)
+    expect(opened.locator("#verdict")).to_contain_text("Long bat")
+    opened.go_back()
+    expect(opened.locator("#verdict")).to_contain_text("R161")
+
+
 def test_a_dropped_bat(opened: Page, answered: Answered) -> None:
     text = bat_toml(catalog.bat("mlb-a").replaced(name="Dropped"))
     count = answered(opened)

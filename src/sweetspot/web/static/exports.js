@@ -71,6 +71,10 @@ async function addLines(app, dialog) {
       className: "note", textContent: "bat.toml is this bat; save it with the button above." }));
   }
   place.append(block(app, "Address of this picture", location.href, "address"));
+  if (history.state?.view) {
+    place.append(Object.assign(document.createElement("p"), {
+      className: "note", textContent: "The bat's file is too long for an address; send bat.toml along." }));
+  }
 }
 
 function block(app, words, lines, key) {

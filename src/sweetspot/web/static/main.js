@@ -36,6 +36,7 @@ import { Line } from "./socket.js";
 import { text } from "./units.js";
 
 const facts = JSON.parse(document.getElementById("facts").textContent);
+const LONGEST_ADDRESS = 16000;
 const element = (id) => document.getElementById(id);
 
 class App {
@@ -69,7 +70,10 @@ class App {
   commit() {
     this.dragged = false;
     const address = addressOf(this.name, this.state, this.defaults);
-    if (address !== location.pathname + location.search) history.pushState(null, "", address);
+    if (address.length > LONGEST_ADDRESS) { // the browser keeps the rest, so that back and reload still work
+      const short = addressOf(this.name, { ...this.state, bat_toml: null }, this.defaults);
+      history.pushState({ view: this.name, state: this.state }, "", short);
+    } else if (address !== location.pathname + location.search || history.state) history.pushState(null, "", address);
     this.links();
   }
 
@@ -113,7 +117,8 @@ class App {
     const name = location.pathname.slice(1) || "explorer";
     const entry = this.views.get(name) ?? this.views.values().next().value;
     if (entry.name !== this.name || !this.view) await this.show(entry);
-    this.state = stateIn(location.search, this.schema, this.defaults);
+    const kept = history.state?.view === this.name ? history.state.state : null;
+    this.state = kept ?? stateIn(location.search, this.schema, this.defaults);
     for (const control of this.controls.values()) control.sync(this.state);
     this.line.ask(this.name, this.state);
     this.links();
