@@ -16,6 +16,7 @@ LAYERS = [
     {"plot", "validation"},
     {"sport_rows"},
     {"paper_rows"},
+    {"player"},
     {"whatif"},
     {"compare", "trampoline"},
     {"standard"},

@@ -268,3 +268,6 @@ app.command(optimum)
 from sweetspot.cli.fly import fly  # noqa: E402
 
 app.command(fly)
+from sweetspot.cli.fit_player import fit_player  # noqa: E402
+
+app.command(fit_player)

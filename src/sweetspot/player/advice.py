@@ -23,7 +23,7 @@ from sweetspot.units import INCH, MPH
 
 PLACES = np.arange(2.0, 11.01, 0.5) * INCH
 """m from the tip where the mean contact is tried."""
-OFFSETS = np.arange(-0.5, 1.51, 0.1) * INCH
+OFFSETS = np.arange(-0.5, 1.76, 0.15) * INCH
 """m above the bat's axis where the mean contact is tried."""
 SURE = 0.95
 """Part of the draws that must agree before one bat is called better than another."""
@@ -138,7 +138,7 @@ def advise(
     tried, faults = candidates(own.bat, others)
     options, by_key = [], {}
     for number, candidate in enumerate(tried, start=1):
-        table = contact_table(candidate.bat, ball=model.ball, axis=model.law.axis)
+        table = contact_table(candidate.bat, ball=model.ball, axis=model.law.axis, like=own)
         gained = asked.of(table)
         by_key[candidate.key] = gained
         options.append(

@@ -62,12 +62,14 @@ class ContactTable:
     deflection: Array
 
 
-def contact_table(bat: Bat, *, ball: Ball, axis: float) -> ContactTable:
+def contact_table(bat: Bat, *, ball: Ball, axis: float, like: ContactTable | None = None) -> ContactTable:
     """Return the tables of a bat.
 
     Parameters
     ----------
     axis : where the swing law takes the moment of inertia, m from the bottom of the grip.
+    like : table of another bat whose off-centre hits are taken over, for they hang on the barrel's width alone; None:
+        worked out.
 
     Raises
     ------
@@ -83,7 +85,10 @@ def contact_table(bat: Bat, *, ball: Ball, axis: float) -> ContactTable:
     from_tip = np.linspace(0.0, REACH, PLACES)
     slow, fast = (_efficiency(model, ball, from_tip, speed) for speed in (SLOW, FAST))
     slope = (fast - slow) / (FAST - SLOW)
-    offset, kept, deflection = _off_centre(model, ball)
+    if like is None:
+        offset, kept, deflection = _off_centre(model, ball)
+    else:
+        offset, kept, deflection = like.offset, like.kept, like.deflection
     return ContactTable(
         bat=bat, moi=model.body.moi(bat.choke + axis), from_tip=from_tip, efficiency=slow - slope * SLOW,
         efficiency_slope=slope, offset=offset, kept=kept, deflection=deflection,

@@ -12,7 +12,7 @@ from sweetspot.player.model import PlayerModel, arm_ratio, speed_ratio
 from sweetspot.player.posterior import Posterior
 from sweetspot.player.priors import NAMES, Array, fixed
 
-DRAWS, SWINGS = 160, 400
+DRAWS, SWINGS = 160, 300
 """Posterior draws, and swings of the scatter for each: the same for every bat, so that differences are not noise."""
 
 
@@ -62,7 +62,8 @@ class Expectation:
     ) -> Array:
         """Return the expected goal for every draw, shape (draws,): m/s, m, or a part of the hits.
 
-        The average is over balls that are hit: those that meet the barrel and are not just grazed.
+        Exit speed is the mean over balls that are hit: those that meet the barrel and are not just grazed. For carry
+        and lines every swing counts, and one that is not a hit brings nothing.
 
         Parameters
         ----------
@@ -80,7 +81,8 @@ class Expectation:
         else:
             carry = self.carries.at(ball_out, above, attack)
             gained = carry if self.goal.line is None else (carry >= self.goal.line).astype(float)
-        return np.sum(np.where(hit, gained, 0.0), axis=1) / np.maximum(hit.sum(axis=1), 1)
+        total = np.sum(np.where(hit, gained, 0.0), axis=1)
+        return total / (np.maximum(hit.sum(axis=1), 1) if self.carries is None else hit.shape[1])
 
     def bat_speed(self, table: ContactTable) -> Array:
         """Return the player's mean bat speed with a bat for every draw, m/s, where bat speed is measured."""

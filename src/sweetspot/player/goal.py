@@ -18,7 +18,7 @@ from sweetspot.player.model import PlayerModel
 from sweetspot.player.priors import Array, fixed
 from sweetspot.reduction import reduction
 from sweetspot.swing_path import path_axes
-from sweetspot.units import FOOT, INCH
+from sweetspot.units import FOOT
 
 GoalName = Literal["exit-speed", "carry", "line"]
 HEIGHT, FORWARD = 0.9, 0.5
@@ -137,7 +137,3 @@ def told(goal: Goal) -> str:
     if goal.line is not None:
         return f"hits beyond {goal.line / FOOT:.0f} ft"
     return {"exit-speed": "exit speed", "carry": "carry"}[goal.name]
-
-
-BALL_MARK = INCH
-"""m; the step of the contact point that questions are asked in."""

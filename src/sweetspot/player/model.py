@@ -23,6 +23,8 @@ from sweetspot.units import INCH
 
 SPEED_FROM_TIP = 6 * INCH
 """m from the tip where bat speed is measured, as Statcast does [statcast]."""
+STEEPEST = 2.0
+"""How many times the slope at the middle the change of offset with angle may be."""
 NAN = float("nan")
 
 
@@ -253,9 +255,10 @@ def _inverse(angle: float, deflection: Array, offset: Array) -> tuple[float, flo
     """Return the offset in m that turns the ball so far, and its change per radian; beyond the range, the range's end."""
     first, last = int(np.argmin(deflection)), int(np.argmax(deflection))
     rising = slice(first, last + 1)
-    slope = float(np.max(np.gradient(offset[rising], deflection[rising])[1:-1]))
+    slope = np.gradient(offset[rising], deflection[rising])
+    central = float(np.interp(0.0, offset[rising], slope))
     if np.isnan(angle):
-        return NAN, slope
+        return NAN, central
     at = float(np.interp(angle, deflection[rising], offset[rising]))
-    near = float(np.interp(angle, deflection[rising], np.gradient(offset[rising], deflection[rising])))
-    return at, min(max(near, 1e-4), slope)
+    # the slope near a grazing hit is endless and belongs to the noise of this angle, not to what is known of the hit
+    return at, min(float(np.interp(at, offset[rising], slope)), STEEPEST * central)

@@ -170,7 +170,7 @@ def _start(model: PlayerModel, seed: int) -> Array:
     """Return a good place per walker: drawn from the prior by how likely the swings are there, then shaken."""
     generator = np.random.default_rng(seed)
     centre = prior_draws(600, seed)
-    for _ in range(6):
+    for _ in range(4):
         height = model.log_posterior(centre)
         best = centre[np.argsort(height)[-60:]]
         spread = np.maximum(best.std(axis=0), 0.02)

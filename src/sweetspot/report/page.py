@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Sequence
 from pathlib import Path
 
 from sweetspot import __version__
@@ -43,8 +44,8 @@ def write_report(analysis: Analysis[Implement], folder: Path) -> list[Path]:
     return write_folder(folder, {name: contents[name] for name in NAMES})
 
 
-def check_folder(folder: Path) -> None:
-    """Refuse a folder that a report could not be written to, without touching anything.
+def check_folder(folder: Path, names: Sequence[str] = NAMES) -> None:
+    """Refuse a folder that a report of files with these names could not be written to, without touching anything.
 
     Raises
     ------
@@ -56,7 +57,7 @@ def check_folder(folder: Path) -> None:
         raise InputError(f"{folder} cannot be a report's folder: {existing} is not a folder; choose another place")
     if not os.access(existing, os.W_OK | os.X_OK):
         raise InputError(f"{folder} cannot be written: no permission to write in {existing}; choose another folder")
-    for name in NAMES:
+    for name in names:
         if (folder / name).is_dir():
             raise InputError(f"{folder / name} is a folder where a file of the report would go; choose another folder")
 
