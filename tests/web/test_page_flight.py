@@ -124,7 +124,7 @@ def test_units_phone_and_lines(opened: Page, answered: Answered) -> None:
     opened.wait_for_timeout(100)
     assert opened.evaluate("document.documentElement.scrollWidth") <= 360
     opened.get_by_role("button", name="Export").click()
-    expect(opened.locator("dialog pre").first).to_contain_text("sweetspot fly --exit-speed 100mph")
+    expect(opened.locator("dialog pre").first).to_contain_text("sweetspot fly --exit-speed 98mph")
     with opened.expect_download() as saved:
         opened.locator("dialog [data-format=csv]").click()
     assert saved.value.suggested_filename == "sweetspot-flight.csv"

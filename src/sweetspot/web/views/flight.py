@@ -41,7 +41,7 @@ class FlightState(HitState):
     """How the ball leaves, from numbers or from a swing; the park, the air and the wind."""
 
     start: Literal["ball", "swing"] = Field("ball", description="from the ball's own numbers, or from pitch and swing")
-    exit_speed_mph: float = Field(100.0, ge=20, le=125)
+    exit_speed_mph: float = Field(98.0, ge=20, le=125)
     launch_angle_deg: float = Field(28.0, ge=-30, le=80)
     spray_deg: float = Field(-15.0, ge=-60, le=60, description="from centre field, positive to right field")
     backspin_rpm: float = Field(2200.0, ge=-5000, le=6000, description="positive lifts the ball")
