@@ -45,6 +45,6 @@ def test_no_example_breaks_the_server(mode: GenerationMode, monkeypatch: pytest.
         )
         @given(case=operation.as_strategy(generation_mode=mode))
         def check(case: Case[Any]) -> None:
-            case.call_and_validate(checks=CHECKS)
+            case.call_and_validate(checks=CHECKS, timeout=60)
 
         check()

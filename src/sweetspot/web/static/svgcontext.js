@@ -58,8 +58,9 @@ export class SvgContext {
   }
   arc(x, y, radius, start, stop, backwards = false) { this.ellipse(x, y, radius, radius, 0, start, stop, backwards); }
   ellipse(x, y, across, up, turn, start, stop, backwards = false) {
-    const count = Math.max(2, Math.ceil(Math.abs(stop - start) / (Math.PI / 2)));
-    const step = (stop - start) / count;
+    const sweep = swept(start, stop, backwards);
+    const count = Math.max(2, Math.ceil(Math.abs(sweep) / (Math.PI / 2)));
+    const step = sweep / count;
     const pull = (4 / 3) * Math.tan(step / 4);
     const [c, s] = [Math.cos(turn), Math.sin(turn)];
     const place = (u, v) => [x + across * u * c - up * v * s, y + across * u * s + up * v * c];
@@ -70,7 +71,6 @@ export class SvgContext {
       const second = place(Math.cos(b) + pull * Math.sin(b), Math.sin(b) - pull * Math.cos(b));
       this.bezierCurveTo(...first, ...second, ...place(Math.cos(b), Math.sin(b)));
     }
-    void backwards; // start and stop say the direction already
   }
 
   fill(rule) { this.draw(`fill="${escaped(this.fillStyle)}"${rule === "evenodd" ? ' fill-rule="evenodd"' : ""}`); }
@@ -117,6 +117,14 @@ export class SvgContext {
 
 const number = (value) => String(Math.round(value * 100) / 100);
 const escaped = (words) => String(words).replace(/[&<>"]/g, (letter) => `&#${letter.charCodeAt(0)};`);
+
+// The angle an arc goes through, as a canvas takes it: a whole turn at most, in the direction asked for.
+function swept(start, stop, backwards) {
+  const turn = 2 * Math.PI;
+  const sweep = backwards ? start - stop : stop - start;
+  const size = sweep >= turn ? turn : ((sweep % turn) + turn) % turn;
+  return backwards ? -size : size;
+}
 
 function times([a, b, c, d, e, f], [p, q, r, s, t, u]) {
   return [a * p + c * q, b * p + d * q, a * r + c * s, b * r + d * s, a * t + c * u + e, b * t + d * u + f];
