@@ -113,6 +113,7 @@ def _integrated(modes: Modes, ball: Ball, shape: Array, closing_speed: float, st
     """Step ball and modes from first touch to release, or to the time limit."""
     drift, half_dash = propagator(modes, step), dashpot_factors(modes, step / 2)
     correction = step**2 / 12 * (1 / ball.mass + float(shape @ shape))
+    stiffness = modes.angular_frequency**2
 
     ball_position, ball_speed = closing_speed * step / 2, closing_speed
     displacement, velocity = np.zeros(len(modes)), np.zeros(len(modes))
@@ -142,7 +143,7 @@ def _integrated(modes: Modes, ball: Ball, shape: Array, closing_speed: float, st
 
         ball_speed -= impulse / ball.mass
         velocity = velocity + shape * impulse
-        before = _energy(modes, displacement, velocity)
+        before = _energy(stiffness, displacement, velocity)
         velocity = dashed(modes, half_dash, velocity)
         ball_position += ball_speed * step
         displacement, velocity = (
@@ -150,7 +151,7 @@ def _integrated(modes: Modes, ball: Ball, shape: Array, closing_speed: float, st
             drift[:, 1, 0] * displacement + drift[:, 1, 1] * velocity,
         )
         velocity = dashed(modes, half_dash, velocity)
-        damping += before - _energy(modes, displacement, velocity)
+        damping += before - _energy(stiffness, displacement, velocity)
 
     return _Contact(
         outcome, release, ball_speed, displacement, velocity, peak, damping, forces, compressions, impulses
@@ -163,8 +164,8 @@ def check_step(step: float) -> None:
         raise InputError(f"step is {step:g} s; allowed is a number above zero, for example 4e-6")
 
 
-def _energy(modes: Modes, displacement: Array, velocity: Array) -> float:
-    return float(np.sum(velocity**2 + (modes.angular_frequency * displacement) ** 2) / 2)
+def _energy(stiffness: Array, displacement: Array, velocity: Array) -> float:
+    return float(velocity @ velocity + displacement @ (stiffness * displacement)) / 2
 
 
 def _vertex(compressions: list[float], latest: float) -> float:
