@@ -123,14 +123,14 @@ MAX_PITCH = 110 * 0.44704
 
 @contextmanager
 def _progress(what: str) -> Iterator[Progress]:
-    """Yield a function that shows on stderr how far the work is: a bar on a terminal, nothing elsewhere but its start."""
+    """Yield a function that shows on stderr how far the work is: a bar on a terminal, elsewhere a line at the start."""
     from rich.console import Console
     from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
     console = Console(stderr=True)
     if not console.is_terminal:
         print(f"sweetspot: {what}", file=sys.stderr)
-        yield lambda done, total: None
+        yield lambda _done, _total: None
         return
     columns = (
         TextColumn("{task.description}"),

@@ -25,8 +25,6 @@ PLACES = np.arange(2.0, 11.01, 0.5) * INCH
 """m from the tip where the mean contact is tried."""
 OFFSETS = np.arange(-0.5, 1.76, 0.15) * INCH
 """m above the bat's axis where the mean contact is tried."""
-SURE = 0.95
-"""Part of the draws that must agree before one bat is called better than another."""
 
 
 @dataclass(frozen=True)

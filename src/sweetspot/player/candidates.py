@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 from sweetspot.bat import Bat
 from sweetspot.catalog.materials import material
@@ -54,19 +55,22 @@ def candidates(bat: Bat, others: Sequence[Bat] = ()) -> tuple[tuple[Candidate, .
     others : whole other bats.
     """
     mass = rigid_body(reduce(bat)).mass
-    makers = [
-        *((f"weight{ounces:+d}oz", f"{abs(ounces)} oz {'heavier' if ounces > 0 else 'lighter'}", "weight",
-           lambda ounces=ounces: varied(bat, {"mass": mass + ounces * OUNCE}, fill=material("cork")))
-          for ounces in WEIGHTS),
+    makers: list[tuple[str, str, str, Callable[[], Bat]]] = [
         ("end-loaded", "1 oz at the tip", "balance",
-         lambda: bat.weighted(position=bat.length - FROM_END, mass=WEIGHT)),
-        ("knob-loaded", "1 oz at the knob", "balance", lambda: bat.weighted(position=FROM_END, mass=WEIGHT)),
-        *((f"length{inches:+d}in", f"{abs(inches)} in {'longer' if inches > 0 else 'shorter'}, same weight", "length",
-           lambda inches=inches: lengthened(bat, inches * INCH, mass=mass)) for inches in LENGTHS),
-        *((f"choke{inches:g}in", f"choked up {inches:g} in", "choke",
-           lambda inches=inches: bat.choked_up(inches * INCH)) for inches in CHOKES),
-        *((f"bat:{other.name}", other.name, "catalogue", lambda other=other: other) for other in others),
+         partial(bat.weighted, position=bat.length - FROM_END, mass=WEIGHT)),
+        ("knob-loaded", "1 oz at the knob", "balance", partial(bat.weighted, position=FROM_END, mass=WEIGHT)),
     ]  # fmt: skip
+    for ounces in WEIGHTS:
+        words = f"{abs(ounces)} oz {'heavier' if ounces > 0 else 'lighter'}"
+        heavier = partial(varied, bat, {"mass": mass + ounces * OUNCE}, fill=material("cork"))
+        makers.append((f"weight{ounces:+d}oz", words, "weight", heavier))
+    for inches in LENGTHS:
+        words = f"{abs(inches)} in {'longer' if inches > 0 else 'shorter'}, same weight"
+        makers.append((f"length{inches:+d}in", words, "length", partial(lengthened, bat, inches * INCH, mass=mass)))
+    makers += [
+        (f"choke{grip:g}in", f"choked up {grip:g} in", "choke", partial(bat.choked_up, grip * INCH)) for grip in CHOKES
+    ]
+    makers += [(f"bat:{other.name}", other.name, "catalogue", partial(other.replaced)) for other in others]
     found, faults = [], []
     for key, label, family, make in makers:
         try:

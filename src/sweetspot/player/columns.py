@@ -114,7 +114,7 @@ SYSTEMS = (
 
 @dataclass(frozen=True)
 class Column:
-    """A column's place in the file, its heading, quantity, size of its unit in SI, and whether it counts from the tip."""
+    """A column: place in the file, heading, quantity, size of its unit in SI, and whether it counts from the tip."""
 
     index: int
     heading: str
@@ -142,13 +142,13 @@ def simplified(heading: str) -> str:
 
 
 def is_heading_line(cells: Sequence[str]) -> bool:
-    """Return whether a line holds column names: at least two cells name a quantity of ours, one of them a speed."""
+    """Return whether a line holds column names: one of them names bat speed or exit speed."""
     names = [simplified(cell) for cell in cells]
     known = {quantity for name in names if (quantity := _quantity(name)) is not None}
     known |= {
         system.names[name] for system in SYSTEMS if system.marks & set(names) for name in names if name in system.names
     }
-    return len(known) >= 1 and bool(known & set(NEEDED))
+    return bool(known & set(NEEDED))
 
 
 def columns_of(headings: Sequence[str], *, units: Units | None, file_name: str) -> Columns:

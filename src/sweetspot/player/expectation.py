@@ -81,8 +81,8 @@ class Expectation:
         else:
             carry = self.carries.at(ball_out, above, attack)
             gained = carry if self.goal.line is None else (carry >= self.goal.line).astype(float)
-        total = np.sum(np.where(hit, gained, 0.0), axis=1)
-        return total / (np.maximum(hit.sum(axis=1), 1) if self.carries is None else hit.shape[1])
+        total: Array = np.sum(np.where(hit, gained, 0.0), axis=1)
+        return np.asarray(total / (np.maximum(hit.sum(axis=1), 1) if self.carries is None else hit.shape[1]))
 
     def bat_speed(self, table: ContactTable) -> Array:
         """Return the player's mean bat speed with a bat for every draw, m/s, where bat speed is measured."""
@@ -147,4 +147,4 @@ def _kept(table: ContactTable, offset: Array, ratio: Array) -> Array:
     down, across = rows - i, columns - j
     left = table.kept[i, j] * (1 - down) + table.kept[i + 1, j] * down
     right = table.kept[i, j + 1] * (1 - down) + table.kept[i + 1, j + 1] * down
-    return left * (1 - across) + right * across
+    return np.asarray(left * (1 - across) + right * across)

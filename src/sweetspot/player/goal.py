@@ -52,8 +52,8 @@ class Goal:
             )
         if self.line is not None and not SHORTEST_LINE <= self.line <= LONGEST_LINE:
             raise InputError(
-                f"the line is {self.line:.4g} m ({self.line / FOOT:.4g} ft) away; allowed is {SHORTEST_LINE / FOOT:.0f} "
-                f"to {LONGEST_LINE / FOOT:.0f} ft"
+                f"the line is {self.line:.4g} m ({self.line / FOOT:.4g} ft) away; allowed is "
+                f"{SHORTEST_LINE / FOOT:.0f} to {LONGEST_LINE / FOOT:.0f} ft"
             )
 
 

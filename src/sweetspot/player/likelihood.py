@@ -1,8 +1,8 @@
 """How likely a player's swings are under given parameters, compiled.
 
 Bat speed is normal about the player's mean for that bat; position and offset are normal about theirs. What was not
-measured in a swing is summed over: position on a grid, offset by Gauss and Hermite's points, bat speed exactly, for
-exit speed is a straight line in it.
+measured in a swing is summed over: position on a grid, offset by Gauss and Hermite's points, or on a grid where the
+launch angle was not measured either, bat speed exactly, for exit speed is a straight line in it.
 """
 
 from __future__ import annotations
@@ -20,11 +20,12 @@ from sweetspot.player.priors import Array
 IntArray = NDArray[np.int64]
 GRID_REACH = 3.5
 """Standard deviations of the scatter to either side of its mean that are summed over."""
-NEAR_POINTS, FAR_POINTS = 3, 7
+NEAR_POINTS, FAR_POINTS = 3, 13
 """Offsets summed over when the launch angle was measured, and when not."""
 WRONG, WRONG_RANGE = 0.01, 60.0
-"""Part of the exit speeds taken as wrong readings, spread evenly over this many m/s, so that one of them cannot rule."""
+"""Part of the exit speeds taken as wrong readings, spread evenly over this many m/s, so that one cannot rule."""
 EXP_FLOOR = -700.0
+TINY = 1e-300
 ROOT_TWO_PI = math.sqrt(2 * math.pi)
 
 
@@ -44,7 +45,8 @@ class Table(NamedTuple):
     place_start, place_step, offset_start, offset_step : of the two grids, m.
     constants : measuring error of bat speed and of position, spread of the attack angle, usual attack angle, and the
         largest offset of a hit that is counted.
-    near, near_weights, far, far_weights : points of Gauss and Hermite.
+    near, near_weights : points of Gauss and Hermite, in standard deviations.
+    far : m, sizes of offsets for hits without a launch angle.
     """
 
     bat_speed: Array
@@ -68,7 +70,6 @@ class Table(NamedTuple):
     near: Array
     near_weights: Array
     far: Array
-    far_weights: Array
 
 
 @njit(nogil=True, cache=True)
@@ -103,7 +104,7 @@ def table_value(values: Array, start: float, step: float, place: float) -> float
 
 @njit(nogil=True, cache=True)
 def fill_weights(weight: Array, start: float, step: float, mean: float, variance: float) -> tuple[int, int]:
-    """Fill the normal weights of a grid so that they add up to 1; return the first place that counts and the one after."""
+    """Fill a grid with normal weights that add up to 1; return the first place that counts and the one after."""
     reach = GRID_REACH * math.sqrt(variance) + step
     first = max(0, math.ceil((mean - reach - start) / step))
     last = min(len(weight), math.floor((mean + reach - start) / step) + 1)
@@ -116,6 +117,18 @@ def fill_weights(weight: Array, start: float, step: float, mean: float, variance
     for j in range(first, last):
         weight[j] /= total
     return first, last
+
+
+@njit(nogil=True, cache=True)
+def fill_folded(weight: Array, points: Array, mean: float, spread: float) -> None:
+    """Fill the weights of offsets of either sign, which keep the same exit speed, so that they add up to 1."""
+    total = 0.0
+    for k in range(len(points)):
+        above, below = (points[k] - mean) / spread, (points[k] + mean) / spread
+        weight[k] = math.exp(-0.5 * above**2) + math.exp(-0.5 * below**2) + TINY
+        total += weight[k]
+    for k in range(len(points)):
+        weight[k] /= total
 
 
 @njit(nogil=True, cache=True, fastmath={"contract", "nsz", "reassoc"}, error_model="numpy")
@@ -131,12 +144,13 @@ def log_likelihoods(parameters: Array, speeds: Array, table: Table, found: Array
     places = table.efficiency.shape[1]
     speed_noise, place_noise, attack_spread, usual_attack, farthest = table.constants
     usual_weight, own_weight, part = np.empty(places), np.empty(places), np.empty(places)
-    ball_out, slope = np.empty(places), np.empty(places)
+    ball_out, slope, folded = np.empty(places), np.empty(places), np.empty(len(table.far))
     for row in range(len(parameters)):
         theta = parameters[row]
         speed_spread, centre, scatter = theta[1], theta[3], theta[4]
         offset_mean, offset_spread, attack, shift, noise = theta[5], theta[6], theta[7], theta[8], theta[9]
         counted = math.log(within(offset_mean, offset_spread, farthest))
+        fill_folded(folded, table.far, offset_mean, offset_spread)
         usual = fill_weights(usual_weight, table.place_start, table.place_step, centre, scatter**2)
         total = 0.0
         for i in range(len(table.bat_speed)):
@@ -166,10 +180,11 @@ def log_likelihoods(parameters: Array, speeds: Array, table: Table, found: Array
                 efficiency = table.efficiency[bat, j] + shift + table.efficiency_slope[bat, j] * closing
                 ball_out[j] = efficiency * closing + there
                 slope[j] = (1 + efficiency + table.efficiency_slope[bat, j] * closing) * table.arm[bat, j]
-            points, weights = (table.far, table.far_weights) if math.isnan(told) else (table.near, table.near_weights)
+            unknown = math.isnan(told)
+            points, weights = (table.far, folded) if unknown else (table.near, table.near_weights)
             likelihood = 0.0
             for k in range(len(points)):
-                height = above + points[k] * math.sqrt(above_variance)
+                height = points[k] if unknown else above + points[k] * math.sqrt(above_variance)
                 kept = table_value(table.kept[i], table.offset_start, table.offset_step, height)
                 for j in range(first, last):
                     variance = noise**2 + (slope[j] * kept) ** 2 * speed_variance

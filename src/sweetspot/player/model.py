@@ -74,7 +74,7 @@ class PlayerModel:
         return found
 
     def log_likelihood(self, standard: Array) -> Array:
-        """Return the log-likelihood of standard parameters, shape (rows, 10) to (rows,); the exponent within its limits."""
+        """Return the log-likelihood of standard parameters, shape (rows, 10) to (rows,); exponents within limits."""
         parameters = natural(np.atleast_2d(standard))
         speeds = self.bat_speeds(parameters)
         found = np.empty(len(parameters))
@@ -221,7 +221,7 @@ def _table(
         [_inverse(angle, row, first.offset) for angle, row in zip(turned, deflection, strict=True)]
     ).T
     near, near_weights = np.polynomial.hermite_e.hermegauss(NEAR_POINTS)
-    far, far_weights = np.polynomial.hermite_e.hermegauss(FAR_POINTS)
+    far = (np.arange(FAR_POINTS) + 0.5) / FAR_POINTS * farthest_offset(first)
     return Table(
         bat_speed=bat_speed, exit_speed=column("exit_speed"), pitch_speed=pitch, attack_angle=attack,
         position=column("position"), offset=offset, offset_noise=slope * angle_noise,
@@ -231,9 +231,11 @@ def _table(
         arm=np.array([arm_ratio(table, table.from_tip, speed_from_tip=speed_from_tip) for table in tables]),
         kept=kept, place_start=float(first.from_tip[0]), place_step=float(first.from_tip[1] - first.from_tip[0]),
         offset_start=float(first.offset[0]), offset_step=float(first.offset[1] - first.offset[0]),
-        constants=np.array([fixed("bat_speed_noise"), fixed("position_noise"), fixed("attack_angle_spread"), usual, farthest_offset(first)]),
+        constants=np.array([
+            fixed("bat_speed_noise"), fixed("position_noise"), fixed("attack_angle_spread"), usual,
+            farthest_offset(first),
+        ]),
         near=near, near_weights=near_weights / near_weights.sum(), far=far,
-        far_weights=far_weights / far_weights.sum(),
     )  # fmt: skip
 
 
@@ -252,7 +254,7 @@ def _off_centre(tables: Sequence[ContactTable], bat_of: Sequence[int], ratio: Ar
 
 
 def _inverse(angle: float, deflection: Array, offset: Array) -> tuple[float, float]:
-    """Return the offset in m that turns the ball so far, and its change per radian; beyond the range, the range's end."""
+    """Return the offset in m that turns the ball so far, and its change per radian; the range's end beyond it."""
     first, last = int(np.argmin(deflection)), int(np.argmax(deflection))
     rising = slice(first, last + 1)
     slope = np.gradient(offset[rising], deflection[rising])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import gzip
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from datetime import date, datetime
 from pathlib import Path
@@ -103,7 +103,8 @@ def read_swings(
     Raises
     ------
     InputError
-        when the file cannot be read, lacks what is needed, holds several batters and none was named, or has no good row.
+        when the file cannot be read, lacks what is needed, holds several batters and none was named, or has no good
+        row.
     """
     lines = _lines(path)
     headings = next(lines, None)
@@ -217,8 +218,8 @@ def _read(line: int, cells: list[str], columns: Columns, *, width: int, length: 
         launch_angle=value.get("launch_angle"), attack_angle=value.get("attack_angle"), position=position,
         bat=cells[named.index].strip() if named else "",
     )  # fmt: skip
-    fault = _fault(swing, length)
-    return BadRow(line, fault) if fault else swing
+    wrong = _fault(swing, length)
+    return BadRow(line, wrong) if wrong else swing
 
 
 def _number(cell: str, column: Column) -> float | None:
@@ -274,8 +275,8 @@ def _full_swings(swings: list[PlayerSwing]) -> tuple[list[PlayerSwing], list[Bad
         return one.bat_speed is None or one.bat_speed >= FULL_SWING * middle
 
     bad = [
-        BadRow(one.row, f"bat speed is {(one.bat_speed or 0) / MPH:.1f} mph where the median is {middle / MPH:.1f} mph: "
-                        "a bunt or a checked swing")
+        BadRow(one.row, f"bat speed is {(one.bat_speed or 0) / MPH:.1f} mph where the median is {middle / MPH:.1f} "
+                        "mph: a bunt or a checked swing")
         for one in swings if not full(one)
     ]  # fmt: skip
     return [one for one in swings if full(one)], bad
@@ -341,12 +342,9 @@ def _notes(swings: list[PlayerSwing], columns: Columns, pitch_speed: float | Non
 
 
 def _told(quantity: str, value: float) -> str:
-    convert: dict[str, Callable[[float], str]] = {
-        "position": lambda x: f"{x / INCH:.1f} in from the tip",
-        "launch_angle": lambda x: f"{math.degrees(x):.1f} degrees",
-        "attack_angle": lambda x: f"{math.degrees(x):.1f} degrees",
-    }
-    return convert.get(quantity, lambda x: f"{x / MPH:.1f} mph")(value)
+    if quantity == "position":
+        return f"{value / INCH:.1f} in from the tip"
+    return f"{math.degrees(value):.1f} degrees" if quantity.endswith("angle") else f"{value / MPH:.1f} mph"
 
 
 WORDS = {
@@ -358,7 +356,9 @@ WORDS = {
         "Exit speed", "nothing is learned about where and how well the ball was met",
         "it looks typed in, not measured, and the scatter learned from it means little",
     ),
-    "pitch_speed": ("Pitch speed", "only bat speed can be learned", "good for a machine or a tee; check that it is meant"),
+    "pitch_speed": (
+        "Pitch speed", "only bat speed can be learned", "good for a machine or a tee; check that it is meant",
+    ),
     "launch_angle": (
         "Launch angle", "the scatter over and under the ball is told from exit speed alone, which hardly shows it",
         "it looks typed in, not measured",

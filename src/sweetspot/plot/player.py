@@ -1,6 +1,8 @@
-"""One picture of a player: where the ball is met and what it is worth there, what each change brings, the bats tried."""
+"""One picture of a player: what the place of contact is worth, what single changes bring, and the bats tried."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -32,6 +34,8 @@ from sweetspot.units import INCH, MPH
 
 WIDTH, SIDE, HEADER, CURVE, BETWEEN, ROW, FOOTER, NAMES_WIDTH = 8.0, 0.62, 1.05, 2.3, 0.75, 0.23, 0.7, 2.5
 """Inches of paper: page, margins, title, curve, gap, one row, the foot, and the names of the rows."""
+NOTHING = 0.05
+"""Of the unit shown; a smaller change is drawn as none."""
 WORTH = {
     "bat_speed": "1 mph more bat speed",
     "position_spread": "1 in less scatter along the bat",
@@ -61,7 +65,7 @@ def player_figure(posterior: Posterior, advice: Advice) -> Figure:
                           height=ROW * (rows[1] + 0.5))  # fmt: skip
     bars = [(option.candidate.label, option.change) for option in advice.options]
     _rows(axes, bars, unit, f"What another bat is worth, {unit[2]}")
-    words = "Dots and lines: most likely value and 95 % interval. Green: surely a gain; red: surely a loss; grey: cannot tell."
+    words = "Dots and lines: most likely value and 95 % interval. Green: a gain; red: a loss; grey: cannot tell."
     figure.text(SIDE / WIDTH, 0.12 / height, words, color=MUTED, size=SMALL)
     return figure
 
@@ -72,8 +76,8 @@ def _header(figure: Figure, posterior: Posterior, advice: Advice, height: float)
     speed = posterior.learned["bat_speed"].interval
     figure.text(left, 1 - 0.42 / height, "Training report", size=HUGE, weight="bold")
     line = (
-        f"{count} swings, {own}: bat speed {speed.value / MPH:.1f} mph ({speed.low / MPH:.1f} to {speed.high / MPH:.1f}), "
-        f"pitch {advice.pitch_speed / MPH:.0f} mph at the plate"
+        f"{count} swings, {own}: bat speed {speed.value / MPH:.1f} mph ({speed.low / MPH:.1f} to "
+        f"{speed.high / MPH:.1f}), pitch {advice.pitch_speed / MPH:.0f} mph at the plate"
     )
     words, size = fitted(line, width=WIDTH - 2 * SIDE, size=NORMAL, smallest=6.0)
     figure.text(left, 1 - 0.66 / height, words, color=MUTED, size=size, parse_math=False)
@@ -91,8 +95,9 @@ def _contact(axes: Axes, posterior: Posterior, advice: Advice) -> None:
     axes.axvspan(now.low / INCH, now.high / INCH, color=SKY, alpha=0.25, linewidth=0)
     axes.axvline(now.value / INCH, color=BLUE, linewidth=0.8)
     axes.axvline(best.value / INCH, color=RED, linewidth=0.8)
-    axes.text(now.value / INCH, bottom, " now", color=BLUE, ha="left", va="bottom", size=SMALL)
-    axes.text(best.value / INCH, top, "best ", color=RED, ha="right", va="top", size=SMALL)
+    low, high = bottom + 0.12 * (top - bottom), bottom + 0.22 * (top - bottom)
+    for place, height, words, colour in ((now.value, low, "now", BLUE), (best.value, high, "best", RED)):
+        axes.text(place / INCH - 0.06, height, words, color=colour, ha="left", va="bottom", size=SMALL)
     rug = posterior.draws[:: max(1, len(posterior.draws) // 400), NAMES.index("position")] / INCH
     axes.plot(rug, np.full_like(rug, bottom), "|", color=BLUE, alpha=0.25, markersize=7)
     axes.set_xlim(PLACES[-1] / INCH, PLACES[0] / INCH)
@@ -106,14 +111,14 @@ def _rows(axes: Axes, bars: list[tuple[str, Interval]], unit: tuple[float, int, 
     size, digits, _ = unit
     heading(axes, title)
     for row, (words, gain) in enumerate(bars):
-        colour = GREEN if gain.low > 0 else RED if gain.high < 0 else MUTED
+        colour = GREEN if gain.low > NOTHING * size else RED if gain.high < -NOTHING * size else MUTED
         axes.plot([gain.low / size, gain.high / size], [row, row], color=colour, linewidth=1.6)
         axes.plot(gain.value / size, row, "o", color=colour, markersize=4)
-        name, type_size = fitted(words, width=NAMES_WIDTH - 0.75, size=NORMAL, smallest=6.0)
-        axes.annotate(name, (0, row), xycoords=("axes fraction", "data"), xytext=(-180, 0), textcoords="offset points",
-                      ha="left", va="center", size=type_size, color=INK, parse_math=False)  # fmt: skip
-        axes.annotate(f"{gain.value / size:+z.{digits}f}", (0, row), xycoords=("axes fraction", "data"), xytext=(-12, 0),
-                      textcoords="offset points", ha="right", va="center", weight="bold")  # fmt: skip
+        where: dict[str, Any] = {"xycoords": ("axes fraction", "data"), "textcoords": "offset points", "va": "center"}
+        axes.annotate(words, (0, row), xytext=(-180, 0), ha="left", size=SMALL, color=INK, parse_math=False, **where)
+        axes.annotate(
+            f"{gain.value / size:+z.{digits}f}", (0, row), xytext=(-12, 0), ha="right", weight="bold", **where
+        )
     axes.axvline(0, color=MUTED, linewidth=0.7)
     axes.set_ylim(len(bars) - 0.5, -0.5)
     axes.set_yticks([])

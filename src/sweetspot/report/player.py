@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import Any
 
-from rich.console import Group
+from rich.console import Group, RenderableType
 from rich.padding import Padding
 from rich.text import Text
 
@@ -33,7 +33,8 @@ def player_json(posterior: Posterior, advice: Advice, swings: Swings) -> dict[st
         {
             "goal": {"name": advice.goal.name, "line_m": advice.goal.line},
             "swings": {
-                "used": len(model.swings), "system": swings.system, "bad_rows": [asdict(row) for row in swings.bad_rows],
+                "used": len(model.swings), "system": swings.system,
+                "bad_rows": [asdict(row) for row in swings.bad_rows],
                 "without_swing": swings.without_swing, "ignored_columns": swings.ignored_columns,
                 "first_day": swings.first_day and str(swings.first_day),
                 "last_day": swings.last_day and str(swings.last_day), "notes": swings.notes,
@@ -85,7 +86,7 @@ def option_rows(advice: Advice) -> list[dict[str, Any]]:
 def player_table(posterior: Posterior, advice: Advice, swings: Swings) -> Group:
     """Return the fit for a terminal: what the swings say, answers, bats, parameters, notes."""
     words = [Padding(Text(paragraph), (0, 0, 1, 0)) for paragraph in findings(posterior, swings)]
-    asked = []
+    asked: list[RenderableType] = []
     for question, answer in answers(advice):
         asked += [Text(question, style="bold"), Padding(Text(answer), (0, 0, 1, 2))]
     quiet = [Text(note, style="dim") for note in notes(swings)]
@@ -99,8 +100,8 @@ def bat_rows(advice: Advice) -> list[dict[str, Any]]:
     """Return a row per bat in words, the player's own first."""
     unit = scale(advice.goal)
     own = advice.posterior.model.bats[0].bat
-    rows = [{"bat": f"{own.name} (now)", "oz": "", "MOI oz in²": "", "bat speed mph": "", "expected": shown(advice.now, unit),
-             "change": "", "better": ""}]  # fmt: skip
+    rows = [{"bat": f"{own.name} (now)", "oz": "", "MOI oz in²": "", "bat speed mph": "",
+             "expected": shown(advice.now, unit), "change": "", "better": ""}]  # fmt: skip
     for option in advice.options:
         bat, body = option.candidate.bat, option.candidate.body
         rows.append(
@@ -119,11 +120,13 @@ def bat_rows(advice: Advice) -> list[dict[str, Any]]:
 
 def means(goal: Goal) -> str:
     """Return what the numbers mean."""
-    extra = "" if goal.name == "exit-speed" else " Carry is to the first touch of the ground, in still air at 21 degC."
+    fast = goal.name == "exit-speed"
+    missed = "misses and balls just grazed are not in it" if fast else "misses and balls just grazed bring nothing"
+    extra = "" if fast else " Carry is to the first touch of the ground, in still air."
     return (
-        "In brackets: 95 % intervals over what the data allow. Expected: the mean over this player's scatter of swings that "
-        f"hit the ball; misses and balls just grazed are not in it.{extra} With another bat the player is taken to meet the ball "
-        "equally far from the tip. Better: the part of what the data allow in which the bat is better."
+        "In brackets: 95 % intervals over what the data allow. Expected: the mean over this player's scatter of "
+        f"swings; {missed}.{extra} With another bat the player is taken to meet the ball equally far from the tip. "
+        "Better: the part of what the data allow in which the bat is better."
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from sweetspot.player.advice import SURE, Advice, Option
+from sweetspot.player.advice import Advice, Option
 from sweetspot.player.goal import told
 from sweetspot.player.posterior import Learned, Posterior
 from sweetspot.player.swings import Swings
@@ -66,7 +66,7 @@ def answers(advice: Advice) -> list[tuple[str, str]]:
         ("Which bat?", _which(advice)),
         ("Heavier or lighter?", _family(advice, "weight", f"No other weight tried is surely better for {goal}.")),
         ("Balanced or end-loaded?", _end_loaded(advice)),
-        ("Longer or shorter?", _family(advice, "length", "An inch of length is not surely worth anything.")),
+        ("Longer or shorter?", _family(advice, "length", "Neither an inch more nor an inch less is surely better.")),
         ("Choke up?", _choke(advice)),
         ("Where should the ball meet the bat?", _place(advice)),
         ("What is one inch worth?", _inch(advice)),
@@ -116,8 +116,8 @@ def _contact(found: dict[str, Learned]) -> str:
 
 
 def _verdict(interval: Interval) -> int:
-    """Return 1 for surely a gain, -1 for surely a loss, 0 where the interval holds zero."""
-    return 1 if interval.low > 0 else -1 if interval.high < 0 else 0
+    """Return 1 for a gain, -1 for a loss, 0 where the interval holds zero or is nothing."""
+    return 1 if interval.low > NOTHING else -1 if interval.high < -NOTHING else 0
 
 
 def _which(advice: Advice) -> str:
@@ -126,11 +126,12 @@ def _which(advice: Advice) -> str:
     if best is None or best.change.value <= 0:
         return f"{own} None of the bats tried is better."
     size = _sizes(best)
-    sure = best.chance >= SURE
+    sure = _verdict(best.change) > 0
     lead = "Best of those tried" if sure else "None is surely better; the likeliest gain is with"
     return (
         f"{own} {lead}: {best.candidate.label} ({size}), {shown(best.change, unit, sign='+')}, "
         f"better in {100 * best.chance:.0f} % of what the data allow."
+        f"{'' if advice.posterior.learned['exponent'].told else USUAL_EXPONENT}"
     )
 
 
@@ -152,7 +153,7 @@ def _family(advice: Advice, family: str, nothing: str) -> str:
         for option in sorted(options, key=lambda option: option.candidate.body.moi(0.0))
     )
     best = options[0]
-    if best.chance >= SURE:
+    if _verdict(best.change) > 0:
         return f"{best.candidate.label[0].upper()}{best.candidate.label[1:]} is best. {listed}."
     return f"{nothing} {listed}."
 
@@ -217,6 +218,12 @@ def notes(swings: Swings) -> list[str]:
 
 
 ROWS_SHOWN = 8
+"""Rows not used that are listed; the JSON has all."""
+NOTHING = 1e-9
+USUAL_EXPONENT = (
+    " How much slower this player swings a heavier bat is not known from these swings: every answer about another bat "
+    "rests on what is usual for players, and its interval with it."
+)
 
 
 def facts(posterior: Posterior) -> list[dict[str, Any]]:

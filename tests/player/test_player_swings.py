@@ -1,0 +1,165 @@
+"""Swing files: what is understood, refused, listed and said."""
+
+from __future__ import annotations
+
+import csv
+import gzip
+import math
+from datetime import date
+from pathlib import Path
+
+import pytest
+
+from sweetspot.errors import InputError
+from sweetspot.player.columns import columns_of, simplified
+from sweetspot.player.swings import PLATE_OVER_RELEASE, Swings, read_swings
+from sweetspot.units import INCH, MPH
+
+LENGTH = 33 * INCH
+DATA = Path(__file__).parents[3] / "shared" / "data"
+BLAST = "Date,Equipment,Plane Score,On Plane Efficiency (%),Attack Angle (deg),Bat Speed (mph),Exit Velocity (mph)"
+
+
+def written(folder: Path, *lines: str, name: str = "swings.csv") -> Path:
+    path = folder / name
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return path
+
+
+def read(path: Path, pitch_speed: float | None = 82 * MPH, **given: str) -> Swings:
+    return read_swings(path, length=LENGTH, pitch_speed=pitch_speed, **given)  # type: ignore[arg-type]
+
+
+def test_plain_columns_in_any_order_with_units(tmp_path: Path) -> None:
+    """Exact: unit conversions; a position from the knob is turned round."""
+    path = written(
+        tmp_path, "note,Exit Velocity [km/h],position_in_from_knob,bat_speed_m_s,launch_angle_deg", "x,144,27,31,20.0"
+    )
+    swing = read(path).swings[0]
+    assert swing.exit_speed == pytest.approx(40.0)
+    assert swing.bat_speed == 31.0
+    assert swing.position == pytest.approx(6 * INCH)
+    assert swing.launch_angle == pytest.approx(math.radians(20))
+    assert swing.pitch_speed == 82 * MPH
+    assert swing.attack_angle is None
+    assert read(path).ignored_columns == ("note",)
+
+
+def test_statcast_knows_its_units_and_slows_the_pitch(tmp_path: Path) -> None:
+    path = written(
+        tmp_path,
+        "launch_angle,game_date,batter,launch_speed,release_speed,bat_speed,attack_angle,bat_speed_x",
+        "21,2024-07-25,1.0,101.5,95,72.0,9.5,",
+        "21.0,7/26/2024,1,99,95.0,71,,",
+        ",2024-07-27,1,,94,,,",
+    )
+    found = read(path, None)
+    assert found.system == "Statcast"
+    assert found.swings[0].pitch_speed == pytest.approx(PLATE_OVER_RELEASE * 95 * MPH)
+    assert found.swings[0].attack_angle == pytest.approx(math.radians(9.5))
+    assert (found.first_day, found.last_day) == (date(2024, 7, 25), date(2024, 7, 27))
+    assert found.without_swing == 1  # a pitch without a swing is not a bad row
+    assert any("0.920" in note for note in found.notes)
+
+
+def test_blast_and_hittrax(tmp_path: Path) -> None:
+    blast = read(written(tmp_path, "Metrics export", "", BLAST, "2/1/2026,33/30 wood,50,70,8.0,66.1,91"), 0.0)
+    assert blast.system == "Blast"
+    assert blast.swings[0].bat == "33/30 wood"
+    assert blast.swings[0].bat_speed == pytest.approx(66.1 * MPH)
+    hittrax = read(written(tmp_path, "#,Date,Pitch,Velo,LA,Dist", "1,02/01/2026,55.0,88.5,14,300"), None)
+    assert hittrax.system == "HitTrax"
+    assert hittrax.swings[0].pitch_speed == pytest.approx(55 * MPH)
+    assert hittrax.swings[0].bat_speed is None
+
+
+def test_units_missing_are_refused_with_what_to_do(tmp_path: Path) -> None:
+    path = written(tmp_path, "bat_speed,exit_speed", "70,95")
+    with pytest.raises(InputError, match=r"no unit.*bat_speed_mph.*--units us"):
+        read(path)
+    assert read(path, units="us").swings[0].bat_speed == pytest.approx(70 * MPH)
+    with pytest.raises(InputError, match="unknown unit"):
+        read(written(tmp_path, "bat_speed_knots,exit_speed_mph", "70,95"))
+
+
+@pytest.mark.parametrize(
+    ("lines", "message"),
+    [
+        ([""], "is empty"),
+        (["bat_speed_mph,exit_speed_mph"], "no row"),
+        (["day,mood", "1,good"], "no column for bat speed or exit speed"),
+        (["bat_speed_mph,swing_speed_mph", "70,70"], "both give bat_speed"),
+        (["bat_speed_mph,exit_speed_mph", "700,95"], "no swing that can be used: row 2: bat speed is 700.0 mph"),
+        (["batter,bat_speed_mph", "a,70", "b,70"], "2 batters"),
+    ],
+)
+def test_files_that_cannot_be_used(tmp_path: Path, lines: list[str], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        read(written(tmp_path, *lines))
+
+
+def test_without_pitch_speed_it_says_what_to_give(tmp_path: Path) -> None:
+    path = written(tmp_path, "bat_speed_mph,exit_speed_mph", "70,95")
+    with pytest.raises(InputError, match="--pitch-speed 82mph"):
+        read(path, None)
+    assert read(written(tmp_path, "bat_speed_mph", "70"), None).swings[0].pitch_speed is None
+
+
+def test_impossible_rows_are_listed_and_the_rest_used(tmp_path: Path) -> None:
+    rows = [
+        "70,95,20",
+        "70,300,20",
+        "-3,95,20",
+        "70,95,120",
+        "x,95,20",
+        "45,125,0",
+        "20,60,5",
+        "69,90",
+        "72,,",
+        "68,85,3",
+    ]
+    found = read(written(tmp_path, "bat_speed_mph,exit_speed_mph,launch_angle_deg", *rows))
+    assert [row.row for row in found.bad_rows] == [3, 4, 5, 6, 7, 8, 9]
+    assert [swing.row for swing in found.swings] == [2, 10, 11]
+    reasons = {row.row: row.reason for row in found.bad_rows}
+    assert "more than any bat gives" in reasons[7]
+    assert "a bunt or a checked swing" in reasons[8]
+    assert "2 cells under 3" in reasons[9]
+
+
+def test_what_is_missing_constant_or_few_is_said(tmp_path: Path) -> None:
+    rows = [f"70,{speed},," for speed in (90, 95, 91, 88)]
+    notes = " ".join(read(written(tmp_path, "bat_speed_mph,exit_speed_mph,launch_angle_deg,note", *rows)).notes)
+    assert "Only 4 swings are usable" in notes
+    assert "Bat speed is the same in every row (70.0 mph)" in notes
+    assert "Launch angle is empty" in notes
+    assert "Attack angle is missing" in notes
+
+
+def test_one_batter_of_several(tmp_path: Path) -> None:
+    path = written(tmp_path, "batter,bat_speed_mph", "12.0,70", "15,60", "12,71")
+    assert [swing.row for swing in read(path, batter="12").swings] == [2, 4]
+    with pytest.raises(InputError, match="15"):
+        read(path, batter="16")
+
+
+def test_names_are_simplified_and_systems_recognised() -> None:
+    assert simplified(" Bat  Speed (MPH) ") == "bat_speed_mph"
+    assert columns_of(["bat_speed", "launch_speed", "launch_angle"], units=None, file_name="f").system == "Statcast"
+
+
+@pytest.mark.skipif(not DATA.is_dir(), reason="needs the real files beside the project, ../shared/data")
+def test_real_statcast_files() -> None:
+    """The files as published, 118 columns and 14: every row is used, empty or listed with a reason."""
+    game = DATA / "savant_2024-07-25_cease_nohitter_full118col.csv.gz"
+    with pytest.raises(InputError, match="9 batters"):
+        read(game, None)
+    found = read(game, None, batter="545121")
+    assert len(found.swings) == 10
+    assert found.first_day == date(2024, 7, 25)
+    table = DATA / "cmu36sure2026_battedballs_battracking.csv.gz"
+    with gzip.open(table, "rt", encoding="utf-8") as file:
+        count = sum(1 for _ in csv.reader(file)) - 1
+    many = read(table)
+    assert len(many.swings) + len(many.bad_rows) + many.without_swing == count
+    assert len(many.bad_rows) < 0.01 * count
