@@ -110,11 +110,11 @@ def check_conditions(bat: Implement, conditions: Conditions, *, body: RigidBody)
         )
     if conditions.hands.position > bat.length / 2:
         raise InputError(
-            f"hands are at {shown(conditions.hands.position)}, beyond the middle at {shown(bat.length / 2)}; "
-            "hold the handle"
+            f"hands are at {shown(conditions.hands.position)}, beyond the middle of the bat at "
+            f"{shown(bat.length / 2)}; hold the handle"
         )
     if conditions.ball.mass >= body.mass:
         raise InputError(
             f"the ball weighs {conditions.ball.mass:.4g} kg and {bat.name} {body.mass:.4g} kg; "
-            "allowed is a ball lighter than what it is hit with"
+            "allowed is a ball lighter than the bat"
         )
