@@ -202,6 +202,12 @@ def test_pages_come_with_a_policy_and_a_tag(client: httpx.Client) -> None:
     assert "https://" not in response.text
 
 
+def test_plotly_comes_from_the_installed_package(client: httpx.Client) -> None:
+    response = client.get("/vendor/plotly.min.js")
+    assert response.status_code == 200
+    assert b"plotly.js v" in response.content[:300]
+
+
 def test_only_this_server_by_name_and_its_own_pages(client: httpx.Client, server: str) -> None:
     assert client.get("/", headers={"host": "evil.example"}).status_code == 421
     assert client.get("/", headers={"host": "[::1"}).status_code == 421

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import hashlib
+import importlib.util
 import json
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from sweetspot import __version__
@@ -32,6 +34,17 @@ def static_files() -> dict[str, File]:
     """Return every file of the page by its path below /static/."""
     found = (path for path in sorted(FOLDER.rglob("*")) if path.suffix in TYPES)
     return {path.relative_to(FOLDER).as_posix(): _file(path.read_bytes(), path.suffix) for path in found}
+
+
+@cache
+def plotly() -> File | None:
+    """Return plotly.js out of the installed package, None where that is missing; the package is not imported."""
+    spec = importlib.util.find_spec("plotly")
+    for folder in (spec.submodule_search_locations or []) if spec else []:
+        path = Path(folder) / "package_data" / "plotly.min.js"
+        if path.is_file():
+            return _file(path.read_bytes(), ".js")
+    return None
 
 
 def shell(template: File) -> File:

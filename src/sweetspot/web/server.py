@@ -18,7 +18,7 @@ from sweetspot.errors import SweetspotError
 from sweetspot.web.answers import Answers, answer_json
 from sweetspot.web.catalogue import catalogue_routes
 from sweetspot.web.faults import fault
-from sweetspot.web.files import File, shell, static_files
+from sweetspot.web.files import File, plotly, shell, static_files
 from sweetspot.web.limits import Guard
 from sweetspot.web.schemas import REFUSALS
 from sweetspot.web.socket import Sockets
@@ -107,6 +107,7 @@ def _page_routes(app: FastAPI) -> None:
 
     hand_out("/", pages.get)
     hand_out("/static/{name:path}", files.get)
+    hand_out("/vendor/plotly.min.js", lambda _: plotly())
     hand_out("/{name}", pages.get)
 
 
