@@ -6,7 +6,7 @@ import csv
 import gzip
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from datetime import date, datetime
 from pathlib import Path
 from statistics import median
@@ -116,11 +116,13 @@ def read_swings(
     if not rows:
         raise InputError(f"{path} has column names and no row; give one row per swing")
     rows = _of_batter(rows, columns, batter, path)
-    read = [_read(line, cells, columns, width=len(names), length=length) for line, cells in rows]
+    read = [
+        _read(line, cells, columns, width=len(names), length=length, pitch_speed=pitch_speed) for line, cells in rows
+    ]
     good = [one for one in read if isinstance(one, PlayerSwing)]
     bad = [one for one in read if isinstance(one, BadRow)]
     good, partial = _full_swings(good)
-    good, unknown = _with_pitch(good, pitch_speed, path)
+    good, unknown = _with_pitch(good, path)
     bad = sorted([*bad, *partial, *unknown], key=lambda one: one.row)
     if not good:
         reasons = "; ".join(f"row {one.row}: {one.reason}" for one in bad[:3])
@@ -195,7 +197,9 @@ def _of_batter(
     return [(line, cells) for line, cells in rows if name(cells) == batter]
 
 
-def _read(line: int, cells: list[str], columns: Columns, *, width: int, length: float) -> PlayerSwing | BadRow | None:
+def _read(
+    line: int, cells: list[str], columns: Columns, *, width: int, length: float, pitch_speed: float | None
+) -> PlayerSwing | BadRow | None:
     """Return a row as a swing, as a bad row with its reason, or None where it holds no swing at all."""
     if len(cells) != width:
         return BadRow(line, f"{len(cells)} cells under {width} column names")
@@ -209,6 +213,7 @@ def _read(line: int, cells: list[str], columns: Columns, *, width: int, length: 
     pitch, release = value.get("pitch_speed"), value.get("release_speed")
     if pitch is None and release is not None:
         pitch = PLATE_OVER_RELEASE * release
+    pitch = pitch_speed if pitch is None else pitch
     position = value.get("position")
     if position is not None and not columns.found["position"].from_tip:
         position = length - position
@@ -282,11 +287,9 @@ def _full_swings(swings: list[PlayerSwing]) -> tuple[list[PlayerSwing], list[Bad
     return [one for one in swings if full(one)], bad
 
 
-def _with_pitch(
-    swings: list[PlayerSwing], pitch_speed: float | None, path: Path
-) -> tuple[list[PlayerSwing], list[BadRow]]:
-    """Return the swings with a pitch speed each; an exit speed without one says nothing and is refused."""
-    if pitch_speed is None and swings and all(one.pitch_speed is None for one in swings):
+def _with_pitch(swings: list[PlayerSwing], path: Path) -> tuple[list[PlayerSwing], list[BadRow]]:
+    """Return the swings that have a pitch speed or no exit speed, for that says nothing without the other."""
+    if swings and all(one.pitch_speed is None for one in swings):
         if any(one.exit_speed is not None for one in swings):
             raise InputError(
                 f"{path} has no pitch speeds, and exit speed depends on them; say --pitch-speed 82mph (at the plate) "
@@ -295,9 +298,7 @@ def _with_pitch(
         return swings, []
     good, bad = [], []
     for one in swings:
-        if one.pitch_speed is None and pitch_speed is not None:
-            good.append(replace(one, pitch_speed=pitch_speed))
-        elif one.pitch_speed is None and one.exit_speed is not None:
+        if one.pitch_speed is None and one.exit_speed is not None:
             bad.append(BadRow(one.row, "no pitch speed; give one for such rows with --pitch-speed"))
         else:
             good.append(one)

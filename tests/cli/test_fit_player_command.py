@@ -1,0 +1,95 @@
+"""`sweetspot fit-player` from the outside: answers, files, bad input."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from sweetspot import catalog
+from sweetspot.player import posterior
+from sweetspot.player.priors import natural
+from sweetspot.player.simulate import simulated_swings
+from sweetspot.units import MPH
+
+Run = Callable[..., tuple[int, str, str]]
+
+
+@pytest.fixture(autouse=True)
+def short_fits(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Fewer steps than people get: the command's way is tested here, the fit elsewhere."""
+    monkeypatch.setattr(posterior.fit_player, "__kwdefaults__", {
+        "seed": 1, "steps": 60, "warm_up": 40, "progress": None,
+    })  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("player") / "swings.csv"
+    made = simulated_swings(natural(np.zeros(10)), bats=[catalog.bat("r161-ash")], ball=catalog.ball(), count=8,
+                            pitch_speed=60 * MPH, seed=3)  # fmt: skip
+    lines = ["Bat Speed (mph),Exit Velocity (mph),Launch Angle (deg)"]
+    for one in made:
+        assert one.bat_speed and one.exit_speed and one.launch_angle
+        angle = math.degrees(one.launch_angle)
+        lines.append(f"{one.bat_speed / MPH:.1f},{one.exit_speed / MPH:.1f},{angle:.1f}")
+    path.write_text("\n".join([*lines, "70,400,3"]) + "\n", encoding="utf-8")
+    return path
+
+
+def test_answers_for_people_and_a_page(run: Run, file: Path, tmp_path: Path) -> None:
+    out = tmp_path / "report"
+    code, text, said = run("fit-player", str(file), "--pitch-speed", "60mph", "--out", str(out))
+    assert code == 0, said
+    words = re.sub(r"\s+", " ", text)
+    assert "Balanced or end-loaded?" in words and "What is one inch worth?" in words
+    assert "Only 8 swings are usable" in words
+    assert "1 row is not used: row 10: exit speed is 400.0 mph" in words
+    assert sorted(path.name for path in out.iterdir()) == ["player.html", "player.json", "player.png", "player.svg"]
+    page = (out / "player.html").read_text(encoding="utf-8")
+    assert "<h1>R161, white ash</h1>" in page and "http" not in re.sub(r'xmlns\S*="[^"]*"', "", page)
+    assert (out / "player.png").read_bytes().startswith(b"\x89PNG")
+    assert "wrote" in said
+
+
+def test_json_and_csv_for_programs(run: Run, run_json: Callable[..., Any], file: Path) -> None:
+    given = ("fit-player", str(file), "--pitch-speed", "60mph", "--goal", "line", "--line", "200ft")
+    found = run_json(*given, "--try", "mlb-a")
+    assert found["goal"]["line_m"] == pytest.approx(60.96)
+    assert 0 <= found["now_ratio"]["value"] <= 1
+    assert any(option["key"].startswith("bat:") for option in found["options"])
+    code, text, _ = run(*given, "--format", "csv")
+    assert code == 0
+    assert text.splitlines()[0].startswith("key,label,family,length_m,mass_kg")
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ((), "--pitch-speed 82mph"),
+        (("--pitch-speed", "60"), "without a unit"),
+        (("--pitch-speed", "300mph"), "up to 110mph"),
+        (("--pitch-speed", "tee", "--goal", "line"), "give both"),
+        (("--pitch-speed", "tee", "--line", "300ft"), "give both"),
+        (("--pitch-speed", "tee", "--bat", "r162"), "Did you mean r161-ash"),
+        (("--pitch-speed", "tee", "--try", "nothing-like-it"), "not in the catalogue"),
+        (("--pitch-speed", "tee", "--batter", "me"), "no column that names the batter"),
+        (("--pitch-speed", "tee", "--bat-speed-at", "3in"), "outer half"),
+        (("--pitch-speed", "tee", "--seed", "-1"), "from 0 up"),
+        (("--pitch-speed", "tee", "--out", "/dev/null"), "not a folder"),
+    ],
+)
+def test_bad_input_is_told_in_one_line(run: Run, file: Path, options: tuple[str, ...], message: str) -> None:
+    code, out, said = run("fit-player", str(file), *options)
+    assert (code, out) == (2, "")
+    assert message in said and said.count("\n") == 1
+
+
+def test_no_file(run: Run, tmp_path: Path) -> None:
+    code, _, said = run("fit-player", str(tmp_path / "none.csv"))
+    assert code == 2 and "is not a file" in said
