@@ -54,8 +54,8 @@ def shown(page: Page) -> tuple[str, ...]:
 def test_numbers_move_formula_picture_and_statements(opened: Page, answered: Answered) -> None:
     for step, (question, (field, value)) in enumerate(CONTROLS.items()):
         count = answered(opened)
-        opened.locator(".questions button").nth(step).click()
         if step:
+            opened.locator(".questions button").nth(step).click()
             count = answered(opened, count)
         before = shown(opened)
         box = opened.locator(f"[data-field={field}] input[type=number]")
