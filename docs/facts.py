@@ -14,6 +14,8 @@ from sweetspot.catalog.records import read_table
 from sweetspot.cli.app_command import PORT
 from sweetspot.collision.oblique import oblique
 from sweetspot.contact import equivalent_wall_speed, loading_force
+from sweetspot.player.expectation import DRAWS, SWINGS
+from sweetspot.player.posterior import NOTHING_LEARNED, WALKERS
 from sweetspot.rigid import effective_mass, pendulum_period
 from sweetspot.sweet_spots import miss_cost
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED
@@ -37,8 +39,19 @@ def facts() -> dict[str, str]:
         **_parks_and_pitches(),
         **_optimum(),
         **_page(),
+        **_player(),
         "source_count": str(_source_count()),
         "bat_count": str(len(catalog.bat_names())),
+    }
+
+
+def _player() -> dict[str, str]:
+    """Return how a player is fitted."""
+    return {
+        "player_walkers": str(WALKERS),
+        "player_nothing": f"{NOTHING_LEARNED:g}",
+        "player_draws": str(DRAWS),
+        "player_swings": str(SWINGS),
     }
 
 

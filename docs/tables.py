@@ -147,6 +147,7 @@ def catalogue_page() -> str:
         ("Balls", read_table("balls.toml")),
         ("Bats", bat_tables()),
         ("Pitches", read_table("pitches.toml")),
+        ("Players", read_table("player_priors.toml")),
     ):
         parts.append(f"## {heading}\n")
         for key, entry in entries.items():

@@ -92,6 +92,15 @@ def test_is_it_out(headline: str) -> None:
     assert parks == 30 == len(catalog.park_names()) and 10 < out <= 30
 
 
+@pytest.mark.parametrize("headline", ["what_is_an_inch_worth.py"], indirect=True)
+def test_what_is_an_inch_worth(headline: str) -> None:
+    inch, low, high, mile = numbers(
+        r"worth # mph of exit speed \(# to #\), a mile an hour of bat speed # mph", headline
+    )
+    assert 1 < low < inch < high < 6  # a scatter of 1.8 in costs some 4 mph in the mean
+    assert 0.8 < mile < 1.25  # 1.2 mph for a hit straight on [nathan_slides], less off centre
+
+
 def test_every_example_is_tested_and_short() -> None:
     text = Path(__file__).read_text(encoding="utf-8")
     assert [script.name for script in SCRIPTS if f'"{script.name}"' not in text] == []

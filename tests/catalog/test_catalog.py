@@ -14,9 +14,14 @@ from sweetspot.line import reduce
 from sweetspot.rigid import rigid_body
 from sweetspot.units import OUNCE
 
-TABLES = {"materials": read_table("materials.toml"), "balls": read_table("balls.toml"), "bats": bat_tables()}
+TABLES = {
+    "materials": read_table("materials.toml"),
+    "balls": read_table("balls.toml"),
+    "bats": bat_tables(),
+    "players": read_table("player_priors.toml"),
+}
 KEYS = set(references.keys())
-PLAIN = {"name", "family", "sport", "like", "note"}
+PLAIN = {"name", "family", "sport", "like", "note", "scale"}
 """Fields that are words, not values."""
 ENTRIES = [(table, name) for table, entries in TABLES.items() for name in entries]
 
