@@ -137,7 +137,9 @@ def test_a_two_piece_bat_adds_up_exactly() -> None:
 
 
 def test_scaling_makes_both_walls_thicker() -> None:
-    shell = tube(0.002, inner_wall=sleeve(0.0015, gap=0.0005)).bat.shell
+    bat = tube(0.002, inner_wall=sleeve(0.0015, gap=0.0005)).bat
+    assert isinstance(bat, Bat)
+    shell = bat.shell
     assert shell is not None and shell.inner_wall is not None
     thick = shell.scaled(1.2)
     assert thick.inner_wall is not None and thick.inner_wall.gap == 0.0005
