@@ -61,8 +61,7 @@ export class Chart {
 
   paintPanel(context, panel, box, across) {
     const { colors, units } = this.app;
-    const { scale, offset = 0 } = kindOf(panel.kind)[units];
-    const shown = panel.lines.map(({ key }) => (this.data.lines[key] ?? []).map((value) => (value === null ? null : value * scale + offset)));
+    const shown = panel.lines.map(({ key }) => shownValues(panel, this.data.lines[key], units));
     if (panel.stacked) stack(shown);
     const [low, high] = limits(shown, panel);
     const up = (value) => box.bottom - ((value - low) / (high - low || 1)) * (box.bottom - box.top);
@@ -169,7 +168,7 @@ export class Chart {
     const [least, most] = this.data.range;
     const from = this.axis.from?.() ?? 0;
     const backwards = this.axis.from !== undefined;
-    const shown = (x) => toShown(this.axis.kind, backwards ? from - x : x, units);
+    const shown = (x) => shownPlace(this.axis, x, units);
     const real = (value) => {
       const { scale, offset = 0 } = kindOf(this.axis.kind)[units];
       return backwards ? from - (value - offset) / scale : (value - offset) / scale;
@@ -190,10 +189,37 @@ export class Chart {
       context.stroke();
       context.fillText(String(value).replace("-", "−"), x, top + 6);
     }
-    const unit = unitOf(this.axis.kind, units);
     context.textAlign = "right";
-    context.fillText([unit, this.axis.label].filter(Boolean).join(" "), across(most), top + 19);
+    context.fillText(axisWords(this.axis, units), across(most), top + 19);
   }
+}
+
+function shownValues({ kind }, values, units) {
+  return (values ?? []).map((value) => (value === null ? null : toShown(kind, value, units)));
+}
+
+function shownPlace({ kind, from }, x, units) {
+  return toShown(kind, from ? from() - x : x, units);
+}
+
+function axisWords({ kind, label }, units) {
+  return [unitOf(kind, units), label].filter(Boolean).join(" ");
+}
+
+// The numbers of a chart, or of anything with the same app, panels, axis and data, in the reader's units.
+export function curvesOf({ app: { units }, panels, axis, data }) {
+  const place = (x) => shownPlace(axis, x, units);
+  return {
+    words: axisWords(axis, units), digits: kindOf(axis.kind)[units].digits, range: data.range.map(place),
+    bands: (data.bands ?? []).map(({ from, to }) => [place(from), place(to)]),
+    marks: (data.marks ?? []).map((mark) => ({ ...mark, at: place(mark.at) })),
+    panels: panels.map((panel) => ({
+      ...panel, unit: unitOf(panel.kind, units), digits: kindOf(panel.kind)[units].digits,
+      lines: panel.lines.map((line) => ({
+        ...line, name: line.name || line.label || panel.title,
+        x: (data.xs?.[line.key] ?? data.x).map(place), y: shownValues(panel, data.lines[line.key], units) })),
+    })),
+  };
 }
 
 function stack(lines) {

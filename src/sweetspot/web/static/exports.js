@@ -1,5 +1,6 @@
 // What can be taken away: pictures, numbers, the bat, and the lines that give the same numbers without the page.
 
+import { interactive } from "./interactive.js";
 import { posted } from "./post.js";
 import { SvgContext } from "./svgcontext.js";
 
@@ -20,6 +21,15 @@ async function open(app) {
     "<form method=\"dialog\"><button>Close</button></form>";
   dialog.addEventListener("close", () => dialog.remove());
   const files = dialog.querySelector(".files");
+  if (app.answer && app.view.charts?.().length) {
+    const button = Object.assign(document.createElement("button"), { type: "button", id: "interactive", textContent: "Interactive chart" });
+    button.setAttribute("aria-haspopup", "dialog");
+    button.addEventListener("click", () => {
+      dialog.close(); // first, so that the focus goes back to where this menu was opened
+      interactive(app);
+    });
+    files.append(button);
+  }
   for (const [words, make] of choices(app)) {
     const button = Object.assign(document.createElement("button"), { type: "button", textContent: words });
     button.dataset.format = words.toLowerCase();

@@ -10,6 +10,7 @@
 //     unmount() {},                   // stop what runs; the shell empties root
 //     figures() { return [] },        // optional: [{ name, width, height, paint(context, width, height) }] for PNG and SVG;
 //                                     //   paint uses only what SvgContext in svgcontext.js knows of a canvas' 2d context
+//     charts() { return [] },         // optional: the Charts (chart.js) with the curves, for the interactive chart
 //     table() { return {} },          // optional: { column_name_with_unit: [numbers] } for CSV
 //   };
 //
@@ -30,7 +31,7 @@
 
 import { addressOf, stateIn } from "./address.js";
 import { exportButton } from "./exports.js";
-import { guide } from "./guide.js";
+import { guide, welcome } from "./guide.js";
 import { posted } from "./post.js";
 import { Line } from "./socket.js";
 import { text } from "./units.js";
@@ -282,4 +283,4 @@ function themeButton(onChange) {
 }
 
 const app = new App();
-app.start();
+app.start().then(() => welcome(app));

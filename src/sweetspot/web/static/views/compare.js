@@ -69,7 +69,7 @@ export const view = {
 
   drawCurves(bats) {
     const panel = (title, kind, height, key) => ({
-      title, kind, height, lines: bats.map((_, i) => ({ key: `${key}_${i}`, ...LINES[i], label: "" })),
+      title, kind, height, lines: bats.map(({ label }, i) => ({ key: `${key}_${i}`, ...LINES[i], label: "", name: label })),
     });
     this.chart.panels = [
       panel("Exit speed", "exit_speed_m_s", 210, "exit_speed_m_s"),
@@ -135,6 +135,10 @@ export const view = {
 
   figures() {
     return [this.change.surface.figure("change"), this.rows.surface.figure("bats"), this.chart.figure("curves")];
+  },
+
+  charts() {
+    return [this.chart];
   },
 
   table() {

@@ -129,6 +129,10 @@ export const view = {
     return [this.picture.figure("bat"), this.chart.figure("curves")];
   },
 
+  charts() {
+    return [this.chart];
+  },
+
   table() {
     return this.app.answer.scan;
   },
