@@ -71,9 +71,9 @@ def face_modes(line: Line, ball: Ball) -> Modes:
 def give(face: Face, outline: Outline, position: Array, lateral: Array) -> Array:
     """Return g, the square root of the face's compliance at places over that in its middle; 0 off the face.
 
-    membrane: g^2 = (ln((1 - r^2) R / a) + 1/4) / (ln(R / a) + 1/4), a round stretched membrane of the same area
-        (radius R) pushed evenly over a patch of radius a at distance r R from its middle (image charge);
-    plate: g^2 = (1 - r^2)^2, a round plate clamped at its edge; layer: g = 1.
+    For a membrane g^2 = (ln((1 - r^2) R / a) + 1/4) / (ln(R / a) + 1/4): round, stretched, of the same area (radius R),
+    pushed evenly over a patch of radius a at distance r R from its middle (image charge). For a plate clamped at its
+    round edge g^2 = (1 - r^2)^2, for a layer g = 1.
     """
     square = outline.radius_squared(position, lateral)
     inside = np.maximum(1 - square, 0.0)
