@@ -13,7 +13,7 @@ from numpy.polynomial import polynomial
 from numpy.typing import ArrayLike, NDArray
 from pydantic import Field, model_validator
 
-from sweetspot.implement import Array, DensityRange, Implement, Look, Lump
+from sweetspot.implement import Array, DensityRange, Lump, OfMaterial
 from sweetspot.material import Material
 from sweetspot.section import Section, of_solid, of_walls
 from sweetspot.shell import Shell, Stations, between, check_order
@@ -63,7 +63,7 @@ class PointMass(Thing):
     mass: Positive
 
 
-class Bat(Implement):
+class Bat(OfMaterial):
     """A bat as its maker or owner would describe it; physics functions take it from here.
 
     Give the outline either as ``profile`` (a round bat made of conical pieces) or as
@@ -220,24 +220,9 @@ class Bat(Implement):
         return tuple(sorted(edges))
 
     @property
-    def made_of(self) -> str:
-        """Name of its material."""
-        return self.material.name
-
-    @property
     def materials(self) -> tuple[Material, ...]:
         """Its own and those of its fills."""
         return (self.material, *(bore.fill for bore in self.bores if bore.fill is not None))
-
-    @property
-    def look(self) -> Look:
-        """Family of its material."""
-        return self.material.family
-
-    @property
-    def damping_ratio(self) -> float:
-        """Its material's."""
-        return self.material.damping_ratio
 
     @property
     def grip_end(self) -> str:

@@ -13,10 +13,10 @@ from numpy.typing import ArrayLike
 from pydantic import Field, model_validator
 
 from sweetspot.face import Face, Outline
-from sweetspot.implement import Array, DensityRange, Implement, Look
+from sweetspot.implement import Array, OfMaterial
 from sweetspot.material import Material
 from sweetspot.section import Section, poisson_of, shear_coefficient
-from sweetspot.shell import Stations, between, check_order
+from sweetspot.shell import Stations, between, check_along
 from sweetspot.thing import NonNegative, Positive
 
 LENGTH_RANGE = (0.5, 1.0)
@@ -27,7 +27,7 @@ SLOPE_PIECES = 4
 """Pieces of the splice, whose share of cane falls along it."""
 
 
-class CricketBat(Implement):
+class CricketBat(OfMaterial):
     """A cricket bat.
 
     The blade's back is h(y) = edge + (spine - edge) (1 - 2 |y| / width)^concavity above its flat face. Where the handle
@@ -65,15 +65,8 @@ class CricketBat(Implement):
     def _holds_together(self) -> CricketBat:
         for stations, what in ((self.handle, "handle"), (self.width, "width"), (self.spine, "spine"),
                                (self.edge, "edge")):  # fmt: skip
-            check_order(stations, what)
             start, end = (0.0, self.shoulder) if what == "handle" else (self.shoulder, self.length)
-            if abs(stations[0][0] - start) > 1e-9 or abs(stations[-1][0] - end) > 1e-6:
-                raise ValueError(
-                    f"{what} runs from {stations[0][0]:.4g} m to {stations[-1][0]:.4g} m; allowed is from "
-                    f"{start:.4g} m to {end:.4g} m"
-                )
-            if min(size for _, size in stations) <= 0:
-                raise ValueError(f"{what} has a size that is not above zero")
+            check_along(stations, what, start=start, end=end)
         if self.shoulder + self.splice >= self.length:
             raise ValueError(f"the splice is {self.splice:.4g} m deep, beyond the toe; make it shorter")
         for place in self.breakpoints():
@@ -95,22 +88,6 @@ class CricketBat(Implement):
     def materials(self) -> tuple[Material, ...]:
         """Of blade and handle."""
         return self.material, self.handle_material
-
-    @property
-    def look(self) -> Look:
-        """Family of the blade's material."""
-        return self.material.family
-
-    @property
-    def damping_ratio(self) -> float:
-        """The blade's; that of the handle's rubber is for whoever measured it to put into the material."""
-        return self.material.damping_ratio
-
-    @property
-    def density_range(self) -> DensityRange:
-        """Of the blade's wood."""
-        light, heavy = self.material.density_range or (self.material.density, self.material.density)
-        return DensityRange(self.material.density, light, heavy)
 
     @property
     def face(self) -> Face:

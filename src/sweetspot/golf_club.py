@@ -12,10 +12,10 @@ from numpy.typing import ArrayLike
 from pydantic import Field, model_validator
 
 from sweetspot.face import Face, Outline
-from sweetspot.implement import Array, Implement, Look, Lump
+from sweetspot.implement import Array, Lump, OfMaterial
 from sweetspot.material import Material
 from sweetspot.section import Section, evenly, of_oval_tube
-from sweetspot.shell import Stations, between, check_order
+from sweetspot.shell import Stations, between, check_along
 from sweetspot.thing import NonNegative, Positive, Thing
 
 LENGTH_RANGE = (0.7, 1.3)
@@ -45,7 +45,7 @@ class ClubHead(Thing):
     face: Face
 
 
-class GolfClub(Implement):
+class GolfClub(OfMaterial):
     """A golf club.
 
     Parameters
@@ -76,14 +76,7 @@ class GolfClub(Implement):
         if self.mass is not None or self.balance_point is not None or self.moi is not None:
             raise ValueError("a club is weighed by its parts; leave out mass, balance_point and moi, give the head's")
         for stations, what in ((self.diameter, "diameter"), (self.wall, "wall")):
-            check_order(stations, what)
-            if abs(stations[0][0]) > 1e-9 or abs(stations[-1][0] - self.shaft_end) > 1e-6:
-                raise ValueError(
-                    f"{what} does not run from 0 to {self.shaft_end:.4g} m, where the head begins; give a station at "
-                    "each end"
-                )
-            if min(size for _, size in stations) <= 0:
-                raise ValueError(f"{what} has a size that is not above zero")
+            check_along(stations, what, start=0.0, end=self.shaft_end)
         if self.grip_length >= self.shaft_end:
             raise ValueError(f"the grip is {self.grip_length:.4g} m long, longer than the shaft")
         return self
@@ -99,19 +92,9 @@ class GolfClub(Implement):
         return f"{self.material.name}, head of {1e3 * self.head.mass:.0f} g"
 
     @property
-    def materials(self) -> tuple[Material, ...]:
-        """The shaft's."""
-        return (self.material,)
-
-    @property
-    def look(self) -> Look:
-        """Family of the shaft's material."""
-        return self.material.family
-
-    @property
-    def damping_ratio(self) -> float:
-        """The shaft's."""
-        return self.material.damping_ratio
+    def density_range(self) -> None:
+        """None: the club is weighed by its parts."""
+        return None
 
     @property
     def face(self) -> Face:

@@ -12,16 +12,16 @@ from numpy.typing import ArrayLike
 from pydantic import Field, model_validator
 
 from sweetspot.face import Face, Outline
-from sweetspot.implement import Array, DensityRange, Implement, Look, Lump
+from sweetspot.implement import Array, Lump, OfMaterial
 from sweetspot.material import Material
 from sweetspot.section import Section, evenly, of_oval_tube
-from sweetspot.shell import Stations, between, check_order
+from sweetspot.shell import Stations, between, check_along
 from sweetspot.thing import NonNegative, Positive
 
 LENGTH_RANGE = (0.6, 1.1)
 
 
-class HockeyStick(Implement):
+class HockeyStick(OfMaterial):
     """A hockey stick.
 
     Parameters
@@ -54,43 +54,13 @@ class HockeyStick(Implement):
     @model_validator(mode="after")
     def _holds_together(self) -> HockeyStick:
         for stations, what in ((self.width, "width"), (self.depth, "depth"), (self.wall, "wall")):
-            check_order(stations, what)
-            if abs(stations[0][0]) > 1e-9 or abs(stations[-1][0] - self.length) > 1e-6:
-                raise ValueError(f"{what} does not run from 0 to {self.length:.4g} m; give a station at each end")
-            if min(size for _, size in stations) <= 0:
-                raise ValueError(f"{what} has a size that is not above zero")
+            check_along(stations, what, start=0.0, end=self.length)
         if not self.grip_length < self.face_start < self.length:
             raise ValueError(
                 f"the grip ends at {self.grip_length:.4g} m and the face begins at {self.face_start:.4g} m of a "
                 f"{self.length:.4g} m stick; allowed is one after the other"
             )
         return self
-
-    @property
-    def made_of(self) -> str:
-        """Its material."""
-        return self.material.name
-
-    @property
-    def materials(self) -> tuple[Material, ...]:
-        """Its material."""
-        return (self.material,)
-
-    @property
-    def look(self) -> Look:
-        """Family of its material."""
-        return self.material.family
-
-    @property
-    def damping_ratio(self) -> float:
-        """Its material's."""
-        return self.material.damping_ratio
-
-    @property
-    def density_range(self) -> DensityRange:
-        """Of its material."""
-        light, heavy = self.material.density_range or (self.material.density, self.material.density)
-        return DensityRange(self.material.density, light, heavy)
 
     @property
     def face(self) -> Face:

@@ -135,6 +135,43 @@ class Implement(Thing, ABC):
         return ()
 
 
+class OfMaterial(Implement, ABC):
+    """An implement whose body is of one material.
+
+    Parameters
+    ----------
+    material : what the body is made of.
+    """
+
+    material: Material
+
+    @property
+    def made_of(self) -> str:
+        """Name of its material."""
+        return self.material.name
+
+    @property
+    def materials(self) -> tuple[Material, ...]:
+        """Its material."""
+        return (self.material,)
+
+    @property
+    def look(self) -> Look:
+        """Family of its material."""
+        return self.material.family
+
+    @property
+    def damping_ratio(self) -> float:
+        """Its material's."""
+        return self.material.damping_ratio
+
+    @property
+    def density_range(self) -> DensityRange | None:
+        """Of its material."""
+        light, heavy = self.material.density_range or (self.material.density, self.material.density)
+        return DensityRange(self.material.density, light, heavy)
+
+
 def check_position(bat: Implement, position: float, what: str = "position") -> None:
     """Refuse a position (m) that is not on the bat; ``what`` names it in the message."""
     if not (math.isfinite(position) and 0 <= position <= bat.length):

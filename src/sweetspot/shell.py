@@ -171,3 +171,15 @@ def check_order(stations: Stations, what: str) -> None:
                 f"{what} goes back from {before:.4g} m to {after:.4g} m; "
                 "list the stations from the knob end outwards, each once"
             )
+
+
+def check_along(stations: Stations, what: str, *, start: float, end: float) -> None:
+    """Refuse stations that do not run from ``start`` to ``end`` (m), or have a size that is not above zero."""
+    check_order(stations, what)
+    if abs(stations[0][0] - start) > 1e-9 or abs(stations[-1][0] - end) > 1e-6:
+        raise ValueError(
+            f"{what} runs from {stations[0][0]:.4g} m to {stations[-1][0]:.4g} m; allowed is from {start:.4g} m to "
+            f"{end:.4g} m, with a station at each end"
+        )
+    if min(size for _, size in stations) <= 0:
+        raise ValueError(f"{what} has a size that is not above zero")
