@@ -12,7 +12,7 @@ import pytest
 
 from sweetspot.errors import InputError
 from sweetspot.player.columns import columns_of, simplified
-from sweetspot.player.swings import PLATE_OVER_RELEASE, Swings, read_swings
+from sweetspot.player.swings import PLATE_OVER_RELEASE, PlayerSwing, Swings, evenly, read_swings
 from sweetspot.units import INCH, MPH
 
 LENGTH = 33 * INCH
@@ -141,6 +141,13 @@ def test_one_batter_of_several(tmp_path: Path) -> None:
     assert [swing.row for swing in read(path, batter="12").swings] == [2, 4]
     with pytest.raises(InputError, match="15"):
         read(path, batter="16")
+
+
+def test_a_long_file_is_thinned_evenly_and_says_so() -> None:
+    swings = [PlayerSwing(row, 30.0, None, None, None, None, None, "") for row in range(1000)]
+    taken, notes = evenly(swings, 400)
+    assert len(taken) == 400 and taken[0].row == 0 and taken[-1].row >= 997
+    assert "1000 swings are usable; 400" in notes[0]
 
 
 def test_names_are_simplified_and_systems_recognised() -> None:

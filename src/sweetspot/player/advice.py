@@ -11,6 +11,7 @@ import numpy as np
 from sweetspot.aerodynamics import Aerodynamics
 from sweetspot.air import Air
 from sweetspot.bat import Bat
+from sweetspot.errors import SweetspotError
 from sweetspot.parabola import top
 from sweetspot.player.candidates import Candidate, candidates
 from sweetspot.player.contact_table import contact_table
@@ -136,7 +137,11 @@ def advise(
     tried, faults = candidates(own.bat, others)
     options, by_key = [], {}
     for number, candidate in enumerate(tried, start=1):
-        table = contact_table(candidate.bat, ball=model.ball, axis=model.law.axis, like=own)
+        try:
+            table = contact_table(candidate.bat, ball=model.ball, axis=model.law.axis, like=own)
+        except SweetspotError as error:
+            faults = (*faults, f"{candidate.label}: {error}")
+            continue
         gained = asked.of(table)
         by_key[candidate.key] = gained
         options.append(

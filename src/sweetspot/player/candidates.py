@@ -93,7 +93,9 @@ def lengthened(bat: Bat, distance: float, *, mass: float) -> Bat:
     factor = length / bat.length
 
     def moved(stations: tuple[tuple[float, float], ...]) -> tuple[tuple[float, float], ...]:
-        return tuple((position * factor, size) for position, size in stations)
+        # the last station must be the tip itself: one rounded a hair short of it would make a slice without length
+        inner = tuple((position * factor, size) for position, size in stations[:-1])
+        return (*inner, (length, stations[-1][1]))
 
     changes: dict[str, object] = {"length": length, "mass": None, "balance_point": None, "moi": None, "original": None}
     if bat.profile is not None:

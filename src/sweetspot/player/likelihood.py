@@ -43,8 +43,8 @@ class Table(NamedTuple):
     arm : (bats, places) bat speed at every place over that where bat speed is measured.
     kept : (n, offsets) part of the exit speed left.
     place_start, place_step, offset_start, offset_step : of the two grids, m.
-    constants : measuring error of bat speed and of position, spread of the attack angle, usual attack angle, and the
-        largest offset of a hit that is counted.
+    farthest : (bats,) m, the largest offset of a hit that is counted.
+    constants : measuring error of bat speed and of position, spread of the attack angle, usual attack angle.
     near, near_weights : points of Gauss and Hermite, in standard deviations.
     far : m, sizes of offsets for hits without a launch angle.
     """
@@ -66,6 +66,7 @@ class Table(NamedTuple):
     place_step: float
     offset_start: float
     offset_step: float
+    farthest: Array
     constants: Array
     near: Array
     near_weights: Array
@@ -142,14 +143,16 @@ def log_likelihoods(parameters: Array, speeds: Array, table: Table, found: Array
     found : (rows,).
     """
     places = table.efficiency.shape[1]
-    speed_noise, place_noise, attack_spread, usual_attack, farthest = table.constants
+    speed_noise, place_noise, attack_spread, usual_attack = table.constants
     usual_weight, own_weight, part = np.empty(places), np.empty(places), np.empty(places)
     ball_out, slope, folded = np.empty(places), np.empty(places), np.empty(len(table.far))
+    counted = np.empty(len(table.farthest))
     for row in range(len(parameters)):
         theta = parameters[row]
         speed_spread, centre, scatter = theta[1], theta[3], theta[4]
         offset_mean, offset_spread, attack, shift, noise = theta[5], theta[6], theta[7], theta[8], theta[9]
-        counted = math.log(within(offset_mean, offset_spread, farthest))
+        for bat in range(len(table.farthest)):
+            counted[bat] = math.log(within(offset_mean, offset_spread, table.farthest[bat]))
         fill_folded(folded, table.far, offset_mean, offset_spread)
         usual = fill_weights(usual_weight, table.place_start, table.place_step, centre, scatter**2)
         total = 0.0
@@ -164,8 +167,8 @@ def log_likelihoods(parameters: Array, speeds: Array, table: Table, found: Array
             told = table.offset[i] + table.offset_slope[i] * (attack - usual_attack)
             above, above_variance = combined(told, table.offset_noise[i], offset_mean, offset_spread)
             if not math.isnan(told):
-                total += normal(told, offset_mean, offset_spread**2 + table.offset_noise[i] ** 2) - counted
-                total += math.log(within(above, math.sqrt(above_variance), farthest))
+                total += normal(told, offset_mean, offset_spread**2 + table.offset_noise[i] ** 2) - counted[bat]
+                total += math.log(within(above, math.sqrt(above_variance), table.farthest[bat]))
             weight, first, last = usual_weight, usual[0], usual[1]
             if not math.isnan(table.position[i]):
                 total += normal(table.position[i], centre, scatter**2 + place_noise**2)

@@ -231,9 +231,9 @@ def _table(
         arm=np.array([arm_ratio(table, table.from_tip, speed_from_tip=speed_from_tip) for table in tables]),
         kept=kept, place_start=float(first.from_tip[0]), place_step=float(first.from_tip[1] - first.from_tip[0]),
         offset_start=float(first.offset[0]), offset_step=float(first.offset[1] - first.offset[0]),
+        farthest=np.array([farthest_offset(table) for table in tables]),
         constants=np.array([
             fixed("bat_speed_noise"), fixed("position_noise"), fixed("attack_angle_spread"), usual,
-            farthest_offset(first),
         ]),
         near=near, near_weights=near_weights / near_weights.sum(), far=far,
     )  # fmt: skip

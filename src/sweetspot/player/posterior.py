@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sweetspot.player.model import PlayerModel
-from sweetspot.player.priors import NAMES, Array, natural, prior_draws
+from sweetspot.player.priors import NAMES, Array, natural, prior_draws, standardised
 from sweetspot.swing_law import Interval
 
 WALKERS = 40
@@ -20,9 +20,15 @@ WELL_MIXED = 1.1
 """Split R-hat up to which chains count as mixed; short halves of well-mixed chains already give 1.05 [gelman_bda]."""
 ENOUGH = 200.0
 """Independent draws from which 95 % intervals are steady to a few per cent of their width."""
-NOTHING_LEARNED = 0.9
+NOTHING_LEARNED = 0.85
 """Posterior over prior width above which the data cannot tell."""
 PRIOR_DRAWS = 20_000
+SCATTERED, ROUNDS, BEST = 600, 4, 60
+"""Draws from the prior that the walkers' places are found from, in how many rounds, and how many are kept of each."""
+FARTHEST_START = 3.0
+"""Prior standard deviations."""
+USUAL_CLOSING = 68.0
+"""m/s, a pitch and a swing together, at which the bat's best place is read off."""
 Progress = Callable[[int, int], None]
 
 
@@ -91,8 +97,8 @@ def fit_player(
 ) -> Posterior:
     """Return draws from the posterior of a player's parameters, by an ensemble of walkers [foreman2013].
 
-    The walkers begin at the best of many draws from the prior, each its own, and move by differences between one
-    another.
+    The walkers begin where draws from the prior were gathered, on both sides of the bat's best place, and move by
+    differences between one another.
 
     Parameters
     ----------
@@ -103,7 +109,8 @@ def fit_player(
     import emcee
 
     start = _start(model, seed)
-    moves = [(emcee.moves.DEMove(), 0.8), (emcee.moves.DESnookerMove(), 0.2)]
+    # the second kind steps by whole differences, from one side of the best place to the other
+    moves = [(emcee.moves.DEMove(), 0.7), (emcee.moves.DEMove(gamma0=1.0), 0.15), (emcee.moves.DESnookerMove(), 0.15)]
     sampler = emcee.EnsembleSampler(WALKERS, len(NAMES), model.log_posterior, moves=moves, vectorize=True)
     sampler.random_state = np.random.RandomState(seed).get_state()
     total = warm_up + steps
@@ -167,13 +174,28 @@ def independent_draws(chains: Array) -> float:
 
 
 def _start(model: PlayerModel, seed: int) -> Array:
-    """Return a good place per walker: drawn from the prior by how likely the swings are there, then shaken."""
+    """Return a good place per walker, half of them on either side of the bat's best place.
+
+    Exit speed hardly tells the sides apart, and walkers that all begin on one would seldom find the other.
+    """
     generator = np.random.default_rng(seed)
-    centre = prior_draws(600, seed)
-    for _ in range(4):
-        height = model.log_posterior(centre)
-        best = centre[np.argsort(height)[-60:]]
+    own, at = model.bats[0], NAMES.index("position")
+    fastest = float(own.from_tip[np.argmax(own.efficiency + USUAL_CLOSING * own.efficiency_slope)])
+    first = _gathered(model, prior_draws(SCATTERED, seed), generator)
+    values = natural(first)
+    values[:, at] = 2 * fastest - values[:, at]
+    mirrored = np.clip(standardised(values), -FARTHEST_START, FARTHEST_START)
+    second = _gathered(
+        model, np.concatenate([mirrored + 0.2 * generator.standard_normal(mirrored.shape)] * 4), generator
+    )
+    return np.concatenate([first[-WALKERS // 2 :], second[-WALKERS // 2 :]])
+
+
+def _gathered(model: PlayerModel, places: Array, generator: np.random.Generator) -> Array:
+    """Return places drawn together where the swings are likely, the likeliest last."""
+    for _ in range(ROUNDS):
+        best = places[np.argsort(model.log_posterior(places))[-BEST:]]
         spread = np.maximum(best.std(axis=0), 0.02)
-        centre = np.concatenate([best, best.mean(axis=0) + spread * generator.standard_normal((240, len(NAMES)))])
-    height = model.log_posterior(centre)
-    return centre[np.argsort(height)[-WALKERS:]]
+        fresh = best.mean(axis=0) + spread * generator.standard_normal((4 * BEST, len(NAMES)))
+        places = np.concatenate([best, fresh])
+    return places[np.argsort(model.log_posterior(places))[-BEST:]]

@@ -29,6 +29,8 @@ PREAMBLE = 20
 """Lines above the column names that a file may have."""
 FEW = 20
 """Swings below which the intervals are said to be wide."""
+MOST_SWINGS = 400
+"""Swings that a fit takes: twice as many narrow the intervals by a quarter and take twice as long."""
 DATE_FORMATS = ("%Y-%m-%d", "%m/%d/%Y", "%m/%d/%y", "%Y/%m/%d", "%b %d, %Y", "%B %d, %Y", "%d.%m.%Y")
 EMPTY = ("", "na", "n/a", "nan", "null", "none", "-", "--")
 
@@ -139,6 +141,19 @@ def read_swings(
         first_day=days[0] if days else None,
         last_day=days[-1] if days else None,
     )
+
+
+def evenly(swings: Sequence[PlayerSwing], most: int) -> tuple[tuple[PlayerSwing, ...], tuple[str, ...]]:
+    """Return at most so many swings, taken evenly from first to last, and a note where some were left out.
+
+    >>> evenly((), 400)
+    ((), ())
+    """
+    count = len(swings)
+    if count <= most:
+        return tuple(swings), ()
+    taken = tuple(swings[index * count // most] for index in range(most))
+    return taken, (f"{count} swings are usable; {most} of them, taken evenly, are enough and are used.",)
 
 
 def _lines(path: Path) -> Iterator[tuple[int, list[str]]]:

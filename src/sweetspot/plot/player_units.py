@@ -8,4 +8,4 @@ from sweetspot.units import FOOT, MPH
 
 def scale(goal: Goal) -> tuple[float, int, str]:
     """Return the size in SI of the unit that a goal is told in, digits, and its name."""
-    return {"exit-speed": (MPH, 1, "mph"), "carry": (FOOT, 0, "ft"), "line": (0.01, 1, "of 100 swings")}[goal.name]
+    return {"exit-speed": (MPH, 1, "mph"), "carry": (FOOT, 1, "ft"), "line": (0.01, 1, "of 100 swings")}[goal.name]

@@ -89,7 +89,8 @@ def player_table(posterior: Posterior, advice: Advice, swings: Swings) -> Group:
     asked: list[RenderableType] = []
     for question, answer in answers(advice):
         asked += [Text(question, style="bold"), Padding(Text(answer), (0, 0, 1, 2))]
-    quiet = [Text(note, style="dim") for note in notes(swings)]
+    untried = [f"Could not be tried: {fault}." for fault in advice.faults]
+    quiet = [Text(note, style="dim") for note in (*notes(swings), *untried)]
     return Group(
         *words, *asked, names_table(bat_rows(advice), "Bats, the best first"), Text(),
         names_table(facts(posterior), "The player"), Text(), *quiet, Text(means(advice.goal), style="dim"),

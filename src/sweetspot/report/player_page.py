@@ -50,6 +50,7 @@ def player_page(posterior: Posterior, advice: Advice, swings: Swings, *, drawing
     drawing : the picture as an SVG file.
     """
     asked = answers(advice)
+    untried = [f"Could not be tried: {fault}." for fault in advice.faults]
     questions = "\n".join(f"<h3>{text(question)}</h3>\n<p>{text(answer)}</p>" for question, answer in asked)
     label = f"Expected {told(advice.goal)} against the contact point, and what changes of player and bat are worth."
     parts = [
@@ -61,7 +62,7 @@ def player_page(posterior: Posterior, advice: Advice, swings: Swings, *, drawing
         picture(drawing, name="player", label=label, caption="Lines are 95 % intervals over what the swings allow."),
         section("Bats tried, the best first", _table(bat_rows(advice)), name="bats"),
         section("The player in numbers", _table(facts(posterior)), name="numbers"),
-        section("About the file", bullets([*notes(swings), means(advice.goal)]), name="file"),
+        section("About the file", bullets([*notes(swings), *untried, means(advice.goal)]), name="file"),
         f"<footer>sweetspot {text(__version__)}</footer>",
     ]
     style = Path(__file__).with_name("page.css").read_text(encoding="utf-8")
