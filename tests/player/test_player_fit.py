@@ -116,6 +116,25 @@ def test_progress_is_told_and_can_interrupt() -> None:
     assert calls == [(25, 110)]
 
 
+def test_an_interrupt_inside_the_likelihood_is_quiet(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    model = modelled(TYPICAL, count=5, seed=6)
+    asked = PlayerModel.log_posterior
+    calls: list[int] = []
+
+    def interrupted(self: PlayerModel, standard: Array) -> Array:
+        calls.append(1)
+        if len(calls) > 20:
+            raise KeyboardInterrupt
+        return asked(self, standard)
+
+    monkeypatch.setattr(PlayerModel, "log_posterior", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        fit_player(model, steps=100, warm_up=10)
+    assert capsys.readouterr().out == ""
+
+
 def test_likelihood_prefers_the_truth_with_each_kind_of_data() -> None:
     """Without launch angles, without bat speeds, and with positions: the truth beats parameters moved well away."""
     swings = modelled(TYPICAL, count=150, seed=8).swings

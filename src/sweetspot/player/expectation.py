@@ -11,9 +11,12 @@ from sweetspot.player.goal import CarryTable, Goal
 from sweetspot.player.model import PlayerModel, arm_ratio, speed_ratio
 from sweetspot.player.posterior import Posterior
 from sweetspot.player.priors import NAMES, Array, fixed
+from sweetspot.units import FOOT
 
 DRAWS, SWINGS = 160, 300
 """Posterior draws, and swings of the scatter for each: the same for every bat, so that differences are not noise."""
+CARRY_SCATTER = 16.8 * FOOT
+"""m; standard deviation of 492 tracked indoor fly balls about the carry computed for their launch [statcast]."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +66,8 @@ class Expectation:
         """Return the expected goal for every draw, shape (draws,): m/s, m, or a part of the hits.
 
         Exit speed is the mean over balls that are hit: those that meet the barrel and are not just grazed. For carry
-        and lines every swing counts, and one that is not a hit brings nothing.
+        and lines every swing counts, and one that is not a hit brings nothing; a ball computed to come down on the
+        line is beyond it half of the times.
 
         Parameters
         ----------
@@ -71,6 +75,8 @@ class Expectation:
         change : of the player.
         position, offset : means in place of every draw's own, m, shape (draws,).
         """
+        from scipy.special import ndtr
+
         speed, place, above, attack = self._swings(table, change, position, offset)
         own = self.model.bats[0]
         hit = (place >= 0) & (place <= own.from_tip[-1]) & (np.abs(above) <= farthest_offset(own))
@@ -80,7 +86,7 @@ class Expectation:
             gained = ball_out * kept
         else:
             carry = self.carries.at(ball_out, above, attack)
-            gained = carry if self.goal.line is None else (carry >= self.goal.line).astype(float)
+            gained = carry if self.goal.line is None else ndtr((carry - self.goal.line) / CARRY_SCATTER)
         total: Array = np.sum(np.where(hit, gained, 0.0), axis=1)
         return np.asarray(total / (np.maximum(hit.sum(axis=1), 1) if self.carries is None else hit.shape[1]))
 

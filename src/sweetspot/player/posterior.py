@@ -112,6 +112,7 @@ def fit_player(
     # the second kind steps by whole differences, from one side of the best place to the other
     moves = [(emcee.moves.DEMove(), 0.7), (emcee.moves.DEMove(gamma0=1.0), 0.15), (emcee.moves.DESnookerMove(), 0.15)]
     sampler = emcee.EnsembleSampler(WALKERS, len(NAMES), model.log_posterior, moves=moves, vectorize=True)
+    sampler.log_prob_fn = model.log_posterior  # as it is: emcee's wrapper prints every walker when interrupted
     sampler.random_state = np.random.RandomState(seed).get_state()
     total = warm_up + steps
     for done, _ in enumerate(sampler.sample(start, iterations=total, skip_initial_state_check=False), start=1):
