@@ -12,7 +12,7 @@ from sweetspot.player.priors import NAMES, Array, natural, prior_draws, standard
 from sweetspot.swing_law import Interval
 
 WALKERS = 40
-STEPS, WARM_UP = 1000, 300
+STEPS, WARM_UP = 1200, 500
 """Steps kept, and steps thrown away before them."""
 EVERY = 25
 """Steps between two reports of progress."""
