@@ -47,6 +47,17 @@ def test_a_park_judges_the_flight(run: Run) -> None:
     assert "Fenway Park" in out and "carries" in out
 
 
+def test_a_named_pitch_is_thrown(run_json: Callable[..., Any], run: Run) -> None:
+    """A curve arrives slower than a fastball, with topspin that the bat need not turn round [nathan_calculator]."""
+    fast, curve = (run_json("play", "--pitch", name) for name in ("fastball", "curve"))
+    assert curve["pitch_speed_m_s"] < fast["pitch_speed_m_s"]
+    assert curve["backspin_rad_s"] > fast["backspin_rad_s"]
+    slow = run_json("play", "--pitch", "fastball", "--release-speed", "80mph")
+    assert 0.90 < slow["pitch_speed_m_s"] / (80 * MPH) < 0.94  # published: 0.920 on the way to the plate
+    assert run("play", "--pitch", "fastball", "--pitch-speed", "90mph")[0] == 2
+    assert run("play", "--release-speed", "90mph")[0] == 2
+
+
 def test_a_miss_is_an_outcome(run_json: Callable[..., Any], run: Run) -> None:
     found = run_json("play", "--offset", "3in")
     assert (found["outcome"], found["flight"], found["exit_speed_m_s"]) == ("miss", None, None)
@@ -65,6 +76,8 @@ def test_the_picture_is_written_whole(run: Run, tmp_path: Path) -> None:
     ("arguments", "words"),
     [
         (("--park", "fenwy"), "fenway"),
+        (("--pitch", "gyroball"), "pitch"),
+        (("--pitch", "curve", "--release-speed", "5mph"), "reach"),
         (("--tilt", "3deg"), "no path in a plane is steeper"),
         (("--offset", "0.5"), "--offset"),
         (("--humidity", "50"), "humidity"),

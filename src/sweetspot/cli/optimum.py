@@ -99,10 +99,10 @@ def _swings(
 ) -> list[dict[str, Any]]:
     from sweetspot import catalog
     from sweetspot.cli.options import conditions_for
+    from sweetspot.cli.pitching import pitched
     from sweetspot.cli.weather import air_of, wind_of
     from sweetspot.implement import check_position
     from sweetspot.optimum import best_swing
-    from sweetspot.pitch import aimed
     from sweetspot.reduction import reduction
     from sweetspot.report.optimum import swing_row
     from sweetspot.units import parse, parse_position
@@ -120,12 +120,7 @@ def _swings(
     model = reduction(described, ball=conditions.ball).held(conditions.hands)
     rows = []
     for name in pitches:
-        delivery = catalog.delivery(name)
-        if release_speed is not None:
-            delivery = delivery.replaced(speed=parse(release_speed, "speed", "--release-speed"))
-        thrown = aimed(
-            delivery, ball=conditions.ball, aerodynamics=catalog.aerodynamics("pitched-baseball"), air=air, wind=wind
-        )
+        thrown = pitched(name, release_speed, ball=conditions.ball, air=air, wind=wind)
         best = best_swing(
             model, ball=conditions.ball, swing=conditions.swing, pitch=thrown.plate, tilt=parse(contact.tilt, "angle",
             "--tilt"), aerodynamics=catalog.aerodynamics(), air=air, wind=wind, position=position, attack_angle=steep,

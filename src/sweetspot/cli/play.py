@@ -11,6 +11,7 @@ from cyclopts import Parameter
 
 from sweetspot.cli.options import Format, SwingOptions
 from sweetspot.cli.weather import AirOptions
+from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
     from sweetspot.motion import BallMotion
@@ -36,7 +37,13 @@ class PathOptions:
 @Parameter(name="*", allow_leading_hyphen=True)
 @dataclass(frozen=True)
 class ArrivalOptions:
-    """How the pitch arrives; its speed is --pitch-speed."""
+    """How the pitch arrives: by its name, or with --pitch-speed and these."""
+
+    pitch: Annotated[
+        str | None,
+        Parameter(help="By name, thrown over the middle in place of the others: fastball, curve, ..."),
+    ] = None
+    release_speed: Annotated[str | None, Parameter(help="Throw that pitch this fast; default: as is usual.")] = None
 
     approach_angle: Annotated[
         str, Parameter(help="Of the pitch at the plate, below the level negative: -6deg is usual.")
@@ -70,6 +77,7 @@ def play(
     from sweetspot.analysis import check_conditions
     from sweetspot.cli.options import conditions_for
     from sweetspot.cli.output import patience, print_csv, print_json, print_table
+    from sweetspot.cli.pitching import pitched
     from sweetspot.cli.weather import air_of, park_of, wind_of
     from sweetspot.flight.fence import landing
     from sweetspot.play import play as played
@@ -83,11 +91,20 @@ def play(
     check_conditions(described, conditions, body=model.body)
     position = parse_position(at, length=described.length, what="--at")
     under, park = parse(offset, "length", "--offset"), park_of(air)
-    swung, pitch = path_of(path), arriving(arrival, conditions.pitch.speed)
+    weather, wind = air_of(air), wind_of(air)
+    if arrival.pitch is not None and swing.pitch_speed is not None:
+        raise InputError("--pitch and --pitch-speed were both given; say --release-speed for a named pitch")
+    if arrival.pitch is None and arrival.release_speed is not None:
+        raise InputError("--release-speed is of a pitch that is thrown; name it with --pitch, or give --pitch-speed")
+    swung = path_of(path)
+    if arrival.pitch is None:
+        pitch = arriving(arrival, conditions.pitch.speed)
+    else:
+        pitch = pitched(arrival.pitch, arrival.release_speed, ball=conditions.ball, air=weather, wind=wind).plate
     with patience():
         done = played(
             model, ball=conditions.ball, swing=conditions.swing, path=swung, pitch=pitch, position=position,
-            offset=under, aerodynamics=catalog.aerodynamics("baseball"), air=air_of(air), wind=wind_of(air),
+            offset=under, aerodynamics=catalog.aerodynamics("baseball"), air=weather, wind=wind,
         )  # fmt: skip
     report = PlayReport(
         play=done, bat=described, ball=conditions.ball, position=position, offset=under, path=swung, pitch=pitch,
