@@ -48,10 +48,12 @@ def test_a_park_judges_the_flight(run: Run) -> None:
 
 
 def test_a_named_pitch_is_thrown(run_json: Callable[..., Any], run: Run) -> None:
-    """A curve arrives slower than a fastball, with topspin that the bat need not turn round [nathan_calculator]."""
+    """A curve arrives slower than a fastball, so it leaves slower too; topspin adds to what the bat gives."""
     fast, curve = (run_json("play", "--pitch", name) for name in ("fastball", "curve"))
     assert curve["pitch_speed_m_s"] < fast["pitch_speed_m_s"]
-    assert curve["backspin_rad_s"] > fast["backspin_rad_s"]
+    assert curve["exit_speed_m_s"] < fast["exit_speed_m_s"]
+    over, under = (run_json("play", "--pitch-backspin", spin)["backspin_rad_s"] for spin in ("-2000rpm", "2000rpm"))
+    assert over > under
     slow = run_json("play", "--pitch", "fastball", "--release-speed", "80mph")
     assert 0.90 < slow["pitch_speed_m_s"] / (80 * MPH) < 0.94  # published: 0.920 on the way to the plate
     assert run("play", "--pitch", "fastball", "--pitch-speed", "90mph")[0] == 2
