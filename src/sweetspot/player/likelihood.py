@@ -18,9 +18,9 @@ from sweetspot.collision.vector_math import exp
 from sweetspot.player.priors import Array
 
 IntArray = NDArray[np.int64]
-GRID_REACH = 5.0
+GRID_REACH = 4.0
 """Standard deviations of the scatter to either side of its mean that are summed over."""
-NEAR_POINTS, FAR_POINTS = 2, 10
+NEAR_POINTS, FAR_POINTS = 2, 8
 """Offsets summed over when the launch angle was measured, and when not."""
 WRONG, WRONG_RANGE = 0.01, 60.0
 """Part of the exit speeds taken as wrong readings, spread evenly over this many m/s, so that one cannot rule."""
