@@ -175,3 +175,10 @@ def test_weights_do_not_depend_on_each_other_or_on_what_was_asked_before() -> No
     first = frequencies(one_way)
     assert frequencies(other_way) == pytest.approx(first, rel=1e-9)
     assert frequencies(one_way) == pytest.approx(first, rel=1e-12)
+
+
+def test_stations_a_rounding_error_apart_are_one() -> None:
+    """Exact: the same outline, so the same modes."""
+    plain = Bat(name="one", length=0.84, material=WOOD, profile=((0.0, 0.03), (0.4, 0.04), (0.84, 0.06)))
+    again = plain.replaced(profile=((0.0, 0.03), (0.4, 0.04), (0.4 + 1e-15, 0.04), (0.84, 0.06)))
+    assert frequencies(again) == pytest.approx(frequencies(plain), rel=1e-9)

@@ -16,6 +16,7 @@ app = App(
     help="The open laboratory of the ball-bat collision: from a real bat's measurements to its sweet spots.",
     version=__version__,
     help_format="plaintext",
+    suppress_keyboard_interrupt=False,  # `main` says that nothing was written
 )
 
 BatName = Annotated[str, Parameter(help="Name in the catalogue (see `sweetspot bats`) or a TOML file.")]

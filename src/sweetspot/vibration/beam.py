@@ -22,6 +22,8 @@ from sweetspot.vibration.modes import Family, Modes
 ELEMENTS = 16
 """Elements at least; every bat of the catalogue then has twelve modes converged to 4e-4 and the first five to 1e-4."""
 MODES = 12
+CLOSEST = 1e-6
+"""m; ends nearer to each other than this are one: an element between them would only hold rounding."""
 DEGREE = 4
 
 
@@ -46,7 +48,7 @@ def bending_modes(line: Line, *, count: int = MODES, elements: int = ELEMENTS) -
     the barrel is thick, that is up to about 10 kHz for a wood bat.
     """
     ends = {*line.bat.breakpoints(), *(weight.position for weight in line.point_masses)}
-    edges = _element_edges(tuple(sorted(ends)), line.bat.length / elements)
+    edges = _element_edges(_apart(sorted(ends)), line.bat.length / elements)
     deflection, rotation = _bases(edges)
     stiffness, inertia = _matrices(line, deflection, rotation)
     squares, vectors = lowest(stiffness, inertia, first=2, last=count + 1)
@@ -70,6 +72,13 @@ def bending_modes(line: Line, *, count: int = MODES, elements: int = ELEMENTS) -
         rigid_part=np.eye(2, count + 2),
         dashpots=np.zeros((0, count + 2)),
     )
+
+
+def _apart(ends: list[float]) -> tuple[float, ...]:
+    """Return increasing ends without those that are as good as the one before; the first and the last stay."""
+    kept = [ends[0]]
+    kept += [end for before, end in pairwise(ends[:-1]) if end - before > CLOSEST and ends[-1] - end > CLOSEST]
+    return (*kept, ends[-1])
 
 
 def _element_edges(breakpoints: tuple[float, ...], size: float) -> Array:
