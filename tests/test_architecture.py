@@ -48,7 +48,7 @@ LAYERS = [
     {"material"},
     {"thing"},
     {"motion"},
-    {"units", "references", "parabola", "quadrature", "distribution"},
+    {"units", "references", "parabola", "quadrature", "distribution", "workers"},
     {"errors"},
 ]
 RANK = {name: rank for rank, layer in enumerate(LAYERS) for name in layer}

@@ -7,9 +7,6 @@ vector instructions. The kernel is serial and releases the GIL, so threads, proc
 from __future__ import annotations
 
 import math
-import os
-from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
 from typing import NamedTuple
 
 import numpy as np
@@ -22,6 +19,7 @@ from sweetspot.collision.impact import CONTACT_FORCE, Array, Impacts, Outcome
 from sweetspot.collision.propagator import dashpot_factors, propagator
 from sweetspot.collision.vector_math import exp, log
 from sweetspot.vibration.modes import Modes
+from sweetspot.workers import in_parts
 
 IntArray = NDArray[np.int64]
 LANES = 64
@@ -79,20 +77,8 @@ def hits(
         limit = float(round(TIME_LIMIT / step))
         solve(lanes, speeds[part], shapes, drift, modes.dashpots, half_dash, constants, step, limit, output)
 
-    parts = list(_slices(count))
-    workers = min(threads or os.cpu_count() or 1, len(parts))
-    if workers > 1:
-        with ThreadPoolExecutor(workers) as pool:
-            list(pool.map(work, parts))
-    else:
-        for part in parts:
-            work(part)
+    in_parts(work, count, size=CHUNK, threads=threads)
     return Impacts(outcome, *results, *motion)
-
-
-def _slices(count: int) -> Iterator[slice]:
-    for start in range(0, count, CHUNK):
-        yield slice(start, min(start + CHUNK, count))
 
 
 # rows of the lanes' state

@@ -119,8 +119,9 @@ def strike(
     bat_speed = swing.speed_at(position)
     if abs(offset) >= reach:
         return Strike(Outcome.MISS, bat_speed)
-    frame = contact_frame(*path.axes, lift=np.arcsin(offset / reach))
-    bat_velocity = bat_speed * path.axes.forward
+    axes = path.axes
+    frame = contact_frame(*axes, lift=np.arcsin(offset / reach))
+    bat_velocity = bat_speed * axes.forward
     closing = float((bat_velocity - pitch.velocity) @ frame.normal)
     impact = hit(reduced.modes, ball=ball, position=position, closing_speed=closing)
     if impact.outcome is not Outcome.SEPARATED:

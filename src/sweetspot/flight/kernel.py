@@ -6,8 +6,6 @@ The compiled part (`lanes`) is serial and releases the GIL, so threads, processe
 from __future__ import annotations
 
 import math
-import os
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,6 +17,7 @@ from sweetspot.ball import Ball
 from sweetspot.errors import InputError
 from sweetspot.flight.lanes import APEX_HEIGHT, APEX_TIME, HANG, INPUT_ROWS, LANDED, RESULT_ROWS, solve
 from sweetspot.flight.trajectory import check_step
+from sweetspot.workers import in_parts
 
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -115,14 +114,7 @@ def flights(
         if path_points:
             solve(mine, constants, power, profile, step, *ends, paths[part])
 
-    parts = [slice(first, min(first + CHUNK, count)) for first in range(0, count, CHUNK)]
-    workers = min(threads or os.cpu_count() or 1, len(parts))
-    if workers > 1:
-        with ThreadPoolExecutor(workers) as pool:
-            list(pool.map(work, parts))
-    else:
-        for part in parts:
-            work(part)
+    in_parts(work, count, size=CHUNK, threads=threads)
     hang = results[HANG]
     return Flights(
         outcome=outcome,

@@ -6,9 +6,10 @@ from typing import Any
 
 from sweetspot.flight.fence import Landing
 from sweetspot.flight.trajectory import Flight, FlightOutcome
+from sweetspot.motion import BallMotion
 from sweetspot.park import Park
 from sweetspot.report.border import cleaned
-from sweetspot.units import DEGREE, FOOT, MPH
+from sweetspot.units import DEGREE, FOOT, MPH, RPM
 
 
 def flight_json(flight: Flight, *, path: bool = True) -> dict[str, Any]:
@@ -64,3 +65,14 @@ def landing_words(landing: Landing, park: Park) -> str:
         f"At {park.name} it reaches the fence {landing.distance / FOOT:.0f} ft away "
         f"{abs(landing.clearance) / FOOT:.0f} ft {over} its top: {landing.outcome}."
     )
+
+
+def spin_words(ball: BallMotion) -> str:
+    """Return a hit ball's spin, as "2200 rpm of backspin and 849 rpm that bend it right"."""
+    back = signed(ball.backspin / RPM, "rpm of backspin", "rpm of topspin", 0)
+    return f"{back} and {signed(ball.sidespin / RPM, 'rpm that bend it left', 'rpm that bend it right', 0)}"
+
+
+def signed(value: float, positive: str, negative: str, digits: int = 1) -> str:
+    """Return a number's size with the words that say its sign."""
+    return f"{abs(value):.{digits}f} {positive if value >= 0 else negative}"

@@ -17,8 +17,8 @@ from sweetspot.flight.trajectory import Flight, FlightOutcome, fly
 from sweetspot.flight.what_if import BattedBall
 from sweetspot.park import Park
 from sweetspot.report.border import cleaned
-from sweetspot.report.flight import flight_json, flight_words, landing_json, landing_words
-from sweetspot.units import DEGREE, FOOT, MPH, RPM
+from sweetspot.report.flight import flight_json, flight_words, landing_json, landing_words, signed, spin_words
+from sweetspot.units import DEGREE, FOOT, MPH
 
 
 @dataclass(frozen=True)
@@ -90,9 +90,8 @@ def fly_words(report: FlyReport) -> list[str]:
     hit, launch = report.hit, report.flight.launch
     usual = " (what such hits usually have)" if hit.backspin is None and hit.sidespin is None else ""
     words = [
-        f"A ball leaves at {launch.speed / MPH:.1f} mph, {_part(hit.launch_angle / DEGREE, 'deg up', 'deg down')} and "
-        f"{_direction(hit.spray / DEGREE)}, with {_part(launch.backspin / RPM, 'rpm of backspin', 'rpm of topspin', 0)}"
-        f" and {_part(launch.sidespin / RPM, 'rpm that bend it left', 'rpm that bend it right', 0)}{usual}.",
+        f"A ball leaves at {launch.speed / MPH:.1f} mph, {signed(hit.launch_angle / DEGREE, 'deg up', 'deg down')} and "
+        f"{_direction(hit.spray / DEGREE)}, with {spin_words(launch)}{usual}.",
         flight_words(report.flight),
     ]
     if report.park is not None and report.landing is not None:
@@ -139,7 +138,3 @@ def _direction(degrees: float) -> str:
     if abs(abs(degrees) - 180) < 0.05:
         return "to home plate"
     return f"{abs(degrees):.1f} deg {'right' if degrees > 0 else 'left'} of centre field"
-
-
-def _part(value: float, positive: str, negative: str, digits: int = 1) -> str:
-    return f"{abs(value):.{digits}f} {positive if value >= 0 else negative}"

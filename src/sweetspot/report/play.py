@@ -14,9 +14,9 @@ from sweetspot.motion import BallMotion
 from sweetspot.park import Park
 from sweetspot.play import Play
 from sweetspot.report.border import cleaned
-from sweetspot.report.flight import flight_json, flight_words, landing_json, landing_words
+from sweetspot.report.flight import flight_json, flight_words, landing_json, landing_words, signed, spin_words
 from sweetspot.swing_path import SwingPath
-from sweetspot.units import DEGREE, INCH, MPH, RPM
+from sweetspot.units import DEGREE, INCH, MPH
 
 
 @dataclass(frozen=True)
@@ -94,10 +94,9 @@ def play_words(report: PlayReport) -> list[str]:
         return [f"The bat came {met}: {struck.outcome.sentence}."]
     words = [
         f"The bat meets the ball {met}, at {struck.bat_speed / MPH:.1f} mph. The ball leaves at "
-        f"{ball.speed / MPH:.1f} mph, {_part(ball.launch_angle / DEGREE, 'deg up', 'deg down')} and "
-        f"{_part(ball.spray / DEGREE, 'deg to right field', 'deg to left field')}, with "
-        f"{_part(ball.backspin / RPM, 'rpm of backspin', 'rpm of topspin', '.0f')} and "
-        f"{_part(ball.sidespin / RPM, 'rpm that bend it left', 'rpm that bend it right', '.0f')}.",
+        f"{ball.speed / MPH:.1f} mph, {signed(ball.launch_angle / DEGREE, 'deg up', 'deg down')} and "
+        f"{signed(ball.spray / DEGREE, 'deg to right field', 'deg to left field')}, with "
+        f"{spin_words(ball)}.",
         flight_words(report.play.flight),
     ]
     if not struck.gripped:
@@ -105,10 +104,6 @@ def play_words(report: PlayReport) -> list[str]:
     if report.landing is not None and report.park is not None:
         words.append(landing_words(report.landing, report.park))
     return words
-
-
-def _part(value: float, positive: str, negative: str, digits: str = ".1f") -> str:
-    return f"{abs(value):{digits}} {positive if value >= 0 else negative}"
 
 
 def play_table(report: PlayReport) -> Any:
