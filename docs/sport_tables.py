@@ -115,7 +115,7 @@ def _cases(name: str) -> str:
             f"{result.name}: {result.quantity}",
             f"{result.printed} {result.unit if result.unit not in result.printed else ''}".strip(),
             f"{result.computed:.4g}",
-            result.status + (", calibrated" if result.calibrated else ""),
+            f"{result.status}, {result.evidence}",
             f"[{result.source}]",
         )
         for result in own

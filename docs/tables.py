@@ -19,6 +19,7 @@ from sweetspot.optimum import EasiestHomeRun, best_launch, easiest_home_run, own
 from sweetspot.paper_rows import paper_rows
 from sweetspot.units import FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM
 from sweetspot.validation.computations.pitching import flown
+from sweetspot.validation.result import EVIDENCE
 
 MINUS = "\N{MINUS SIGN}"
 CITATION = re.compile(r"\[([a-z][a-z0-9_]+)((?:[,;] [^\]]*)?)\]")
@@ -201,16 +202,21 @@ def validation_page() -> str:
 
 
 def validation_summary() -> str:
-    """Return how many cases agree, by kind."""
+    """Return the headline and how many cases hold, miss as explained and fail, by what they are evidence of."""
     found = validation.results()
-    kinds = sorted({result.kind for result in found})
-
-    def row(kind: str) -> tuple[str, int, int, int, int]:
-        own = [result for result in found if result.kind == kind]
-        missed = [result for result in own if not result.ok]
-        return kind, len(own), sum(result.calibrated for result in own), len(own) - len(missed), len(missed)
-
-    return table(("kind", "cases", "of these calibrated", "agree", "miss"), [row(kind) for kind in kinds])
+    rows = [
+        (
+            part["evidence"],
+            EVIDENCE[part["evidence"]],
+            part["rows"],
+            part["hold"],
+            part["explained_misses"],
+            part["fail"],
+        )
+        for part in validation.summary(found)
+    ]
+    head = ("evidence", "what it is", "rows", "hold", "miss, explained", "fail")
+    return f"**{validation.headline(found)}**\n\n{table(head, rows)}"
 
 
 def parks_table() -> str:

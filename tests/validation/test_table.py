@@ -22,7 +22,7 @@ PLAIN = Result(
     tag="S",
     ok=True,
     comment="",
-    calibrated=False,
+    evidence="prediction about bats",
     expected_miss="",
 )
 
@@ -40,25 +40,28 @@ def test_a_number_that_could_not_be_computed_is_none_in_json_and_a_miss() -> Non
 
 
 def test_short_rows_carry_units_and_verdict() -> None:
-    (row,) = validation.short_rows([replace(PLAIN, calibrated=True)])
+    (row,) = validation.short_rows([PLAIN])
     assert row == {
         "source": "paper2014",
         "case": "a bat: its weight | mass",
         "printed": "31 oz",
         "computed": "31.01",
         "allowed": "± 0.5",
-        "tag": "S",
-        "status": "ok (calibrated)",
+        "evidence": "prediction about bats",
+        "status": "ok",
     }
 
 
 def test_markdown_shows_misses_reasons_and_what_was_left_out() -> None:
     (case,) = [case for case in validation.sources() if case.source == "paper2014"]
-    miss = replace(PLAIN, ok=False, expected_miss="The scale was wet.")
+    miss = replace(PLAIN, ok=False, expected_miss="The scale was wet.", ours=31.0, ours_tolerance=0.1)
     text = validation.markdown(case, [PLAIN, miss, replace(PLAIN, source="nathan2000")])
     assert text.count("| a bat: its weight \\| mass |") == 2
     assert "| MISS (explained) |" in text
-    assert "- 2: Printed in whole ounces. **Why it misses:** The scale was wet." in text
+    assert (
+        "- 2: Printed in whole ounces. **Why it misses:** The scale was wet. Expected of this model: 31 ± 0.1 oz."
+        in text
+    )
     assert "Left out:" in text
     assert "nathan2000" not in text
 

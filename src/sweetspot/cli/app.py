@@ -113,7 +113,7 @@ def hit(
 
 @app.command
 def validate(*, format: OutputFormat = "table") -> int:
-    """Compare with every published case: printed against computed, tolerance and reason. Exit 1 on a miss."""
+    """Compare with every published case: printed against computed, tolerance, worth. Exit 1 on an unexplained miss."""
     from sweetspot import validation
     from sweetspot.cli.output import patience, print_json, print_rows_csv, print_table
     from sweetspot.report.table import names_table
@@ -121,11 +121,18 @@ def validate(*, format: OutputFormat = "table") -> int:
     with patience():
         found = validation.results()
     if format == "json":
-        print_json({"rows": validation.rows(found)})
+        print_json(
+            {
+                "headline": validation.headline(found),
+                "summary": validation.summary(found),
+                "rows": validation.rows(found),
+            }
+        )
     elif format == "csv":
         print_rows_csv(validation.rows(found))
     else:
         print_table(names_table(validation.short_rows(found), "Published cases"))
+        print(validation.headline(found))
     return 0 if validation.passed(found) else 1
 
 

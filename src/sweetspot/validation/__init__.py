@@ -7,6 +7,18 @@ was left out and why. The command line, the tests and the docs page all read `re
 from sweetspot.validation.cases import Case, Row, sources
 from sweetspot.validation.result import Result
 from sweetspot.validation.run import passed, results
-from sweetspot.validation.table import markdown, rows, short_rows
+from sweetspot.validation.table import headline, markdown, rows, short_rows, summary
 
-__all__ = ["Case", "Result", "Row", "markdown", "passed", "results", "rows", "short_rows", "sources"]
+__all__ = [
+    "Case",
+    "Result",
+    "Row",
+    "headline",
+    "markdown",
+    "passed",
+    "results",
+    "rows",
+    "short_rows",
+    "sources",
+    "summary",
+]

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from sweetspot.errors import InputError
-from sweetspot.validation.result import KINDS, TAGS, Kind, Tag
+from sweetspot.validation.result import EVIDENCE, KINDS, TAGS, Evidence, Kind, Tag
 
 CASES = Path(__file__).parent / "cases"
 
@@ -24,7 +24,7 @@ class Row:
     Parameters
     ----------
     value : expected, in ``unit``; None for a band.
-    low, high : ends of a band in ``unit``; None where open.
+    low, high : ends of a band in ``unit``; a band has both, so that no absurd value can lie in it.
     tolerance, tolerance_percent : allowed difference from ``value``, or beyond the ends of the band; one of the two.
     computation : name in the registry of computations.
     inputs : its arguments, texts with units.
@@ -46,9 +46,21 @@ class Row:
     reason: str
     kind: Kind
     tag: Tag
+    evidence: Evidence
     comment: str
-    calibrated: bool
     expected_miss: str
+    ours: float | None
+    ours_tolerance: float
+
+    @property
+    def allowed(self) -> tuple[float, float]:
+        """The ends between which a computed value passes, in ``unit``."""
+        low = self.value if self.low is None else self.low
+        high = self.value if self.high is None else self.high
+        assert low is not None
+        assert high is not None
+        slack = self.tolerance or self.tolerance_percent / 100 * abs(self.value or 0.0)
+        return low - slack, high + slack
 
 
 @dataclass(frozen=True)
@@ -112,10 +124,10 @@ def _filled(value: Any, cells: dict[str, str]) -> Any:
     return value
 
 
-REQUIRED = ("name", "quantity", "printed", "computation", "reason", "kind", "tag")
+REQUIRED = ("name", "quantity", "printed", "computation", "reason", "kind", "tag", "evidence")
 OPTIONAL: dict[str, Any] = {
     "unit": "", "value": None, "low": None, "high": None, "tolerance": 0.0, "tolerance_percent": 0.0, "inputs": {},
-    "comment": "", "calibrated": False, "expected_miss": "",
+    "comment": "", "expected_miss": "", "ours": None, "ours_tolerance": 0.0,
 }  # fmt: skip
 
 
@@ -130,14 +142,32 @@ def _row(entry: dict[str, Any], path: Path) -> Row:
             f"{where} has kind {entry['kind']!r} and tag {entry['tag']!r}; allowed are {', '.join(KINDS)} and "
             f"{', '.join(TAGS)} (a value recalled from memory is no case)"
         )
+    if entry["evidence"] not in EVIDENCE:
+        raise InputError(f"{where} has evidence {entry['evidence']!r}; allowed are {', '.join(EVIDENCE)}")
     row = Row(**{**OPTIONAL, **entry})
     if row.low is None and row.high is None:
         row = Row(**{**OPTIONAL, **entry, "value": _number(row, where)})
     elif row.value is not None:
         raise InputError(f"{where} has both a value and a band; give one of them")
+    elif row.low is None or row.high is None:
+        raise InputError(f"{where} has a band that is open at one end: every absurd value would pass; give both ends")
     if row.tolerance and row.tolerance_percent:
         raise InputError(f"{where} has two tolerances; give one of them")
+    _check_miss(row, where)
     return row
+
+
+def _check_miss(row: Row, where: str) -> None:
+    """Refuse an explained miss that does not say what is expected of us, or one that is none."""
+    if not row.expected_miss:
+        if row.ours is not None:
+            raise InputError(f"{where} has ours = {row.ours:g} without expected_miss, the reason of the miss")
+        return
+    if row.ours is None or not row.ours_tolerance > 0:
+        raise InputError(f"{where} explains a miss; give ours and ours_tolerance, what this model is expected to say")
+    low, high = row.allowed
+    if row.ours + row.ours_tolerance >= low and row.ours - row.ours_tolerance <= high:
+        raise InputError(f"{where}: ours ± ours_tolerance reaches what is allowed, so it explains no miss")
 
 
 def _number(row: Row, where: str) -> float:

@@ -42,7 +42,7 @@ def results(folder: Path = CASES) -> tuple[Result, ...]:
 
 
 def passed(found: Iterable[Result]) -> bool:
-    """Return whether nothing missed without an explanation."""
+    """Return whether nothing missed but as explained."""
     return all(result.passed for result in found)
 
 
@@ -54,7 +54,7 @@ def judged(row: Row, case: Case) -> Result:
         raise InputError(f"{case.source}, {row.name}: unit {row.unit!r} is not one of {', '.join(UNITS)}")
     inputs = {name: _in_si(name, value) for name, value in row.inputs.items()}
     computed = COMPUTATIONS[row.computation](**inputs) / UNITS[row.unit]
-    low, high = allowed(row)
+    low, high = row.allowed
     return Result(
         source=case.source,
         name=row.name,
@@ -68,33 +68,19 @@ def judged(row: Row, case: Case) -> Result:
         tag=row.tag,
         ok=bool(low <= computed <= high),
         comment=row.comment,
-        calibrated=row.calibrated,
+        evidence=row.evidence,
         expected_miss=row.expected_miss,
-    )
-
-
-def allowed(row: Row) -> tuple[float, float]:
-    """Return the ends between which a computed value passes, in the row's unit."""
-    low = row.value if row.value is not None else row.low
-    high = row.value if row.value is not None else row.high
-    slack = row.tolerance or row.tolerance_percent / 100 * abs(row.value or 0.0)
-    return (
-        float("-inf") if low is None else low - slack,
-        float("inf") if high is None else high + slack,
+        ours=row.ours,
+        ours_tolerance=row.ours_tolerance,
     )
 
 
 def tolerance_text(row: Row) -> str:
-    """Return what is allowed in words: ``+- 0.5 %``, ``4 to 6, +- 0.5`` or ``at most 0``."""
+    """Return what is allowed in words: ``± 0.5 %`` or ``4 to 6, ± 0.5``."""
     slack = f"± {row.tolerance_percent:g} %" if row.tolerance_percent else f"± {row.tolerance:g}"
     if row.value is not None:
         return slack
-    if row.low is None:
-        band = f"at most {row.high:g}"
-    elif row.high is None:
-        band = f"at least {row.low:g}"
-    else:
-        band = f"{row.low:g} to {row.high:g}"
+    band = f"{row.low:g} to {row.high:g}"
     return f"{band}, {slack}" if row.tolerance else band
 
 

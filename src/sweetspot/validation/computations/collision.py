@@ -159,21 +159,10 @@ def best_to_percussion(*, bat: str, pivot: float) -> float:
     return abs(analysis.sweet_spots.max_exit_speed - centre_of_percussion(analysis.body, pivot=pivot))
 
 
-def efficiency_at_best(*, bat: str) -> float:
-    """Return q of the hit with the greatest exit speed."""
-    return shared.standard(bat).best.collision_efficiency
-
-
 def restitution_at_best(*, bat: str) -> float:
     """Return the ball-bat restitution of that hit."""
     analysis = shared.standard(bat)
     return _restitution(analysis, analysis.best.position, analysis.best.collision_efficiency)
-
-
-def effective_mass_at_best(*, bat: str) -> float:
-    """Return the mass that the ball meets there on the free bat."""
-    analysis = shared.standard(bat)
-    return effective_mass(analysis.body, analysis.best.position)
 
 
 def _restitution(analysis: Analysis, place: float, efficiency: float) -> float:
@@ -229,9 +218,7 @@ COMPUTATIONS = (
     rigid_best_place_from_tip,
     best_to_node,
     best_to_percussion,
-    efficiency_at_best,
     restitution_at_best,
-    effective_mass_at_best,
     bat_speed_slope,
     pitch_speed_slope,
     best_exit_speed,

@@ -8,7 +8,6 @@ from itertools import pairwise
 import numpy as np
 
 from sweetspot import catalog
-from sweetspot.analysis import exit_speed_of
 from sweetspot.bat import Bat
 from sweetspot.line import reduce
 from sweetspot.material import Material
@@ -36,13 +35,6 @@ def tube_hoop_frequency(*, diameter: float, wall: float, modulus: float, density
         shell=Shell(wall=tuple((end, wall) for end in ends)),
     )
     return float(hoop_modes(reduce(tube), patch=contact_patch(catalog.ball())).frequency[0])
-
-
-def metal_gain(*, metal: str, wood: str) -> float:
-    """Return how much faster the best hit of a metal bat is at the same bat speed."""
-    of_metal, of_wood = shared.standard(metal), shared.standard(wood)
-    gain = exit_speed_of(of_metal.best, of_metal.conditions) - exit_speed_of(of_wood.best, of_wood.conditions)
-    return float(gain)
 
 
 def metal_place(*, metal: str, wood: str) -> float:
@@ -74,7 +66,6 @@ def _walls(bat: str) -> list[WallPoint]:
 
 COMPUTATIONS = (
     tube_hoop_frequency,
-    metal_gain,
     metal_place,
     bbcor_slope_with_hoop,
     restitution_of_share,

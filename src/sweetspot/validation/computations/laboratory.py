@@ -78,7 +78,6 @@ def laboratory_besr_rise(*, bats: list[str], closing_speed: float) -> float:
 
 COMPUTATIONS = (
     laboratory_bbcor,
-    laboratory_efficiency,
     laboratory_exit_speed,
     laboratory_bbcor_spread,
     laboratory_besr_rise,

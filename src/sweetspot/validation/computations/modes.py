@@ -54,11 +54,6 @@ def frequency(*, bat: str, mode: int) -> float:
     return float(modes.frequency[modes.of_family("bending")[mode - 1]])
 
 
-def frequency_ratio(*, bat: str, mode: int) -> float:
-    """Return the frequency of a mode over that of the first."""
-    return frequency(bat=bat, mode=mode) / frequency(bat=bat, mode=1)
-
-
 def node_from_tip(*, bat: str, mode: int, node: int) -> float:
     """Return how far from the tip a node lies; ``node`` counts from the tip."""
     modes = shared.free_modes(bat)
@@ -94,7 +89,6 @@ COMPUTATIONS = (
     thin_rod_root,
     thin_rod_node,
     frequency,
-    frequency_ratio,
     node_from_tip,
     node_from_knob,
     node_percussion_distance,

@@ -92,6 +92,16 @@ def league_sidespin_slope(*, bat: str) -> float:
     return float(_mean_spin(bat)[2, 1])
 
 
+def league_sidespin(*, bat: str, launch_angle: float) -> float:
+    """Return the mean side spin of its fly balls to centre field by right-handed batters."""
+    return float(_mean_spin(bat)[:, 1] @ [1.0, launch_angle, 0.0])
+
+
+def league_backspin_spray_slope(*, bat: str) -> float:
+    """Return how the backspin of its fly balls changes with the spray angle, rad/s per rad."""
+    return float(_mean_spin(bat)[2, 0])
+
+
 @cache
 def _mean_spin(bat: str) -> Array:
     """Return constant, slope with launch angle and slope with spray of back and side spin, shape (3, 2).
@@ -142,4 +152,5 @@ def _league(bat: str, left_handed: float = 0.4, count: int = 60_000, seed: int =
 
 COMPUTATIONS = (
     tangential_recoil, tee_spin, ceiling_ratio, league_backspin, league_backspin_slope, league_sidespin_slope,
+    league_sidespin, league_backspin_spray_slope,
 )  # fmt: skip
