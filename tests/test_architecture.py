@@ -48,7 +48,7 @@ LAYERS = [
     {"material"},
     {"thing"},
     {"motion"},
-    {"units", "references", "parabola", "quadrature", "distribution", "workers"},
+    {"units", "references", "parabola", "quadrature", "distribution", "workers", "kernel_cache"},
     {"errors"},
 ]
 RANK = {name: rank for rank, layer in enumerate(LAYERS) for name in layer}

@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 import math
+import os
+import subprocess
+import sys
+from contextlib import suppress
+from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from sweetspot import units
 from sweetspot.errors import InputError
 from sweetspot.units import Kind, parse, parse_position
 
@@ -89,3 +95,35 @@ def test_what_would_be_calculated_without_end_is_refused_at_once(text: str) -> N
 
 def test_powers_of_units_are_understood() -> None:
     assert parse("1 kg*m^2", "moi") == parse("1 kg m²", "moi") == parse("1 kg*m**2", "moi") == 1.0
+
+
+def test_units_leave_nothing_on_disk(tmp_path: Path) -> None:
+    """A cache that is cut off or half-written would make every quantity unreadable."""
+    code = "from sweetspot.units import parse; print(round(parse('33 in', 'length'), 4))"
+    torn = tmp_path / "pint"
+    torn.mkdir()
+    environment = {**os.environ, "HOME": str(tmp_path), "XDG_CACHE_HOME": str(tmp_path)}
+    result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, env=environment)
+    assert result.stdout == "0.8382\n"
+    assert [path for path in tmp_path.rglob("*") if path.is_file()] == []
+
+
+def test_only_the_text_is_blamed_for_what_it_says(monkeypatch: pytest.MonkeyPatch) -> None:
+    def broken() -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(units, "_registry", broken)
+    with pytest.raises(OSError, match="No space left"):
+        parse("33 in", "length")
+
+
+@pytest.mark.parametrize("number", [10**400, -(10**400), float("nan"), float("inf")])
+def test_numbers_beyond_all_floats_are_refused(number: float) -> None:
+    with pytest.raises(InputError, match="finite"):
+        parse(number, "ratio")
+
+
+@given(st.text("0123456789. eE+-*/^()inmphozkgdegCF%'\"½²,;:[]{}=<>!#&|~`@_\\\n\t\0", max_size=14))
+def test_no_text_is_a_fault_of_the_program(text: str) -> None:
+    with suppress(InputError):
+        assert math.isfinite(parse(text, "length"))
