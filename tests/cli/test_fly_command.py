@@ -59,6 +59,23 @@ def test_the_park_brings_its_elevation(run_json: RunJson) -> None:
     assert 25 < (high["carry_m"] - low["carry_m"]) / FOOT < 35
 
 
+def test_the_bearing_is_where_it_lands(run: Run, run_json: RunJson) -> None:
+    found = run_json("fly", "--bearing", "-30deg")
+    assert found["bearing_rad"] == pytest.approx(math.radians(-30), abs=1e-4)
+    assert abs(found["launch"]["spray_rad"] - found["bearing_rad"]) > math.radians(1)
+    again = run_json("fly", "--spray", f"{found['launch']['spray_rad']}rad")
+    assert again["bearing_rad"] == pytest.approx(found["bearing_rad"], abs=1e-6)
+    _, out, _ = run("fly", "--bearing", "0deg")
+    assert "it lands to centre field" in " ".join(out.split())
+    table = run_json("fly", "--bearing=-30deg:30deg:3")
+    assert table["answers"]["carry_m"][0][0] == pytest.approx(found["carry_m"], abs=0.01)
+
+
+def test_spray_and_bearing_are_one_or_the_other(run: Run) -> None:
+    code, _, err = run("fly", "--bearing", "0deg", "--spray", "3deg")
+    assert code == 2 and "both given" in err
+
+
 def test_two_way_table(run: Run, run_json: RunJson) -> None:
     ranges = ("--exit-speed", "90mph:110mph:3", "--launch-angle", "20deg:40deg:5")
     _, out, _ = run("fly", *ranges)

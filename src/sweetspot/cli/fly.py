@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 DEFAULT_AIR = AirOptions()
 MOST_VALUES = 100
 KINDS: dict[str, Kind] = {
-    "exit_speed": "speed", "launch_angle": "angle", "spray": "angle", "backspin": "angular speed",
+    "exit_speed": "speed", "launch_angle": "angle", "spray": "angle", "bearing": "angle", "backspin": "angular speed",
     "sidespin": "angular speed", "gyrospin": "angular speed", "height": "length", "forward": "length",
     "temperature": "temperature", "humidity": "ratio", "pressure": "pressure", "elevation": "length",
     "wind_speed": "speed", "wind_direction": "angle", "wind_exponent": "ratio", "calm_below": "length",
@@ -40,7 +40,14 @@ class LaunchOptions:
 
     exit_speed: Annotated[str, Parameter(help="Speed of the ball as it leaves: 100mph.")] = "100mph"
     launch_angle: Annotated[str, Parameter(help="Above the level: 28deg.")] = "28deg"
-    spray: Annotated[str, Parameter(help="Direction from centre field, positive to right field: -20deg.")] = "0deg"
+    spray: Annotated[
+        str | None,
+        Parameter(help="Direction off the bat, from centre field, positive to right field: -20deg; default: 0deg."),
+    ] = None
+    bearing: Annotated[
+        str | None,
+        Parameter(help="Direction of where it comes down, as tracked tables have it; in the place of --spray."),
+    ] = None
     backspin: Annotated[str | None, Parameter(help="2500rpm; default: what hits like this usually have.")] = None
     sidespin: Annotated[
         str | None, Parameter(help="Positive bends the path to the left; default: what hits like this usually have.")
@@ -100,8 +107,14 @@ def _texts(launch: LaunchOptions, air: AirOptions) -> dict[str, str]:
 
     found: dict[str, str | None] = {
         name: getattr(launch, name)
-        for name in ("exit_speed", "launch_angle", "spray", "backspin", "sidespin", "gyrospin", "height", "forward")
-    }
+        for name in ("exit_speed", "launch_angle", "spray", "bearing", "backspin", "sidespin", "gyrospin", "height",
+                     "forward")
+    }  # fmt: skip
+    if launch.spray is not None and launch.bearing is not None:
+        raise InputError(
+            "--spray and --bearing were both given; give --spray, the direction off the bat, or --bearing, that of the "
+            "place where the ball comes down"
+        )
     if ball_sport(launch.ball) != "baseball":  # the usual spin is that of batted baseballs
         found |= {name: found[name] or "0rpm" for name in ("backspin", "sidespin")}
     for name in ("temperature", "humidity", "pressure", "wind_speed", "wind_direction", "calm_below"):

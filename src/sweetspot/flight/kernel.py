@@ -65,6 +65,11 @@ class Flights:
         return np.asarray(self.outcome == LANDED)
 
     @property
+    def bearing(self) -> Array:
+        """Direction in which each ball comes down, rad from centre field, positive to right field, shape (n,)."""
+        return np.arctan2(self.landing_position[:, 0], self.landing_position[:, 1])
+
+    @property
     def landing_angle(self) -> Array:
         """How steeply each ball comes down, rad below the level, shape (n,)."""
         level = np.hypot(self.landing_velocity[:, 0], self.landing_velocity[:, 1])

@@ -82,6 +82,11 @@ class Flight:
     spin_left: Array
 
     @property
+    def bearing(self) -> float:
+        """Direction in which the ball comes down, rad from centre field, positive to right field."""
+        return math.atan2(self.landing.position[0], self.landing.position[1])
+
+    @property
     def landing_angle(self) -> float:
         """How steeply the ball comes down, rad below the level."""
         return -self.landing.launch_angle

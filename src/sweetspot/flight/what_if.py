@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, fields, replace
 from itertools import product
 from typing import Any, Literal, get_args
@@ -13,14 +14,15 @@ from sweetspot.aerodynamics import Aerodynamics
 from sweetspot.air import STANDARD_PRESSURE, Air, Wind
 from sweetspot.ball import Ball
 from sweetspot.errors import InputError
+from sweetspot.flight.bearing import launched_to
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.flight.spin import batted_ball_spin
 from sweetspot.motion import BallMotion, launched
 
 Array = NDArray[np.float64]
 Variation = Literal[
-    "exit_speed", "launch_angle", "spray", "backspin", "sidespin", "gyrospin", "height", "temperature", "humidity",
-    "pressure", "elevation", "wind_speed", "wind_direction",
+    "exit_speed", "launch_angle", "spray", "bearing", "backspin", "sidespin", "gyrospin", "height", "temperature",
+    "humidity", "pressure", "elevation", "wind_speed", "wind_direction",
 ]  # fmt: skip
 VARIATIONS: tuple[Variation, ...] = get_args(Variation)
 """What may be varied, in the order in which a table puts it down its side rather than across."""
@@ -36,6 +38,8 @@ class BattedBall:
     ----------
     exit_speed : m/s, >= 0.
     launch_angle, spray : rad, elevation, and direction from centre field, positive to right field.
+    bearing : rad, direction of the place where the ball comes down, in the place of ``spray``, which then has to be
+        solved for: see `directed`; None: the spray counts.
     backspin, sidespin : rad/s; None: what such hits usually have, see `batted_ball_spin`.
     gyrospin : rad/s.
     height, forward : m above the ground and in front of the plate's tip where the ball leaves the bat.
@@ -47,6 +51,7 @@ class BattedBall:
     exit_speed: float
     launch_angle: float
     spray: float = 0.0
+    bearing: float | None = None
     backspin: float | None = None
     sidespin: float | None = None
     gyrospin: float = 0.0
@@ -64,7 +69,9 @@ class BattedBall:
 
     @property
     def motion(self) -> BallMotion:
-        """The ball as it leaves the bat; raises `InputError` for a negative speed."""
+        """The ball as it leaves the bat; raises `InputError` for a negative speed, or a spray not yet solved for."""
+        if self.bearing is not None:
+            raise InputError("only the bearing of this hit is known; `directed` solves for its launch direction")
         if not self.exit_speed >= 0:
             raise InputError(f"exit speed is {self.exit_speed:g} m/s; allowed is zero or more")
         usual = batted_ball_spin(self.launch_angle, self.spray, bats=self.bats)
@@ -95,6 +102,29 @@ class BattedBall:
             exponent=self.wind_exponent,
             calm_below=self.calm_below,
         )
+
+
+def directed(hit: BattedBall, *, ball: Ball, aerodynamics: Aerodynamics) -> BattedBall:
+    """Return a hit with the spray that brings it down at its bearing; one without a bearing as it is.
+
+    Raises
+    ------
+    InputError
+        where no launch direction brings it there.
+    """
+    if hit.bearing is None:
+        return hit
+    spray, _ = launched_to(
+        hit.bearing, exit_speed=hit.exit_speed, launch_angle=hit.launch_angle, ball=ball, aerodynamics=aerodynamics,
+        air=hit.air, wind=hit.wind, bats=hit.bats, backspin=hit.backspin, sidespin=hit.sidespin, height=hit.height,
+        forward=hit.forward,
+    )  # fmt: skip
+    if not math.isfinite(spray[0]):
+        raise InputError(
+            f"no launch direction brings this ball down {math.degrees(hit.bearing):.4g} deg from centre field; give "
+            "the spray, the direction in which it leaves the bat, instead of the bearing"
+        )
+    return replace(hit, spray=float(spray[0]), bearing=None)
 
 
 @dataclass(frozen=True)
@@ -143,7 +173,7 @@ def flight_table(
     parts = []
     for cell in cells_of(rows, columns):
         changes: dict[str, Any] = dict(cell)
-        one = replace(hit, **changes)
+        one = directed(replace(hit, **changes), ball=ball, aerodynamics=aerodynamics)
         motion = one.motion
         if motion.position[2] < 0:
             raise InputError(f"height is {one.height:g} m, below the ground; allowed is 0 m or more")

@@ -17,6 +17,7 @@ def flight_json(flight: Flight, *, path: bool = True) -> dict[str, Any]:
     found: dict[str, Any] = {
         "outcome": flight.outcome.name.lower(),
         "carry_m": flight.carry,
+        "bearing_rad": flight.bearing,
         "hang_time_s": flight.hang_time,
         "apex_m": flight.apex_height,
         "apex_time_s": flight.apex_time,

@@ -14,7 +14,7 @@ from sweetspot.aerodynamics import Aerodynamics
 from sweetspot.ball import Ball
 from sweetspot.flight.fence import Landing, landing
 from sweetspot.flight.trajectory import Flight, FlightOutcome, fly
-from sweetspot.flight.what_if import BattedBall
+from sweetspot.flight.what_if import BattedBall, directed
 from sweetspot.park import Park
 from sweetspot.report.border import cleaned
 from sweetspot.report.flight import flight_json, flight_words, landing_json, landing_words, signed, spin_words
@@ -48,6 +48,7 @@ class FlyReport:
         park : where it is hit; its fence counts, and the hit is tried in every other park too.
         own_elevation : whether the other parks lie at their own elevation, or all where the hit says.
         """
+        hit = directed(hit, ball=ball, aerodynamics=aerodynamics)
         flight = fly(hit.motion, ball=ball, aerodynamics=aerodynamics, air=hit.air, wind=hit.wind)
         if park is None or flight.outcome is not FlightOutcome.LANDED:
             return cls(hit, flight)
@@ -92,12 +93,23 @@ def fly_words(report: FlyReport) -> list[str]:
     words = [
         f"A ball leaves at {launch.speed / MPH:.1f} mph, {signed(hit.launch_angle / DEGREE, 'deg up', 'deg down')} and "
         f"{_direction(hit.spray / DEGREE)}, with {spin_words(launch)}{usual}.",
-        flight_words(report.flight),
+        f"{flight_words(report.flight)}{_bend(report.flight)}",
     ]
     if report.park is not None and report.landing is not None:
         words.append(landing_words(report.landing, report.park))
         words.append(f"It is a home run in {report.out_in} of {report.parks} parks.")
     return words
+
+
+def _bend(flight: Flight) -> str:
+    """Return where the ball comes down, if the air has bent its path by a degree or more."""
+    bent = (flight.bearing - flight.launch.spray) / DEGREE
+    if flight.outcome is not FlightOutcome.LANDED or abs(bent) < 1:
+        return ""
+    return (
+        f" Its spin and the wind bend it {abs(bent):.0f} deg to the {'right' if bent > 0 else 'left'}: it lands "
+        f"{_direction(flight.bearing / DEGREE)}."
+    )
 
 
 def fly_table(report: FlyReport) -> Group:

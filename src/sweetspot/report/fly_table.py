@@ -20,8 +20,9 @@ INCH_OF_MERCURY = 3386.389
 """Pa."""
 UNITS: dict[str, tuple[str, str, float, float]] = {
     "exit_speed": ("m_s", "mph", MPH, 0.0), "launch_angle": ("rad", "deg", DEGREE, 0.0),
-    "spray": ("rad", "deg", DEGREE, 0.0), "backspin": ("rad_s", "rpm", RPM, 0.0),
-    "sidespin": ("rad_s", "rpm", RPM, 0.0), "gyrospin": ("rad_s", "rpm", RPM, 0.0),
+    "spray": ("rad", "deg", DEGREE, 0.0), "bearing": ("rad", "deg", DEGREE, 0.0),
+    "backspin": ("rad_s", "rpm", RPM, 0.0), "sidespin": ("rad_s", "rpm", RPM, 0.0),
+    "gyrospin": ("rad_s", "rpm", RPM, 0.0),
     "height": ("m", "ft", FOOT, 0.0), "temperature": ("degc", "degF", 1 / 1.8, 32.0),
     "humidity": ("", "%", 0.01, 0.0), "pressure": ("pa", "inHg", INCH_OF_MERCURY, 0.0),
     "elevation": ("m", "ft", FOOT, 0.0), "wind_speed": ("m_s", "mph", MPH, 0.0),

@@ -1,0 +1,108 @@
+"""Where a ball came down is not where it was hit to: side spin and wind bend its path on the way.
+
+Tracked directions (Statcast's ``hc_x`` and ``hc_y``) are bearings of the place where a ball came down or was picked up.
+Read as launch directions they put a third of real home runs foul in a model, and the distance is off by up to 25 ft
+across the field; the launch direction has to be solved for.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from sweetspot.aerodynamics import Aerodynamics
+from sweetspot.air import CALM, Air, Wind
+from sweetspot.ball import Ball
+from sweetspot.flight.kernel import Flights, flights
+from sweetspot.flight.spin import batted_ball_spin
+from sweetspot.motion import spin_axes
+
+Array = NDArray[np.float64]
+
+ROUNDS = 30
+"""Most corrections of the launch direction; three or four are enough for balls that are hit."""
+CLOSE = 1e-6
+"""rad by which the bearing may miss: less than 0.2 mm at 150 m."""
+LARGEST_CORRECTION = 0.5
+"""rad a round."""
+HOME_X, HOME_Y = 125.42, 198.27
+"""Statcast's map coordinates of home plate [poulsen_hr_rdd]."""
+
+
+def bearing_of_place(hc_x: ArrayLike, hc_y: ArrayLike) -> Array:
+    """Return the bearing in rad of a place on Statcast's map, from centre field, positive to right field.
+
+    The map's y grows towards the plate [poulsen_hr_rdd]. A bearing is no launch direction: see `launched_to`.
+
+    >>> float(np.degrees(bearing_of_place(125.42 + 50, 198.27 - 50)).round(9))
+    45.0
+    """
+    right = np.asarray(hc_x, float) - HOME_X
+    return np.asarray(np.arctan2(right, HOME_Y - np.asarray(hc_y, float)))
+
+
+def launched_to(
+    bearing: ArrayLike,
+    *,
+    exit_speed: ArrayLike,
+    launch_angle: ArrayLike,
+    ball: Ball,
+    aerodynamics: Aerodynamics,
+    air: Air | ArrayLike,
+    wind: Wind | ArrayLike = CALM,
+    bats: Literal["right", "left"] | ArrayLike = "right",
+    backspin: ArrayLike | None = None,
+    sidespin: ArrayLike | None = None,
+    height: float = 0.9144,
+    forward: float = 0.6096,
+) -> tuple[Array, Flights]:
+    """Return the launch directions of balls that come down in given directions, and their flights.
+
+    The direction is moved by what the landing misses, with the slope learnt on the way (secants), to `CLOSE`.
+
+    Parameters
+    ----------
+    bearing : rad, shape (n,) or a number, direction from the plate's tip of where the ball comes down.
+    exit_speed, launch_angle : m/s and rad, of shapes that fit.
+    bats : "right" or "left", or an array of these words; only the usual spin asks.
+    backspin, sidespin : rad/s; None: what balls launched so usually have, see `batted_ball_spin`.
+    height, forward : m, where the ball leaves the bat.
+    air, wind : as for `flights`.
+
+    Returns
+    -------
+    tuple
+        launch direction in rad, shape (n,), NaN where no direction was found, and `Flights` of the same rows.
+    """
+    wanted, speed, up, words = np.broadcast_arrays(
+        *(np.atleast_1d(np.asarray(values)) for values in (bearing, exit_speed, launch_angle, bats))
+    )
+    given = [None if spin is None else np.broadcast_to(np.asarray(spin, float), wanted.shape)
+             for spin in (backspin, sidespin)]  # fmt: skip
+
+    def flown(spray: Array) -> tuple[Array, Flights]:
+        usual = batted_ball_spin(up, spray, bats=words)
+        back, side = (own if chosen is None else chosen for own, chosen in zip(usual, given, strict=True))
+        axes = spin_axes(up, spray)
+        result = flights(
+            [0.0, forward, height], speed[:, None] * axes[2], back[:, None] * axes[0] + side[:, None] * axes[1],
+            ball=ball, aerodynamics=aerodynamics, air=air, wind=wind,
+        )  # fmt: skip
+        miss = result.bearing - wanted
+        return np.arctan2(np.sin(miss), np.cos(miss)), result
+
+    spray = np.array(wanted, float)
+    miss, result = flown(spray)
+    slope = np.ones_like(spray)
+    for _ in range(ROUNDS):
+        if not (np.abs(miss) > CLOSE).any():
+            break
+        step = np.clip(np.nan_to_num(-miss / slope), -LARGEST_CORRECTION, LARGEST_CORRECTION)
+        before = miss
+        spray = spray + step
+        miss, result = flown(spray)
+        learnt = np.divide(miss - before, step, out=slope.copy(), where=np.abs(step) > CLOSE)
+        slope = np.where(np.isfinite(learnt) & (learnt > 0.2) & (learnt < 5), learnt, 1.0)
+    return np.where(np.abs(miss) <= CLOSE, spray, np.nan), result
