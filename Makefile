@@ -43,6 +43,12 @@ bench: $(VENV)/.dev  ## measured figures, beside rivals
 bench-quick: $(VENV)/.dev
 	SWEETSPOT_BENCH_QUICK=1 $(BIN)/python -m pytest benchmarks -q -p no:xdist --benchmark-only
 
+golden: $(VENV)/.dev  ## keep the numbers that every command answers now; say why in the changelog
+	$(BIN)/python tools/golden.py --write
+
+golden-check: $(VENV)/.dev  ## list numbers that changed by more than 1e-9
+	$(BIN)/python tools/golden.py
+
 lock: $(UV)  ## pin the newest versions that pyproject allows
 	$(UV) pip compile -q --upgrade --no-header --no-annotate --no-emit-index-url pyproject.toml -o requirements.txt
 	$(UV) pip compile -q --no-header --no-annotate --no-emit-index-url --extra dev -c requirements.txt \
