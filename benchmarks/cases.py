@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from sweetspot import Ball, Line, bending_modes, catalog, reduce
-from sweetspot.vibration.modes import Modes
+from sweetspot import Ball, BeamModel, beam_model, bending_modes, catalog
+from sweetspot.dynamics.modes import Modes
 
 Array = NDArray[np.float64]
 
@@ -43,9 +43,9 @@ class Figure:
 
 
 @cache
-def line() -> Line:
+def line() -> BeamModel:
     """Return the bat: an ash one with 18 stations."""
-    return reduce(catalog.bat("r161-ash"))
+    return beam_model(catalog.bat("r161-ash"))
 
 
 @cache

@@ -13,11 +13,11 @@ import pytest
 from benchmarks import cases
 from benchmarks.cases import QUICK, best, measured
 from sweetspot import catalog
-from sweetspot.air import Air
 from sweetspot.flight import kernel
+from sweetspot.flight.air import Air
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.flight.trajectory import fly
-from sweetspot.motion import BallMotion, launched
+from sweetspot.motion.ball_motion import BallMotion, launched
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
 
 Record = Callable[..., None]

@@ -11,12 +11,12 @@ import numpy as np
 
 from benchmarks.cases import QUICK, ball, duration, measured
 from sweetspot import catalog
-from sweetspot.air import Air
-from sweetspot.bat import Bat
-from sweetspot.motion import launched
-from sweetspot.play import Plays, plays
-from sweetspot.reduction import Reduction, reduction
-from sweetspot.swing_path import path_axes
+from sweetspot.analysis.full_play import Plays, plays
+from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
+from sweetspot.equipment.bat import Bat
+from sweetspot.flight.air import Air
+from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.swing_path import path_axes
 from sweetspot.units import DEGREE, INCH, MPH, RPM
 
 COUNT = 2_000 if QUICK else 100_000
@@ -24,9 +24,9 @@ PITCH = launched(speed=82 * MPH, launch_angle=-6 * DEGREE, spray=math.pi, backsp
 
 
 @cache
-def model() -> Reduction[Bat]:
+def model() -> ReducedBat[Bat]:
     """Return the bat that everybody hits with."""
-    return reduction(catalog.bat("r161-ash"), ball=ball())
+    return reduced_bat(catalog.bat("r161-ash"), ball=ball())
 
 
 def played(count: int) -> Plays:

@@ -19,7 +19,7 @@ STATUS = Path("/proc/self/status")
 PEAK = f"print(next(row.split()[1] for row in open('{STATUS}') if row.startswith('VmHWM')))"
 """Prints kB; `resource.getrusage` would count what the parent held before the child began."""
 BAT = (
-    "from sweetspot import analyse, bending_modes, catalog, hits, reduce, standard_conditions; "
+    "from sweetspot import analyse, bending_modes, catalog, hits, beam_model, standard_conditions; "
     "b = catalog.bat('r161-ash'); "
 )
 
@@ -60,7 +60,7 @@ def test_report(benchmark: Any, record: Record, tmp_path: Path) -> None:
         ("one analysis", BAT + "analyse(b, standard_conditions(b)); "),
         (
             f"{MANY:,} hits",
-            BAT + "import numpy as np; m = bending_modes(reduce(b)); "
+            BAT + "import numpy as np; m = bending_modes(beam_model(b)); "
             f"hits(m, ball=catalog.ball(), position=np.linspace(.6, .8, {MANY}), closing_speed=70.0, "
             "keep_motion=False); ",
         ),

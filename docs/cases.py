@@ -6,10 +6,10 @@ from functools import cache
 from typing import Any
 
 from sweetspot import analyse, catalog, standard_conditions
-from sweetspot.air import Air
-from sweetspot.analysis import Analysis
-from sweetspot.optimum import BestSwing, best_swing
-from sweetspot.reduction import reduction
+from sweetspot.analysis.bat_analysis import Analysis
+from sweetspot.analysis.optimum import BestSwing, best_swing
+from sweetspot.dynamics.reduction import reduced_bat
+from sweetspot.flight.air import Air
 from sweetspot.units import INCH
 from sweetspot.validation.computations.pitching import flown
 
@@ -33,7 +33,7 @@ def best_contact(pitch: str, attack_angle: float | None = None) -> BestSwing:
     """Return the contact of the flagship bat, held level, that carries a pitch of the catalogue farthest."""
     bat, ball = catalog.bat(FLAGSHIP), catalog.ball()
     return best_swing(
-        reduction(bat, ball=ball),
+        reduced_bat(bat, ball=ball),
         ball=ball,
         swing=standard_conditions(bat).swing,
         pitch=flown(pitch, "pitched-baseball").plate,

@@ -23,6 +23,7 @@ extensions = ["myst_parser", "sphinx.ext.autodoc", "docstrings", "mathtext"]
 exclude_patterns = ["_build", "_generated", "Thumbs.db", ".DS_Store"]
 default_role = "code"
 nitpicky = False
+suppress_warnings = ["ref.python"]  # a word of a `Literal` such as "mass" is no reference to a field of that name
 
 myst_enable_extensions = ["deflist", "substitution"]
 myst_heading_anchors = 3

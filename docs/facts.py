@@ -8,16 +8,16 @@ import numpy as np
 from cases import analysed, best_contact, from_tip
 
 from sweetspot import Pitch, analyse, bending_modes, catalog, hit, references, standard_conditions
-from sweetspot.analysis import TYPICAL_HAND, Analysis, exit_speed_of, hit_at
-from sweetspot.ball import Ball
+from sweetspot.analysis.bat_analysis import TYPICAL_HAND, Analysis, exit_speed_of, hit_at
+from sweetspot.analysis.sweet_spot import miss_cost
 from sweetspot.catalog.records import read_table
-from sweetspot.cli.app_command import PORT
-from sweetspot.collision.oblique import oblique
-from sweetspot.contact import equivalent_wall_speed, loading_force
-from sweetspot.player.expectation import DRAWS, SWINGS
+from sweetspot.cli.page_command import PORT
+from sweetspot.collision.contact_law import equivalent_wall_speed, loading_force
+from sweetspot.collision.oblique_contact import oblique
+from sweetspot.dynamics.rigid import effective_mass, pendulum_period
+from sweetspot.equipment.ball import Ball
+from sweetspot.player.expected import DRAWS, SWINGS
 from sweetspot.player.posterior import NOTHING_LEARNED, WALKERS
-from sweetspot.rigid import effective_mass, pendulum_period
-from sweetspot.sweet_spots import miss_cost
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED
 from sweetspot.validation.computations.optimum import best
 from sweetspot.validation.computations.pitching import flown

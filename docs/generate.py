@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
+import modules
 import sport_tables
 import tables
 from cases import analysed
@@ -14,7 +15,7 @@ from figures import axes, ball, convergence, flight, hollow, oblique, optimum, p
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
-from sweetspot.plot.report_figure import report_figure
+from sweetspot.report.bat.figure import report_figure
 
 HERE = Path(__file__).resolve().parent
 SVG = {"svg.hashsalt": "sweetspot", "svg.fonttype": "path", "font.family": "DejaVu Sans", "font.size": 10}
@@ -71,6 +72,8 @@ def generate_all(folder: Path) -> dict[str, str]:
         path = folder / f"{name}.svg"
         with rc_context(SVG):
             draw().savefig(path, metadata={"Date": None})
+    for name, text in modules.reference_pages().items():
+        write_if_changed(folder.parent / "reference" / f"{name}.rst", text.encode())
     return facts()
 
 

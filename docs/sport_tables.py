@@ -9,8 +9,8 @@ from tables import escaped, source, table
 
 from sweetspot import validation
 from sweetspot.catalog.sports import certainty, sport, sport_names
-from sweetspot.sport import CERTAINTIES, Known, Limit, Sport
-from sweetspot.sport_rows import sport_rows
+from sweetspot.equipment.sport import CERTAINTIES, Known, Limit, Sport
+from sweetspot.paper.sports import sport_rows
 from sweetspot.validation.result import Result
 
 CASES: dict[str, tuple[str, ...]] = {

@@ -11,12 +11,12 @@ import numpy as np
 from cases import analysed, best_contact, from_tip
 
 from sweetspot import catalog, references, validation
-from sweetspot.air import Air
-from sweetspot.analysis import exit_speed_of
+from sweetspot.analysis.bat_analysis import exit_speed_of
+from sweetspot.analysis.optimum import EasiestHomeRun, best_launch, easiest_home_run, own_air
 from sweetspot.catalog.bats import bat_tables
-from sweetspot.catalog.records import Record, read_table, records
-from sweetspot.optimum import EasiestHomeRun, best_launch, easiest_home_run, own_air
-from sweetspot.paper_rows import paper_rows
+from sweetspot.catalog.records import Record, all_records, read_table
+from sweetspot.flight.air import Air
+from sweetspot.paper.chain import paper_rows
 from sweetspot.units import FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM
 from sweetspot.validation.computations.pitching import flown
 from sweetspot.validation.result import EVIDENCE
@@ -155,7 +155,7 @@ def catalogue_page() -> str:
             parts.append(f"### {key.replace('_', '-')}\n\n{escaped(entry['name'])}.")
             if "note" in entry:
                 parts.append(escaped(entry["note"]))
-            parts.append(_records_table(records(entry, key)))
+            parts.append(_records_table(all_records(entry, key)))
     return "\n\n".join(parts)
 
 

@@ -4,7 +4,7 @@ Run: python examples/does_corking_help.py
 """
 
 from sweetspot import catalog, standard_conditions
-from sweetspot.compare import compare
+from sweetspot.analysis.comparison import compare
 from sweetspot.units import INCH, MPH, OUNCE
 
 whole = catalog.bat("r161-ash")
@@ -14,7 +14,7 @@ bats = {
     "drilled": whole.drilled(**hole),
     "corked": whole.corked(**hole, fill=catalog.material("cork"), plug=1 * INCH),
 }
-found = compare(list(bats.values()), conditions=standard_conditions(whole), labels=list(bats))
+found = compare(list(bats.values()), conditions=standard_conditions(whole), law=catalog.swing_law(), labels=list(bats))
 
 print("bat         oz      q   bat mph  exit mph")
 for bat in found.compared:

@@ -3,15 +3,15 @@
 Run: python examples/does_grip_matter.py
 """
 
-from sweetspot import analyse, bending_modes, catalog, exit_speed_of, gripped, hit_at, reduce, standard_conditions
-from sweetspot.analysis import TYPICAL_HAND
+from sweetspot import analyse, beam_model, bending_modes, catalog, exit_speed_of, gripped, hit_at, standard_conditions
+from sweetspot.analysis.bat_analysis import TYPICAL_HAND
 from sweetspot.units import MPH
 
 bat = catalog.bat("r161-ash")
 conditions = standard_conditions(bat)
 result = analyse(bat, conditions)
 place = result.sweet_spots.max_exit_speed
-free = bending_modes(reduce(bat))
+free = bending_modes(beam_model(bat))
 
 grips = {
     "typical hands": conditions.hands.replaced(**TYPICAL_HAND),

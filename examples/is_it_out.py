@@ -6,12 +6,12 @@ Run: python examples/is_it_out.py
 from math import pi
 
 from sweetspot import Air, Swing, SwingPath, catalog, landings_everywhere, launched
-from sweetspot.play import play
-from sweetspot.reduction import reduction
+from sweetspot.analysis.full_play import play
+from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, RPM
 
 bat, ball, wings = catalog.bat("r161-ash"), catalog.ball(), catalog.aerodynamics("baseball")
-model = reduction(bat, ball=ball)
+model = reduced_bat(bat, ball=ball)
 place = bat.length - 6 * INCH
 fastball = launched(
     speed=85 * MPH, launch_angle=-6 * DEGREE, spray=pi, backspin=2200 * RPM, height=3 * FOOT, forward=2 * FOOT

@@ -6,13 +6,13 @@ Run: python examples/what_is_an_inch_worth.py
 import numpy as np
 
 from sweetspot import catalog
-from sweetspot.air import Air
-from sweetspot.catalog.aerodynamics import aerodynamics
+from sweetspot.catalog.aerodynamic_laws import aerodynamics
+from sweetspot.flight.air import Air
 from sweetspot.player.advice import advise
 from sweetspot.player.goal import Goal
 from sweetspot.player.model import player_model
 from sweetspot.player.posterior import fit_player
-from sweetspot.player.priors import natural
+from sweetspot.player.prior import natural
 from sweetspot.player.simulate import simulated_swings
 from sweetspot.units import INCH, MPH
 

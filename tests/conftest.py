@@ -12,12 +12,12 @@ import pytest
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the command line does; before anything loads the library
 
 from sweetspot import catalog
-from sweetspot.analysis import Analysis, analyse
-from sweetspot.ball import Ball
-from sweetspot.bat import Bat
+from sweetspot.analysis.bat_analysis import Analysis, analyse
+from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.cli import main
-from sweetspot.material import Material
-from sweetspot.standard import standard_conditions
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.material import Material
 
 
 @pytest.fixture(scope="session")

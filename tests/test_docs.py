@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from sweetspot.catalog.batfile import bat_from_table
-from sweetspot.line import reduce
-from sweetspot.rigid import rigid_body
+from sweetspot.catalog.files.bat import bat_from_table
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import rigid_body
 
 DOCS = Path(__file__).parents[1] / "docs"
 PAGES = sorted(path for path in DOCS.rglob("*.md") if not {"_build", "_generated"} & set(path.relative_to(DOCS).parts))
@@ -43,7 +43,7 @@ def test_examples_of_a_page(page: Path) -> None:
 def test_bat_files_of_a_page(page: Path) -> None:
     for text in blocks(page, "toml"):
         bat = bat_from_table(tomllib.loads(text), page.name)
-        assert 0.5 < rigid_body(reduce(bat)).mass < 1.2, bat.name
+        assert 0.5 < rigid_body(beam_model(bat)).mass < 1.2, bat.name
 
 
 def command_lines() -> list[str]:

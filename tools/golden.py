@@ -1,7 +1,7 @@
 """Keep the numbers that every command answers (tests/golden/answers), or list what differs from the kept ones.
 
-    python tools/golden.py            # list every difference above 1e-9, exit 1 if there is one
-    python tools/golden.py --write    # keep the numbers as they are now
+python tools/golden.py            # list every difference above 1e-9, exit 1 if there is one
+python tools/golden.py --write    # keep the numbers as they are now
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ from pathlib import Path
 from PIL import Image
 from playwright.sync_api import sync_playwright
 
-from sweetspot.web.serve import listening, server_for
+from sweetspot.web.run_server import listening, server_for
 
 FOLDER = Path(__file__).parents[1] / "docs" / "pictures"
 SHOTS = {

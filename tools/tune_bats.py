@@ -2,8 +2,8 @@
 
 Everything not searched is read from the bat's file. Each search starts from the sizes named here and pays for every
 departure from them in units of the stated spread, so that sizes the targets say nothing about stay at typical values.
-Measured values that `sweetspot.line.reduce` matches exactly (balance point and moi; for metal also the mass) are hidden
-from it here: the outline alone has to come close to them, and the correction left over stays small.
+Measured values that `sweetspot.dynamics.beam.beam_model` matches exactly (balance point and moi; for metal also the
+mass) are hidden from it here: the outline alone has to come close to them, and the correction left over stays small.
 
 Run: PYTHONPATH=src .venv/bin/python tools/tune_bats.py [BAT ...]     (prints; the files are edited by hand)
 """
@@ -21,14 +21,14 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 from sweetspot import catalog
-from sweetspot.bat import Bat
-from sweetspot.catalog.batfile import bat_from_table
 from sweetspot.catalog.bats import bat_tables
+from sweetspot.catalog.files.bat import bat_from_table
 from sweetspot.catalog.records import unwrapped
-from sweetspot.line import reduce
-from sweetspot.rigid import rigid_body
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.bat import Bat
 from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
-from sweetspot.vibration.beam import bending_modes
 
 SPARE_KNOB = 0.003  # kg left at the knob where the moi is measured: `line.reduce` can add mass there, not take it away
 
@@ -143,7 +143,7 @@ SEARCHES = {
 
 def observed(bat: Bat) -> dict[str, float]:
     """Return everything that can be a target or a prediction: in, oz, oz in^2, Hz, cm^3; nodes from the tip."""
-    line = reduce(bat)
+    line = beam_model(bat)
     body, modes = rigid_body(line), bending_modes(line, count=4)
     nodes = [(bat.length - modes.nodes(2 + mode)[::-1]) / INCH for mode in range(2)]
     return {

@@ -5,15 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from benchmarks.cases import Array
-from sweetspot.ball import COR_FLOOR, Ball
-from sweetspot.collision.propagator import propagator
-from sweetspot.vibration.modes import Modes
+from sweetspot.collision.modal_propagator import modal_propagator_of
+from sweetspot.dynamics.modes import Modes
+from sweetspot.equipment.ball import COR_FLOOR, Ball
 
 
 def efficiencies(modes: Modes, *, ball: Ball, position: Array, closing: Array, step: float) -> Array:
     """Return the collision efficiency q of every hit."""
     mass, stiffness, exponent, law = ball.mass, ball.stiffness, ball.exponent, ball.restitution
-    (a, b), (c, d) = propagator(modes, step).transpose(1, 2, 0)
+    (a, b), (c, d) = modal_propagator_of(modes, step).transpose(1, 2, 0)
     result = np.full(len(closing), np.nan)
     row, shape, speed = np.arange(len(closing)), modes.shape_at(position), closing.copy()
     place, q, p = speed * step / 2, np.zeros_like(shape), np.zeros_like(shape)

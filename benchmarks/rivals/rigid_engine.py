@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from sweetspot.ball import Ball
-from sweetspot.rigid import RigidBody
+from sweetspot.dynamics.rigid import RigidBody
+from sweetspot.equipment.ball import Ball
 
 STEP, STEPS = 1e-5, 1200
 CONTACTS = {

@@ -10,11 +10,11 @@ from skfem import Basis, BilinearForm, ElementLineHermite, MeshLine
 from skfem.helpers import dd, ddot
 
 from benchmarks.cases import Array
-from sweetspot import Line
-from sweetspot.line import section
+from sweetspot import BeamModel
+from sweetspot.dynamics.beam import section
 
 
-def frequencies(line: Line, edges: Array, count: int) -> Array:
+def frequencies(line: BeamModel, edges: Array, count: int) -> Array:
     """Return the lowest ``count`` frequencies in Hz above the two rigid motions."""
 
     @BilinearForm  # type: ignore[untyped-decorator]

@@ -9,8 +9,8 @@ from matplotlib.patches import Arc, Circle
 
 from figures.style import BLUE, GREEN, GREY, INK, RED, WOOD, draw_bat
 from sweetspot import catalog
-from sweetspot.line import reduce
-from sweetspot.rigid import rigid_body
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import rigid_body
 
 ALPHA = "\N{GREEK SMALL LETTER ALPHA}"
 HANDS, HIT = 15.24, 68.0
@@ -29,7 +29,7 @@ def axes_figure() -> Figure:
 def _whole_bat(axes: Axes) -> None:
     bat = catalog.bat("r161-ash")
     length = 100 * bat.length
-    balance = 100 * rigid_body(reduce(bat)).balance_point
+    balance = 100 * rigid_body(beam_model(bat)).balance_point
     draw_bat(axes, bat)
     axes.annotate("", (length + 9, 0), (0, 0), arrowprops={"arrowstyle": "-|>", "color": GREY, "linestyle": "--"})
     axes.text(length + 9.5, 0, "x", va="center", color=GREY, style="italic")

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from figures.style import BLUE, GREEN, RED, new_figure
 from sweetspot import catalog
-from sweetspot.contact import Hysteretic, equivalent_wall_speed
+from sweetspot.collision.contact_law import Hysteretic, equivalent_wall_speed
 from sweetspot.units import MPH
 
 

@@ -8,11 +8,11 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from figures.style import BLUE, GREEN, GREY, INK, RED, new_figure
-from sweetspot import bending_modes, catalog, hit, hits, reduce
+from sweetspot import beam_model, bending_modes, catalog, hit, hits
 from sweetspot.collision import coupled, kernel
+from sweetspot.dynamics.bending import ELEMENTS, MODES
+from sweetspot.dynamics.modes import Modes
 from sweetspot.units import INCH
-from sweetspot.vibration.beam import ELEMENTS, MODES
-from sweetspot.vibration.modes import Modes
 
 Array = NDArray[np.float64]
 
@@ -36,7 +36,7 @@ def mesh_convergence() -> Figure:
         (BAT, (1, 16, 20, 24, 32, 48, 64, 80), "o-"),
         (SMOOTH, (5, 6, 8, 12, 16, 24, 32), ".--"),
     ):
-        line = reduce(catalog.bat(name))
+        line = beam_model(catalog.bat(name))
         converged = bending_modes(line, elements=128).frequency[2:]
         meshes = [bending_modes(line, elements=elements) for elements in asked]
         counts = np.array([len(modes.shapes.x) - 1 for modes in meshes])
@@ -59,7 +59,7 @@ def mesh_convergence() -> Figure:
 
 def step_convergence() -> Figure:
     """Return the errors of exit speed and ledger against the time step, with both default steps marked."""
-    modes, ball = bending_modes(reduce(catalog.bat(BAT))), catalog.ball()
+    modes, ball = bending_modes(beam_model(catalog.bat(BAT))), catalog.ball()
     places = np.linspace(0.60, 0.82, 200)
     steps = np.array([0.5, 1, 2, 4, 6, 8, 10, 14, 20, 28]) * MICRO
     converged = _exit_speeds(modes, places, 0.05 * MICRO)
@@ -96,7 +96,7 @@ def mode_count_convergence() -> Figure:
     """Return the exit speed with 0 to 30 bending modes at several places, against the one with 30."""
     bat = catalog.bat(BAT)
     most = 30
-    modes = bending_modes(reduce(bat), count=most, elements=40)
+    modes = bending_modes(beam_model(bat), count=most, elements=40)
     from_tip = np.array([2.0, 4.0, 6.0, 8.0, 10.0])
     places = bat.length - from_tip * INCH
     counts = np.array([0, 1, 2, 3, 4, 6, 8, 10, 12, 16, 20, 25, 30])

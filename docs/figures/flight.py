@@ -9,11 +9,11 @@ from matplotlib.figure import Figure
 
 from figures.style import BLUE, GREEN, GREY, INK, RED, new_figure
 from sweetspot import catalog
-from sweetspot.air import VACUUM, Air
+from sweetspot.flight.air import VACUUM, Air
 from sweetspot.flight.kernel import STEP, Flights, flights
+from sweetspot.flight.sweep import BattedBall
 from sweetspot.flight.trajectory import fly
-from sweetspot.flight.what_if import BattedBall
-from sweetspot.motion import spin_axes
+from sweetspot.motion.ball_motion import spin_axes
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
 
 HIT = BattedBall(exit_speed=100 * MPH, launch_angle=28 * DEGREE, temperature=70 / 1.8 - 32 / 1.8)

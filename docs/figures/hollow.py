@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from figures.style import BLUE, GREEN, RED, new_figure
 from sweetspot import catalog, standard_conditions
-from sweetspot.trampoline import wall_sweep
+from sweetspot.analysis.trampoline import wall_sweep
 
 BAT = "russell-b6"
 FACTORS = tuple(np.linspace(0.55, 2.0, 16))

@@ -9,9 +9,9 @@ from cases import analysed
 from matplotlib.figure import Figure
 
 from figures.style import BLUE, GREY, RED, new_figure
-from sweetspot.collision.strike import Strikes, strikes
-from sweetspot.motion import launch_angles, launched
-from sweetspot.swing_path import SwingPath
+from sweetspot.collision.hit_in_space import Strikes, strikes
+from sweetspot.motion.ball_motion import launch_angles, launched
+from sweetspot.motion.swing_path import SwingPath
 from sweetspot.units import DEGREE, INCH, MPH, RPM
 
 OFFSETS = np.linspace(-1.0, 1.75, 56) * INCH

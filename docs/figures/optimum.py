@@ -9,11 +9,11 @@ from matplotlib.figure import Figure
 
 from figures.style import INK, RED, new_figure
 from sweetspot import catalog, standard_conditions
-from sweetspot.air import Air
-from sweetspot.optimum import best_swing
-from sweetspot.play import plays
-from sweetspot.reduction import reduction
-from sweetspot.swing_path import path_axes
+from sweetspot.analysis.full_play import plays
+from sweetspot.analysis.optimum import best_swing
+from sweetspot.dynamics.reduction import reduced_bat
+from sweetspot.flight.air import Air
+from sweetspot.motion.swing_path import path_axes
 from sweetspot.units import FOOT, INCH
 from sweetspot.validation.computations.pitching import flown
 
@@ -26,7 +26,7 @@ LEAGUE = 9.0
 def optimum_figure() -> Figure:
     """Return lines of equal carry in ft, the best contact, and the launch angles that go with them."""
     bat, ball = catalog.bat(), catalog.ball()
-    model, swing = reduction(bat, ball=ball), standard_conditions(bat).swing
+    model, swing = reduced_bat(bat, ball=ball), standard_conditions(bat).swing
     pitch = flown("four-seam", "pitched-baseball").plate
     conditions = {"ball": ball, "aerodynamics": catalog.aerodynamics(), "air": Air()}
     best = best_swing(model, swing=swing, pitch=pitch, **conditions)

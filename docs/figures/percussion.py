@@ -7,8 +7,8 @@ from cases import analysed
 from matplotlib.figure import Figure
 
 from figures.style import GREY, INK, RED, new_figure
-from sweetspot import paper
-from sweetspot.rigid import centre_of_percussion
+from sweetspot.dynamics.rigid import centre_of_percussion
+from sweetspot.paper import formulas as paper
 from sweetspot.units import INCH
 
 

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from figures.style import BLUE, GREEN, GREY, INK, RED, draw_bat, new_figure
-from sweetspot.analysis import Analysis, hit_at
+from sweetspot.analysis.bat_analysis import Analysis, hit_at
 from sweetspot.units import INCH, MPH
 
 MEANINGS = (

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from sweetspot.bat import Bat
+from sweetspot.equipment.bat import Bat
 
 INK, WOOD, RED, BLUE, GREEN, GREY = "#222222", "#e8cfa6", "#b3352b", "#1f5f99", "#2f7d4f", "#888888"
 CENTIMETRES = 100.0

@@ -5,13 +5,13 @@ from __future__ import annotations
 import pytest
 
 from sweetspot import catalog, references
-from sweetspot.catalog.batfile import bat_from_table
 from sweetspot.catalog.bats import bat_tables
-from sweetspot.catalog.records import read_table, records
-from sweetspot.catalog.turned import turned_profile
+from sweetspot.catalog.files.bat import bat_from_table
+from sweetspot.catalog.files.turned import turned_profile
+from sweetspot.catalog.records import all_records, read_table
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.errors import InputError
-from sweetspot.line import reduce
-from sweetspot.rigid import rigid_body
 from sweetspot.units import OUNCE
 
 TABLES = {
@@ -29,7 +29,7 @@ ENTRIES = [(table, name) for table, entries in TABLES.items() for name in entrie
 @pytest.mark.parametrize(("table", "name"), ENTRIES)
 def test_every_value_has_a_source_and_a_kind(table: str, name: str) -> None:
     entry = TABLES[table][name]
-    found = records(entry, name)
+    found = all_records(entry, name)
     assert {record.name.split(".")[1] for record in found} == set(entry) - PLAIN
     for record in found:
         assert record.source in KEYS, record.name
@@ -60,7 +60,7 @@ def test_the_baseball_is_the_rule_books() -> None:
 @pytest.mark.parametrize("name", catalog.bat_names())
 def test_bats_weigh_what_is_measured(name: str) -> None:
     bat = catalog.bat(name)
-    body = rigid_body(reduce(bat))
+    body = rigid_body(beam_model(bat))
     if bat.mass is not None:
         assert body.mass == pytest.approx(bat.mass, rel=1e-9)
     if bat.balance_point is not None:
@@ -71,7 +71,7 @@ def test_bats_weigh_what_is_measured(name: str) -> None:
 
 def test_corked_file_is_the_corked_flagship() -> None:
     made = catalog.bat("r161-ash").corked(diameter=0.0254, depth=0.254, fill=catalog.material("cork"), plug=0.0254)
-    here, there = rigid_body(reduce(made)), rigid_body(reduce(catalog.bat("corked-r161")))
+    here, there = rigid_body(beam_model(made)), rigid_body(beam_model(catalog.bat("corked-r161")))
     assert (there.mass, there.balance_point) == pytest.approx((here.mass, here.balance_point), rel=1e-3)
 
 

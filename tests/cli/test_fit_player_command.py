@@ -13,7 +13,7 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.player import posterior
-from sweetspot.player.priors import natural
+from sweetspot.player.prior import natural
 from sweetspot.player.simulate import simulated_swings
 from sweetspot.units import MPH
 

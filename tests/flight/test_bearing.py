@@ -10,14 +10,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sweetspot import catalog
-from sweetspot.air import Air, Wind
 from sweetspot.errors import InputError
+from sweetspot.flight.air import Air, Wind
 from sweetspot.flight.bearing import bearing_of_place, launched_to
 from sweetspot.flight.fence import landing
 from sweetspot.flight.kernel import flights
+from sweetspot.flight.sweep import BattedBall, directed
 from sweetspot.flight.trajectory import fly
-from sweetspot.flight.what_if import BattedBall, directed
-from sweetspot.motion import launched
+from sweetspot.motion.ball_motion import launched
 from sweetspot.units import DEGREE, MPH, RPM
 
 BALL, LAW, AIR = catalog.ball(), catalog.aerodynamics(), Air()

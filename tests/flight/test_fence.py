@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from sweetspot import catalog
 from sweetspot.errors import InputError
 from sweetspot.flight.fence import OUTCOMES, landing, landings, out_in, parks_cleared
-from sweetspot.park import Park
+from sweetspot.flight.park import Park
 
 Array = NDArray[np.float64]
 POLE = math.pi / 4

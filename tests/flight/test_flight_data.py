@@ -12,11 +12,11 @@ import pytest
 from numpy.typing import NDArray
 
 from sweetspot import catalog
-from sweetspot.air import Air
+from sweetspot.flight.air import Air
+from sweetspot.flight.batted_spin import batted_ball_spin
 from sweetspot.flight.forces import drag_and_lift
 from sweetspot.flight.kernel import flights
-from sweetspot.flight.spin import batted_ball_spin
-from sweetspot.motion import spin_axes
+from sweetspot.motion.ball_motion import spin_axes
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
 
 DATA = Path(__file__).parents[3] / "shared" / "data"

@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sweetspot import catalog
-from sweetspot.aerodynamics import Aerodynamics
 from sweetspot.errors import InputError
+from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.forces import acceleration, drag_and_lift, drag_from_terminal_speed
 
 BALL, LAW = catalog.ball(), catalog.aerodynamics("baseball")

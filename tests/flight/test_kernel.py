@@ -10,12 +10,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sweetspot import catalog
-from sweetspot.air import CALM, Air, Wind
 from sweetspot.errors import InputError
+from sweetspot.flight.air import CALM, Air, Wind
+from sweetspot.flight.compiled import LANES
 from sweetspot.flight.kernel import Flights, flights
-from sweetspot.flight.lanes import LANES
 from sweetspot.flight.trajectory import FlightOutcome, fly
-from sweetspot.motion import BallMotion, launched
+from sweetspot.motion.ball_motion import BallMotion, launched
 from sweetspot.units import FOOT, MPH, RPM
 
 BALL, LAW, AIR = catalog.ball(), catalog.aerodynamics("baseball"), Air(temperature=21.0)

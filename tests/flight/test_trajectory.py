@@ -10,13 +10,13 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from sweetspot import catalog
-from sweetspot.aerodynamics import Aerodynamics
-from sweetspot.air import VACUUM, Air, Wind
 from sweetspot.errors import InputError
-from sweetspot.flight.cubic import first_crossing, on_cubic, root_on_cubic, turn_on_cubic
+from sweetspot.flight.aerodynamics import Aerodynamics
+from sweetspot.flight.air import VACUUM, Air, Wind
 from sweetspot.flight.forces import drag_from_terminal_speed
 from sweetspot.flight.trajectory import TIME_LIMIT, Flight, FlightOutcome, fly
-from sweetspot.motion import BallMotion, launched
+from sweetspot.motion.ball_motion import BallMotion, launched
+from sweetspot.numerics.hermite_cubic import first_crossing, on_cubic, root_on_cubic, turn_on_cubic
 from sweetspot.units import FOOT, MPH, RPM
 
 BALL, LAW = catalog.ball(), catalog.aerodynamics("baseball")

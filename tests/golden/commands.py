@@ -92,7 +92,7 @@ def _entries(name: str, value: Any) -> Iterator[tuple[str, float | str | bool | 
         for key, inner in value.items():
             yield from _entries(f"{name}.{key}" if name else key, inner)
     elif isinstance(value, list):
-        places = range(len(value))
+        places = list(range(len(value)))
         if len(value) > KEPT_OF_A_LIST and not isinstance(value[0], dict):
             yield f"{name}.length", float(len(value))
             places = sorted({round(step * (len(value) - 1) / (KEPT_OF_A_LIST - 1)) for step in range(KEPT_OF_A_LIST)})

@@ -9,7 +9,7 @@ import json
 
 import pytest
 
-from tests.golden.commands import FOLDER, answer, commands, differences, file_of
+from tests.golden.commands import FOLDER, Answer, answer, commands, differences, file_of
 
 TOLERANCE = 1e-6
 """Of each value. Other processors round otherwise; on one machine `make golden-check` compares at 1e-9."""
@@ -27,6 +27,6 @@ def test_nothing_is_kept_that_is_not_asked() -> None:
 
 
 def test_a_change_is_seen() -> None:
-    kept = {"speed": 46.0, "word": "home run", "gone": 1.0}
+    kept: Answer = {"speed": 46.0, "word": "home run", "gone": 1.0}
     assert len(differences(kept, {"speed": 46.001, "word": "out", "new": 2.0}, tolerance=1e-6)) == 4
     assert not differences(kept, dict(kept), tolerance=1e-9)

@@ -12,8 +12,8 @@ import httpx
 import pytest
 
 from sweetspot import catalog
-from sweetspot.analysis import analyse, exit_speed_of, hit_at
-from sweetspot.standard import standard_conditions
+from sweetspot.analysis.bat_analysis import analyse, exit_speed_of, hit_at
+from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.units import INCH
 from sweetspot.web.limits import LARGEST_BODY
 from sweetspot.web.views import VIEWS

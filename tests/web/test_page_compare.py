@@ -11,7 +11,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from sweetspot import catalog
-from sweetspot.catalog.batwriter import bat_toml
+from sweetspot.catalog.files.write import bat_toml
 
 Answered = Callable[..., int]
 

@@ -196,7 +196,7 @@ def test_exports(still: Page, server: str, answered: Answered, tmp_path: Path) -
     assert len(rows) > 200
     assert "film" in json.dumps(json.loads(files["json"].read_text(encoding="utf-8")))
     assert "sweetspot hit single-wall --at 6in-from-tip" in still.inner_text("[data-lines=command]")
-    assert "film(impact" in still.inner_text("[data-lines=python]")
+    assert "history_of(impact" in still.inner_text("[data-lines=python]")
 
 
 def test_phone_width_fits(still: Page, server: str, answered: Answered) -> None:

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
-from sweetspot.web.serve import listening, server_for
+from sweetspot.web.run_server import listening, server_for
 from sweetspot.web.views import VIEWS
 
 Answered = Callable[..., int]

@@ -16,7 +16,7 @@ from websockets.exceptions import ConnectionClosed, InvalidHandshake, InvalidSta
 from websockets.sync.client import ClientConnection, connect
 
 from sweetspot.web import answers
-from sweetspot.web.faults import FieldError
+from sweetspot.web.errors import FieldError
 from sweetspot.web.limits import LARGEST_BODY, MESSAGES_AT_ONCE, Bucket
 from sweetspot.web.states import ViewState
 from sweetspot.web.view import View

@@ -12,11 +12,11 @@ from typing import Any
 import pytest
 
 from sweetspot import catalog
-from sweetspot.compare import compare
-from sweetspot.report.verdict import verdict
-from sweetspot.standard import standard_conditions
+from sweetspot.analysis.comparison import compare
+from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.report.bat.conclusion import verdict
 from sweetspot.units import MPH
-from sweetspot.web.faults import FieldError
+from sweetspot.web.errors import FieldError
 from sweetspot.web.views.compare import VIEW, CompareState, answer
 
 
@@ -26,7 +26,7 @@ def asked(**controls: Any) -> dict[str, Any]:
 
 def test_it_is_the_librarys_comparison() -> None:
     bats = [catalog.bat("r161-ash"), catalog.bat("russell-b6")]
-    expected = compare(bats, conditions=standard_conditions(bats[0]))
+    expected = compare(bats, conditions=standard_conditions(bats[0]), law=catalog.swing_law())
     found = asked(bats=[{}, {"bat": "russell-b6"}])
     assert found["verdict"] == verdict(expected)
     for row, one in zip(found["bats"], expected.compared, strict=True):

@@ -12,10 +12,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from sweetspot.rigid import STANDARD_GRAVITY
+from sweetspot.numerics.constants import STANDARD_GRAVITY
 from sweetspot.units import FOOT, MPH
-from sweetspot.web.faults import FieldError
-from sweetspot.web.views.flight import VIEW, FlightState, answer
+from sweetspot.web.errors import FieldError
+from sweetspot.web.views.flight import VIEW, answer
+from sweetspot.web.views.flight_state import FlightState
 
 
 def asked(**controls: Any) -> dict[str, Any]:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from sweetspot.web.answers import answer_json
-from sweetspot.web.faults import FieldError
+from sweetspot.web.errors import FieldError
 from sweetspot.web.views import hit
 
 BATS = ("r161-ash", "single-wall")

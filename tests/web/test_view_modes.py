@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from sweetspot.units import INCH
-from sweetspot.web.faults import FieldError
+from sweetspot.web.errors import FieldError
 from sweetspot.web.views import modes
 
 

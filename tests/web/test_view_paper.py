@@ -11,8 +11,8 @@ from typing import Any
 
 import pytest
 
-from sweetspot.paper_rows import PARTS
-from sweetspot.web.faults import FieldError
+from sweetspot.paper.chain import PARTS
+from sweetspot.web.errors import FieldError
 from sweetspot.web.views.paper import VIEW, PaperState, answer
 
 

@@ -10,16 +10,15 @@ from __future__ import annotations
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from sweetspot.aerodynamics import Aerodynamics
-from sweetspot.air import CALM, Air, Wind
-from sweetspot.ball import Ball
+from sweetspot.equipment.ball import Ball
+from sweetspot.flight.aerodynamics import Aerodynamics
+from sweetspot.flight.air import CALM, Air, Wind
+from sweetspot.flight.batted_spin import batted_ball_spin
 from sweetspot.flight.kernel import Flights, flights
-from sweetspot.flight.spin import batted_ball_spin
-from sweetspot.motion import spin_axes
-
-Array = NDArray[np.float64]
+from sweetspot.motion.ball_motion import spin_axes
+from sweetspot.numerics.arrays import Array
 
 ROUNDS = 30
 """Most corrections of the launch direction; three or four are enough for balls that are hit."""

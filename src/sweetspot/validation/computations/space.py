@@ -6,27 +6,26 @@ from functools import cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from sweetspot import catalog
-from sweetspot.bat import Bat
-from sweetspot.collision.oblique import SPHERE
-from sweetspot.collision.strike import strike, strikes
-from sweetspot.motion import BallMotion, launch_angles
-from sweetspot.reduction import Reduction, reduction
-from sweetspot.swing import Swing
-from sweetspot.swing_path import SwingPath, path_axes
+from sweetspot.collision.hit_in_space import strike, strikes
+from sweetspot.collision.oblique_contact import SPHERE
+from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
+from sweetspot.equipment.bat import Bat
+from sweetspot.motion.ball_motion import BallMotion, launch_angles
+from sweetspot.motion.swing import Swing
+from sweetspot.motion.swing_path import SwingPath, path_axes
+from sweetspot.numerics.arrays import Array
 from sweetspot.units import DEGREE, INCH, MPH, RPM
 
-Array = NDArray[np.float64]
 FROM_TIP = 6 * INCH
 STILL = BallMotion(np.zeros(3), np.zeros(3), np.zeros(3))
 
 
 @cache
-def _model(bat: str) -> Reduction[Bat]:
-    return reduction(catalog.bat(bat), ball=catalog.ball())
+def _model(bat: str) -> ReducedBat[Bat]:
+    return reduced_bat(catalog.bat(bat), ball=catalog.ball())
 
 
 def tangential_recoil(*, bat: str) -> float:

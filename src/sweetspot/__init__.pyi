@@ -1,0 +1,84 @@
+"""The public front door; `lazy_loader` reads this file, and so do type checkers."""
+
+from . import catalog
+from .analysis.bat_analysis import Analysis, analyse, exit_speed_of, hit_at
+from .analysis.certification.simulated_test import Certification, certify
+from .analysis.comparison import Comparison, compare
+from .analysis.full_play import play, plays
+from .catalog.standard_hit import standard_conditions
+from .collision.coupled import hit
+from .collision.hit_in_space import strike, strikes
+from .collision.impact import Impact
+from .collision.kernel import hits
+from .dynamics.beam import BeamModel, beam_model
+from .dynamics.bending import bending_modes
+from .dynamics.hands import gripped
+from .dynamics.hoop import hoop_modes
+from .dynamics.mode_assembly import all_modes
+from .dynamics.reduction import ReducedBat
+from .dynamics.rigid import RigidBody, centre_of_percussion, effective_mass, rigid_body
+from .equipment.ball import Ball, RestitutionLaw
+from .equipment.bat import Bat
+from .equipment.material import Material
+from .errors import InputError, SweetspotError
+from .flight.air import Air, Wind
+from .flight.all_parks import landings_everywhere
+from .flight.kernel import flights
+from .flight.trajectory import Flight, fly
+from .motion.ball_motion import BallMotion, launched
+from .motion.swing import Conditions, Hands, Pitch, Swing
+from .motion.swing_path import SwingPath
+from .paper.chain import paper_rows
+
+__version__: str
+
+__all__ = [
+    "Air",
+    "Analysis",
+    "Ball",
+    "BallMotion",
+    "Bat",
+    "BeamModel",
+    "Certification",
+    "Comparison",
+    "Conditions",
+    "Flight",
+    "Hands",
+    "Impact",
+    "InputError",
+    "Material",
+    "Pitch",
+    "ReducedBat",
+    "RestitutionLaw",
+    "RigidBody",
+    "SweetspotError",
+    "Swing",
+    "SwingPath",
+    "Wind",
+    "all_modes",
+    "analyse",
+    "beam_model",
+    "bending_modes",
+    "catalog",
+    "centre_of_percussion",
+    "certify",
+    "compare",
+    "effective_mass",
+    "exit_speed_of",
+    "flights",
+    "fly",
+    "gripped",
+    "hit",
+    "hit_at",
+    "hits",
+    "hoop_modes",
+    "landings_everywhere",
+    "launched",
+    "paper_rows",
+    "play",
+    "plays",
+    "rigid_body",
+    "standard_conditions",
+    "strike",
+    "strikes",
+]

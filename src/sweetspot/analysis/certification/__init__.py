@@ -1,0 +1,1 @@
+"""Laboratory tests of bats, the rules that limit them, and measured shots."""

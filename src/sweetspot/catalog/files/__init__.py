@@ -1,0 +1,1 @@
+"""Bats and other implements as TOML files."""

@@ -1,0 +1,1 @@
+"""How a ball and an implement move before they meet."""

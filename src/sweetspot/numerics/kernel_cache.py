@@ -1,0 +1,214 @@
+"""Compiled functions, kept on disk from one run to the next while nothing that they were compiled from has changed.
+
+numba bakes every constant and helper that a function uses into its machine code, wherever it comes from, but notices
+only changes of the function's own file. Here a kept function belongs to a fingerprint of everything that its code
+reaches: the text of each file of its package that holds a reached function, and each reached constant.
+
+Without a place to write, or with a damaged one, functions are compiled in memory, and standard error says so once.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import pickle
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from functools import cache, cached_property
+from pathlib import Path
+from types import CodeType, FunctionType, ModuleType
+from typing import Any, TypeVar, cast
+
+import numba
+import numpy as np
+from numba import njit
+from numba.core.caching import NullCache
+from numba.core.compiler import CompileResult
+from numba.core.serialize import dumps
+from numba.misc.appdirs import AppDirs
+
+PACKAGE = Path(__file__).parents[1]
+DIGEST_SIZE = 16
+FUNCTION = TypeVar("FUNCTION", bound=Callable[..., Any])
+
+
+def compiled(**options: Any) -> Callable[[FUNCTION], FUNCTION]:
+    """Return a decorator: `numba.njit` with these options, its machine code kept on disk."""
+
+    def compile_it(function: FUNCTION) -> FUNCTION:
+        dispatcher = njit(**options)(function)
+        dispatcher._cache = KernelFiles(function)
+        return cast(FUNCTION, dispatcher)
+
+    return compile_it
+
+
+@cache
+def kernel_folder() -> Path | None:
+    """Return where machine code is kept, or None where nothing can be written.
+
+    ``NUMBA_CACHE_DIR`` where it is set; otherwise beside the package; otherwise among this user's caches; otherwise a
+    folder of this user alone among the temporary files. What lies there is run, so nobody else may write to it.
+    """
+    chosen = os.environ.get("NUMBA_CACHE_DIR")
+    installation = hashlib.blake2b(os.fsencode(PACKAGE), digest_size=8).hexdigest()
+    places = [Path(chosen, f"sweetspot-{installation}")] if chosen else []
+    caches = AppDirs("sweetspot", appauthor=False).user_cache_dir  # type: ignore[no-untyped-call]
+    places += [PACKAGE / "__pycache__" / "kernels", Path(caches, installation)]
+    for place in places:
+        if _writable(place):
+            return place
+    try:
+        own = Path(tempfile.gettempdir(), f"sweetspot-{os.getuid() if hasattr(os, 'getuid') else 'user'}")
+        own.mkdir(mode=0o700, exist_ok=True)
+        if _is_private(own) and _writable(own / installation):
+            return own / installation
+    except OSError:
+        pass
+    _say_that_nothing_is_kept("no folder for them can be written to; NUMBA_CACHE_DIR can name one")
+    return None
+
+
+def fingerprint(function: Callable[..., Any]) -> str:
+    """Return a hash of everything in a function's package that goes into its machine code."""
+    digest = hashlib.blake2b(digest_size=DIGEST_SIZE)
+    for part in sorted(set(_reached(function, function.__module__.partition(".")[0], set()))):
+        digest.update(len(part).to_bytes(8, "big") + part)
+    return digest.hexdigest()
+
+
+class KernelFiles(NullCache):
+    """The files of one function, one a signature; looked for when the function is first called.
+
+    A file is a digest and, pickled, what numba needs to load the machine code. A fault of the disk, or a file that is
+    not whole, means compiling anew.
+    """
+
+    def __init__(self, function: Callable[..., Any]) -> None:
+        self.function = function
+        self.name = f"{function.__module__}.{function.__qualname__}".replace("<", "").replace(">", "")
+
+    @cached_property
+    def fingerprint(self) -> str:
+        return fingerprint(self.function)
+
+    def path(self, signature: Any, codegen: Any) -> Path | None:
+        """Return the file of a signature on this machine, which may not exist."""
+        folder = kernel_folder()
+        if folder is None:
+            return None
+        target = repr((signature, codegen.magic_tuple(), numba.__version__, sys.version))
+        target_digest = hashlib.blake2b(target.encode(), digest_size=8).hexdigest()
+        return folder / f"{self.name}-{self.fingerprint}-{target_digest}.kernel"
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        """Return what was kept for a signature; None where there is nothing whole."""
+        target_context.refresh()
+        path = self.path(sig, target_context.codegen())
+        if path is None:
+            return None
+        try:
+            stored = path.read_bytes()
+        except OSError:
+            return None
+        content = stored[DIGEST_SIZE:]
+        if hashlib.blake2b(content, digest_size=DIGEST_SIZE).digest() != stored[:DIGEST_SIZE]:
+            return None
+        return CompileResult._rebuild(target_context, *pickle.loads(content))  # type: ignore[no-untyped-call]
+
+    def save_overload(self, sig: Any, data: Any) -> None:
+        """Keep what was compiled for a signature; remove what was kept of earlier states of the function."""
+        path = self.path(sig, data.codegen)
+        if path is None or data.lifted or data.library.has_dynamic_globals:
+            return
+        content = dumps(data._reduce())  # type: ignore[no-untyped-call]
+        try:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            with tempfile.NamedTemporaryFile(dir=path.parent, prefix=f"{self.name}-", delete=False) as file:
+                try:
+                    file.write(hashlib.blake2b(content, digest_size=DIGEST_SIZE).digest() + content)
+                    file.close()
+                    Path(file.name).replace(path)
+                except OSError:
+                    Path(file.name).unlink(missing_ok=True)
+                    raise
+            for other in path.parent.glob(f"{self.name}-*.kernel"):
+                if not other.name.startswith(f"{self.name}-{self.fingerprint}-"):
+                    other.unlink(missing_ok=True)
+        except OSError as error:
+            _say_that_nothing_is_kept(f"{path.parent}: {error.strerror}")
+
+
+@cache
+def _say_that_nothing_is_kept(reason: str) -> None:
+    if sys.stderr is not None:
+        print(f"sweetspot: compiled kernels cannot be kept, every start compiles them ({reason})", file=sys.stderr)
+
+
+def _writable(folder: Path) -> bool:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        tempfile.TemporaryFile(dir=folder).close()
+    except OSError:
+        return False
+    return True
+
+
+def _is_private(folder: Path) -> bool:
+    """Return whether a folder is no link, and this user alone may write to it."""
+    if not hasattr(os, "getuid"):
+        return True  # Windows: temporary files belong to one user
+    status = folder.lstat()
+    return folder.is_dir() and not folder.is_symlink() and status.st_uid == os.getuid() and not status.st_mode & 0o022
+
+
+def _reached(value: Any, package: str, seen: set[int], name: str = "") -> Iterator[bytes]:
+    """Yield the file texts and constants that a value stands for: a function's are those that its code looks up."""
+    value = getattr(value, "__wrapped__", value)  # a compiled function's readable self
+    home = value.__name__ if isinstance(value, ModuleType) else str(getattr(value, "__module__", ""))
+    if isinstance(value, np.ndarray):
+        yield f"{name} = {value.dtype.str} {value.shape}".encode() + value.tobytes()
+    elif isinstance(value, (tuple, list)):
+        for place, item in enumerate(value):
+            yield from _reached(item, package, seen, f"{name}[{place}]")
+    elif not callable(value) and not isinstance(value, ModuleType):
+        yield f"{name} = {value!r}".encode()
+    elif home.partition(".")[0] != package:
+        yield f"{name} = {home} {getattr(value, '__qualname__', '')}".encode()
+    elif id(value) not in seen:
+        seen.add(id(value))
+        yield _text_of(home)
+        if isinstance(value, FunctionType):
+            yield from _looked_up(value, package, seen)
+
+
+def _looked_up(function: FunctionType, package: str, seen: set[int]) -> Iterator[bytes]:
+    """Yield a function's code, and what it looks up: globals, cells, and parts of the package's own modules."""
+    codes = list(_codes(function.__code__))
+    for code in codes:  # beside the file's text, which may be newer than what this process runs
+        numbers = [repr(item) for item in code.co_consts if not isinstance(item, (CodeType, frozenset))]
+        yield code.co_code + "; ".join(numbers).encode()
+    words = {word for code in codes for word in (*code.co_names, *code.co_freevars)}
+    cells = zip(function.__code__.co_freevars, function.__closure__ or (), strict=True)
+    scope = function.__globals__ | {word: cell.cell_contents for word, cell in cells}
+    modules = [scope[word] for word in words & scope.keys() if isinstance(scope[word], ModuleType)]
+    own = [vars(module) for module in modules if module.__name__.partition(".")[0] == package]
+    for space in (scope, *own):
+        for word in words & space.keys():
+            yield from _reached(space[word], package, seen, word)
+    yield from _reached(function.__defaults__ or (), package, seen, f"defaults of {function.__qualname__}")
+
+
+def _codes(code: CodeType) -> Iterator[CodeType]:
+    """Yield a code object and those inside it."""
+    yield code
+    for constant in code.co_consts:
+        if isinstance(constant, CodeType):
+            yield from _codes(constant)
+
+
+@cache
+def _text_of(module: str) -> bytes:
+    path = getattr(sys.modules.get(module), "__file__", None)
+    return Path(path).read_bytes() if path else module.encode()

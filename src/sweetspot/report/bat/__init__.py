@@ -1,0 +1,1 @@
+"""A bat's report for people: words, tables, pictures."""

@@ -1,0 +1,1 @@
+"""Tests and rules for people: words, tables, pictures."""

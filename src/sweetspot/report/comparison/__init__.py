@@ -1,0 +1,1 @@
+"""Bats side by side for people: words, tables, pictures."""

@@ -1,0 +1,1 @@
+"""Flights for people: words, tables, pictures."""

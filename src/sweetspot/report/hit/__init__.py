@@ -1,0 +1,1 @@
+"""One collision for people: words, tables, pictures."""

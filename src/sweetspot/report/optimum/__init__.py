@@ -1,0 +1,1 @@
+"""Best swings and launches for people: words, tables, pictures."""

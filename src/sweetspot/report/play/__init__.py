@@ -1,0 +1,1 @@
+"""A play from pitch to fence for people: words, tables, pictures."""

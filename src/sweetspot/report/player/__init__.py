@@ -1,0 +1,1 @@
+"""A player's swings for people: words, tables, pictures."""

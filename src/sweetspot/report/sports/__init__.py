@@ -1,0 +1,1 @@
+"""Sports other than baseball for people: words, tables, pictures."""

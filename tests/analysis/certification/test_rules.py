@@ -1,0 +1,189 @@
+"""Rules of leagues: pass, fail, not decidable, does not apply."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from sweetspot import catalog, references
+from sweetspot.analysis.certification.rules import (
+    QUANTITIES,
+    Check,
+    Finding,
+    Rule,
+    Verdict,
+    applies,
+    check_rule,
+    check_rules,
+    construction_findings,
+)
+from sweetspot.analysis.certification.simulated_test import certify
+from sweetspot.catalog.records import read_table
+from sweetspot.catalog.rules import FILE, league, league_names
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.bat import Bat
+from sweetspot.errors import InputError
+from sweetspot.units import INCH
+
+KEYS = set(references.keys())
+WOOD_BATS = (
+    "r161-ash", "russell-b1", "russell-b2", "russell-b3", "mlb-a", "mlb-b", "mlb-c", "mlb-d", "youth-30",
+)  # fmt: skip
+
+
+def checks(name: str, bat: Bat, **findings: Finding) -> dict[str, Check]:
+    known = construction_findings(bat, body=rigid_body(beam_model(bat))) | findings
+    return {check.rule.quantity: check for check in check_rules(league(name), bat=bat, findings=known)}
+
+
+def rule(**changes: object) -> Rule:
+    values: dict[str, object] = {
+        "quantity": "bbcor", "least": None, "most": 0.5, "construction": "any", "undecided": "", "doubt_beyond": "",
+        "source": "ncaa_bbcor", "where": "", "year": 2011, "reading": "primary",
+    }  # fmt: skip
+    return Rule(**(values | changes))  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("name", league_names())
+def test_every_rule_has_a_source_and_says_how_it_was_read(name: str) -> None:
+    found = league(name)
+    assert catalog.ball(found.ball).name
+    assert found.rules
+    for one in found.rules:
+        assert one.source in KEYS
+        assert one.reading in ("primary", "secondary", "recalled")
+        assert one.quantity in QUANTITIES
+        if one.reading == "recalled":  # a number known only from memory is never a limit
+            assert one.undecided and one.least is None and one.most is None
+        else:
+            assert one.undecided or one.where
+
+
+def test_limits_are_specified_records() -> None:
+    for entry in read_table(FILE).values():
+        for one in entry["rule"]:
+            for side in ("least", "most"):
+                if side in one:
+                    assert set(one[side]) == {"value", "source", "where", "kind"} and one[side]["kind"] == "specified"
+
+
+def test_the_numbers_are_those_of_the_sources() -> None:
+    """Printed: mlb_rules, ncaa_bbcor, nathan2003sabr; quoted: bpf_limits, usabat."""
+    most = {(name, one.quantity): one.most for name in league_names() for one in league(name).rules}
+    assert most["mlb", "diameter"] == pytest.approx(2.61 * INCH)
+    assert most["mlb", "length"] == pytest.approx(42 * INCH)
+    assert (most["ncaa", "bbcor"], most["ncaa", "drop"]) == (0.5, 3.0)
+    assert most["ncaa", "length"] == pytest.approx(36 * INCH)
+    assert most["ncaa", "diameter"] == most["usabat", "diameter"] == pytest.approx(2.625 * INCH)
+    assert most["ncaa-1999", "besr"] == 0.728
+    assert (most["usssa", "bpf"], most["little-league", "bpf"], most["softball", "bpf"]) == (1.15, 1.15, 1.2)
+    assert most["ncaa", "moi"] is None and most["asa", "batted_ball_speed"] is None
+
+
+@pytest.mark.parametrize("name", WOOD_BATS)
+def test_wood_bats_pass(name: str, baseball: Ball) -> None:
+    """ncaa_bbcor: the limit lies above the best wood bat."""
+    bat = catalog.bat(name)
+    found = checks("ncaa", bat, **certify(bat, ball=baseball).findings())
+    assert found["bbcor"].verdict is Verdict.PASS
+    assert 0.004 < (found["bbcor"].margin or 0) < 0.014
+    assert found["drop"].verdict is Verdict.NOT_APPLICABLE  # stated for bats that are not wood
+    assert found["moi"].verdict is Verdict.NOT_DECIDABLE and "not read" in found["moi"].reason
+
+
+def test_one_piece_of_solid_wood(r161: Bat) -> None:
+    cork = catalog.material("cork")
+    assert checks("mlb", r161)["solid_wood"].verdict is Verdict.PASS
+    assert checks("mlb", r161.corked(diameter=0.0254, depth=0.2, fill=cork))["solid_wood"].verdict is Verdict.FAIL
+    assert checks("mlb", r161.drilled(diameter=0.0254, depth=0.2))["solid_wood"].verdict is Verdict.FAIL
+    assert checks("mlb", catalog.bat("russell-b5"))["solid_wood"].verdict is Verdict.FAIL
+    weighted = checks("mlb", r161.weighted(position=0.7, mass=0.02))["solid_wood"]
+    assert weighted.verdict is Verdict.NOT_DECIDABLE and "inside the wood" in weighted.reason
+
+
+def test_cups(r161: Bat) -> None:
+    none, good, deep, wide = (
+        checks("mlb", bat)
+        for bat in (
+            r161,
+            r161.cupped(diameter=1.4 * INCH, depth=0.9 * INCH),
+            r161.cupped(diameter=1.4 * INCH, depth=1.2 * INCH),
+            r161.cupped(diameter=0.8 * INCH, depth=0.9 * INCH),
+        )
+    )
+    assert none["cup_depth"].verdict is none["cup_diameter"].verdict is Verdict.NOT_APPLICABLE
+    assert good["cup_depth"].verdict is good["cup_diameter"].verdict is Verdict.PASS
+    assert deep["cup_depth"].verdict is Verdict.NOT_DECIDABLE and "not read" in deep["cup_depth"].reason
+    assert wide["cup_diameter"].verdict is Verdict.FAIL
+    assert wide["cup_diameter"].margin == pytest.approx(-0.2 * INCH)
+
+
+def test_metal_and_composite() -> None:
+    metal = catalog.bat("russell-b5")
+    found = checks("ncaa", metal)
+    assert found["drop"].verdict is Verdict.PASS and found["drop"].margin == pytest.approx(3 - (33 - 31.4), abs=1e-6)
+    assert found["diameter"].verdict is Verdict.PASS  # 2 5/8 in to the last digit
+    assert found["break_in"].verdict is Verdict.NOT_APPLICABLE
+    light = checks("ncaa", metal, drop=Finding(4.0))["drop"]
+    assert light.verdict is Verdict.FAIL and light.margin == -1.0
+    weighed = checks("ncaa", metal, drop=Finding(3.004))["drop"]
+    assert weighed.verdict is Verdict.PASS  # a scale reads hundredths of an ounce
+
+
+@pytest.mark.parametrize("name", catalog.bat_names())
+def test_every_bat_is_either_wood_or_not(name: str) -> None:
+    bat = catalog.bat(name)
+    wood, other = (applies(rule(construction=kind), bat) for kind in ("wood", "not wood"))
+    assert wood != other
+    assert not (wood and applies(rule(construction="composite"), bat))
+    if bat.shell is not None and bat.shell.laminate is not None:
+        assert applies(rule(construction="composite"), bat)
+
+
+def test_nothing_known_decides_nothing(r161: Bat) -> None:
+    found = checks("usssa", r161)["bpf"]
+    assert found.verdict is Verdict.NOT_DECIDABLE and found.margin is None and "nothing is known" in found.reason
+
+
+@settings(deadline=None)
+@given(value=st.floats(0.2, 0.8), most=st.floats(0.3, 0.7))
+def test_margin_has_the_sign_of_the_verdict(value: float, most: float) -> None:
+    found = check_rule(rule(most=most), bat=catalog.bat(), finding=Finding(value))
+    assert found.margin == pytest.approx(most - value)
+    if abs(value - most) > 1e-5:
+        assert found.verdict is (Verdict.PASS if value < most else Verdict.FAIL)
+
+
+def test_an_interval_across_the_limit_is_said(r161: Bat) -> None:
+    found = check_rule(rule(), bat=r161, finding=Finding(0.499, interval=(0.49, 0.508)))
+    assert found.verdict is Verdict.PASS and "reaches across the limit" in found.reason
+
+
+def test_a_doubt_beats_a_value(r161: Bat) -> None:
+    found = check_rule(rule(), bat=r161, finding=Finding(0.6, "only two hits"))
+    assert found.verdict is Verdict.NOT_DECIDABLE and found.reason == "only two hits"
+    assert check_rule(rule(), bat=r161, finding=Finding(math.nan)).verdict is Verdict.NOT_DECIDABLE
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"quantity": "colour"}, "known quantities"),
+        ({"most": None}, "either a limit or the reason"),
+        ({"undecided": "why"}, "either a limit or the reason"),
+        ({"reading": "recalled"}, "only from memory"),
+    ],
+)
+def test_impossible_rules_are_refused(changes: dict[str, object], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        rule(**changes)
+
+
+def test_an_unknown_league_names_the_nearest() -> None:
+    with pytest.raises(InputError, match="ncaa"):
+        league("nca")

@@ -1,0 +1,134 @@
+"""Every meaning of the sweet spot, on the flagship bat and on made-up curves."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from sweetspot.analysis.bat_analysis import Analysis, analyse, check_conditions, exit_speed_of, hit_at
+from sweetspot.analysis.position_scan import Scan
+from sweetspot.analysis.sweet_spot import barrel_node, max_exit_speed, miss_cost, sweet_zone
+from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.collision.impact import Outcome
+from sweetspot.equipment.bat import Bat
+from sweetspot.errors import InputError
+from sweetspot.motion.swing import Conditions
+from sweetspot.units import INCH, MPH
+
+
+def made_up(exit_speed: np.ndarray, sting: np.ndarray) -> Scan:
+    position = np.linspace(0.4, 0.8, len(exit_speed))
+    same = {field.name: position for field in dataclasses.fields(Scan)}
+    return Scan(**{**same, "exit_speed": exit_speed, "sting": sting})
+
+
+def test_definitions_differ_and_lie_on_the_barrel(analysis: Analysis) -> None:
+    spots = analysis.sweet_spots
+    places = [value for field, value in dataclasses.asdict(spots).items() if field != "zone"]
+    assert len({round(place, 4) for place in places}) == 6
+    assert all(analysis.body.balance_point < place < analysis.bat.length for place in places)
+    assert spots.node_1 < spots.min_sting < spots.node_2  # least sting lies between the nodes
+    assert spots.max_collision_efficiency < spots.max_exit_speed  # the tip moves faster, which pulls the best point out
+
+
+def test_best_hit_is_the_top_of_the_scan(analysis: Analysis) -> None:
+    best = exit_speed_of(analysis.best, analysis.conditions)
+    assert best == pytest.approx(np.nanmax(analysis.scan.exit_speed), rel=2e-4)
+    for shift in (-0.01, 0.01):
+        beside = hit_at(analysis.best.position + shift, modes=analysis.modes, conditions=analysis.conditions)
+        assert exit_speed_of(beside, analysis.conditions) < best
+
+
+def test_real_bat_never_beats_the_rigid_one_on_the_barrel(analysis: Analysis) -> None:
+    """Nathan 2000: vibration only takes."""
+    barrel = analysis.scan.position > 0.6
+    assert np.all(analysis.scan.exit_speed[barrel] <= analysis.scan.rigid_exit_speed[barrel] + 0.05)
+
+
+def test_hand_impulse_changes_sign_at_the_percussion_centre(analysis: Analysis) -> None:
+    scan = analysis.scan
+    crossing = np.interp(0.0, -scan.hand_impulse[60:], scan.position[60:])
+    assert crossing == pytest.approx(analysis.sweet_spots.center_of_percussion, abs=1e-3)
+
+
+def test_zone_of_made_up_curves() -> None:
+    place = np.linspace(0.4, 0.8, 401)
+    speed = 45.0 - 500 * (place - 0.7) ** 2
+    loss = 500 * 0.05**2
+    quiet = np.where(np.abs(place - 0.7) < 0.04, 0.1, 1.0)
+    start, end = sweet_zone(made_up(speed, np.zeros(401) + 0.0 * place), loss=loss, sting=2.0) or (0.0, 0.0)
+    assert (start, end) == (0.0, 0.0)  # no sting at all anywhere: nothing lies below half of zero
+    start, end = sweet_zone(made_up(speed, quiet), loss=loss) or (0.0, 0.0)
+    assert (start, end) == pytest.approx((0.66, 0.74), abs=2e-3)  # bounded by sting
+    start, end = sweet_zone(made_up(speed, np.where(place < 0.5, 9.0, 1.0)), loss=loss) or (0.0, 0.0)
+    assert (start, end) == pytest.approx((0.65, 0.75), abs=1e-3)  # bounded by speed
+    assert sweet_zone(made_up(speed, np.where(np.abs(place - 0.7) < 0.1, 9.0, 0.1))) is None
+
+
+def test_best_point_at_the_edge_is_reported_as_it_is() -> None:
+    place = np.linspace(0.4, 0.8, 101)
+    assert max_exit_speed(made_up(place, place)) == pytest.approx(0.8)
+    inside, outside = miss_cost(made_up(place, place), 0.1)
+    assert inside == pytest.approx(0.1) and np.isnan(outside)
+
+
+def test_asking_for_a_mode_that_was_not_computed(analysis: Analysis) -> None:
+    with pytest.raises(InputError, match="ask for more modes"):
+        barrel_node(analysis.modes, harmonic=40)
+
+
+def test_choking_up_moves_pivot_and_hands_together(r161: Bat) -> None:
+    choked = r161.choked_up(1 * INCH)
+    before, after = standard_conditions(r161), standard_conditions(choked)
+    assert after.swing.pivot == pytest.approx(before.swing.pivot + INCH)
+    assert after.hands.position == pytest.approx(before.hands.position + INCH)
+    moved = analyse(choked, after).sweet_spots.center_of_percussion
+    assert moved > analyse(r161, before).sweet_spots.center_of_percussion
+
+
+def with_hands(analysis: Analysis, position: float) -> Conditions:
+    return analysis.conditions.replaced(hands=analysis.conditions.hands.replaced(position=position))
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        (lambda a: with_hands(a, 0.9), "hand position"),
+        (lambda a: with_hands(a, 0.5), "hold the handle"),
+        (lambda a: a.conditions.replaced(swing=a.conditions.swing.replaced(measured_at=0.9)), "beyond the tip"),
+        (lambda a: a.conditions.replaced(swing=a.conditions.swing.replaced(pivot=-2.0)), "pivot is -2 m"),
+        (lambda a: a.conditions.replaced(ball=a.conditions.ball.replaced(mass=0.9)), "lighter than the bat"),
+    ],
+)
+def test_impossible_conditions(analysis: Analysis, changed, said: str) -> None:  # type: ignore[no-untyped-def]
+    with pytest.raises(InputError, match=said):
+        check_conditions(analysis.bat, changed(analysis), body=analysis.body)
+
+
+def test_a_bat_that_runs_away_makes_no_contact(analysis: Analysis) -> None:
+    """Behind a pivot in mid-handle the bat moves away from a slow ball: an outcome, not an error."""
+    conditions = analysis.conditions.replaced(
+        pitch=analysis.conditions.pitch.replaced(speed=0.0), swing=analysis.conditions.swing.replaced(pivot=0.3)
+    )
+    impact = hit_at(0.1, modes=analysis.modes, conditions=conditions)
+    assert impact.outcome is Outcome.NO_CONTACT and np.isnan(impact.collision_efficiency)
+    assert "does not reach" in impact.outcome.sentence
+
+
+def test_answer_of_the_flagship(analysis: Analysis) -> None:
+    """The main job's bands: Nathan 2000 and 2003, and the sources named in validation/."""
+    scan, bat = analysis.scan, analysis.bat
+    top = np.nanargmax(scan.collision_efficiency)
+    assert 0.19 <= scan.collision_efficiency[top] <= 0.23
+    assert 4 * INCH <= bat.length - scan.position[top] <= 7 * INCH
+    hit = hit_at(bat.length - 6 * INCH, modes=analysis.modes, conditions=analysis.conditions)
+    assert 30e3 <= hit.peak_force <= 42e3
+    assert 0.6e-3 <= hit.contact_time <= 1.1e-3
+    close = np.abs(scan.exit_speed / scan.rigid_exit_speed - 1) < 0.01
+    width = np.ptp(scan.position[close & (scan.position > 0.6)])
+    assert 0 < width < 3 * INCH  # equal to the rigid value only in a narrow zone
+    assert scan.exit_speed[-1] < 0.65 * scan.rigid_exit_speed[-1]  # and falling sharply outside it
+    assert abs(analysis.grip_effect) < 0.01
+    assert exit_speed_of(analysis.best, analysis.conditions) / MPH == pytest.approx(103.4, abs=2.0)

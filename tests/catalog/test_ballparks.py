@@ -1,0 +1,131 @@
+"""The thirty parks: sources, names, and the public files they were entered from where those are at hand."""
+
+from __future__ import annotations
+
+import csv
+import gzip
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from sweetspot import catalog, references
+from sweetspot.catalog.records import all_records, read_table
+from sweetspot.errors import InputError
+from sweetspot.flight.park import fence_at
+from sweetspot.units import FOOT
+
+DATA = Path(__file__).parents[3] / "shared" / "data"
+TABLE = read_table("parks.toml")
+FENCE_KEYS = {"source", "where", "year", "kind", "direction_deg", "distance_ft", "height_ft"}
+SPREAD_KEYS = {"spread_ft", "most_ft", "at_deg"}
+
+
+def rows(name: str) -> list[dict[str, str]]:
+    path = DATA / name
+    if not path.exists():
+        pytest.skip(f"the public file {name} is not here; it is no part of the project")
+    text = gzip.decompress(path.read_bytes()).decode() if path.suffix == ".gz" else path.read_text(encoding="utf-8")
+    return list(csv.DictReader(text.splitlines()))
+
+
+def test_thirty_parks_of_thirty_teams() -> None:
+    parks = catalog.parks()
+    assert len(parks) == len({park.name for park in parks}) == len({park.team for park in parks}) == 30
+
+
+@pytest.mark.parametrize("key", TABLE)
+def test_every_fact_has_a_source_a_kind_and_a_year(key: str) -> None:
+    entry = TABLE[key]
+    fence = entry["fence"]
+    assert set(fence) - SPREAD_KEYS == FENCE_KEYS
+    assert 2015 <= fence["year"] <= 2026 and fence["kind"] == "measured"
+    found = all_records(entry, key)
+    assert {record.name for record in found} == {f"{key}.roof", f"{key}.elevation"}
+    assert {fence["source"], *(record.source for record in found)} <= set(references.keys())
+    assert all(record.kind == "specified" and record.where for record in found)
+
+
+@pytest.mark.parametrize("key", TABLE)
+def test_vertices_stand_every_five_degrees_and_walls_are_walls(key: str) -> None:
+    park = catalog.park(key)
+    at = np.degrees([vertex[0] for vertex in park.fence])
+    assert set(range(-45, 46, 5)) <= {round(float(angle)) for angle in at}
+    assert all(295 * FOOT < distance < 425 * FOOT and 0.4 < height < 12 for _, distance, height in park.fence)
+
+
+def test_names_teams_letters_and_old_names() -> None:
+    daikin = catalog.park("daikin-park")
+    for name in ("Daikin Park", "minute maid park", "Houston Astros", "astros", "HOU", "Enron_Field"):
+        assert catalog.park(name) is not None and catalog.park(name) == daikin
+    assert catalog.park("coors").team == "Colorado Rockies"
+    with pytest.raises(InputError, match="not in the catalogue"):
+        catalog.park("new")  # two teams begin so
+    assert catalog.park("Camden Yards").team == "Baltimore Orioles"
+    with pytest.raises(InputError, match="Did you mean fenway"):
+        catalog.park("fenwy park")
+
+
+def test_the_published_points_of_a_famous_wall() -> None:
+    """(distance, wall) of Fenway at -45, -30, -15, 0, 15, 30, 45 deg as the source has them [jso8910_fences].
+
+    Tolerance: the source's outline is in whole feet, heights are entered to a tenth of a foot.
+    """
+    park = catalog.park("fenway")
+    far, high = fence_at(park, np.radians([-45, -30, -15, 0, 15, 30, 45]))
+    assert far / FOOT == pytest.approx([309, 319, 355, 388, 381, 376, 299], abs=0.51)
+    assert high / FOOT == pytest.approx([37.3, 37.3, 37.3, 17.2, 4.0, 4.0, 3.6], abs=0.06)
+
+
+@pytest.mark.parametrize("key", TABLE)
+def test_fences_are_those_of_the_source_at_every_degree(key: str) -> None:
+    """Within 2 ft and 0.6 ft, the limits by which the vertices were chosen."""
+    park = catalog.park(key)
+    source = [row for row in rows("mlb_fences_1deg_distance_height.csv.gz") if row["venue_name_short"] == park.name]
+    assert len(source) == 91
+    assert TABLE[key]["fence"]["year"] == max(int(row["year_max"]) for row in source)
+    far, high = fence_at(park, np.radians([float(row["angle"]) for row in source]))
+    assert np.abs(far / FOOT - column(source, "fence_distance")).max() <= 2.0
+    assert np.abs(high / FOOT - column(source, "fence_height")).max() <= 0.6
+
+
+OTHER_NAMES = {
+    "daikin-park": "Minute Maid Park", "great-american-ball-park": "Great American Ballpark",
+    "loandepot-park": "LoanDepot Park", "petco-park": "PETCO Park", "rate-field": "Guaranteed Rate Field",
+}  # fmt: skip
+"""Parks that the older file knows by another name; it has no Sutter Health Park."""
+
+
+@pytest.mark.parametrize("key", TABLE)
+def test_the_other_file_differs_by_the_recorded_spread(key: str) -> None:
+    """The older outlines differ by 2 to 13 ft at the median, and by up to 36 ft where walls were moved since."""
+    fence = TABLE[key]["fence"]
+    name = OTHER_NAMES.get(key, TABLE[key]["name"])
+    other = [row for row in rows("mlb_fences_xy_height_lokiville.csv.gz") if row["stadium"] == name]
+    assert bool(other) == ("spread_ft" in fence)
+    if other:
+        angles = column(other, "spray_angle_stadia")
+        differences = np.abs(fence_at(catalog.park(key), np.radians(angles))[0] / FOOT - column(other, "d_wall"))
+        assert np.median(differences) == pytest.approx(fence["spread_ft"], abs=0.06)
+        assert differences.max() == pytest.approx(fence["most_ft"], abs=0.51)
+        assert angles[differences.argmax()] == pytest.approx(fence["at_deg"], abs=0.51)
+        assert fence["spread_ft"] < 14
+
+
+def test_elevation_roof_and_posted_lines() -> None:
+    """Posted distances to the foul poles are signs on the wall: within 6 ft (Kauffman's left line differs most)."""
+    posted = rows("mlb_ballparks_elev_wall_minmax.csv")
+    here = [row for row in posted if row["team_name"] != "OAK"]
+    assert len(here) == 29
+    for row in here:
+        park = catalog.park(row["team_name"])
+        assert park.elevation == pytest.approx(float(row["elevation"]) * FOOT)
+        assert park.roof == {0.0: "open", 1.0: "fixed"}.get(float(row["roof"]), "retractable")
+        for side, column_name in ((-1, "left_field"), (1, "right_field")):
+            assert abs(park.distance_at(side * math.pi / 4) / FOOT - float(row[column_name])) <= 6.0
+
+
+def column(table: list[dict[str, str]], name: str) -> Any:
+    return np.array([float(row[name]) for row in table])

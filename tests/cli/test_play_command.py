@@ -1,0 +1,93 @@
+"""The command `play`: the numbers of the library, a picture, a miss, and bad input."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sweetspot import catalog
+from sweetspot.analysis.full_play import play
+from sweetspot.dynamics.reduction import reduced_bat
+from sweetspot.flight.air import Air
+from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.swing import Swing
+from sweetspot.motion.swing_path import SwingPath
+from sweetspot.units import DEGREE, FOOT, INCH, MPH, RPM
+
+Run = Callable[..., tuple[int, str, str]]
+
+
+def test_the_command_gives_the_librarys_numbers(run_json: Callable[..., Any]) -> None:
+    found = run_json("play", "r161-ash", "--at", "5in-from-tip", "--offset", "0.5in", "--bat-speed", "74mph",
+                     "--pitch-speed", "84mph", "--attack-angle", "11deg", "--bats", "left", "--temperature", "50degF",
+                     "--elevation", "0ft", "--pressure", "1013.25hPa")  # fmt: skip
+    bat, ball = catalog.bat("r161-ash"), catalog.ball()
+    expected = play(
+        reduced_bat(bat, ball=ball), ball=ball, swing=Swing(bat_speed=74 * MPH, measured_at=bat.length - 6 * INCH),
+        path=SwingPath(attack_angle=11 * DEGREE, tilt=32 * DEGREE, bats="left"),
+        pitch=launched(speed=84 * MPH, launch_angle=-6 * DEGREE, spray=math.pi, backspin=2200 * RPM, height=3 * FOOT,
+                       forward=2 * FOOT),
+        position=bat.length - 5 * INCH, offset=0.5 * INCH, aerodynamics=catalog.aerodynamics("baseball"),
+        air=Air(temperature=10.0, pressure=101325.0, humidity=0.5),
+    )  # fmt: skip
+    assert expected.strike.launched is not None and expected.flight is not None
+    assert found["exit_speed_m_s"] == pytest.approx(expected.strike.launched.speed, rel=1e-9)
+    assert found["spray_rad"] == pytest.approx(expected.strike.launched.spray, rel=1e-9)
+    assert found["flight"]["carry_m"] == pytest.approx(expected.flight.carry, rel=1e-6)
+    assert found["fence"] is None
+
+
+def test_a_park_judges_the_flight(run: Run) -> None:
+    code, out, _ = run("play", "--park", "fenway", "--offset", "0.7in", "--bat-speed", "75mph")
+    assert code == 0
+    assert "Fenway Park" in out and "carries" in out
+
+
+def test_a_named_pitch_is_thrown(run_json: Callable[..., Any], run: Run) -> None:
+    """A curve arrives slower than a fastball, so it leaves slower too; topspin adds to what the bat gives."""
+    fast, curve = (run_json("play", "--pitch", name) for name in ("fastball", "curve"))
+    assert curve["pitch_speed_m_s"] < fast["pitch_speed_m_s"]
+    assert curve["exit_speed_m_s"] < fast["exit_speed_m_s"]
+    over, under = (run_json("play", "--pitch-backspin", spin)["backspin_rad_s"] for spin in ("-2000rpm", "2000rpm"))
+    assert over > under
+    slow = run_json("play", "--pitch", "fastball", "--release-speed", "80mph")
+    assert 0.90 < slow["pitch_speed_m_s"] / (80 * MPH) < 0.94  # published: 0.920 on the way to the plate
+    assert run("play", "--pitch", "fastball", "--pitch-speed", "90mph")[0] == 2
+    assert run("play", "--release-speed", "90mph")[0] == 2
+
+
+def test_a_miss_is_an_outcome(run_json: Callable[..., Any], run: Run) -> None:
+    found = run_json("play", "--offset", "3in")
+    assert (found["outcome"], found["flight"], found["exit_speed_m_s"]) == ("miss", None, None)
+    code, out, _ = run("play", "--offset", "3in")
+    assert code == 0 and "a miss" in out
+    assert run("play", "--offset", "3in", "--format", "csv")[1] == "time_s,right_m,out_m,up_m\n"
+
+
+def test_the_picture_is_written_whole(run: Run, tmp_path: Path) -> None:
+    code, _, err = run("play", "--out", str(tmp_path / "new"))
+    assert code == 0 and "wrote" in err
+    assert sorted(file.name for file in (tmp_path / "new").iterdir()) == ["play.json", "play.png", "play.svg"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("--park", "fenwy"), "fenway"),
+        (("--pitch", "gyroball"), "pitch"),
+        (("--pitch", "curve", "--release-speed", "5mph"), "reach"),
+        (("--tilt", "3deg"), "no path in a plane is steeper"),
+        (("--offset", "0.5"), "--offset"),
+        (("--humidity", "50"), "humidity"),
+        (("--attack-angle", "9 miles"), "--attack-angle"),
+        (("--height=-1ft",), "below the ground"),
+    ],
+)
+def test_bad_input_is_one_message(run: Run, arguments: tuple[str, ...], words: str) -> None:
+    code, _, err = run("play", *arguments)
+    assert code == 2
+    assert words in err.lower() and "Traceback" not in err

@@ -1,0 +1,55 @@
+"""The ball's force laws."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from sweetspot.collision.contact_law import (
+    HuntCrossley,
+    Hysteretic,
+    equivalent_wall_speed,
+    loading_force,
+    stored_energy,
+    unloading_exponent,
+)
+from sweetspot.equipment.ball import Ball
+
+peaks = st.floats(1e-4, 0.03)
+
+
+@given(peaks)
+def test_unloading_returns_e_squared(peak: float) -> None:
+    """int F du down / int F du up = (n + 1) / (p + 1) = e^2, e at the wall speed of that energy: exact."""
+    from sweetspot import catalog
+
+    ball = catalog.ball()
+    back = loading_force(ball, peak) * peak / (unloading_exponent(ball, peak) + 1)
+    restitution = ball.restitution.at(equivalent_wall_speed(ball, peak))
+    assert back / stored_energy(ball, peak) == pytest.approx(restitution**2)
+
+
+@given(peaks, st.floats(0.01, 1.0))
+def test_force_is_continuous_and_slope_is_its_derivative(peak: float, part: float) -> None:
+    from sweetspot import catalog
+
+    law = Hysteretic(catalog.ball())
+    assert law.force(peak, 0.0, None) == pytest.approx(law.force(peak, 0.0, peak), rel=1e-12)
+    place, tiny = part * peak * 0.999, 1e-7 * peak
+    rise = law.force(place + tiny, 0.0, peak) - law.force(place - tiny, 0.0, peak)
+    assert law.slope(place, 0.0, peak) == pytest.approx(rise / (2 * tiny), rel=1e-5)
+
+
+def test_stored_energy_is_the_area_under_loading(baseball: Ball) -> None:
+    compression = np.linspace(0, 0.02, 20001)
+    area = np.trapezoid([loading_force(baseball, u) for u in compression], compression)
+    assert stored_energy(baseball, 0.02) == pytest.approx(area, rel=1e-6)
+
+
+def test_hunt_crossley_of_an_elastic_ball_has_no_damper(baseball: Ball) -> None:
+    elastic = baseball.replaced(restitution=baseball.restitution.replaced(reference=1.0, slope=0.0))
+    assert HuntCrossley.for_speed(elastic, 30.0).damping == 0.0
+    lossy = HuntCrossley.for_speed(baseball, 30.0)
+    assert lossy.damping > 0 and lossy.force(0.01, -1e6, None) == 0.0  # never a pull

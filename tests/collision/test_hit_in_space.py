@@ -1,0 +1,186 @@
+"""The hit in space: its head-on limit, what friction may and may not do, mirrors, and published spins."""
+
+from __future__ import annotations
+
+from math import degrees, radians
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from sweetspot import catalog
+from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of, hit_at
+from sweetspot.collision.hit_in_space import Strike, Strikes, strike, strikes
+from sweetspot.collision.impact import Outcome
+from sweetspot.collision.oblique_contact import SPHERE
+from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
+from sweetspot.equipment.bat import Bat
+from sweetspot.errors import InputError
+from sweetspot.motion.ball_motion import BallMotion
+from sweetspot.motion.swing import Swing
+from sweetspot.motion.swing_path import SwingPath
+from sweetspot.units import INCH, MPH
+
+BALL = catalog.ball()
+TO_RPM = 30 / np.pi
+
+
+@pytest.fixture(scope="module")
+def model(analysis: Analysis) -> ReducedBat[Bat]:
+    return analysis.reduced
+
+
+def pitched(speed: float = 82 * MPH, *, drop: float = 0.0, spin: tuple[float, float, float] = (0, 0, 0)) -> BallMotion:
+    """A ball that comes from the mound, falling by the angle ``drop``."""
+    return BallMotion(np.zeros(3), speed * np.array([0, -np.cos(drop), -np.sin(drop)]), np.array(spin, float))
+
+
+def struck(model: ReducedBat[Bat], **changes: object) -> Strike:
+    x = model.bat.length - 6 * INCH
+    given_ = {
+        "ball": BALL, "swing": Swing(bat_speed=72 * MPH, measured_at=x), "path": SwingPath(), "pitch": pitched(),
+        "position": x,
+    }  # fmt: skip
+    return strike(model, **{**given_, **changes})  # type: ignore[arg-type]
+
+
+def test_head_on_is_the_main_job(model: ReducedBat[Bat], analysis: Analysis) -> None:
+    """Exact: level path, ball straight against it, no spin: nothing slides, so the exit speed is the normal part's."""
+    conditions, place = analysis.conditions, analysis.sweet_spots.max_exit_speed
+    found = struck(model, swing=conditions.swing, position=place, pitch=pitched(conditions.pitch.speed))
+    assert found.launched is not None
+    expected = exit_speed_of(hit_at(place, modes=analysis.modes, conditions=conditions), conditions)
+    assert found.launched.velocity == pytest.approx([0, expected, 0], rel=1e-12, abs=1e-12)
+    assert found.launched.spin == pytest.approx([0, 0, 0], abs=1e-12)
+
+
+@given(offset=st.floats(-0.05, 0.05), attack=st.floats(-0.4, 0.4), drop=st.floats(-0.3, 0.3))
+@settings(max_examples=20, deadline=None)
+def test_without_friction_the_spin_stays(model: ReducedBat[Bat], offset: float, attack: float, drop: float) -> None:
+    spin = (-240.0, 30.0, 50.0)
+    found = struck(
+        model, offset=offset, path=SwingPath(attack_angle=attack), pitch=pitched(drop=drop, spin=spin), friction=0.0
+    )
+    assert found.launched is not None
+    assert found.launched.spin == pytest.approx(spin, abs=1e-12)
+
+
+def batch(model: ReducedBat[Bat], seed: int, count: int = 60) -> tuple[Strikes, dict[str, np.ndarray]]:
+    rng = np.random.default_rng(seed)
+    inputs = {
+        "bat_speed": rng.uniform(20, 40, count),
+        "position": model.bat.length - rng.uniform(0.05, 0.3, count),
+        "offset": rng.uniform(-0.06, 0.06, count),
+        "pitch_velocity": rng.normal([0, -37, -4], [2, 4, 2], (count, 3)),
+        "pitch_spin": rng.normal(0, 200, (count, 3)),
+    }
+    axes = SwingPath(attack_angle=0.15, attack_direction=-0.1, tilt=0.55).axes
+    return strikes(model, ball=BALL, axes=axes, **inputs), inputs  # type: ignore[arg-type]
+
+
+def test_angular_momentum_about_the_contact_is_kept(model: ReducedBat[Bat]) -> None:
+    """Exact: every impulse acts at the point of contact, r n below the centre, so I w + m r n x v stays."""
+    found, given_ = batch(model, 1)
+    axes = SwingPath(attack_angle=0.15, attack_direction=-0.1, tilt=0.55).axes
+    reach = BALL.radius + model.bat.diameter_at(given_["position"]) / 2
+    lift = np.arcsin(given_["offset"] / reach)
+    normal = np.cos(lift)[:, None] * axes.forward + np.sin(lift)[:, None] * axes.up
+    inertia = SPHERE * BALL.mass * BALL.radius**2
+
+    def about_contact(velocity: np.ndarray, spin: np.ndarray) -> np.ndarray:
+        return inertia * spin + BALL.mass * BALL.radius * np.cross(normal, velocity)
+
+    before = about_contact(given_["pitch_velocity"], given_["pitch_spin"])
+    assert about_contact(found.velocity, found.spin) == pytest.approx(before, rel=1e-9, abs=1e-9)
+
+
+def test_one_and_many_agree(model: ReducedBat[Bat]) -> None:
+    """The readable hit and the kernel differ by the kernel's coarser step, 1e-4 of the exit speed."""
+    path = SwingPath(attack_angle=0.15, tilt=0.55)
+    x = model.bat.length - 6 * INCH
+    swing = Swing(bat_speed=31.0, measured_at=x)
+    for place, offset in ((x, 0.01), (x + 0.04, -0.02), (x - 0.06, 0.03)):
+        one = struck(model, swing=swing, path=path, position=place, offset=offset)
+        many = strikes(
+            model, ball=BALL, bat_speed=[one.bat_speed], axes=path.axes, pitch_velocity=pitched().velocity,
+            pitch_spin=pitched().spin, position=[place], offset=[offset],
+        )  # fmt: skip
+        assert one.launched is not None
+        assert many.velocity[0] == pytest.approx(one.launched.velocity, rel=2e-4, abs=3e-3)
+        assert many.spin[0] == pytest.approx(one.launched.spin, rel=1e-3, abs=0.3)
+
+
+def test_left_mirrors_right(model: ReducedBat[Bat]) -> None:
+    sides = [
+        struck(model, path=SwingPath(attack_angle=0.15, attack_direction=-0.1, tilt=0.5, bats=side), offset=0.01)
+        for side in ("right", "left")
+    ]
+    right, left = (side.launched for side in sides)
+    assert right is not None and left is not None
+    assert right.velocity * [-1, 1, 1] == pytest.approx(left.velocity)
+    assert right.spin * [1, -1, -1] == pytest.approx(left.spin)
+
+
+def test_below_the_centre_makes_backspin_and_a_tilted_bat_side_spin(model: ReducedBat[Bat]) -> None:
+    level = struck(model, offset=0.02).launched
+    tilted = struck(model, offset=0.02, path=SwingPath(tilt=radians(32))).launched
+    assert level is not None and tilted is not None
+    assert level.launch_angle > 0 and level.backspin > 0
+    assert level.sidespin == pytest.approx(0.0, abs=1e-9)
+    assert tilted.sidespin < 0 < tilted.spray  # a right-handed batter slices it to right field
+    assert 0 < tilted.backspin < level.backspin
+
+
+def test_a_miss_is_an_outcome(model: ReducedBat[Bat]) -> None:
+    assert struck(model, offset=0.1).outcome is Outcome.MISS
+    assert struck(model, offset=-0.1).launched is None
+    assert (
+        struck(model, pitch=BallMotion(np.zeros(3), np.array([0, 60.0, 0]), np.zeros(3))).outcome is Outcome.NO_CONTACT
+    )
+    found = strikes(
+        model, ball=BALL, bat_speed=[30.0, 30.0], axes=SwingPath().axes, pitch_velocity=[0, -30, 0],
+        pitch_spin=[0, 0, 0], position=[0.7, 0.7], offset=[0.2, 0.0],
+    )  # fmt: skip
+    assert found.outcome.tolist() == [Outcome.MISS, Outcome.SEPARATED]
+    assert np.isnan(found.exit_speed[0]) and found.exit_speed[1] > 30
+
+
+def test_off_the_bat_is_refused(model: ReducedBat[Bat]) -> None:
+    with pytest.raises(InputError, match="on the bat"):
+        strikes(
+            model, ball=BALL, bat_speed=[30.0], axes=SwingPath().axes, pitch_velocity=[0, -30, 0], pitch_spin=[0, 0, 0],
+            position=[0.9],
+        )  # fmt: skip
+
+
+def test_grazing_contact_slides(model: ReducedBat[Bat]) -> None:
+    reach = BALL.radius + 0.031
+    assert struck(model, offset=0.9 * reach).gripped is False
+    assert struck(model, offset=0.2 * reach).gripped is True
+
+
+def test_second_plane_shakes_less_than_the_first(model: ReducedBat[Bat]) -> None:
+    """Friction is at most 0.2 of the normal force [kensrud2017]."""
+    found = struck(model, offset=0.03)
+    assert found.second_plane is not None and 0 < found.second_plane <= 0.2
+    assert found.travel_around is not None and found.travel_along == pytest.approx(0.0, abs=1e-12)
+
+
+@pytest.mark.parametrize(("bat_speed", "low", "high"), [(63, 0, 3500), (77, 2800, 3500), (88, 0, 4000)])
+def test_published_spin_off_a_tee(model: ReducedBat[Bat], bat_speed: float, low: float, high: float) -> None:
+    """[kensrud2017]: bat at 63 to 88 mph on a ball at rest, launch to 30 degrees, spin to 3500 rpm; at 77 mph and 20
+    degrees about 3100 to 3200 rpm, within 10 %."""
+    x = model.bat.length - 6 * INCH
+    swing = Swing(bat_speed=bat_speed * MPH, measured_at=x)
+    found = [
+        struck(model, swing=swing, pitch=pitched(0.0), offset=d * INCH).launched for d in np.linspace(0.9, 1.4, 11)
+    ]
+    at_20 = min((ball for ball in found if ball), key=lambda ball: abs(degrees(ball.launch_angle) - 20))
+    assert low <= at_20.backspin * TO_RPM <= high
+
+
+def test_a_reduction_is_what_analysis_uses(analysis: Analysis) -> None:
+    found = reduced_bat(analysis.bat, ball=analysis.conditions.ball)
+    assert found.body == analysis.body
+    assert found.modes.frequency == pytest.approx(analysis.modes.frequency)

@@ -1,0 +1,127 @@
+"""The fast kernel is the readable collision: hit by hit, in any company."""
+
+from __future__ import annotations
+
+from dataclasses import fields, replace
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from sweetspot import catalog
+from sweetspot.collision.coupled import hit
+from sweetspot.collision.impact import Impacts, Outcome
+from sweetspot.collision.kernel import CHUNK, hits
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.hands import gripped
+from sweetspot.dynamics.modes import Modes
+from sweetspot.motion.swing import Hands
+
+BALL = catalog.ball()
+BAT = catalog.bat("r161-ash")
+MODES = bending_modes(beam_model(BAT))
+NUMBERS = ("collision_efficiency", "contact_time", "release_time", "peak_force", "peak_compression")
+
+
+def damped(ratio: float) -> Modes:
+    return bending_modes(beam_model(BAT.replaced(material=BAT.material.replaced(damping_ratio=ratio))))
+
+
+def held(mass: float, stiffness: float, damping: float) -> Modes:
+    return gripped(MODES, Hands(position=0.1524, mass=mass, stiffness=stiffness, damping=damping))
+
+
+BATS = st.one_of(
+    st.just(MODES),
+    st.integers(2, 13).map(lambda count: MODES.kept(list(range(count)))),
+    st.sampled_from([0.0, 0.02, 0.1, 0.3]).map(damped),
+    st.builds(held, st.floats(0.05, 1.5), st.floats(1e2, 2e5), st.one_of(st.just(0.0), st.floats(1.0, 1e3))),
+)
+
+
+@settings(max_examples=120, deadline=None)
+@given(
+    modes=BATS,
+    place=st.floats(0.0, BAT.length),
+    closing=st.floats(0.5, 110.0),
+    step=st.sampled_from([4e-6, 8e-6, 14e-6]),
+)
+def test_kernel_is_the_readable_version(modes: Modes, place: float, closing: float, step: float) -> None:
+    one = hit(modes, ball=BALL, position=place, closing_speed=closing, step=step)
+    many = hits(modes, ball=BALL, position=place, closing_speed=closing, step=step)
+    assert many.outcome[0] == one.outcome
+    for name in NUMBERS:
+        expected = getattr(one, name)
+        scale = 1.0 if name == "collision_efficiency" else abs(expected)
+        assert getattr(many, name)[0] == pytest.approx(expected, rel=0, abs=1e-10 * scale, nan_ok=True), name
+    for name in ("displacement", "velocity"):
+        expected = getattr(one, name)
+        scale = np.abs(expected).max()
+        assert getattr(many, name)[0] == pytest.approx(expected, rel=0, abs=1e-10 * scale), name
+
+
+def crowd(count: int) -> dict[str, Any]:
+    generator = np.random.default_rng(7)
+    return {"position": generator.uniform(0.3, 0.8382, count), "closing_speed": generator.uniform(2.0, 100.0, count)}
+
+
+def assert_same(one: Impacts, other: Impacts) -> None:
+    assert np.array_equal(one.outcome, other.outcome)
+    for name in (*NUMBERS, "displacement", "velocity"):
+        assert np.array_equal(getattr(one, name), getattr(other, name), equal_nan=True), name
+
+
+def rows(done: Impacts, which: Any) -> Impacts:
+    return replace(done, **{field.name: getattr(done, field.name)[which] for field in fields(done)})
+
+
+def test_order_of_hits_does_not_matter() -> None:
+    hits_ = crowd(1000)
+    shuffled = np.random.default_rng(8).permutation(1000)
+    straight = hits(MODES, ball=BALL, **hits_)
+    mixed = hits(MODES, ball=BALL, **{name: values[shuffled] for name, values in hits_.items()})
+    assert_same(rows(straight, shuffled), mixed)
+
+
+def test_threads_do_not_matter() -> None:
+    hits_ = crowd(2 * CHUNK + 123)
+    assert_same(hits(MODES, ball=BALL, threads=1, **hits_), hits(MODES, ball=BALL, threads=3, **hits_))
+
+
+def test_company_does_not_matter() -> None:
+    hits_ = crowd(1000)
+    together = hits(MODES, ball=BALL, **hits_)
+    for row in range(0, 1000, 97):
+        alone = hits(MODES, ball=BALL, **{name: values[row] for name, values in hits_.items()})
+        for name in (*NUMBERS, "displacement", "velocity"):
+            expected = getattr(together, name)[row]
+            scale = np.abs(expected).max()
+            assert getattr(alone, name)[0] == pytest.approx(expected, rel=0, abs=1e-12 * scale), name
+
+
+@pytest.mark.parametrize("count", [1, 5, 70, 1000])
+def test_rows_without_contact_say_so_and_the_others_go_on(count: int) -> None:
+    hits_ = crowd(count)
+    expected = hits(MODES, ball=BALL, **hits_)
+    missing = [np.nan, 0.0, -0.0, -70.0, -np.inf]
+    speeds = np.empty((count, 2))
+    speeds[:, 0] = hits_["closing_speed"]
+    speeds[:, 1] = np.resize(missing, count)
+    places = np.repeat(hits_["position"], 2)
+    done = hits(MODES, ball=BALL, position=places, closing_speed=speeds.ravel())
+    lost, kept = rows(done, slice(1, None, 2)), rows(done, slice(0, None, 2))
+    assert np.all(lost.outcome == Outcome.NO_CONTACT)
+    for name in NUMBERS:
+        assert np.all(np.isnan(getattr(lost, name))), name
+        assert getattr(kept, name) == pytest.approx(getattr(expected, name), rel=1e-12), name
+    assert np.all(kept.outcome == Outcome.SEPARATED)
+
+
+def test_readable_version_agrees_on_what_is_no_contact() -> None:
+    for speed in (np.nan, 0.0, -5.0):
+        one = hit(MODES, ball=BALL, position=0.7, closing_speed=speed)
+        assert one.outcome is Outcome.NO_CONTACT
+        assert np.isnan(one.collision_efficiency)

@@ -1,0 +1,154 @@
+"""Mass properties: exact for conical pieces, and fitted to what was measured or refused."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from sweetspot import catalog
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.material import Material
+from sweetspot.errors import InputError
+
+WOOD = Material(name="wood", density=650, density_range=(500, 800), longitudinal_modulus=15e9, shear_modulus=1.5e9)
+METAL = Material(name="metal", family="metal", density=2800, longitudinal_modulus=71e9, poisson_ratio=0.33)
+
+
+def cone(start: float, end: float, length: float = 0.84) -> Bat:
+    return Bat(name="cone", length=length, material=WOOD, profile=((0.0, start), (length, end)))
+
+
+@given(st.floats(0.01, 0.06), st.floats(0.01, 0.1), st.floats(0.3, 1.2))
+def test_a_cone_is_exact(start: float, end: float, length: float) -> None:
+    """Volume and centroid of a frustum, pi h (a^2 + ab + b^2)/3 and (a^2 + 2ab + 3b^2)/(a^2 + ab + b^2) h/4: exact."""
+    body = rigid_body(beam_model(cone(start, end, length)))
+    a, b = start / 2, end / 2
+    assert body.mass == pytest.approx(650 * math.pi * length * (a * a + a * b + b * b) / 3, rel=1e-12)
+    centroid = length / 4 * (a * a + 2 * a * b + 3 * b * b) / (a * a + a * b + b * b)
+    assert body.balance_point == pytest.approx(centroid, rel=1e-12)
+    # roll: rho pi/2 int r^4, with int r^4 = h (a^4 + a^3 b + a^2 b^2 + a b^3 + b^4) / 5
+    fourth = length * sum(a ** (4 - k) * b**k for k in range(5)) / 5
+    assert body.roll_moi == pytest.approx(650 * math.pi / 2 * fourth, rel=1e-12)
+
+
+def test_a_cylinder_is_exact() -> None:
+    """I = M (3 r^2 + L^2) / 12 about the middle, M r^2 / 2 about the axis: exact."""
+    body = rigid_body(beam_model(cone(0.05, 0.05)))
+    assert body.balance_point == pytest.approx(0.42)
+    assert body.moi_cm == pytest.approx(body.mass * (3 * 0.025**2 + 0.84**2) / 12, rel=1e-12)
+    assert body.roll_moi == pytest.approx(body.mass * 0.025**2 / 2, rel=1e-12)
+
+
+@given(st.floats(0.05, 0.79))
+def test_cutting_a_cone_into_pieces_changes_nothing(cut: float) -> None:
+    whole = cone(0.03, 0.06)
+    parts = whole.replaced(profile=((0.0, 0.03), (cut, float(whole.diameter_at(cut))), (0.84, 0.06)))
+    before, after = rigid_body(beam_model(whole)), rigid_body(beam_model(parts))
+    assert (after.mass, after.moi_cm) == pytest.approx((before.mass, before.moi_cm), rel=1e-12)
+
+
+def test_a_bore_takes_away_its_cylinder() -> None:
+    plain = rigid_body(beam_model(cone(0.06, 0.06)))
+    drilled = rigid_body(beam_model(cone(0.06, 0.06).drilled(diameter=0.0254, depth=0.254)))
+    gone = 650 * math.pi * 0.0127**2 * 0.254
+    assert plain.mass - drilled.mass == pytest.approx(gone, rel=1e-12)
+    assert drilled.balance_point < plain.balance_point
+    moment = plain.mass * plain.balance_point - drilled.mass * drilled.balance_point
+    assert moment == pytest.approx(gone * (0.84 - 0.127), rel=1e-12)
+
+
+def test_a_plug_of_the_same_wood_closes_the_hole() -> None:
+    fill = WOOD.replaced(density=600, density_range=None)
+    bat = cone(0.06, 0.06).corked(diameter=0.0254, depth=0.254, fill=fill, plug=0.0254)
+    lost = 50 * math.pi * 0.0127**2 * (0.254 - 0.0254)
+    assert rigid_body(beam_model(cone(0.06, 0.06))).mass - rigid_body(beam_model(bat)).mass == pytest.approx(
+        lost, rel=1e-12
+    )
+
+
+def test_a_cup_is_a_paraboloid() -> None:
+    """Half the volume of its cylinder, centroid a third of the depth below the rim: exact."""
+    plain, cupped = cone(0.06, 0.06), cone(0.06, 0.06).cupped(diameter=0.04, depth=0.02)
+    before, after = rigid_body(beam_model(plain)), rigid_body(beam_model(cupped))
+    gone = 650 * math.pi * 0.02**2 * 0.02 / 2
+    assert before.mass - after.mass == pytest.approx(gone, rel=1e-12)
+    moment = before.mass * before.balance_point - after.mass * after.balance_point
+    assert moment == pytest.approx(gone * (0.84 - 0.02 / 3), rel=1e-12)
+
+
+def test_a_cup_and_a_bore_do_not_count_twice() -> None:
+    both = cone(0.06, 0.06).cupped(diameter=0.04, depth=0.02).drilled(diameter=0.02, depth=0.1)
+    removed = rigid_body(beam_model(cone(0.06, 0.06))).mass - rigid_body(beam_model(both)).mass
+    # the cup alone down to where it is 20 mm wide (3/4 of its depth), then the hole alone
+    cup_part = math.pi * 0.02 * (0.02**2 - 0.01**2) * 0.75 / 2 + math.pi * 0.01**2 * 0.02 * 0.75
+    assert removed == pytest.approx(650 * (cup_part + math.pi * 0.01**2 * (0.1 - 0.015)), rel=1e-12)
+
+
+def test_a_tube_is_exact() -> None:
+    tube = Bat(
+        name="tube", length=0.84, material=METAL, profile=((0.0, 0.06), (0.84, 0.06)),
+        shell={"wall": ((0.0, 0.003), (0.84, 0.003)), "end_cap_mass": 0.03, "knob_mass": 0.05},
+    )  # fmt: skip
+    body = rigid_body(beam_model(tube))
+    wall = 2800 * math.pi * (0.03**2 - 0.027**2) * 0.84
+    assert body.mass == pytest.approx(wall + 0.08, rel=1e-12)
+    assert body.balance_point == pytest.approx((wall * 0.42 + 0.03 * 0.84) / (wall + 0.08), rel=1e-12)
+
+
+@settings(max_examples=30)
+@given(st.floats(0.85, 1.15), st.floats(-0.01, 0.01), st.floats(0.0, 0.05))
+def test_measured_values_are_met(weight: float, shift: float, knob: float) -> None:
+    """Any small change of weight and balance, and any extra knob mass, is found again."""
+    made = cone(0.03, 0.06)
+    plain = rigid_body(beam_model(made))
+    target = rigid_body(beam_model(made.replaced(mass=plain.mass * weight, balance_point=plain.balance_point + shift)))
+    heavy = rigid_body(beam_model(made)).mass * weight + knob
+    balance = target.mass * target.balance_point / heavy
+    moi = target.moi(0.1524) + knob * 0.1524**2
+    measured = made.replaced(mass=heavy, balance_point=balance, moi=moi)
+    body = rigid_body(beam_model(measured))
+    assert (body.mass, body.balance_point, body.moi(0.1524)) == pytest.approx((heavy, balance, moi), rel=1e-9)
+
+
+def test_a_measured_moi_alone_is_met() -> None:
+    plain = rigid_body(beam_model(cone(0.03, 0.06)))
+    wanted = plain.moi(0.1524) * 1.02
+    body = rigid_body(beam_model(cone(0.03, 0.06).replaced(mass=plain.mass, moi=wanted)))
+    assert body.moi(0.1524) == pytest.approx(wanted, rel=1e-12)
+    assert body.mass == pytest.approx(plain.mass, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("measured", "said"),
+    [
+        ({"mass": 2.0}, "only at a density of"),
+        ({"mass": 0.2}, "wood can be 500 to 800"),
+        ({"balance_point": 0.5}, "weigh it and give the mass"),
+        ({"mass": 0.93, "balance_point": 0.35}, "% towards the tip"),
+        ({"mass": 0.93, "balance_point": 0.516, "moi": 0.1}, "Check the profile or the measurement"),
+    ],
+)
+def test_what_cannot_be_is_refused(measured: dict[str, float], said: str) -> None:
+    with pytest.raises(InputError) as caught:
+        beam_model(cone(0.03, 0.06).replaced(**measured))
+    assert said in str(caught.value)
+
+
+def test_a_corked_bat_keeps_the_wood_of_the_measured_one() -> None:
+    bat = catalog.bat("r161-ash")
+    corked = bat.corked(diameter=0.0254, depth=0.254, fill=catalog.material("cork"), plug=0.0254)
+    assert beam_model(corked).density_factor == beam_model(bat).density_factor
+    lighter = rigid_body(beam_model(bat)).mass - rigid_body(beam_model(corked)).mass
+    assert 0.028 < lighter < 0.08  # published: one to two ounces [nathan2011corked]; D: up to 2.6
+
+
+def test_added_weight_counts() -> None:
+    bat = cone(0.05, 0.05)
+    body, heavy = rigid_body(beam_model(bat)), rigid_body(beam_model(bat.weighted(position=0.84, mass=0.1)))
+    assert heavy.mass == pytest.approx(body.mass + 0.1)
+    assert heavy.moi(0.0) == pytest.approx(body.moi(0.0) + 0.1 * 0.84**2)

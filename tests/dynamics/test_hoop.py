@@ -1,0 +1,139 @@
+"""Hoop modes: rings, exact cylinders, convergence, patch, and what they do to a hit."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from sweetspot import catalog
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.hoop import barrel_range, contact_patch, hoop_modes, patch_mean
+from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.modes import joined
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.material import Material
+
+INCH = 0.0254
+ALLOY = Material(name="alloy", family="metal", density=2800, longitudinal_modulus=71e9, poisson_ratio=0.33)
+
+
+def tube(wall: float, diameter: float = 2.625 * INCH, length: float = 0.84, cap: float = 0.0) -> Bat:
+    return Bat(
+        name="tube", length=length, material=ALLOY, profile=((0.0, diameter), (length, diameter)),
+        shell={"wall": ((0.0, wall), (length, wall)), "end_cap_mass": cap},
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("inches", "wall_mm", "printed"),
+    [
+        (2.625, 2.0, 1258), (2.625, 2.5, 1597), (2.625, 3.0, 1946), (2.625, 3.3, 2161),
+        (2.25, 2.0, 1730), (2.25, 2.5, 2202), (2.25, 3.0, 2691), (2.25, 3.3, 2994),
+    ],
+)  # fmt: skip
+def test_a_long_tube_is_a_ring(inches: float, wall_mm: float, printed: float) -> None:
+    """The n = 2 ring formula for OD 2.625 and 2.25 in, E 71 GPa, 2800 kg/m^3 (derived table of published numbers).
+
+    The held taper end lets the lowest mode differ from the infinite ring by less than 1 %.
+    """
+    lowest = hoop_modes(beam_model(tube(wall_mm * 1e-3, inches * INCH)), patch=0.02).frequency[0]
+    assert lowest == pytest.approx(printed, rel=0.01)
+
+
+def exact_cylinder(n: int, m: int, *, wall: float, radius: float, length: float) -> float:
+    """Return the lowest frequency of a cylinder held round at both ends, Sanders' theory: 3 x 3 eigenvalues, exact.
+
+    U cos(m pi x / L), V sin, W sin satisfy the field equations and the supports.
+    """
+    wave = m * np.pi / length
+    stretch = 71e9 * wall / (1 - 0.33**2)
+    strain = np.array(
+        [
+            [-wave, 0, 0], [0, n / radius, 1 / radius], [-n / radius, wave, 0], [0, 0, wave**2],
+            [0, n / radius**2, n**2 / radius**2], [n / (2 * radius**2), 1.5 * wave / radius, 2 * n * wave / radius],
+        ]
+    )  # fmt: skip
+    law = np.array([[1, 0.33, 0], [0.33, 1, 0], [0, 0, 0.335]]) * stretch
+    nothing = np.zeros((3, 3))
+    stiffness = strain.T @ np.block([[law, nothing], [nothing, law * wall**2 / 12]]) @ strain
+    return float(np.sqrt(np.linalg.eigvalsh(stiffness / (2800 * wall))[0]) / (2 * np.pi))
+
+
+@pytest.mark.parametrize(("n", "m"), [(2, 1), (2, 2), (2, 4), (3, 1), (3, 3), (5, 2)])
+def test_a_supported_cylinder_is_exact(n: int, m: int) -> None:
+    line = beam_model(tube(2.5e-3, cap=0.02))
+    start, end = barrel_range(line)
+    found = hoop_modes(line, patch=0.02, harmonics=(n,)).frequency[m - 1]
+    radius = 2.625 * INCH / 2 - 1.25e-3
+    assert found == pytest.approx(exact_cylinder(n, m, wall=2.5e-3, radius=radius, length=end - start), rel=1e-5)
+
+
+def test_frequencies_converge_at_high_order() -> None:
+    """Hermite cubics in bending: fourth order in the energy norm's square; Sanders' membrane part is no worse."""
+    line = beam_model(tube(2.5e-3, cap=0.02))
+    start, end = barrel_range(line)
+    exact = exact_cylinder(2, 4, wall=2.5e-3, radius=2.625 * INCH / 2 - 1.25e-3, length=end - start)
+    counts = np.array([6, 8, 12, 16])
+    errors = [hoop_modes(line, patch=0.02, harmonics=(2,), elements=int(k)).frequency[3] / exact - 1 for k in counts]
+    order = -np.polyfit(np.log(counts), np.log(errors), 1)[0]
+    assert order > 3.8 and min(errors) > 0  # from above, as Rayleigh and Ritz demand
+
+
+def test_the_patch_silences_short_waves() -> None:
+    """The mean of cos(k y) under weight 1 - (y/a)^2, by quadrature."""
+    for wave in (0.0, 1e-4, 30.0, 90.0, 300.0):
+        y = np.linspace(-0.02, 0.02, 20001)
+        weight = 1 - (y / 0.02) ** 2
+        expected = np.trapezoid(weight * np.cos(wave * y), y) / np.trapezoid(weight, y)
+        assert patch_mean(wave, 0.02) == pytest.approx(expected, abs=1e-6)
+    line = beam_model(tube(2.5e-3, cap=0.02))
+    sharp, wide = (np.abs(hoop_modes(line, patch=patch).shape_at(0.6)) for patch in (1e-3, 0.03))
+    high = [index for index, n in enumerate(hoop_modes(line, patch=0.03).harmonics) if n == 5]
+    assert wide[high].max() < 0.2 * sharp[high].max()
+
+
+def test_contact_patch_is_about_a_coin(baseball: Ball) -> None:
+    assert 0.015 < contact_patch(baseball) < 0.03
+
+
+def test_thinner_walls_ring_lower() -> None:
+    lowest = [hoop_modes(beam_model(tube(wall, cap=0.02)), patch=0.02).frequency[0] for wall in (2e-3, 2.5e-3, 3e-3)]
+    assert lowest == sorted(lowest)
+
+
+def test_a_softball_bat_rings_where_it_should() -> None:
+    """Russell 2017: lowest hoop modes of softball bats lie at 1.0 to 2.5 kHz. The catalogue's lay-up is assumed."""
+    assert 1000 < hoop_modes(beam_model(catalog.bat("slow-pitch")), patch=0.024).frequency[0] < 2500
+
+
+def test_no_net_force_and_nothing_before_the_taper() -> None:
+    bat = catalog.bat("russell-b6")
+    line = beam_model(bat)
+    modes = hoop_modes(line, patch=0.02)
+    start, _ = barrel_range(line)
+    assert np.all(modes.shape_at(np.array([0.0, 0.1, start - 1e-3])) == 0)
+    assert np.all(modes.rigid_part == 0) and np.all(np.diff(modes.frequency) >= 0)
+    for index in range(3):
+        assert all(start <= node <= bat.length for node in modes.nodes(index))
+
+
+def test_a_drilled_wood_barrel_rings_far_above_5_khz() -> None:
+    """Russell 2017: the hoop mode of a corked bat lies above 5.5 kHz. Thin-shell theory is rough for so thick a wall.
+
+    The bat's own list of modes leaves it out.
+    """
+    line = beam_model(catalog.bat("r161-ash").drilled(diameter=INCH, depth=10 * INCH))
+    assert hoop_modes(line, patch=0.02).frequency[0] > 5000
+    assert all_modes(line, catalog.ball()).of_family("hoop") == []
+
+
+def test_joined_modes_keep_their_shapes() -> None:
+    line = beam_model(catalog.bat("russell-b6"))
+    bending, hoop = bending_modes(line), hoop_modes(line, patch=0.02)
+    both = joined(bending, hoop)
+    places = np.linspace(0, line.bat.length, 57)
+    assert both.shape_at(places)[:, : len(bending)] == pytest.approx(bending.shape_at(places), abs=1e-9)
+    assert both.shape_at(places)[:, len(bending) :] == pytest.approx(hoop.shape_at(places), abs=1e-9)
+    assert len(both) == len(bending) + len(hoop) and both.families.count("hoop") == len(hoop)

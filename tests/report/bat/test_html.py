@@ -1,0 +1,281 @@
+"""The printed page: whole, self-contained, with the analysis's own numbers, and never half-written."""
+
+from __future__ import annotations
+
+import itertools
+import json
+import re
+from dataclasses import replace
+from html.parser import HTMLParser
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from sweetspot.analysis.bat_analysis import Analysis, analyse, exit_speed_of
+from sweetspot.analysis.sweet_spot import miss_cost
+from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.equipment.bat import Bat
+from sweetspot.errors import InputError
+from sweetspot.references import keys
+from sweetspot.report.bat.beside_published import _predicts, chosen
+from sweetspot.report.bat.html import NAMES, check_folder, write_report
+from sweetspot.report.bat.provenance import bat_records, own_values, shown, sources_of, used_records
+from sweetspot.report.bat.table import SPOT_NAMES
+from sweetspot.report.json_shapes import report_json
+from sweetspot.report.pictures.style import INK
+from sweetspot.units import INCH, MPH
+
+VOID = {"meta", "br", "hr", "img", "link", "input"}
+ODD_NAME = 'Smith & Sons <script>alert("1")</script> 33"'
+
+
+class Page(HTMLParser):
+    """Reads a page strictly: every tag closed in order; keeps ids, links, table rows and text."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.tags: list[str] = []
+        self.ids: list[str] = []
+        self.attributes: list[tuple[str, str, str]] = []
+        self.rows: list[list[str]] = []
+        self.text = ""
+        self.feed(text)
+        self.close()
+        assert not self.open
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.append(tag)
+        self.attributes += [(tag, name, value or "") for name, value in attrs]
+        self.ids += [value for name, value in attrs if name == "id" and value]
+        if tag not in VOID:
+            self.open.append(tag)
+        if tag == "tr":
+            self.rows.append([])
+        if tag in ("th", "td"):
+            self.rows[-1].append("")
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.handle_starttag(tag, attrs)
+        if tag not in VOID:
+            self.open.pop()
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        self.text += data
+        if "th" in self.open or "td" in self.open:
+            self.rows[-1][-1] += data
+
+    def row(self, start: str) -> list[str]:
+        """Return the cells of the first row whose first cell begins with ``start``."""
+        return next(row for row in self.rows if row and row[0].startswith(start))
+
+
+@pytest.fixture(scope="module")
+def written(analysis: Analysis, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    paths = write_report(analysis, tmp_path_factory.mktemp("report") / "new" / "folder")
+    return {path.name: path for path in paths}
+
+
+@pytest.fixture(scope="module")
+def html(written: dict[str, Path]) -> str:
+    return written["report.html"].read_text(encoding="utf-8")
+
+
+@pytest.fixture(scope="module")
+def read(html: str) -> Page:
+    return Page(html)
+
+
+def test_all_files_are_there_and_nothing_else(written: dict[str, Path]) -> None:
+    assert list(written) == list(NAMES)
+    folder = written["report.html"].parent
+    assert sorted(path.name for path in folder.iterdir()) == sorted(NAMES)
+    assert written["report.png"].read_bytes().startswith(b"\x89PNG")
+    assert b"<svg" in written["report.svg"].read_bytes()
+
+
+def test_json_is_the_border_contract(written: dict[str, Path], analysis: Analysis) -> None:
+    assert json.loads(written["report.json"].read_text()) == json.loads(json.dumps(report_json(analysis)))
+
+
+def test_the_page_loads_nothing(html: str, read: Page) -> None:
+    assert not {"script", "link", "img", "iframe", "object", "embed", "image"} & set(read.tags)
+    for tag, name, value in read.attributes:
+        if name in ("href", "xlink:href", "src", "srcset", "action", "data"):
+            followed = tag == "a" and name == "href" and value.startswith(("http://", "https://"))
+            assert followed or value.startswith("#"), f"<{tag} {name}={value!r}>"
+        assert not name.startswith("on")
+    assert "@import" not in html
+    assert not re.search(r"url\((?!#)", html)
+
+
+def test_identifiers_are_unique_and_inner_links_lead_somewhere(read: Page) -> None:
+    assert len(read.ids) == len(set(read.ids))
+    inner = {value[1:] for _, name, value in read.attributes if name.endswith("href") and value.startswith("#")}
+    assert inner <= set(read.ids)
+
+
+def test_headings_descend_in_order_and_pictures_have_words(read: Page) -> None:
+    levels = [int(tag[1]) for tag in read.tags if re.fullmatch(r"h[1-6]", tag)]
+    assert levels[0] == 1
+    assert levels.count(1) == 1
+    assert all(after <= before + 1 for before, after in itertools.pairwise(levels))
+    labels = [value for tag, name, value in read.attributes if tag == "svg" and name == "aria-label"]
+    assert len(labels) == read.tags.count("svg") == 2
+    assert all(len(label) > 40 for label in labels)
+
+
+def test_pictures_take_the_colours_of_the_page(html: str) -> None:
+    drawings = re.findall(r"<svg.*?</svg>", html, flags=re.DOTALL)
+    assert all("var(--ink)" in drawing and INK not in drawing for drawing in drawings)
+    style = html[html.index("<style>") : html.index("</style>")]
+    for variable in set(re.findall(r"var\(--([\w-]+)\)", html)):
+        assert f"--{variable}:" in style, f"--{variable} has no value"
+
+
+def test_every_sweet_spot_is_the_analysis_s(read: Page, analysis: Analysis) -> None:
+    length, spots = analysis.bat.length, analysis.sweet_spots
+    for field, (name, meaning) in SPOT_NAMES.items():
+        place = getattr(spots, field)
+        assert read.row(name) == [name, f"{(length - place) / INCH:.1f}", f"{100 * place:.1f}", meaning]
+    assert spots.zone is not None
+    near, far = ((length - place) / INCH for place in spots.zone)
+    start, end = (100 * place for place in spots.zone)
+    assert read.row("sweet zone")[1:3] == [f"{far:.1f} to {near:.1f}", f"{start:.1f} to {end:.1f}"]
+
+
+def test_other_numbers_are_the_analysis_s(read: Page, analysis: Analysis) -> None:
+    assert read.row("weight")[2] == f"{1e3 * analysis.body.mass:.0f} g"
+    first = analysis.modes.of_family("bending")[0]
+    assert read.row("bending 1")[1] == f"{analysis.modes.frequency[first]:.0f}"
+    speed = exit_speed_of(analysis.best, analysis.conditions)
+    assert read.row("exit speed") == ["exit speed", f"{speed / MPH:.1f} mph", f"{speed:.1f} m/s"]
+    costs = [f"\N{MINUS SIGN}{cost / MPH:.1f} mph" for cost in miss_cost(analysis.scan, 2 * INCH)]
+    assert read.row("2 in") == ["2 in", *costs]
+    assert read.row("pitch")[1] == "90.0 mph"
+
+
+def test_constants_and_sources_are_listed(read: Page, analysis: Analysis) -> None:
+    records = used_records(analysis)
+    assert [heading.partition(":")[0] for heading in records] == ["bat", "material", "ball"]
+    assert set(sources_of(records)) <= set(keys())
+    for key in sources_of(records):
+        assert f"source-{key}" in read.ids
+    modulus = next(record for record in records["material: white ash"] if record.name.endswith("longitudinal_modulus"))
+    assert read.row("longitudinal modulus")[1] == f"{modulus.value} ± {modulus.spread}"
+
+
+def test_published_rows_show_known_misses_and_nothing_fitted(read: Page) -> None:
+    found = chosen()
+    assert found
+    assert {result.evidence for result in found} == {"prediction about bats"}
+    from sweetspot.validation import sources
+
+    known = [row.name for case in sources() for row in case.rows if row.expected_miss and _predicts(row)]
+    assert len(known) >= 3
+    assert [result.name for result in found if result.expected_miss] == known
+    for result in found:
+        assert read.row(result.quantity)[4] == result.status
+
+
+def test_odd_names_are_escaped(analysis: Analysis, tmp_path: Path) -> None:
+    odd = replace(analysis, bat=analysis.bat.replaced(name=ODD_NAME))
+    path, *_ = write_report(odd, tmp_path)
+    text = path.read_text(encoding="utf-8")
+    assert "<script" not in text
+    read = Page(text)
+    assert ODD_NAME in read.text
+    assert "script" not in read.tags
+
+
+def test_other_bats_are_described_as_what_they_are(analysis: Analysis) -> None:
+    bat = analysis.bat
+    assert bat_records(bat.cupped(diameter=0.03, depth=0.02)) == bat_records(bat) != []
+    corked = replace(analysis, bat=bat.cupped(diameter=0.03, depth=0.02))
+    assert any("before it was changed" in words for words in own_values(corked))
+    lighter = bat.material.replaced(name="my own wood", density=600.0)
+    own = replace(analysis, bat=bat.replaced(name="mine", material=lighter))
+    assert {words.split(":")[0] for words in own_values(own)} == {
+        "Sizes and weight of mine", "The material my own wood is not in the catalogue."
+    }  # fmt: skip
+    changed = replace(analysis, bat=bat.replaced(material=bat.material.replaced(damping_ratio=0.01)))
+    assert any("damping ratio of the material white ash" in words for words in own_values(changed))
+    assert shown([["1 in", "2 in"]] * 9).count("2 in") == 6
+
+
+def test_a_bat_with_no_zone_and_the_end_close_by(cone: Bat, tmp_path: Path) -> None:
+    found = analyse(cone, standard_conditions(cone))
+    found = replace(found, sweet_spots=replace(found.sweet_spots, zone=None, max_exit_speed=cone.length - 0.03))
+    scan = replace(found.scan, exit_speed=np.where(found.scan.position == found.scan.position[-6], 60.0, 40.0))
+    read = Page(write_report(replace(found, scan=scan), tmp_path)[0].read_text(encoding="utf-8"))
+    assert read.row("sweet zone")[1] == "none"
+    assert read.row("3 in")[2] == "off the bat"
+
+
+def test_a_file_in_the_way_is_refused_and_left_alone(analysis: Analysis, tmp_path: Path) -> None:
+    taken = tmp_path / "taken"
+    taken.write_text("mine")
+    for folder in (taken, taken / "below"):
+        with pytest.raises(InputError, match="is not a folder"):
+            check_folder(folder)
+        with pytest.raises(InputError, match="is not a folder"):
+            write_report(analysis, folder)
+    assert taken.read_text() == "mine"
+    assert list(tmp_path.iterdir()) == [taken]
+
+
+def test_a_folder_where_a_file_would_go_is_refused(analysis: Analysis, tmp_path: Path) -> None:
+    (tmp_path / "report.svg").mkdir()
+    with pytest.raises(InputError, match=r"report\.svg is a folder"):
+        write_report(analysis, tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == ["report.svg"]
+
+
+def test_no_permission_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("os.access", lambda *_: False)
+    with pytest.raises(InputError, match="no permission"):
+        check_folder(tmp_path / "new")
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_full_disk_leaves_nothing(analysis: Analysis, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    write = Path.write_bytes
+
+    def full(path: Path, content: bytes) -> int:
+        if ".json" in path.name:
+            raise OSError(28, "No space left on device")
+        return write(path, content)
+
+    monkeypatch.setattr(Path, "write_bytes", full)
+    with pytest.raises(InputError, match=r"report\.json cannot be written: no space left"):
+        write_report(analysis, tmp_path / "a" / "b")
+    assert not list(tmp_path.iterdir())
+
+
+def test_an_unmakeable_folder_is_refused(analysis: Analysis, tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="cannot be made"):
+        write_report(analysis, tmp_path / "a" / ("x" * 300))
+    assert not list(tmp_path.iterdir())
+
+
+def test_an_old_report_is_replaced(analysis: Analysis, tmp_path: Path) -> None:
+    for name in NAMES:
+        (tmp_path / name).write_text("old")
+    for path in write_report(analysis, tmp_path):
+        assert path.stat().st_size > 1000
+    assert len(list(tmp_path.iterdir())) == len(NAMES)
+
+
+def test_a_held_bat_is_not_called_free(analysis: Analysis) -> None:
+    from sweetspot.motion.swing import Hands
+    from sweetspot.report.bat.sections import assumptions, conditions
+
+    held = analysis.conditions.replaced(hands=Hands(position=0.15, mass=0.3, stiffness=2e4, damping=100.0))
+    gripped = analyse(analysis.bat, held)
+    assert "The bat is free" in assumptions(analysis)
+    assert "The bat is free" not in assumptions(gripped)
+    assert "mass, spring and damper" in conditions(gripped)
