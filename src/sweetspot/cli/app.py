@@ -279,3 +279,6 @@ app.command(fly)
 from sweetspot.cli.fit_player_command import fit_player  # noqa: E402
 
 app.command(fit_player)
+from sweetspot.cli.tap_command import tap  # noqa: E402
+
+app.command(tap)

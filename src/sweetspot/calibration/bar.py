@@ -1,0 +1,138 @@
+"""A uniform bar of rectangular section: Young's modulus from the tones of a tap.
+
+E = (m_n^-4) 48 pi^2 rho L^4 f_n^2 / t^2 (1 + r (F1 + s (E/G) F2)) with r = t^2 / (12 L^2), F1 = theta^2 + 6 theta,
+F2 = theta^2 - 2 theta, theta = m |tan(m/2)|, s = 6/5: Goens' solution of the Timoshenko beam without its smallest term
+[goens1931]. For n = 1 and E/G = 2 it is the formula that ASTM E1876 gives for slender bars,
+E = 0.9465 (m f^2 / b) (L / t)^3 (1 + 6.585 (t / L)^2) [astm_e1876].
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import least_squares
+
+from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.naming import NamedTone
+from sweetspot.errors import InputError
+from sweetspot.numerics.arrays import Array
+
+ROOTS = (4.730040745, 7.853204624, 10.995607838, 14.137165491, 17.278759657)
+"""m_n, of cos m cosh m = 1."""
+SHEAR_SHAPE = 1.2
+"""s = 6/5 of a rectangle."""
+MODULUS_RATIO = Measured(math.log(6.0), 0.8)
+"""ln(E / G) before the tones say more: 2.6 of metals to about 20 of softwood, both within 1.4 sigma (assumed)."""
+RATIO_TRUST = 0.005
+"""One sigma of ln E that a higher tone deserves beside its frequency's error: Goens' formula and an even section."""
+STEP = 0.1
+"""Of a standard error, in the derivatives."""
+THICKEST = 0.2
+"""Of the length; a thicker bar is no beam."""
+
+
+@dataclass(frozen=True)
+class Bar:
+    """A bar with rectangular section, m and kg; it is tapped across its thickness."""
+
+    length: Measured
+    width: Measured
+    thickness: Measured
+    mass: Measured
+
+    def __post_init__(self) -> None:
+        sizes = (self.length, self.width, self.thickness, self.mass)
+        if min(one.value for one in sizes) <= 0:
+            raise InputError("a bar's length, width, thickness and mass must be more than 0")
+        if self.thickness.value > THICKEST * self.length.value:
+            raise InputError(
+                f"the bar is {1e3 * self.thickness.value:.4g} mm thick and {1e3 * self.length.value:.4g} mm long; "
+                f"allowed is a thickness up to {THICKEST:g} of the length: give length x width x thickness"
+            )
+
+
+@dataclass(frozen=True)
+class BarModulus:
+    """Elastic constants of a bar.
+
+    Parameters
+    ----------
+    density : kg/m^3.
+    modulus : Young's modulus E along the bar, Pa.
+    modulus_ratio : E / G; hardly known from the first tone of a thin bar.
+    budget : part of the variance of E that each source causes, adding up to 1.
+    """
+
+    density: Measured
+    modulus: Measured
+    modulus_ratio: Measured
+    budget: dict[str, float]
+
+
+def bar_modulus(bar: Bar, tones: Sequence[NamedTone]) -> BarModulus:
+    """Return E of a bar from its bending tones, with the error that sizes, weight and tones leave.
+
+    Raises
+    ------
+    InputError
+        when no tone is a bending mode.
+    """
+    heard = [(one.name.harmonic - 1, one.tone.frequency) for one in tones if one.name and one.name.family == "bending"]
+    if not heard:
+        raise InputError("none of the tones is a bending mode of a bar; tap it in the middle, held at its nodes")
+    sizes = {"length": bar.length, "width": bar.width, "thickness": bar.thickness, "mass": bar.mass}
+    sources = {**sizes, **{f"bending {mode + 1}": tone for mode, tone in heard}, "E/G": MODULUS_RATIO}
+    given = np.array([one.value for one in sources.values()])
+    centre = _solved(given, heard)
+    errors = np.array([one.error for one in sources.values()])
+    steps = STEP * errors
+    moved = [(_solved(given + step, heard) - centre) / STEP for step in np.diag(steps)]
+    effects = np.array(moved)  # of one sigma of every source on ln E and ln E/G
+    shares = effects[:, 0] ** 2
+    modulus, ratio = np.exp(centre)
+    deviations = np.sqrt(np.sum(effects**2, axis=0))
+    density = bar.mass.value / (bar.length.value * bar.width.value * bar.thickness.value)
+    return BarModulus(
+        Measured(density, density * math.sqrt(sum(one.relative**2 for one in sizes.values()))),
+        Measured(float(modulus), float(modulus * deviations[0])),
+        Measured(float(ratio), float(ratio * deviations[1])),
+        {name: float(share / shares.sum()) for name, share in zip(sources, shares, strict=True)},
+    )
+
+
+def _solved(given: Array, heard: Sequence[tuple[int, Measured]]) -> Array:
+    """Return ln E and ln E/G by least squares for sizes, weight, frequencies and expected ln E/G in this order."""
+    length, width, thickness, mass = given[:4]
+    tones, expected = given[4:-1], given[-1]
+    density = mass / (length * width * thickness)
+
+    def misses(unknowns: Array) -> Array:
+        found = []
+        for (mode, measured), tone in zip(heard, tones, strict=True):
+            factor = frequency_factor(mode, slenderness=thickness / length, modulus_ratio=math.exp(unknowns[1]))
+            modulus = 48 * math.pi**2 * density * length**4 * tone**2 / thickness**2 / ROOTS[mode] ** 4 * factor
+            found.append(
+                (math.log(modulus) - unknowns[0]) / math.hypot(2 * measured.relative, RATIO_TRUST * (mode > 0))
+            )
+        return np.array([*found, (unknowns[1] - expected) / MODULUS_RATIO.error])
+
+    return np.asarray(least_squares(misses, [math.log(1e10), expected], method="lm").x)
+
+
+def frequency_factor(mode: int, *, slenderness: float, modulus_ratio: float) -> float:
+    """Return 1 + r (F1 + s (E/G) F2): by how much shear and rotation make E larger than Euler's beam says.
+
+    Parameters
+    ----------
+    mode : 0, 1, ...
+    slenderness : t / L.
+
+    >>> round(frequency_factor(0, slenderness=0.05, modulus_ratio=2.0), 4)  # ASTM E1876: 1 + 6.585 x 0.05^2
+    1.0165
+    """
+    theta = ROOTS[mode] * abs(math.tan(ROOTS[mode] / 2))
+    bending, shear = theta**2 + 6 * theta, theta**2 - 2 * theta
+    return 1 + slenderness**2 / 12 * (bending + SHEAR_SHAPE * modulus_ratio * shear)

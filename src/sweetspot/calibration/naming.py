@@ -1,0 +1,191 @@
+"""Which mode makes which tone: by the ratios of the frequencies, and by the place of the tap.
+
+The modes of a family are known up to one stiffness, which scales all its frequencies alike. Every tone is tried as
+every mode; the best scale is the one that leaves the least unexplained: tones off their mode, loud tones without a
+mode, and modes that the tap must have excited without a tone. A mode with a node at the place of the tap may be silent,
+so a bat tapped at the node of mode 1 is not named one mode too low.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from sweetspot.calibration.ring import Tone
+from sweetspot.dynamics.modes import Family, Modes
+from sweetspot.numerics.arrays import Array
+
+STIFFNESS_SPREAD = 0.12
+"""One sigma of the logarithm of a family's scale (assumed): 25 % of the modulus, and a few per cent of the outline."""
+RATIO_SPREAD = 0.03
+"""One sigma of a frequency's logarithm against its family's scale (assumed): outline and shear are not exact."""
+FARTHEST = 3.0
+"""A tone whose logarithm is more ratio spreads away from a mode is not it."""
+SILENT = 0.15
+"""Part of its greatest excitation below which a mode need not be heard."""
+UNHEARD, UNEXPLAINED = 6.0, 3.0
+"""What a mode without a tone and a loud tone without a mode cost, in units of chi squared."""
+LOUD = 0.1
+"""Level of a tone that wants to be explained."""
+UNIFORM = (1.0, 2.7565, 5.4039, 8.9330, 13.3443)
+"""Frequencies of a slender uniform free bar over its first: squares of 4.7300, 7.8532, ... (cos x cosh x = 1)."""
+ANY_BAT = (175.0, 580.0, 1180.0, 1900.0)
+"""Hz, bending modes of bats: f2 / f1 is 2.8 to 3.7 and f3 / f1 5.4 to 7.9 over the catalogue's bats."""
+ANY_SPREAD, ANY_RATIO_SPREAD = 0.25, 0.09
+"""One sigma of the logarithms of their common scale and of each."""
+
+
+@dataclass(frozen=True)
+class ModeName:
+    """Family and number of a mode."""
+
+    family: Family
+    harmonic: int
+
+    def __str__(self) -> str:
+        return f"hoop n = {self.harmonic}" if self.family == "hoop" else f"{self.family} {self.harmonic}"
+
+
+@dataclass(frozen=True)
+class Expected:
+    """What a family of modes is expected to sound like.
+
+    Parameters
+    ----------
+    names, frequency : of the modes, Hz, increasing.
+    excitation : how strongly the tap moves each, over its greatest; 1 where the place is not known.
+    spread : one sigma of the logarithm of the common scale; infinite where no frequency is expected.
+    ratio_spread : one sigma of every frequency's logarithm against the scale.
+    """
+
+    names: tuple[ModeName, ...]
+    frequency: Array
+    excitation: Array
+    spread: float
+    ratio_spread: float = RATIO_SPREAD
+
+
+@dataclass(frozen=True)
+class NamedTone:
+    """A tone and the mode that makes it, if any is known.
+
+    Parameters
+    ----------
+    tone : as measured.
+    name : None where no mode explains it.
+    expected : Hz, of the mode as described; None where there is none.
+    """
+
+    tone: Tone
+    name: ModeName | None
+    expected: float | None
+
+
+def expected_of(modes: Modes, family: Family, *, positions: Sequence[float]) -> Expected:
+    """Return what a family of modes sounds like, tapped at places in m (none: anywhere)."""
+    chosen = modes.of_family(family)
+    shapes = np.abs(modes.shape_at(np.linspace(0, modes.shapes.x[-1], 201))[:, chosen])
+    excitation = np.ones(len(chosen))
+    if positions:
+        excitation = np.abs(modes.shape_at(np.array(positions))[:, chosen]).max(axis=0) / shapes.max(axis=0)
+    names = tuple(ModeName(family, modes.harmonics[index]) for index in chosen)
+    return Expected(names, modes.frequency[chosen], excitation, STIFFNESS_SPREAD)
+
+
+def uniform_bar() -> Expected:
+    """Return the bending modes of a uniform bar, of which only the ratios are known."""
+    return _bending(UNIFORM, math.inf, RATIO_SPREAD)
+
+
+def any_bat() -> Expected:
+    """Return the bending modes of bats in general."""
+    return _bending(ANY_BAT, ANY_SPREAD, ANY_RATIO_SPREAD)
+
+
+def _bending(frequency: Sequence[float], spread: float, ratio_spread: float) -> Expected:
+    names = tuple(ModeName("bending", number + 1) for number in range(len(frequency)))
+    return Expected(names, np.array(frequency), np.ones(len(frequency)), spread, ratio_spread)
+
+
+def named(tones: Sequence[Tone], families: Sequence[Expected]) -> tuple[NamedTone, ...]:
+    """Return the tones with their modes: the assignment of all families together that leaves the least unexplained."""
+    _, modes = _least(tones, frozenset(range(len(tones))), tuple(families), 0.0)
+    result = []
+    for index, tone in enumerate(tones):
+        if index not in modes:
+            result.append(NamedTone(tone, None, None))
+            continue
+        family, mode = modes[index]
+        expected = float(family.frequency[mode]) if math.isfinite(family.spread) else None
+        result.append(NamedTone(tone, family.names[mode], expected))
+    return tuple(result)
+
+
+Assignment = dict[int, tuple[Expected, int]]
+
+
+def _least(
+    tones: Sequence[Tone], free: frozenset[int], families: tuple[Expected, ...], top: float
+) -> tuple[float, Assignment]:
+    """Return the least cost, and {tone: (family, mode)}, of naming the free tones after these families.
+
+    ``top`` is the highest frequency in Hz that the families before could explain.
+    """
+    if not families:
+        loud = (tones[index] for index in free if tones[index].level > LOUD)
+        return UNEXPLAINED * sum(tone.frequency.value < top for tone in loud), {}
+    family, rest = families[0], families[1:]
+    scales = {
+        round(math.log(tones[index].frequency.value / frequency), 3) for index in free for frequency in family.frequency
+    }
+    tried: dict[frozenset[tuple[int, int]], float] = {frozenset(): 0.0}
+    for scale in scales:
+        if abs(scale) < FARTHEST * family.spread:
+            pairs = _pairs(tones, free, family, scale)
+            tried[frozenset(pairs.items())] = _common_scale(tones, family, pairs)
+    best: tuple[float, Assignment] = (math.inf, {})
+    for items, scale in tried.items():
+        cost = _cost(tones, family, scale, dict(items))
+        if cost < best[0]:
+            highest = max(top, family.frequency[-1] * math.exp(scale)) if items else top or math.inf
+            more, others = _least(tones, free - {tone for tone, _ in items}, rest, highest)
+            if cost + more < best[0]:
+                best = cost + more, others | {tone: (family, mode) for tone, mode in items}
+    return best
+
+
+def _pairs(tones: Sequence[Tone], free: frozenset[int], family: Expected, scale: float) -> dict[int, int]:
+    """Return {tone: mode}: for every mode the nearest free tone, of equally near ones the loudest."""
+    pairs: dict[int, int] = {}
+    for mode, frequency in enumerate(family.frequency):
+        off = {index: abs(math.log(tones[index].frequency.value / frequency) - scale) for index in free - set(pairs)}
+        near = [index for index, miss in off.items() if miss < FARTHEST * family.ratio_spread]
+        if near:
+            worth = {
+                index: math.log(tones[index].level) - (off[index] / family.ratio_spread) ** 2 / 2 for index in near
+            }
+            pairs[max(near, key=lambda index: worth[index])] = mode
+    return pairs
+
+
+def _common_scale(tones: Sequence[Tone], family: Expected, pairs: dict[int, int]) -> float:
+    logs = [math.log(tones[tone].frequency.value / family.frequency[mode]) for tone, mode in pairs.items()]
+    pull = (family.ratio_spread / family.spread) ** 2  # of the expected scale
+    return sum(logs) / (len(logs) + pull) if logs else 0.0
+
+
+def _cost(tones: Sequence[Tone], family: Expected, scale: float, pairs: dict[int, int]) -> float:
+    """Return what tones off their mode, and modes that must ring but do not, cost together."""
+    cost = (scale / family.spread) ** 2
+    for tone, mode in pairs.items():
+        miss = math.log(tones[tone].frequency.value / family.frequency[mode]) - scale
+        cost += (miss / family.ratio_spread) ** 2
+    highest = max((tone.frequency.value for tone in tones), default=0.0)
+    unheard = sum(
+        family.excitation[mode] > SILENT and frequency * math.exp(scale) < highest and mode not in pairs.values()
+        for mode, frequency in enumerate(family.frequency)
+    )
+    return cost + UNHEARD * unheard

@@ -1,0 +1,124 @@
+"""Sound files of taps: read, made mono, reduced to the band in which bats ring."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import scipy.signal
+
+from sweetspot.errors import InputError
+from sweetspot.numerics.arrays import Array
+
+LONGEST = 600.0
+"""s of a recording at most."""
+SLOWEST_RATE = 2000.0
+"""Hz; below, even the first mode of a bat is lost."""
+OVERSAMPLING = 2.56
+"""Samples kept per period of the band's upper end."""
+STOPPED = 80.0
+"""dB by which the filter before thinning out lowers what would fold back."""
+
+
+@dataclass(frozen=True)
+class Band:
+    """The frequencies looked at, Hz, 0 < ``low`` < ``high``."""
+
+    low: float
+    high: float
+
+    def __post_init__(self) -> None:
+        if not 0 < self.low < self.high < math.inf:
+            raise InputError(f"the band runs from {self.low:g} to {self.high:g} Hz; allowed is 0 < low < high")
+
+
+BAT_BAND = Band(60.0, 5000.0)
+"""Bending modes of bats begin above 100 Hz, hoop modes end below 5 kHz; below 60 Hz there are steps and mains hum."""
+
+
+@dataclass(frozen=True)
+class Recording:
+    """A sound with one channel.
+
+    Parameters
+    ----------
+    name : of the file.
+    samples : full scale is -1 to 1.
+    rate : samples per s.
+    """
+
+    name: str
+    samples: Array
+    rate: float
+
+    @property
+    def duration(self) -> float:
+        """Length in s."""
+        return len(self.samples) / self.rate
+
+
+def read_recording(path: Path) -> Recording:
+    """Return a sound file (WAV, FLAC, OGG, MP3, AIFF); of several channels the loudest.
+
+    Raises
+    ------
+    InputError
+        when the file is missing, is no sound, is empty, too long, or sampled too slowly.
+    """
+    import soundfile
+
+    try:
+        with soundfile.SoundFile(path) as sound:
+            if sound.frames > LONGEST * sound.samplerate:
+                raise InputError(
+                    f"{path} lasts {sound.frames / sound.samplerate:.0f} s; allowed is up to {LONGEST:g} s. "
+                    "Cut out the taps"
+                )
+            channels, rate = sound.read(dtype="float64", always_2d=True), float(sound.samplerate)
+    except (soundfile.SoundFileError, OSError, RuntimeError) as error:
+        reason = "there is no such file" if not path.exists() else str(error).removeprefix(f"Error opening {path!r}: ")
+        raise InputError(f"{path} cannot be read as a sound: {reason}; record WAV, FLAC, OGG or MP3") from None
+    if rate < SLOWEST_RATE:
+        raise InputError(f"{path} has {rate:g} samples per second; allowed is {SLOWEST_RATE:g} or more")
+    if not len(channels) or not np.isfinite(channels).all():
+        raise InputError(f"{path} holds no sound; record at least one tap")
+    loudest = int(np.argmax(np.var(channels, axis=0)))
+    samples = channels[:, loudest]
+    if not np.ptp(samples):
+        raise InputError(f"{path} is silent; check the microphone")
+    return Recording(path.name, samples, rate)
+
+
+def in_band(recording: Recording, band: Band) -> Recording:
+    """Return the recording without what lies below and above the band, at no more samples than it needs.
+
+    The high-pass is causal, so that nothing of a tap comes before it.
+    """
+    high = min(band.high, 0.45 * recording.rate)
+    if band.low >= high:
+        raise InputError(
+            f"{recording.name} has {recording.rate:g} samples per second and nothing above {high:.0f} Hz; "
+            f"the band begins at {band.low:g} Hz"
+        )
+    factor = max(1, int(recording.rate / (OVERSAMPLING * high)))
+    samples, rate = recording.samples - np.median(recording.samples), recording.rate / factor
+    if factor > 1:  # what folds back lands above the band
+        taps, shape = scipy.signal.kaiserord(STOPPED, 2 * (rate - 2 * high) / recording.rate)
+        lowpass = scipy.signal.firwin(taps | 1, rate / 2, window=("kaiser", shape), fs=recording.rate)
+        samples = np.asarray(scipy.signal.upfirdn(lowpass, samples, 1, factor))[taps // 2 // factor :]
+    highpass = scipy.signal.butter(2, band.low, "highpass", fs=rate, output="sos")
+    return Recording(recording.name, np.asarray(scipy.signal.sosfilt(highpass, samples)), rate)
+
+
+def write_recording(recording: Recording, path: Path) -> None:
+    """Write a recording as a sound file of 24 bit, by the name's ending; louder than full scale is refused."""
+    import soundfile
+
+    if np.abs(recording.samples).max(initial=0.0) >= 1:
+        raise InputError(f"{recording.name} is louder than a sound file can hold; make it quieter")
+    try:
+        soundfile.write(path, recording.samples, round(recording.rate), subtype="PCM_24")
+    except (soundfile.SoundFileError, OSError, RuntimeError, TypeError, ValueError) as error:
+        raise InputError(f"{path} cannot be written as a sound: {error}; write to a name that ends in .wav") from None

@@ -1,0 +1,80 @@
+"""A tap test from its recordings to named tones: the whole way in one call."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from sweetspot.calibration.bar import Bar, BarModulus, bar_modulus
+from sweetspot.calibration.naming import Expected, NamedTone, any_bat, expected_of, named, uniform_bar
+from sweetspot.calibration.recording import BAT_BAND, Band, Recording
+from sweetspot.calibration.ring import tones_of
+from sweetspot.calibration.taps import HELD, Tap, find_taps
+from sweetspot.dynamics.modes import Family, Modes
+from sweetspot.errors import InputError
+
+FAMILIES: tuple[Family, ...] = ("bending", "hoop")
+"""Those that a microphone hears."""
+
+
+@dataclass(frozen=True)
+class TapTest:
+    """What the taps of one implement say.
+
+    Parameters
+    ----------
+    recordings : as read.
+    taps : good and bad, in the order of the recordings.
+    tones : of the good taps together, lowest first.
+    expected : the families of modes that the names were chosen from.
+    bar : elastic constants, where it was a bar that was tapped.
+    """
+
+    recordings: tuple[Recording, ...]
+    taps: tuple[Tap, ...]
+    tones: tuple[NamedTone, ...]
+    expected: tuple[Expected, ...]
+    bar: BarModulus | None = None
+
+    @property
+    def good(self) -> tuple[Tap, ...]:
+        """The taps that were used."""
+        return tuple(tap for tap in self.taps if tap.good)
+
+
+def tap_test(
+    recordings: Sequence[Recording],
+    *,
+    modes: Modes | None = None,
+    positions: Sequence[float] = (),
+    bar: Bar | None = None,
+    band: Band = BAT_BAND,
+    held: float = HELD,
+) -> TapTest:
+    """Find the taps, average the good ones and name their tones.
+
+    Parameters
+    ----------
+    recordings : of one implement.
+    modes : of the free implement as described, for the names; None: of bats in general, or of the bar.
+    positions : m from the knob end, where it was tapped; none: not known.
+    bar : what was tapped, when it is a uniform bar.
+    band : frequencies looked at.
+    held : damping ratio from which on the implement counts as held.
+
+    Raises
+    ------
+    InputError
+        when no tap can be used.
+    """
+    if bar is not None and modes is not None:
+        raise InputError("give either a bar or a bat, and only one of them")
+    taps = tuple(tap for recording in recordings for tap in find_taps(recording, band=band, held=held))
+    if bar is not None:
+        expected = [uniform_bar()]
+    elif modes is None:
+        expected = [any_bat()]
+    else:
+        expected = [expected_of(modes, family, positions=positions) for family in FAMILIES if modes.of_family(family)]
+    tones = named(tones_of(taps), expected)
+    return TapTest(tuple(recordings), taps, tones, tuple(expected), None if bar is None else bar_modulus(bar, tones))

@@ -1,0 +1,188 @@
+"""The taps in a recording: where each begins, whether it can be used, and why not.
+
+A tap is a sudden rise of the sound in the band. It is used when it is not clipped, when no second blow falls into its
+ringing, when the ringing stands out of the noise, and when it lasts as long as that of a freely hung implement. A
+second blow shows as a burst in what linear prediction cannot foresee: a sum of damped sinusoids can be foreseen.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+import numpy as np
+import scipy.linalg
+import scipy.ndimage
+
+from sweetspot.calibration.recording import Band, Recording, in_band
+from sweetspot.calibration.sinusoids import Fit, fit_sinusoids
+from sweetspot.numerics.arrays import Array
+
+FRAME = 0.002
+"""s over which the loudness is taken."""
+RISE = 10.0
+"""dB above everything in the last `QUIET_BEFORE` s, where a tap begins."""
+QUIET_BEFORE = 0.03
+ABOVE_FLOOR = 10.0
+"""dB of a tap's beginning above the quietest tenth of the recording, at least."""
+SETTLE = 0.006
+"""s from the blow to the window: the contact itself and its nearest echoes."""
+WINDOW = 0.5
+"""s of ringing that are used at most."""
+SHORTEST = 0.04
+"""s of ringing at least."""
+FULL_SCALE = 0.999
+"""Two samples this large, or `FLAT` tops of exactly the same height and no rounding, are clipped."""
+FLAT = 3
+NEAR_TOP = 0.05
+"""Of full scale; quieter tops are not looked at for clipping."""
+ORDER = 40
+"""Of the linear prediction."""
+BURST = 8.0
+"""Size of a blow's burst over the rms of what else is not foreseen around it, at least."""
+BURST_SHARE = 0.1
+"""And over the greatest burst."""
+APART = 0.2
+"""s between taps that are meant as two."""
+ONE_BLOW = 0.02
+"""s after the beginning in which all blows are one contact; the window then begins after the last."""
+MEDIAN_TO_RMS = 1.4826
+LARGEST_MISFIT = 0.8
+"""rms of what is no damped sinusoid over that of the sound."""
+HELD = 0.02
+"""Damping ratio of the lowest tone from which on something holds the implement (assumed): freely hung bats have 0.001
+to 0.015, hands damp strongly [russell_bendsweet]."""
+
+HEARD = 0.1
+"""Amplitude over the loudest tone's; the lowest tone that is at least this loud says whether the implement is free."""
+
+
+@dataclass(frozen=True)
+class Tap:
+    """One tap of a recording.
+
+    Parameters
+    ----------
+    recording : its name.
+    start : s from the beginning of the recording.
+    fault : why it is not used; None: it is.
+    fit : of its ringing; None where it was rejected before.
+    """
+
+    recording: str
+    start: float
+    fault: str | None
+    fit: Fit | None
+
+    @property
+    def good(self) -> bool:
+        """Whether it is used."""
+        return self.fault is None
+
+
+def find_taps(recording: Recording, *, band: Band, held: float = HELD) -> tuple[Tap, ...]:
+    """Return all taps of a recording, good and bad.
+
+    Parameters
+    ----------
+    band : frequencies looked at.
+    held : damping ratio of the lowest tone from which on the implement counts as held.
+    """
+    sound = in_band(recording, band)
+    starts = _starts(sound)
+    ends = [*starts[1:], sound.duration]
+    found = [_tap(recording, sound, start, end, band, held) for start, end in zip(starts, ends, strict=True)]
+    for index, (before, after) in enumerate(pairwise(starts)):
+        if after - before < APART:
+            fault = f"doubled: two taps {1e3 * (after - before):.0f} ms apart; let it ring between taps"
+            found[index : index + 2] = [replace(one, fault=one.fault or fault) for one in found[index : index + 2]]
+    return tuple(found)
+
+
+def _starts(sound: Recording) -> list[float]:
+    """Return the times in s at which the sound suddenly rises; a recording may begin within a tap."""
+    frame = max(1, round(FRAME * sound.rate))
+    count = len(sound.samples) // frame
+    if count < 3:
+        return [0.0]
+    power = np.mean(sound.samples[: count * frame].reshape(count, frame) ** 2, axis=1)
+    level = 10 * np.log10(power + 1e-30)
+    floor, before = float(np.quantile(level, 0.1)), round(QUIET_BEFORE / FRAME)
+    starts: list[int] = []
+    for index in range(count):
+        earlier = level[max(0, index - before) : index]
+        rises = not len(earlier) or level[index] > earlier.max() + RISE
+        apart = not starts or index - starts[-1] >= 2
+        if rises and level[index] > floor + ABOVE_FLOOR and level[index] > level.max() - 50 and apart:
+            starts.append(index)
+    merged: list[int] = []
+    for index in starts:  # the rise of one tap may take several frames
+        if not merged or index - merged[-1] > SETTLE / FRAME:
+            merged.append(index)
+    return [index * frame / sound.rate for index in merged] or [0.0]
+
+
+def _tap(recording: Recording, sound: Recording, start: float, end: float, band: Band, held: float) -> Tap:
+    def rejected(fault: str, fit: Fit | None = None) -> Tap:
+        return Tap(recording.name, start, fault, fit)
+
+    raw = recording.samples[int(start * recording.rate) : int(min(end, start + WINDOW) * recording.rate)]
+    if clipped(raw):
+        return rejected("clipped: louder than the recording can hold; tap more softly or lower the level")
+    if end - start < ONE_BLOW + SETTLE + SHORTEST:
+        return rejected(f"too short: only {1e3 * (end - start):.0f} ms of it; let it ring")
+    whole = sound.samples[int(start * sound.rate) : int(min(end, start + WINDOW) * sound.rate)]
+    struck = blows(whole, sound.rate)
+    late = struck[struck > ONE_BLOW]
+    if len(late):
+        return rejected(f"doubled: a second blow {1e3 * late[0]:.0f} ms after the first; let the hammer bounce off")
+    window = whole[int((struck.max(initial=0.0) + SETTLE) * sound.rate) :]
+    fit = fit_sinusoids(window, sound.rate, band=band)
+    if not fit.sinusoids or fit.misfit > LARGEST_MISFIT:
+        return rejected(
+            f"too quiet: {100 * min(fit.misfit, 1):.0f} % of the sound is noise; tap harder or nearer the microphone",
+            fit,
+        )
+    loudest = max(one.amplitude for one in fit.sinusoids)
+    lowest = next(one for one in fit.sinusoids if one.amplitude > HEARD * loudest)
+    ratio = lowest.damping_ratio
+    if ratio.value > held and ratio.low > held / 2:
+        return rejected(
+            f"not free: at {lowest.frequency.value:.0f} Hz the damping is {100 * ratio.value:.1f} %, a freely hung one "
+            f"has less than {100 * held:g} %; hang it from rubber bands and keep hands away",
+            fit,
+        )
+    return Tap(recording.name, start, None, fit)
+
+
+def clipped(samples: Array) -> bool:
+    """Say whether a sound was cut off: at full scale, or again and again at the very same height."""
+    for side in (samples, -samples):
+        top = side.max(initial=0.0)
+        if top < NEAR_TOP:
+            continue
+        at_top = side >= top
+        runs = at_top[1:] & at_top[:-1]
+        if (top >= FULL_SCALE and at_top.sum() > 1) or np.count_nonzero(runs[1:] & ~runs[:-1]) >= FLAT:
+            return True
+    return False
+
+
+def blows(samples: Array, rate: float) -> Array:
+    """Return when in s blows fall into a sound: what the `ORDER` samples before do not let foresee.
+
+    A blow stands out of the 40 ms around it, and counts when it is no less than a tenth of the greatest.
+    """
+    count = len(samples)
+    if count < 4 * ORDER:
+        return np.zeros(0)
+    padded = np.concatenate([np.zeros(ORDER), samples])
+    past = np.lib.stride_tricks.sliding_window_view(padded[:-1], ORDER)
+    ringing = slice(min(int(SETTLE * rate), count // 2), None)
+    normal = past[ringing].T @ past[ringing]
+    normal += 1e-9 * max(np.trace(normal), 1e-300) / ORDER * np.eye(ORDER)
+    weights = scipy.linalg.solve(normal, past[ringing].T @ samples[ringing], assume_a="pos")
+    surprise = np.abs(samples - past @ weights)
+    around = scipy.ndimage.median_filter(surprise, size=2 * int(0.02 * rate) + 1, mode="nearest")
+    bursts = (surprise > BURST * MEDIAN_TO_RMS * around) & (surprise > BURST_SHARE * surprise.max())
+    return np.asarray(np.flatnonzero(bursts) / rate)

@@ -1,0 +1,37 @@
+"""Measured quantities as people write them: ``31.2oz``, ``31.2oz+-0.1oz``, ``3.12 mm ± 0.01``."""
+
+from __future__ import annotations
+
+import re
+
+from sweetspot.calibration.measured import Measured
+from sweetspot.errors import InputError
+from sweetspot.units import NUMBER, Kind, parse
+
+SEPARATOR = re.compile(r"\s*(?:±|\+/-|\+-)\s*")
+DECIMALS = re.compile(r"^\s*[-+]?\d*(?:\.(\d+))?\s*(.*)$")
+
+
+def parse_measured(text: str, kind: Kind, what: str = "value") -> Measured:
+    """Return a quantity and its standard error in SI.
+
+    The error is the part after ``±`` (or ``+-``), with the quantity's unit unless it has its own; without it one unit
+    of the last digit written.
+
+    >>> parse_measured("2.5kg", "mass"), parse_measured("2.5 kg ± 20g", "mass"), parse_measured("2.5kg+-0.2", "mass")
+    (Measured(value=2.5, error=0.1), Measured(value=2.5, error=0.02), Measured(value=2.5, error=0.2))
+    """
+    parts = SEPARATOR.split(text, maxsplit=1)
+    value = parse(parts[0], kind, what)
+    match = DECIMALS.match(parts[0])
+    unit = match[2] if match else ""
+    if len(parts) == 2:
+        written = f"{parts[1]} {unit}" if NUMBER.match(parts[1]) and kind != "ratio" else parts[1]
+        error = parse(written, kind, f"the error of {what}")
+    elif match is None or "/" in unit.split(" ")[0]:
+        raise InputError(f"{what} was given as {text!r}; say how sure it is, as in '33.5in ± 0.1in'")
+    else:
+        error = parse(f"{10.0 ** -len(match[1] or '')!r} {unit}", kind, what)
+    if not error > 0:
+        raise InputError(f"the error of {what} was given as {parts[-1]!r}; allowed is more than 0")
+    return Measured(value, error)

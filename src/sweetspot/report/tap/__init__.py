@@ -1,0 +1,1 @@
+"""A tap test as words, tables, JSON and picture."""

@@ -1,0 +1,120 @@
+"""One picture of a tap test: the recording with its taps, the spectrum with its modes, and the decay of each."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from sweetspot.calibration.naming import NamedTone
+from sweetspot.calibration.sinusoids import Fit
+from sweetspot.calibration.tap_test import TapTest
+from sweetspot.report.pictures.style import (
+    BLUE,
+    GREEN,
+    HUGE,
+    INK,
+    MUTED,
+    ORANGE,
+    PURPLE,
+    RED,
+    SKY,
+    SMALL,
+    axes_in_inches,
+    halo,
+    heading,
+    light_grid,
+    styled,
+)
+
+WIDTH, HEIGHT, SIDE, HEADER = 8.0, 7.6, 0.75, 0.95
+"""Inches of paper."""
+COLOURS = (RED, BLUE, GREEN, PURPLE, ORANGE, SKY)
+POINTS = 4000
+"""Of a waveform, at most."""
+SHOWN = 4
+"""Tones whose decay is drawn, the lowest."""
+
+
+@styled
+def tap_figure(test: TapTest, title: str) -> Figure:
+    """Return the figure of a tap test; spectrum and decay are those of the first good tap."""
+    figure = Figure(figsize=(WIDTH, HEIGHT))
+    figure.text(SIDE / WIDTH, 1 - 0.45 / HEIGHT, title, size=HUGE, weight="bold", parse_math=False)
+    across = WIDTH - 1.5 * SIDE
+    _waveform(axes_in_inches(figure, left=SIDE, top=HEADER, width=across, height=1.2), test)
+    fit = next(tap.fit for tap in test.taps if tap.good and tap.fit is not None)
+    spectrum = axes_in_inches(figure, left=SIDE, top=HEADER + 1.9, width=across, height=2.2)
+    _spectrum(spectrum, test, fit)
+    _decay(axes_in_inches(figure, left=SIDE, top=HEADER + 4.9, width=across, height=1.3), test, fit)
+    return figure
+
+
+def _waveform(axes: Axes, test: TapTest) -> None:
+    """Draw the recording with the first good tap, and where its taps begin."""
+    name = next(tap.recording for tap in test.taps if tap.good)
+    recording = next(one for one in test.recordings if one.name == name)
+    heading(axes, "The recording", "green: taps that were used; orange: not used")
+    size = max(1, len(recording.samples) // POINTS)
+    pieces = recording.samples[: len(recording.samples) // size * size].reshape(-1, size)
+    time = np.arange(len(pieces)) * size / recording.rate
+    axes.fill_between(time, pieces.min(axis=1), pieces.max(axis=1), color=MUTED, linewidth=0.3)
+    for tap in test.taps:
+        if tap.recording == name:
+            axes.axvline(tap.start, color=GREEN if tap.good else ORANGE, linewidth=1.2)
+    axes.set_xlim(0, recording.duration)
+    axes.set_xlabel("s")
+
+
+def _spectrum(axes: Axes, test: TapTest, fit: Fit) -> None:
+    heading(axes, "What rings", "dashed: the modes as described; words: the tones found")
+    size = 4 * len(fit.samples)
+    power = np.abs(np.fft.rfft(fit.samples, size)) ** 2
+    frequency = np.fft.rfftfreq(size, 1 / fit.rate)
+    level = 10 * np.log10(power / power.max() + 1e-12)
+    axes.plot(frequency, level, color=INK, linewidth=0.7)
+    for family in test.expected:
+        if np.isfinite(family.spread):
+            for mode in family.frequency:
+                axes.axvline(mode, color=MUTED, linewidth=0.7, linestyle=(0, (3, 3)), zorder=0)
+    for one, colour in _coloured(test):
+        tone = one.tone.frequency.value
+        words = f"{one.name}\n{tone:.1f} Hz" if one.name else f"{tone:.0f} Hz"
+        height = float(np.interp(tone, frequency, level))
+        axes.annotate(
+            words, (tone, height), xytext=(0, 4), textcoords="offset points", ha="center", va="bottom", size=SMALL - 1,
+            color=colour, path_effects=halo(), parse_math=False,
+        )  # fmt: skip
+    highest = max(one.tone.frequency.value for one in test.tones)
+    axes.set_xlim(0, 1.15 * highest)
+    axes.set_ylim(-75, 18)
+    axes.set_ylabel("dB")
+    axes.set_xlabel("Hz")
+    light_grid(axes)
+
+
+def _decay(axes: Axes, test: TapTest, fit: Fit) -> None:
+    """Draw each named tone's amplitude as it decays: heard (line) and fitted (dashes)."""
+    heading(axes, "How long it rings", "amplitude of each named tone, heard (line) and fitted (dashes)")
+    time = np.arange(len(fit.samples)) / fit.rate
+    for one, colour in [entry for entry in _coloured(test) if entry[0].name][:SHOWN]:
+        tone, ratio = one.tone.frequency.value, one.tone.damping_ratio.value
+        mine = min(fit.sinusoids, key=lambda found, tone=tone: abs(found.frequency.value - tone))  # type: ignore[misc]
+        width = max(int(0.008 * fit.rate), int(4 * fit.rate / tone))
+        turning = fit.samples * np.exp(-2j * np.pi * tone * time)
+        heard = 2 * np.abs(np.convolve(turning, np.hanning(width + 2) / np.hanning(width + 2).sum(), "same"))
+        axes.semilogy(time[width:-width], heard[width:-width], color=colour, linewidth=0.9, label=str(one.name))
+        fitted = mine.amplitude * np.exp(-2 * np.pi * tone * ratio * time)
+        axes.semilogy(time, fitted, color=colour, linewidth=0.9, linestyle=(0, (4, 3)))
+    top = max(one.amplitude for one in fit.sinusoids)
+    axes.set_ylim(1e-3 * top, 2 * top)
+    axes.set_xlim(0, time[-1])
+    axes.set_xlabel("s after the tap")
+    axes.legend(loc="upper right", fontsize=SMALL - 1, frameon=False, ncols=3)
+    light_grid(axes)
+
+
+def _coloured(test: TapTest) -> list[tuple[NamedTone, str]]:
+    """Return every tone with a colour, unnamed ones in grey."""
+    colours = iter(COLOURS * len(test.tones))
+    return [(one, next(colours) if one.name else MUTED) for one in test.tones]

@@ -1,0 +1,76 @@
+"""Sound files: read as they are, and refused with one clear message."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from sweetspot.calibration.recording import BAT_BAND, Band, Recording, in_band, read_recording, write_recording
+from sweetspot.errors import InputError
+
+
+def tone(frequency: float, rate: float, seconds: float = 0.5) -> Recording:
+    return Recording("tone", 0.5 * np.sin(2 * np.pi * frequency * np.arange(round(seconds * rate)) / rate), rate)
+
+
+@pytest.mark.parametrize("ending", ["wav", "flac", "aiff"])
+def test_what_is_written_is_read_again(tmp_path: Path, ending: str) -> None:
+    path = tmp_path / f"tone.{ending}"
+    write_recording(tone(440, 44100), path)
+    sound = read_recording(path)
+    assert (sound.name, sound.rate, sound.duration) == (f"tone.{ending}", 44100, 0.5)
+    np.testing.assert_allclose(sound.samples, tone(440, 44100).samples, atol=2**-23)
+
+
+def test_of_several_channels_the_loudest(tmp_path: Path) -> None:
+    import soundfile
+
+    loud = tone(300, 8000).samples
+    soundfile.write(tmp_path / "stereo.wav", np.stack([0.1 * loud, loud], axis=1), 8000, subtype="FLOAT")
+    np.testing.assert_allclose(read_recording(tmp_path / "stereo.wav").samples, loud, atol=1e-7)
+
+
+@pytest.mark.parametrize("rate", [11025.0, 48000.0, 384000.0])
+def test_the_band_passes_and_the_rest_does_not(rate: float) -> None:
+    inside = in_band(tone(1000, rate), BAT_BAND)
+    assert np.abs(inside.samples[inside.samples.size // 2 :]).max() == pytest.approx(0.5, rel=0.01)
+    rumble = in_band(tone(10, rate), BAT_BAND)
+    assert np.abs(rumble.samples[rumble.samples.size // 2 :]).max() < 0.02
+
+
+def test_what_lies_above_the_band_does_not_fold_into_it() -> None:
+    """At 12.8 kHz a tone of 8 kHz would fold to 4.8 kHz."""
+    folded = in_band(tone(8000, 384000), BAT_BAND)
+    assert np.abs(folded.samples[1000:-1000]).max() < 0.5e-3
+
+
+def test_the_delay_of_the_filter_is_taken_back() -> None:
+    click = Recording("click", np.zeros(96000), 384000)
+    click.samples[48000] = 1.0
+    thinned = in_band(click, BAT_BAND)
+    assert np.argmax(np.abs(thinned.samples)) / thinned.rate == pytest.approx(0.125, abs=1 / thinned.rate)
+
+
+def test_bad_files_are_refused(tmp_path: Path) -> None:
+    import soundfile
+
+    with pytest.raises(InputError, match="there is no such file"):
+        read_recording(tmp_path / "none.wav")
+    text = tmp_path / "text.wav"
+    text.write_text("no sound", encoding="utf-8")
+    with pytest.raises(InputError, match="cannot be read as a sound"):
+        read_recording(text)
+    for name, samples, rate, message in (
+        ("silent.wav", np.zeros(8000), 8000, "silent"),
+        ("empty.wav", np.zeros(0), 8000, "no sound"),
+        ("slow.wav", np.ones(100), 1000, "samples per second"),
+    ):
+        soundfile.write(tmp_path / name, samples, rate)
+        with pytest.raises(InputError, match=message):
+            read_recording(tmp_path / name)
+    with pytest.raises(InputError, match="louder than a sound file"):
+        write_recording(Recording("loud", np.array([1.5]), 8000), tmp_path / "loud.wav")
+    with pytest.raises(InputError, match="0 < low < high"):
+        Band(500.0, 100.0)

@@ -1,0 +1,62 @@
+"""`sweetspot tap`: a synthetic sound there and back, a bar, and what it refuses."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+Run = Callable[..., tuple[int, str, str]]
+
+
+@pytest.fixture
+def sound(run: Run, tmp_path: Path) -> str:
+    path = tmp_path / "youth.wav"
+    code, _, err = run("tap", "--synthesise", "youth-30", "--at", "1in-from-tip", "--out", str(path))
+    assert (code, "wrote" in err) == (0, True)
+    return str(path)
+
+
+def test_there_and_back(run_json: Callable[..., Any], sound: str, tmp_path: Path) -> None:
+    """Russell's youth bat: 215, 670 and 1252 Hz measured, the catalogue's model within 2 %."""
+    out = tmp_path / "out"
+    found = run_json("tap", sound, "--bat", "youth-30", "--at", "1in-from-tip", "--out", str(out))
+    assert [tap["used"] for tap in found["taps"]] == [True] * 3
+    tones = {(one["family"], one["harmonic"]): one for one in found["tones"]}
+    for harmonic, published in ((1, 215), (2, 670), (3, 1252)):
+        one = tones["bending", harmonic]
+        assert one["frequency_hz"] == pytest.approx(published, rel=0.02)
+        assert one["frequency_low_hz"] < one["expected_hz"] < one["frequency_high_hz"]
+    assert {path.name for path in out.iterdir()} == {"tap.png", "tap.svg", "tap.json"}
+    assert json.loads((out / "tap.json").read_text()) == found
+
+
+def test_a_bar_of_sizes(run: Run, sound: str) -> None:
+    """The sound of a bat taken for a bar's still goes the whole way; its first tone counts as the bar's."""
+    code, out, _ = run("tap", sound, "--bar", "500mm x 40mm x 10mm", "--mass", "0.14kg±1g")
+    assert code == 0
+    assert "3 of 3 taps used" in out
+    assert "700 ± " in out  # kg/m^3: 0.14 kg / (0.5 x 0.04 x 0.01) m^3
+    assert "What the doubt about E comes from: thickness" in out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ([], "no recording was given"),
+        (["none.wav"], "there is no such file"),
+        (["none.wav", "--bar", "1m x 2cm x 1cm"], "needs both --bar and --mass"),
+        (["none.wav", "--at", "1in"], "without --bat"),
+        (["none.wav", "--synthesise", "r161-ash"], "reads none"),
+        (["--synthesise", "r161-ash", "--at", "40in"], "off the bat"),
+        (["--synthesise", "r161-ash", "--out", "x.txt"], "cannot be written as a sound"),
+    ],
+)
+def test_refusals(run: Run, arguments: list[str], message: str) -> None:
+    code, _, err = run("tap", *arguments)
+    assert code == 2
+    assert message in err
+    assert "Traceback" not in err
