@@ -188,4 +188,4 @@ def _cost(tones: Sequence[Tone], family: Expected, scale: float, pairs: dict[int
         family.excitation[mode] > SILENT and frequency * math.exp(scale) < highest and mode not in pairs.values()
         for mode, frequency in enumerate(family.frequency)
     )
-    return cost + UNHEARD * unheard
+    return cost + UNHEARD * int(unheard)
