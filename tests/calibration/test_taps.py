@@ -15,7 +15,7 @@ from sweetspot.calibration.naming import ModeName, NamedTone
 from sweetspot.calibration.recording import BAT_BAND, Recording, read_recording
 from sweetspot.calibration.ring import REPEATABILITY, Tone
 from sweetspot.calibration.synthetic import synthesised, tap_sound
-from sweetspot.calibration.tap_test import tap_test
+from sweetspot.calibration.tap_analysis import tap_test
 from sweetspot.calibration.taps import find_taps
 from sweetspot.calibration.written import parse_measured
 from sweetspot.dynamics.bending import bending_modes

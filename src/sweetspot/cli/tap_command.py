@@ -41,7 +41,7 @@ def tap(
     """Find the taps in sound recordings, reject the bad ones, and name the tones of the good ones."""
     from sweetspot import catalog
     from sweetspot.calibration.recording import read_recording
-    from sweetspot.calibration.tap_test import tap_test
+    from sweetspot.calibration.tap_analysis import tap_test
     from sweetspot.cli.output import print_json, print_rows_csv, print_table
     from sweetspot.report.tap.tap_report import tap_json, tap_table, tone_rows
     from sweetspot.units import parse

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from sweetspot.calibration.naming import NamedTone
 from sweetspot.calibration.sinusoids import Fit
-from sweetspot.calibration.tap_test import TapTest
+from sweetspot.calibration.tap_analysis import TapTest
 from sweetspot.report.pictures.style import (
     BLUE,
     GREEN,

@@ -10,7 +10,7 @@ from rich.text import Text
 from sweetspot.calibration.bar import BarModulus
 from sweetspot.calibration.measured import LEVEL, Measured
 from sweetspot.calibration.naming import NamedTone
-from sweetspot.calibration.tap_test import TapTest
+from sweetspot.calibration.tap_analysis import TapTest
 from sweetspot.report.bat.table import names_table
 from sweetspot.report.json_shapes import cleaned
 
