@@ -1,0 +1,120 @@
+"""One bat, one swing, every answer: the whole chain from description to sweet spots."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Generic
+
+from sweetspot.collision.coupled import hit
+from sweetspot.collision.impact import Impact
+from sweetspot.collision.momentum import exit_speed
+from sweetspot.errors import InputError
+from sweetspot.implement import Implement
+from sweetspot.line import Line
+from sweetspot.reduction import Given, Reduction, Tool_co, reduction
+from sweetspot.rigid import RigidBody
+from sweetspot.scan import Scan, scan
+from sweetspot.sweet_spots import SweetSpots, sweet_spots
+from sweetspot.swing import Conditions, Hands
+from sweetspot.units import shown
+from sweetspot.vibration.hands import check_hands, gripped
+from sweetspot.vibration.modes import Modes
+
+TYPICAL_HAND = {"mass": 0.35, "stiffness": 20e3, "damping": 100.0}
+"""kg, N/m, N s/m per hand; soft defaults, recalled and not read, used only to show that grip hardly matters."""
+
+
+@dataclass(frozen=True)
+class Analysis(Generic[Tool_co]):
+    """Everything computed about one bat under one set of conditions.
+
+    Parameters
+    ----------
+    modes : of the bat as the collision saw it, free or gripped.
+    free : of the bat without hands.
+    """
+
+    bat: Tool_co
+    conditions: Conditions
+    line: Line
+    body: RigidBody
+    modes: Modes
+    free: Modes
+    scan: Scan
+    sweet_spots: SweetSpots
+
+    @property
+    def reduced(self) -> Reduction[Tool_co]:
+        """The bat with its beam, body and free modes."""
+        return Reduction(self.bat, self.line, self.body, self.free)
+
+    @cached_property
+    def best(self) -> Impact:
+        """The hit at the place of greatest exit speed."""
+        return hit_at(self.sweet_spots.max_exit_speed, modes=self.modes, conditions=self.conditions)
+
+    @cached_property
+    def grip_effect(self) -> float:
+        """Relative change of the best hit's exit speed when typical hands hold the bat."""
+        hands = self.conditions.hands
+        typical = Hands(position=hands.position, spacing=hands.spacing, **TYPICAL_HAND)
+        with_grip = hit_at(self.best.position, modes=gripped(self.free, typical), conditions=self.conditions)
+        return exit_speed_of(with_grip, self.conditions) / exit_speed_of(self.best, self.conditions) - 1
+
+
+def analyse(bat: Given, conditions: Conditions) -> Analysis[Given]:
+    """Return the full answer for a bat: reduce it, find its modes, hit it everywhere, read off the sweet spots.
+
+    Hands without mass leave the bat free, which is right for the ball's exit (published: grip
+    does not matter) and an upper bound for the vibration.
+    """
+    return analyse_reduced(reduction(bat, ball=conditions.ball), conditions)
+
+
+def analyse_reduced(reduced: Reduction[Given], conditions: Conditions) -> Analysis[Given]:
+    """Return the full answer for a bat whose modes are known already; see `analyse`."""
+    bat, body, free = reduced.bat, reduced.body, reduced.modes
+    check_conditions(bat, conditions, body=body)
+    modes = gripped(free, conditions.hands)
+    along = scan(bat, body=body, modes=modes, conditions=conditions)
+    spots = sweet_spots(along, body=body, modes=free, conditions=conditions)
+    return Analysis(bat, conditions, reduced.line, body, modes, free, along, spots)
+
+
+def hit_at(position: float, *, modes: Modes, conditions: Conditions, lateral: float = 0.0) -> Impact:
+    """Return the hit at one place (m from the knob end, and across the face) under these conditions."""
+    closing = conditions.pitch.speed + conditions.swing.speed_at(position)
+    return hit(modes, ball=conditions.ball, position=position, lateral=lateral, closing_speed=closing)
+
+
+def exit_speed_of(impact: Impact, conditions: Conditions) -> float:
+    """Return the exit speed in m/s of a hit: q v_ball + (1 + q) v_bat."""
+    bat_speed = conditions.swing.speed_at(impact.position)
+    return exit_speed(impact.collision_efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed)
+
+
+def check_conditions(bat: Implement, conditions: Conditions, *, body: RigidBody) -> None:
+    """Refuse conditions that do not go with the bat: hands or swing off it, a ball that outweighs it."""
+    check_hands(bat, conditions.hands)
+    swing = conditions.swing
+    if swing.measured_at > bat.length + 1e-9:
+        raise InputError(
+            f"bat speed is measured at {shown(swing.measured_at)}, beyond the tip at {shown(bat.length)}; "
+            "give a place on the bat"
+        )
+    if not -1.0 <= swing.pivot < bat.length / 2:
+        raise InputError(
+            f"pivot is {shown(swing.pivot)} from the {bat.grip_end}; allowed is from 1 m behind it to the middle, "
+            f"{shown(bat.length / 2)}"
+        )
+    if conditions.hands.position > bat.length / 2:
+        raise InputError(
+            f"hands are at {shown(conditions.hands.position)}, beyond the middle of the bat at "
+            f"{shown(bat.length / 2)}; hold the handle"
+        )
+    if conditions.ball.mass >= body.mass:
+        raise InputError(
+            f"the ball weighs {conditions.ball.mass:.4g} kg and {bat.name} {body.mass:.4g} kg; "
+            "allowed is a ball lighter than the bat"
+        )

@@ -1,0 +1,332 @@
+"""The bat: its outline, what was drilled into it, and what was measured on it.
+
+Positions are metres from the knob end; the axis figure in the docs fixes origin and directions.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Self
+
+import numpy as np
+from numpy.polynomial import polynomial
+from numpy.typing import ArrayLike, NDArray
+from pydantic import Field, model_validator
+
+from sweetspot.implement import Array, DensityRange, Lump, OfMaterial
+from sweetspot.material import Material
+from sweetspot.section import Section, of_solid, of_walls
+from sweetspot.shell import Shell, Stations, between, check_order
+from sweetspot.thing import NonNegative, Positive, Thing
+
+LENGTH_RANGE = (0.3, 1.3)
+DIAMETER_RANGE = (0.005, 0.12)
+IMPLAUSIBLE = "give it in the file's own unit, for example '2.5 in' or '64 mm'"
+
+
+class Bore(Thing):
+    """A round hole drilled from the barrel end, perhaps filled, perhaps plugged with the bat's wood.
+
+    Parameters
+    ----------
+    diameter, depth : m, > 0; ``depth`` is counted from the tip.
+    fill : material that fills it; None: empty.
+    plug : m of the hole's mouth closed with the bat's own material, less than ``depth``.
+    """
+
+    diameter: Positive
+    depth: Positive
+    fill: Material | None = None
+    plug: NonNegative = 0.0
+
+    @model_validator(mode="after")
+    def _plug_is_shorter_than_the_hole(self) -> Bore:
+        if self.plug >= self.depth:
+            raise ValueError(
+                f"plug is {self.plug:g} m long but the hole only {self.depth:g} m deep; "
+                "shorten the plug or leave the hole out"
+            )
+        return self
+
+
+class Cup(Thing):
+    """A hollow turned into the barrel end: a paraboloid ``depth`` deep and ``diameter`` wide at the rim."""
+
+    diameter: Positive
+    depth: Positive
+
+
+class PointMass(Thing):
+    """A small weight fixed to the bat: ``mass`` in kg at ``position`` in m from the knob end."""
+
+    position: NonNegative
+    mass: Positive
+
+
+class Bat(OfMaterial):
+    """A bat as its maker or owner would describe it; physics functions take it from here.
+
+    Give the outline either as ``profile`` (a round bat made of conical pieces) or as
+    ``linear_density`` (a solid round bat of this material with that mass per length).
+
+    Parameters
+    ----------
+    name, sport, mass, balance_point, moi, moi_axis, choke : as for every `Implement`.
+    length : m, 0.3 to 1.3.
+    material : of the body.
+    profile : (position, diameter) stations in m from 0 to ``length``, positions increasing.
+    linear_density : coefficients c0, c1, c2, ... of c0 + c1 x + c2 x^2 + ... in kg/m, x from the knob end.
+    bores, cup, shell, point_masses : what is drilled, turned, hollowed and added.
+    original : the bat as it was measured, when this one is that bat with something changed.
+
+    Raises
+    ------
+    InputError
+        when sizes are implausible, stations cross, or a hole does not fit into the wood.
+    """
+
+    length: Annotated[float, Field(ge=LENGTH_RANGE[0], le=LENGTH_RANGE[1])]
+    material: Material
+    profile: Stations | None = None
+    linear_density: tuple[float, ...] | None = None
+    bores: tuple[Bore, ...] = ()
+    cup: Cup | None = None
+    shell: Shell | None = None
+    point_masses: tuple[PointMass, ...] = ()
+    original: Bat | None = None
+
+    @model_validator(mode="after")
+    def _holds_together(self) -> Bat:
+        if (self.profile is None) == (self.linear_density is None):
+            raise ValueError("give either a profile or a linear_density, and only one of them")
+        if self.profile is not None:
+            _check_stations(self.profile, self.length, "profile")
+            for position, diameter in self.profile:
+                if not DIAMETER_RANGE[0] <= diameter <= DIAMETER_RANGE[1]:
+                    raise ValueError(
+                        f"profile has diameter {diameter * 1e3:.4g} mm at {position:.4g} m; allowed is "
+                        f"{DIAMETER_RANGE[0] * 1e3:g} to {DIAMETER_RANGE[1] * 1e3:g} mm; {IMPLAUSIBLE}"
+                    )
+        else:
+            self._check_linear_density()
+        self._check_hollows()
+        self._check_places()
+        return self
+
+    def _check_linear_density(self) -> None:
+        if self.shell or self.bores or self.cup:
+            raise ValueError("a linear_density describes a solid bat; shell, bore and cup need a profile")
+        places = np.linspace(0, self.length, 401)
+        diameters = self.diameter_at(places)
+        if not np.all(np.isfinite(diameters)) or diameters.min() < DIAMETER_RANGE[0]:
+            raise ValueError("linear_density must stay well above zero along the whole bat")
+        if diameters.max() > DIAMETER_RANGE[1]:
+            raise ValueError(
+                f"linear_density makes the bat {diameters.max() * 1e3:.0f} mm thick in "
+                f"{self.material.name}; allowed is {DIAMETER_RANGE[1] * 1e3:g} mm"
+            )
+
+    def _check_hollows(self) -> None:
+        if self.shell is not None:
+            self._check_shell(self.shell)
+        for bore in self.bores:
+            self._check_fits(bore.diameter, bore.depth, "bore")
+        if self.cup is not None:
+            self._check_fits(self.cup.diameter, self.cup.depth, "cup", mouth_only=True)
+
+    def _check_shell(self, shell: Shell) -> None:
+        if self.bores or self.cup:
+            raise ValueError("a shell is hollow already; leave out bore and cup")
+        _check_stations(shell.wall, self.length, "shell.wall")
+        sleeve = shell.inner_wall
+        for position in shell.edges():
+            if not 0 <= position <= self.length * (1 + 1e-6):
+                raise ValueError(f"the shell has something at {position:.4g} m, off the bat of {self.length:.4g} m")
+        for position in self.breakpoints():
+            wall, radius = self.wall_at(position), self.diameter_at(position) / 2
+            if not 0 < wall <= radius:
+                raise ValueError(
+                    f"shell wall is {wall * 1e3:.3g} mm at {position:.4g} m where the radius is "
+                    f"{radius * 1e3:.3g} mm; allowed is more than 0 and no more than the radius"
+                )
+            if sleeve is not None and sleeve.wall[0][0] <= position <= sleeve.wall[-1][0]:
+                thickness = between(sleeve.wall, position)
+                if thickness + sleeve.gap > radius - wall:
+                    raise ValueError(
+                        f"inner wall and gap are {(thickness + sleeve.gap) * 1e3:.3g} mm at {position:.4g} m where the "
+                        f"bore of the outer wall is {(radius - wall) * 1e3:.3g} mm in radius; make the sleeve thinner"
+                    )
+
+    def _check_fits(self, diameter: float, depth: float, what: str, *, mouth_only: bool = False) -> None:
+        if depth >= self.length:
+            raise ValueError(
+                f"{what} is {depth:.4g} m deep but the bat only {self.length:.4g} m long; make it shallower"
+            )
+        edges = np.asarray(self.breakpoints())
+        places = edges[edges >= self.length - (0 if mouth_only else depth)]
+        narrowest = float(np.min(self.diameter_at(places)))
+        if diameter >= narrowest:
+            raise ValueError(
+                f"{what} is {diameter * 1e3:.4g} mm wide but the bat there only {narrowest * 1e3:.4g} mm; "
+                "make it narrower or shallower"
+            )
+
+    def _check_places(self) -> None:
+        if self.balance_point is not None and not 0.2 < self.balance_point / self.length < 0.95:
+            raise ValueError(
+                f"balance_point is {self.balance_point:.4g} m from the knob end of a {self.length:.4g} m bat; "
+                "measure it from the knob end"
+            )
+        for weight in self.point_masses:
+            if weight.position > self.length:
+                raise ValueError(f"a point mass sits at {weight.position:.4g} m, beyond the tip at {self.length:.4g} m")
+        if self.choke > self.length / 3:
+            raise ValueError(
+                f"choke is {self.choke:.4g} m; allowed is up to a third of the length, {self.length / 3:.4g} m"
+            )
+
+    def diameter_at(self, position: ArrayLike) -> NDArray[np.float64]:
+        """Return the outer diameter in m at positions in m (array in, array of the same shape out)."""
+        if self.profile is not None:
+            stations, diameters = zip(*self.profile, strict=True)
+            return np.asarray(np.interp(np.asarray(position, float), stations, diameters))
+        assert self.linear_density is not None  # one of the two is given
+        mass_per_length = polynomial.polyval(np.asarray(position, float), self.linear_density)
+        with np.errstate(invalid="ignore"):
+            return np.asarray(np.sqrt(4 * mass_per_length / (math.pi * self.material.density)))
+
+    def width_at(self, position: ArrayLike) -> Array:
+        """Return the diameter: a round bat looks the same from all sides."""
+        return self.diameter_at(position)
+
+    def wall_at(self, position: ArrayLike) -> NDArray[np.float64]:
+        """Return the thickness in m of a hollow bat's outer wall at positions in m; a solid bat has its radius."""
+        if self.shell is None:
+            return self.diameter_at(position) / 2
+        return self.shell.wall_at(np.asarray(position, float))
+
+    def breakpoints(self) -> tuple[float, ...]:
+        """Return the positions, 0 and length included, between which every outline is smooth."""
+        edges = {0.0, self.length}
+        edges.update(position for position, _ in self.profile or ())
+        edges.update(self.shell.edges() if self.shell else ())
+        for bore in self.bores:
+            edges.update((self.length - bore.depth, self.length - bore.plug))
+        if self.cup:
+            edges.add(self.length - self.cup.depth)
+            for bore in self.bores:  # where the wall of the hole comes out of the cup
+                if bore.diameter < self.cup.diameter:
+                    edges.add(self.length - self.cup.depth * (1 - (bore.diameter / self.cup.diameter) ** 2))
+        return tuple(sorted(edges))
+
+    @property
+    def materials(self) -> tuple[Material, ...]:
+        """Its own and those of its fills."""
+        return (self.material, *(bore.fill for bore in self.bores if bore.fill is not None))
+
+    @property
+    def grip_end(self) -> str:
+        """What people call the end that the hand holds."""
+        return "knob end"
+
+    @property
+    def density_range(self) -> DensityRange:
+        """Of its material; a laminate may vary in the same proportion."""
+        material, laminate = self.material, None if self.shell is None else self.shell.laminate
+        usual = material.density if laminate is None else laminate.density
+        light, heavy = material.density_range or (material.density, material.density)
+        return DensityRange(usual, usual * light / material.density, usual * heavy / material.density)
+
+    def as_measured(self) -> Bat:
+        """Return the bat as it was measured, before something was changed."""
+        return self.original or self
+
+    def section_at(self, position: Array, scale: Array) -> Section:
+        """Return the sections at positions in m (not exactly at a jump: there the inner side is taken).
+
+        All walls of a hollow bat, sleeve and handle included, are scaled alike; fills are not.
+        """
+        outer = self.diameter_at(position) / 2
+        if self.shell is not None:
+            return of_walls(self.shell.parts(position, outer, self.material), outer, scale)
+        ends = ((bore, self.length - bore.depth, self.length - bore.plug) for bore in self.bores)
+        inclusions = [
+            (np.where((position > start) & (position <= stop), bore.diameter / 2, 0.0), bore.fill)
+            for bore, start, stop in sorted(ends, key=lambda found: -found[0].diameter)
+        ]
+        void = self._void_radius(position)
+        return of_solid(self.material, outer=outer, void=void, inclusions=inclusions, scale=scale)
+
+    def _void_radius(self, position: Array) -> Array:
+        """Return the radius within which there is nothing at all: in the cup."""
+        if self.cup is None:
+            return np.zeros_like(position)
+        into_cup = 1 - (self.length - position) / self.cup.depth
+        return self.cup.diameter / 2 * np.sqrt(np.maximum(into_cup, 0.0))
+
+    def lumps(self) -> tuple[Lump, ...]:
+        """Return the weights the description itself names: added ones, knob, joint and end cap of a shell."""
+        masses = [Lump(weight.position, weight.mass) for weight in self.point_masses]
+        if self.shell is not None and self.shell.knob_mass:
+            masses.append(Lump(0.0, self.shell.knob_mass))
+        if self.shell is not None and self.shell.joint is not None and self.shell.joint_mass:
+            masses.append(Lump(self.shell.joint, self.shell.joint_mass))
+        if self.shell is not None and self.shell.end_cap_mass:
+            masses.append(Lump(self.length, self.shell.end_cap_mass))
+        return tuple(masses)
+
+    def drilled(self, *, diameter: float, depth: float) -> Self:
+        """Return the bat with an empty hole drilled from the barrel end (m)."""
+        return self._changed(f"{self.name}, drilled", bores=(*self.bores, Bore(diameter=diameter, depth=depth)))
+
+    def corked(self, *, diameter: float, depth: float, fill: Material, plug: float = 0.0) -> Self:
+        """Return the bat with a hole from the barrel end, filled and plugged (m)."""
+        bore = Bore(diameter=diameter, depth=depth, fill=fill, plug=plug)
+        return self._changed(f"{self.name}, filled with {fill.name}", bores=(*self.bores, bore))
+
+    def cupped(self, *, diameter: float, depth: float) -> Self:
+        """Return the bat with a cupped end (m)."""
+        return self._changed(f"{self.name}, cupped", cup=Cup(diameter=diameter, depth=depth))
+
+    def weighted(self, *, position: float, mass: float) -> Self:
+        """Return the bat with a small weight (kg) fixed at a position (m)."""
+        weights = (*self.point_masses, PointMass(position=position, mass=mass))
+        return self._changed(f"{self.name}, weighted", point_masses=weights)
+
+    def reshaped(self, profile: Stations) -> Self:
+        """Return the bat turned to another outline from the same wood: (position, diameter) stations in m.
+
+        The last station sets the new length.
+        """
+        return self._changed(f"{self.name}, reshaped", profile=profile, linear_density=None, length=profile[-1][0])
+
+    def choked_up(self, distance: float) -> Self:
+        """Return the bat held further up the handle by ``distance`` (m)."""
+        return self.replaced(choke=self.choke + distance)
+
+    def with_mass(self, mass: float) -> Self:
+        """Return the same outline in wood of another density, so that the bat weighs ``mass`` (kg).
+
+        A measured balance point or moment of inertia belongs to the old weight and is dropped.
+        """
+        return self.replaced(mass=mass, balance_point=None, moi=None, original=None)
+
+    def with_material(self, material: Material) -> Self:
+        """Return the same outline in another material; what was measured on the old one is dropped."""
+        return self.replaced(material=material, mass=None, balance_point=None, moi=None, original=None)
+
+    def _changed(self, name: str, **changes: object) -> Self:
+        """Return a modified bat that remembers the bat its measured values belong to."""
+        return self.replaced(
+            name=name, mass=None, balance_point=None, moi=None, original=self.original or self, **changes
+        )
+
+
+def _check_stations(stations: Stations, length: float, what: str) -> None:
+    check_order(stations, what)
+    first, last = stations[0][0], stations[-1][0]
+    if abs(first) > 1e-9 or abs(last - length) > 1e-6 * length:
+        raise ValueError(
+            f"{what} runs from {first:.4g} m to {last:.4g} m but the bat from 0 to "
+            f"{length:.4g} m; give a station at each end"
+        )

@@ -1,0 +1,36 @@
+"""Known values: materials, balls and bats, each number with unit, spread, source and kind.
+
+Data live in TOML files beside this module; physics never reads them.
+"""
+
+from sweetspot.catalog.aerodynamics import aerodynamics, aerodynamics_names
+from sweetspot.catalog.balls import ball, ball_names, ball_sport
+from sweetspot.catalog.bats import bat, bat_names, load_bat
+from sweetspot.catalog.deliveries import delivery, delivery_names
+from sweetspot.catalog.implements import implement, implement_names, load_implement
+from sweetspot.catalog.materials import material, material_names
+from sweetspot.catalog.parks import park, park_names, parks
+from sweetspot.catalog.sports import sport, sport_names
+
+__all__ = [
+    "aerodynamics",
+    "aerodynamics_names",
+    "ball",
+    "ball_names",
+    "ball_sport",
+    "bat",
+    "bat_names",
+    "delivery",
+    "delivery_names",
+    "implement",
+    "implement_names",
+    "load_bat",
+    "load_implement",
+    "material",
+    "material_names",
+    "park",
+    "park_names",
+    "parks",
+    "sport",
+    "sport_names",
+]

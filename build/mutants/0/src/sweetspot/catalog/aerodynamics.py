@@ -1,0 +1,42 @@
+"""Coefficients of drag and lift by kind of ball."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from sweetspot.aerodynamics import Aerodynamics
+from sweetspot.catalog.records import canonical, entry, quantity, read_table
+from sweetspot.units import Kind
+
+FILE = "aerodynamics.toml"
+DEFAULT_AERODYNAMICS = "baseball"
+FIELDS: dict[str, Kind] = {
+    "drag": "ratio",
+    "drag_per_spin": "time",
+    "drag_per_spin_factor": "ratio",
+    "lift_scale": "ratio",
+    "lift_offset": "ratio",
+    "lift_slope": "ratio",
+    "lift_exponent": "ratio",
+    "spin_decay_time": "time",
+    "spin_decay_speed": "speed",
+}
+"""What an entry may say, and the kind of quantity."""
+
+
+def aerodynamics_names() -> list[str]:
+    """Return the names of all entries."""
+    return [canonical(name) for name in read_table(FILE)]
+
+
+@cache
+def aerodynamics(name: str = DEFAULT_AERODYNAMICS) -> Aerodynamics:
+    """Return the coefficients of a kind of ball; raises `InputError` with the nearest names for an unknown one.
+
+    >>> round(aerodynamics("baseball").drag_coefficient(0.2, spin=261.8), 4)  # 0.3008 + 0.0292 x 2.5
+    0.3738
+    """
+    _, found = entry(read_table(FILE), name, "aerodynamics")
+    values: dict[str, Any] = {field: quantity(found, field, kind, found["name"]) for field, kind in FIELDS.items()}
+    return Aerodynamics(name=found["name"], **{field: value for field, value in values.items() if value is not None})

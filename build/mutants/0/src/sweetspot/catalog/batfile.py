@@ -1,0 +1,269 @@
+"""The bat file: how people write a bat down in TOML, and what becomes of it."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+from typing import Any, Literal
+
+from pydantic import Field
+
+from sweetspot.bat import Bat, Bore, Cup, PointMass
+from sweetspot.catalog.materials import material
+from sweetspot.catalog.records import unwrapped
+from sweetspot.catalog.tables import FileTable
+from sweetspot.catalog.turned import turned_profile
+from sweetspot.errors import InputError
+from sweetspot.laminate import Laminate, Ply
+from sweetspot.material import Material
+from sweetspot.shell import InnerWall, Shell
+from sweetspot.units import parse
+
+Text = str
+Pairs = tuple[tuple[Text, Text], ...]
+MAX_BYTES = 1_000_000
+
+
+class BoreTable(FileTable):
+    """[[bore]]: a hole drilled from the barrel end."""
+
+    diameter: Text = Field(description="for example '1 in'")
+    depth: Text = Field(description="from the tip, for example '10 in'")
+    fill: str | None = Field(None, description="material of the catalogue that fills it; absent: empty")
+    plug: Text = Field("0 in", description="length of the mouth closed again with the bat's own material")
+
+
+class CupTable(FileTable):
+    """[cup]: a hollow turned into the end of the barrel."""
+
+    diameter: Text
+    depth: Text
+
+
+class PlyTable(FileTable):
+    """One ply of a laminate, [{ material = "carbon ply", angle = "45 deg", thickness = "0.15 mm" }, ...]."""
+
+    material: str = Field(description="name in the catalogue; its longitudinal axis is that of the fibres")
+    angle: Text = Field("0 deg", description="from the bat's axis to the fibres, -90 to 90 deg")
+    thickness: Text = Field(description="only its share counts: plies are scaled to the wall")
+
+
+class InnerWallTable(FileTable):
+    """[shell.inner_wall]: a sleeve inside the barrel."""
+
+    wall: Pairs = Field(description="pairs of position and thickness, from where the sleeve starts to where it stops")
+    material: str | None = Field(None, description="name in the catalogue; absent: the bat's own")
+    laminate: tuple[PlyTable, ...] | None = Field(None, description="plies from the inside outwards")
+    gap: Text = Field("0 mm", description="between the outer wall and the sleeve")
+    bonded: bool = Field(False, description="true: the walls are glued to each other")
+
+
+class ShellTable(FileTable):
+    """[shell]: a hollow bat."""
+
+    wall: Pairs = Field(description="pairs of position from the knob end and wall thickness")
+    laminate: tuple[PlyTable, ...] | None = Field(None, description="plies from the inside outwards")
+    inner_wall: InnerWallTable | None = None
+    handle_material: str | None = Field(None, description="of a two-piece bat; name in the catalogue")
+    joint: Text | None = Field(None, description="where the handle of a two-piece bat ends, from the knob end")
+    joint_mass: Text = "0 oz"
+    end_cap_mass: Text = "0 oz"
+    knob_mass: Text = "0 oz"
+
+
+class PointMassTable(FileTable):
+    """[[point_mass]]: a small weight fixed to the bat."""
+
+    position: Text
+    mass: Text
+
+
+class TurnedTable(FileTable):
+    """[turned]: outline of an ordinary turned bat from the sizes that people know."""
+
+    knob: Text = "2 in"
+    handle: Text
+    barrel: Text
+    taper_start: Text = Field(description="where the handle begins to thicken, from the knob end")
+    taper_end: Text = Field(description="where the barrel is reached, from the knob end")
+
+
+class MaterialTable(FileTable):
+    """[material]: a material of the catalogue with some values of this bat's own."""
+
+    like: str
+    density: Text | None = None
+    longitudinal_modulus: Text | None = None
+    shear_modulus: Text | None = None
+    transverse_modulus: Text | None = None
+    poisson_ratio: float | None = None
+    damping_ratio: float | None = None
+
+
+class BatFile(FileTable):
+    """A bat as written in a TOML file; every size, weight and modulus is a text with its unit."""
+
+    kind: Literal["bat"] = "bat"
+    name: str
+    sport: str = Field("baseball", description="name in the catalogue")
+    length: Text = Field(description="for example '33 in'")
+    material: str | MaterialTable = Field(description="name in the catalogue, or a [material] table")
+    profile: Pairs | None = Field(None, description="pairs of position from the knob end and diameter")
+    turned: TurnedTable | None = None
+    linear_density: tuple[float, ...] | None = Field(
+        None, description="c0, c1, c2, ... of c0 + c1 x + c2 x^2 ... in kg/m with x in m from the knob end"
+    )
+    mass: Text | None = Field(None, description="measured; density is scaled to it")
+    balance_point: Text | None = Field(None, description="measured, from the knob end")
+    moi: Text | None = Field(None, description="measured moment of inertia about moi_axis")
+    moi_axis: Text = Field("6 in", description="axis of moi, from the knob end")
+    bore: tuple[BoreTable, ...] = ()
+    cup: CupTable | None = None
+    shell: ShellTable | None = None
+    point_mass: tuple[PointMassTable, ...] = ()
+    choke: Text = Field("0 in", description="how far the grip is moved up from the knob")
+    original: BatFile | None = Field(None, description="the bat as it was measured, when this one is that bat changed")
+    note: str | None = Field(None, description="anything worth knowing about this bat")
+
+
+def read_bat(path: Path) -> Bat:
+    """Return the bat that a TOML file describes; raises `InputError` that says what is wrong in it."""
+    return bat_from_table(read_toml(path), str(path))
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """Return a TOML file's content; a missing, huge or malformed file is an `InputError`."""
+    try:
+        if path.stat().st_size > MAX_BYTES:
+            raise InputError(f"{path} is larger than {MAX_BYTES // 1_000_000} MB; a bat file has a few lines")
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {(error.strerror or str(error)).lower()}") from None
+    except UnicodeDecodeError:
+        raise InputError(f"{path} is not a text file in UTF-8; a bat file is TOML text") from None
+    except (ValueError, RecursionError) as error:  # wrong TOML, a number of thousands of digits, thousands of brackets
+        raise InputError(f"{path} is not valid TOML: {error}") from None
+
+
+def bat_from_table(table: dict[str, Any], where: str) -> Bat:
+    """Return the bat that a table describes; ``where`` names the file in messages."""
+    if table.get("kind", "bat") != "bat":
+        raise InputError(f"{where} is a {table['kind']}, not a bat; `sweetspot report`, `hit` and `compare` take it")
+    loose = sorted(set(table) & set(ShellTable.model_fields))
+    if loose:
+        raise InputError(
+            f"{where}: {' and '.join(loose)} stand{'s' if len(loose) == 1 else ''} outside [shell]; only a hollow bat "
+            "has a wall, an end cap or a joint: put it into a [shell] table that has a wall"
+        )
+    try:
+        return _bat(BatFile(**{key: unwrapped(value) for key, value in table.items()}))
+    except InputError as error:
+        message = re.sub(r"\b\w*table: ", "", str(error).removeprefix("batfile: ").removeprefix("bat: "))
+        raise InputError(f"{where}: {message}") from None
+
+
+def _bat(file: BatFile) -> Bat:
+    length = parse(file.length, "length", "length")
+    own = _material(file.material)
+    outlines = [name for name in ("profile", "turned", "linear_density") if getattr(file, name) is not None]
+    if len(outlines) != 1:
+        given = " and ".join(outlines) or "none of them"
+        raise InputError(f"the outline is given as {given}; give exactly one of profile, turned, linear_density")
+    profile = _pairs(file.profile, "profile") if file.profile is not None else None
+    if file.turned is not None:
+        sizes = {name: parse(text, "length", f"turned.{name}") for name, text in file.turned.model_dump().items()}
+        profile = turned_profile(length=length, **sizes)
+    return Bat(
+        name=file.name,
+        sport=file.sport,
+        length=length,
+        material=own,
+        profile=profile,
+        linear_density=file.linear_density,
+        bores=tuple(_bore(bore) for bore in file.bore),
+        cup=None if file.cup is None else Cup(**_lengths(file.cup, "cup")),
+        shell=None if file.shell is None else _shell(file.shell, own),
+        point_masses=tuple(
+            PointMass(
+                position=parse(weight.position, "length", "point_mass.position"),
+                mass=parse(weight.mass, "mass", "point_mass.mass"),
+            )
+            for weight in file.point_mass
+        ),
+        mass=None if file.mass is None else parse(file.mass, "mass", "mass"),
+        balance_point=None if file.balance_point is None else parse(file.balance_point, "length", "balance_point"),
+        moi=None if file.moi is None else parse(file.moi, "moi", "moi"),
+        moi_axis=parse(file.moi_axis, "length", "moi_axis"),
+        choke=parse(file.choke, "length", "choke"),
+        original=None if file.original is None else _bat(file.original),
+    )
+
+
+def _pairs(pairs: Pairs, what: str) -> tuple[tuple[float, float], ...]:
+    return tuple(
+        (parse(position, "length", f"{what} position"), parse(size, "length", f"{what} size"))
+        for position, size in pairs
+    )
+
+
+def _lengths(table: FileTable, what: str) -> dict[str, float]:
+    return {name: parse(text, "length", f"{what}.{name}") for name, text in table.model_dump().items()}
+
+
+def _bore(table: BoreTable) -> Bore:
+    sizes = {name: parse(getattr(table, name), "length", f"bore.{name}") for name in ("diameter", "depth", "plug")}
+    return Bore(fill=None if table.fill is None else material(table.fill), **sizes)
+
+
+def _shell(table: ShellTable, own: Material) -> Shell:
+    masses = ("joint_mass", "end_cap_mass", "knob_mass")
+    return Shell(
+        wall=_pairs(table.wall, "shell.wall"),
+        laminate=laminate_of(table.laminate, "shell.laminate"),
+        inner_wall=None if table.inner_wall is None else _inner_wall(table.inner_wall, own),
+        handle_material=None if table.handle_material is None else material(table.handle_material),
+        joint=None if table.joint is None else parse(table.joint, "length", "shell.joint"),
+        **{name: parse(getattr(table, name), "mass", f"shell.{name}") for name in masses},
+    )
+
+
+def _inner_wall(table: InnerWallTable, own: Material) -> InnerWall:
+    return InnerWall(
+        wall=_pairs(table.wall, "shell.inner_wall"),
+        material=own if table.material is None else material(table.material),
+        laminate=laminate_of(table.laminate, "shell.inner_wall.laminate"),
+        gap=parse(table.gap, "length", "shell.inner_wall.gap"),
+        bonded=table.bonded,
+    )
+
+
+def laminate_of(plies: tuple[PlyTable, ...] | None, what: str) -> Laminate | None:
+    if plies is None:
+        return None
+    return Laminate(
+        plies=tuple(
+            Ply(
+                material=material(ply.material),
+                angle=parse(ply.angle, "angle", f"{what} angle"),
+                thickness=parse(ply.thickness, "length", f"{what} thickness"),
+            )
+            for ply in plies
+        )
+    )
+
+
+def _material(given: str | MaterialTable) -> Material:
+    if isinstance(given, str):
+        return material(given)
+    changes: dict[str, Any] = {}
+    if given.density is not None:
+        changes["density"] = parse(given.density, "density", "material.density")
+    for name in ("longitudinal_modulus", "shear_modulus", "transverse_modulus"):
+        text = getattr(given, name)
+        if text is not None:
+            changes[name] = parse(text, "pressure", f"material.{name}")
+    for name in ("poisson_ratio", "damping_ratio"):
+        if getattr(given, name) is not None:
+            changes[name] = getattr(given, name)
+    return material(given.like).replaced(**changes)

@@ -1,0 +1,55 @@
+"""Bats by name or from a file."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from sweetspot.bat import Bat
+from sweetspot.catalog.batfile import bat_from_table, read_bat, read_toml
+from sweetspot.catalog.records import FOLDER, canonical, entry
+
+BAT_FOLDER, IMPLEMENT_FOLDER = FOLDER / "bats", FOLDER / "implements"
+DEFAULT_BAT = "r161-ash"
+
+
+@cache
+def bat_tables() -> dict[str, dict[str, Any]]:
+    """Return every bat file of the catalogue as written, by name."""
+    return {canonical(path.stem): read_toml(path) for path in sorted(BAT_FOLDER.glob("*.toml"))}
+
+
+@cache
+def other_tables() -> dict[str, dict[str, Any]]:
+    """Return every file of a racket, club or stick in the catalogue as written, by name."""
+    return {canonical(path.stem): read_toml(path) for path in sorted(IMPLEMENT_FOLDER.glob("*.toml"))}
+
+
+def bat_names() -> list[str]:
+    """Return the names of all bats in the catalogue."""
+    return sorted(canonical(path.stem) for path in BAT_FOLDER.glob("*.toml"))
+
+
+@cache
+def bat(name: str = DEFAULT_BAT) -> Bat:
+    """Return a bat of the catalogue; raises `InputError` with the nearest names for an unknown one."""
+    key, found = entry(bat_tables(), name, "bat")
+    return bat_from_table(found, f"catalogue bat {key}")
+
+
+def load_bat(name_or_path: str) -> Bat:
+    """Return the bat of a TOML file, or the catalogue's bat of that name; see `is_file` for what is a file.
+
+    A racket, club or stick is refused.
+    """
+    if is_file(name_or_path):
+        return read_bat(Path(name_or_path))
+    other = other_tables().get(canonical(name_or_path))
+    return bat(name_or_path) if other is None else bat_from_table(other, name_or_path)
+
+
+def is_file(name_or_path: str) -> bool:
+    """Say whether a text is meant as a file: it ends in ``.toml``, holds a path separator or names an existing one."""
+    path = Path(name_or_path)
+    return path.suffix.lower() == ".toml" or "/" in name_or_path or "\\" in name_or_path or path.is_file()

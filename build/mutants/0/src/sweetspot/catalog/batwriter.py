@@ -1,0 +1,149 @@
+"""A bat as the text of a bat file, in SI and to the last digit: reading it gives the same bat."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from sweetspot.bat import Bat
+from sweetspot.catalog.materials import material, material_names
+from sweetspot.errors import InputError
+from sweetspot.laminate import Laminate
+from sweetspot.material import Material
+from sweetspot.shell import Shell, Stations
+
+OWN_VALUES = {
+    "density": "kg/m^3",
+    "longitudinal_modulus": "Pa",
+    "shear_modulus": "Pa",
+    "transverse_modulus": "Pa",
+    "poisson_ratio": "",
+    "damping_ratio": "",
+}
+"""What a [material] table may set on its own, with the unit it is written in."""
+
+
+def bat_toml(bat: Bat) -> str:
+    """Return the bat file's text."""
+    import tomli_w
+
+    return tomli_w.dumps(bat_table(bat))
+
+
+def bat_table(bat: Bat) -> dict[str, Any]:
+    """Return the bat file's content as `sweetspot.catalog.batfile.bat_from_table` takes it.
+
+    Raises
+    ------
+    InputError
+        when the bat holds a material that no bat file can describe.
+    """
+    table: dict[str, Any] = {"name": bat.name, "length": _metres(bat.length), "material": _material(bat.material)}
+    if bat.profile is not None:
+        table["profile"] = _pairs(bat.profile)
+    if bat.linear_density is not None:
+        table["linear_density"] = list(bat.linear_density)
+    measured = {
+        "mass": _with(bat.mass, "kg"),
+        "balance_point": _with(bat.balance_point, "m"),
+        "moi": _with(bat.moi, "kg*m^2"),
+        "moi_axis": None if bat.moi is None else _metres(bat.moi_axis),
+        "choke": _metres(bat.choke) if bat.choke else None,
+        "sport": None if bat.sport == Bat.model_fields["sport"].default else bat.sport,
+    }
+    table |= {name: value for name, value in measured.items() if value is not None}
+    if bat.cup is not None:
+        table["cup"] = {"diameter": _metres(bat.cup.diameter), "depth": _metres(bat.cup.depth)}
+    if bat.shell is not None:
+        table["shell"] = _shell(bat.shell)
+    if bat.bores:
+        table["bore"] = [
+            {
+                "diameter": _metres(bore.diameter),
+                "depth": _metres(bore.depth),
+                **({"fill": _named(bore.fill)} if bore.fill is not None else {}),
+                "plug": _metres(bore.plug),
+            }
+            for bore in bat.bores
+        ]
+    if bat.point_masses:
+        table["point_mass"] = [
+            {"position": _metres(weight.position), "mass": f"{weight.mass!r} kg"} for weight in bat.point_masses
+        ]
+    if bat.original is not None:
+        table["original"] = bat_table(bat.original)
+    return table
+
+
+def _shell(shell: Shell) -> dict[str, Any]:
+    table: dict[str, Any] = {"wall": _pairs(shell.wall)}
+    if shell.laminate is not None:
+        table["laminate"] = _plies(shell.laminate)
+    if shell.handle_material is not None:
+        table["handle_material"] = _named(shell.handle_material)
+    if shell.joint is not None:
+        table["joint"] = _metres(shell.joint)
+    masses = {"joint_mass": shell.joint_mass, "end_cap_mass": shell.end_cap_mass, "knob_mass": shell.knob_mass}
+    table |= {name: f"{mass!r} kg" for name, mass in masses.items() if mass}
+    sleeve = shell.inner_wall
+    if sleeve is not None:
+        table["inner_wall"] = {
+            "wall": _pairs(sleeve.wall),
+            "material": _named(sleeve.material),
+            **({"laminate": _plies(sleeve.laminate)} if sleeve.laminate is not None else {}),
+            "gap": _metres(sleeve.gap),
+            "bonded": sleeve.bonded,
+        }
+    return table
+
+
+def _plies(laminate: Laminate) -> list[dict[str, str]]:
+    return [
+        {"material": _named(ply.material), "angle": f"{ply.angle!r} rad", "thickness": _metres(ply.thickness)}
+        for ply in laminate.plies
+    ]
+
+
+def _material(own: Material) -> str | dict[str, Any]:
+    """Return a material's name, or a table of what it has of its own where the catalogue's values were changed."""
+    key = _key(own)
+    known = material(key)
+    if own == known:
+        return key
+    changed = {name: getattr(own, name) for name in OWN_VALUES if getattr(own, name) != getattr(known, name)}
+    if known.replaced(**changed) != own or None in changed.values():
+        raise InputError(f"{own.name} differs from the catalogue's in ways that a bat file cannot describe")
+    values = {name: f"{value!r} {unit}" if (unit := OWN_VALUES[name]) else value for name, value in changed.items()}
+    return {"like": key, **values}
+
+
+def _named(own: Material) -> str:
+    key = _key(own)
+    if own != material(key):
+        raise InputError(f"{own.name} differs from the catalogue's; a bat file can only name a fill, a ply or a handle")
+    return key
+
+
+def _key(own: Material) -> str:
+    """Return the catalogue's key of a material, which its own name need not be."""
+    found = _keys().get(own.name)
+    if found is None:
+        raise InputError(f"{own.name} is not in the catalogue, so that no bat file can name it")
+    return found
+
+
+@cache
+def _keys() -> dict[str, str]:
+    return {material(key).name: key for key in material_names()}
+
+
+def _pairs(stations: Stations) -> list[list[str]]:
+    return [[_metres(position), _metres(size)] for position, size in stations]
+
+
+def _with(value: float | None, unit: str) -> str | None:
+    return None if value is None else f"{value!r} {unit}"
+
+
+def _metres(length: float) -> str:
+    return f"{length!r} m"

@@ -1,0 +1,237 @@
+"""Files of rackets, clubs and sticks: how people write them down in TOML, and what becomes of them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import Field
+
+from sweetspot.catalog.batfile import BatFile, PlyTable, bat_from_table, laminate_of, read_toml
+from sweetspot.catalog.materials import material
+from sweetspot.catalog.records import unwrapped
+from sweetspot.catalog.rubbers import rubber
+from sweetspot.catalog.tables import (
+    FORCE,
+    FREQUENCY,
+    LENGTH,
+    LINEAR_DENSITY,
+    MASS,
+    MOI,
+    STIFFNESS,
+    FileTable,
+    Length,
+    Mass,
+    Parts,
+    Sizes,
+    in_si,
+)  # fmt: skip
+from sweetspot.cricket_bat import CricketBat
+from sweetspot.errors import InputError, nearest_names
+from sweetspot.face import Face, Outline
+from sweetspot.golf_club import ClubHead, GolfClub
+from sweetspot.hockey_stick import HockeyStick
+from sweetspot.implement import Implement
+from sweetspot.racket import Racket
+from sweetspot.string_bed import StringBed
+from sweetspot.table_tennis_racket import TableTennisRacket
+
+
+class CommonTable(FileTable):
+    """What every implement's file may say."""
+
+    kind: str
+    name: str
+    sport: str = Field(description="catalogue name of the sport")
+    length: Length
+    mass: Annotated[str | None, MASS] = Field(None, description="measured")
+    balance_point: Annotated[str | None, LENGTH] = Field(None, description="measured, from the butt end")
+    moi: Annotated[str | None, MOI] = Field(
+        None, description="measured moment of inertia about moi_axis (swing weight)"
+    )
+    moi_axis: Length = Field("0 cm", description="axis of moi, from the butt end")
+    choke: Length = Field("0 cm", description="how far the grip is moved up from the butt end")
+    note: str | None = Field(None, description="anything worth knowing about it")
+
+
+class HeadTable(FileTable):
+    """[head]: the part of a racket that is strung."""
+
+    length: Length = Field(description="of the string bed")
+    width: Length = Field(description="of the string bed")
+    rim: Length = Field("1 cm", description="width of the frame beyond the strings")
+
+
+class StringsTable(FileTable):
+    """[strings]: of a racket."""
+
+    tension: Annotated[str, FORCE] = Field(description="in each string, for example '230 N' or '52 lbf'")
+    mains: int
+    crosses: int
+    linear_density: Annotated[str, LINEAR_DENSITY] = Field(description="of one string, for example '1.4 g/m'")
+    restitution: float = Field(description="of a hard ball on the bed of a clamped head")
+    patch: Length = Field(description="radius of the round patch through which the ball pushes")
+
+
+class RacketFile(CommonTable):
+    """A tennis or badminton racket."""
+
+    kind: Literal["racket"]
+    head: HeadTable
+    strings: StringsTable | None = None
+    first_frequency: Annotated[str, FREQUENCY] = Field(description="of bending mode 1, hung freely")
+    damping: float = Field(0.01, description="fraction of critical damping, hung freely")
+    handle_length: Length
+    relative_stiffness: Parts = Field(None, description="pairs of position and stiffness; only ratios count")
+    twist_moi: Annotated[str | None, MOI] = Field(None, description="measured, about the long axis")
+    greatest_tension: Annotated[str | None, FORCE] = Field(None, description="per string that the frame is made for")
+    frame: str = "carbon-fibre frame"
+
+
+class CricketBatFile(CommonTable):
+    """A cricket bat."""
+
+    kind: Literal["cricket-bat"]
+    material: str = Field(description="of the blade; name in the catalogue")
+    handle_material: str
+    handle: Sizes = Field(description="pairs of position and diameter, from the top to the shoulders")
+    width: Sizes = Field(description="pairs of position and width of the blade, from the shoulders to the toe")
+    spine: Sizes = Field(description="pairs of position and depth in the middle of the blade")
+    edge: Sizes = Field(description="pairs of position and depth at its edges")
+    concavity: float = Field(1.5, description="1: a back of two planes; more: scooped out")
+    splice: Length = Field(description="how far the handle reaches into the blade")
+    grip_mass: Mass = "0 g"
+
+
+class HockeyStickFile(CommonTable):
+    """A field-hockey stick."""
+
+    kind: Literal["hockey-stick"]
+    material: str
+    width: Sizes = Field(description="pairs of position and width across the ball's path, over the whole length")
+    depth: Sizes = Field(description="pairs of position and thickness along the ball's path")
+    wall: Sizes = Field(description="pairs of position and wall thickness")
+    face_start: Length = Field(description="where the playing face begins")
+    grip_mass: Mass = "0 g"
+    grip_length: Length = "30 cm"
+    hook_mass: Mass = "0 g"
+    hook_reach: Length = "0 cm"
+
+
+class ClubHeadTable(FileTable):
+    """[head]: of a golf club."""
+
+    mass: Mass
+    height: Length = Field(description="of the face, along the shaft")
+    face_width: Length
+    moi: Annotated[str, MOI] = Field(description="about the axis from heel to toe")
+    roll_moi: Annotated[str, MOI] = Field(description="about the shaft's direction")
+    face_stiffness: Annotated[str | None, STIFFNESS] = Field(None, description="of the plate under the ball")
+    face_mass: Annotated[str | None, MASS] = Field(None, description="that moves with the ball")
+    face_restitution: float = Field(1.0, description="of a hard ball on the face held fast")
+
+
+class GolfClubFile(CommonTable):
+    """A golf club, weighed by its parts."""
+
+    kind: Literal["golf-club"]
+    material: str = Field(description="of the shaft; name in the catalogue")
+    diameter: Sizes = Field(description="pairs of position and outer diameter of the shaft")
+    wall: Sizes = Field(description="pairs of position and wall thickness of the shaft")
+    head: ClubHeadTable
+    grip_mass: Mass = "50 g"
+    grip_length: Length = "27 cm"
+
+
+class TableTennisRacketFile(CommonTable):
+    """A table-tennis racket."""
+
+    kind: Literal["table-tennis-racket"]
+    blade: tuple[PlyTable, ...] = Field(description="plies from one side to the other; angle 0 along the handle")
+    blade_length: Length
+    blade_width: Length
+    handle_width: Length
+    handle_thickness: Length = Field(description="with the blade between the scales")
+    handle_material: str
+    front: str | None = Field(None, description="rubber of the catalogue that the ball meets")
+    back: str | None = Field(None, description="rubber of the other side")
+    damping: float = 0.02
+
+
+def implement_from_table(table: dict[str, Any], where: str) -> Implement:
+    """Return the implement that a table describes by its ``kind``; ``where`` names the file in messages."""
+    kind = table.get("kind", "bat")
+    if kind == "bat":
+        return bat_from_table(table, where)
+    if kind not in KINDS:
+        raise InputError(f"{where}: kind {kind!r} is not known. {nearest_names(str(kind), sorted((*KINDS, 'bat')))}")
+    made_from, make = KINDS[kind]
+    try:
+        return make(made_from(**{key: _unwrapped(value) for key, value in table.items()}))
+    except InputError as error:
+        raise InputError(f"{where}: {re.sub(PREFIXES, '', str(error))}") from None
+
+
+def read_implement(path: Path) -> Implement:
+    """Return the implement that a TOML file describes; raises `InputError` that says what is wrong in it."""
+    return implement_from_table(read_toml(path), str(path))
+
+
+def _unwrapped(value: Any) -> Any:
+    """Return a value without provenance, tables inside it included."""
+    plain = unwrapped(value)
+    return {key: _unwrapped(item) for key, item in plain.items()} if isinstance(plain, dict) else plain
+
+
+def _common(file: CommonTable) -> dict[str, Any]:
+    return {name: value for name, value in in_si(file).items() if name not in ("kind", "note")}
+
+
+def _racket(file: RacketFile) -> Racket:
+    given = _common(file)
+    size = in_si(file.head, "head")
+    end = given["length"] - size["rim"]
+    given["head"] = Outline(start=end - size["length"], end=end, width=size["width"])
+    given["strings"] = None if file.strings is None else StringBed(**in_si(file.strings, "strings"))
+    return Racket(**given)
+
+
+def _cricket_bat(file: CricketBatFile) -> CricketBat:
+    made_of = {name: material(getattr(file, name)) for name in ("material", "handle_material")}
+    return CricketBat(**{**_common(file), **made_of})
+
+
+def _hockey_stick(file: HockeyStickFile) -> HockeyStick:
+    return HockeyStick(**{**_common(file), "material": material(file.material)})
+
+
+def _golf_club(file: GolfClubFile) -> GolfClub:
+    head = in_si(file.head, "head")
+    face = Face(
+        stiffness=head.pop("face_stiffness"),
+        moving_mass=head.pop("face_mass"),
+        restitution=head.pop("face_restitution"),
+        edge="plate",
+    )
+    return GolfClub(**{**_common(file), "material": material(file.material), "head": ClubHead(face=face, **head)})
+
+
+def _table_tennis_racket(file: TableTennisRacketFile) -> TableTennisRacket:
+    sides = {side: rubber(name) for side, name in (("front", file.front), ("back", file.back)) if name is not None}
+    made_of = {"blade": laminate_of(file.blade, "blade"), "handle_material": material(file.handle_material)}
+    return TableTennisRacket(**{**_common(file), **made_of, **sides})
+
+
+KINDS: dict[str, tuple[type[FileTable], Callable[[Any], Implement]]] = {
+    "racket": (RacketFile, _racket),
+    "cricket-bat": (CricketBatFile, _cricket_bat),
+    "hockey-stick": (HockeyStickFile, _hockey_stick),
+    "golf-club": (GolfClubFile, _golf_club),
+    "table-tennis-racket": (TableTennisRacketFile, _table_tennis_racket),
+}
+"""What a file's ``kind`` says it is: the table it is read as, and what makes the thing of it."""
+PREFIXES = r"^(?:\w*file|\w*racket|cricketbat|hockeystick|golfclub|\w*table|outline|stringbed|clubhead|face): "
+FILES: dict[str, type[FileTable]] = {"bat": BatFile, **{kind: made_from for kind, (made_from, _) in KINDS.items()}}
+"""The table of every kind, for schemas."""

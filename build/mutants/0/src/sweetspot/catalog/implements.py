@@ -1,0 +1,35 @@
+"""Whatever one hits a ball with, by name or from a file: the bats, and the rackets, clubs and sticks."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from sweetspot.catalog.bats import bat_tables, is_file, other_tables
+from sweetspot.catalog.implementfile import implement_from_table, read_implement
+from sweetspot.catalog.records import entry
+from sweetspot.implement import Implement
+
+
+@cache
+def implement_tables() -> dict[str, dict[str, Any]]:
+    """Return every bat, racket, club and stick of the catalogue as written, by name."""
+    return {**bat_tables(), **other_tables()}
+
+
+def implement_names() -> list[str]:
+    """Return the names of everything in the catalogue that one hits a ball with."""
+    return sorted(implement_tables())
+
+
+@cache
+def implement(name: str) -> Implement:
+    """Return a bat, racket, club or stick of the catalogue; raises `InputError` with the nearest names."""
+    key, found = entry(implement_tables(), name, "bat")
+    return implement_from_table(found, f"catalogue {key}")
+
+
+def load_implement(name_or_path: str) -> Implement:
+    """Return the implement of a TOML file, or the catalogue's of that name; see `load_bat` for what is a file."""
+    return read_implement(Path(name_or_path)) if is_file(name_or_path) else implement(name_or_path)

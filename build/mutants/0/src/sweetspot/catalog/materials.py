@@ -1,0 +1,40 @@
+"""Materials by name: woods, metal, fillers, laminate."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from sweetspot.catalog.records import canonical, entry, quantity, read_table, unwrapped
+from sweetspot.material import Material
+from sweetspot.units import parse
+
+FILE = "materials.toml"
+
+
+def material_names() -> list[str]:
+    """Return the names of all materials in the catalogue."""
+    return [canonical(name) for name in read_table(FILE)]
+
+
+@cache
+def material(name: str) -> Material:
+    """Return a material of the catalogue; raises `InputError` with the nearest names for an unknown one.
+
+    >>> material("white ash").family
+    'wood'
+    """
+    _, found = entry(read_table(FILE), name, "material")
+    what = found["name"]
+    limits = unwrapped(found["density_range"]) if "density_range" in found else None
+    return Material(
+        name=what,
+        family=found["family"],
+        density=quantity(found, "density", "density", what),
+        longitudinal_modulus=quantity(found, "longitudinal_modulus", "pressure", what),
+        shear_modulus=quantity(found, "shear_modulus", "pressure", what),
+        transverse_modulus=quantity(found, "transverse_modulus", "pressure", what),
+        poisson_ratio=quantity(found, "poisson_ratio", "ratio", what),
+        damping_ratio=quantity(found, "damping_ratio", "ratio", what) or 0.0,
+        density_range=tuple(parse(limit, "density", f"{what} density_range") for limit in limits) if limits else None,
+        strength=quantity(found, "strength", "pressure", what),
+    )

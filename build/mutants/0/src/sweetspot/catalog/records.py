@@ -1,0 +1,86 @@
+"""Catalogue records: a value with its unit, spread, source, place and kind."""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any, Literal
+
+from sweetspot.errors import InputError, nearest_names
+from sweetspot.units import Kind, parse
+
+FOLDER = Path(__file__).parent
+RecordKind = Literal["measured", "specified", "derived", "fitted", "assumed"]
+
+
+@dataclass(frozen=True)
+class Record:
+    """Where a catalogue value comes from.
+
+    Parameters
+    ----------
+    name : of the value, for example "white_ash.density".
+    value, spread : as written, with units.
+    source : key of the bibliography.
+    where : place in the source, or the reasoning.
+    kind : measured, specified, derived, fitted or assumed.
+    """
+
+    name: str
+    value: Any
+    spread: Any
+    source: str
+    where: str
+    kind: RecordKind
+
+
+@cache
+def read_table(file_name: str) -> dict[str, dict[str, Any]]:
+    """Return a catalogue file; an entry with ``like`` starts from a copy of the named entry."""
+    with (FOLDER / file_name).open("rb") as file:
+        entries = tomllib.load(file)
+    return {name: {**entries[entry["like"]], **entry} if "like" in entry else entry for name, entry in entries.items()}
+
+
+def entry(table: dict[str, dict[str, Any]], name: str, what: str) -> tuple[str, dict[str, Any]]:
+    """Return the key and entry of a name, however its words are joined, or refuse it with the nearest names."""
+    key = canonical(name)
+    known = {canonical(key): key for key in table}
+    if key not in known:
+        raise InputError(f"{what} {name!r} is not in the catalogue. {nearest_names(key, sorted(known))}")
+    return known[key], table[known[key]]
+
+
+def canonical(name: str) -> str:
+    """Return a catalogue name as people type it: lower case, words joined by hyphens."""
+    return name.strip().lower().replace("_", "-").replace(" ", "-")
+
+
+def quantity(entry: dict[str, Any], field: str, kind: Kind, what: str) -> float | None:
+    """Return one field of an entry in SI, or None where the entry has no such field."""
+    if field not in entry:
+        return None
+    return parse(unwrapped(entry[field]), kind, f"{what} {field}")
+
+
+def unwrapped(value: Any) -> Any:
+    """Return a value without its provenance: the ``value`` of a record, anything else as it is."""
+    if isinstance(value, dict) and "value" in value and "source" in value:
+        return value["value"]
+    return value
+
+
+def records(entry: dict[str, Any], name: str) -> list[Record]:
+    """Return the provenance of every value in an entry that has one."""
+    found = []
+    for field, value in entry.items():
+        if isinstance(value, dict) and "value" in value and "source" in value:
+            found.append(
+                Record(
+                    f"{name}.{field}", value["value"], value.get("spread"), value["source"], value.get("where", ""),
+                    value["kind"],
+                )
+            )  # fmt: skip
+    return found

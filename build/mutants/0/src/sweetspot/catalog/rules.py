@@ -1,0 +1,50 @@
+"""Leagues by name: their rules for bats as records with source and year."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from sweetspot.catalog.records import canonical, entry, quantity, read_table
+from sweetspot.rules import QUANTITIES, League, Rule
+from sweetspot.units import Kind
+
+FILE = "rules.toml"
+DEFAULT_LEAGUE = "ncaa"
+KINDS: dict[str, Kind] = {"m": "length", "m/s": "speed", "kg m^2": "moi"}
+"""Kind of a limit's text by the unit of its quantity; every other limit is a ratio."""
+
+
+def league_names() -> list[str]:
+    """Return the names of all leagues in the catalogue."""
+    return [canonical(name) for name in read_table(FILE)]
+
+
+@cache
+def league(name: str = DEFAULT_LEAGUE) -> League:
+    """Return a league's rules; raises `InputError` with the nearest names for an unknown one.
+
+    >>> league("ncaa").rules[0].most  # BBCOR
+    0.5
+    """
+    key, found = entry(read_table(FILE), name, "league")
+    rules = tuple(_rule(table, f"{key} {table['quantity']}") for table in found["rule"])
+    return League(canonical(key), found["name"], found["ball"], rules)
+
+
+def _rule(table: dict[str, Any], what: str) -> Rule:
+    kind = KINDS.get(QUANTITIES[table["quantity"]][1], "ratio")
+    limits = {side: quantity(table, side, kind, what) for side in ("least", "most")}
+    record = table.get("most") or table.get("least") or {"source": table.get("source"), "where": ""}
+    return Rule(
+        quantity=table["quantity"],
+        least=limits["least"],
+        most=limits["most"],
+        construction=table.get("construction", "any"),
+        undecided=table.get("undecided", ""),
+        doubt_beyond=table.get("doubt_beyond", ""),
+        source=record["source"],
+        where=record["where"],
+        year=table.get("year"),
+        reading=table["reading"],
+    )

@@ -1,0 +1,117 @@
+"""Sports by name, and how sure what is known of each is."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from sweetspot.catalog.aerodynamics import FILE as AIR
+from sweetspot.catalog.balls import FILE as BALLS
+from sweetspot.catalog.bats import DEFAULT_BAT
+from sweetspot.catalog.implements import implement_tables
+from sweetspot.catalog.records import Record, canonical, entry, quantity, read_table, records
+from sweetspot.sport import Certainty, DropRule, Known, Limit, Mark, Sport, Stroke, Words, counted
+from sweetspot.units import Kind, parse
+
+FILE = "sports.toml"
+DEFAULT_SPORT = "baseball"
+
+
+UNITS: dict[Kind, str] = {
+    "length": "m", "mass": "kg", "speed": "m/s", "moi": "kg m^2", "time": "s", "frequency": "Hz", "force": "N",
+    "ratio": "",
+}  # fmt: skip
+"""SI unit of every kind of quantity that a sport's numbers can have."""
+
+
+def sport_names() -> list[str]:
+    """Return the names of all sports in the catalogue."""
+    return [canonical(name) for name in read_table(FILE)]
+
+
+@cache
+def sport(name: str = DEFAULT_SPORT) -> Sport:
+    """Return a sport; raises `InputError` with the nearest names for an unknown one.
+
+    >>> sport("table tennis").balls
+    ('table-tennis',)
+    """
+    key, found = entry(read_table(FILE), name, "sport")
+    stroke = found["stroke"]
+    return Sport(
+        key=canonical(key),
+        name=found["name"],
+        balls=tuple(found["balls"]),
+        implements=_implements(canonical(key)),
+        aerodynamics=found["aerodynamics"],
+        stroke=Stroke(
+            swing_speed=_known(stroke["swing_speed"]),
+            from_tip=parse(stroke["from_tip"], "length", f"{key} from_tip"),
+            ball_speed=_known(stroke["ball_speed"]),
+            hands=parse(stroke["hands"], "length", f"{key} hands"),
+            pivot=parse(stroke.get("pivot", "0 m"), "length", f"{key} pivot"),
+        ),
+        words=Words(**found.get("words", {})),
+        speeds=tuple(_known(table) for table in found.get("speed", ())),
+        limits=tuple(Limit(**_values(table), side=table["side"]) for table in found.get("limit", ())),
+        marks=tuple(_mark(table) for table in found.get("mark", ())),
+        drops=tuple(_drop(table) for table in found.get("drop", ())),
+        facts=tuple(_known(table) for table in found.get("fact", ())),
+        terms=tuple((word, meaning) for word, meaning in found.get("terms", {}).items()),
+        not_covered=tuple(found["not_covered"]),
+    )
+
+
+def certainty(name: str) -> dict[Certainty, int]:
+    """Return how many numbers rest on what: those of the sport, its balls, their flight and its implements."""
+    return counted([record.kind for record in sport_records(name)])
+
+
+def sport_records(name: str) -> list[Record]:
+    """Return the provenance of every number of a sport, its balls and its implements in the catalogue."""
+    found = sport(name)
+    own = [Record(one.name, one.written, None, one.source, one.where, one.kind) for one in found.known()]
+    balls = {canonical(key): table for key, table in read_table(BALLS).items()}
+    tools = implement_tables()
+    air = {canonical(key): table for key, table in read_table(AIR).items()}
+    for names, tables in ((found.balls, balls), (found.implements, tools), ((found.aerodynamics,), air)):
+        own += [record for key in names if key in tables for record in records(tables[key], key)]
+    return own
+
+
+def _implements(key: str) -> tuple[str, ...]:
+    """Return the catalogue's implements of a sport; the default bat comes first in baseball."""
+    own = [name for name, table in implement_tables().items() if canonical(table.get("sport", DEFAULT_SPORT)) == key]
+    return tuple(sorted(own, key=lambda name: (name != DEFAULT_BAT, name)))
+
+
+def _known(table: dict[str, Any]) -> Known:
+    return Known(**_values(table))
+
+
+def _values(table: dict[str, Any]) -> dict[str, Any]:
+    """Return the fields of a `Known` from a table with ``name``, ``of`` (kind of quantity) and a record."""
+    kind: Kind = table.get("of", "speed")
+    number = quantity(table, "value", kind, table["name"])
+    spread = f" ± {table['spread']}" if "spread" in table else ""
+    return {
+        "name": table["name"],
+        "value": number,
+        "unit": UNITS[kind],
+        "written": f"{table['value']}{spread}",
+        "source": table["source"],
+        "where": table.get("where", ""),
+        "kind": table["kind"],
+    }
+
+
+def _drop(table: dict[str, Any]) -> DropRule:
+    sizes = {name: parse(table[name], "length", name) for name in ("block_thickness", "side", "drop_height")}
+    return DropRule(**{**table, **sizes})
+
+
+def _mark(table: dict[str, Any]) -> Mark:
+    name = table["name"]
+    distance = _known({"name": name, "of": "length", **table["distance"]})
+    height = _known({"name": f"height of the {name}", "of": "length", **table["height"]}) if "height" in table else None
+    return Mark(name=name, distance=distance, height=height, side=table["side"])

@@ -1,0 +1,26 @@
+"""The swing-weight convention of each sport."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from sweetspot.catalog.records import entry, read_table
+from sweetspot.swing_weight import SwingWeight
+from sweetspot.units import Kind, parse
+
+FILE = "swing_weights.toml"
+MOMENTS: dict[int, Kind] = {1: "first moment", 2: "moi"}
+"""Kind of quantity of a moment by its order."""
+
+
+@cache
+def swing_weight(sport: str) -> SwingWeight:
+    """Return how a sport weighs a swing; raises `InputError` with the nearest names for an unknown one.
+
+    >>> swing_weight("tennis").axis
+    0.1
+    """
+    _, found = entry(read_table(FILE), sport, "sport")
+    axis = parse(found["axis"], "length", f"{sport} axis")
+    size = parse(found["size"], MOMENTS[found["order"]], f"{sport} size")
+    return SwingWeight(**{**found, "axis": axis, "size": size})

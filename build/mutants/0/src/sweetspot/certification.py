@@ -1,0 +1,195 @@
+"""The simulated bat test, and the measures that leagues certify bats by.
+
+A ball is fired at a bat at rest that turns in a clamp 6 in from the knob end, at many places along the barrel
+[astm_f2219]. The bat's own free modes are used: what holds the handle cannot act back on the ball before it has
+left [nathan2000], so the clamp enters only through the moment of inertia that BBCOR is worked out with.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sweetspot.ball import Ball
+from sweetspot.bat import Bat
+from sweetspot.collision.kernel import hits
+from sweetspot.collision.momentum import bbcor, exit_speed
+from sweetspot.errors import InputError
+from sweetspot.line import Line, reduce
+from sweetspot.parabola import top
+from sweetspot.rigid import RigidBody, rigid_body
+from sweetspot.rules import Finding
+from sweetspot.units import INCH, MPH, shown
+from sweetspot.vibration.modes import Modes
+from sweetspot.vibration.whole import modes_of
+
+Array = NDArray[np.float64]
+CLAMP = 6 * INCH
+"""m from the knob end."""
+BBCOR_SPEED = 136 * MPH
+"""Closing speed of the BBCOR test, and of the older test: a 70 mph ball and a 66 mph bat [nathan2003sabr]."""
+BPF_SPEED = 60 * MPH
+OLD_BALL_SPEED, OLD_BAT_SPEED = 70 * MPH, 66 * MPH
+"""The bat's speed holds 6 in from the tip."""
+NEAR, FAR, PLACES = 2 * INCH, 10 * INCH, 33
+"""Places of the scan, from the tip: every quarter of an inch."""
+SHORTEST = 18 * INCH
+"""m; a shorter bat has its barrel too near to the clamp for the test."""
+
+
+@dataclass(frozen=True)
+class BatTest:
+    """A scan along the barrel of a bat at rest; arrays have one value per place.
+
+    Parameters
+    ----------
+    position : m from the knob end, increasing.
+    collision_efficiency, bbcor : q and the ball-bat restitution about the clamp.
+    closing_speed : m/s of the ball.
+    ball_restitution : of the ball on a rigid wall at that speed.
+    best_position : m from the knob end, where BBCOR is greatest; best_efficiency, best_bbcor : q and BBCOR there.
+    at_edge : whether the greatest BBCOR lies at an end of the scan, so that it may be greater beyond.
+    """
+
+    position: Array
+    collision_efficiency: Array
+    bbcor: Array
+    closing_speed: float
+    ball_restitution: float
+    best_position: float
+    best_efficiency: float
+    best_bbcor: float
+    at_edge: bool
+
+
+@dataclass(frozen=True)
+class Certification:
+    """The measures of a bat from the model.
+
+    Parameters
+    ----------
+    fast : the test at 136 mph, for BBCOR and the older BESR.
+    slow : the test at 60 mph, for BPF.
+    """
+
+    bat: Bat
+    ball: Ball
+    body: RigidBody
+    fast: BatTest
+    slow: BatTest
+
+    @property
+    def bbcor(self) -> float:
+        """BBCOR at the best place."""
+        return self.fast.best_bbcor
+
+    @property
+    def besr(self) -> float:
+        """BESR at the best place: q + 1/2."""
+        return besr(self.fast.best_efficiency)
+
+    @property
+    def bpf(self) -> float:
+        """BPF at the best place of the slow test."""
+        return bpf(self.slow.best_bbcor, ball_restitution=self.slow.ball_restitution)
+
+    @property
+    def batted_ball_speed(self) -> float:
+        """Exit speed in m/s at the best place for a 70 mph ball and a bat at 66 mph there [nathan2003sabr]."""
+        return exit_speed(self.fast.best_efficiency, ball_speed=OLD_BALL_SPEED, bat_speed=OLD_BAT_SPEED)
+
+    def findings(self) -> dict[str, Finding]:
+        """Return the measures as rules take them; a best place at an end of the scan decides nothing."""
+        doubt = "the greatest BBCOR lies at an end of the scan and may be greater beyond" if self.fast.at_edge else ""
+        return {name: Finding(getattr(self, name), doubt) for name in ("bbcor", "besr", "bpf", "batted_ball_speed")}
+
+
+def besr(efficiency: float) -> float:
+    """Return BESR = q + 1/2 [nathan2003sabr].
+
+    >>> round(besr((97 - 66) / (70 + 66)), 3)  # 97 mph off a 66 mph bat from a 70 mph ball: the limit of 1999
+    0.728
+    """
+    return efficiency + 0.5
+
+
+def bpf(restitution: float, *, ball_restitution: float) -> float:
+    """Return the bat performance factor: ball-bat restitution over the ball's own at the same speed [astm_f2219].
+
+    >>> round(bpf(0.506, ball_restitution=0.44), 2)
+    1.15
+    """
+    return restitution / ball_restitution
+
+
+def certify(bat: Bat, *, ball: Ball) -> Certification:
+    """Return the measures of a bat from simulated tests at 136 mph and 60 mph."""
+    line = reduce(bat)
+    body, modes = rigid_body(line), modes_of(line, ball)
+    fast = bat_test(line, body=body, modes=modes, ball=ball, closing_speed=BBCOR_SPEED)
+    slow = bat_test(line, body=body, modes=modes, ball=ball, closing_speed=BPF_SPEED)
+    return Certification(bat, ball, body, fast, slow)
+
+
+def bat_test(
+    line: Line,
+    *,
+    body: RigidBody,
+    modes: Modes,
+    ball: Ball,
+    closing_speed: float,
+    positions: Array | None = None,
+) -> BatTest:
+    """Return a scan along the barrel with the ball at ``closing_speed`` and the bat at rest.
+
+    BBCOR = q (1 + r) + r, r = m z^2 / I, with z from the clamp and I about it. The best place is the top of the
+    parabola through the three highest neighbours.
+
+    Parameters
+    ----------
+    closing_speed : m/s, > 0.
+    positions : m from the knob end, increasing, evenly spaced, three or more; None: 2 to 10 in from the tip, every
+        quarter of an inch.
+
+    Raises
+    ------
+    InputError
+        when the bat is too short for the clamp, lighter than the ball, or no hit ended.
+    """
+    length = line.bat.length
+    if length < SHORTEST:
+        raise InputError(
+            f"the bat is {shown(length)} long; the test clamps it 6 in from the knob and needs {shown(SHORTEST)}"
+        )
+    if ball.mass >= body.mass:
+        raise InputError(f"the ball weighs {ball.mass:.4g} kg and the bat {body.mass:.4g} kg; give a heavier bat")
+    places = np.linspace(length - FAR, length - NEAR, PLACES) if positions is None else positions
+    done = hits(modes, ball=ball, position=places, closing_speed=closing_speed, keep_motion=False)
+    efficiency = done.collision_efficiency
+    restitution = bbcor(efficiency, body=body, ball=ball, position=places, pivot=CLAMP)
+    if not np.isfinite(restitution).any():
+        raise InputError("no hit of the test ended with ball and bat apart; check the bat's wall and the ball")
+    index, shift, _ = top(restitution)
+    best = float(places[index] + shift * (places[1] - places[0]))
+    best_efficiency = _parabola(efficiency, index, shift)
+    return BatTest(
+        position=places,
+        collision_efficiency=efficiency,
+        bbcor=restitution,
+        closing_speed=closing_speed,
+        ball_restitution=ball.restitution.at(closing_speed),
+        best_position=best,
+        best_efficiency=best_efficiency,
+        best_bbcor=bbcor(best_efficiency, body=body, ball=ball, position=best, pivot=CLAMP),
+        at_edge=index in (0, len(places) - 1),
+    )
+
+
+def _parabola(value: Array, index: int, shift: float) -> float:
+    """Return the parabola through three neighbours of ``index``, ``shift`` steps beside it."""
+    if index in (0, len(value) - 1) or not np.isfinite(value[index - 1 : index + 2]).all():
+        return float(value[index])
+    left, middle, right = value[index - 1 : index + 2]
+    return float(middle + shift * (right - left) / 2 + shift**2 * (left - 2 * middle + right) / 2)

@@ -1,0 +1,281 @@
+"""The commands."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any
+
+from cyclopts import App, Parameter
+
+from sweetspot import __version__
+from sweetspot.cli.options import Format, SwingOptions
+from sweetspot.errors import InputError
+
+app = App(
+    name="sweetspot",
+    help="The open laboratory of the ball-bat collision: from a real bat's measurements to its sweet spots.",
+    version=__version__,
+    help_format="plaintext",
+    suppress_keyboard_interrupt=False,  # `main` says that nothing was written
+)
+
+BatName = Annotated[str, Parameter(help="Name in the catalogue (see `sweetspot bats`) or a TOML file.")]
+OutputFormat = Annotated[Format, Parameter(name="--format", help="table for people, json or csv for programs.")]
+DEFAULT_SWING = SwingOptions()
+
+
+@app.command
+def report(
+    bat: BatName = "r161-ash",
+    /,
+    *,
+    out: Annotated[Path | None, Parameter(help="Folder for report.html, PNG, SVG and JSON.")] = None,
+    swing: SwingOptions = DEFAULT_SWING,
+    format: OutputFormat = "table",
+) -> None:
+    """Say where a bat hits best, why there and not at the end, and what each inch of miss costs."""
+    from sweetspot.cli.output import patience, print_csv, print_json, print_table
+    from sweetspot.report.border import report_json
+
+    if out is not None:
+        from sweetspot.report.page import check_folder
+
+        check_folder(out)
+    with patience():
+        analysis = _analysed(bat, swing)
+    if format == "json":
+        print_json(report_json(analysis))
+    elif format == "csv":
+        print_csv(report_json(analysis)["scan"])
+    else:
+        from sweetspot.report.table import report_table
+
+        print_table(report_table(analysis))
+    if out is not None:
+        from sweetspot.report.page import write_report
+
+        _say("wrote " + ", ".join(str(path) for path in write_report(analysis, out)))
+
+
+@app.command
+def hit(
+    bat: BatName,
+    /,
+    *,
+    at: Annotated[str, Parameter(help="Where the ball meets the bat: 27in, 6in-from-tip or 0.152m-from-tip.")],
+    beside: Annotated[str | None, Parameter(help="How far beside a face's middle line: 3cm; not for bats.")] = None,
+    swing: SwingOptions = DEFAULT_SWING,
+    format: OutputFormat = "table",
+) -> None:
+    """Compute one collision: exit speed, q, BBCOR, contact time, peak force and where the energy goes."""
+    from sweetspot import catalog
+    from sweetspot.analysis import check_conditions, hit_at
+    from sweetspot.bat import Bat
+    from sweetspot.cli.options import conditions_for
+    from sweetspot.cli.output import print_csv, print_json, print_table
+    from sweetspot.damage import damage
+    from sweetspot.implement import check_lateral, check_position
+    from sweetspot.line import reduce
+    from sweetspot.report.border import damage_json, hit_json
+    from sweetspot.rigid import rigid_body
+    from sweetspot.units import parse, parse_position
+    from sweetspot.vibration.whole import modes_of
+
+    described = catalog.load_implement(bat)
+    conditions = conditions_for(described, swing)
+    line = reduce(described)
+    body = rigid_body(line)
+    check_conditions(described, conditions, body=body)
+    position = parse_position(at, length=described.length, what="--at")
+    check_position(described, position, "--at")
+    modes = modes_of(line, conditions.ball)
+    lateral = 0.0 if beside is None else parse(beside, "length", "--beside")
+    check_lateral(described, position, lateral)
+    impact = hit_at(position, modes=modes, conditions=conditions, lateral=lateral)
+    strains = damage(impact, line=line, modes=modes) if isinstance(described, Bat) else None
+    if format == "json":
+        extra = {"damage": damage_json(strains)} if strains else {}
+        print_json({**hit_json(impact, body=body, conditions=conditions), **extra})
+    elif format == "csv":
+        print_csv(hit_json(impact, body=body, conditions=conditions)["history"])
+    else:
+        from sweetspot.report.speech import speaks_otherwise
+        from sweetspot.report.sport_table import sport_hit
+        from sweetspot.report.table import damage_lines, hit_table
+
+        if speaks_otherwise(described):
+            print_table(sport_hit(impact, body=body, conditions=conditions, bat=described))
+        else:
+            print_table(hit_table(impact, body=body, conditions=conditions, length=described.length))
+        if strains:
+            print_table(damage_lines(strains))
+
+
+@app.command
+def validate(*, format: OutputFormat = "table") -> int:
+    """Compare with every published case: printed against computed, tolerance, worth. Exit 1 on an unexplained miss."""
+    from sweetspot import validation
+    from sweetspot.cli.output import patience, print_json, print_rows_csv, print_table
+    from sweetspot.report.table import names_table
+
+    with patience():
+        found = validation.results()
+    if format == "json":
+        print_json(
+            {
+                "headline": validation.headline(found),
+                "summary": validation.summary(found),
+                "rows": validation.rows(found),
+            }
+        )
+    elif format == "csv":
+        print_rows_csv(validation.rows(found))
+    else:
+        print_table(names_table(validation.short_rows(found), "Published cases"))
+        print(validation.headline(found))
+    return 0 if validation.passed(found) else 1
+
+
+@app.command
+def bats(*, format: OutputFormat = "table") -> None:
+    """List the catalogue's bats with their weight, balance and swing weight."""
+    from sweetspot import catalog
+    from sweetspot.cli.output import print_json, print_rows_csv, print_table
+    from sweetspot.line import reduce
+    from sweetspot.report.border import bat_json
+    from sweetspot.report.table import names_table
+    from sweetspot.rigid import rigid_body
+    from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
+
+    found = [(name, catalog.bat(name)) for name in catalog.bat_names()]
+    rows: list[dict[str, Any]] = [
+        {"key": key, **bat_json(bat.name, bat.length, rigid_body(reduce(bat)))} for key, bat in found
+    ]
+    if format == "json":
+        print_json({"bats": rows})
+    elif format == "csv":
+        print_rows_csv(rows)
+    else:
+        shown = [
+            {
+                "name": row["key"],
+                "what": row["name"],
+                "in": f"{row['length_m'] / INCH:.1f}",
+                "oz": f"{row['mass_kg'] / OUNCE:.1f}",
+                "balance in": f"{row['balance_point_m'] / INCH:.2f}",
+                "MOI 6in oz in^2": f"{row['moi_6in_kg_m2'] / OUNCE_INCH_SQUARED:.0f}",
+            }
+            for row in rows
+        ]
+        print_table(names_table(shown, "Bats of the catalogue"))
+
+
+@app.command
+def schema(
+    kind: Annotated[
+        str, Parameter(help="bat, racket, cricket-bat, golf-club, hockey-stick or table-tennis-racket.")
+    ] = "bat",
+    /,
+) -> None:
+    """Print the JSON schema of a file that describes a bat, racket, club or stick."""
+    from sweetspot.catalog.implementfile import FILES
+    from sweetspot.cli.output import print_json
+    from sweetspot.errors import nearest_names
+
+    if kind not in FILES:
+        raise InputError(f"kind {kind!r} is not known. {nearest_names(kind, sorted(FILES))}")
+    print_json(FILES[kind].model_json_schema())
+
+
+@app.command
+def pendulum(
+    *,
+    mass: Annotated[str, Parameter(help="Weight of the bat, for example 31oz.")],
+    balance_point: Annotated[str, Parameter(help="Balance point from the knob end, for example 22.4in.")],
+    period: Annotated[str | None, Parameter(help="Time of one full swing to and fro, for example 1.57s.")] = None,
+    moi: Annotated[str | None, Parameter(help="Moment of inertia about --pivot; gives the period instead.")] = None,
+    pivot: Annotated[str, Parameter(help="Where the bat hangs, from the knob end.")] = "6in",
+    format: OutputFormat = "table",
+) -> None:
+    """Turn the period of a hanging bat into its moment of inertia, or back, as laboratories measure it."""
+    from sweetspot import rigid
+    from sweetspot.cli.output import print_json, print_rows_csv, print_table
+    from sweetspot.report.table import names_table
+    from sweetspot.units import OUNCE_INCH_SQUARED, parse
+
+    if (period is None) == (moi is None):
+        raise InputError("give either --period or --moi, and only one of them")
+    weight, balance = parse(mass, "mass", "--mass"), parse(balance_point, "length", "--balance-point")
+    axis = parse(pivot, "length", "--pivot")
+    if not weight > 0:
+        raise InputError(f"--mass was given as {mass}; allowed is a weight above zero")
+    if moi is not None:
+        inertia = parse(moi, "moi", "--moi")
+        seconds = rigid.pendulum_period(inertia, mass=weight, balance_point=balance, pivot=axis)
+    else:
+        assert period is not None  # one of the two was given
+        seconds = parse(period, "time", "--period")
+        inertia = rigid.moi_from_pendulum(seconds, mass=weight, balance_point=balance, pivot=axis)
+    result = {
+        "period_s": seconds,
+        "moi_kg_m2": inertia,
+        "moi_oz_in2": inertia / OUNCE_INCH_SQUARED,
+        "pivot_m": axis,
+        "center_of_percussion_m": axis + inertia / (weight * (balance - axis)),
+    }
+    if format == "json":
+        print_json(result)
+    elif format == "csv":
+        print_rows_csv([result])
+    else:
+        print_table(names_table([{key: f"{value:.6g}" for key, value in result.items()}], "Pendulum"))
+
+
+def _analysed(name: str, swing: SwingOptions) -> Any:
+    from sweetspot import catalog
+    from sweetspot.analysis import analyse
+    from sweetspot.cli.options import conditions_for
+
+    described = catalog.load_implement(name)
+    return analyse(described, conditions_for(described, swing))
+
+
+def _say(text: str) -> None:
+    import sys
+
+    print(f"sweetspot: {text}", file=sys.stderr)
+
+
+from sweetspot.cli.certify import certify  # noqa: E402
+
+app.command(certify)
+from sweetspot.cli.compare import compare  # noqa: E402
+
+app.command(compare)
+from sweetspot.cli.drop import drop  # noqa: E402
+
+app.command(drop)
+from sweetspot.cli.paper import paper  # noqa: E402
+
+app.command(paper)
+from sweetspot.cli.app_command import app as page  # noqa: E402
+
+app.command(page, name="app")
+from sweetspot.cli.parks import parks  # noqa: E402
+
+app.command(parks)
+from sweetspot.cli.sports import sports  # noqa: E402
+
+app.command(sports)
+from sweetspot.cli.play import play  # noqa: E402
+
+app.command(play)
+from sweetspot.cli.optimum import optimum  # noqa: E402
+
+app.command(optimum)
+from sweetspot.cli.fly import fly  # noqa: E402
+
+app.command(fly)
+from sweetspot.cli.fit_player import fit_player  # noqa: E402
+
+app.command(fit_player)

@@ -1,0 +1,144 @@
+"""`sweetspot fit-player`: what a player's swings say, and which bat and contact point serve."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from cyclopts import Parameter
+
+from sweetspot.cli.options import Format
+from sweetspot.cli.weather import AirOptions
+from sweetspot.errors import InputError
+
+if TYPE_CHECKING:
+    from sweetspot.player.model import PlayerModel
+    from sweetspot.player.posterior import Progress
+    from sweetspot.player.swings import Swings
+
+DEFAULT_AIR = AirOptions()
+
+
+def fit_player(
+    file: Annotated[Path, Parameter(help="CSV file, one row per swing: Blast, HitTrax, Statcast or plain.")],
+    /,
+    *,
+    bat: Annotated[str, Parameter(help="The player's bat: a name of the catalogue or a TOML file.")] = "r161-ash",
+    goal: Annotated[Literal["exit-speed", "carry", "line"], Parameter(help="What the player wants more of.")] = (
+        "exit-speed"
+    ),
+    line: Annotated[str | None, Parameter(help="Distance to pass, for --goal line: 300ft.")] = None,
+    try_bat: Annotated[
+        list[str] | None, Parameter(name="--try", help="Another bat to try on the player; may be given again.")
+    ] = None,
+    pitch_speed: Annotated[str | None, Parameter(help="At the plate, for rows without one: 82mph, or tee.")] = None,
+    units: Annotated[Literal["us", "metric"] | None, Parameter(help="Of columns whose heading names no unit.")] = None,
+    batter: Annotated[str | None, Parameter(help="Whose rows to use, where the file has several batters.")] = None,
+    bat_speed_at: Annotated[str, Parameter(help="Where the player's bat speed is measured.")] = "6in-from-tip",
+    ball: Annotated[str, Parameter(help="Ball of the catalogue.")] = "baseball",
+    air: AirOptions = DEFAULT_AIR,
+    seed: Annotated[int, Parameter(help="Of the random numbers; the same seed gives the same answers.")] = 1,
+    out: Annotated[Path | None, Parameter(help="Folder for player.html, player.png, player.svg, player.json.")] = None,
+    format: Annotated[Format, Parameter(name="--format", help="table for people, json or csv for programs.")] = "table",
+) -> None:
+    """Learn a player's bat speed and scatter from measured swings, and say which bat and contact point serve."""
+    from sweetspot import catalog
+    from sweetspot.catalog.aerodynamics import aerodynamics
+    from sweetspot.cli.output import print_json, print_rows_csv, print_table
+    from sweetspot.cli.weather import air_of
+    from sweetspot.player.advice import advise
+    from sweetspot.player.goal import Goal
+    from sweetspot.player.posterior import fit_player as fitted
+    from sweetspot.report.player import option_rows, player_json, player_table
+    from sweetspot.units import parse
+
+    if seed < 0:
+        raise InputError(f"--seed was given as {seed}; allowed is a whole number from 0 up")
+    wanted = Goal(goal, None if line is None else parse(line, "length", "--line"))
+    if out is not None:
+        from sweetspot.report.player_page import check_player_folder
+
+        check_player_folder(out)
+    others = [catalog.load_bat(name) for name in try_bat or []]
+    weather = air_of(air)
+    swings, model = _read(file, bat, pitch_speed, units, batter, bat_speed_at, ball)
+    with _progress("reading the swings") as report:
+        posterior = fitted(model, seed=seed, progress=report)
+    with _progress("trying bats") as report:
+        advice = advise(
+            posterior, goal=wanted, aerodynamics=aerodynamics(ball), air=weather, others=others, progress=report
+        )
+    if format == "json":
+        print_json(player_json(posterior, advice, swings))
+    elif format == "csv":
+        print_rows_csv(option_rows(advice))
+    else:
+        print_table(player_table(posterior, advice, swings))
+    if out is not None:
+        from sweetspot.report.player_page import write_player
+
+        written = ", ".join(str(path) for path in write_player(posterior, advice, swings, out))
+        print(f"sweetspot: wrote {written}", file=sys.stderr)
+
+
+def _read(
+    file: Path,
+    bat: str,
+    pitch_speed: str | None,
+    units: Literal["us", "metric"] | None,
+    batter: str | None,
+    bat_speed_at: str,
+    ball: str,
+) -> tuple[Swings, PlayerModel]:
+    """Return the file's swings, those with unknown bats among the bad rows, and the model of the others."""
+    from sweetspot import catalog
+    from sweetspot.player.model import bats_of, player_model
+    from sweetspot.player.swings import MOST_SWINGS, evenly, read_swings
+    from sweetspot.units import parse, parse_position
+
+    own = catalog.load_bat(bat)
+    place = own.length - parse_position(bat_speed_at, length=own.length, what="--bat-speed-at")
+    if not 0 <= place < own.length / 2:
+        raise InputError(f"--bat-speed-at was given as {bat_speed_at}; allowed is a place on the outer half of the bat")
+    arriving = None
+    if pitch_speed is not None:
+        arriving = 0.0 if pitch_speed.strip().lower() == "tee" else parse(pitch_speed, "speed", "--pitch-speed")
+        if not 0 <= arriving <= MAX_PITCH:
+            raise InputError(f"--pitch-speed was given as {pitch_speed}; allowed is tee, or up to 110mph at the plate")
+    found = read_swings(file, length=own.length, units=units, pitch_speed=arriving, batter=batter)
+    good, bats, bad, notes = bats_of(found.swings, load=catalog.load_bat)
+    rows = tuple(sorted((*found.bad_rows, *bad), key=lambda row: row.row))
+    good, thinned = evenly(good, MOST_SWINGS)
+    swings = replace(found, swings=good, bad_rows=rows, notes=(*found.notes, *notes, *thinned))
+    model = player_model(good, bat=own, ball=catalog.ball(ball), others=bats, speed_from_tip=place)
+    return swings, model
+
+
+MAX_PITCH = 110 * 0.44704
+"""m/s."""
+
+
+@contextmanager
+def _progress(what: str) -> Iterator[Progress]:
+    """Yield a function that shows on stderr how far the work is: a bar on a terminal, elsewhere a line at the start."""
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        print(f"sweetspot: {what}", file=sys.stderr)
+        yield lambda _done, _total: None
+        return
+    columns = (
+        TextColumn("{task.description}"),
+        BarColumn(),
+        TextColumn("{task.percentage:>3.0f} %"),
+        TimeRemainingColumn(),
+    )
+    with Progress(*columns, console=console, transient=True) as bar:
+        task = bar.add_task(what)
+        yield lambda done, total: bar.update(task, completed=done, total=total)

@@ -1,0 +1,112 @@
+"""Options that mean the same in every command, and what they become."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from cyclopts import Parameter
+
+from sweetspot.errors import InputError
+
+if TYPE_CHECKING:
+    from sweetspot.implement import Implement
+    from sweetspot.swing import Conditions
+
+Format = Literal["table", "json", "csv"]
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class SwingOptions:
+    """Pitch, swing, hands and ball; every quantity takes a unit. Defaults are baseball's, or of the racket's sport."""
+
+    pitch_speed: Annotated[
+        str | None, Parameter(help="Speed of the ball as it arrives: 90mph, 40m/s, or tee; default: 90mph for a bat.")
+    ] = None
+    bat_speed: Annotated[
+        str | None, Parameter(help="Speed of the bat before impact at --bat-speed-at; default: 70mph for a bat.")
+    ] = None
+    bat_speed_at: Annotated[
+        str | None, Parameter(help="Where the bat speed is measured; default: 6in-from-tip for a bat.")
+    ] = None
+    pivot: Annotated[
+        str | None, Parameter(help="Axis the bat turns about, from the knob end; default: the bottom of the grip.")
+    ] = None
+    hands: Annotated[
+        str | None,
+        Parameter(help="Centre of the top hand, from the knob end; default: 6in above the bottom of the grip."),
+    ] = None
+    ball: Annotated[str | None, Parameter(help="Ball of the catalogue; default: baseball for a bat.")] = None
+    ball_cor: Annotated[
+        str | None,
+        Parameter(help="Restitution of the ball as bought, at its law's speed, in place of the catalogue's."),
+    ] = None
+    ball_humidity: Annotated[
+        str | None, Parameter(help="Relative humidity the ball was stored at, as a ratio: 0.5 or 50%.")
+    ] = None
+    ball_temperature: Annotated[str | None, Parameter(help="Temperature of the ball, for example 40degF.")] = None
+
+
+def conditions_for(bat: Implement, options: SwingOptions) -> Conditions:
+    """Return the conditions that the options describe for a bat."""
+    from sweetspot import catalog
+    from sweetspot.standard import standard_conditions
+    from sweetspot.swing import Conditions, Hands, Pitch, Swing
+    from sweetspot.units import parse, parse_position
+
+    usual = standard_conditions(bat)
+
+    def place(text: str | None, default: float, what: str) -> float:
+        return default if text is None else parse_position(text, length=bat.length, what=what)
+
+    ball = usual.ball if options.ball is None else catalog.ball(options.ball)
+    if options.ball is not None:
+        say_if_of_another_sport(bat, options.ball)
+    if options.ball_cor is not None:
+        ball = ball.with_restitution(parse(options.ball_cor, "ratio", "--ball-cor"))
+    if options.ball_humidity is not None or options.ball_temperature is not None:
+        humid, warm = options.ball_humidity, options.ball_temperature
+        ball = ball.conditioned(
+            humidity=None if humid is None else parse(humid, "ratio", "--ball-humidity"),
+            temperature=None if warm is None else parse(warm, "temperature", "--ball-temperature"),
+        )
+    return Conditions(
+        pitch=usual.pitch if options.pitch_speed is None else Pitch(speed=_pitch_speed(options.pitch_speed)),
+        swing=Swing(
+            bat_speed=(
+                usual.swing.bat_speed if options.bat_speed is None else parse(options.bat_speed, "speed", "--bat-speed")
+            ),
+            measured_at=place(options.bat_speed_at, usual.swing.measured_at, "--bat-speed-at"),
+            pivot=place(options.pivot, usual.swing.pivot, "--pivot"),
+        ),
+        hands=Hands(position=place(options.hands, usual.hands.position, "--hands")),
+        ball=ball,
+    )
+
+
+def say_if_of_another_sport(bat: Implement, ball_name: str) -> None:
+    """Say on stderr that a ball belongs to another sport than what it is hit with; that is allowed."""
+    import sys
+
+    from sweetspot.catalog import ball_sport, sport
+
+    its, theirs = ball_sport(ball_name), sport(bat.sport).name.lower()
+    if sport(its).key != sport(bat.sport).key:
+        print(f"sweetspot: {ball_name} is a ball of {its}, {bat.name} is made for {theirs}; computed all the same",
+              file=sys.stderr)  # fmt: skip
+
+
+def _pitch_speed(text: str) -> float:
+    """Return the pitch speed in m/s; 0 must be meant, so it is written ``tee``."""
+    from sweetspot.units import parse
+
+    if text.strip().lower() == "tee":
+        return 0.0
+    speed = parse(text, "speed", "--pitch-speed")
+    if speed <= 0:
+        raise InputError(
+            f"--pitch-speed was given as {text!r}; allowed is a speed above zero towards the bat, "
+            "or tee for a ball at rest"
+        )
+    return speed

@@ -1,0 +1,93 @@
+"""The command `paper`: the implemented paper's chain, with whatever it leaves open to choose."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from cyclopts import Parameter
+
+from sweetspot.cli.options import Format, SwingOptions
+
+if TYPE_CHECKING:
+    from sweetspot.paper_rows import Choices
+
+DEFAULT_SWING = SwingOptions()
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class PaperOptions:
+    """What the paper gives no number for, or takes from elsewhere."""
+
+    entry_angle: Annotated[str, Parameter(help="Between the ball's path and the bat's normal, equations 1 to 4.")] = (
+        "10deg"
+    )
+    rod_hands: Annotated[str, Parameter(help="Where the paper's rod is held, from its end, equations 5 to 12.")] = "0in"
+    hands_moved: Annotated[str, Parameter(help="How far the hands are moved up the handle.")] = "2in"
+    bore_diameter: Annotated[str, Parameter(help="Width of the corked hole, equations 13 and 14.")] = "1in"
+    bore_depth: Annotated[str, Parameter(help="Depth of the corked hole.")] = "10in"
+    fill: Annotated[str, Parameter(help="Material of the catalogue that fills it.")] = "cork"
+    drop_height: Annotated[str, Parameter(help="Fall of the drop experiment, Figure 6.")] = "1m"
+    block_thickness: Annotated[str, Parameter(help="Thickness of its blocks.")] = "10cm"
+    block_support: Annotated[
+        Literal["clamped", "floor", "free"], Parameter(help="How they are held: at the edges, on a floor, or not.")
+    ] = "floor"
+    ball_restitution: Annotated[str, Parameter(help="k0 of the formula for W.")] = "0.45"
+    wood_restitution: Annotated[str, Parameter(help="k1.")] = "0.45"
+    metal_restitution: Annotated[str, Parameter(help="k2.")] = "0.9"
+    wood_share: Annotated[str, Parameter(help="z1, a ratio or a percentage.")] = "2%"
+    metal_share: Annotated[str, Parameter(help="z2.")] = "10%"
+
+
+DEFAULT_OPTIONS = PaperOptions()
+LENGTHS = ("rod_hands", "hands_moved", "bore_diameter", "bore_depth", "drop_height", "block_thickness")
+RATIOS = ("ball_restitution", "wood_restitution", "metal_restitution", "wood_share", "metal_share")
+
+
+def choices_for(options: PaperOptions) -> Choices:
+    """Return the choices that the options describe."""
+    from sweetspot.catalog.materials import material
+    from sweetspot.paper_rows import Choices
+    from sweetspot.units import parse
+
+    def read(name: str, kind: Literal["length", "ratio", "angle"]) -> float:
+        return parse(getattr(options, name), kind, f"--{name.replace('_', '-')}")
+
+    return Choices(
+        entry_angle=read("entry_angle", "angle"),
+        fill=material(options.fill),
+        block_support=options.block_support,
+        **{name: read(name, "length") for name in LENGTHS},
+        **{name: read(name, "ratio") for name in RATIOS},
+    )
+
+
+def paper(
+    bat: Annotated[str, Parameter(help="Name in the catalogue (see `sweetspot bats`) or a TOML file.")] = "r161-ash",
+    /,
+    *,
+    options: PaperOptions = DEFAULT_OPTIONS,
+    swing: SwingOptions = DEFAULT_SWING,
+    format: Annotated[Format, Parameter(name="--format", help="table for people, json or csv for programs.")] = "table",
+) -> None:
+    """Work through the implemented paper: its claims, its formulas evaluated, and the full model's answer."""
+    from sweetspot import catalog
+    from sweetspot.analysis import analyse
+    from sweetspot.cli.options import conditions_for
+    from sweetspot.cli.output import patience, print_json, print_rows_csv, print_table
+    from sweetspot.paper_rows import paper_rows
+    from sweetspot.report.border import paper_json
+
+    described = catalog.load_bat(bat)
+    choices = choices_for(options)
+    with patience():
+        rows = paper_rows(analyse(described, conditions_for(described, swing)), choices)
+    if format == "json":
+        print_json(paper_json(rows))
+    elif format == "csv":
+        print_rows_csv(paper_json(rows)["rows"])
+    else:
+        from sweetspot.report.table import paper_table
+
+        print_table(paper_table(rows))

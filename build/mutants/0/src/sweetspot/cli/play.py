@@ -1,0 +1,151 @@
+"""`sweetspot play`: from the pitch over the bat to the fence."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from cyclopts import Parameter
+
+from sweetspot.cli.options import Format, SwingOptions
+from sweetspot.cli.weather import AirOptions
+from sweetspot.errors import InputError
+
+if TYPE_CHECKING:
+    from sweetspot.motion import BallMotion
+    from sweetspot.swing_path import SwingPath
+
+DEFAULT_SWING = SwingOptions()
+DEFAULT_AIR = AirOptions()
+
+
+@Parameter(name="*", allow_leading_hyphen=True)
+@dataclass(frozen=True)
+class PathOptions:
+    """Where the bat goes at contact; the defaults are the mean of the major leagues [sure2026]."""
+
+    attack_angle: Annotated[str, Parameter(help="How steeply the barrel rises: 9deg.")] = "9deg"
+    attack_direction: Annotated[
+        str, Parameter(help="Where the barrel goes over the ground: 0deg to centre field, negative to the pull side.")
+    ] = "0deg"
+    tilt: Annotated[str, Parameter(help="Of the plane of the swing against the ground: 32deg.")] = "32deg"
+    bats: Annotated[Literal["right", "left"], Parameter(help="Side the batter bats from.")] = "right"
+
+
+@Parameter(name="*", allow_leading_hyphen=True)
+@dataclass(frozen=True)
+class ArrivalOptions:
+    """How the pitch arrives: by its name, or with --pitch-speed and these."""
+
+    pitch: Annotated[
+        str | None,
+        Parameter(help="By name, thrown over the middle in place of the others: fastball, curve, ..."),
+    ] = None
+    release_speed: Annotated[str | None, Parameter(help="Throw that pitch this fast; default: as is usual.")] = None
+
+    approach_angle: Annotated[
+        str, Parameter(help="Of the pitch at the plate, below the level negative: -6deg is usual.")
+    ] = "-6deg"
+    pitch_backspin: Annotated[str, Parameter(help="Of the pitch, negative for a curve.")] = "2200rpm"
+    pitch_sidespin: Annotated[str, Parameter(help="Of the pitch, positive bends it to its own left.")] = "0rpm"
+    height: Annotated[str, Parameter(help="Of contact above the ground.")] = "3ft"
+    forward: Annotated[str, Parameter(help="Of contact in front of the plate's tip.")] = "2ft"
+
+
+DEFAULT_PATH, DEFAULT_ARRIVAL = PathOptions(), ArrivalOptions()
+
+
+def play(
+    bat: Annotated[str, Parameter(help="Name in the catalogue (see `sweetspot bats`) or a TOML file.")] = "r161-ash",
+    /,
+    *,
+    at: Annotated[str, Parameter(help="Where the ball meets the bat: 27in, 6in-from-tip.")] = "6in-from-tip",
+    offset: Annotated[
+        str, Parameter(help="How far the bat is under the ball's centre, square to its path; negative: over it.")
+    ] = "0.6in",
+    swing: SwingOptions = DEFAULT_SWING,
+    path: PathOptions = DEFAULT_PATH,
+    arrival: ArrivalOptions = DEFAULT_ARRIVAL,
+    air: AirOptions = DEFAULT_AIR,
+    out: Annotated[Path | None, Parameter(help="Folder for play.png, play.svg and play.json.")] = None,
+    format: Annotated[Format, Parameter(name="--format", help="table for people, json or csv for programs.")] = "table",
+) -> None:
+    """Follow one pitch: how the bat meets it, how the ball leaves, how far it flies and whether it is out."""
+    from sweetspot import catalog
+    from sweetspot.analysis import check_conditions
+    from sweetspot.cli.options import conditions_for
+    from sweetspot.cli.output import patience, print_csv, print_json, print_table
+    from sweetspot.cli.pitching import pitched
+    from sweetspot.cli.weather import air_of, park_of, wind_of
+    from sweetspot.flight.fence import landing
+    from sweetspot.play import play as played
+    from sweetspot.reduction import reduction
+    from sweetspot.report.play import PlayReport, path_columns, play_json, play_table, write_play
+    from sweetspot.units import parse, parse_position
+
+    described = catalog.load_bat(bat)
+    conditions = conditions_for(described, swing)
+    model = reduction(described, ball=conditions.ball).held(conditions.hands)
+    check_conditions(described, conditions, body=model.body)
+    position = parse_position(at, length=described.length, what="--at")
+    under, park = parse(offset, "length", "--offset"), park_of(air)
+    weather, wind = air_of(air), wind_of(air)
+    if arrival.pitch is not None and swing.pitch_speed is not None:
+        raise InputError("--pitch and --pitch-speed were both given; say --release-speed for a named pitch")
+    if arrival.pitch is None and arrival.release_speed is not None:
+        raise InputError("--release-speed is of a pitch that is thrown; name it with --pitch, or give --pitch-speed")
+    swung = path_of(path)
+    if arrival.pitch is None:
+        pitch = arriving(arrival, conditions.pitch.speed)
+    else:
+        pitch = pitched(arrival.pitch, arrival.release_speed, ball=conditions.ball, air=weather, wind=wind).plate
+    with patience():
+        done = played(
+            model, ball=conditions.ball, swing=conditions.swing, path=swung, pitch=pitch, position=position,
+            offset=under, aerodynamics=catalog.aerodynamics("baseball"), air=weather, wind=wind,
+        )  # fmt: skip
+    report = PlayReport(
+        play=done, bat=described, ball=conditions.ball, position=position, offset=under, path=swung, pitch=pitch,
+        park=park, landing=None if park is None or done.flight is None else landing(done.flight.positions, park),
+    )  # fmt: skip
+    if format == "json":
+        print_json(play_json(report))
+    elif format == "csv":
+        print_csv(path_columns(report))
+    else:
+        print_table(play_table(report))
+    if out is not None:
+        print("sweetspot: wrote " + ", ".join(str(file) for file in write_play(report, out)), file=sys.stderr)
+
+
+def path_of(options: PathOptions) -> SwingPath:
+    """Return the swing's path that the options describe."""
+    from sweetspot.swing_path import SwingPath
+    from sweetspot.units import parse
+
+    return SwingPath(
+        attack_angle=parse(options.attack_angle, "angle", "--attack-angle"),
+        attack_direction=parse(options.attack_direction, "angle", "--attack-direction"),
+        tilt=parse(options.tilt, "angle", "--tilt"),
+        bats=options.bats,
+    )
+
+
+def arriving(options: ArrivalOptions, speed: float) -> BallMotion:
+    """Return the pitch at the plate that the options describe."""
+    import math
+
+    from sweetspot.motion import launched
+    from sweetspot.units import parse
+
+    return launched(
+        speed=speed,
+        launch_angle=parse(options.approach_angle, "angle", "--approach-angle"),
+        spray=math.pi,
+        backspin=parse(options.pitch_backspin, "angular speed", "--pitch-backspin"),
+        sidespin=parse(options.pitch_sidespin, "angular speed", "--pitch-sidespin"),
+        height=parse(options.height, "length", "--height"),
+        forward=parse(options.forward, "length", "--forward"),
+    )

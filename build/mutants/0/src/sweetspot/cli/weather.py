@@ -1,0 +1,71 @@
+"""Options of the air and the field, the same for every command with a flight, and what they become."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated
+
+from cyclopts import Parameter
+
+if TYPE_CHECKING:
+    from sweetspot.air import Air, Wind
+    from sweetspot.park import Park
+
+
+@Parameter(name="*", allow_leading_hyphen=True)
+@dataclass(frozen=True)
+class AirOptions:
+    """Weather and field; every quantity takes a unit."""
+
+    temperature: Annotated[str, Parameter(help="Of the air: 70degF or 21degC.")] = "70degF"
+    humidity: Annotated[str, Parameter(help="Relative humidity as a ratio: 0.5 or 50%.")] = "0.5"
+    pressure: Annotated[str, Parameter(help="Barometer, reduced to sea level: 29.92inHg or 1013hPa.")] = "29.92inHg"
+    elevation: Annotated[
+        str | None, Parameter(help="Of the field above the sea: 5200ft; default: the park's, or 0ft without one.")
+    ] = None
+    wind_speed: Annotated[str, Parameter(help="Of the wind: 10mph.")] = "0mph"
+    wind_direction: Annotated[
+        str, Parameter(help="Where the wind blows to: 0deg is out to centre field, 90deg to right field, 180deg in.")
+    ] = "0deg"
+    wind_profile: Annotated[
+        str, Parameter(help="Exponent of the wind's growth with height, from 10 m: 0 is alike everywhere, 0.14 usual.")
+    ] = "0"
+    calm_below: Annotated[str, Parameter(help="Height that the stands shelter from the wind: 30ft.")] = "0ft"
+    park: Annotated[str | None, Parameter(help="Ballpark whose fence and elevation count (see `sweetspot parks`).")] = (
+        None
+    )
+
+
+def park_of(options: AirOptions) -> Park | None:
+    """Return the park that the options name, if any."""
+    from sweetspot import catalog
+
+    return None if options.park is None else catalog.park(options.park)
+
+
+def air_of(options: AirOptions) -> Air:
+    """Return the air that the options describe."""
+    from sweetspot.air import Air
+    from sweetspot.units import parse
+
+    park = park_of(options)
+    above_sea = 0.0 if park is None else park.elevation
+    return Air(
+        temperature=parse(options.temperature, "temperature", "--temperature"),
+        pressure=parse(options.pressure, "pressure", "--pressure"),
+        humidity=parse(options.humidity, "ratio", "--humidity"),
+        elevation=above_sea if options.elevation is None else parse(options.elevation, "length", "--elevation"),
+    )
+
+
+def wind_of(options: AirOptions) -> Wind:
+    """Return the wind that the options describe."""
+    from sweetspot.air import Wind
+    from sweetspot.units import parse
+
+    return Wind(
+        speed=parse(options.wind_speed, "speed", "--wind-speed"),
+        direction=parse(options.wind_direction, "angle", "--wind-direction"),
+        exponent=parse(options.wind_profile, "ratio", "--wind-profile"),
+        calm_below=parse(options.calm_below, "length", "--calm-below"),
+    )

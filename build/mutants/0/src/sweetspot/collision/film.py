@@ -1,0 +1,186 @@
+"""A hit in slow motion: ball, bat and energy at a row of moments, from first touch until the bat rings freely.
+
+Everything is seen from the undisturbed swing, as in `coupled`: the bat starts at rest, the ball comes with the closing
+speed, positive along the ball's path.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from sweetspot.ball import Ball
+from sweetspot.collision.impact import Array, Impact, bat_energy
+from sweetspot.collision.replay import Motion, free_motion, replayed
+from sweetspot.contact import unloading_exponent
+from sweetspot.errors import InputError
+from sweetspot.vibration.modes import Modes
+
+DURATION = 5e-3
+"""s; one swing to and fro of a wood bat's lowest mode takes 6 ms."""
+CONTACT_FRAMES, FREE_FRAMES = 100, 120
+ARRIVAL = 0.1
+"""Part of the struck place's greatest speed at which a wave counts as arrived; the dispersed forerunners are below."""
+
+
+class Energies(NamedTuple):
+    """Where the incoming energy is at each moment, J, shape (times,); in every row the sum is the incoming energy.
+
+    Parameters
+    ----------
+    ball : kinetic energy of the ball.
+    stored : elastic energy in the ball: what it would give back if it sprang back from here.
+    heat : lost in the ball: the rest of the work done on it.
+    translation, rotation, bending, hoop, damping, face : of the bat, as in `EnergyLedger`.
+    """
+
+    ball: Array
+    stored: Array
+    heat: Array
+    translation: Array
+    rotation: Array
+    bending: Array
+    hoop: Array
+    damping: Array
+    face: Array
+
+
+@dataclass(frozen=True)
+class Film:
+    """A hit at a row of moments.
+
+    Parameters
+    ----------
+    impact : the hit.
+    times : s after first touch, shape (times,).
+    travel : m that the ball has moved since first touch, against its path negative, shape (times,).
+    force, compression : N and m, of the ball, shape (times,); 0 after release.
+    displacement, velocity : of every mode, sqrt(kg) m and sqrt(kg) m/s, shape (times, n).
+    energy : where the energy is.
+    """
+
+    impact: Impact
+    times: Array
+    travel: Array
+    force: Array
+    compression: Array
+    displacement: Array
+    velocity: Array
+    energy: Energies
+
+
+def film(
+    impact: Impact,
+    *,
+    modes: Modes,
+    ball: Ball,
+    duration: float = DURATION,
+    contact_frames: int = CONTACT_FRAMES,
+    free_frames: int = FREE_FRAMES,
+) -> Film:
+    """Return the moments of a hit.
+
+    During contact they are kicks of the collision's own time steps, so nothing is interpolated; afterwards the modes
+    ring on exactly and the ball flies on. The force law says what the ball gives back from any compression,
+    F u / (p + 1) with p its unloading exponent; what has been put in beyond that is heat.
+
+    Parameters
+    ----------
+    impact : a hit by the ball's own contact law.
+    modes, ball : the same as in that hit.
+    duration : s after first touch, > 0; contact is always shown whole.
+    contact_frames, free_frames : moments until release and after it, each >= 2; fewer where there are fewer steps.
+    """
+    if not len(impact.times):
+        raise InputError(f"there is no hit to film: {impact.outcome.sentence}")
+    if not (np.isfinite(duration) and duration > 0) or min(contact_frames, free_frames) < 2:
+        raise InputError(
+            f"a film of {duration:g} s with {contact_frames} and {free_frames} frames was asked for; allowed is more "
+            "than 0 s, and 2 frames or more of each"
+        )
+    contact = replayed(impact, modes)
+    chosen = np.unique(np.linspace(0, len(contact.times) - 1, contact_frames).round().astype(int))
+    begin = float(contact.times[-1])
+    free = free_motion(
+        modes,
+        displacement=contact.displacement[-1],
+        velocity=contact.velocity[-1],
+        step=abs(duration - begin) / free_frames,
+        count=free_frames if duration > begin else 0,
+    )
+    bat = Motion(
+        times=np.concatenate([contact.times[chosen], begin + free.times]),
+        displacement=np.concatenate([contact.displacement[chosen], free.displacement]),
+        velocity=np.concatenate([contact.velocity[chosen], free.velocity]),
+        damping=np.concatenate([contact.damping[chosen], contact.damping[-1] + free.damping]),
+    )
+    force, compression = np.append(impact.force, 0.0), np.append(impact.compression, 0.0)
+    speed, travel = _ball_motion(impact, ball, contact.times)
+    stored, heat = _inside_ball(ball, force, compression)
+
+    def whole(during: Array, after: Array | float) -> Array:
+        """Join the chosen moments of contact to what comes after."""
+        return np.concatenate([during[chosen], np.broadcast_to(after, len(free.times))])
+
+    translation, rotation, bending, hoop, face = bat_energy(modes, bat.displacement, bat.velocity)
+    return Film(
+        impact=impact,
+        times=bat.times,
+        travel=whole(travel, travel[-1] + speed[-1] * free.times),
+        force=whole(force, 0.0),
+        compression=whole(compression, 0.0),
+        displacement=bat.displacement,
+        velocity=bat.velocity,
+        energy=Energies(
+            ball=ball.mass * whole(speed, speed[-1]) ** 2 / 2,
+            stored=whole(stored, 0.0),
+            heat=whole(heat, heat[-1]),
+            translation=translation,
+            rotation=rotation,
+            bending=bending,
+            hoop=hoop,
+            damping=bat.damping,
+            face=face,
+        ),
+    )
+
+
+def arrival_time(film: Film, *, modes: Modes, position: float) -> float | None:
+    """Return when the wave from the hit reaches a place on the bat, s after first touch.
+
+    That is when the place first moves with `ARRIVAL` of the greatest speed of the place that was struck; None where
+    it never does within the film. To within a frame.
+
+    Parameters
+    ----------
+    modes : the same as in the film.
+    position : m from the knob end.
+    """
+    struck = np.abs(film.velocity @ modes.shape_at(film.impact.position, film.impact.lateral))
+    moving = np.flatnonzero(np.abs(film.velocity @ modes.shape_at(position)) >= ARRIVAL * struck.max())
+    return float(film.times[moving[0]]) if len(moving) else None
+
+
+def impulse_given(impact: Impact, time: float) -> float:
+    """Return the part of the whole impulse that the ball has given by ``time`` s after first touch, 0 to 1."""
+    given = np.cumsum(impact.impulse)
+    return float(np.interp(time, impact.times, given) / given[-1])
+
+
+def _ball_motion(impact: Impact, ball: Ball, times: Array) -> tuple[Array, Array]:
+    """Return the ball's speed and travel at the kicks and at the end; at a kick the speed is the mean across it."""
+    after = impact.closing_speed - np.cumsum(impact.impulse) / ball.mass
+    before = np.concatenate([[impact.closing_speed], after[:-1]])
+    travel = np.concatenate([[0.0], np.cumsum(after * np.diff(times))])
+    return np.append((before + after) / 2, after[-1]), travel
+
+
+def _inside_ball(ball: Ball, force: Array, compression: Array) -> tuple[Array, Array]:
+    """Return the energies stored and lost in the ball at the kicks and at the end, J."""
+    work = np.concatenate([[0.0], np.cumsum(np.diff(compression) * (force[1:] + force[:-1]) / 2)])
+    deepest = np.maximum.accumulate(compression)
+    powers = np.array([unloading_exponent(ball, float(peak)) if peak > 0 else ball.exponent for peak in deepest])
+    stored = force * compression / (powers + 1)
+    return stored, work - stored

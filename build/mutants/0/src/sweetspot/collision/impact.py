@@ -1,0 +1,138 @@
+"""The result of a hit, with its verdict and where the energy went."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sweetspot.vibration.modes import Modes
+
+Array = NDArray[np.float64]
+CONTACT_FORCE = 0.01
+"""Part of the peak force at which contact counts as over; a ball that is nearly free presses hardly at all."""
+
+
+class Outcome(IntEnum):
+    """How a hit ended; a batch carries one per row."""
+
+    SEPARATED = 0
+    STILL_IN_CONTACT = 1
+    NO_CONTACT = 2
+    MISS = 3
+
+    @property
+    def sentence(self) -> str:
+        """The outcome in words."""
+        return {
+            Outcome.SEPARATED: "ball and bat have separated",
+            Outcome.STILL_IN_CONTACT: "ball and bat were still in contact at the time limit",
+            Outcome.NO_CONTACT: "the bat does not reach the ball: their closing speed is not above zero",
+            Outcome.MISS: "a miss: the ball passes the bat above or below",
+        }[self]
+
+
+@dataclass(frozen=True)
+class EnergyLedger:
+    """Where the energy went, J, in the frame of the undisturbed bat (as in a laboratory that fires at a bat at rest).
+
+    Parameters
+    ----------
+    incoming : of the ball.
+    ball : kinetic energy of the ball leaving.
+    heat : lost in the ball.
+    translation, rotation : rigid motion given to the bat.
+    bending, hoop, face : left vibrating in the bat (hands' springs and masses count as bending) and in the strings,
+        rubber or plate of its face. Roll counts as rotation.
+    damping : lost in the bat and the hands during contact.
+    """
+
+    incoming: float
+    ball: float
+    heat: float
+    translation: float
+    rotation: float
+    bending: float
+    hoop: float
+    damping: float
+    face: float = 0.0
+
+    @property
+    def imbalance(self) -> float:
+        """What the parts miss of the incoming energy, as a ratio: the error of the time steps."""
+        parts = (
+            self.ball, self.heat, self.translation, self.rotation, self.bending, self.hoop, self.damping, self.face,
+        )  # fmt: skip
+        return sum(parts) / self.incoming - 1 if self.incoming else 0.0
+
+
+@dataclass(frozen=True)
+class Impact:
+    """One hit.
+
+    Parameters
+    ----------
+    outcome : how it ended; every number below is nan where it has no meaning.
+    position : m from the knob end.
+    closing_speed : m/s, ball plus bat at the point of impact.
+    collision_efficiency : q, the rebound speed from a bat at rest over the closing speed.
+    contact_time : s, from touch until the force has fallen to 1 % of its peak for good: what a gauge sees.
+    release_time : s, from touch until the ball is free.
+    peak_force : N.
+    peak_compression : m, of the ball.
+    energy : the ledger.
+    displacement, velocity : of every mode at release, shape (n,), sqrt(kg) m and sqrt(kg) m/s.
+    times, force, compression, impulse : history during contact, s, N, m, N s, shape (steps,); ``impulse`` is what each
+        kick gave, the force times the step but for the step's correction.
+    lateral : m across the face from the bat's line.
+    """
+
+    outcome: Outcome
+    position: float
+    closing_speed: float
+    collision_efficiency: float
+    contact_time: float
+    release_time: float
+    peak_force: float
+    peak_compression: float
+    energy: EnergyLedger
+    displacement: Array
+    velocity: Array
+    times: Array
+    force: Array
+    compression: Array
+    impulse: Array
+    lateral: float = 0.0
+
+
+@dataclass(frozen=True)
+class Impacts:
+    """Many hits; every array has one row per hit, and rows without a meaning are nan (see `outcome`)."""
+
+    outcome: NDArray[np.int64]
+    collision_efficiency: Array
+    contact_time: Array
+    release_time: Array
+    peak_force: Array
+    peak_compression: Array
+    displacement: Array
+    velocity: Array
+
+    def __len__(self) -> int:
+        return len(self.outcome)
+
+
+def bat_energy(modes: Modes, displacement: Array, velocity: Array) -> tuple[Array, Array, Array, Array, Array]:
+    """Return translation, rotation, bending, hoop and face energy in J of a bat in its modes, each of shape (...).
+
+    Parameters
+    ----------
+    displacement, velocity : of every mode, shape (..., n): of one moment or of many.
+    """
+    each = (velocity**2 + (modes.angular_frequency * displacement) ** 2) / 2
+    translation, *turning = np.moveaxis((velocity @ modes.rigid_part.T) ** 2 / 2, -1, 0)
+    rotation = np.sum(turning, axis=0)
+    hoop, face = (each[..., modes.of_family(family)].sum(axis=-1) for family in ("hoop", "face"))
+    return translation, rotation, each.sum(axis=-1) - translation - rotation - hoop - face, hoop, face

@@ -1,0 +1,330 @@
+"""The coupled collision, many hits at once: arrays in, arrays out, the same time step as `coupled`.
+
+`LANES` hits advance side by side; every loop over lanes is straight-line arithmetic, which the compiler turns into
+vector instructions. The kernel is serial and releases the GIL, so threads, processes or a cluster work outside it.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+from numpy.typing import ArrayLike, NDArray
+
+from sweetspot.ball import COR_FLOOR, Ball
+from sweetspot.collision.coupled import TIME_LIMIT, check_step
+from sweetspot.collision.impact import CONTACT_FORCE, Array, Impacts, Outcome
+from sweetspot.collision.propagator import dashpot_factors, propagator
+from sweetspot.collision.vector_math import exp, log
+from sweetspot.vibration.modes import Modes
+from sweetspot.workers import in_parts
+
+IntArray = NDArray[np.int64]
+LANES = 64
+"""Most hits side by side; fewer hits than that take only the lanes they need, in fours."""
+STEP = 14e-6
+"""s; exit speeds are within 1e-4 of the converged ones for hits at game speed (`make bench` prints the curve)."""
+CHUNK = 8192
+"""Hits per task handed to a thread."""
+
+SEPARATED, STILL_IN_CONTACT, NO_CONTACT = (
+    int(Outcome.SEPARATED), int(Outcome.STILL_IN_CONTACT), int(Outcome.NO_CONTACT),
+)  # fmt: skip
+
+
+def hits(
+    modes: Modes,
+    *,
+    ball: Ball,
+    position: ArrayLike,
+    closing_speed: ArrayLike,
+    lateral: ArrayLike = 0.0,
+    step: float = STEP,
+    keep_motion: bool = True,
+    threads: int | None = None,
+) -> Impacts:
+    """Return many collisions with one bat; every row ends with its own outcome.
+
+    Parameters
+    ----------
+    position, closing_speed, lateral : m from the knob end, m/s and m across the face from the bat's line, broadcast
+        together to shape (hits,).
+    step : s, > 0.
+    keep_motion : whether to return the bat's modal motion at release (224 bytes per hit).
+    threads : workers; None: one per core, and one only for small batches.
+    """
+    check_step(step)
+    given = (np.asarray(values, float) for values in (position, lateral, closing_speed))
+    places, across, speeds = (values.ravel() for values in np.broadcast_arrays(*given))
+    speeds = np.ascontiguousarray(speeds)
+    count, size = len(speeds), len(modes)
+    outcome = np.empty(count, np.int64)
+    results = np.empty((5, count))
+    motion = np.empty((2, count if keep_motion else 0, size))
+    drift, half_dash = propagator(modes, step), dashpot_factors(modes, step / 2)
+    law = ball.restitution
+    constants = np.array(
+        [ball.mass, ball.stiffness, ball.exponent, law.reference, law.slope, law.reference_speed, COR_FLOOR]
+    )
+
+    def work(part: slice) -> None:
+        shapes = np.ascontiguousarray(modes.shape_at(places[part], across[part]))
+        kept = motion[:, part] if keep_motion else motion
+        lanes = min(LANES, 4 * math.ceil(len(shapes) / 4))
+        output = Output(outcome[part], results[:, part], kept)
+        limit = float(round(TIME_LIMIT / step))
+        solve(lanes, speeds[part], shapes, drift, modes.dashpots, half_dash, constants, step, limit, output)
+
+    in_parts(work, count, size=CHUNK, threads=threads)
+    return Impacts(outcome, *results, *motion)
+
+
+# rows of the lanes' state
+CLOSING, BALL_POSITION, BALL_SPEED, SURFACE, COMPRESSION, BEFORE, EARLIER = range(7)
+PEAK, RISING, OFFSET, POWER, IMPULSE, LARGEST, KICKS, INVERSE_MASS, FORCE, CONTACT = range(7, 17)
+STATE_ROWS = 17
+
+
+class Lanes(NamedTuple):
+    """What the lanes hold: scalars by row of ``state``, modal values by mode, and which hit is in which lane."""
+
+    state: Array
+    shape: Array
+    displacement: Array
+    velocity: Array
+    hit_of: IntArray
+
+
+class Output(NamedTuple):
+    """Where results go: outcome (n,), results (5, n), motion (2, n, modes) or (2, 0, modes) to leave it out."""
+
+    outcome: IntArray
+    results: Array
+    motion: Array
+
+
+@njit(cache=True)
+def _unloading(peak: float, constants: Array) -> tuple[float, float]:
+    """Return (a, b) of the unloading curve F = exp(a + b log u) from a peak compression."""
+    mass, stiffness, exponent, reference, slope, reference_speed, floor = constants
+    stored = stiffness * peak ** (exponent + 1) / (exponent + 1)
+    wall_speed = math.sqrt(2 * stored / mass)
+    restitution = min(1.0, max(floor, reference - slope * (wall_speed - reference_speed)))
+    power = (exponent + 1) / restitution**2 - 1
+    return math.log(stiffness) + (exponent - power) * math.log(peak), power
+
+
+@njit(cache=True)
+def _crossing(earlier: float, start: float, latest: float, kicks: float) -> float:
+    """Return where the parabola through the last three kicks crosses zero, in steps after the last but one."""
+    if kicks < 4:
+        return start / (start - latest)
+    slope, bend = (latest - earlier) / 2, (earlier - 2 * start + latest) / 2
+    return 2 * start / (math.sqrt(slope**2 - 4 * bend * start) - slope)
+
+
+@njit(nogil=True, cache=True, fastmath={"contract", "nsz"}, error_model="numpy")
+def solve(
+    lane_count: int,
+    closing_speed: Array,
+    shapes: Array,
+    drift: Array,
+    dashpots: Array,
+    half_dash: Array,
+    constants: Array,
+    step: float,
+    limit: float,
+    output: Output,
+) -> None:
+    """Fill ``output`` for n hits.
+
+    Every lane carries one hit; when it ends, the lane takes the next hit, so that no lane waits for another.
+    One long function on purpose: with its last loops in a function of their own it is a tenth slower.
+
+    Parameters
+    ----------
+    lane_count : hits side by side.
+    closing_speed, shapes : (n,) m/s and (n, modes) 1/sqrt(kg) at the point of impact.
+    drift : (modes, 2, 2), the free motion over one step.
+    dashpots, half_dash : (k, modes) and (k,), dampers that couple modes and what they do in half a step.
+    constants : ball mass, k, n, restitution law (reference, slope, speed) and its floor.
+    step, limit : s, and the number of steps after which a hit is given up.
+    """
+    size = shapes.shape[1]
+    mass = constants[0]
+    lanes = Lanes(
+        np.zeros((STATE_ROWS, lane_count)),
+        np.empty((size, lane_count)),
+        np.empty((size, lane_count)),
+        np.empty((size, lane_count)),
+        np.empty(lane_count, np.int64),
+    )
+    state = lanes.state
+    following, busy = 0, 0
+    for lane in range(lane_count):
+        following = _start(lane, following, closing_speed, shapes, constants, step, lanes, output)
+        busy += lanes.hit_of[lane] >= 0
+    ball_position, ball_speed, surface = state[BALL_POSITION], state[BALL_SPEED], state[SURFACE]
+    compression, before, earlier = state[COMPRESSION], state[BEFORE], state[EARLIER]
+    peak, rising, kicks = state[PEAK], state[RISING], state[KICKS]
+    offset, power, impulse, largest = state[OFFSET], state[POWER], state[IMPULSE], state[LARGEST]
+    force, contact = state[FORCE], state[CONTACT]
+    inverse_mass, event, rate = state[INVERSE_MASS], np.zeros(lane_count), np.zeros(lane_count)
+    # Many short loops: the compiler turns a loop into vector instructions only when it touches few arrays.
+    while busy > 0:
+        any_event = 0.0
+        for lane in range(lane_count):
+            earlier[lane] = before[lane]
+            before[lane] = compression[lane]
+        for lane in range(lane_count):
+            compression[lane] = ball_position[lane] - surface[lane]
+            surface[lane] = 0.0
+            kicks[lane] += 1.0
+        for lane in range(lane_count):
+            up = 1.0 if compression[lane] >= peak[lane] else 0.0
+            gone = 1.0 if compression[lane] <= 0.0 else 0.0
+            late = 1.0 if kicks[lane] > limit else 0.0
+            event[lane] = max(abs(up - rising[lane]), max(gone, late))  # noqa: PLW3301 - numba takes two at a time
+        for lane in range(lane_count):
+            any_event = max(any_event, event[lane])
+            peak[lane] = max(peak[lane], compression[lane])
+        if any_event > 0.0:
+            for lane in range(lane_count):
+                if event[lane] == 0.0:
+                    continue
+                if compression[lane] <= 0 or kicks[lane] > limit:
+                    _finish(lane, step, lanes, output)
+                    following = _start(lane, following, closing_speed, shapes, constants, step, lanes, output)
+                    kicks[lane] += 1.0
+                    busy -= lanes.hit_of[lane] < 0
+                else:
+                    _turn(lane, constants, step, state)
+        for lane in range(lane_count):
+            impulse[lane] = exp(offset[lane] + power[lane] * log(compression[lane]))
+        for lane in range(lane_count):
+            largest[lane] = max(largest[lane], impulse[lane])
+        for lane in range(lane_count):
+            threshold = CONTACT_FORCE * largest[lane]
+            ebbing = (force[lane] >= threshold) & (impulse[lane] < threshold)
+            part = (force[lane] - threshold) / (force[lane] - impulse[lane])
+            contact[lane] = kicks[lane] + part if ebbing else contact[lane]
+        for lane in range(lane_count):
+            force[lane] = impulse[lane]
+        for lane in range(lane_count):
+            slope = power[lane] * impulse[lane] / compression[lane]
+            impulse[lane] *= step * (1.0 - step**2 / 12 * inverse_mass[lane] * slope)
+        for lane in range(lane_count):
+            ball_speed[lane] -= impulse[lane] / mass
+            ball_position[lane] += ball_speed[lane] * step
+        if len(half_dash) > 0:  # the kick alone, then dampers for half a step on both sides of the drift
+            for i in range(size):
+                for lane in range(lane_count):
+                    lanes.velocity[i, lane] += lanes.shape[i, lane] * impulse[lane]
+            impulse[:] = 0.0
+            _dash(lanes.velocity, dashpots, half_dash, rate)
+        for i in range(size):
+            a, b, c, d = drift[i, 0, 0], drift[i, 0, 1], drift[i, 1, 0], drift[i, 1, 1]
+            shape, q, p = lanes.shape[i], lanes.displacement[i], lanes.velocity[i]
+            for lane in range(lane_count):
+                start = p[lane] + shape[lane] * impulse[lane]
+                moved = a * q[lane] + b * start
+                p[lane] = c * q[lane] + d * start
+                q[lane] = moved
+                surface[lane] += shape[lane] * moved
+        if len(half_dash) > 0:
+            _dash(lanes.velocity, dashpots, half_dash, rate)
+
+
+@njit(cache=True)
+def _dash(velocity: Array, dashpots: Array, factors: Array, rate: Array) -> None:
+    """Let the dashpots act on the modal velocities of every lane."""
+    for k in range(len(factors)):
+        rate[:] = 0.0
+        for i in range(len(velocity)):
+            for lane in range(len(rate)):
+                rate[lane] += dashpots[k, i] * velocity[i, lane]
+        for i in range(len(velocity)):
+            for lane in range(len(rate)):
+                velocity[i, lane] -= factors[k] * dashpots[k, i] * rate[lane]
+
+
+@njit(cache=True)
+def _start(
+    lane: int,
+    following: int,
+    closing_speed: Array,
+    shapes: Array,
+    constants: Array,
+    step: float,
+    lanes: Lanes,
+    output: Output,
+) -> int:
+    """Put the next hit that makes contact into a lane, or leave the lane idle; return the hit after it."""
+    count, size = shapes.shape
+    while following < count and not closing_speed[following] > 0:
+        output.outcome[following] = NO_CONTACT
+        output.results[:, following] = np.nan
+        if output.motion.shape[1]:
+            output.motion[:, following] = 0.0
+        following += 1
+    mass, stiffness, exponent = constants[0], constants[1], constants[2]
+    idle = following >= count
+    lanes.hit_of[lane] = -1 if idle else following
+    speed = 0.0 if idle else closing_speed[following]
+    inverse_mass = 1 / mass
+    for i in range(size):
+        lanes.shape[i, lane] = 0.0 if idle else shapes[following, i]
+        inverse_mass += lanes.shape[i, lane] ** 2
+        lanes.displacement[i, lane] = 0.0
+        lanes.velocity[i, lane] = 0.0
+    state = lanes.state
+    state[:, lane] = 0.0
+    state[CLOSING, lane] = speed
+    state[BALL_SPEED, lane] = speed
+    state[BALL_POSITION, lane] = 1.0 if idle else speed * step / 2
+    state[COMPRESSION, lane] = state[BALL_POSITION, lane]
+    state[PEAK, lane] = 2.0 if idle else state[BALL_POSITION, lane]  # an idle lane never turns, ends or pushes
+    state[RISING, lane] = 0.0 if idle else 1.0
+    state[OFFSET, lane] = -1e9 if idle else math.log(stiffness)
+    state[POWER, lane] = exponent
+    state[KICKS, lane] = -np.inf if idle else 0.0
+    state[INVERSE_MASS, lane] = inverse_mass
+    return following + 1
+
+
+@njit(cache=True)
+def _turn(lane: int, constants: Array, step: float, state: Array) -> None:
+    """Change a lane from loading to unloading, at the top of the parabola through three kicks, or back."""
+    latest, peak = state[COMPRESSION, lane], state[PEAK, lane]
+    if latest >= peak and state[RISING, lane] == 0.0:
+        state[RISING, lane] = 1.0
+        state[OFFSET, lane], state[POWER, lane] = math.log(constants[1]), constants[2]
+    elif latest < peak and state[RISING, lane] == 1.0:
+        state[RISING, lane] = 0.0
+        if state[KICKS, lane] > 2:
+            first, middle = state[EARLIER, lane], state[BEFORE, lane]
+            peak = max(peak, middle - (latest - first) ** 2 / (8 * (first - 2 * middle + latest)))
+        peak -= step**2 / 12 * state[INVERSE_MASS, lane] * constants[1] * peak ** constants[2]
+        state[PEAK, lane] = peak
+        state[OFFSET, lane], state[POWER, lane] = _unloading(peak, constants)
+
+
+@njit(cache=True)
+def _finish(lane: int, step: float, lanes: Lanes, output: Output) -> None:
+    """Write the results of a lane whose ball has left, or whose time is up."""
+    state, results, row = lanes.state, output.results, lanes.hit_of[lane]
+    separated = state[COMPRESSION, lane] <= 0
+    output.outcome[row] = SEPARATED if separated else STILL_IN_CONTACT
+    results[:3, row] = np.nan
+    results[3, row] = state[LARGEST, lane]
+    results[4, row] = state[PEAK, lane]
+    if separated:
+        crossing = _crossing(state[EARLIER, lane], state[BEFORE, lane], state[COMPRESSION, lane], state[KICKS, lane])
+        results[0, row] = -state[BALL_SPEED, lane] / state[CLOSING, lane]
+        results[1, row] = (state[CONTACT, lane] - 1.5) * step
+        results[2, row] = (state[KICKS, lane] - 1.5 + crossing) * step
+    if output.motion.shape[1]:
+        output.motion[0, row] = lanes.displacement[:, lane]
+        output.motion[1, row] = lanes.velocity[:, lane]

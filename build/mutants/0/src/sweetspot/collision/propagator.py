@@ -1,0 +1,44 @@
+"""The exact free motion of damped oscillators over one time step, and the exact action of dashpots."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from sweetspot.vibration.modes import Array, Modes
+
+
+def propagator(modes: Modes, step: float) -> Array:
+    """Return the matrices that take (q, q') of each mode over ``step`` seconds, shape (n, 2, 2).
+
+    Solves q'' + 2 g q' + omega^2 q = 0 exactly, below, at and above critical damping; rigid motions drift.
+    """
+    rate = modes.damping_rate / 2
+    root = np.sqrt((modes.angular_frequency**2 - rate**2).astype(complex))
+    cosine = np.cos(root * step).real
+    small = np.abs(root * step) < 1e-8
+    sine = np.where(small, step, (np.sin(root * step) / np.where(small, 1, root)).real)
+    decay = np.exp(-rate * step)
+    matrices = np.empty((len(modes), 2, 2))
+    matrices[:, 0, 0] = decay * (cosine + rate * sine)
+    matrices[:, 0, 1] = decay * sine
+    matrices[:, 1, 0] = -decay * modes.angular_frequency**2 * sine
+    matrices[:, 1, 1] = decay * (cosine - rate * sine)
+    return matrices
+
+
+def dashpot_factors(modes: Modes, step: float) -> Array:
+    """Return f_k of q' <- q' - f_k d_k (d_k . q'), what each dashpot alone does exactly in ``step`` s, shape (k,).
+
+    exp(-d d^T h) = 1 - d (1 - exp(-|d|^2 h)) / |d|^2 d^T; the rows are orthogonal, so they act independently.
+    """
+    squares = np.sum(modes.dashpots**2, axis=1)
+    return np.asarray(
+        np.divide(-np.expm1(-squares * step), squares, out=np.full_like(squares, step), where=squares > 0)
+    )
+
+
+def dashed(modes: Modes, factors: Array, velocity: Array) -> Array:
+    """Return the modal velocities after the dashpots have acted, with ``factors`` from `dashpot_factors`."""
+    if not len(factors):
+        return velocity
+    return np.asarray(velocity - (factors * (modes.dashpots @ velocity)) @ modes.dashpots)

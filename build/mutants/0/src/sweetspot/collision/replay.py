@@ -1,0 +1,119 @@
+"""How the bat moved during a hit and moves on after it: the recorded kicks drive its modes once more."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sweetspot.collision.coupled import check_step
+from sweetspot.collision.impact import Array, Impact, bat_energy
+from sweetspot.collision.propagator import dashed, dashpot_factors, propagator
+from sweetspot.vibration.modes import Modes
+
+
+class Motion(NamedTuple):
+    """Every mode's motion at a row of times.
+
+    Parameters
+    ----------
+    times : s after first touch, increasing, shape (times,).
+    displacement, velocity : sqrt(kg) m and sqrt(kg) m/s, shape (times, n).
+    damping : J lost in bat and hands since the motion began, shape (times,).
+    """
+
+    times: Array
+    displacement: Array
+    velocity: Array
+    damping: Array
+
+
+def replayed(impact: Impact, modes: Modes) -> Motion:
+    """Return the modes' motion from first touch to the end of a hit: at every kick, and where the hit left them.
+
+    The kicks are the ones the collision recorded, so the last row is `Impact.displacement` and `Impact.velocity`
+    again. A velocity at a kick is the mean of those before and after it.
+
+    Parameters
+    ----------
+    impact : from `coupled.hit`.
+    modes : the same as in that hit, or some of them (`Modes.kept`) where no dashpots couple them.
+
+    Returns
+    -------
+    Motion
+        at rest in the first row; one row alone for a bat that did not reach the ball.
+    """
+    still = np.zeros(len(modes))
+    if not len(impact.times):
+        return Motion(np.zeros(1), still[None], still[None], np.zeros(1))
+    step = kick_step(impact)
+    drift, half_dash = propagator(modes, step), dashpot_factors(modes, step / 2)
+    shape = modes.shape_at(impact.position, impact.lateral)
+    displacement, velocity = still, still
+    places, before, after = [still], [still], [still]
+    for push in impact.impulse[1:]:
+        kicked = velocity + shape * push
+        places.append(displacement)
+        before.append(velocity)
+        after.append(kicked)
+        velocity = dashed(modes, half_dash, kicked)
+        displacement, velocity = (
+            drift[:, 0, 0] * displacement + drift[:, 0, 1] * velocity,
+            drift[:, 1, 0] * displacement + drift[:, 1, 1] * velocity,
+        )
+        velocity = dashed(modes, half_dash, velocity)
+    path, incoming, outgoing = np.array([*places, displacement]), np.array([*before, velocity]), np.array(after)
+    lost = _energy(modes, path[:-1], outgoing) - _energy(modes, path[1:], incoming[1:])
+    return Motion(
+        times=np.append(impact.times, impact.times[-1] + step),
+        displacement=path,
+        velocity=np.vstack([(incoming[:-1] + outgoing) / 2, velocity]),
+        damping=np.cumsum([0.0, *lost]),
+    )
+
+
+def free_motion(modes: Modes, *, displacement: Array, velocity: Array, step: float, count: int) -> Motion:
+    """Return how the modes move on when nothing pushes them, exactly, at 1 to ``count`` steps from now.
+
+    z' = A z with z = (q, q') and A = [[0, 1], [-omega^2, -c - d^T d]]; each row is exp(A step) times the one before.
+
+    Parameters
+    ----------
+    displacement, velocity : of every mode now, shape (n,).
+    step : s, > 0; any size is exact.
+    count : rows wanted, >= 0.
+    """
+    check_step(step)
+    flow = _flow(modes, step)
+    state = np.concatenate([displacement, velocity])
+    rows = np.empty((count, len(state)))
+    for row in range(count):
+        state = flow @ state
+        rows[row] = state
+    size = len(modes)
+    lost = _energy(modes, displacement, velocity) - _energy(modes, rows[:, :size], rows[:, size:])
+    return Motion(step * np.arange(1.0, count + 1), rows[:, :size], rows[:, size:], lost)
+
+
+def kick_step(impact: Impact) -> float:
+    """Return the time step in s between the kicks of a hit that touched."""
+    return float(impact.times[-1] - impact.times[-2]) if len(impact.times) > 2 else float(2 * impact.times[-1])
+
+
+def _energy(modes: Modes, displacement: Array, velocity: Array) -> Array:
+    """Return the bat's energy in J at one moment or at many."""
+    return sum(bat_energy(modes, displacement, velocity), np.zeros(()))
+
+
+def _flow(modes: Modes, step: float) -> Array:
+    """Return the matrix that takes (q, q') of all modes over ``step`` seconds, shape (2n, 2n)."""
+    size = len(modes)
+    if not len(modes.dashpots):
+        each = propagator(modes, step)
+        return np.block([[np.diag(each[:, row, column]) for column in (0, 1)] for row in (0, 1)])
+    from scipy.linalg import expm
+
+    damping = np.diag(modes.damping_rate) + modes.dashpots.T @ modes.dashpots
+    rate = np.block([[np.zeros((size, size)), np.eye(size)], [-np.diag(modes.angular_frequency**2), -damping]])
+    return np.asarray(expm(step * rate))

@@ -1,0 +1,225 @@
+"""Bat and ball meet in space: where on the bat, how far off its centre, and how the ball leaves.
+
+The normal part is the coupled collision along the line of centres, for that closing speed and place; `oblique.launch`
+adds friction and spin. Head-on the result is the normal part alone.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from sweetspot.ball import Ball
+from sweetspot.bat import Bat
+from sweetspot.collision.coupled import hit
+from sweetspot.collision.impact import Impact, Outcome
+from sweetspot.collision.kernel import hits
+from sweetspot.collision.oblique import (
+    FRICTION,
+    TANGENTIAL_RESTITUTION,
+    Array,
+    ContactFrame,
+    contact_frame,
+    launch,
+    recoil_across,
+    travel,
+)  # fmt: skip
+from sweetspot.errors import InputError
+from sweetspot.implement import check_position
+from sweetspot.motion import BallMotion
+from sweetspot.reduction import Reduction
+from sweetspot.swing import Swing
+from sweetspot.swing_path import PathAxes, SwingPath
+
+
+@dataclass(frozen=True)
+class Strike:
+    """One hit in space.
+
+    Parameters
+    ----------
+    outcome : how it ended; after a miss, or where the bat does not reach the ball, the rest is None.
+    bat_speed : m/s at the point of impact.
+    impact : the part along the line of centres.
+    launched : the ball as it leaves.
+    travel_along, travel_around : m that the ball's centre moves past the bat's surface during contact, towards the
+        tip and upwards.
+    gripped : whether friction was enough to stop the sliding.
+    second_plane : vibration that friction gives the bat across the first plane, relative to the first plane's.
+    """
+
+    outcome: Outcome
+    bat_speed: float
+    impact: Impact | None = None
+    launched: BallMotion | None = None
+    travel_along: float | None = None
+    travel_around: float | None = None
+    gripped: bool | None = None
+    second_plane: float | None = None
+
+
+@dataclass(frozen=True)
+class Strikes:
+    """Many hits in space; rows without a meaning are nan (see `outcome`).
+
+    Parameters
+    ----------
+    outcome : one per hit.
+    closing_speed : m/s along the line of centres.
+    collision_efficiency : q of the part along the line of centres.
+    contact_time, peak_force, peak_compression : s, N and m of that part.
+    exit_speed, velocity, spin : of the ball as it leaves, m/s and rad/s, shapes (n,), (n, 3) and (n, 3).
+    """
+
+    outcome: NDArray[np.int64]
+    closing_speed: Array
+    collision_efficiency: Array
+    contact_time: Array
+    peak_force: Array
+    peak_compression: Array
+    exit_speed: Array
+    velocity: Array
+    spin: Array
+
+
+def strike(
+    reduced: Reduction[Bat],
+    *,
+    ball: Ball,
+    swing: Swing,
+    path: SwingPath,
+    pitch: BallMotion,
+    position: float,
+    offset: float = 0.0,
+    friction: float = FRICTION,
+    tangential_restitution: float = TANGENTIAL_RESTITUTION,
+) -> Strike:
+    """Return how a pitched ball leaves the bat.
+
+    The line of centres lies in the plane across the bat's axis and rises above the bat's path by
+    asin(offset / (ball radius + bat radius)). The barrel's own slope is left out: it is below 2 degrees where one hits.
+
+    Parameters
+    ----------
+    swing, path : how fast the bat moves, and where to.
+    pitch : the ball as it arrives.
+    position : m from the knob end, where the line of centres meets the bat's axis.
+    offset : m by which the ball's centre lies above the bat's axis, square to the bat's path; as much as both radii
+        or more is a miss.
+
+    Raises
+    ------
+    InputError
+        for a position that is not on the bat.
+    """
+    check_position(reduced.bat, position, "position")
+    reach = ball.radius + float(reduced.bat.diameter_at(np.array(position))) / 2
+    bat_speed = swing.speed_at(position)
+    if abs(offset) >= reach:
+        return Strike(Outcome.MISS, bat_speed)
+    axes = path.axes
+    frame = contact_frame(*axes, lift=np.arcsin(offset / reach))
+    bat_velocity = bat_speed * axes.forward
+    closing = float((bat_velocity - pitch.velocity) @ frame.normal)
+    impact = hit(reduced.modes, ball=ball, position=position, closing_speed=closing)
+    if impact.outcome is not Outcome.SEPARATED:
+        return Strike(impact.outcome, bat_speed)
+    impulse = ball.mass * closing * (1 + impact.collision_efficiency)
+    done = launch(
+        frame,
+        ball=ball,
+        ball_velocity=pitch.velocity,
+        ball_spin=pitch.spin,
+        bat_velocity=bat_velocity,
+        normal_impulse=impulse,
+        recoil_around=_recoil_around(reduced, np.array(position), impact.velocity, impulse),
+        recoil_along=1 / reduced.body.mass,
+        friction=friction,
+        tangential_restitution=tangential_restitution,
+    )
+    past = pitch.velocity - bat_velocity
+    return Strike(
+        outcome=impact.outcome,
+        bat_speed=bat_speed,
+        impact=impact,
+        launched=BallMotion(pitch.position, done.velocity, done.spin),
+        travel_along=travel(impact, ball=ball, speed=float(past @ frame.along), impulse=float(done.along)),
+        travel_around=travel(impact, ball=ball, speed=float(past @ frame.around), impulse=float(done.around)),
+        gripped=bool(done.gripped),
+        second_plane=abs(float(done.around)) / impulse,
+    )
+
+
+def strikes(
+    reduced: Reduction[Bat],
+    *,
+    ball: Ball,
+    bat_speed: ArrayLike,
+    axes: PathAxes,
+    pitch_velocity: ArrayLike,
+    pitch_spin: ArrayLike,
+    position: ArrayLike,
+    offset: ArrayLike = 0.0,
+    friction: float = FRICTION,
+    tangential_restitution: float = TANGENTIAL_RESTITUTION,
+    threads: int | None = None,
+) -> Strikes:
+    """Return many hits with one bat; every row ends with its own outcome.
+
+    Parameters
+    ----------
+    bat_speed : m/s at the point of impact (not at the place where a swing is measured), shape (n,).
+    axes : directions of the swings, `sweetspot.swing_path.path_axes`, shape (n, 3) or (3,).
+    pitch_velocity, pitch_spin : m/s and rad/s, shape (n, 3) or (3,).
+    position, offset : m, as in `strike`; a position off the bat is refused, shape (n,).
+    threads : workers of the collision kernel.
+
+    Raises
+    ------
+    InputError
+        for a position that is not on the bat.
+    """
+    speed, place, above = np.broadcast_arrays(*(np.asarray(v, float).ravel() for v in (bat_speed, position, offset)))
+    if np.any((place < 0) | (place > reduced.bat.length)):
+        worst = float(place[np.argmax(np.abs(place - reduced.bat.length / 2))])
+        raise InputError(f"position {worst:.4g} m is not on the bat; allowed is 0 to {reduced.bat.length:.4g} m")
+    velocity, spin = (np.broadcast_to(np.asarray(v, float), (len(speed), 3)) for v in (pitch_velocity, pitch_spin))
+    reach = ball.radius + reduced.bat.diameter_at(place) / 2
+    missed = np.abs(above) >= reach
+    frame = contact_frame(*axes, lift=np.arcsin(np.clip(above / reach, -1.0, 1.0)))
+    bat_velocity = speed[:, None] * axes.forward
+    closing = np.where(missed, 0.0, np.sum((bat_velocity - velocity) * frame.normal, axis=-1))
+    done = hits(reduced.modes, ball=ball, position=place, closing_speed=closing, threads=threads)
+    impulse = ball.mass * closing * (1 + done.collision_efficiency)
+    left = launch(
+        ContactFrame(*(np.broadcast_to(axis, (len(speed), 3)) for axis in frame)),
+        ball=ball,
+        ball_velocity=velocity,
+        ball_spin=spin,
+        bat_velocity=bat_velocity,
+        normal_impulse=impulse,
+        recoil_around=_recoil_around(reduced, place, done.velocity, impulse),
+        recoil_along=1 / reduced.body.mass,
+        friction=friction,
+        tangential_restitution=tangential_restitution,
+    )
+    return Strikes(
+        outcome=np.where(missed, int(Outcome.MISS), done.outcome),
+        closing_speed=np.where(missed, np.nan, closing),
+        collision_efficiency=done.collision_efficiency,
+        contact_time=done.contact_time,
+        peak_force=done.peak_force,
+        peak_compression=done.peak_compression,
+        exit_speed=np.linalg.norm(left.velocity, axis=-1),
+        velocity=left.velocity,
+        spin=left.spin,
+    )
+
+
+def _recoil_around(reduced: Reduction[Bat], place: Array, velocity: Array, impulse: ArrayLike) -> Array:
+    """Return the speed that one N s of friction around the bat gives its surface: as a beam, and by rolling, 1/kg."""
+    beam = [i for i, family in enumerate(reduced.modes.families) if family != "hoop"]
+    across = recoil_across(reduced.modes.shape_at(place)[..., beam], velocity[..., beam], normal_impulse=impulse)
+    return across + (reduced.bat.diameter_at(place) / 2) ** 2 / reduced.body.roll_moi

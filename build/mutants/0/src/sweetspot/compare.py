@@ -1,0 +1,224 @@
+"""Bats side by side, in the hands of one player: what each gains or loses, and how surely.
+
+The first bat is the reference: the swing is known with it. Another bat is swung with the same effort (slower or
+faster as its moment of inertia says) or at the same speed.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Generic, Literal
+
+from sweetspot.analysis import Analysis, analyse_reduced
+from sweetspot.catalog.swing_laws import swing_law
+from sweetspot.collision.kernel import hits
+from sweetspot.collision.momentum import exit_speed
+from sweetspot.errors import InputError
+from sweetspot.implement import Implement
+from sweetspot.parabola import peak
+from sweetspot.reduction import Given, Reduction, Tool_co, reduction
+from sweetspot.rigid import RigidBody
+from sweetspot.scan import Array
+from sweetspot.swing import MAX_SPEED, Conditions
+from sweetspot.swing_law import Interval, SwingLaw, turned_faster
+from sweetspot.vibration.modes import Modes
+
+Same = Literal["effort", "speed"]
+ACCURACY = 1e-9
+"""m/s of exit speed to which a break-even bat speed is found."""
+TRIALS = 30
+
+
+@dataclass(frozen=True)
+class Compared(Generic[Tool_co]):
+    """One bat of a comparison.
+
+    Parameters
+    ----------
+    label : what to call it beside the others.
+    analysis : everything about it at the most likely bat speed.
+    collision_efficiency, bbcor : the greatest on the barrel, at the closing speed of this swing.
+    bat_speed : m/s where the swing is measured, equally far from the tip for all bats.
+    exit_speed : m/s, the greatest along the bat.
+    change : m/s of ``exit_speed`` against the reference's.
+    break_even : m/s of bat speed with which the bat's greatest exit speed is the reference's; nan where none would do.
+    """
+
+    label: str
+    analysis: Analysis[Tool_co]
+    collision_efficiency: float
+    bbcor: float
+    bat_speed: Interval
+    exit_speed: Interval
+    change: Interval
+    break_even: float
+
+
+@dataclass(frozen=True)
+class Comparison(Generic[Tool_co]):
+    """Bats side by side, the reference first; ``law`` is None when all are swung at the same speed.
+
+    The intervals hold the spread of the law's exponent and nothing else.
+    """
+
+    compared: tuple[Compared[Tool_co], ...]
+    law: SwingLaw | None
+
+    @property
+    def reference(self) -> Compared[Tool_co]:
+        """The bat that the others are measured against."""
+        return self.compared[0]
+
+
+def compare(
+    bats: Sequence[Given],
+    *,
+    conditions: Conditions,
+    same: Same = "effort",
+    law: SwingLaw | None = None,
+    labels: Sequence[str] | None = None,
+) -> Comparison[Given]:
+    """Return any number of bats under one player's swing.
+
+    Parameters
+    ----------
+    conditions : of the first bat. The others are hit by the same pitch; their pivot and hands move with their grip,
+        and their speed is measured equally far from the tip.
+    same : "effort": omega follows the law; "speed": the same bat speed at the measured place.
+    law : of bat speed against moment of inertia; None: the catalogue's for baseball.
+    labels : one per bat; None: their names.
+
+    Raises
+    ------
+    InputError
+        without a bat, with labels that do not go with the bats, or when a bat or its swing is refused.
+    """
+    reductions = [reduction(bat, ball=conditions.ball) for bat in bats]
+    return compare_reduced(reductions, conditions=conditions, same=same, law=law, labels=labels)
+
+
+def compare_reduced(
+    reductions: Sequence[Reduction[Given]],
+    *,
+    conditions: Conditions,
+    same: Same = "effort",
+    law: SwingLaw | None = None,
+    labels: Sequence[str] | None = None,
+) -> Comparison[Given]:
+    """Return any number of bats, whose modes are known already, under one player's swing; see `compare`."""
+    if not reductions:
+        raise InputError("no bat was given; give at least one, and two to compare them")
+    if labels is not None and len(labels) != len(reductions):
+        raise InputError(f"{len(labels)} labels were given for {len(reductions)} bats; give one for each")
+    used = (law or swing_law()) if same == "effort" else None
+    first = reductions[0]
+    found: list[Compared[Given]] = []
+    names = labels or [reduced.bat.name for reduced in reductions]
+    for reduced, label in zip(reductions, names, strict=True):
+        bat, reference = reduced.bat, first.bat
+        ratios = (
+            Interval(1.0, 1.0, 1.0) if used is None else speed_ratios(used, bat, reduced.body, reference, first.body)
+        )
+        swung = [
+            swung_conditions(bat, reference=reference, conditions=conditions, ratio=None if used is None else ratio)
+            for ratio in (ratios.value, ratios.low, ratios.high)
+        ]
+        found.append(_compared(label, analyse_reduced(reduced, swung[0]), swung, found[0] if found else None))
+    return Comparison(tuple(found), used)
+
+
+def speed_ratios(
+    law: SwingLaw, bat: Implement, body: RigidBody, reference: Implement, reference_body: RigidBody
+) -> Interval:
+    """Return omega / omega_0 of a bat against the reference with the law's 95 % interval.
+
+    The moment of inertia is taken about the law's axis, counted from the bottom of each bat's grip.
+    """
+    moi, known = body.moi(bat.choke + law.axis), reference_body.moi(reference.choke + law.axis)
+    exponents = law.exponents
+    ratios = [
+        law.speed_ratio(moi, reference_moi=known, exponent=power)
+        for power in (exponents.value, exponents.low, exponents.high)
+    ]
+    return Interval(ratios[0], min(ratios), max(ratios))
+
+
+def swung_conditions(
+    bat: Implement, *, reference: Implement, conditions: Conditions, ratio: float | None
+) -> Conditions:
+    """Return the conditions of another bat in the same player's hands.
+
+    Parameters
+    ----------
+    reference, conditions : the bat that the swing is known with, and that swing.
+    ratio : of the angular speeds; None: the same bat speed where it is measured.
+    """
+    moved = bat.choke - reference.choke
+    swing, hands = conditions.swing, conditions.hands
+    pivot = swing.pivot + moved
+    measured_at = (
+        swing.measured_at if bat.length == reference.length else bat.length - reference.length + swing.measured_at
+    )
+    if ratio is None:
+        swung = swing.replaced(measured_at=measured_at, pivot=pivot)
+    else:
+        swung = turned_faster(swing, ratio, measured_at=measured_at, pivot=pivot)
+    return conditions.replaced(swing=swung, hands=hands.replaced(position=hands.position + moved))
+
+
+def on_barrel(positions: Array, body: RigidBody) -> Array:
+    """Return the positions beyond the balance point, where the best hit is looked for."""
+    return positions[positions > body.balance_point]
+
+
+def best_exit_speed(modes: Modes, *, positions: Array, conditions: Conditions) -> float:
+    """Return the greatest exit speed in m/s of hits at ``positions`` (m from the knob end, increasing)."""
+    bat_speed = conditions.swing.angular_speed * (positions - conditions.swing.pivot)
+    closing, ball = conditions.pitch.speed + bat_speed, conditions.ball
+    done = hits(modes, ball=ball, position=positions, closing_speed=closing, keep_motion=False)
+    return peak(exit_speed(done.collision_efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed))
+
+
+def break_even_speed(modes: Modes, *, positions: Array, conditions: Conditions, exit_speed: float) -> float:
+    """Return the bat speed in m/s, where the swing measures it, that gives this greatest exit speed.
+
+    It is nan when no bat speed that a swing may have does.
+    """
+
+    def excess(bat_speed: float) -> float:
+        swung = conditions.replaced(swing=conditions.swing.replaced(bat_speed=bat_speed))
+        return best_exit_speed(modes, positions=positions, conditions=swung) - exit_speed
+
+    speed = conditions.swing.bat_speed
+    miss, slope = excess(speed), 1.2  # about 1 + q
+    for _ in range(TRIALS):
+        if abs(miss) < ACCURACY:
+            break
+        step = -miss / slope
+        if not 0 < speed + step <= MAX_SPEED:
+            return math.nan
+        after = excess(speed + step)
+        slope, speed, miss = (after - miss) / step, speed + step, after
+    return speed
+
+
+def _compared(
+    label: str, analysis: Analysis[Given], swung: list[Conditions], reference: Compared[Given] | None
+) -> Compared[Given]:
+    body, along, modes = analysis.body, analysis.scan, analysis.modes
+    barrel = along.position > body.balance_point
+    places = on_barrel(along.position, body)
+    exits = Interval(*(best_exit_speed(modes, positions=places, conditions=conditions) for conditions in swung))
+    known = exits.value if reference is None else reference.exit_speed.value
+    return Compared(
+        label=label,
+        analysis=analysis,
+        collision_efficiency=peak(along.collision_efficiency[barrel]),
+        bbcor=peak(along.bbcor[barrel]),
+        bat_speed=Interval(*(conditions.swing.bat_speed for conditions in swung)),
+        exit_speed=exits,
+        change=exits.shifted(-known),
+        break_even=break_even_speed(modes, positions=places, conditions=swung[0], exit_speed=known),
+    )

@@ -1,0 +1,77 @@
+"""What acts on a ball in flight: weight, drag against its way through the air, and the lift of its spin.
+
+Only spin across the path lifts; the part along the path (gyro spin) does nothing but tire.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sweetspot.aerodynamics import Aerodynamics
+from sweetspot.ball import Ball
+from sweetspot.errors import InputError
+from sweetspot.rigid import STANDARD_GRAVITY
+
+Array = NDArray[np.float64]
+
+SLOWEST = 1e-9
+"""m/s; slower than this through the air there is neither drag nor lift."""
+
+
+def acceleration(velocity: Array, *, spin: Array, ball: Ball, aerodynamics: Aerodynamics, density: float) -> Array:
+    """Return the acceleration of a ball in m/s^2, shape (3,).
+
+    a = -g z - k Cd u u_vector + k Cl u^2 (spin x u_vector) / |spin x u_vector|, k = rho pi R^2 / (2 m)
+    [nathan_calculator]. With S = R |spin x u_vector| / u^2 the lift is k (Cl / S) R (spin x u_vector), which stays
+    finite where nothing spins.
+
+    Parameters
+    ----------
+    velocity : through the air (the ball's less the wind's), m/s, shape (3,).
+    spin : rad/s, shape (3,).
+    density : of the air, kg/m^3, >= 0.
+    """
+    push = drag_and_lift(velocity, spin=spin, ball=ball, aerodynamics=aerodynamics, density=density)
+    return np.array([0.0, 0.0, -STANDARD_GRAVITY]) + push[0] + push[1]
+
+
+def drag_and_lift(
+    velocity: Array, *, spin: Array, ball: Ball, aerodynamics: Aerodynamics, density: float
+) -> tuple[Array, Array]:
+    """Return the accelerations by drag and by lift in m/s^2, each of shape (3,); see `acceleration`."""
+    speed = math.sqrt(float(velocity @ velocity))
+    if speed < SLOWEST:  # no direction to push in
+        return np.zeros(3), np.zeros(3)
+    across = np.array(
+        [
+            spin[1] * velocity[2] - spin[2] * velocity[1],
+            spin[2] * velocity[0] - spin[0] * velocity[2],
+            spin[0] * velocity[1] - spin[1] * velocity[0],
+        ]
+    )
+    spin_factor = ball.radius * math.sqrt(float(across @ across)) / speed**2
+    strength = density * math.pi * ball.radius**2 / (2 * ball.mass)
+    drag = aerodynamics.drag_coefficient(spin_factor, spin=math.sqrt(float(spin @ spin)))
+    lift = aerodynamics.lift_over_spin_factor(spin_factor) * ball.radius
+    return -strength * drag * speed * velocity, strength * lift * across
+
+
+def drag_from_terminal_speed(terminal_speed: float, *, mass: float, radius: float, density: float) -> float:
+    """Return the Cd of a body that falls no faster than ``terminal_speed``: m g = rho pi R^2 Cd v^2 / 2.
+
+    Parameters
+    ----------
+    terminal_speed : v, m/s, > 0.
+    mass, radius : kg and m, > 0; the radius is that of the area the coefficient refers to.
+    density : kg/m^3, > 0, of the air.
+
+    >>> round(drag_from_terminal_speed(6.8, mass=0.005, radius=0.033, density=1.2), 3)
+    0.517
+    """
+    for value, what in ((terminal_speed, "terminal_speed"), (mass, "mass"), (radius, "radius"), (density, "density")):
+        if not (math.isfinite(value) and value > 0):
+            raise InputError(f"{what} is {value:g}; allowed is a number above zero")
+    return 2 * mass * STANDARD_GRAVITY / (density * math.pi * radius**2 * terminal_speed**2)

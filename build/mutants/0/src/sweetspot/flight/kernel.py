@@ -1,0 +1,169 @@
+"""Many flights at once: arrays in, arrays out, the same method as `trajectory`.
+
+The compiled part (`lanes`) is serial and releases the GIL, so threads, processes or a cluster work outside it.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from sweetspot.aerodynamics import Aerodynamics
+from sweetspot.air import CALM, Air, Wind
+from sweetspot.ball import Ball
+from sweetspot.errors import InputError
+from sweetspot.flight.lanes import APEX_HEIGHT, APEX_TIME, HANG, INPUT_ROWS, LANDED, RESULT_ROWS, solve
+from sweetspot.flight.trajectory import check_step
+from sweetspot.workers import in_parts
+
+Array = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+STEP = 0.2
+"""s; carries of baseballs are within 0.001 ft of the converged ones (`make bench` prints the curve)."""
+CHUNK = 4096
+"""Flights per task handed to a thread."""
+MOST_PATH_POINTS = 10_000
+
+
+@dataclass(frozen=True)
+class Flights:
+    """Many flights; every array has one row per flight, and rows that did not land have nan.
+
+    Parameters
+    ----------
+    outcome : `FlightOutcome` of every row, shape (n,).
+    carry : m over the ground from the tip of home plate, shape (n,).
+    hang_time : s, shape (n,).
+    apex_height, apex_time : m above the ground and s, shape (n,).
+    landing_position, landing_velocity : m and m/s, shape (n, 3).
+    spin_left : part of the spin that is left at landing, shape (n,).
+    times : s, shape (n, k), evenly from launch to landing, where a path was asked for, otherwise (n, 0).
+    positions : m, shape (n, k, 3), the ball at these times.
+    """
+
+    outcome: IntArray
+    carry: Array
+    hang_time: Array
+    apex_height: Array
+    apex_time: Array
+    landing_position: Array
+    landing_velocity: Array
+    spin_left: Array
+    times: Array
+    positions: Array
+
+    def __len__(self) -> int:
+        return len(self.outcome)
+
+    @property
+    def landed(self) -> NDArray[np.bool_]:
+        """Which flights came down, shape (n,)."""
+        return np.asarray(self.outcome == LANDED)
+
+    @property
+    def landing_angle(self) -> Array:
+        """How steeply each ball comes down, rad below the level, shape (n,)."""
+        level = np.hypot(self.landing_velocity[:, 0], self.landing_velocity[:, 1])
+        return np.arctan2(-self.landing_velocity[:, 2], level)
+
+
+def flights(
+    position: ArrayLike,
+    velocity: ArrayLike,
+    spin: ArrayLike,
+    *,
+    ball: Ball,
+    aerodynamics: Aerodynamics,
+    air: Air | ArrayLike,
+    wind: Wind | ArrayLike = CALM,
+    path_points: int = 0,
+    step: float = STEP,
+    threads: int | None = None,
+) -> Flights:
+    """Return many flights of one kind of ball; every row ends with its own outcome.
+
+    Parameters
+    ----------
+    position, velocity, spin : m, m/s and rad/s in the frame of the field, shape (3,) or (n, 3), broadcast together.
+    air : one air for all, or the density for every row, kg/m^3, shape (n,).
+    wind : one wind for all, or a wind alike at every height for every row, m/s, shape (n, 2): to the right and out.
+    path_points : how many points of each path to return, evenly in time; 0: none (24 bytes each).
+    step : s, > 0; the error falls with its fourth power.
+    threads : workers; None: one per core, and one only for small batches.
+    """
+    check_step(step)
+    if not 0 <= path_points <= MOST_PATH_POINTS or path_points == 1:
+        raise InputError(f"path_points is {path_points}; allowed is 0 (no path) or 2 to {MOST_PATH_POINTS}")
+    start = _rows(position, velocity, spin, air, wind)
+    count = start.shape[1]
+    outcome = np.empty(count, np.int64)
+    results = np.empty((RESULT_ROWS, count))
+    paths = np.empty((count, path_points, 3))
+    constants = _constants(ball, aerodynamics, wind)
+    power = None if aerodynamics.lift_exponent == 1 else aerodynamics.lift_exponent
+    profile = wind.exponent if isinstance(wind, Wind) and wind.exponent and wind.speed else None
+
+    def work(part: slice) -> None:
+        mine = np.ascontiguousarray(start[:, part])
+        ends = outcome[part], results[:, part]
+        solve(mine, constants, power, profile, step, *ends, paths[part, :0])
+        if path_points:
+            solve(mine, constants, power, profile, step, *ends, paths[part])
+
+    in_parts(work, count, size=CHUNK, threads=threads)
+    hang = results[HANG]
+    return Flights(
+        outcome=outcome,
+        carry=np.hypot(results[0], results[1]),
+        hang_time=hang,
+        apex_height=results[APEX_HEIGHT],
+        apex_time=results[APEX_TIME],
+        landing_position=results[0:3].T,
+        landing_velocity=results[3:6].T,
+        spin_left=results[6],
+        times=hang[:, None] * np.linspace(0, 1, path_points)[None, :],
+        positions=paths,
+    )
+
+
+def _rows(
+    position: ArrayLike, velocity: ArrayLike, spin: ArrayLike, air: Air | ArrayLike, wind: Wind | ArrayLike
+) -> Array:  # fmt: skip
+    """Return what differs between flights, shape (12, n): position, velocity, spin, density, wind right and out."""
+    density = np.asarray(air.density) if isinstance(air, Air) else np.atleast_1d(np.asarray(air, float))
+    blowing = np.asarray(wind.velocity[:2]) if isinstance(wind, Wind) else np.asarray(wind, float)
+    columns = [np.asarray(values, float) for values in (position, velocity, spin)]
+    for values, size, what in (*zip(columns, (3, 3, 3), ("position", "velocity", "spin"), strict=True),
+                               (blowing, 2, "wind")):  # fmt: skip
+        if values.ndim not in {1, 2} or values.shape[-1] != size:
+            raise InputError(f"{what} has the shape {values.shape}; allowed is ({size},) or (flights, {size})")
+    try:
+        (count,) = np.broadcast_shapes(
+            *(values.shape[:-1] for values in columns), blowing.shape[:-1], density.shape
+        ) or (1,)
+    except ValueError:
+        shapes = ", ".join(str(values.shape) for values in (*columns, blowing, density))
+        raise InputError(
+            f"position, velocity, spin, wind and air have the shapes {shapes}; give each one row, or the same number"
+        ) from None
+    start = np.empty((INPUT_ROWS, count))
+    for first, values in zip((0, 3, 6, 10), (*columns, blowing), strict=True):
+        start[first : first + values.shape[-1]] = np.broadcast_to(values, (count, values.shape[-1])).T
+    start[9] = density
+    return start
+
+
+def _constants(ball: Ball, aerodynamics: Aerodynamics, wind: Wind | ArrayLike) -> Array:
+    """Return the numbers that every flight shares, in the order that `lanes.solve` takes them."""
+    edge, height = (wind.calm_below, wind.reference_height) if isinstance(wind, Wind) else (0.0, 1.0)
+    return np.array(
+        [
+            math.pi * ball.radius**2 / (2 * ball.mass), ball.radius, aerodynamics.drag, aerodynamics.drag_per_spin,
+            aerodynamics.drag_per_spin_factor, aerodynamics.lift_scale, aerodynamics.lift_offset,
+            aerodynamics.lift_slope, aerodynamics.spin_decay_rate, edge, height,
+        ]
+    )  # fmt: skip

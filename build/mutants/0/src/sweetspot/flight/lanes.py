@@ -1,0 +1,333 @@
+"""The compiled heart of `kernel`: `LANES` flights advance side by side, by the same steps as in `trajectory`.
+
+All numbers of the lanes lie in one flat array, row after row, so that the compiler sees that no two rows overlap and
+turns the loop over lanes into vector instructions. What happens seldom (apex, landing, the edge of the wind, a point
+of a path) is done lane by lane.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numba import njit
+from numba.extending import register_jitable
+from numpy.typing import NDArray
+
+from sweetspot.aerodynamics import SMALLEST_SPIN_FACTOR
+from sweetspot.collision.vector_math import exp, log
+from sweetspot.flight import cubic
+from sweetspot.flight.forces import SLOWEST
+from sweetspot.flight.trajectory import MOST_STEPS, SLOW, TIME_LIMIT, FlightOutcome
+from sweetspot.rigid import STANDARD_GRAVITY
+
+Array = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+State = tuple[float, float, float, float, float, float, float]
+"""Position, velocity and the part of the spin that is left."""
+Spin = tuple[float, float, float, float]
+"""Spin vector and its size."""
+Pair = tuple[float, float]
+
+LANES = 16
+"""Flights side by side."""
+INPUT_ROWS = 12
+HANG, APEX_HEIGHT, APEX_TIME = 7, 8, 9
+RESULT_ROWS = 10
+LANDED, STILL_FLYING, UNDERGROUND, UNUSABLE = (
+    int(FlightOutcome.LANDED), int(FlightOutcome.STILL_FLYING), int(FlightOutcome.UNDERGROUND),
+    int(FlightOutcome.UNUSABLE),
+)  # fmt: skip
+
+# first places of the rows of the lanes' numbers: the state now and a step ago, then what belongs to the flight
+NOW, BEFORE = 0, 7 * LANES
+X, Y, Z, VX, VY, VZ, LEFT = (LANES * row for row in range(7))
+SPIN_X, SPIN_Y, SPIN_Z, SPIN, STRENGTH, WIND_X, WIND_Y, OPEN, TAKEN, TIME, EVENT, NEXT, STEPS, TOP, TOP_TIME = (
+    LANES * row for row in range(14, 29)
+)
+ROWS = 29
+
+# the readable functions, compiled where compiled code calls them
+_on_cubic = register_jitable(cubic.on_cubic)
+_turn_on_cubic = register_jitable(cubic.turn_on_cubic)
+_first_crossing = register_jitable(cubic.first_crossing)
+register_jitable(cubic.root_on_cubic)
+
+
+@njit(forceinline=True, error_model="numpy", fastmath={"contract", "nsz"})
+def _rates(
+    height: float, right: float, out: float, up: float, left: float, spin: Spin,
+    strength: float, wind: Pair, shared: tuple[float, ...], power: float | None, profile: float | None,
+) -> tuple[float, float, float, float, float]:  # fmt: skip
+    """Return (acceleration right, out, up; change of the spin left; how fast the air changes the velocity)."""
+    radius, drag, per_spin, per_factor, scale, offset, slope, decay, reference = shared
+    blowing = 1.0
+    if profile is not None:
+        blowing = exp(profile * log(max(height, 1e-300) / reference))
+    right -= blowing * wind[0]
+    out -= blowing * wind[1]
+    square = max(right * right + out * out + up * up, SLOWEST**2)
+    speed = math.sqrt(square)
+    across_right = left * (spin[1] * up - spin[2] * out)
+    across_out = left * (spin[2] * right - spin[0] * up)
+    across_up = left * (spin[0] * out - spin[1] * right)
+    across = math.sqrt(across_right * across_right + across_out * across_out + across_up * across_up)
+    factor = radius * across / square
+    lift = radius * scale / (offset + slope * factor)
+    if power is not None:
+        floored = max(factor, SMALLEST_SPIN_FACTOR)
+        raised = exp(power * log(floored))
+        lift = radius * scale * raised / floored / (offset + slope * raised)
+    braking = strength * speed * (drag + per_spin * left * spin[3] + per_factor * factor)
+    lift *= strength
+    return (
+        lift * across_right - braking * right,
+        lift * across_out - braking * out,
+        lift * across_up - braking * up - STANDARD_GRAVITY,
+        -decay * speed * left,
+        braking + lift * across / speed + math.sqrt(STANDARD_GRAVITY * braking / speed),
+    )
+
+
+@njit(forceinline=True, error_model="numpy", fastmath={"contract", "nsz"})
+def _stepped(
+    state: State, step: float, spin: Spin, strength: float, wind: Pair, shared: tuple[float, ...],
+    power: float | None, profile: float | None,
+) -> State:  # fmt: skip
+    """Return a state one step later, by Runge's and Kutta's classical method."""
+    x, y, z, vx, vy, vz, left = state
+    half, sixth = step / 2, step / 6
+    ax, ay, az, worn, _ = _rates(z, vx, vy, vz, left, spin, strength, wind, shared, power, profile)
+    bx, by, bz = vx + half * ax, vy + half * ay, vz + half * az
+    cx, cy, cz, worn_2, _ = _rates(
+        z + half * vz, bx, by, bz, left + half * worn, spin, strength, wind, shared, power, profile
+    )
+    dx, dy, dz = vx + half * cx, vy + half * cy, vz + half * cz
+    ex, ey, ez, worn_3, _ = _rates(
+        z + half * bz, dx, dy, dz, left + half * worn_2, spin, strength, wind, shared, power, profile
+    )
+    fx, fy, fz = vx + step * ex, vy + step * ey, vz + step * ez
+    gx, gy, gz, worn_4, _ = _rates(
+        z + step * dz, fx, fy, fz, left + step * worn_3, spin, strength, wind, shared, power, profile
+    )
+    return (
+        x + sixth * (vx + 2 * (bx + dx) + fx), y + sixth * (vy + 2 * (by + dy) + fy),
+        z + sixth * (vz + 2 * (bz + dz) + fz), vx + sixth * (ax + 2 * (cx + ex) + gx),
+        vy + sixth * (ay + 2 * (cy + ey) + gy), vz + sixth * (az + 2 * (cz + ez) + gz),
+        left + sixth * (worn + 2 * (worn_2 + worn_3) + worn_4),
+    )  # fmt: skip
+
+
+@njit(cache=True, error_model="numpy", fastmath={"contract", "nsz"})
+def _advance(lanes: Array, step: float, edge: float, shared: tuple[float, ...], power: float | None,
+             profile: float | None) -> float:  # fmt: skip
+    """Move every lane by one step; return above zero where something happened in a lane's step."""
+    for lane in range(LANES):
+        z, vx, vy, vz, left = lanes[Z + lane], lanes[VX + lane], lanes[VY + lane], lanes[VZ + lane], lanes[LEFT + lane]
+        spin = (lanes[SPIN_X + lane], lanes[SPIN_Y + lane], lanes[SPIN_Z + lane], lanes[SPIN + lane])
+        strength, blowing = lanes[STRENGTH + lane], lanes[OPEN + lane]
+        wind = (blowing * lanes[WIND_X + lane], blowing * lanes[WIND_Y + lane])
+        response = _rates(z, vx, vy, vz, left, spin, strength, wind, shared, power, profile)[4]
+        length = step / max(1.0, SLOW * response)
+        state = (lanes[X + lane], lanes[Y + lane], z, vx, vy, vz, left)
+        after = _stepped(state, length, spin, strength, wind, shared, power, profile)
+        lanes[BEFORE + X + lane], lanes[BEFORE + Y + lane], lanes[BEFORE + Z + lane] = state[0], state[1], z
+        lanes[BEFORE + VX + lane], lanes[BEFORE + VY + lane], lanes[BEFORE + VZ + lane] = vx, vy, vz
+        lanes[BEFORE + LEFT + lane] = left
+        lanes[X + lane], lanes[Y + lane], lanes[Z + lane] = after[0], after[1], after[2]
+        lanes[VX + lane], lanes[VY + lane], lanes[VZ + lane] = after[3], after[4], after[5]
+        lanes[LEFT + lane] = after[6]
+        lanes[TAKEN + lane] = length
+    events = 0.0
+    for lane in range(LANES):
+        lanes[TIME + lane] += lanes[TAKEN + lane]
+        lanes[STEPS + lane] += 1.0
+        turned = 1.0 if lanes[VZ + lane] * lanes[BEFORE + VZ + lane] < 0.0 else 0.0
+        down = 1.0 if lanes[Z + lane] <= 0.0 else 0.0
+        crossed = 1.0 if (lanes[Z + lane] - edge) * (lanes[BEFORE + Z + lane] - edge) < 0.0 else 0.0
+        late = 1.0 if lanes[TIME + lane] >= min(TIME_LIMIT, lanes[NEXT + lane]) else 0.0
+        long = 1.0 if lanes[STEPS + lane] >= MOST_STEPS else 0.0
+        event = turned + down + crossed + late + long
+        lanes[EVENT + lane] = event
+        events += event
+    return events
+
+
+@njit(nogil=True, cache=True, error_model="numpy", fastmath={"contract", "nsz"})
+def solve(
+    start: Array, constants: Array, power: float | None, profile: float | None, step: float,
+    outcome: IntArray, results: Array, paths: Array,
+) -> None:  # fmt: skip
+    """Fill outcome and results of n flights; or their paths, once the results hold their hang times.
+
+    Every lane carries one flight; when it has landed, the lane takes the next one, so that no lane waits for another.
+
+    Parameters
+    ----------
+    start : (12, n), position, velocity, spin, density, wind to the right and out.
+    constants : drag acceleration per density, Cd and square of the speed; then what `_rates` takes as shared, with
+        the height where the wind begins before its reference height.
+    power, profile : exponents of the lift law and of the wind, None for 1 and for a wind alike at every height.
+    outcome, results : (n,) and (10, n): state at landing, hang time, height and time of the apex.
+    paths : (n, k, 3), k points evenly in time; k = 0 to solve.
+    """
+    edge = constants[9]
+    shared = (
+        constants[1], constants[2], constants[3], constants[4], constants[5], constants[6], constants[7], constants[8],
+        constants[10],
+    )  # fmt: skip
+    lanes = np.zeros(ROWS * LANES)
+    flight_of = np.full(LANES, -1)
+    filled = np.zeros(LANES, np.int64)
+    following, busy = 0, 0
+    for lane in range(LANES):
+        following = _start(
+            lane, following, start, constants[0], edge, lanes, flight_of, filled, outcome, results, paths
+        )
+        busy += flight_of[lane] >= 0
+    while busy > 0:
+        if _advance(lanes, step, edge, shared, power, profile) == 0.0:
+            continue
+        for lane in range(LANES):
+            if lanes[EVENT + lane] == 0.0 or flight_of[lane] < 0:
+                continue
+            if _event(lane, edge, shared, power, profile, lanes, flight_of, filled, outcome, results, paths):
+                following = _start(
+                    lane, following, start, constants[0], edge, lanes, flight_of, filled, outcome, results, paths
+                )
+                busy -= flight_of[lane] < 0
+
+
+@njit(cache=True)
+def _start(
+    lane: int, following: int, start: Array, per_density: float, edge: float, lanes: Array, flight_of: IntArray,
+    filled: IntArray, outcome: IntArray, results: Array, paths: Array,
+) -> int:  # fmt: skip
+    """Put the next flight that leaves the ground into a lane, or leave the lane idle; return the flight after it."""
+    count, drawing = start.shape[1], paths.shape[1] > 0
+    while following < count and not _leaves(following, start, drawing, outcome, results, paths):
+        following += 1
+    flight_of[lane] = following if following < count else -1
+    filled[lane] = 0
+    for row in range(ROWS):
+        lanes[row * LANES + lane] = 0.0
+    if following >= count:
+        lanes[Z + lane] = lanes[BEFORE + Z + lane] = 1.0
+        return following
+    for row in range(6):
+        lanes[row * LANES + lane] = start[row, following]
+    lanes[LEFT + lane] = 1.0
+    x, y, z = start[6, following], start[7, following], start[8, following]
+    lanes[SPIN_X + lane], lanes[SPIN_Y + lane], lanes[SPIN_Z + lane] = x, y, z
+    lanes[SPIN + lane] = math.sqrt(x * x + y * y + z * z)
+    lanes[STRENGTH + lane] = per_density * start[9, following]
+    lanes[WIND_X + lane], lanes[WIND_Y + lane] = start[10, following], start[11, following]
+    height = start[2, following]
+    lanes[OPEN + lane] = 0.0 if height < edge or (height == edge and start[5, following] < 0) else 1.0
+    lanes[TOP + lane] = height
+    lanes[NEXT + lane] = 0.0 if drawing else np.inf
+    return following + 1
+
+
+@njit(cache=True)
+def _leaves(i: int, start: Array, drawing: bool, outcome: IntArray, results: Array, paths: Array) -> bool:
+    """Return whether a flight takes place; write down how it ends where it does not, or at once."""
+    if drawing:
+        if outcome[i] != LANDED or results[HANG, i] == 0:
+            for point in range(paths.shape[1]):
+                paths[i, point] = start[:3, i] if outcome[i] == LANDED else np.full(3, np.nan)
+            return False
+        return True
+    sound = start[9, i] >= 0
+    for value in range(INPUT_ROWS):
+        sound = sound and math.isfinite(start[value, i])
+    results[:, i] = np.nan
+    if not sound:
+        outcome[i] = UNUSABLE
+    elif start[2, i] < 0:
+        outcome[i] = UNDERGROUND
+    elif start[2, i] == 0 and start[5, i] <= 0:
+        outcome[i] = LANDED
+        results[:6, i] = start[:6, i]
+        results[6:, i] = 0.0
+        results[6, i] = 1.0
+    else:
+        return True
+    return False
+
+
+@njit(cache=True, error_model="numpy")
+def _event(
+    lane: int, edge: float, shared: tuple[float, ...], power: float | None, profile: float | None, lanes: Array,
+    flight_of: IntArray, filled: IntArray, outcome: IntArray, results: Array, paths: Array,
+) -> bool:  # fmt: skip
+    """Do what a lane's step calls for; return whether its flight is over."""
+    i, length = flight_of[lane], lanes[TAKEN + lane]
+    height, climb, end = lanes[BEFORE + Z + lane], lanes[BEFORE + VZ + lane], lanes[Z + lane]
+    rise, fall = length * climb, length * lanes[VZ + lane]
+    part = _first_crossing(height - edge, end - edge, rise, fall) if edge > 0 else -1.0
+    if part >= 0:
+        length = _shorten(lane, part, edge, lanes, shared, power, profile)
+        end, rise, fall = edge, length * climb, length * lanes[VZ + lane]
+        lanes[OPEN + lane] = 1.0 if fall > 0 else 0.0
+    if rise > 0 > fall:
+        turn = _turn_on_cubic(height, end, rise, fall)
+        top = _on_cubic(turn, height, end, rise, fall)
+        if top > lanes[TOP + lane]:
+            lanes[TOP + lane], lanes[TOP_TIME + lane] = top, lanes[TIME + lane] - (1 - turn) * length
+    part = _first_crossing(height, end, rise, fall)
+    landed = part >= 0
+    if landed:
+        _shorten(lane, part, 0.0, lanes, shared, power, profile)
+    if paths.shape[1]:
+        _draw(lane, landed, lanes, filled, results[HANG, i], paths[i])
+        return landed
+    if not landed and lanes[TIME + lane] < TIME_LIMIT and lanes[STEPS + lane] < MOST_STEPS:
+        return False
+    if landed:
+        outcome[i] = LANDED
+        for row in range(7):
+            results[row, i] = lanes[row * LANES + lane]
+        results[HANG, i] = lanes[TIME + lane]
+        results[APEX_HEIGHT, i], results[APEX_TIME, i] = lanes[TOP + lane], lanes[TOP_TIME + lane]
+    else:
+        outcome[i] = STILL_FLYING
+    return True
+
+
+@njit(cache=True, error_model="numpy")
+def _shorten(
+    lane: int, part: float, height: float, lanes: Array, shared: tuple[float, ...], power: float | None,
+    profile: float | None,
+) -> float:  # fmt: skip
+    """Take only a part of a lane's last step, which ends at a known height; return how long it is."""
+    length = part * lanes[TAKEN + lane]
+    spin = (lanes[SPIN_X + lane], lanes[SPIN_Y + lane], lanes[SPIN_Z + lane], lanes[SPIN + lane])
+    wind = (lanes[OPEN + lane] * lanes[WIND_X + lane], lanes[OPEN + lane] * lanes[WIND_Y + lane])
+    state = (
+        lanes[BEFORE + X + lane], lanes[BEFORE + Y + lane], lanes[BEFORE + Z + lane], lanes[BEFORE + VX + lane],
+        lanes[BEFORE + VY + lane], lanes[BEFORE + VZ + lane], lanes[BEFORE + LEFT + lane],
+    )  # fmt: skip
+    after = _stepped(state, length, spin, lanes[STRENGTH + lane], wind, shared, power, profile)
+    lanes[X + lane], lanes[Y + lane], lanes[Z + lane] = after[0], after[1], height
+    lanes[VX + lane], lanes[VY + lane], lanes[VZ + lane], lanes[LEFT + lane] = after[3], after[4], after[5], after[6]
+    lanes[TIME + lane] += length - lanes[TAKEN + lane]
+    lanes[TAKEN + lane] = length
+    return float(length)
+
+
+@njit(cache=True)
+def _draw(lane: int, landed: bool, lanes: Array, filled: IntArray, hang_time: float, path: Array) -> None:
+    """Fill the points of a path that lie in a lane's last step."""
+    length, now = lanes[TAKEN + lane], lanes[TIME + lane]
+    last = len(path) - 1
+    while filled[lane] <= last and (filled[lane] * hang_time / last <= now or landed):
+        part = min(1.0, 1.0 - (now - filled[lane] * hang_time / last) / length)
+        for axis in range(3):
+            place = axis * LANES + lane
+            path[filled[lane], axis] = _on_cubic(
+                part, lanes[BEFORE + place], lanes[place],
+                length * lanes[BEFORE + VX + place], length * lanes[VX + place],
+            )  # fmt: skip
+        filled[lane] += 1
+    lanes[NEXT + lane] = filled[lane] * hang_time / last if filled[lane] <= last else np.inf

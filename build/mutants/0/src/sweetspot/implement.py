@@ -1,0 +1,197 @@
+"""What a player hits the ball with, in any sport: the little that the physics asks of it.
+
+Positions are metres from the end that the hand holds (the knob or butt end) to the tip; the axis figure in the docs
+fixes origin and directions.
+"""
+
+from __future__ import annotations
+
+import math
+from abc import ABC, abstractmethod
+from typing import Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from sweetspot.errors import InputError
+from sweetspot.face import Face, Outline
+from sweetspot.material import Material
+from sweetspot.section import Section
+from sweetspot.thing import NonNegative, Positive, Thing
+from sweetspot.units import shown
+
+Array = NDArray[np.float64]
+Look = Literal["wood", "metal", "filler", "laminate"]
+
+
+class Lump(NamedTuple):
+    """Mass at one place.
+
+    Parameters
+    ----------
+    position, mass : m from the butt end and kg; slightly negative for a knob smaller than drawn.
+    moi, roll_moi : kg m^2 of its own, about the axis across the line and about the line.
+    """
+
+    position: float
+    mass: float
+    moi: float = 0.0
+    roll_moi: float = 0.0
+
+
+class DensityRange(NamedTuple):
+    """Density in kg/m^3 that a body has by the catalogue, and the least and most that its material can have."""
+
+    usual: float
+    lightest: float
+    heaviest: float
+
+
+class Implement(Thing, ABC):
+    """A bat, racket, club or stick: a line with sections, perhaps with a face of its own.
+
+    Parameters
+    ----------
+    name : what people call it.
+    length : m.
+    sport : catalogue name of the sport it is made for.
+    mass, balance_point : measured, kg and m from the butt end; None when not measured.
+    moi : measured moment of inertia in kg m^2 about ``moi_axis`` (m from the butt end).
+    choke : m the grip is moved up from the butt end; shifts the default pivot and hands.
+    """
+
+    name: str
+    length: Positive
+    sport: str = "baseball"
+    mass: Positive | None = None
+    balance_point: Positive | None = None
+    moi: Positive | None = None
+    moi_axis: float = 0.1524
+    choke: NonNegative = 0.0
+
+    @property
+    @abstractmethod
+    def made_of(self) -> str:
+        """What it is made of, in a few words."""
+
+    @property
+    def materials(self) -> tuple[Material, ...]:
+        """Its materials, as far as it is described by them."""
+        return ()
+
+    @property
+    @abstractmethod
+    def look(self) -> Look:
+        """What a picture of it should look like."""
+
+    @property
+    @abstractmethod
+    def damping_ratio(self) -> float:
+        """Fraction of critical damping of its bending modes when hung freely."""
+
+    @property
+    def grip_end(self) -> str:
+        """What people call the end that the hand holds."""
+        return "butt end"
+
+    @abstractmethod
+    def breakpoints(self) -> tuple[float, ...]:
+        """Return the positions in m, 0 and length included, between which everything about it is smooth."""
+
+    @abstractmethod
+    def section_at(self, position: Array, scale: Array) -> Section:
+        """Return the sections at positions in m, with the body's own density ``scale`` times the catalogue's."""
+
+    @abstractmethod
+    def width_at(self, position: ArrayLike) -> Array:
+        """Return the width of its outline in m at positions in m, as the ball sees it."""
+
+    @property
+    def density_range(self) -> DensityRange | None:
+        """What its density may be; None where the sections hold what was measured already."""
+        return None
+
+    @property
+    def frequency(self) -> float | None:
+        """Measured frequency in Hz of its first bending mode, to which its stiffness is scaled; None: not known."""
+        return None
+
+    @property
+    def face(self) -> Face | None:
+        """What the ball meets where it gives way by itself or is flat; None for a round solid body."""
+        return None
+
+    @property
+    def outline(self) -> Outline | None:
+        """The part that is meant for the ball; None: all of it beyond the hands."""
+        return None
+
+    def as_measured(self) -> Implement:
+        """Return the implement that the measured values belong to: this one, or what it was before it was changed."""
+        return self
+
+    def lumps(self) -> tuple[Lump, ...]:
+        """Return everything that sits at one place and is not part of the sections."""
+        return ()
+
+
+class OfMaterial(Implement, ABC):
+    """An implement whose body is of one material.
+
+    Parameters
+    ----------
+    material : what the body is made of.
+    """
+
+    material: Material
+
+    @property
+    def made_of(self) -> str:
+        """Name of its material."""
+        return self.material.name
+
+    @property
+    def materials(self) -> tuple[Material, ...]:
+        """Its material."""
+        return (self.material,)
+
+    @property
+    def look(self) -> Look:
+        """Family of its material."""
+        return self.material.family
+
+    @property
+    def damping_ratio(self) -> float:
+        """Its material's."""
+        return self.material.damping_ratio
+
+    @property
+    def density_range(self) -> DensityRange | None:
+        """Of its material."""
+        light, heavy = self.material.density_range or (self.material.density, self.material.density)
+        return DensityRange(self.material.density, light, heavy)
+
+
+def check_position(bat: Implement, position: float, what: str = "position") -> None:
+    """Refuse a position (m) that is not on the bat; ``what`` names it in the message."""
+    if not (math.isfinite(position) and 0 <= position <= bat.length):
+        raise InputError(
+            f"{what} is {shown(position)} from the {bat.grip_end}, off the bat; "
+            f"{bat.name} reaches from 0 to {shown(bat.length)}"
+        )
+
+
+def check_lateral(bat: Implement, position: float, lateral: float) -> None:
+    """Refuse a place beside the line that is not on the face: ``lateral`` m across it at ``position`` m."""
+    if lateral == 0:
+        return
+    if bat.face is None or bat.outline is None:
+        raise InputError(
+            f"{bat.name} is round: a hit has no place beside its line. Leave it out, or give an implement with a face"
+        )
+    if not (math.isfinite(lateral) and bat.outline.holds(position, lateral)):
+        raise InputError(
+            f"the hit is {shown(abs(lateral))} beside the line at {shown(position)}, off the face; the face of "
+            f"{bat.name} is {shown(bat.outline.width)} wide and reaches from {shown(bat.outline.start)} to "
+            f"{shown(bat.outline.end)}"
+        )

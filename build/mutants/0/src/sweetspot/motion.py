@@ -1,0 +1,150 @@
+"""A ball at one moment: where it is, how fast it moves and how it spins.
+
+Pitch, collision and flight meet here: the pitch ends in a `BallMotion`, the collision makes another of it, and the
+flight starts from that. The frame is the field's: origin at the back tip of home plate, x to the right as the
+catcher sees it, y to centre field, z up.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from sweetspot.errors import InputError
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class BallMotion:
+    """A ball at one moment.
+
+    Parameters
+    ----------
+    position : m, shape (3,), of the ball's centre.
+    velocity : m/s, shape (3,).
+    spin : rad/s, shape (3,), right-handed; the air pushes along spin x velocity.
+
+    Raises
+    ------
+    InputError
+        for a vector that has not three finite numbers.
+    """
+
+    position: Array
+    velocity: Array
+    spin: Array
+
+    def __post_init__(self) -> None:
+        for name in ("position", "velocity", "spin"):
+            vector = np.asarray(getattr(self, name), float)
+            if vector.shape != (3,) or not np.isfinite(vector).all():
+                raise InputError(f"{name} is {getattr(self, name)}; give three finite numbers: right, out and up")
+            object.__setattr__(self, name, vector)
+
+    @property
+    def speed(self) -> float:
+        """Speed in m/s."""
+        return float(np.linalg.norm(self.velocity))
+
+    @property
+    def launch_angle(self) -> float:
+        """Elevation of the velocity in rad, -pi/2 to pi/2."""
+        across, out, up = self.velocity
+        return math.atan2(up, math.hypot(across, out))
+
+    @property
+    def spray(self) -> float:
+        """Direction over the ground in rad from centre field, positive to right field."""
+        return math.atan2(self.velocity[0], self.velocity[1])
+
+    @property
+    def backspin(self) -> float:
+        """Spin in rad/s about the level axis across the path; positive lifts the ball."""
+        return float(self.spin @ spin_axes(self.launch_angle, self.spray)[0])
+
+    @property
+    def sidespin(self) -> float:
+        """Spin in rad/s about the axis that stands up across the path; positive bends the path to the left."""
+        return float(self.spin @ spin_axes(self.launch_angle, self.spray)[1])
+
+    @property
+    def gyrospin(self) -> float:
+        """Spin in rad/s about the direction of motion, as of a rifle bullet; it pushes the ball nowhere."""
+        return float(self.spin @ spin_axes(self.launch_angle, self.spray)[2])
+
+
+def launched(
+    *,
+    speed: float,
+    launch_angle: float,
+    spray: float = 0.0,
+    backspin: float = 0.0,
+    sidespin: float = 0.0,
+    gyrospin: float = 0.0,
+    height: float = 0.0,
+    forward: float = 0.0,
+) -> BallMotion:
+    """Return the ball that starts so.
+
+    Parameters
+    ----------
+    speed : m/s, >= 0.
+    launch_angle : rad, elevation.
+    spray : rad from centre field, positive to right field.
+    backspin, sidespin, gyrospin : rad/s; see the properties of `BallMotion`.
+    height, forward : m above the ground and in front of the plate's tip where it starts.
+
+    >>> ball = launched(speed=46.0, launch_angle=0.48, spray=-0.2, backspin=260.0, sidespin=-50.0, height=1.0)
+    >>> round(ball.speed, 9), round(ball.spray, 9), round(ball.backspin, 9), round(ball.sidespin, 9)
+    (46.0, -0.2, 260.0, -50.0)
+    """
+    axes = spin_axes(launch_angle, spray)
+    return BallMotion(
+        position=np.array([0.0, forward, height]),
+        velocity=speed * axes[2],
+        spin=backspin * axes[0] + sidespin * axes[1] + gyrospin * axes[2],
+    )
+
+
+def launch_angles(velocity: Array, spin: Array) -> tuple[Array, Array, Array]:
+    """Return launch angle and spray of many balls, and their back, side and gyro spin.
+
+    Parameters
+    ----------
+    velocity, spin : m/s and rad/s, shape (..., 3).
+
+    Returns
+    -------
+    tuple
+        launch angle and spray in rad, shape (...), and the three spins in rad/s, shape (3, ...).
+
+    >>> ball = launched(speed=40.0, launch_angle=0.3, spray=0.1, backspin=200.0, sidespin=-30.0, gyrospin=10.0)
+    >>> up, aside, spins = launch_angles(ball.velocity, ball.spin)
+    >>> round(float(up), 9), round(float(aside), 9), spins.round(9).tolist()
+    (0.3, 0.1, [200.0, -30.0, 10.0])
+    """
+    across, out, up = np.moveaxis(velocity, -1, 0)
+    launch, spray = np.arctan2(up, np.hypot(across, out)), np.arctan2(across, out)
+    return launch, spray, np.einsum("i...j,...j->i...", spin_axes(launch, spray), spin)
+
+
+def spin_axes(launch_angle: ArrayLike, spray: ArrayLike) -> Array:
+    """Return the unit axes of back, side and gyro spin; the last is the direction of motion.
+
+    Parameters
+    ----------
+    launch_angle, spray : rad, shape (...).
+
+    Returns
+    -------
+    ndarray
+        shape (3, ..., 3): back, side and gyro, each a vector.
+    """
+    up, level = np.sin(launch_angle), np.cos(launch_angle)
+    right, out = np.sin(spray), np.cos(spray)
+    rows = ((out, -right, 0 * up), (-up * right, -up * out, level), (level * right, level * out, up))
+    return np.array([np.stack(np.broadcast_arrays(*row), axis=-1) for row in rows])

@@ -1,0 +1,180 @@
+"""How high to send the ball: the best launch angle for an exit speed, and the slowest ball that leaves a park."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from sweetspot.aerodynamics import Aerodynamics
+from sweetspot.air import CALM, Air, Wind
+from sweetspot.ball import Ball
+from sweetspot.errors import InputError
+from sweetspot.flight.kernel import flights
+from sweetspot.motion import launched
+from sweetspot.park import Park, fence_at
+from sweetspot.units import DEGREE, FOOT, MPH
+
+Array = NDArray[np.float64]
+
+LAUNCH_ANGLES = (5 * DEGREE, 60 * DEGREE)
+CONTACT_HEIGHT, CONTACT_FORWARD = 3 * FOOT, 2 * FOOT
+"""m above the ground and in front of the plate's tip, where the flights start."""
+SPEEDS = np.arange(60.0, 131.0, 2.0) * MPH
+ANGLES = np.arange(16.0, 56.1, 1.0) * DEGREE
+DIRECTIONS = np.arange(-45.0, 45.1, 0.5) * DEGREE
+"""The flights and directions that a park is searched with."""
+PATH_POINTS = 161
+REFINED = 3 * DEGREE
+"""Half width of the last search."""
+
+
+@dataclass(frozen=True)
+class BestLaunch:
+    """The launch angle that carries an exit speed farthest: rad, and the carry in m."""
+
+    launch_angle: float
+    carry: float
+
+
+def best_launch(
+    exit_speed: float,
+    *,
+    backspin: float,
+    sidespin: float = 0.0,
+    spray: float = 0.0,
+    ball: Ball,
+    aerodynamics: Aerodynamics,
+    air: Air,
+    wind: Wind = CALM,
+) -> BestLaunch:
+    """Return the launch angle that carries farthest at one exit speed and spin, with the carry.
+
+    Parameters
+    ----------
+    exit_speed : m/s, > 0.
+    backspin, sidespin : rad/s, the same at every angle.
+    spray : rad from centre field, positive to right field.
+
+    >>> from sweetspot import catalog
+    >>> best = best_launch(
+    ...     44.704, backspin=230.0, ball=catalog.ball(), aerodynamics=catalog.aerodynamics(), air=Air())
+    >>> 29 < math.degrees(best.launch_angle) < 30  # 100 mph, 2200 rpm
+    True
+    """
+    from scipy.optimize import minimize_scalar
+
+    def shortfall(angle: float) -> float:
+        ball_left = launched(
+            speed=exit_speed, launch_angle=angle, spray=spray, backspin=backspin, sidespin=sidespin,
+            height=CONTACT_HEIGHT, forward=CONTACT_FORWARD,
+        )  # fmt: skip
+        flown = flights(
+            ball_left.position, ball_left.velocity, ball_left.spin,
+            ball=ball, aerodynamics=aerodynamics, air=air, wind=wind,
+        )  # fmt: skip
+        return -float(flown.carry[0])
+
+    if not (math.isfinite(exit_speed) and exit_speed > 0):
+        raise InputError(f"exit_speed is {exit_speed:g} m/s; allowed is a number above zero")
+    found = minimize_scalar(shortfall, bounds=LAUNCH_ANGLES, method="bounded", options={"xatol": 1e-5})
+    return BestLaunch(float(found.x), -float(found.fun))
+
+
+@dataclass(frozen=True)
+class EasiestHomeRun:
+    """The slowest ball that leaves a park.
+
+    Parameters
+    ----------
+    park : which.
+    exit_speed, launch_angle : m/s and rad, the best angle for it.
+    direction : rad from centre field, where the fence asks least.
+    distance, height : m, of the fence there.
+    """
+
+    park: Park
+    exit_speed: float
+    launch_angle: float
+    direction: float
+    distance: float
+    height: float
+
+
+def easiest_home_run(
+    park: Park, *, backspin: float, ball: Ball, aerodynamics: Aerodynamics, air: Air, directions: ArrayLike = DIRECTIONS
+) -> EasiestHomeRun:  # fmt: skip
+    """Return the slowest ball that clears a park's fence, where it does so, and at which launch angle.
+
+    Without wind and side spin a path is the same in every direction, so one family of flights (speeds by launch
+    angles) shows where the fence asks least; there the least speed is a minimum over the launch angle of the root
+    at which the ball just clears the top.
+
+    Parameters
+    ----------
+    backspin : rad/s.
+    air : of the park; `own_air` gives a park's own.
+    directions : rad from centre field, that may be hit to.
+
+    Raises
+    ------
+    InputError
+        when no ball below `SPEEDS`' greatest clears the fence.
+    """
+    from scipy.optimize import brentq, minimize_scalar
+
+    def over(speed: Array, angle: Array, far: Array) -> Array:
+        return _heights(speed, angle, far, backspin=backspin, ball=ball, aerodynamics=aerodynamics, air=air)
+
+    wanted = np.atleast_1d(np.asarray(directions, float))
+    distance, height = fence_at(park, wanted)
+    needed = _least_speeds(over, distance, height)
+    best = np.unravel_index(np.argmin(needed), needed.shape)
+    rough, near, at = float(needed[best]), float(ANGLES[best[0]]), int(best[1])
+    if not math.isfinite(rough):
+        raise InputError(f"no ball slower than {SPEEDS[-1] / MPH:.0f} mph clears the fence of {park.name} there")
+
+    def least(angle: float) -> float:
+        def clearance(speed: float) -> float:
+            return float(over(np.array([speed]), np.array([angle]), distance[at : at + 1])[0, 0] - height[at])
+
+        return float(brentq(clearance, 0.9 * rough, 1.2 * rough, xtol=1e-6))
+
+    found = minimize_scalar(least, bounds=(near - REFINED, near + REFINED), method="bounded", options={"xatol": 1e-4})
+    return EasiestHomeRun(
+        park, float(found.fun), float(found.x), float(wanted[at]), float(distance[at]), float(height[at])
+    )
+
+
+def own_air(air: Air, park: Park) -> Air:
+    """Return the same weather at a park's elevation."""
+    return air.replaced(elevation=park.elevation)
+
+
+def _least_speeds(over: Callable[[Array, Array, Array], Array], distance: Array, height: Array) -> Array:
+    """Return the speed that just clears each fence, by straight lines between `SPEEDS`, shape (angles, fences)."""
+    speed, angle = (axis.ravel() for axis in np.meshgrid(SPEEDS, ANGLES, indexing="ij"))
+    above = (over(speed, angle, distance) - height).reshape(len(SPEEDS), len(ANGLES), len(distance))
+    first = (above > 0).argmax(axis=0)
+    low, high = (np.take_along_axis(above, at[None], axis=0)[0] for at in (np.maximum(first - 1, 0), first))
+    share = np.divide(-low, high - low, out=np.zeros(low.shape), where=first > 0)
+    return np.where(first > 0, SPEEDS[first - 1] + share * (SPEEDS[1] - SPEEDS[0]), np.inf)
+
+
+def _heights(
+    speed: Array, angle: Array, distance: Array, *, backspin: float, ball: Ball, aerodynamics: Aerodynamics, air: Air
+) -> Array:  # fmt: skip
+    """Return the heights of flights at some distances, shape (flights, distances); negative where they fell short."""
+    nothing = np.zeros_like(speed)
+    flown = flights(
+        [0.0, CONTACT_FORWARD, CONTACT_HEIGHT],
+        np.stack([nothing, speed * np.cos(angle), speed * np.sin(angle)], axis=-1),
+        [backspin, 0.0, 0.0], ball=ball, aerodynamics=aerodynamics, air=air, path_points=PATH_POINTS,
+    )  # fmt: skip
+    out, up = flown.positions[..., 1], flown.positions[..., 2]
+    reached = np.array([np.interp(distance, way, rise) for way, rise in zip(out, up, strict=True)])
+    fall = (up[:, -1] - up[:, -2]) / (out[:, -1] - out[:, -2])
+    return reached + fall[:, None] * np.maximum(distance - out[:, -1:], 0.0)

@@ -1,0 +1,159 @@
+"""How to swing for carry: how far below the ball's middle, how steeply upwards, and with which part of the barrel.
+
+Carry is a smooth function of these, so it is searched on a coarse grid and then climbed to the top by Nelder and
+Mead's method.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sweetspot.aerodynamics import Aerodynamics
+from sweetspot.air import CALM, Air, Wind
+from sweetspot.ball import Ball
+from sweetspot.bat import Bat
+from sweetspot.collision.oblique import FRICTION, TANGENTIAL_RESTITUTION, contact_frame
+from sweetspot.errors import InputError
+from sweetspot.motion import BallMotion
+from sweetspot.play import Plays, plays
+from sweetspot.reduction import Reduction
+from sweetspot.swing import Swing
+from sweetspot.swing_path import PathAxes, Side, path_axes
+from sweetspot.units import DEGREE, INCH
+
+Array = NDArray[np.float64]
+Tried = Callable[[Array, Array, Array], Plays]
+
+ATTACK_ANGLES = np.arange(-10.0, 41.0, 5.0) * DEGREE
+OFFSETS = np.arange(0.0, 0.051, 0.005)
+FROM_TIP = np.array([4.0, 5.0, 6.0, 7.0, 8.0]) * INCH
+"""The coarse grid: rad, m by which the ball's centre lies above the bat's axis, and m from the tip."""
+STEEPEST, DEEPEST = (-20 * DEGREE, 60 * DEGREE), (-0.03, 0.065)
+NEAREST, FARTHEST = 1 * INCH, 12 * INCH
+"""Limits of the climb: attack angle, offset, and m from the tip."""
+UNITS = np.array([DEGREE, 1e-3, INCH])
+"""Sizes of a small step in attack angle, offset and place."""
+SHARP, MOST_STEPS = 1e-3, 400
+"""When the climb ends: steps in `UNITS` and mm of carry below a thousandth, or as many steps."""
+
+
+@dataclass(frozen=True)
+class BestSwing:
+    """The contact that carries farthest.
+
+    Parameters
+    ----------
+    attack_angle : rad, of the barrel's path above the level.
+    offset : m by which the ball's centre lies above the bat's axis, square to the barrel's path.
+    undercut : m by which it lies above the bat's axis straight up, whatever the path.
+    position : m from the knob end.
+    carry, hang_time : m and s.
+    launched : the ball as it leaves.
+    """
+
+    attack_angle: float
+    offset: float
+    undercut: float
+    position: float
+    carry: float
+    hang_time: float
+    launched: BallMotion
+
+
+def best_swing(
+    model: Reduction[Bat],
+    *,
+    ball: Ball,
+    swing: Swing,
+    pitch: BallMotion,
+    aerodynamics: Aerodynamics,
+    air: Air,
+    wind: Wind = CALM,
+    position: float | None = None,
+    attack_angle: float | None = None,
+    tilt: float = 0.0,
+    attack_direction: float = 0.0,
+    bats: Side = "right",
+    friction: float = FRICTION,
+    tangential_restitution: float = TANGENTIAL_RESTITUTION,
+) -> BestSwing:
+    """Return the offset, attack angle and place on the barrel that send a pitch farthest [sawicki2003].
+
+    The bat turns as fast whatever the angle: the batter pays nothing for swinging up.
+
+    Parameters
+    ----------
+    swing : how fast the bat turns.
+    pitch : the ball where the bat meets it, in the field's frame.
+    position : m from the knob end; None: the best place too is searched, 1 to 12 in from the tip.
+    attack_angle : rad; None: searched, -20 to 60 deg.
+    tilt : rad, of the swing's plane against the ground; below the attack angle it counts as that (a level bat).
+    attack_direction : rad, negative to the pull side.
+
+    Raises
+    ------
+    InputError
+        for an attack angle outside these limits, or when no contact of the grid makes the ball fly.
+    """
+    if attack_angle is not None and not STEEPEST[0] <= attack_angle <= STEEPEST[1]:
+        raise InputError(f"attack angle is {attack_angle / DEGREE:.4g} deg; allowed is -20 to 60 deg")
+
+    def axes(angle: Array) -> PathAxes:
+        return path_axes(angle, attack_direction, tilt=tilt, left=bats == "left")
+
+    def tried(angle: Array, offset: Array, place: Array) -> Plays:
+        return plays(
+            model, ball=ball, bat_speed=swing.angular_speed * (place - swing.pivot), axes=axes(angle),
+            pitch_velocity=pitch.velocity, pitch_spin=pitch.spin, position=place, offset=offset, start=pitch.position,
+            aerodynamics=aerodynamics, air=air, wind=wind,
+            friction=friction, tangential_restitution=tangential_restitution,
+        )  # fmt: skip
+
+    best = _climbed(tried, length=model.bat.length, position=position, attack_angle=attack_angle)
+    done = tried(*best[:, None])
+    reach = ball.radius + float(model.bat.diameter_at(best[2])) / 2
+    normal = contact_frame(*axes(best[0]), lift=np.arcsin(best[1] / reach)).normal
+    return BestSwing(
+        attack_angle=float(best[0]),
+        offset=float(best[1]),
+        undercut=reach * float(normal[2]),
+        position=float(best[2]),
+        carry=float(done.flights.carry[0]),
+        hang_time=float(done.flights.hang_time[0]),
+        launched=BallMotion(pitch.position, done.strikes.velocity[0], done.strikes.spin[0]),
+    )
+
+
+def _climbed(tried: Tried, *, length: float, position: float | None, attack_angle: float | None) -> Array:
+    """Return the best (attack angle, offset, place); those that are given stay."""
+    from scipy.optimize import minimize
+
+    angles = ATTACK_ANGLES if attack_angle is None else np.array([attack_angle])
+    places = length - FROM_TIP if position is None else np.array([position])
+    grid = [axis.ravel() for axis in np.meshgrid(angles, OFFSETS, places, indexing="ij")]
+    carries = np.nan_to_num(tried(*grid).flights.carry)
+    if not carries.max() > 0:
+        raise InputError("no contact with this bat, swing and pitch makes the ball fly; is the bat fast enough?")
+    start = np.array([axis[carries.argmax()] for axis in grid])
+    limits = np.array([STEEPEST, DEEPEST, (length - FARTHEST, length - NEAREST)])
+    moving = np.flatnonzero([attack_angle is None, True, position is None])
+
+    def placed(steps: Array) -> Array:
+        point = start.copy()
+        point[moving] = np.clip(start[moving] + steps * UNITS[moving], *limits[moving].T)
+        return point
+
+    def shortfall(steps: Array) -> float:
+        return -1e3 * float(np.nan_to_num(tried(*placed(steps)[:, None]).flights.carry[0]))
+
+    none = np.zeros(len(moving))
+    simplex = np.vstack([none, 2 * np.eye(len(moving))])
+    found = minimize(
+        shortfall, none, method="Nelder-Mead",
+        options={"xatol": SHARP, "fatol": SHARP, "maxiter": MOST_STEPS, "initial_simplex": simplex},
+    )  # fmt: skip
+    return placed(found.x)

@@ -1,0 +1,360 @@
+"""Each statement of the implemented paper beside our own computation of it and the full model's answer."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cache, lru_cache
+
+import numpy as np
+
+from sweetspot import catalog, paper
+from sweetspot.analysis import Analysis, analyse, exit_speed_of
+from sweetspot.bat import Bat
+from sweetspot.block import Block, Support
+from sweetspot.collision.coupled import hit
+from sweetspot.collision.momentum import collision_efficiency, exit_speed
+from sweetspot.collision.oblique import decompose, oblique
+from sweetspot.drop import bounce
+from sweetspot.material import Material
+from sweetspot.paper import Row
+from sweetspot.rigid import centre_of_percussion, effective_mass, hand_impulse_ratio
+from sweetspot.standard import standard_conditions
+from sweetspot.swing import Conditions
+from sweetspot.trampoline import WallPoint, wall_point, with_wall_factor
+from sweetspot.units import INCH, MPH
+
+THIN_PLATE = 0.003
+"""m: a plate as thin as a bat's wall, beside the thick blocks of Figure 6."""
+STANDS: dict[Support, str] = {"floor": "lying on concrete", "clamped": "clamped at its edges", "free": "lying free"}
+METAL_BAT = "russell-b6"
+METAL_WALLS = (1.0, 0.95, 0.9, 0.85)
+"""Factors on that bat's own wall."""
+
+
+@dataclass(frozen=True)
+class Choices:
+    """What the paper leaves open, or takes from elsewhere; the defaults are its own numbers where it has any.
+
+    Parameters
+    ----------
+    entry_angle : rad; the paper gives none, 10 degrees show the effect.
+    rod_hands : m from the rod's end where it is held; the paper's rod is held at its end.
+    hands_moved : m that the hands are moved up.
+    bore_diameter, bore_depth, plug : m, of the hole, and the wood that closes at most half of it [nathan_corknote].
+    fill : what fills the hole; None: cork.
+    drop_height, block_thickness, block_support : of the experiment of Figure 6, for which the paper gives no sizes.
+    ball_restitution, wood_restitution, metal_restitution, wood_share, metal_share : k0, k1, k2, z1, z2.
+    """
+
+    entry_angle: float = math.radians(10)
+    rod_hands: float = 0.0
+    hands_moved: float = 2 * INCH
+    bore_diameter: float = 1 * INCH
+    bore_depth: float = 10 * INCH
+    plug: float = 1 * INCH
+    fill: Material | None = None
+    drop_height: float = 1.0
+    block_thickness: float = 0.1
+    block_support: Support = "floor"
+    ball_restitution: float = paper.PAPER_BALL_RESTITUTION
+    wood_restitution: float = paper.PAPER_WOOD_RESTITUTION
+    metal_restitution: float = paper.PAPER_METAL_RESTITUTION
+    wood_share: float = paper.PAPER_WOOD_SHARE
+    metal_share: float = paper.PAPER_METAL_SHARE
+
+
+def paper_rows(analysis: Analysis, choices: Choices | None = None) -> list[Row]:
+    """Return the paper's chain for one analysed bat under its conditions, in the paper's order.
+
+    Numbers are in the unit of the row; words stand where the paper gives a claim and no number.
+
+    Parameters
+    ----------
+    choices : what the paper leaves open; None: as in the documentation.
+    """
+    chosen = choices or Choices()
+    return [row for part in PARTS.values() for row in part(analysis, chosen)]
+
+
+def _entry(analysis: Analysis, choices: Choices) -> Iterator[Row]:
+    """Yield equations 1 to 4 and the contact travel S."""
+    angle = choices.entry_angle
+    ball, speed = analysis.conditions.ball, analysis.conditions.pitch.speed
+    normal, along = decompose(speed, angle)
+    place = analysis.best.position
+    closing = normal + analysis.conditions.swing.speed_at(place)
+    best = hit(analysis.modes, ball=ball, position=place, closing_speed=closing)
+    degrees = f"alpha = {math.degrees(angle):.3g} deg"
+    mean = float(best.force.max()) / 2
+    yield Row(
+        "1", f"acceleration along the path at half the peak force, {degrees}", "m/s^2", None,
+        paper.path_acceleration(mean, angle=angle, ball_mass=ball.mass), best.peak_force / ball.mass,
+        "a = F cos(alpha) / m0. The force is no constant: the full model's figure is the peak.",
+    )  # fmt: skip
+    yield Row(
+        "2", f"radius of the path at half the peak force, {degrees}", "mm", None,
+        1e3 * paper.path_radius(mean, angle=angle, ball_mass=ball.mass, speed=speed), None,
+        "F sin(alpha) = m0 v1^2 / r. True at one instant only; nothing in the answer rests on it.",
+    )  # fmt: skip
+    yield Row(
+        "3", f"ball speed along the bat, {degrees}", "m/s", None, along, along,
+        "v sin(alpha). The paper prints the same symbol in equations 3 and 4.",
+    )  # fmt: skip
+    yield Row("4", f"ball speed across the bat, {degrees}", "m/s", None, normal, normal, "v cos(alpha).")
+
+    def travel(contact: str) -> float:
+        found = oblique(
+            best,
+            ball=ball,
+            body=analysis.body,
+            ball_speed=speed,
+            angle=angle,
+            contact=contact,  # type: ignore[arg-type]
+        )
+        return 1e3 * found.travel
+
+    yield Row(
+        "S", "travel along the bat, plastic contact", "mm", 0.0, travel("cling"), travel("grip"),
+        "Ball and bat move as one, so S = 0. That the best point is then the end does not follow: it asks where on "
+        "the bat the ball was met.",
+    )  # fmt: skip
+    yield Row(
+        "S", "travel along the bat, elastic contact without friction", "mm", None, travel("smooth"), travel("grip"),
+        "S = v sin(alpha) T. A real ball grips the wood, which gives the full model's figure between the two limits. "
+        f"The best point lies {1e3 * (analysis.bat.length - analysis.sweet_spots.max_exit_speed):.0f} mm from the end: "
+        "S is far too short to explain it.",
+    )  # fmt: skip
+
+
+def _percussion(analysis: Analysis, choices: Choices) -> Iterator[Row]:
+    """Yield equations 5 to 12: the centre of percussion and the hands."""
+    body, bat = analysis.body, analysis.bat
+    hands = analysis.conditions.hands.position
+    rod, on_rod = paper.rod(bat.length, body.mass), choices.rod_hands
+    held = "rod held at its end" if on_rod == 0 else f"rod held {on_rod / INCH:.3g} in from its end"
+    yield Row(
+        "12", f"J_D = J_C + m l^2, {held}", "kg m^2", None, rod.moi(on_rod), body.moi(on_rod),
+        "The parallel-axis theorem. A bat is thicker at the far end, so it is harder to turn than the rod.",
+    )  # fmt: skip
+    yield Row(
+        "10", f"x = J_C / (m l), {held}", "m", None, paper.best_point_beyond_centre(rod, hands=on_rod),
+        paper.best_point_beyond_centre(body, hands=hands),
+        "Printed with 1 + x for l + x in equations 5 to 9. L/6 for a uniform rod. Full model: this bat, this grip.",
+    )  # fmt: skip
+    yield Row(
+        "11", f"b = J_D / (m l), {held}", "m", None, centre_of_percussion(rod, pivot=on_rod) - on_rod,
+        centre_of_percussion(body, pivot=hands) - hands,
+        "The centre of percussion, 2L/3 for a uniform rod; full model: distance from this bat's grip. The hands feel "
+        "no jolt there, but the ball does not leave fastest there.",
+    )  # fmt: skip
+    for name, place in (("mass centre", None), ("tip", bat.length)):
+        blow, on_bat = (rod.balance_point, body.balance_point) if place is None else (place, place)
+        yield Row(
+            "9", f"hand force over blow, hit at the {name}", "ratio", None,
+            paper.hand_force_ratio(rod, blow, hands=on_rod), hand_impulse_ratio(body, on_bat, hands=hands),
+            "(J_C - m x l) / (J_C + m l^2). Positive: the hands must hold on against being thrown back.",
+        )  # fmt: skip
+    moved = choices.hands_moved
+    yield Row(
+        "11", f"percussion centre moves when the hands move {moved / INCH:.3g} in up", "mm",
+        "closer to the mass centre as l grows",
+        1e3 * (centre_of_percussion(rod, pivot=on_rod + moved) - centre_of_percussion(rod, pivot=on_rod)),
+        1e3 * (centre_of_percussion(body, pivot=hands + moved) - centre_of_percussion(body, pivot=hands)),
+        "The paper is right: hands further from the mass centre bring it closer to the centre, so hands moved up push "
+        "it to the tip. The place of greatest exit speed hardly moves: the hands are out of the collision.",
+    )  # fmt: skip
+
+
+def corked(bat: Bat, choices: Choices) -> Bat:
+    """Return the bat with the hole of these choices, filled and plugged."""
+    return bat.corked(
+        diameter=choices.bore_diameter,
+        depth=choices.bore_depth,
+        plug=min(choices.plug, choices.bore_depth / 2),
+        fill=choices.fill or catalog.material("cork"),
+    )
+
+
+@lru_cache(maxsize=8)
+def corked_analysis(bat: Bat, choices: Choices, conditions: Conditions) -> Analysis:
+    """Return the full answer for the corked bat under the same swing; the last few are kept."""
+    return analyse(corked(bat, choices), conditions)
+
+
+def can_be_drilled(bat: Bat) -> bool:
+    """Return whether the paper's argument can be tried on a bat: solid, not drilled yet, with a known outline."""
+    return bat.shell is None and not bat.bores and bat.profile is not None
+
+
+def _hollowing(analysis: Analysis, choices: Choices) -> Iterator[Row]:
+    """Yield equations 13 and 14 and the corking claim, on a bat of wood that can be drilled."""
+    bat, conditions = analysis.bat, analysis.conditions
+    best = analysis.best
+    change = conditions.pitch.speed + exit_speed_of(analysis.best, conditions)
+    momentum = conditions.ball.mass * change
+    yield Row(
+        "14", "F t = m (v2 - v1): momentum given to the ball", "N s", None, momentum, _impulse(analysis),
+        "The momentum theorem holds. Full model: the area under its force curve.",
+    )  # fmt: skip
+    yield Row(
+        "14", "mean force over the contact time", "kN", None,
+        paper.mean_force(conditions.ball.mass, speed_change=change, contact_time=best.contact_time) / 1e3,
+        best.peak_force / 1e3, "Full model: the peak.",
+    )  # fmt: skip
+    if not can_be_drilled(bat):
+        return
+    softer = corked_analysis(bat, choices, conditions).best
+    before, after = exit_speed_of(best, conditions) / MPH, exit_speed_of(softer, conditions) / MPH
+    q_before, q_after = best.collision_efficiency, softer.collision_efficiency
+    needed = (before * MPH - q_after * conditions.pitch.speed) / (1 + q_after)
+    extra = (needed - conditions.swing.speed_at(softer.position)) / MPH
+    hole = f"{choices.bore_diameter / INCH:.3g} in x {choices.bore_depth / INCH:.3g} in"
+    yield Row(
+        "13", f"F = k x: peak force, plain bat and corked {hole}", "kN", "increases",
+        best.peak_force / 1e3, softer.peak_force / 1e3,
+        "Computed: plain; full model: corked. Softer means more travel at less force, not more of both. A drilled "
+        "barrel is still far stiffer than the ball, and the force falls a little because the bat is lighter.",
+    )  # fmt: skip
+    yield Row(
+        "14", "contact time, plain bat and corked", "ms", "increases", 1e3 * best.contact_time,
+        1e3 * softer.contact_time, "Computed: plain; full model: corked.",
+    )  # fmt: skip
+    yield Row(
+        "14", "exit speed at the same bat speed, plain and corked", "mph", "increases", before, after,
+        f"Wrong: q falls from {q_before:.3f} to {q_after:.3f}. The lighter bat must be swung {extra:.1f} mph faster "
+        "just to break even; published bats: 0.214 to 0.193 and 2.9 mph [nathan2011corked].",
+    )  # fmt: skip
+
+
+def _impulse(analysis: Analysis) -> float:
+    best = analysis.best
+    return analysis.conditions.ball.mass * best.closing_speed * (1 + best.collision_efficiency)
+
+
+def _drop(analysis: Analysis, choices: Choices) -> Iterator[Row]:
+    """Yield the drop experiment of the paper's Figure 6."""
+    ball, height, thickness = analysis.conditions.ball, choices.drop_height, choices.block_thickness
+    plate = Block(material=catalog.material("aluminium-7xxx"), thickness=THIN_PLATE, support="clamped")
+    sprung_height, sprung_share = bounce(plate, ball=ball, height=height)
+    remarks = {
+        "wood": "Wood that gives back all it takes beats metal by a hair, since the block is the better spring; real "
+        "wood loses some of it.",
+        "metal": "A thick block measures the ball. It tells next to nothing about a thin wall: the same metal as a "
+        f"plate of {1e3 * THIN_PLATE:g} mm, clamped at its edges 20 cm apart, would hold "
+        f"{100 * sprung_share:.0f} % of the energy and throw the ball back to {sprung_height:.2f} m: a trampoline.",
+    }
+    kind = "thick " if thickness >= Choices.block_thickness else ""
+    for name, key in (("wood", "white-ash"), ("metal", "aluminium-7xxx")):
+        material = catalog.material(key)
+        limit = paper.drop_test(ball, height=height, material=material)
+        block = Block(material=material, thickness=thickness, support=choices.block_support)
+        rebound, share = bounce(block, ball=ball, height=height)
+        yield Row(
+            "Fig. 6", f"rebound from {height:.3g} m on a {kind}{name} block", "m",
+            "metal higher" if name == "metal" else None, limit.rebound, rebound,
+            f"Full model: {100 * thickness:.3g} cm thick, {STANDS[choices.block_support]}. m g dH = E_D is the energy "
+            f"lost, {limit.lost_energy:.2f} J, and not an elastic one. The block takes {100 * share:.2f} % of "
+            f"the energy. {remarks[name]}",
+        )  # fmt: skip
+
+
+def _energy(analysis: Analysis, choices: Choices) -> Iterator[Row]:
+    """Yield the energy-return formula and what it means for the exit speed."""
+    ball, conditions = analysis.conditions.ball, analysis.conditions
+    place = analysis.sweet_spots.max_exit_speed
+    recoil = ball.mass / effective_mass(analysis.body, place)
+    share = paper.block_share(ball, material=catalog.material("white-ash"), compression=analysis.best.peak_compression)
+    cases = (
+        ("W1, wood", choices.wood_restitution, choices.wood_share, 0.20),
+        ("W2, metal", choices.metal_restitution, choices.metal_share, 0.26),
+    )
+    measured = analysis.best.collision_efficiency * (1 + recoil) + recoil
+    metal = _metal_wall()
+    for name, restitution, part, printed in cases:
+        returned = paper.energy_returned(
+            bat_restitution=restitution, ball_restitution=choices.ball_restitution, share=part
+        )
+        wood = name.startswith("W1")
+        efficiency = collision_efficiency(math.sqrt(returned), recoil=recoil)
+        speed = exit_speed(efficiency, ball_speed=conditions.pitch.speed, bat_speed=conditions.swing.speed_at(place))
+        yield Row(
+            "W", f"{name}: energy returned over energy stored", "ratio", printed, returned,
+            measured**2 if wood else metal.bbcor**2,
+            f"e = {math.sqrt(returned):.3f}, which on this bat means {speed / MPH:.1f} mph. "
+            + (
+                "Full model: this bat at its best point. The paper's 0.45 for the ball is low."
+                if wood
+                else "Full model: an aluminium bat whose wall takes a tenth of the energy, at its best point."
+            ),
+        )  # fmt: skip
+    yield Row(
+        "z", "share of the energy that solid ash takes", "ratio", paper.PAPER_WOOD_SHARE, share, None,
+        "From the wood's own stiffness across the grain under the ball: the paper's 2 % is right for solid wood.",
+    )  # fmt: skip
+    yield Row(
+        "z", "wall for which an aluminium bat takes that share", "mm", None, None, 1e3 * metal.thickness,
+        f"z = 10 %, from the hoop modes of the catalogue's {METAL_BAT} with other walls; nothing fitted. "
+        f"{metal.exit_speed / MPH:.0f} mph.",
+    )  # fmt: skip
+    yield Row(
+        "k", "restitution of that wall", "ratio", paper.PAPER_METAL_RESTITUTION, None, metal.restitution,
+        "What the wall gives back before the ball has gone, as the square root of the part of the energy.",
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _MetalWall:
+    """The aluminium wall that takes the paper's share: thickness (m), restitution, BBCOR, exit speed (m/s)."""
+
+    thickness: float
+    restitution: float
+    bbcor: float
+    exit_speed: float
+
+
+@cache
+def metal_wall_point(factor: float) -> WallPoint:
+    """Return the best hit of the catalogue's aluminium bat with its wall ``factor`` times as thick."""
+    bat = with_wall_factor(catalog.bat(METAL_BAT), factor)
+    return wall_point(bat, standard_conditions(bat))
+
+
+def _metal_wall() -> _MetalWall:
+    """Return that wall, interpolated in a sweep over wall thickness; nothing is fitted."""
+    points = [metal_wall_point(factor) for factor in METAL_WALLS]
+    shares = [point.energy.share for point in points]
+
+    def at_share(values: list[float]) -> float:
+        return float(np.interp(paper.PAPER_METAL_SHARE, shares, values))
+
+    return _MetalWall(
+        thickness=at_share([point.thickness for point in points]),
+        restitution=at_share([point.energy.restitution for point in points]),
+        bbcor=at_share([point.bbcor for point in points]),
+        exit_speed=at_share([point.exit_speed for point in points]),
+    )
+
+
+def _verdict(analysis: Analysis, _choices: Choices) -> Iterator[Row]:
+    """Yield the paper's answer to its own question."""
+    from_tip = analysis.bat.length - analysis.sweet_spots.max_exit_speed
+    zone = analysis.sweet_spots.zone
+    width = "" if zone is None else f" The sweet zone is {(zone[1] - zone[0]) / INCH:.1f} in wide."
+    yield Row(
+        "-", "best point, distance from the end", "mm", "between the end and S", None, 1e3 * from_tip,
+        "Not at the end, as the paper says, but for other reasons: out there the bat is light (its rotation gives "
+        "way) and its bending takes energy that comes back too late." + width,
+    )  # fmt: skip
+
+
+PARTS: dict[str, Callable[[Analysis, Choices], Iterator[Row]]] = {
+    "end": _entry,
+    "percussion": _percussion,
+    "corking": _hollowing,
+    "drop": _drop,
+    "energy": _energy,
+    "verdict": _verdict,
+}
+"""The paper's questions in its order, by name."""

@@ -1,0 +1,41 @@
+"""The top of a sampled curve, by the parabola through three neighbours."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+def vertex(before: float, middle: float, after: float) -> tuple[float, float]:
+    """Return (shift, height) of the top of the parabola through three values one step apart.
+
+    The shift is counted in steps from the middle one. Where the three do not bend down it is the middle one itself.
+
+    >>> vertex(0.0, 3.0, 2.0)
+    (0.25, 3.125)
+    """
+    bend = before - 2 * middle + after
+    if not (math.isfinite(bend) and bend < 0):
+        return 0.0, middle
+    return (before - after) / (2 * bend), middle - (before - after) ** 2 / (8 * bend)
+
+
+def top(values: Array) -> tuple[int, float, float]:
+    """Return (index, shift, height) of the highest of evenly sampled values, nan left out.
+
+    An end of the curve is its own top. Raises ValueError where every value is nan.
+    """
+    index = int(np.nanargmax(values))
+    if index in (0, len(values) - 1):
+        return index, 0.0, float(values[index])
+    shift, height = vertex(*(float(value) for value in values[index - 1 : index + 2]))
+    return index, shift, height
+
+
+def peak(values: Array) -> float:
+    """Return the height of the top of evenly sampled values."""
+    return top(values)[2]

@@ -1,0 +1,195 @@
+"""What would serve this player: bats ranked, where to meet the ball, and what an inch or a mile an hour is worth."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from statistics import median
+
+import numpy as np
+
+from sweetspot.aerodynamics import Aerodynamics
+from sweetspot.air import Air
+from sweetspot.bat import Bat
+from sweetspot.errors import SweetspotError
+from sweetspot.parabola import top
+from sweetspot.player.candidates import Candidate, candidates
+from sweetspot.player.contact_table import contact_table
+from sweetspot.player.expectation import NO_CHANGE, Change, Expectation, expectation
+from sweetspot.player.goal import Goal, carry_table
+from sweetspot.player.posterior import Posterior, interval
+from sweetspot.player.priors import NAMES, Array
+from sweetspot.swing_law import Interval
+from sweetspot.units import INCH, MPH
+
+PLACES = np.arange(2.0, 11.01, 0.5) * INCH
+"""m from the tip where the mean contact is tried."""
+OFFSETS = np.arange(-0.5, 1.76, 0.15) * INCH
+"""m above the bat's axis where the mean contact is tried."""
+
+
+@dataclass(frozen=True)
+class Option:
+    """A bat tried on the player.
+
+    Parameters
+    ----------
+    candidate : the bat.
+    bat_speed : of the player with it, m/s.
+    goal : what is expected with it.
+    change : the same against the player's own bat.
+    chance : part of the draws in which it is better.
+    """
+
+    candidate: Candidate
+    bat_speed: Interval
+    goal: Interval
+    change: Interval
+    chance: float
+
+
+@dataclass(frozen=True)
+class Worth:
+    """What a change of the player is worth.
+
+    Parameters
+    ----------
+    key : short and unique, for programs.
+    change : what is changed, SI.
+    gain : of the goal.
+    """
+
+    key: str
+    change: Change
+    gain: Interval
+
+
+@dataclass(frozen=True)
+class Advice:
+    """Everything recommended to a player.
+
+    Parameters
+    ----------
+    posterior : what it rests on.
+    goal : what is wanted.
+    pitch_speed : m/s at the plate that the answers hold for.
+    now : what is expected with the player's own bat.
+    options : bats tried, the best first.
+    faults : bats that could not be tried, and why.
+    end_loaded : an ounce at the tip against the same ounce at the knob.
+    contact_point : m from the tip, where the mean contact should lie; with its interval.
+    contact_gain : of the goal, from there against where the player meets the ball now.
+    contact_curve : expected goal at every place of `PLACES`, mean over the draws.
+    height_point, height_gain : the same for the mean offset above the bat's axis.
+    worth : what single changes are worth, by key.
+    """
+
+    posterior: Posterior
+    goal: Goal
+    pitch_speed: float
+    now: Interval
+    options: tuple[Option, ...]
+    faults: tuple[str, ...]
+    end_loaded: Interval
+    contact_point: Interval
+    contact_gain: Interval
+    contact_curve: Array
+    height_point: Interval
+    height_gain: Interval
+    worth: dict[str, Worth]
+
+    def best(self, family: str) -> Option | None:
+        """Return the best option of a family of bats, None where it has none."""
+        return next((option for option in self.options if option.candidate.family == family), None)
+
+
+def advise(
+    posterior: Posterior,
+    *,
+    goal: Goal,
+    aerodynamics: Aerodynamics,
+    air: Air,
+    others: Sequence[Bat] = (),
+    pitch_speed: float | None = None,
+    progress: Callable[[int, int], None] | None = None,
+) -> Advice:
+    """Return what would serve a player, over the posterior and the scatter of the swings.
+
+    The same draws and the same swings are used for every bat, so that a difference is the bats' alone. With another
+    bat the player meets the ball equally far from its tip.
+
+    Parameters
+    ----------
+    goal : what is wanted.
+    others : further bats to try.
+    pitch_speed : m/s at the plate; None: the median of the swings.
+    progress : called with (bats done, bats in all).
+    """
+    model = posterior.model
+    speeds = [one.pitch_speed for one in model.swings if one.pitch_speed is not None]
+    pitch = pitch_speed if pitch_speed is not None else median(speeds or [0.0])
+    carries = None
+    if goal.name != "exit-speed":
+        carries = carry_table(model, pitch_speed=pitch, aerodynamics=aerodynamics, air=air)
+    asked = expectation(posterior, goal=goal, pitch_speed=pitch, carries=carries, seed=posterior.seed)
+    own = model.bats[0]
+    now = asked.of(own)
+    tried, faults = candidates(own.bat, others)
+    options, by_key = [], {}
+    for number, candidate in enumerate(tried, start=1):
+        try:
+            table = contact_table(candidate.bat, ball=model.ball, axis=model.law.axis, like=own)
+        except SweetspotError as error:
+            faults = (*faults, f"{candidate.label}: {error}")
+            continue
+        gained = asked.of(table)
+        by_key[candidate.key] = gained
+        options.append(
+            Option(
+                candidate, interval(asked.bat_speed(table)), interval(gained), interval(gained - now),
+                float(np.mean(gained > now)),
+            )
+        )  # fmt: skip
+        if progress is not None:
+            progress(number, len(tried))
+    place, place_gain, curve = _best_place(asked, PLACES, "position", now)
+    height, height_gain, _ = _best_place(asked, OFFSETS, "offset", now)
+    return Advice(
+        posterior=posterior,
+        goal=goal,
+        pitch_speed=pitch,
+        now=interval(now),
+        options=tuple(sorted(options, key=lambda option: -option.change.value)),
+        faults=faults,
+        end_loaded=interval(by_key["end-loaded"] - by_key["knob-loaded"]),
+        contact_point=place,
+        contact_gain=place_gain,
+        contact_curve=curve,
+        height_point=height,
+        height_gain=height_gain,
+        worth={key: Worth(key, change, interval(asked.of(own, change) - now)) for key, change in _changes().items()},
+    )
+
+
+def _changes() -> dict[str, Change]:
+    """Return the single changes that people ask about."""
+    return {
+        "bat_speed": Change(bat_speed=1 * MPH),
+        "position_spread": Change(position_spread=-1 * INCH),
+        "offset_spread": Change(offset_spread=-0.25 * INCH),
+        "towards_tip": Change(position=-1 * INCH),
+        "towards_hands": Change(position=1 * INCH),
+        "attack_angle": Change(attack_angle=np.radians(5.0)),
+    }
+
+
+def _best_place(asked: Expectation, grid: Array, what: str, now: Array) -> tuple[Interval, Interval, Array]:
+    """Return where the mean contact should lie, what that brings, and the expected goal all over the grid."""
+    own = asked.model.bats[0]
+    mean = asked.draws[:, NAMES.index(what)]
+    values = np.array([asked.of(own, NO_CHANGE, **{what: np.full_like(mean, place)}) for place in grid])
+    best, height = np.empty(len(mean)), np.empty(len(mean))
+    for draw in range(len(mean)):
+        index, shift, height[draw] = top(values[:, draw])
+        best[draw] = grid[index] + shift * (grid[1] - grid[0])
+    return interval(best), interval(height - now), values.mean(axis=1)

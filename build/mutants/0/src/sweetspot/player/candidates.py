@@ -1,0 +1,110 @@
+"""Bats to try on a player: small changes of the player's own, and bats of the catalogue."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+from sweetspot.bat import Bat
+from sweetspot.catalog.materials import material
+from sweetspot.errors import SweetspotError
+from sweetspot.line import reduce
+from sweetspot.rigid import RigidBody, rigid_body
+from sweetspot.units import INCH, OUNCE
+from sweetspot.whatif import varied
+
+WEIGHT = 1 * OUNCE
+"""kg, moved to the tip or to the knob: enough to feel."""
+FROM_END = 1 * INCH
+"""m from tip or knob where the weight sits."""
+WEIGHTS = (-3, -2, -1, 1, 2, 3)
+"""oz heavier, by denser wood or a heavier end cap."""
+LENGTHS = (-1, 1)
+"""in longer, at the same weight."""
+CHOKES = (0.5, 1.0, 2.0)
+"""in up the handle."""
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A bat to try.
+
+    Parameters
+    ----------
+    key : short and unique, for programs.
+    label : what to call it beside the player's own.
+    family : "weight", "balance", "length", "choke" or "catalogue".
+    bat : the bat.
+    body : its mass, balance and moments of inertia.
+    """
+
+    key: str
+    label: str
+    family: str
+    bat: Bat
+    body: RigidBody
+
+
+def candidates(bat: Bat, others: Sequence[Bat] = ()) -> tuple[tuple[Candidate, ...], tuple[str, ...]]:
+    """Return the bats to try, and why some could not be made.
+
+    Parameters
+    ----------
+    bat : the player's own.
+    others : whole other bats.
+    """
+    mass = rigid_body(reduce(bat)).mass
+    makers: list[tuple[str, str, str, Callable[[], Bat]]] = [
+        ("end-loaded", "1 oz at the tip", "balance",
+         partial(bat.weighted, position=bat.length - FROM_END, mass=WEIGHT)),
+        ("knob-loaded", "1 oz at the knob", "balance", partial(bat.weighted, position=FROM_END, mass=WEIGHT)),
+    ]  # fmt: skip
+    for ounces in WEIGHTS:
+        words = f"{abs(ounces)} oz {'heavier' if ounces > 0 else 'lighter'}"
+        heavier = partial(varied, bat, {"mass": mass + ounces * OUNCE}, fill=material("cork"))
+        makers.append((f"weight{ounces:+d}oz", words, "weight", heavier))
+    for inches in LENGTHS:
+        words = f"{abs(inches)} in {'longer' if inches > 0 else 'shorter'}, same weight"
+        makers.append((f"length{inches:+d}in", words, "length", partial(lengthened, bat, inches * INCH, mass=mass)))
+    makers += [
+        (f"choke{grip:g}in", f"choked up {grip:g} in", "choke", partial(bat.choked_up, grip * INCH)) for grip in CHOKES
+    ]
+    makers += [(f"bat:{other.name}", other.name, "catalogue", partial(other.replaced)) for other in others]
+    found, faults = [], []
+    for key, label, family, make in makers:
+        try:
+            made = make()
+            found.append(Candidate(key, label, family, made, rigid_body(reduce(made))))
+        except SweetspotError as error:
+            faults.append(f"{label}: {' '.join(str(error).split())}")
+    return tuple(found), tuple(faults)
+
+
+def lengthened(bat: Bat, distance: float, *, mass: float) -> Bat:
+    """Return a bat stretched or shortened along its axis, of the same weight.
+
+    Parameters
+    ----------
+    distance : m, added to the length.
+    mass : kg of the bat, kept; hollow bats keep their wall instead.
+    """
+    length = bat.length + distance
+    factor = length / bat.length
+
+    def moved(stations: tuple[tuple[float, float], ...]) -> tuple[tuple[float, float], ...]:
+        # the last station must be the tip itself: one rounded a hair short of it would make a slice without length
+        inner = tuple((position * factor, size) for position, size in stations[:-1])
+        return (*inner, (length, stations[-1][1]))
+
+    changes: dict[str, object] = {"length": length, "mass": None, "balance_point": None, "moi": None, "original": None}
+    if bat.profile is not None:
+        changes["profile"] = moved(bat.profile)
+    else:
+        assert bat.linear_density is not None  # one of the two is given
+        changes["linear_density"] = tuple(part / factor**power for power, part in enumerate(bat.linear_density))
+    if bat.shell is None:
+        changes["mass"] = mass
+    else:
+        changes["shell"] = bat.shell.replaced(wall=moved(bat.shell.wall))
+    return bat.replaced(**changes)

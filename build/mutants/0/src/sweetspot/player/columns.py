@@ -1,0 +1,241 @@
+"""What the columns of a swing file mean: names of Blast, HitTrax and Statcast and plain ones, and their units.
+
+A plain name carries its unit (``bat_speed_mph``, ``Exit Velocity [km/h]``). Names that belong to one system are in
+the units of that system. Any other needs to be told whether the file is in US or metric units.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from sweetspot.errors import InputError
+from sweetspot.units import FOOT, INCH, MPH
+
+Units = Literal["us", "metric"]
+
+SPEEDS = {
+    "mph": MPH,
+    "mi_h": MPH,
+    "m_s": 1.0,
+    "mps": 1.0,
+    "km_h": 1 / 3.6,
+    "kmh": 1 / 3.6,
+    "kph": 1 / 3.6,
+    "ft_s": FOOT,
+}
+ANGLES = dict.fromkeys(("deg", "degree", "degrees", "°"), math.pi / 180) | {"rad": 1.0}
+LENGTHS = {"in": INCH, "inch": INCH, "inches": INCH, "m": 1.0, "cm": 0.01, "mm": 0.001}
+PLACES = {
+    f"{unit}_from_{end}": factor
+    for unit, factor in LENGTHS.items()
+    for end in ("knob", "tip", "the_tip", "the_knob")
+}  # fmt: skip
+UNITS: dict[str, dict[str, float]] = {
+    "bat_speed": SPEEDS,
+    "exit_speed": SPEEDS,
+    "pitch_speed": SPEEDS,
+    "release_speed": SPEEDS,
+    "launch_angle": ANGLES,
+    "attack_angle": ANGLES,
+    "position": PLACES,
+    "bat": {},
+    "batter": {},
+    "date": {},
+}
+"""Quantities that are understood, and the units of each with their size in SI."""
+TEXTS = ("bat", "batter", "date")
+NEEDED = ("bat_speed", "exit_speed")
+"""At least one of these."""
+
+ALIASES: dict[str, tuple[str, ...]] = {
+    "bat_speed": ("bat_speed", "batspeed", "swing_speed", "barrel_speed", "bat_head_speed", "bat_velocity"),
+    "exit_speed": ("exit_speed", "exit_velocity", "exitvelocity", "exitvelo", "exit_velo", "ev", "exitspeed",
+                   "batted_ball_speed", "hit_speed"),
+    "pitch_speed": ("pitch_speed", "pitch_velocity", "plate_speed", "pitchspeed"),
+    "release_speed": ("release_speed", "release_velocity", "relspeed"),
+    "launch_angle": ("launch_angle", "launchangle", "vertical_angle", "vertical_launch_angle"),
+    "attack_angle": ("attack_angle", "attackangle"),
+    "position": ("position", "impact_position", "contact_position", "impact_location"),
+    "bat": ("bat", "equipment", "bat_name", "bat_used", "bat_model"),
+    "batter": ("batter", "batter_id", "player", "hitter", "user"),
+    "date": ("date", "game_date", "swing_date", "time_stamp", "timestamp", "datetime", "date_time"),
+}  # fmt: skip
+"""Plain names that need a unit."""
+
+US_UNITS = {"bat_speed": "mph", "exit_speed": "mph", "pitch_speed": "mph", "release_speed": "mph",
+            "launch_angle": "deg", "attack_angle": "deg", "position": "in_from_tip"}  # fmt: skip
+METRIC_UNITS = US_UNITS | {quantity: "m_s" for quantity, unit in US_UNITS.items() if unit == "mph"} | {
+    "position": "cm_from_tip"
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class System:
+    """A measuring system whose files say by their names which units they are in.
+
+    Parameters
+    ----------
+    name : of the system.
+    marks : names that only its files have together.
+    names : its own names by quantity; their units are US units.
+    """
+
+    name: str
+    marks: frozenset[str]
+    names: dict[str, str]
+
+
+SYSTEMS = (
+    System(
+        "Statcast",
+        frozenset({"launch_speed", "launch_angle"}),
+        {"bat_speed": "bat_speed", "launch_speed": "exit_speed", "release_speed": "release_speed",
+         "launch_angle": "launch_angle", "attack_angle": "attack_angle", "batter": "batter", "game_date": "date"},
+    ),
+    System(
+        "HitTrax",
+        frozenset({"velo", "la"}),
+        {"velo": "exit_speed", "la": "launch_angle", "pitch": "pitch_speed", "bv": "bat_speed", "bat": "bat",
+         "batter": "batter", "user": "batter", "date": "date", "time_stamp": "date"},
+    ),
+    System(
+        "Blast",
+        frozenset({"plane_score", "on_plane_efficiency"}),
+        {"bat_speed": "bat_speed", "attack_angle": "attack_angle", "exit_velocity": "exit_speed",
+         "launch_angle": "launch_angle", "equipment": "bat", "date": "date"},
+    ),
+)  # fmt: skip
+"""Known systems; a file of none of them is plain."""
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column: place in the file, heading, quantity, size of its unit in SI, and whether it counts from the tip."""
+
+    index: int
+    heading: str
+    quantity: str
+    factor: float
+    from_tip: bool
+
+
+@dataclass(frozen=True)
+class Columns:
+    """The columns of a file: those that are understood by quantity, the others by heading, and the system's name."""
+
+    found: dict[str, Column]
+    ignored: tuple[str, ...]
+    system: str
+
+
+def simplified(heading: str) -> str:
+    """Return a heading in lower case with words and unit joined by single underscores.
+
+    >>> simplified("Bat Speed (mph)"), simplified("Exit Velocity [km/h]")
+    ('bat_speed_mph', 'exit_velocity_km_h')
+    """
+    return re.sub(r"[^0-9a-z%°]+", "_", heading.strip().lower()).strip("_")
+
+
+def is_heading_line(cells: Sequence[str]) -> bool:
+    """Return whether a line holds column names: one of them names bat speed or exit speed."""
+    names = [simplified(cell) for cell in cells]
+    known = {quantity for name in names if (quantity := _quantity(name)) is not None}
+    known |= {
+        system.names[name] for system in SYSTEMS if system.marks & set(names) for name in names if name in system.names
+    }
+    return bool(known & set(NEEDED))
+
+
+def columns_of(headings: Sequence[str], *, units: Units | None, file_name: str) -> Columns:
+    """Return what the columns of a file mean.
+
+    Parameters
+    ----------
+    units : of columns whose heading names none; None: refuse them unless the file is of a known system.
+
+    Raises
+    ------
+    InputError
+        when two columns give the same quantity, a unit is missing or not known, or neither speed is there.
+    """
+    names = [simplified(heading) for heading in headings]
+    system = next((known for known in SYSTEMS if _belongs(names, known)), None)
+    found: dict[str, Column] = {}
+    ignored = []
+    for index, (heading, name) in enumerate(zip(headings, names, strict=True)):
+        column = _column(index, heading.strip(), name, system, units, file_name)
+        if column is None:
+            ignored.append(heading.strip())
+        elif column.quantity in found and column.quantity not in TEXTS:
+            raise InputError(
+                f"{file_name}: columns {found[column.quantity].heading} and {column.heading} both give "
+                f"{column.quantity}; keep one of them"
+            )
+        else:
+            found.setdefault(column.quantity, column)
+    if not any(needed in found for needed in NEEDED):
+        raise InputError(
+            f"{file_name}: no column for bat speed or exit speed; give for example bat_speed_mph and exit_speed_mph. "
+            f"The file has: {', '.join(heading.strip() for heading in headings)}"
+        )
+    return Columns(found, tuple(ignored), system.name if system else "plain")
+
+
+def _belongs(names: Sequence[str], system: System) -> bool:
+    """Return whether a file is one of a system's: its marks are there, a unit after them or not."""
+    return all(any(name == mark or name.startswith(f"{mark}_") for name in names) for mark in system.marks)
+
+
+def _column(
+    index: int, heading: str, name: str, system: System | None, units: Units | None, file_name: str
+) -> Column | None:
+    if system is not None and name in system.names:
+        quantity = system.names[name]
+        unit = US_UNITS.get(quantity, "")
+        if units == "metric" and system.name != "Statcast":
+            unit = METRIC_UNITS.get(quantity, "")
+        return Column(index, heading, quantity, UNITS[quantity].get(unit, 1.0), unit.endswith("tip"))
+    named = _quantity(name)
+    if named is None:
+        return None
+    alias = next(known for known in sorted(ALIASES[named], key=len, reverse=True) if _starts(name, known))
+    unit = name.removeprefix(alias).strip("_")
+    if named in TEXTS:
+        return Column(index, heading, named, 1.0, False) if not unit else None
+    if not unit:
+        if units is None:
+            example = f"{alias}_{next(iter(UNITS[named]))}"
+            raise InputError(
+                f"{file_name}: column {heading} has no unit; write it into the heading, for example {example}, or say "
+                "--units us (mph, degrees, inches from the tip) or --units metric (m/s, degrees, cm from the tip)"
+            )
+        unit = (US_UNITS if units == "us" else METRIC_UNITS)[named]
+    if unit not in UNITS[named]:
+        allowed = ", ".join(f"{alias}_{known}" for known in UNITS[named])
+        raise InputError(f"{file_name}: column {heading} has an unknown unit; allowed: {allowed}")
+    return Column(index, heading, named, UNITS[named][unit], unit.endswith("tip"))
+
+
+def _quantity(name: str) -> str | None:
+    """Return the quantity that a simplified heading names, alone or followed by a unit that quantities have."""
+    for quantity, aliases in ALIASES.items():
+        for alias in aliases:
+            if name == alias:
+                return quantity
+            unit = name.removeprefix(alias).strip("_")
+            if name.startswith(f"{alias}_") and (unit in UNITS[quantity] or unit in KNOWN_UNITS):
+                return quantity
+    return None
+
+
+def _starts(name: str, alias: str) -> bool:
+    return name == alias or name.startswith(f"{alias}_")
+
+
+KNOWN_UNITS = frozenset(SPEEDS) | frozenset(ANGLES) | frozenset(LENGTHS) | {"knots", "kn", "ft", "%", "mils"}
+"""Words after a name that are meant as its unit, whether they fit or not; other words make another name."""

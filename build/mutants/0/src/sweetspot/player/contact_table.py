@@ -1,0 +1,139 @@
+"""What a bat does with a ball, tabled once so that millions of swings can be read off.
+
+Two tables: collision efficiency along the bat at two closing speeds, from the coupled collision; and, for a ball met
+above or below the bat's axis, the part of the exit speed that is left and how far the launch angle leaves the bat's
+path, from the oblique collision in space.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from sweetspot.ball import Ball
+from sweetspot.bat import Bat
+from sweetspot.collision.kernel import hits
+from sweetspot.collision.strike import strikes
+from sweetspot.errors import InputError
+from sweetspot.player.priors import Array, fixed, priors
+from sweetspot.reduction import Reduction, reduction
+from sweetspot.swing_path import path_axes
+from sweetspot.units import INCH
+
+REACH, PLACES = 16 * INCH, 65
+"""m from the tip that are tabled, every quarter of an inch: beyond them a bat is hit by accident."""
+SLOW, FAST = 40.0, 75.0
+"""m/s; closing speeds between which collision efficiency is a straight line, and beyond which it goes on."""
+BARREL = 6.5 * INCH
+"""m from the tip where the off-centre table is made."""
+BAT_SPEED = 31.0
+"""m/s there."""
+RATIOS = np.array([0.0, 0.4, 0.8, 1.2, 1.6])
+"""Pitch speed over bat speed; 0: a tee."""
+FARTHEST, OFFSETS = 0.97, 121
+"""Largest offset as a part of both radii together, and how many offsets from one side to the other."""
+
+
+@dataclass(frozen=True)
+class ContactTable:
+    """One bat's answers.
+
+    Parameters
+    ----------
+    bat : the bat.
+    moi : kg m^2 about the swing law's axis.
+    from_tip : m, increasing, evenly spaced.
+    efficiency, efficiency_slope : q at no closing speed, as the straight line would have it, and its change per m/s;
+        shape of ``from_tip``.
+    offset : m of the ball's centre above the bat's axis, increasing, evenly spaced.
+    kept : part of the head-on exit speed that is left, shape (ratios, offsets).
+    deflection : rad, launch angle minus attack angle, same shape.
+    """
+
+    bat: Bat
+    moi: float
+    from_tip: Array
+    efficiency: Array
+    efficiency_slope: Array
+    offset: Array
+    kept: Array
+    deflection: Array
+
+
+def contact_table(bat: Bat, *, ball: Ball, axis: float, like: ContactTable | None = None) -> ContactTable:
+    """Return the tables of a bat.
+
+    Parameters
+    ----------
+    axis : where the swing law takes the moment of inertia, m from the bottom of the grip.
+    like : table of another bat whose off-centre hits are taken over, for they hang on the barrel's width alone; None:
+        worked out.
+
+    Raises
+    ------
+    InputError
+        when the bat is no heavier than the ball, or does not send it back anywhere on the barrel.
+    """
+    model = reduction(bat, ball=ball)
+    if ball.mass >= model.body.mass:
+        raise InputError(
+            f"{bat.name} weighs {model.body.mass:.4g} kg and the ball {ball.mass:.4g} kg; allowed is a ball lighter "
+            "than the bat"
+        )
+    from_tip = np.linspace(0.0, REACH, PLACES)
+    slow, fast = (_efficiency(model, ball, from_tip, speed) for speed in (SLOW, FAST))
+    slope = (fast - slow) / (FAST - SLOW)
+    if like is None:
+        offset, kept, deflection = _off_centre(model, ball)
+    else:
+        offset, kept, deflection = like.offset, like.kept, like.deflection
+    return ContactTable(
+        bat=bat, moi=model.body.moi(bat.choke + axis), from_tip=from_tip, efficiency=slow - slope * SLOW,
+        efficiency_slope=slope, offset=offset, kept=kept, deflection=deflection,
+    )  # fmt: skip
+
+
+def _efficiency(model: Reduction[Bat], ball: Ball, from_tip: Array, speed: float) -> Array:
+    place = model.bat.length - np.minimum(from_tip, 0.6 * model.bat.length)
+    done = hits(model.modes, ball=ball, position=place, closing_speed=speed, keep_motion=False)
+    known = np.isfinite(done.collision_efficiency)
+    if known.sum() < PLACES // 2:
+        raise InputError(f"{model.bat.name} does not send the ball back on most of its barrel; check its wall")
+    return np.interp(from_tip, from_tip[known], done.collision_efficiency[known])
+
+
+def _off_centre(model: Reduction[Bat], ball: Ball) -> tuple[Array, Array, Array]:
+    """Return offsets and, for every ratio of speeds, the part of exit speed kept and the deflection.
+
+    The swing has the usual attack angle and tilt, the pitch the usual descent and no spin; both answers hardly depend
+    on any of the four.
+    """
+    place = model.bat.length - BARREL
+    reach = ball.radius + float(model.bat.diameter_at(place)) / 2
+    offset = np.linspace(-FARTHEST * reach, FARTHEST * reach, OFFSETS)
+    attack, descent = priors()["attack_angle"].centre, fixed("pitch_descent")
+    axes = path_axes(attack, 0.0, tilt=fixed("swing_tilt"), left=False)
+    above = np.tile(offset, len(RATIOS))
+    pitch = np.repeat(RATIOS * BAT_SPEED, OFFSETS)[:, None] * np.array([0.0, -math.cos(descent), -math.sin(descent)])
+    done = strikes(
+        model, ball=ball, bat_speed=BAT_SPEED, axes=axes, pitch_velocity=pitch, pitch_spin=np.zeros(3),
+        position=place, offset=above,
+    )  # fmt: skip
+    speed = done.exit_speed.reshape(len(RATIOS), OFFSETS)
+    across = np.hypot(done.velocity[:, 0], done.velocity[:, 1])
+    launch = np.arctan2(done.velocity[:, 2], across).reshape(speed.shape)
+    middle = OFFSETS // 2
+    return offset, speed / speed[:, middle : middle + 1], launch - attack
+
+
+def farthest_offset(table: ContactTable) -> float:
+    """Return the largest offset in m of a hit that is counted: up to it, every inch turns the ball further.
+
+    Beyond it the ball is only grazed and goes foul; files of batted balls do not hold it.
+    """
+    ends = []
+    for row in table.deflection:
+        ends += [table.offset[int(np.argmax(row))], -table.offset[int(np.argmin(row))]]
+    return float(min(ends))

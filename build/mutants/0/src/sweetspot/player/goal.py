@@ -1,0 +1,139 @@
+"""What a player wants more of, and how much of it a hit gives: exit speed, carry, or whether it passes a line."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from sweetspot.aerodynamics import Aerodynamics
+from sweetspot.air import Air
+from sweetspot.collision.strike import strikes
+from sweetspot.errors import InputError
+from sweetspot.flight.kernel import flights
+from sweetspot.player.contact_table import BARREL, BAT_SPEED
+from sweetspot.player.model import PlayerModel
+from sweetspot.player.priors import Array, fixed
+from sweetspot.reduction import reduction
+from sweetspot.swing_path import path_axes
+from sweetspot.units import FOOT
+
+GoalName = Literal["exit-speed", "carry", "line"]
+HEIGHT, FORWARD = 0.9, 0.5
+"""m above the ground and in front of the plate's tip where the ball is met."""
+SPEEDS = np.linspace(0.0, 62.0, 17)
+"""m/s of head-on exit speed."""
+OFFSET_COUNT = 53
+ATTACKS = np.radians(np.linspace(-20.0, 40.0, 13))
+SHORTEST_LINE, LONGEST_LINE = 10.0, 200.0
+
+
+@dataclass(frozen=True)
+class Goal:
+    """What is wanted: fast hits, far hits, or hits beyond a line.
+
+    Parameters
+    ----------
+    name : "exit-speed", "carry" or "line".
+    line : m over the ground from the plate, for "line" only.
+    """
+
+    name: GoalName = "exit-speed"
+    line: float | None = None
+
+    def __post_init__(self) -> None:
+        if self.name not in ("exit-speed", "carry", "line"):
+            raise InputError(f"goal {self.name!r} is not known; allowed is exit-speed, carry or line")
+        if (self.name == "line") != (self.line is not None):
+            raise InputError(
+                "a line goes with the goal line and with no other; give both, for example --goal line --line 300ft"
+            )
+        if self.line is not None and not SHORTEST_LINE <= self.line <= LONGEST_LINE:
+            raise InputError(
+                f"the line is {self.line:.4g} m ({self.line / FOOT:.4g} ft) away; allowed is "
+                f"{SHORTEST_LINE / FOOT:.0f} to {LONGEST_LINE / FOOT:.0f} ft"
+            )
+
+
+@dataclass(frozen=True)
+class CarryTable:
+    """Carry of a hit by head-on exit speed, offset and attack angle.
+
+    Parameters
+    ----------
+    exit_speed, offset, attack_angle : the even grids, m/s, m and rad.
+    carry : m, shape of the three grids together.
+    """
+
+    exit_speed: Array
+    offset: Array
+    attack_angle: Array
+    carry: Array
+
+    def at(self, exit_speed: Array, offset: Array, attack_angle: Array) -> Array:
+        """Return the carry in m of hits, straight lines between the grids; beyond a grid its end counts."""
+        total = np.zeros(np.shape(exit_speed))
+        corners = [_bracket(grid, value) for grid, value in (
+            (self.exit_speed, exit_speed), (self.offset, offset), (self.attack_angle, attack_angle))]  # fmt: skip
+        for corner in range(8):
+            weight, index = np.ones(np.shape(exit_speed)), []
+            for axis, (low, part) in enumerate(corners):
+                upper = corner >> axis & 1
+                weight = weight * (part if upper else 1 - part)
+                index.append(low + upper)
+            total += weight * self.carry[tuple(index)]
+        return total
+
+
+def carry_table(model: PlayerModel, *, pitch_speed: float, aerodynamics: Aerodynamics, air: Air) -> CarryTable:
+    """Return how far hits off the player's own bat fly, to where they first touch the ground.
+
+    The oblique collision gives direction and spin for every offset and attack angle; all speeds of a hit are then
+    scaled together to every head-on exit speed, and flown.
+
+    Parameters
+    ----------
+    pitch_speed : m/s at the plate.
+    """
+    own = model.bats[0]
+    bat = reduction(own.bat, ball=model.ball)
+    offset = np.linspace(own.offset[0], own.offset[-1], OFFSET_COUNT)
+    attack, above = (grid.ravel() for grid in np.meshgrid(ATTACKS, offset, indexing="ij"))
+    descent = fixed("pitch_descent")
+    pitch = pitch_speed * np.array([0.0, -math.cos(descent), -math.sin(descent)])
+    done = strikes(
+        bat, ball=model.ball, bat_speed=BAT_SPEED, axes=path_axes(attack, 0.0, tilt=fixed("swing_tilt"), left=False),
+        pitch_velocity=pitch, pitch_spin=np.zeros(3), position=own.bat.length - BARREL, offset=above,
+    )  # fmt: skip
+    efficiency = float(
+        np.interp(BARREL, own.from_tip, own.efficiency + (pitch_speed + BAT_SPEED) * own.efficiency_slope)
+    )
+    head_on = efficiency * (pitch_speed + BAT_SPEED) + BAT_SPEED
+    scale = np.repeat(SPEEDS / head_on, len(above))[:, None]
+    flown = flights(
+        np.array([0.0, FORWARD, HEIGHT]), np.tile(done.velocity, (len(SPEEDS), 1)) * scale,
+        np.tile(done.spin, (len(SPEEDS), 1)) * scale, ball=model.ball, aerodynamics=aerodynamics, air=air,
+    )  # fmt: skip
+    forward = flown.landing_position[:, 1] > 0  # a ball that goes behind the plate is foul and carries nothing
+    carry = np.where(flown.landed & forward, flown.carry, 0.0).reshape(len(SPEEDS), len(ATTACKS), OFFSET_COUNT)
+    return CarryTable(SPEEDS, offset, ATTACKS, np.ascontiguousarray(carry.transpose(0, 2, 1)))
+
+
+def _bracket(grid: Array, value: Array) -> tuple[np.ndarray, Array]:
+    """Return the lower neighbour on an even grid and how far on the way to the next one a value lies."""
+    at = np.clip((value - grid[0]) / (grid[1] - grid[0]), 0.0, len(grid) - 1.000001)
+    low = at.astype(np.int64)
+    return low, at - low
+
+
+def told(goal: Goal) -> str:
+    """Return what a goal is in words.
+
+    >>> told(Goal("line", line=91.44))
+    'hits beyond 300 ft'
+    """
+    if goal.line is not None:
+        return f"hits beyond {goal.line / FOOT:.0f} ft"
+    return {"exit-speed": "exit speed", "carry": "carry"}[goal.name]

@@ -1,0 +1,242 @@
+"""How likely a player's swings are under given parameters, compiled.
+
+Bat speed is normal about the player's mean for that bat; position and offset are normal about theirs. What was not
+measured in a swing is summed over: position on a grid, offset by Gauss and Hermite's points, or on a grid where the
+launch angle was not measured either, bat speed exactly, for exit speed is a straight line in it.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from sweetspot.collision.vector_math import exp
+from sweetspot.player.priors import Array
+
+IntArray = NDArray[np.int64]
+GRID_REACH = 4.0
+"""Standard deviations of the scatter to either side of its mean that are summed over."""
+NEAR_POINTS, FAR_POINTS = 2, 8
+"""Offsets summed over when the launch angle was measured, and when not."""
+WRONG, WRONG_RANGE = 0.01, 60.0
+"""Part of the exit speeds taken as wrong readings, spread evenly over this many m/s, so that one cannot rule."""
+TINY = 1e-300
+ROOT_TWO_PI = math.sqrt(2 * math.pi)
+
+
+class Table(NamedTuple):
+    """Everything about the swings that does not change with the parameters; nan where not measured.
+
+    Parameters
+    ----------
+    bat_speed, exit_speed, pitch_speed, attack_angle, position : (n,) SI.
+    offset : (n,) m, worked back from launch and attack angle (the usual attack angle where it was not measured).
+    offset_noise : (n,) m, standard deviation of that.
+    offset_slope : (n,) m per rad of attack angle; 0 where it was measured.
+    bat : (n,) which bat, an index into the next three.
+    efficiency, efficiency_slope : (bats, places) at the places of the grid.
+    arm : (bats, places) bat speed at every place over that where bat speed is measured.
+    kept : (n, offsets) part of the exit speed left.
+    place_start, place_step, offset_start, offset_step : of the two grids, m.
+    farthest : (bats,) m, the largest offset of a hit that is counted.
+    constants : measuring error of bat speed and of position, spread of the attack angle, usual attack angle.
+    near, near_weights : points of Gauss and Hermite, in standard deviations.
+    far : m, sizes of offsets for hits without a launch angle.
+    """
+
+    bat_speed: Array
+    exit_speed: Array
+    pitch_speed: Array
+    attack_angle: Array
+    position: Array
+    offset: Array
+    offset_noise: Array
+    offset_slope: Array
+    bat: IntArray
+    efficiency: Array
+    efficiency_slope: Array
+    arm: Array
+    kept: Array
+    place_start: float
+    place_step: float
+    offset_start: float
+    offset_step: float
+    farthest: Array
+    constants: Array
+    near: Array
+    near_weights: Array
+    far: Array
+
+
+@njit(nogil=True, cache=True)
+def normal(value: float, mean: float, variance: float) -> float:
+    """Return the logarithm of the normal density, without its constant."""
+    return -0.5 * ((value - mean) ** 2 / variance + math.log(variance))
+
+
+@njit(nogil=True, cache=True)
+def combined(value: float, noise: float, mean: float, spread: float) -> tuple[float, float]:
+    """Return mean and variance of a quantity that is normal and was measured with noise; nan: not measured."""
+    if math.isnan(value):
+        return mean, spread**2
+    gain = spread**2 / (spread**2 + noise**2)
+    return mean + gain * (value - mean), gain * noise**2
+
+
+@njit(nogil=True, cache=True)
+def within(mean: float, spread: float, limit: float) -> float:
+    """Return the part of a normal distribution that lies between -limit and limit."""
+    root = math.sqrt(2.0) * spread
+    return max(0.5 * (math.erf((limit - mean) / root) + math.erf((limit + mean) / root)), 1e-6)
+
+
+@njit(nogil=True, cache=True)
+def table_value(values: Array, start: float, step: float, place: float) -> float:
+    """Return the straight line between neighbours of an even table; beyond its ends their value."""
+    at = min(max((place - start) / step, 0.0), len(values) - 1.000001)
+    index = int(at)
+    return float(values[index] + (at - index) * (values[index + 1] - values[index]))
+
+
+@njit(nogil=True, cache=True)
+def fill_weights(weight: Array, start: float, step: float, mean: float, variance: float) -> tuple[int, int]:
+    """Fill a grid with normal weights that add up to 1; return the first place that counts and the one after."""
+    reach = GRID_REACH * math.sqrt(variance) + step
+    first = max(0, math.ceil((mean - reach - start) / step))
+    last = min(len(weight), math.floor((mean + reach - start) / step) + 1)
+    total = 0.0
+    for j in range(first, last):
+        weight[j] = math.exp(-0.5 * (start + j * step - mean) ** 2 / variance)
+        total += weight[j]
+    if not total > 0:
+        return 0, 0
+    for j in range(first, last):
+        weight[j] /= total
+    return first, last
+
+
+@njit(nogil=True, cache=True)
+def fill_folded(weight: Array, points: Array, mean: float, spread: float) -> None:
+    """Fill the weights of offsets of either sign, which keep the same exit speed, so that they add up to 1."""
+    total = 0.0
+    for k in range(len(points)):
+        above, below = (points[k] - mean) / spread, (points[k] + mean) / spread
+        weight[k] = math.exp(-0.5 * above**2) + math.exp(-0.5 * below**2) + TINY
+        total += weight[k]
+    for k in range(len(points)):
+        weight[k] /= total
+
+
+@njit(nogil=True, cache=True, fastmath={"contract", "nsz", "reassoc"})
+def _summed(left: Array, right: Array) -> float:
+    """Return the sum of products, in whatever order is fastest."""
+    total = 0.0
+    for j in range(len(left)):
+        total += left[j] * right[j]
+    return total
+
+
+@njit(nogil=True, cache=True, fastmath={"contract", "nsz"}, error_model="numpy")
+def _density(
+    out: float,
+    kept: float,
+    noise: float,
+    speed_variance: float,
+    weight: Array,
+    ball_out: Array,
+    slope: Array,
+    part: Array,
+    variance: Array,
+) -> float:
+    """Return the density of an exit speed summed over places; the last two arrays are room to work in.
+
+    Short loops from 0 that touch few arrays: the compiler turns these into vector instructions. It must not be let to
+    reorder sums here: the exponential rounds by adding and taking away a large number.
+    """
+    count = len(weight)
+    for j in range(count):
+        variance[j] = noise**2 + (slope[j] * kept) ** 2 * speed_variance
+    for j in range(count):
+        part[j] = -0.5 * (out - ball_out[j] * kept) ** 2 / variance[j]
+    for j in range(count):
+        part[j] = exp(part[j])
+    for j in range(count):
+        variance[j] = weight[j] / math.sqrt(variance[j])
+    return _summed(variance, part)
+
+
+@njit(nogil=True, cache=True, fastmath={"contract", "nsz"}, error_model="numpy")
+def log_likelihoods(parameters: Array, speeds: Array, table: Table, found: Array) -> None:
+    """Fill ``found`` with the log-likelihood of every row of parameters.
+
+    Parameters
+    ----------
+    parameters : (rows, 10) SI, in the order of `NAMES`.
+    speeds : (rows, bats) m/s, the player's mean bat speed with every bat.
+    found : (rows,).
+    """
+    places = table.efficiency.shape[1]
+    speed_noise, place_noise, attack_spread, usual_attack = table.constants
+    usual_weight, own_weight = np.empty(places), np.empty(places)
+    part, variance = np.empty(places), np.empty(places)
+    ball_out, slope, folded = np.empty(places), np.empty(places), np.empty(len(table.far))
+    counted = np.empty(len(table.farthest))
+    for row in range(len(parameters)):
+        theta = parameters[row]
+        speed_spread, centre, scatter = theta[1], theta[3], theta[4]
+        offset_mean, offset_spread, attack, shift, noise = theta[5], theta[6], theta[7], theta[8], theta[9]
+        for bat in range(len(table.farthest)):
+            counted[bat] = math.log(within(offset_mean, offset_spread, table.farthest[bat]))
+        fill_folded(folded, table.far, offset_mean, offset_spread)
+        usual = fill_weights(usual_weight, table.place_start, table.place_step, centre, scatter**2)
+        total = 0.0
+        for i in range(len(table.bat_speed)):
+            bat, pitch, out = table.bat[i], table.pitch_speed[i], table.exit_speed[i]
+            mean_speed = speeds[row, bat]
+            if not math.isnan(table.bat_speed[i]):
+                total += normal(table.bat_speed[i], mean_speed, speed_spread**2 + speed_noise**2)
+            speed, speed_variance = combined(table.bat_speed[i], speed_noise, mean_speed, speed_spread)
+            if not math.isnan(table.attack_angle[i]):
+                total += normal(table.attack_angle[i], attack, attack_spread**2)
+            told = table.offset[i] + table.offset_slope[i] * (attack - usual_attack)
+            above, above_variance = combined(told, table.offset_noise[i], offset_mean, offset_spread)
+            if not math.isnan(told):
+                total += normal(told, offset_mean, offset_spread**2 + table.offset_noise[i] ** 2) - counted[bat]
+                total += math.log(within(above, math.sqrt(above_variance), table.farthest[bat]))
+            weight, first, last = usual_weight, usual[0], usual[1]
+            if not math.isnan(table.position[i]):
+                total += normal(table.position[i], centre, scatter**2 + place_noise**2)
+                place, place_variance = combined(table.position[i], place_noise, centre, scatter)
+                weight = own_weight
+                first, last = fill_weights(weight, table.place_start, table.place_step, place, place_variance)
+            if math.isnan(out):
+                continue
+            for j in range(first, last):
+                there = speed * table.arm[bat, j]
+                closing = pitch + there
+                efficiency = table.efficiency[bat, j] + shift + table.efficiency_slope[bat, j] * closing
+                ball_out[j] = efficiency * closing + there
+                slope[j] = (1 + efficiency + table.efficiency_slope[bat, j] * closing) * table.arm[bat, j]
+            unknown = math.isnan(told)
+            points, weights = (table.far, folded) if unknown else (table.near, table.near_weights)
+            likelihood = 0.0
+            for k in range(len(points)):
+                height = points[k] if unknown else above + points[k] * math.sqrt(above_variance)
+                kept = table_value(table.kept[i], table.offset_start, table.offset_step, height)
+                likelihood += weights[k] * _density(
+                    out,
+                    kept,
+                    noise,
+                    speed_variance,
+                    weight[first:last],
+                    ball_out[first:last],
+                    slope[first:last],
+                    part[first:last],
+                    variance[first:last],
+                )
+            total += math.log((1 - WRONG) / ROOT_TWO_PI * likelihood + WRONG / WRONG_RANGE)
+        found[row] = total

@@ -1,0 +1,266 @@
+"""A player's swings and bats made ready for the fit: what every measured number says about the player's parameters."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+
+from sweetspot.ball import Ball
+from sweetspot.bat import Bat
+from sweetspot.catalog.swing_laws import swing_law
+from sweetspot.errors import InputError
+from sweetspot.player.contact_table import OFFSETS, RATIOS, ContactTable, contact_table, farthest_offset
+from sweetspot.player.likelihood import FAR_POINTS, NEAR_POINTS, Table, log_likelihoods
+from sweetspot.player.priors import NAMES, Array, fixed, log_prior, natural, priors
+from sweetspot.player.swings import PlayerSwing
+from sweetspot.shots import BadRow
+from sweetspot.swing_law import GREATEST_EXPONENT, SwingLaw
+from sweetspot.units import INCH
+
+SPEED_FROM_TIP = 6 * INCH
+"""m from the tip where bat speed is measured, as Statcast does [statcast]."""
+STEEPEST = 2.0
+"""How many times the slope at the middle the change of offset with angle may be."""
+NAN = float("nan")
+
+
+@dataclass(frozen=True)
+class PlayerModel:
+    """Swings with the bats they were made with, ready to be asked how likely parameters are.
+
+    Parameters
+    ----------
+    swings : the swings.
+    bats : tables of every bat used, the player's own first: bat speed is that with it.
+    bat_of : which bat each swing was made with, an index into ``bats``.
+    ball : the ball.
+    law : of bat speed against moment of inertia.
+    speed_from_tip : m from the tip where bat speed is measured.
+    table : what the compiled likelihood reads.
+    """
+
+    swings: tuple[PlayerSwing, ...]
+    bats: tuple[ContactTable, ...]
+    bat_of: tuple[int, ...]
+    ball: Ball
+    law: SwingLaw
+    speed_from_tip: float
+    table: Table
+
+    @property
+    def several_bats(self) -> bool:
+        """Whether bat speeds were measured with bats of different moments of inertia."""
+        used = {index for swing, index in zip(self.swings, self.bat_of, strict=True) if swing.bat_speed is not None}
+        return len({round(self.bats[index].moi, 6) for index in used}) > 1
+
+    def bat_speeds(self, parameters: Array) -> Array:
+        """Return the mean bat speed in m/s with every bat, shape (rows, bats).
+
+        v_b = v (I_b / I)^-n (arm of b / arm): with the law's exponent, at the same distance from the tip.
+
+        Parameters
+        ----------
+        parameters : shape (rows, 10), SI.
+        """
+        own = self.bats[0]
+        found = np.repeat(parameters[:, :1], len(self.bats), axis=1)
+        for index, other in enumerate(self.bats[1:], start=1):
+            found[:, index] *= speed_ratio(other, own, law=self.law, speed_from_tip=self.speed_from_tip,
+                                           exponent=parameters[:, NAMES.index("exponent")])  # fmt: skip
+        return found
+
+    def log_likelihood(self, standard: Array) -> Array:
+        """Return the log-likelihood of standard parameters, shape (rows, 10) to (rows,); exponents within limits."""
+        parameters = natural(np.atleast_2d(standard))
+        speeds = self.bat_speeds(parameters)
+        found = np.empty(len(parameters))
+        workers = min(os.cpu_count() or 1, 2, len(parameters))
+        parts = np.array_split(np.arange(len(parameters)), workers)
+
+        def work(part: np.ndarray) -> None:
+            if len(part):
+                first, last = part[0], part[-1] + 1
+                log_likelihoods(parameters[first:last], speeds[first:last], self.table, found[first:last])
+
+        if workers == 1:
+            work(parts[0])
+        else:
+            with ThreadPoolExecutor(workers) as pool:
+                list(pool.map(work, parts))
+        return found
+
+    def log_posterior(self, standard: Array) -> Array:
+        """Return log-likelihood plus log-prior up to a constant, -inf where the prior forbids."""
+        rows = np.atleast_2d(standard)
+        found = log_prior(rows)
+        allowed = np.isfinite(found)
+        if allowed.any():
+            found[allowed] += self.log_likelihood(rows[allowed])
+        return np.where(np.isnan(found), -np.inf, found)
+
+
+def arm_ratio(table: ContactTable, place: Array, *, speed_from_tip: float) -> Array:
+    """Return bat speed at places over that where it is measured; the bat turns about the bottom of the grip.
+
+    Parameters
+    ----------
+    place : m from the tip.
+    speed_from_tip : m from the tip where bat speed is measured.
+    """
+    arm = table.bat.length - table.bat.choke
+    return (arm - place) / (arm - speed_from_tip)
+
+
+def speed_ratio(
+    other: ContactTable, own: ContactTable, *, law: SwingLaw, speed_from_tip: float, exponent: Array
+) -> Array:
+    """Return bat speed with another bat over that with the player's own, for many exponents.
+
+    The angular speeds are as the law says; both bat speeds hold at the same distance from the tip.
+
+    Parameters
+    ----------
+    other, own : tables of the two bats.
+    exponent : shape (rows,); values outside 0 to 1/2 count as the nearest end.
+    """
+    arms = [table.bat.length - speed_from_tip - table.bat.choke for table in (other, own)]
+    if other.moi == own.moi:
+        return np.full(len(exponent), arms[0] / arms[1])
+    powers = np.linspace(0.0, GREATEST_EXPONENT, 51)
+    ratios = [law.speed_ratio(other.moi, reference_moi=own.moi, exponent=float(power)) for power in powers]
+    # log of the ratio is a straight line in the exponent but for bats lighter than the law's
+    return np.exp(np.interp(exponent, powers, np.log(ratios))) * arms[0] / arms[1]
+
+
+def player_model(
+    swings: Sequence[PlayerSwing],
+    *,
+    bat: Bat,
+    ball: Ball,
+    others: dict[str, Bat] | None = None,
+    law: SwingLaw | None = None,
+    speed_from_tip: float = SPEED_FROM_TIP,
+) -> PlayerModel:
+    """Return the model of a player's swings.
+
+    Parameters
+    ----------
+    bat : the player's own; swings whose bat is not in ``others`` were made with it.
+    others : further bats by the name that the swings give them.
+    law : of bat speed against moment of inertia; None: the catalogue's for baseball.
+    speed_from_tip : m from the tip where bat speed is measured.
+
+    Raises
+    ------
+    InputError
+        without a swing, or when a bat is refused.
+    """
+    if not swings:
+        raise InputError("no swing was given; give at least one")
+    used = law or swing_law()
+    named = {name: other for name, other in (others or {}).items() if any(one.bat == name for one in swings)}
+    tables = [contact_table(one, ball=ball, axis=used.axis) for one in (bat, *named.values())]
+    index = {name: number for number, name in enumerate(named, start=1)}
+    bat_of = tuple(index.get(one.bat, 0) for one in swings)
+    table = _table(swings, tables, bat_of, speed_from_tip)
+    return PlayerModel(tuple(swings), tuple(tables), bat_of, ball, used, speed_from_tip, table)
+
+
+def bats_of(
+    swings: Sequence[PlayerSwing], *, load: Callable[[str], Bat]
+) -> tuple[tuple[PlayerSwing, ...], dict[str, Bat], tuple[BadRow, ...], tuple[str, ...]]:
+    """Return the swings that can be used, the bats they name, rows whose bat is not known, and notes.
+
+    One unknown name in the whole file is taken for the player's own bat; several cannot be.
+
+    Parameters
+    ----------
+    load : gives a bat by its name or raises `InputError`.
+    """
+    names = sorted({one.bat for one in swings} - {""})
+    bats: dict[str, Bat] = {}
+    unknown: dict[str, str] = {}
+    for name in names:
+        try:
+            bats[name] = load(name)
+        except InputError as error:
+            unknown[name] = " ".join(str(error).split())
+    if unknown and len(names) == 1:
+        note = (
+            f"The file calls the bat {names[0]!r}, which is not known here; it is taken for the bat given with --bat."
+        )
+        return tuple(swings), {}, (), (note,)
+    bad = tuple(BadRow(one.row, unknown[one.bat]) for one in swings if one.bat in unknown)
+    good = tuple(one for one in swings if one.bat not in unknown)
+    if not good:
+        raise InputError(f"none of the bats in the file is known: {'; '.join(unknown.values())}")
+    return good, bats, bad, ()
+
+
+def _table(
+    swings: Sequence[PlayerSwing], tables: Sequence[ContactTable], bat_of: Sequence[int], speed_from_tip: float
+) -> Table:
+    def column(name: str) -> Array:
+        return np.array([NAN if getattr(one, name) is None else getattr(one, name) for one in swings], float)
+
+    pitch, bat_speed, attack = column("pitch_speed"), column("bat_speed"), column("attack_angle")
+    pitch = np.where(np.isnan(pitch), 0.0, pitch)  # only of swings that met no ball
+    usual = priors()["attack_angle"].centre
+    reference = np.where(np.isnan(bat_speed), priors()["bat_speed"].centre, bat_speed)
+    kept, deflection = _off_centre(tables, bat_of, pitch / reference)
+    first = tables[0]
+    turned = column("launch_angle") - np.where(np.isnan(attack), usual, attack)
+    known = ~np.isnan(attack)
+    angle_noise = np.where(known, fixed("deflection_noise"),
+                           np.hypot(fixed("deflection_noise"), fixed("attack_angle_spread")))  # fmt: skip
+    offset, slope = np.array(
+        [_inverse(angle, row, first.offset) for angle, row in zip(turned, deflection, strict=True)]
+    ).T
+    near, near_weights = np.polynomial.hermite_e.hermegauss(NEAR_POINTS)
+    far = (np.arange(FAR_POINTS) + 0.5) / FAR_POINTS * farthest_offset(first)
+    return Table(
+        bat_speed=bat_speed, exit_speed=column("exit_speed"), pitch_speed=pitch, attack_angle=attack,
+        position=column("position"), offset=offset, offset_noise=slope * angle_noise,
+        offset_slope=np.where(known, 0.0, -slope), bat=np.array(bat_of, np.int64),
+        efficiency=np.array([table.efficiency for table in tables]),
+        efficiency_slope=np.array([table.efficiency_slope for table in tables]),
+        arm=np.array([arm_ratio(table, table.from_tip, speed_from_tip=speed_from_tip) for table in tables]),
+        kept=kept, place_start=float(first.from_tip[0]), place_step=float(first.from_tip[1] - first.from_tip[0]),
+        offset_start=float(first.offset[0]), offset_step=float(first.offset[1] - first.offset[0]),
+        farthest=np.array([farthest_offset(table) for table in tables]),
+        constants=np.array([
+            fixed("bat_speed_noise"), fixed("position_noise"), fixed("attack_angle_spread"), usual,
+        ]),
+        near=near, near_weights=near_weights / near_weights.sum(), far=far,
+    )  # fmt: skip
+
+
+def _off_centre(tables: Sequence[ContactTable], bat_of: Sequence[int], ratio: Array) -> tuple[Array, Array]:
+    """Return kept exit speed and deflection of every swing on the own bat's grid of offsets, shape (n, offsets)."""
+    grid = tables[0].offset
+    kept, deflection = np.empty((len(ratio), OFFSETS)), np.empty((len(ratio), OFFSETS))
+    for i, (which, value) in enumerate(zip(bat_of, ratio, strict=True)):
+        table = tables[which]
+        at = float(np.clip(np.interp(value, RATIOS, np.arange(len(RATIOS))), 0, len(RATIOS) - 1.000001))
+        low = int(at)
+        for source, target in ((table.kept, kept), (table.deflection, deflection)):
+            between = source[low] + (at - low) * (source[low + 1] - source[low])
+            target[i] = np.interp(grid, table.offset, between)
+    return kept, deflection
+
+
+def _inverse(angle: float, deflection: Array, offset: Array) -> tuple[float, float]:
+    """Return the offset in m that turns the ball so far, and its change per radian; the range's end beyond it."""
+    first, last = int(np.argmin(deflection)), int(np.argmax(deflection))
+    rising = slice(first, last + 1)
+    slope = np.gradient(offset[rising], deflection[rising])
+    central = float(np.interp(0.0, offset[rising], slope))
+    if np.isnan(angle):
+        return NAN, central
+    at = float(np.interp(angle, deflection[rising], offset[rising]))
+    # the slope near a grazing hit is endless and belongs to the noise of this angle, not to what is known of the hit
+    return at, min(float(np.interp(at, offset[rising], slope)), STEEPEST * central)

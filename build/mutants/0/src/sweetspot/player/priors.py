@@ -1,0 +1,151 @@
+"""What is known of a player before the first swing is read, and how its numbers are told apart from the data's."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sweetspot.catalog.records import quantity, read_table
+from sweetspot.catalog.swing_laws import swing_law
+from sweetspot.swing_law import GREATEST_EXPONENT
+from sweetspot.units import Kind
+
+Array = NDArray[np.float64]
+FILE = "player_priors.toml"
+PARAMETERS: dict[str, Kind] = {
+    "bat_speed": "speed",
+    "bat_speed_spread": "speed",
+    "exponent": "ratio",
+    "position": "length",
+    "position_spread": "length",
+    "offset": "length",
+    "offset_spread": "length",
+    "attack_angle": "angle",
+    "efficiency_shift": "ratio",
+    "exit_noise": "speed",
+}
+"""Every parameter of a player in the order of all arrays, and what kind of quantity it is."""
+NAMES = tuple(PARAMETERS)
+FIXED: dict[str, Kind] = {
+    "bat_speed_noise": "speed",
+    "attack_angle_spread": "angle",
+    "deflection_noise": "angle",
+    "position_noise": "length",
+    "swing_tilt": "angle",
+    "pitch_descent": "angle",
+}
+
+
+@dataclass(frozen=True)
+class Prior:
+    """What is known of one parameter before any data.
+
+    Parameters
+    ----------
+    name : of the parameter, in words.
+    scale : "plain": the value is normal; "ratio": its logarithm is.
+    centre : the most likely value, SI; the median.
+    width : standard deviation of the value, or of its logarithm.
+    """
+
+    name: str
+    scale: Literal["plain", "ratio"]
+    centre: float
+    width: float
+
+
+@cache
+def priors() -> dict[str, Prior]:
+    """Return the priors of all parameters, in the order of `NAMES`.
+
+    The exponent's centre is the baseball law's; its width is that between single players of the softball study, for
+    the baseball study's own spread is that of a mean.
+
+    >>> priors()["exponent"].centre, priors()["exponent"].width
+    (0.29, 0.085)
+    """
+    table = read_table(FILE)
+    found = {}
+    for name, kind in PARAMETERS.items():
+        entry = table[name]
+        scale = entry["scale"]
+        centre = swing_law().exponent if name == "exponent" else quantity(entry, "centre", kind, name)
+        width = quantity(entry, "width", "ratio" if scale == "ratio" else kind, name)
+        assert centre is not None and width is not None, f"{FILE}: {name} is not complete"
+        found[name] = Prior(entry["name"], scale, centre, width)
+    return found
+
+
+@cache
+def fixed(name: str) -> float:
+    """Return a value in SI that is not learned from the swings.
+
+    >>> round(fixed("position_noise"), 4)
+    0.0127
+    """
+    value = quantity(read_table(FILE)["fixed"], name, FIXED[name], name)
+    assert value is not None, f"{FILE}: {name} is missing"
+    return value
+
+
+def natural(standard: Array) -> Array:
+    """Return parameters in SI from standard ones, whose prior is normal with mean 0 and standard deviation 1.
+
+    theta = centre + width z, or centre exp(width z).
+
+    Parameters
+    ----------
+    standard : shape (..., 10), in the order of `NAMES`.
+
+    >>> natural(np.zeros(10))[2].item()
+    0.29
+    """
+    return np.where(_ratios(), _centres() * np.exp(_widths() * standard), _centres() + _widths() * standard)
+
+
+def standardised(values: Array) -> Array:
+    """Return standard parameters from those in SI; the inverse of `natural`."""
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.where(_ratios(), np.log(values / _centres()) / _widths(), (values - _centres()) / _widths())
+
+
+def log_prior(standard: Array) -> Array:
+    """Return the logarithm of the prior's density up to a constant; -inf for an exponent outside 0 to 1/2.
+
+    Parameters
+    ----------
+    standard : shape (..., 10).
+    """
+    exponent = natural(standard)[..., NAMES.index("exponent")]
+    allowed = (exponent >= 0) & (exponent <= GREATEST_EXPONENT)
+    return np.where(allowed, -0.5 * np.sum(standard**2, axis=-1), -np.inf)
+
+
+def prior_draws(count: int, seed: int) -> Array:
+    """Return draws from the prior, standard parameters, shape (count, 10)."""
+    generator = np.random.default_rng(seed)
+    found = np.empty((0, len(NAMES)))
+    while len(found) < count:
+        fresh = generator.standard_normal((2 * count, len(NAMES)))
+        found = np.concatenate([found, fresh[np.isfinite(log_prior(fresh))]])
+    return found[:count]
+
+
+@cache
+def _ratios() -> NDArray[np.bool_]:
+    return np.array([prior.scale == "ratio" for prior in priors().values()])
+
+
+@cache
+def _centres() -> Array:
+    # a plain centre of 0 is never divided by: `np.where` takes the other branch
+    return np.array([prior.centre for prior in priors().values()])
+
+
+@cache
+def _widths() -> Array:
+    return np.array([prior.width for prior in priors().values()])

@@ -1,0 +1,86 @@
+"""Swings of a made-up player whose parameters are known: what the fit is tested with."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from sweetspot.ball import Ball
+from sweetspot.bat import Bat
+from sweetspot.catalog.swing_laws import swing_law
+from sweetspot.player.contact_table import RATIOS, ContactTable, contact_table, farthest_offset
+from sweetspot.player.model import SPEED_FROM_TIP, arm_ratio, speed_ratio
+from sweetspot.player.priors import NAMES, Array, fixed
+from sweetspot.player.swings import PlayerSwing
+
+
+def simulated_swings(
+    parameters: Array,
+    *,
+    bats: Sequence[Bat],
+    ball: Ball,
+    count: int,
+    pitch_speed: float,
+    seed: int,
+    speed_from_tip: float = SPEED_FROM_TIP,
+) -> tuple[PlayerSwing, ...]:
+    """Return swings of a player with these parameters, everything but the contact position measured.
+
+    Swing by swing bat speed, position, offset and attack angle are drawn, the hit is read off the bat's table, and
+    the measuring errors are added. The bats take turns; balls that would be missed or only grazed are drawn again.
+
+    Parameters
+    ----------
+    parameters : shape (10,), SI, in the order of `NAMES`.
+    bats : the player's own first.
+    pitch_speed : m/s at the plate; 0: a tee.
+    """
+    values = dict(zip(NAMES, (float(value) for value in parameters), strict=True))
+    generator = np.random.default_rng(seed)
+    law = swing_law()
+    tables = [contact_table(bat, ball=ball, axis=law.axis) for bat in bats]
+    exponent = np.array([values["exponent"]])
+    found = []
+    for row in range(count):
+        table = tables[row % len(tables)]
+        ratio = float(speed_ratio(table, tables[0], law=law, speed_from_tip=speed_from_tip, exponent=exponent)[0])
+        swing = _swing(values, table, ratio, pitch_speed, speed_from_tip, generator)
+        found.append(replace(swing, row=row + 2, bat="" if table is tables[0] else table.bat.name))
+    return tuple(found)
+
+
+def _swing(
+    values: dict[str, float], table: ContactTable, ratio: float, pitch: float, speed_from_tip: float,
+    generator: np.random.Generator,
+) -> PlayerSwing:  # fmt: skip
+    draw = generator.standard_normal
+    speed = ratio * values["bat_speed"] + values["bat_speed_spread"] * draw()
+    attack = values["attack_angle"] + fixed("attack_angle_spread") * draw()
+    place, offset = -1.0, np.inf
+    while not 0 <= place <= table.from_tip[-1]:
+        place = values["position"] + values["position_spread"] * draw()
+    while abs(offset) > farthest_offset(table):
+        offset = values["offset"] + values["offset_spread"] * draw()
+    there = speed * float(arm_ratio(table, np.array(place), speed_from_tip=speed_from_tip))
+    closing = pitch + there
+    efficiency = np.interp(place, table.from_tip, table.efficiency) + values["efficiency_shift"]
+    efficiency += closing * np.interp(place, table.from_tip, table.efficiency_slope)
+    kept, deflection = (_between(part, pitch / speed, table.offset, offset) for part in (table.kept, table.deflection))
+    return PlayerSwing(
+        row=0,
+        bat_speed=float(speed + fixed("bat_speed_noise") * draw()),
+        exit_speed=float((efficiency * closing + there) * kept + values["exit_noise"] * draw()),
+        pitch_speed=pitch,
+        launch_angle=float(attack + deflection + fixed("deflection_noise") * draw()),
+        attack_angle=float(attack),
+        position=None,
+        bat="",
+    )
+
+
+def _between(table: Array, ratio: float, offsets: Array, offset: float) -> float:
+    """Return a value of an off-centre table, straight lines between its rows and columns."""
+    rows = np.array([np.interp(offset, offsets, row) for row in table])
+    return float(np.interp(ratio, RATIOS, rows))

@@ -1,0 +1,391 @@
+"""A player's swings from a CSV file: one row per swing, faulty rows listed with the reason, the others used."""
+
+from __future__ import annotations
+
+import csv
+import gzip
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from datetime import date, datetime
+from pathlib import Path
+from statistics import median
+from typing import IO
+
+from sweetspot.errors import InputError, nearest_names
+from sweetspot.player.columns import TEXTS, Column, Columns, Units, columns_of, is_heading_line
+from sweetspot.shots import BadRow
+from sweetspot.units import INCH, MPH, shown
+
+PLATE_OVER_RELEASE = 0.920
+"""Speed of a pitch at the plate over that at release, 0.920 +- 0.007 over 2507 pitches [statcast]."""
+FASTEST_BAT, FASTEST_BALL, FASTEST_PITCH = 100 * MPH, 130 * MPH, 110 * MPH
+"""m/s; faster ones are numbers in another unit."""
+LIVELIEST = 0.45
+"""Collision efficiency beyond any bat's; a faster ball is a wrong reading. Our choice."""
+FULL_SWING = 0.6
+"""Part of the median bat speed below which a swing is a bunt or was checked. Our choice."""
+PREAMBLE = 20
+"""Lines above the column names that a file may have."""
+FEW = 20
+"""Swings below which the intervals are said to be wide."""
+MOST_SWINGS = 400
+"""Swings that a fit takes: twice as many narrow the intervals by a quarter and take twice as long."""
+DATE_FORMATS = ("%Y-%m-%d", "%m/%d/%Y", "%m/%d/%y", "%Y/%m/%d", "%b %d, %Y", "%B %d, %Y", "%d.%m.%Y")
+EMPTY = ("", "na", "n/a", "nan", "null", "none", "-", "--")
+
+
+@dataclass(frozen=True)
+class PlayerSwing:
+    """One swing of a player in SI; None: not measured.
+
+    Parameters
+    ----------
+    row : line of the file.
+    bat_speed : m/s at the place where the player's bat speed is measured.
+    exit_speed : m/s of the ball; None also for a miss.
+    pitch_speed : m/s of the ball at the plate; 0 on a tee.
+    launch_angle, attack_angle : rad above the horizontal, of the ball and of the bat's path.
+    position : m from the tip.
+    bat : name of the bat as the file gives it; "": the player's own.
+    """
+
+    row: int
+    bat_speed: float | None
+    exit_speed: float | None
+    pitch_speed: float | None
+    launch_angle: float | None
+    attack_angle: float | None
+    position: float | None
+    bat: str
+
+
+@dataclass(frozen=True)
+class Swings:
+    """A file of swings: those that can be used, those that cannot, and what to know about the file.
+
+    Parameters
+    ----------
+    swings : the good rows.
+    bad_rows : rows that cannot be true, with the reason.
+    without_swing : how many rows have neither a bat speed nor an exit speed.
+    system : whose file it is; "plain" where the names are nobody's own.
+    ignored_columns : headings that mean nothing here.
+    notes : what is missing, constant or few, in words.
+    first_day, last_day : of the dated rows; None where no date could be read.
+    """
+
+    swings: tuple[PlayerSwing, ...]
+    bad_rows: tuple[BadRow, ...]
+    without_swing: int
+    system: str
+    ignored_columns: tuple[str, ...]
+    notes: tuple[str, ...]
+    first_day: date | None
+    last_day: date | None
+
+
+def read_swings(
+    path: Path,
+    *,
+    length: float,
+    units: Units | None = None,
+    pitch_speed: float | None = None,
+    batter: str | None = None,
+) -> Swings:
+    """Return the swings of a CSV file, plain or of Blast, HitTrax or Statcast; it may be compressed with gzip.
+
+    Parameters
+    ----------
+    length : of the player's bat in m, for positions from the knob.
+    units : of columns whose heading has none.
+    pitch_speed : m/s at the plate, for rows without one; 0: a tee.
+    batter : whose rows to use, where the file has several batters.
+
+    Raises
+    ------
+    InputError
+        when the file cannot be read, lacks what is needed, holds several batters and none was named, or has no good
+        row.
+    """
+    lines = _lines(path)
+    headings = next(lines, None)
+    if headings is None:
+        raise InputError(f"{path} is empty; it needs a line of column names, for example bat_speed_mph, exit_speed_mph")
+    start, names = headings
+    columns = columns_of(names, units=units, file_name=str(path))
+    rows = [(line, cells) for line, cells in lines if line > start]
+    if not rows:
+        raise InputError(f"{path} has column names and no row; give one row per swing")
+    rows = _of_batter(rows, columns, batter, path)
+    read = [
+        _read(line, cells, columns, width=len(names), length=length, pitch_speed=pitch_speed) for line, cells in rows
+    ]
+    good = [one for one in read if isinstance(one, PlayerSwing)]
+    bad = [one for one in read if isinstance(one, BadRow)]
+    good, partial = _full_swings(good)
+    good, unknown = _with_pitch(good, path)
+    bad = sorted([*bad, *partial, *unknown], key=lambda one: one.row)
+    if not good:
+        reasons = "; ".join(f"row {one.row}: {one.reason}" for one in bad[:3])
+        why = f": {reasons}" if bad else "; no row has a bat speed or an exit speed"
+        raise InputError(f"{path} has no swing that can be used{why}")
+    days = sorted(day for _, cells in rows if (day := _day(cells, columns)) is not None)
+    return Swings(
+        swings=tuple(good),
+        bad_rows=tuple(bad),
+        without_swing=sum(one is None for one in read),
+        system=columns.system,
+        ignored_columns=columns.ignored,
+        notes=_notes(good, columns, pitch_speed),
+        first_day=days[0] if days else None,
+        last_day=days[-1] if days else None,
+    )
+
+
+def evenly(swings: Sequence[PlayerSwing], most: int) -> tuple[tuple[PlayerSwing, ...], tuple[str, ...]]:
+    """Return at most so many swings, taken evenly from first to last, and a note where some were left out.
+
+    >>> evenly((), 400)
+    ((), ())
+    """
+    count = len(swings)
+    if count <= most:
+        return tuple(swings), ()
+    taken = tuple(swings[index * count // most] for index in range(most))
+    return taken, (f"{count} swings are usable; {most} of them, taken evenly, are enough and are used.",)
+
+
+def _lines(path: Path) -> Iterator[tuple[int, list[str]]]:
+    """Yield (line, cells) from the line of column names on, blank lines left out."""
+    if not path.is_file():
+        raise InputError(f"{path} is not a file; give a CSV file with a row per swing")
+    try:
+        with _opened(path) as file:
+            reader = csv.reader(file)
+            before: list[tuple[int, list[str]]] = []
+            found = False
+            for cells in reader:
+                if not any(cell.strip() for cell in cells):
+                    continue
+                found = found or is_heading_line(cells)
+                if found:
+                    yield reader.line_num, cells
+                elif len(before) < PREAMBLE:
+                    before.append((reader.line_num, cells))
+            if not found:
+                yield from before
+    except (OSError, EOFError, UnicodeDecodeError, csv.Error) as error:
+        raise InputError(f"{path} cannot be read as CSV text: {error}") from None
+
+
+def _opened(path: Path) -> IO[str]:
+    if path.suffix == ".gz":
+        return gzip.open(path, "rt", encoding="utf-8-sig", newline="")
+    return path.open(encoding="utf-8-sig", newline="")
+
+
+def _of_batter(
+    rows: list[tuple[int, list[str]]], columns: Columns, batter: str | None, path: Path
+) -> list[tuple[int, list[str]]]:
+    """Return the rows of one batter; a file of several without a name is refused."""
+    column = columns.found.get("batter")
+    if column is None:
+        if batter is not None:
+            raise InputError(f"--batter {batter} was given, and {path} has no column that names the batter")
+        return rows
+
+    def name(cells: list[str]) -> str:
+        text = cells[column.index].strip() if column.index < len(cells) else ""
+        return text.removesuffix(".0")
+
+    names = sorted({name(cells) for _, cells in rows} - {""})
+    if batter is None:
+        if len(names) > 1:
+            shown_names = ", ".join(names[:8]) + (", ..." if len(names) > 8 else "")
+            raise InputError(
+                f"{path} has swings of {len(names)} batters ({shown_names}); choose one with --batter NAME"
+            )
+        return rows
+    if batter not in names:
+        raise InputError(f"batter {batter!r} is not in {path}. {nearest_names(batter, names)}")
+    return [(line, cells) for line, cells in rows if name(cells) == batter]
+
+
+def _read(
+    line: int, cells: list[str], columns: Columns, *, width: int, length: float, pitch_speed: float | None
+) -> PlayerSwing | BadRow | None:
+    """Return a row as a swing, as a bad row with its reason, or None where it holds no swing at all."""
+    if len(cells) != width:
+        return BadRow(line, f"{len(cells)} cells under {width} column names")
+    try:
+        value = {name: _number(cells[column.index], column) for name, column in columns.found.items()
+                 if name not in TEXTS}  # fmt: skip
+    except ValueError as fault:
+        return BadRow(line, str(fault))
+    if value.get("bat_speed") is None and value.get("exit_speed") is None:
+        return None
+    pitch, release = value.get("pitch_speed"), value.get("release_speed")
+    if pitch is None and release is not None:
+        pitch = PLATE_OVER_RELEASE * release
+    pitch = pitch_speed if pitch is None else pitch
+    position = value.get("position")
+    if position is not None and not columns.found["position"].from_tip:
+        position = length - position
+    named = columns.found.get("bat")
+    swing = PlayerSwing(
+        row=line, bat_speed=value.get("bat_speed"), exit_speed=value.get("exit_speed"), pitch_speed=pitch,
+        launch_angle=value.get("launch_angle"), attack_angle=value.get("attack_angle"), position=position,
+        bat=cells[named.index].strip() if named else "",
+    )  # fmt: skip
+    wrong = _fault(swing, length)
+    return BadRow(line, wrong) if wrong else swing
+
+
+def _number(cell: str, column: Column) -> float | None:
+    text = cell.strip()
+    if text.lower() in EMPTY:
+        return None
+    try:
+        number = float(text)
+    except ValueError:
+        raise ValueError(f"{column.heading} is {text!r}, not a number") from None
+    if not math.isfinite(number):
+        raise ValueError(f"{column.heading} is {text}; allowed is a finite number")
+    return number * column.factor
+
+
+def _fault(swing: PlayerSwing, length: float) -> str:
+    """Return why a swing cannot be true, or an empty text."""
+
+    def outside(value: float | None, low: float, high: float) -> bool:
+        return value is not None and not low <= value <= high
+
+    def mph(value: float | None) -> str:
+        return f"{(value or 0.0) / MPH:.1f} mph"
+
+    bat, ball, pitch = swing.bat_speed, swing.exit_speed, swing.pitch_speed
+    wrong = "allowed is above 0, up to"
+    faults = (
+        (outside(bat, 1e-9, FASTEST_BAT), f"bat speed is {mph(bat)}; {wrong} {mph(FASTEST_BAT)}"),
+        (outside(ball, 1e-9, FASTEST_BALL), f"exit speed is {mph(ball)}; {wrong} {mph(FASTEST_BALL)}"),
+        (outside(pitch, 0.0, FASTEST_PITCH), f"pitch speed is {mph(pitch)}; allowed is 0 to {mph(FASTEST_PITCH)}"),
+        (outside(swing.launch_angle, -math.pi / 2, math.pi / 2), "launch angle is beyond -90 to 90 degrees"),
+        (outside(swing.attack_angle, -math.pi / 3, math.pi / 3), "attack angle is beyond -60 to 60 degrees"),
+        (outside(swing.position, 0.0, length), f"position is off the bat of {shown(length)}"),
+    )
+    text = next((text for holds, text in faults if holds), "")
+    if not text and bat is not None and ball is not None and pitch is not None:
+        fastest = LIVELIEST * pitch + (1 + LIVELIEST) * bat
+        if ball > fastest:
+            text = (
+                f"exit speed {mph(ball)} is more than any bat gives at {mph(bat)} against {mph(pitch)} ({mph(fastest)})"
+            )
+    return text
+
+
+def _full_swings(swings: list[PlayerSwing]) -> tuple[list[PlayerSwing], list[BadRow]]:
+    """Return full swings, and those much slower than the median with the reason."""
+    speeds = [one.bat_speed for one in swings if one.bat_speed is not None]
+    if len(speeds) < 3:
+        return swings, []
+    middle = median(speeds)
+
+    def full(one: PlayerSwing) -> bool:
+        return one.bat_speed is None or one.bat_speed >= FULL_SWING * middle
+
+    bad = [
+        BadRow(one.row, f"bat speed is {(one.bat_speed or 0) / MPH:.1f} mph where the median is {middle / MPH:.1f} "
+                        "mph: a bunt or a checked swing")
+        for one in swings if not full(one)
+    ]  # fmt: skip
+    return [one for one in swings if full(one)], bad
+
+
+def _with_pitch(swings: list[PlayerSwing], path: Path) -> tuple[list[PlayerSwing], list[BadRow]]:
+    """Return the swings that have a pitch speed or no exit speed, for that says nothing without the other."""
+    if swings and all(one.pitch_speed is None for one in swings):
+        if any(one.exit_speed is not None for one in swings):
+            raise InputError(
+                f"{path} has no pitch speeds, and exit speed depends on them; say --pitch-speed 82mph (at the plate) "
+                "or --pitch-speed tee, or add a column pitch_speed_mph"
+            )
+        return swings, []
+    good, bad = [], []
+    for one in swings:
+        if one.pitch_speed is None and one.exit_speed is not None:
+            bad.append(BadRow(one.row, "no pitch speed; give one for such rows with --pitch-speed"))
+        else:
+            good.append(one)
+    return good, bad
+
+
+def _day(cells: Sequence[str], columns: Columns) -> date | None:
+    column = columns.found.get("date")
+    if column is None or column.index >= len(cells):
+        return None
+    text = cells[column.index].strip()
+    for part in (text, text.split(" ")[0].split("T")[0]):
+        for form in DATE_FORMATS:
+            try:
+                return datetime.strptime(part, form).date()
+            except ValueError:
+                continue
+    return None
+
+
+def _notes(swings: list[PlayerSwing], columns: Columns, pitch_speed: float | None) -> tuple[str, ...]:
+    """Return what a reader should know about the data before trusting what comes out."""
+    notes = []
+    count = len(swings)
+    if count < FEW:
+        noun = "swing is" if count == 1 else "swings are"
+        notes.append(
+            f"Only {count} {noun} usable. The answers lean on what is usual for players; the intervals are wide."
+        )
+    for quantity, words in WORDS.items():
+        values = [value for one in swings if (value := getattr(one, quantity)) is not None]
+        if not values:
+            there = quantity in columns.found or (quantity == "pitch_speed" and "release_speed" in columns.found)
+            notes.append(f"{words[0]} is {'empty' if there else 'missing'}: {words[1]}.")
+        elif len(values) >= 3 and max(values) == min(values) and (quantity, pitch_speed) != ("pitch_speed", values[0]):
+            notes.append(f"{words[0]} is the same in every row ({_told(quantity, values[0])}): {words[2]}.")
+        elif len(values) < count and quantity in ("bat_speed", "exit_speed"):
+            notes.append(f"{words[0]} is there for {len(values)} of {count} swings.")
+    if "release_speed" in columns.found and "pitch_speed" not in columns.found:
+        notes.append(f"Pitch speed at the plate is taken as {PLATE_OVER_RELEASE:.3f} of the speed at release.")
+    return tuple(notes)
+
+
+def _told(quantity: str, value: float) -> str:
+    if quantity == "position":
+        return f"{value / INCH:.1f} in from the tip"
+    return f"{math.degrees(value):.1f} degrees" if quantity.endswith("angle") else f"{value / MPH:.1f} mph"
+
+
+WORDS = {
+    "bat_speed": (
+        "Bat speed", "it is worked back from exit speed, which also depends on where the ball was met",
+        "it looks typed in, not measured, and says nothing about the spread",
+    ),
+    "exit_speed": (
+        "Exit speed", "nothing is learned about where and how well the ball was met",
+        "it looks typed in, not measured, and the scatter learned from it means little",
+    ),
+    "pitch_speed": (
+        "Pitch speed", "only bat speed can be learned", "good for a machine or a tee; check that it is meant",
+    ),
+    "launch_angle": (
+        "Launch angle", "the scatter over and under the ball is told from exit speed alone, which hardly shows it",
+        "it looks typed in, not measured",
+    ),
+    "attack_angle": (
+        "Attack angle", "the usual one is assumed, so that the mean miss over or under the ball stays uncertain",
+        "it looks typed in, not measured",
+    ),
+    "position": (
+        "Contact position along the bat", "it is worked back from exit speed, which cannot tell tip from handle side",
+        "it looks typed in, not measured",
+    ),
+}  # fmt: skip
+"""Of every quantity: its name, what it means when missing, what when constant."""

@@ -1,0 +1,179 @@
+"""What happens for a hit at every place along the bat, on the same horizontal axis as the bat's drawing."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.ticker import MaxNLocator
+
+from sweetspot.analysis import Analysis
+from sweetspot.implement import Implement
+from sweetspot.plot import ruler
+from sweetspot.plot.style import (
+    BLUE,
+    GREEN,
+    INK,
+    MUTED,
+    NORMAL,
+    ORANGE,
+    PAPER,
+    PURPLE,
+    RED,
+    SKY,
+    SMALL,
+    halo,
+    heading,
+    light_grid,
+    styled,
+)
+from sweetspot.plot.told import told
+from sweetspot.scan import Array
+
+MODES_SHOWN = 3
+
+
+@styled
+def exit_speed(axes: Axes, analysis: Analysis[Implement]) -> None:
+    """Draw the ball's exit speed along the bat: mph on the left, m/s on the right, the rigid bat dashed."""
+    scan, telling = analysis.scan, told(analysis.bat)
+    words = telling.words
+    speed, rigid = scan.exit_speed / telling.speed_size, scan.rigid_exit_speed / telling.speed_size
+    _prepare(axes, analysis, "Exit speed", f"how fast the ball leaves, for this {words.incoming} and swing")
+    axes.plot(scan.position, rigid, color=MUTED, linewidth=1.2, linestyle=(0, (4, 2.5)))
+    axes.plot(scan.position, speed, color=RED)
+    top = float(np.nanmax(np.concatenate([speed, rigid])))
+    axes.set_ylim(min(0.0, float(np.nanmin(speed))), 1.18 * top)
+    axes.set_ylabel(words.speed_unit)
+    size, name = telling.other_speed
+    factor = telling.speed_size / size
+    second = axes.secondary_yaxis("right", functions=(partial(np.multiply, factor), partial(np.multiply, 1 / factor)))
+    second.set_ylabel(name)
+    second.spines["right"].set_visible(True)
+    spots = analysis.sweet_spots
+    best = float(np.interp(spots.max_exit_speed, scan.position, speed))
+    _dot(axes, spots.max_exit_speed, best, RED)
+    place = telling.place(analysis.bat.length - spots.max_exit_speed)
+    axes.annotate(
+        f"{best:.1f} {words.speed_unit}, {place} from the {words.tip}", (spots.max_exit_speed, best),
+        xytext=(spots.max_exit_speed - 0.08 * analysis.bat.length, 1.08 * top), textcoords="data",
+        ha="right", va="center", weight="bold", color=INK,
+        arrowprops={"arrowstyle": "-", "color": RED, "linewidth": 0.8, "shrinkA": 1, "shrinkB": 3, "relpos": (1, 0.4)},
+    )  # fmt: skip
+    _curve_label(axes, scan.position, rigid, f"if the {words.implement} were rigid", at=0.42, colour=MUTED, above=True)
+    _curve_label(axes, scan.position, speed, f"this {words.implement}", at=0.42, colour=RED, above=False)
+
+
+@styled
+def efficiency(axes: Axes, analysis: Analysis[Implement]) -> None:
+    """Draw the collision efficiency q along the bat, the rigid bat dashed."""
+    scan = analysis.scan
+    tool = told(analysis.bat).words.implement
+    _prepare(axes, analysis, "Collision efficiency q", f"what part of its speed a ball gets back from a {tool} at rest")
+    axes.plot(scan.position, scan.rigid_efficiency, color=MUTED, linewidth=1.2, linestyle=(0, (4, 2.5)))
+    axes.plot(scan.position, scan.collision_efficiency, color=ORANGE)
+    axes.axhline(0, color=MUTED, linewidth=0.7)
+    both = np.concatenate([scan.collision_efficiency, scan.rigid_efficiency])
+    _limits(axes, both, room=0.14)
+    place = analysis.sweet_spots.max_collision_efficiency
+    best = float(np.interp(place, scan.position, scan.collision_efficiency))
+    _dot(axes, place, best, ORANGE)
+    axes.annotate(
+        f"{best:.3f}", (place, best), xytext=(2, -10), textcoords="offset points", ha="right", va="top", weight="bold",
+    )  # fmt: skip
+
+
+@styled
+def hand_impulse(axes: Axes, analysis: Analysis[Implement]) -> None:
+    """Draw the impulse at the top hand, with its sign: zero at the centre of percussion."""
+    scan = analysis.scan
+    tool = told(analysis.bat).words.implement
+    _prepare(axes, analysis, "Jolt at the top hand", f"the blow that the {tool}'s turning passes on")
+    axes.axhline(0, color=MUTED, linewidth=0.7)
+    axes.fill_between(scan.position, 0, scan.hand_impulse, color=GREEN, alpha=0.16, linewidth=0)
+    axes.plot(scan.position, scan.hand_impulse, color=GREEN)
+    _limits(axes, scan.hand_impulse, room=0.14)
+    axes.set_ylabel("N s")
+    _dot(axes, analysis.sweet_spots.center_of_percussion, 0.0, GREEN)
+    signs: dict[str, Any] = {"transform": axes.transAxes, "color": MUTED, "size": SMALL, "ha": "left"}
+    axes.text(0.012, 0.9, "+  handle is driven back", va="top", **signs)
+    axes.text(0.012, 0.06, "\N{MINUS SIGN}  handle is pulled forward", va="bottom", **signs)
+
+
+@styled
+def sting(axes: Axes, analysis: Analysis[Implement]) -> None:
+    """Draw the vibration that the hands feel after a hit."""
+    scan = analysis.scan
+    _prepare(axes, analysis, "Sting", "vibration at the hands right after the hit, 50 to 700 Hz")
+    axes.fill_between(scan.position, 0, scan.sting, color=PURPLE, alpha=0.18, linewidth=0)
+    axes.plot(scan.position, scan.sting, color=PURPLE)
+    axes.set_ylim(0, 1.14 * float(np.nanmax(scan.sting)))
+    axes.set_ylabel("m/s")
+    place = analysis.sweet_spots.min_sting
+    _dot(axes, place, float(np.interp(place, scan.position, scan.sting)), PURPLE)
+
+
+@styled
+def mode_shapes(axes: Axes, analysis: Analysis[Implement]) -> None:
+    """Draw how the bat bends in its first modes, each on its own line, nodes as dots."""
+    bat, modes = analysis.bat, analysis.modes
+    ruler.set_limits(axes, bat.length)
+    hands = analysis.conditions.hands
+    held = "held" if any((hands.mass, hands.stiffness, hands.damping)) else "free"
+    tool = told(bat).words.implement
+    heading(axes, "Bending modes", f"how the {held} {tool} rings; a hit at a node does not ring that mode")
+    axes.set_yticks([])
+    axes.spines["left"].set_visible(False)
+    places = np.linspace(0, bat.length, 200)
+    shown = modes.of_family("bending")[:MODES_SHOWN]
+    for row, index in enumerate(shown):
+        shape = modes.shape_at(places)[:, index]
+        colour = (SKY, BLUE, MUTED)[row]
+        axes.axhline(-row, color=MUTED, linewidth=0.5)
+        axes.plot(places, -row + 0.42 * shape / np.abs(shape).max(), color=colour)
+        nodes = modes.nodes(index)
+        for node in nodes:
+            _dot(axes, float(node), -row, colour, filled=row < 2 and node == nodes[-1])
+        axes.annotate(
+            f"{modes.frequency[index]:.0f} Hz", (1, -row), xycoords=("axes fraction", "data"), xytext=(6, 0),
+            textcoords="offset points", ha="left", va="center_baseline", color=INK, size=NORMAL,
+        )  # fmt: skip
+        axes.annotate(
+            f"mode {modes.harmonics[index]}", (0, -row), xycoords=("axes fraction", "data"), xytext=(-6, 0),
+            textcoords="offset points", ha="right", va="center_baseline", color=MUTED, size=SMALL,
+        )  # fmt: skip
+    axes.set_ylim(-len(shown) + 0.45, 0.55)
+
+
+def _prepare(axes: Axes, analysis: Analysis[Implement], title: str, note: str) -> None:
+    ruler.set_limits(axes, analysis.bat.length)
+    ruler.show_from_tip(axes, analysis.bat.length, told(analysis.bat), labels=False)
+    axes.yaxis.set_major_locator(MaxNLocator(nbins=4))
+    light_grid(axes)
+    heading(axes, title, note)
+
+
+def _limits(axes: Axes, values: Array, *, room: float) -> None:
+    """Let the vertical axis hold all values and zero, and a little room."""
+    low, high = min(0.0, float(np.nanmin(values))), max(0.0, float(np.nanmax(values)))
+    axes.set_ylim(low - room * (high - low) * (low < 0), high + room * (high - low))
+
+
+def _dot(axes: Axes, place: float, height: float, colour: str, *, filled: bool = True) -> None:
+    axes.plot(
+        place, height, "o", color=colour if filled else PAPER, markersize=5.5 if filled else 4.2,
+        markeredgecolor=PAPER if filled else colour, markeredgewidth=0.8 if filled else 1.2, zorder=5,
+    )  # fmt: skip
+
+
+def _curve_label(axes: Axes, places: Array, values: Array, words: str, *, at: float, colour: str, above: bool) -> None:
+    """Write beside a curve what it is, at a part of the horizontal axis."""
+    place = axes.get_xlim()[0] + at * (axes.get_xlim()[1] - axes.get_xlim()[0])
+    place = float(np.clip(place, places[0], places[-1]))
+    axes.annotate(
+        words, (place, float(np.interp(place, places, values))), xytext=(-4 if above else 4, 3 if above else -3),
+        textcoords="offset points", ha="right" if above else "left", va="bottom" if above else "top", color=colour,
+        size=SMALL, path_effects=halo(),
+    )  # fmt: skip

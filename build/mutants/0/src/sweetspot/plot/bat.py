@@ -1,0 +1,176 @@
+"""The bat drawn to scale, in section where it is hollow or drilled, with every sweet spot marked on it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
+from matplotlib.patches import Polygon
+
+from sweetspot.analysis import Analysis
+from sweetspot.bat import Bat
+from sweetspot.face import Outline
+from sweetspot.implement import Implement
+from sweetspot.plot import ruler
+from sweetspot.plot.marks import draw_marks, draw_notes, from_the_tip
+from sweetspot.plot.style import ZONE, ZONE_EDGE, axes_in_inches, styled
+from sweetspot.plot.told import told
+from sweetspot.racket import Racket
+from sweetspot.scan import Array
+from sweetspot.table_tennis_racket import TableTennisRacket
+
+WIDTH, SIDE = 8.5, 0.8
+"""Inches of paper: the figure, and the room left and right of the axes."""
+ABOVE, BELOW, RULER, FOOT, GUIDE_START = 1.4, 0.62, 0.3, 1.05, 0.2
+"""Inches of paper above and below the bat for its labels, for the ruler,
+for two rulers at the foot, and from how far above the bat the sweet zone is shaded."""
+POINTS = 240
+
+BODY = {
+    "wood": ("#dcb67f", "#7d5733"),
+    "metal": ("#b9c1c9", "#545d66"),
+    "laminate": ("#747b83", "#2f353b"),
+    "filler": ("#e4dccb", "#8a7f68"),
+}
+"""Fill and outline of a body, by its material's family."""
+FILL, FILL_EDGE, HOLLOW = "#c98f55", "#7d5733", "#f4efe6"
+STRING, RUBBER = "#9aa1a8", "#a63a32"
+SHADES = ((-1.0, -0.62, "#000000", 0.16), (-0.62, -0.3, "#000000", 0.06), (0.25, 0.62, "#fffffe", 0.20))
+"""Bands of the radius (from, to, colour, strength) that make a round body look round; its white is not the paper's."""
+GRAIN = (-0.8, -0.55, -0.33, -0.12, 0.1, 0.36, 0.58, 0.82)
+
+
+@dataclass(frozen=True)
+class BatPanel:
+    """How much paper the drawing of one bat takes, in inches: above its axis line, below it, and its scale in m/in."""
+
+    above: float
+    below: float
+    scale: float
+
+    @property
+    def height(self) -> float:
+        """Inches of paper from top to bottom, without the ruler."""
+        return self.above + self.below
+
+
+@styled
+def bat_figure(analysis: Analysis[Implement]) -> Figure:
+    """Return the bat alone, to scale, with its sweet spots, the sweet zone, balance point and hands."""
+    panel = bat_panel(analysis.bat)
+    figure = Figure(figsize=(WIDTH, panel.height + FOOT))
+    axes = axes_in_inches(figure, left=SIDE, top=0.1, width=WIDTH - 2 * SIDE, height=panel.height)
+    draw_bat_panel(axes, analysis, panel)
+    zone = analysis.sweet_spots.zone
+    if zone is not None:  # from the axis up to a little above the bat
+        top = (panel.below + panel.above - ABOVE + GUIDE_START) / panel.height
+        axes.axvspan(*zone, ymax=top, facecolor=ZONE, edgecolor=ZONE_EDGE, linewidth=0.6, zorder=0)
+    axes.set_xlabel(from_the_tip(analysis), labelpad=2)
+    ruler.show_centimetres(axes, analysis.bat.length, offset=30, butt=analysis.bat.grip_end)
+    return figure
+
+
+def bat_panel(bat: Implement) -> BatPanel:
+    """Return the paper that a bat's drawing needs at the common width."""
+    scale = ruler.metres_per_inch_of_paper(bat.length, WIDTH - 2 * SIDE)
+    half = float(bat.width_at(_places(bat)).max()) / 2 / scale
+    return BatPanel(half + ABOVE, half + BELOW, scale)
+
+
+@styled
+def draw_bat_panel(axes: Axes, analysis: Analysis[Implement], panel: BatPanel) -> None:
+    """Draw bat, marks and notes on axes whose paper size is the panel's, one scale in both directions."""
+    bat = analysis.bat
+    ruler.set_limits(axes, bat.length)
+    axes.set_ylim(-panel.below * panel.scale, panel.above * panel.scale)
+    axes.spines["left"].set_visible(False)
+    axes.set_yticks([])
+    ruler.show_from_tip(axes, bat.length, told(bat))
+    draw_bat(axes, bat)
+    draw_marks(axes, analysis, panel.scale, top=panel.above * panel.scale)
+    draw_notes(axes, analysis, panel.scale, bottom=-panel.below * panel.scale)
+
+
+@styled
+def draw_bat(axes: Axes, bat: Implement) -> None:
+    """Draw the bat itself around y = 0, both directions in m."""
+    places = _places(bat)
+    radius = bat.width_at(places) / 2
+    fill, edge = BODY[bat.look]
+    _band(axes, places, -radius, radius, facecolor=fill, edgecolor="none", zorder=2)
+    if bat.look == "wood":
+        waves = [part + 0.035 * np.sin(9 * places / bat.length + 7 * part) for part in GRAIN]
+        lines = [np.column_stack([places, wave * radius]) for wave in waves]
+        axes.add_artist(LineCollection(lines, color=edge, alpha=0.22, linewidth=0.5, zorder=2.1))
+    for low, high, colour, strength in SHADES:
+        _band(axes, places, low * radius, high * radius, facecolor=colour, alpha=strength, edgecolor="none", zorder=2.2)
+    if isinstance(bat, Bat):
+        _draw_inside(axes, bat, places, radius)
+    elif isinstance(bat, Racket):
+        _draw_strings(axes, bat)
+    elif isinstance(bat, TableTennisRacket):
+        _band(axes, *_oval(bat.outline), facecolor=RUBBER, edgecolor="none", zorder=2.4)
+    _band(axes, places, -radius, radius, facecolor="none", edgecolor=edge, linewidth=1.1, zorder=2.8)
+    for weight in bat.point_masses if isinstance(bat, Bat) else ():
+        reach = float(bat.width_at(weight.position)) / 2
+        axes.plot([weight.position] * 2, [-reach, reach], color=edge, linewidth=2.4, alpha=0.7, zorder=2.7)
+
+
+def _draw_inside(axes: Axes, bat: Bat, places: Array, radius: Array) -> None:
+    """Draw what a cut along the axis would show: the hollow of a shell, holes with their fills, the cup."""
+    _, edge = BODY[bat.look]
+    look: dict[str, Any] = {"edgecolor": edge, "linewidth": 0.6, "zorder": 2.4}
+    if bat.shell is not None:
+        inner = radius - bat.wall_at(places)
+        _band(axes, places, -inner, inner, facecolor=HOLLOW, **look)
+    for bore in sorted(bat.bores, key=lambda bore: -bore.diameter):
+        ends = np.array([bat.length - bore.depth, bat.length - bore.plug])
+        reach = np.full(2, bore.diameter / 2)
+        _band(axes, ends, -reach, reach, facecolor=FILL if bore.fill else HOLLOW, **look)
+        if bore.plug:
+            mouth = np.array([bat.length - bore.plug, bat.length])
+            for side in (-1, 1):
+                axes.plot(mouth, side * reach, color=edge, linewidth=0.6, linestyle=(0, (4, 2)), zorder=2.4)
+    if bat.cup is not None:
+        into = np.linspace(0, 1, 25)
+        reach = bat.cup.diameter / 2 * np.sqrt(into)
+        depth = bat.length - bat.cup.depth * (1 - into)
+        _band(axes, depth, -reach, reach, facecolor=HOLLOW, **look)
+
+
+def _draw_strings(axes: Axes, racket: Racket) -> None:
+    """Draw the string bed: mains along, crosses across, each as long as the oval is there."""
+    head = racket.head
+    _band(axes, *_oval(head), facecolor=HOLLOW, edgecolor=BODY[racket.look][1], linewidth=0.6, zorder=2.4)
+    half, reach = (head.end - head.start) / 2, head.width / 2
+    lines = []
+    for part in 2 * (np.arange(racket.bed.mains) + 0.5) / racket.bed.mains - 1:
+        chord = half * np.sqrt(1 - part**2)
+        lines.append([(head.middle - chord, part * reach), (head.middle + chord, part * reach)])
+    for part in 2 * (np.arange(racket.bed.crosses) + 0.5) / racket.bed.crosses - 1:
+        chord = reach * np.sqrt(1 - part**2)
+        lines.append([(head.middle + part * half, -chord), (head.middle + part * half, chord)])
+    axes.add_artist(LineCollection(lines, color=STRING, linewidth=0.5, zorder=2.5))
+
+
+def _oval(outline: Outline) -> tuple[Array, Array, Array]:
+    """Return places along an oval face and its lower and upper edge there, m."""
+    angles = np.linspace(0, np.pi, POINTS // 2)
+    places = outline.middle - (outline.end - outline.start) / 2 * np.cos(angles)
+    reach = outline.width / 2 * np.sin(angles)
+    return places, -reach, reach
+
+
+def _places(bat: Implement) -> Array:
+    """Return positions that catch every corner of the outline."""
+    return np.union1d(np.linspace(0, bat.length, POINTS), bat.breakpoints())
+
+
+def _band(axes: Axes, places: Array, low: Array, high: Array, **look: Any) -> None:
+    """Draw the area between two curves as one closed shape."""
+    outline = np.concatenate([np.column_stack([places, high]), np.column_stack([places, low])[::-1]])
+    axes.add_artist(Polygon(outline, closed=True, joinstyle="round", **look))

@@ -1,0 +1,134 @@
+"""The big picture of a report: the bat, and below it, place for place, what a hit there does."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Rectangle
+
+from sweetspot.analysis import Analysis, exit_speed_of
+from sweetspot.bat import Bat
+from sweetspot.catalog.swing_weights import swing_weight
+from sweetspot.implement import Implement
+from sweetspot.plot import along, ruler
+from sweetspot.plot.bat import ABOVE, GUIDE_START, RULER, SIDE, WIDTH, bat_panel, draw_bat_panel
+from sweetspot.plot.marks import from_the_tip
+from sweetspot.plot.style import (
+    HUGE,
+    MUTED,
+    NORMAL,
+    RED,
+    SMALL,
+    ZONE,
+    ZONE_EDGE,
+    axes_in_inches,
+    fitted,
+    styled,
+)
+from sweetspot.plot.told import told
+from sweetspot.units import INCH, OUNCE_INCH_SQUARED
+
+HEADER, FOOTER, BETWEEN = 1.0, 1.15, 0.34
+"""Inches of paper for the title, the rulers at the foot, and between panels."""
+SPEED_ROOM = 1.5
+"""Inches of paper for the speed beside the title."""
+PANELS = (
+    (along.exit_speed, 1.65),
+    (along.efficiency, 1.1),
+    (along.hand_impulse, 1.1),
+    (along.sting, 1.0),
+    (along.mode_shapes, 1.45),
+)
+"""Every panel below the bat and its height in inches of paper."""
+STANDARD_AXIS = 6 * INCH
+
+
+@styled
+def report_figure(analysis: Analysis[Implement]) -> Figure:
+    """Return the tall figure: title, bat to scale, then exit speed, q, jolt, sting and modes on the same axis."""
+    bat, panel = analysis.bat, bat_panel(analysis.bat)
+    across = WIDTH - 2 * SIDE
+    height = HEADER + panel.height + RULER + sum(BETWEEN + tall for _, tall in PANELS) + FOOTER
+    figure = Figure(figsize=(WIDTH, height))
+    _header(figure, analysis, height)
+    top = HEADER
+    axes = axes_in_inches(figure, left=SIDE, top=top, width=across, height=panel.height)
+    draw_bat_panel(axes, analysis, panel)
+    top += panel.height + RULER
+    for draw, tall in PANELS:
+        top += BETWEEN
+        axes = axes_in_inches(figure, left=SIDE, top=top, width=across, height=tall)
+        draw(axes, analysis)
+        top += tall
+    ruler.show_from_tip(axes, bat.length, told(bat))
+    axes.set_xlabel(from_the_tip(analysis), labelpad=2)
+    ruler.show_centimetres(axes, bat.length, offset=30, butt=bat.grip_end)
+    foot_of_bat = HEADER + panel.height + RULER
+    _guides(figure, analysis, height, bat_top=HEADER + ABOVE - GUIDE_START, top=foot_of_bat, bottom=top)
+    _footer(figure, analysis, height)
+    return figure
+
+
+def _header(figure: Figure, analysis: Analysis[Implement], height: float) -> None:
+    """Write the bat's name, its sizes and the answer."""
+    bat, body, conditions = analysis.bat, analysis.body, analysis.conditions
+    left, right = SIDE / WIDTH, 1 - SIDE / WIDTH
+    telling = told(bat)
+    speed = telling.speed(exit_speed_of(analysis.best, conditions), digits=0)
+    figure.text(right, 1 - 0.45 / height, speed, size=HUGE, weight="bold", color=RED, ha="right")
+    name, size = fitted(bat.name, width=WIDTH - 2 * SIDE - SPEED_ROOM, size=HUGE)
+    figure.text(left, 1 - 0.45 / height, name, size=size, weight="bold", parse_math=False)
+    quiet: dict[str, Any] = {"color": MUTED, "size": NORMAL, "parse_math": False}
+    sizes = f"{telling.length(bat.length)}  ·  {telling.weight(body.mass)}  ·  {bat.made_of}"
+    figure.text(left, 1 - 0.68 / height, sizes, **quiet)
+    figure.text(left, 1 - 0.86 / height, _swing_weight(analysis), **quiet)
+    swing = conditions.swing
+    swung = f"from {telling.coming(conditions.pitch.speed)} and a {telling.speed(swing.bat_speed, digits=0)} swing,"
+    figure.text(right, 1 - 0.68 / height, swung, ha="right", **quiet)
+    at = f"measured {telling.place(bat.length - swing.measured_at)} from the {telling.words.tip}"
+    figure.text(right, 1 - 0.86 / height, at, ha="right", **quiet)
+
+
+def _swing_weight(analysis: Analysis[Implement]) -> str:
+    """Say how heavy the swing is, as the sport weighs it."""
+    bat, body = analysis.bat, analysis.body
+    if isinstance(bat, Bat):
+        moi = body.moi(STANDARD_AXIS) / OUNCE_INCH_SQUARED
+        return f"moment of inertia {moi:,.0f} oz in² about 6 in from the knob"
+    convention = swing_weight(bat.sport)
+    return f"{convention.name} {convention.shown(body)}".replace("^2", "²")
+
+
+def _guides(
+    figure: Figure, analysis: Analysis[Implement], height: float, *, bat_top: float, top: float, bottom: float
+) -> None:
+    """Run the sweet zone from the bat and the best place from below it down the paper, in inches from its top."""
+    bat, spots = analysis.bat, analysis.sweet_spots
+    start, span = -ruler.MARGIN * bat.length, (1 + 2 * ruler.MARGIN) * bat.length
+
+    def across(place: float) -> float:
+        return (SIDE + (WIDTH - 2 * SIDE) * (place - start) / span) / WIDTH
+
+    low, high = 1 - bottom / height, 1 - bat_top / height
+    if spots.zone is not None:
+        left, right = across(spots.zone[0]), across(spots.zone[1])
+        figure.add_artist(
+            Rectangle((left, low), right - left, high - low, facecolor=ZONE, edgecolor=ZONE_EDGE, linewidth=0.6,
+                      zorder=-2, transform=figure.transFigure, gid="zone")
+        )  # fmt: skip
+    best = across(spots.max_exit_speed)
+    figure.add_artist(
+        Line2D([best, best], [low, 1 - top / height], color=RED, linewidth=0.7, alpha=0.55, zorder=-1, gid="best")
+    )
+
+
+def _footer(figure: Figure, analysis: Analysis[Implement], height: float) -> None:
+    """Say what was hit with what, and what the lines are."""
+    words = told(analysis.bat).words
+    text = (
+        f"Shaded: {words.zone}.  Red line: best place.  Dashed: the same {words.implement} if it were rigid.  "
+        f"Free {words.implement}, {analysis.conditions.ball.name}, hit straight on."
+    )
+    figure.text(SIDE / WIDTH, 0.12 / height, text, color=MUTED, size=SMALL, parse_math=False)

@@ -1,0 +1,53 @@
+"""The one horizontal axis of all pictures: metres from the knob end inside, inches or cm from the tip for people."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.markers import TICKDOWN
+
+from sweetspot.plot.style import MUTED
+from sweetspot.plot.told import Told
+
+MARGIN = 0.02
+"""Empty part of the bat's length at either end of the axis."""
+CENTIMETRE_STEP = 10
+
+
+def set_limits(axes: Axes, length: float) -> None:
+    """Let an axis span a bat of ``length`` m with a little air at both ends."""
+    axes.set_xlim(-MARGIN * length, (1 + MARGIN) * length)
+
+
+def metres_per_inch_of_paper(length: float, width: float) -> float:
+    """Return the drawing's scale: metres of bat per inch of paper on an axis ``width`` inches wide."""
+    return (1 + 2 * MARGIN) * length / width
+
+
+def show_from_tip(axes: Axes, length: float, telling: Told, *, labels: bool = True) -> None:
+    """Put ticks every few inches or centimetres from the tip, as people count."""
+    size = telling.place_size
+    counts = np.arange(0, length / size + 1e-6, telling.tick_step)
+    names = [f"{value:.0f}" for value in counts] if labels else [""] * len(counts)
+    axes.set_xticks(length - counts * size, names)
+    if labels:  # a mark for every unit, as one line: matplotlib's own minor ticks take a tenth of a second
+        places = length - np.arange(0, length / size + 1e-6) * size
+        axes.plot(
+            places, np.zeros_like(places), linestyle="", marker=TICKDOWN, markersize=1.8, markeredgewidth=0.5,
+            color=MUTED, transform=axes.get_xaxis_transform(), clip_on=False, scalex=False, scaley=False,
+        )  # fmt: skip
+
+
+def show_centimetres(axes: Axes, length: float, *, offset: float, butt: str = "knob end") -> Axes:
+    """Add a second ruler, in cm from the knob, ``offset`` points below the axis; return it."""
+    places = np.arange(0, length + 1e-9, CENTIMETRE_STEP / 100)
+    ruler = axes.twiny()
+    ruler.set_xlim(axes.get_xlim())
+    ruler.xaxis.set_ticks_position("bottom")
+    ruler.xaxis.set_label_position("bottom")
+    ruler.spines[["left", "right", "top"]].set_visible(False)
+    ruler.spines["bottom"].set_visible(True)
+    ruler.spines["bottom"].set_position(("outward", offset))
+    ruler.set_xticks(places, [f"{100 * place:.0f}" for place in places])
+    ruler.set_xlabel(f"cm from the {butt}", labelpad=2)
+    return ruler

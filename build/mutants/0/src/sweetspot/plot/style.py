@@ -1,0 +1,133 @@
+"""The common look: colours that colour-blind people can tell apart, plain type, sizes in inches of paper."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable
+from functools import wraps
+from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
+
+import matplotlib
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.font_manager import FontProperties
+from matplotlib.patheffects import AbstractPathEffect, withStroke
+from matplotlib.textpath import TextPath
+
+if TYPE_CHECKING:
+    from matplotlib.typing import RcKeyType
+
+Given = ParamSpec("Given")
+Result = TypeVar("Result")
+
+INK, MUTED, GRID, PAPER = "#1d232a", "#59636e", "#dfe3e7", "#ffffff"
+ZONE, ZONE_EDGE, ZONE_INK = "#e2f1e7", "#86b99a", "#2b6645"
+BLUE, SKY, GREEN, ORANGE, RED, PURPLE = "#0072b2", "#56b4e9", "#009e73", "#e69f00", "#d55e00", "#cc79a7"
+"""The last six are Okabe and Ito's palette."""
+
+SPOT_COLOURS = {
+    "max_exit_speed": RED,
+    "max_collision_efficiency": ORANGE,
+    "min_sting": PURPLE,
+    "node_1": SKY,
+    "node_2": BLUE,
+    "center_of_percussion": GREEN,
+}
+"""One colour per field of `SweetSpots`, the same in every picture."""
+
+SMALL, NORMAL, LARGE, HUGE = 7.5, 8.5, 10.0, 17.0
+"""Type sizes in points."""
+
+BOLD = FontProperties(family="DejaVu Sans", weight="bold")
+
+LOOK: dict[RcKeyType, Any] = {
+    "font.family": "DejaVu Sans",
+    "font.size": NORMAL,
+    "text.color": INK,
+    "axes.edgecolor": MUTED,
+    "axes.labelcolor": MUTED,
+    "axes.labelsize": SMALL,
+    "axes.linewidth": 0.7,
+    "axes.facecolor": "none",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": False,
+    "axes.unicode_minus": True,
+    "grid.color": GRID,
+    "grid.linewidth": 0.6,
+    "xtick.color": MUTED,
+    "ytick.color": MUTED,
+    "xtick.labelsize": SMALL,
+    "ytick.labelsize": SMALL,
+    "xtick.major.size": 3.0,
+    "ytick.major.size": 0.0,
+    "xtick.major.width": 0.7,
+    "lines.linewidth": 1.8,
+    "lines.solid_capstyle": "round",
+    "figure.facecolor": PAPER,
+    "savefig.facecolor": PAPER,
+    "path.simplify_threshold": 0.2,
+    "svg.fonttype": "path",
+    "svg.hashsalt": "sweetspot",
+}
+"""matplotlib settings, in force only while one of our functions draws or saves."""
+
+
+def styled(draw: Callable[Given, Result]) -> Callable[Given, Result]:
+    """Return a drawing function that runs in our look and leaves matplotlib's settings as they were."""
+
+    @wraps(draw)
+    def wrapped(*args: Given.args, **kwargs: Given.kwargs) -> Result:
+        with matplotlib.rc_context(LOOK):
+            return draw(*args, **kwargs)
+
+    return wrapped
+
+
+def axes_in_inches(figure: Figure, *, left: float, top: float, width: float, height: float) -> Axes:
+    """Return new axes placed in inches of paper from the figure's upper left corner."""
+    across, down = figure.get_size_inches()
+    return figure.add_axes((left / across, 1 - (top + height) / down, width / across, height / down))
+
+
+def fitted(words: str, *, width: float, size: float, smallest: float = 9.0) -> tuple[str, float]:
+    """Return bold words and a type size in points with which they take at most ``width`` inches of paper.
+
+    The type shrinks to ``smallest``; words too long even then are cut and end in an ellipsis.
+    """
+    words = " ".join(words.split())
+    size = max(smallest, min(size, 72 * width * size / max(_width(words, size), 1e-9)))
+    while len(words) > 1 and _width(words, size) > 72 * width * 1.001:
+        words = words[:-2].rstrip() + "…"
+    return words, size
+
+
+def _width(words: str, size: float) -> float:
+    """Return how wide bold words are in points."""
+    with warnings.catch_warnings():  # a letter the typeface lacks is drawn as a box, which has a width too
+        warnings.simplefilter("ignore")
+        return float(TextPath((0, 0), words.replace("$", "S"), size=size, prop=BOLD).get_extents().width)
+
+
+def halo(width: float = 2.5) -> list[AbstractPathEffect]:
+    """Return the effect that keeps a label readable over lines: an outline in the colour of the paper."""
+    return [withStroke(linewidth=width, foreground=PAPER)]
+
+
+def heading(axes: Axes, title: str, note: str = "") -> None:
+    """Write a panel's title, and a quieter note after it, above its upper left corner."""
+    text = axes.annotate(
+        title, (0, 1), xycoords="axes fraction", xytext=(0, 5), textcoords="offset points", weight="bold",
+        va="baseline", ha="left",
+    )  # fmt: skip
+    if note:
+        axes.annotate(
+            note, (1, 0), xycoords=text, xytext=(7, 0), textcoords="offset points", color=MUTED, size=SMALL,
+            va="bottom", ha="left",
+        )  # fmt: skip
+
+
+def light_grid(axes: Axes, *, vertical: bool = True) -> None:
+    """Draw a faint grid below everything else."""
+    axes.set_axisbelow(True)
+    axes.grid(visible=True, axis="both" if vertical else "y")

@@ -1,0 +1,1 @@
+"""What people get to read: words, tables, JSON and the printed page."""

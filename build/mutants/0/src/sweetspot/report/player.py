@@ -1,0 +1,157 @@
+"""A player's fit as JSON, as rows and as tables for a terminal."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import Any
+
+from rich.console import Group, RenderableType
+from rich.padding import Padding
+from rich.text import Text
+
+from sweetspot.player.advice import PLACES, Advice, Option
+from sweetspot.player.goal import Goal
+from sweetspot.player.posterior import Learned, Posterior
+from sweetspot.player.priors import PARAMETERS
+from sweetspot.player.swings import Swings
+from sweetspot.plot.player_units import scale
+from sweetspot.report.border import bat_json, cleaned
+from sweetspot.report.player_words import answers, facts, findings, notes, shown
+from sweetspot.report.table import names_table
+from sweetspot.swing_law import Interval
+from sweetspot.units import INCH, MPH, OUNCE, OUNCE_INCH_SQUARED
+
+UNITS = {"speed": "_m_s", "length": "_m", "angle": "_rad", "ratio": ""}
+GOAL_UNITS = {"exit-speed": "_m_s", "carry": "_m", "line": "_ratio"}
+
+
+def player_json(posterior: Posterior, advice: Advice, swings: Swings) -> dict[str, Any]:
+    """Return everything that `sweetspot fit-player` knows; SI, contact places from the tip."""
+    unit = GOAL_UNITS[advice.goal.name]
+    model = posterior.model
+    return cleaned(
+        {
+            "goal": {"name": advice.goal.name, "line_m": advice.goal.line},
+            "swings": {
+                "used": len(model.swings), "system": swings.system,
+                "bad_rows": [asdict(row) for row in swings.bad_rows],
+                "without_swing": swings.without_swing, "ignored_columns": swings.ignored_columns,
+                "first_day": swings.first_day and str(swings.first_day),
+                "last_day": swings.last_day and str(swings.last_day), "notes": swings.notes,
+                "bats": [table.bat.name for table in model.bats],
+            },
+            "pitch_speed_m_s": advice.pitch_speed,
+            "bat_speed_from_tip_m": model.speed_from_tip,
+            "seed": posterior.seed,
+            "converged": posterior.converged,
+            "parameters": {name: _learned(one) for name, one in posterior.learned.items()},
+            f"now{unit}": asdict(advice.now),
+            "options": [_option(option, unit) for option in advice.options],
+            "not_tried": advice.faults,
+            f"end_loaded_against_knob_loaded{unit}": asdict(advice.end_loaded),
+            "contact_point_from_tip_m": asdict(advice.contact_point),
+            f"contact_point_gain{unit}": asdict(advice.contact_gain),
+            "contact_height_m": asdict(advice.height_point),
+            f"contact_height_gain{unit}": asdict(advice.height_gain),
+            "contact_curve": {"from_tip_m": PLACES, f"goal{unit}": advice.contact_curve},
+            "worth": {
+                key: {"change": _change(asdict(worth.change)), f"gain{unit}": asdict(worth.gain)}
+                for key, worth in advice.worth.items()
+            },
+            "findings": findings(posterior, swings),
+            "answers": [{"question": question, "answer": answer} for question, answer in answers(advice)],
+        }
+    )  # fmt: skip
+
+
+def option_rows(advice: Advice) -> list[dict[str, Any]]:
+    """Return one flat row per bat tried, the best first."""
+    unit = GOAL_UNITS[advice.goal.name]
+    rows = []
+    for option in advice.options:
+        found = _option(option, unit)
+        row = {key: found[key] for key in ("key", "label", "family")}
+        row |= {name: found["bat"][name] for name in ("length_m", "mass_kg", "balance_point_m", "moi_6in_kg_m2")}
+        for stem, ending in (("bat_speed", "_m_s"), ("goal", unit), ("change", unit)):
+            value: Interval = getattr(option, stem)
+            row |= {
+                f"{stem}{ending}": value.value,
+                f"{stem}_low{ending}": value.low,
+                f"{stem}_high{ending}": value.high,
+            }
+        rows.append(cleaned(row | {"chance_better": option.chance}))
+    return rows
+
+
+def player_table(posterior: Posterior, advice: Advice, swings: Swings) -> Group:
+    """Return the fit for a terminal: what the swings say, answers, bats, parameters, notes."""
+    words = [Padding(Text(paragraph), (0, 0, 1, 0)) for paragraph in findings(posterior, swings)]
+    asked: list[RenderableType] = []
+    for question, answer in answers(advice):
+        asked += [Text(question, style="bold"), Padding(Text(answer), (0, 0, 1, 2))]
+    untried = [f"Could not be tried: {fault}." for fault in advice.faults]
+    quiet = [Text(note, style="dim") for note in (*notes(swings), *untried)]
+    return Group(
+        *words, *asked, names_table(bat_rows(advice), "Bats, the best first"), Text(),
+        names_table(facts(posterior), "The player"), Text(), *quiet, Text(means(advice.goal), style="dim"),
+    )  # fmt: skip
+
+
+def bat_rows(advice: Advice) -> list[dict[str, Any]]:
+    """Return a row per bat in words, the player's own first."""
+    unit = scale(advice.goal)
+    own = advice.posterior.model.bats[0].bat
+    rows = [{"bat": f"{own.name} (now)", "oz": "", "MOI oz in²": "", "bat speed mph": "",
+             "expected": shown(advice.now, unit), "change": "", "better": ""}]  # fmt: skip
+    for option in advice.options:
+        bat, body = option.candidate.bat, option.candidate.body
+        rows.append(
+            {
+                "bat": option.candidate.label,
+                "oz": f"{body.mass / OUNCE:.1f}",
+                "MOI oz in²": f"{body.moi(bat.choke + 6 * INCH) / OUNCE_INCH_SQUARED:.0f}",
+                "bat speed mph": f"{option.bat_speed.value / MPH:.1f}",
+                "expected": shown(option.goal, unit),
+                "change": shown(option.change, unit, sign="+"),
+                "better": f"{100 * option.chance:.0f} %",
+            }
+        )
+    return rows
+
+
+def means(goal: Goal) -> str:
+    """Return what the numbers mean."""
+    fast = goal.name == "exit-speed"
+    missed = "misses and balls just grazed are not in it" if fast else "misses and balls just grazed bring nothing"
+    extra = "" if fast else " Carry is to the first touch of the ground, in still air."
+    return (
+        "In brackets: 95 % intervals over what the data allow. Expected: the mean over this player's scatter of "
+        f"swings; {missed}.{extra} With another bat the player is taken to meet the ball equally far from the tip. "
+        "Better: the part of what the data allow in which the bat is better."
+    )
+
+
+def _learned(one: Learned) -> dict[str, Any]:
+    ending = UNITS[PARAMETERS[one.name]]
+    interval, before = one.interval, one.before
+    return {
+        f"value{ending}": interval.value, f"low{ending}": interval.low, f"high{ending}": interval.high,
+        "prior": {f"value{ending}": before.value, f"low{ending}": before.low, f"high{ending}": before.high},
+        "width_ratio": one.width_ratio, "told_by_data": one.told, "split_r_hat": one.mixing,
+        "independent_draws": one.independent_draws,
+    }  # fmt: skip
+
+
+def _option(option: Option, unit: str) -> dict[str, Any]:
+    candidate = option.candidate
+    return {
+        "key": candidate.key, "label": candidate.label, "family": candidate.family,
+        "bat": bat_json(candidate.bat.name, candidate.bat.length, candidate.body), "choke_m": candidate.bat.choke,
+        "bat_speed_m_s": asdict(option.bat_speed), f"goal{unit}": asdict(option.goal),
+        f"change{unit}": asdict(option.change), "chance_better": option.chance,
+    }  # fmt: skip
+
+
+def _change(change: dict[str, float]) -> dict[str, float]:
+    endings = {"bat_speed": "_m_s", "attack_angle": "_rad"}
+    return {f"{name}{endings.get(name, '_m')}": value for name, value in change.items() if value}

@@ -1,0 +1,132 @@
+"""Where the numbers behind a report come from: catalogue records of the bat, its materials and the ball."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sweetspot.analysis import Analysis
+from sweetspot.ball import Ball
+from sweetspot.catalog.balls import FILE as BALL_FILE
+from sweetspot.catalog.balls import ball
+from sweetspot.catalog.implements import implement, implement_tables
+from sweetspot.catalog.materials import FILE as MATERIAL_FILE
+from sweetspot.catalog.materials import material
+from sweetspot.catalog.records import Record, read_table, records
+from sweetspot.catalog.rubbers import FILE as RUBBER_FILE
+from sweetspot.implement import Implement
+from sweetspot.material import Material
+from sweetspot.rubber import Rubber
+from sweetspot.table_tennis_racket import TableTennisRacket
+
+METHOD_SOURCES = (
+    "nathan2000", "nathan2003", "cross1998", "cowper1966", "astm_f2398", "astm_f2219", "griffin2012",
+    "russell2017acoustics", "paper2014",
+)  # fmt: skip
+"""Sources of the formulas and definitions in every report."""
+STATIONS_SHOWN = 3
+
+
+def used_records(analysis: Analysis[Implement]) -> dict[str, list[Record]]:
+    """Return the records of everything that went into an analysis, under a heading for each thing."""
+    described = analysis.bat
+    found = {f"bat: {described.name}": bat_records(described)}
+    for made_of in {used.name: used for used in described.materials}.values():
+        found[f"material: {made_of.name}"] = material_records(made_of)
+    for rubber in described.rubbers if isinstance(described, TableTennisRacket) else ():
+        found[f"rubber: {rubber.name}"] = rubber_records(rubber)
+    used = analysis.conditions.ball
+    found[f"ball: {used.name}"] = ball_records(used)
+    return {heading: entries for heading, entries in found.items() if entries}
+
+
+def own_values(analysis: Analysis[Implement]) -> list[str]:
+    """Return in words what was used but is not the catalogue's: a bat from a file, changed materials or balls."""
+    words = []
+    described, used = analysis.bat, analysis.conditions.ball
+    if not bat_records(described):
+        words.append(f"Sizes and weight of {described.name}: as given by whoever described it.")
+    elif described.as_measured() is not described:
+        measured = described.as_measured().name
+        words.append(f"The records of the bat are those of {measured}, before it was changed.")
+    for made_of in described.materials:
+        words += (
+            _changes("material", made_of, material(key))
+            if (key := _material_key(made_of))
+            else [f"The material {made_of.name} is not in the catalogue."]
+        )
+    words += (
+        _changes("ball", used, ball(key))
+        if (key := _ball_key(used))
+        else [f"The ball {used.name} is not in the catalogue."]
+    )
+    return list(dict.fromkeys(words))
+
+
+def bat_records(described: Implement) -> list[Record]:
+    """Return the records of a catalogue bat, or of the one a modified bat was made from; none for any other bat."""
+    measured = described.as_measured()
+    for key, entry in implement_tables().items():
+        if entry.get("name") == measured.name and implement(key) == measured:
+            tables = {f"{key}.{name}": table for name, table in entry.items() if isinstance(table, dict)}
+            inside = [record for name, table in tables.items() for record in records(table, name)]
+            return records(entry, key) + inside
+    return []
+
+
+def material_records(made_of: Material) -> list[Record]:
+    """Return the records of a material; none when its name is not in the catalogue."""
+    key = _material_key(made_of)
+    return records(read_table(MATERIAL_FILE)[key], key) if key else []
+
+
+def ball_records(used: Ball) -> list[Record]:
+    """Return the records of a ball; none when its name is not in the catalogue."""
+    key = _ball_key(used)
+    return records(read_table(BALL_FILE)[key], key) if key else []
+
+
+def rubber_records(used: Rubber) -> list[Record]:
+    """Return the records of a table-tennis rubber; none when its name is not in the catalogue."""
+    table = read_table(RUBBER_FILE)
+    return next((records(entry, key) for key, entry in table.items() if entry["name"] == used.name), [])
+
+
+def sources_of(found: dict[str, list[Record]]) -> list[str]:
+    """Return the keys of all sources behind records and methods, each once, in alphabetical order."""
+    return sorted({*METHOD_SOURCES, *(record.source for entries in found.values() for record in entries)})
+
+
+def shown(value: Any) -> str:
+    """Return a record's value in a few words.
+
+    >>> shown({"barrel": "2.5 in", "knob": "2 in"}), shown([["0 in", "1 in"], ["33 in", "2 in"]])
+    ('barrel 2.5 in, knob 2 in', '0 in: 1 in; 33 in: 2 in')
+    """
+    if isinstance(value, dict):
+        return ", ".join(f"{name.replace('_', ' ')} {shown(item)}" for name, item in value.items())
+    if isinstance(value, list):
+        if value and isinstance(value[0], dict):
+            return "; ".join(shown(item) for item in value)
+        pairs = [": ".join(map(str, pair)) if isinstance(pair, list) else str(pair) for pair in value]
+        if len(pairs) > 2 * STATIONS_SHOWN:
+            left_out = len(pairs) - 2 * STATIONS_SHOWN
+            pairs = [*pairs[:STATIONS_SHOWN], f"{left_out} more", *pairs[-STATIONS_SHOWN:]]
+        return "; ".join(pairs)
+    return str(value)
+
+
+def _material_key(made_of: Material) -> str | None:
+    return next((key for key, entry in read_table(MATERIAL_FILE).items() if entry["name"] == made_of.name), None)
+
+
+def _ball_key(used: Ball) -> str | None:
+    return next((key for key, entry in read_table(BALL_FILE).items() if entry["name"] == used.name), None)
+
+
+def _changes(what: str, used: Material | Ball, known: Material | Ball) -> list[str]:
+    """Say which fields of a thing differ from the catalogue's."""
+    names = [name for name in type(used).model_fields if getattr(used, name) != getattr(known, name)]
+    if not names:
+        return []
+    fields = ", ".join(names).replace("_", " ")
+    return [f"Not the catalogue's values, but given for this report: {fields} of the {what} {used.name}."]

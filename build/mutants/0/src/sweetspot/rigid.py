@@ -1,0 +1,157 @@
+"""The bat as a rigid body: mass, balance point, moments of inertia, centre of percussion, hands.
+
+Positions are metres from the knob end. ``axis`` and ``pivot`` are axes across the bat (the swing's axis).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from sweetspot.errors import InputError
+from sweetspot.line import Line, integrate, moments, section
+from sweetspot.thing import Real
+
+STANDARD_GRAVITY = 9.80665
+"""m/s^2."""
+
+
+@dataclass(frozen=True)
+class RigidBody:
+    """What a rigid bat is, as far as a collision can tell.
+
+    Parameters
+    ----------
+    mass : kg.
+    balance_point : m from the knob end.
+    moi_cm : kg m^2 about an axis across the bat through its balance point.
+    roll_moi : kg m^2 about the bat's own axis.
+    """
+
+    mass: float
+    balance_point: float
+    moi_cm: float
+    roll_moi: float
+
+    def moi(self, axis: float) -> float:
+        """Return the moment of inertia in kg m^2 about an axis across the bat at ``axis`` m.
+
+        I(axis) = I_cm + M (axis - balance)^2, the parallel-axis theorem.
+        """
+        return self.moi_cm + self.mass * (axis - self.balance_point) ** 2
+
+
+def rigid_body(line: Line) -> RigidBody:
+    """Return mass, balance point and moments of inertia of a bat by exact integration of its conical pieces.
+
+    M = int mu dx, x_c = int mu x dx / M, I_cm = int (mu (x - x_c)^2 + rho I) dx, I_roll = int 2 rho I dx.
+
+    Point masses count for mass, balance and I_cm, and for the roll with what they have of their own: that of a club's
+    head, nothing of a small weight.
+    """
+    mass, first, second = moments(line)
+    balance_point = first / mass
+    roll = integrate(line, lambda position: section(line, position).roll_inertia)
+    roll += sum(weight.roll_moi for weight in line.point_masses)
+    return RigidBody(mass, balance_point, second - first * balance_point, roll)
+
+
+def centre_of_percussion(body: RigidBody, *, pivot: float) -> float:
+    """Return where a blow leaves the pivot at rest, m from the knob end.
+
+    x_cop = pivot + I_pivot / (M d), d from pivot to balance point; the rod of the paper: b = J_D / (m l)
+    [paper2014, eq. 10-12; astm_f2398].
+
+    Parameters
+    ----------
+    pivot : m from the knob end, on the handle side of the balance point.
+
+    Raises
+    ------
+    InputError
+        when the pivot is at or beyond the balance point, where no such place exists ahead of it.
+
+    >>> rod = RigidBody(mass=1.0, balance_point=0.5, moi_cm=1 / 12, roll_moi=0.0)
+    >>> round(centre_of_percussion(rod, pivot=0.0), 6)  # two thirds of a uniform rod
+    0.666667
+    """
+    arm = body.balance_point - pivot
+    if arm <= 0:
+        raise InputError(
+            f"pivot is {pivot:.4g} m from the knob end, not on the handle side of the balance point "
+            f"at {body.balance_point:.4g} m; give a smaller one"
+        )
+    return pivot + body.moi(pivot) / (body.mass * arm)
+
+
+def effective_mass(body: RigidBody, position: Real, *, pivot: float | None = None) -> Real:
+    """Return the mass in kg that the ball meets at ``position``.
+
+    Free bat: 1 / M_eff = 1 / M + b^2 / I_cm, b from the balance point [nathan2003].
+    Turning about a fixed ``pivot``: M_eff = I_pivot / z^2, z from the pivot (infinite on the pivot itself).
+
+    >>> rod = RigidBody(mass=1.0, balance_point=0.5, moi_cm=1 / 12, roll_moi=0.0)
+    >>> round(effective_mass(rod, 1.0), 6)  # a quarter of a free rod's mass at its end
+    0.25
+    """
+    if pivot is None:
+        return 1 / (1 / body.mass + (position - body.balance_point) ** 2 / body.moi_cm)
+    arm = position - pivot
+    with np.errstate(divide="ignore"):
+        turning: Real = np.divide(body.moi(pivot), arm**2)
+    return turning
+
+
+def hand_impulse_ratio(body: RigidBody, position: Real, *, hands: float) -> Real:
+    """Return the impulse that the hands must give, as a part of the ball's blow at ``position``.
+
+    S = 1 - M d z / I_hands with d from hands to balance point and z from hands to blow: what it takes to
+    keep the hands' place from jumping. Positive: the hands push the way the bat was going, against the ball's
+    push; zero at the centre of percussion about the hands [paper2014, eq. 9, with its misprint 1 + x read as
+    l + x].
+
+    >>> rod = RigidBody(mass=1.0, balance_point=0.5, moi_cm=1 / 12, roll_moi=0.0)
+    >>> round(hand_impulse_ratio(rod, 2 / 3, hands=0.0), 12) + 0
+    0.0
+    """
+    return 1 - body.mass * (body.balance_point - hands) * (position - hands) / body.moi(hands)
+
+
+def moi_from_pendulum(period: float, *, mass: float, balance_point: float, pivot: float) -> float:
+    """Return the moment of inertia (kg m^2) about ``pivot`` of a bat that swings from there with ``period`` (s).
+
+    I = M g d T^2 / (4 pi^2), small swings; d from pivot to balance point [astm_f2398].
+
+    >>> round(moi_from_pendulum(1.6, mass=0.88, balance_point=0.57, pivot=0.1524), 4)
+    0.2337
+    """
+    _check_pendulum(period, "period")
+    arm = _pendulum_arm(balance_point, pivot)
+    return mass * STANDARD_GRAVITY * arm * period**2 / (4 * math.pi**2)
+
+
+def pendulum_period(moi: float, *, mass: float, balance_point: float, pivot: float) -> float:
+    """Return the period (s) of a bat with moment of inertia ``moi`` (kg m^2) about the ``pivot`` it hangs from.
+
+    T = 2 pi sqrt(I / (M g d)), small swings; the inverse of `moi_from_pendulum` [astm_f2398].
+    """
+    _check_pendulum(moi, "moi")
+    arm = _pendulum_arm(balance_point, pivot)
+    return 2 * math.pi * math.sqrt(moi / (mass * STANDARD_GRAVITY * arm))
+
+
+def _check_pendulum(value: float, what: str) -> None:
+    if not (math.isfinite(value) and value > 0):
+        raise InputError(f"{what} is {value:g}; allowed is a number above zero")
+
+
+def _pendulum_arm(balance_point: float, pivot: float) -> float:
+    arm = balance_point - pivot
+    if arm <= 0:
+        raise InputError(
+            f"the bat hangs from {pivot:.4g} m, beyond its balance point at {balance_point:.4g} m; "
+            "hang it from the handle"
+        )
+    return arm

@@ -1,0 +1,245 @@
+"""Rules of leagues: what is limited, for which bats, and whether one bat keeps the limit.
+
+A rule is data with a source and a year; a check compares it with what is known about a bat. A limit that no source
+states is no limit: the check then says "not decidable" and why.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Literal
+
+from sweetspot.bat import Bat
+from sweetspot.errors import InputError
+from sweetspot.rigid import RigidBody
+from sweetspot.units import INCH, OUNCE
+
+Construction = Literal["any", "wood", "not wood", "composite"]
+Reading = Literal["primary", "secondary", "recalled"]
+SLACK = 1e-6
+"""Part of a limit that a value may lie beyond it and still keep it: rounding of units, nothing else."""
+WEIGHING = 0.005
+"""The same for the drop, in ounces: half of a hundredth, to which bats are weighed."""
+
+QUANTITIES: dict[str, tuple[str, str]] = {
+    "length": ("length", "m"),
+    "diameter": ("greatest diameter", "m"),
+    "drop": ("drop: inches less ounces", "in - oz"),
+    "cup_depth": ("depth of the cupped end", "m"),
+    "cup_diameter": ("width of the cupped end", "m"),
+    "solid_wood": ("one piece of solid wood", "yes or no"),
+    "bbcor": ("BBCOR", "-"),
+    "besr": ("BESR", "-"),
+    "bpf": ("BPF", "-"),
+    "batted_ball_speed": ("batted-ball speed", "m/s"),
+    "moi": ("moment of inertia about 6 in", "kg m^2"),
+    "grip_length": ("length of the grip", "m"),
+    "ring_gauge": ("ring gauge", "-"),
+    "break_in": ("BBCOR after break-in", "-"),
+    "youth_performance": ("performance like wood", "-"),
+}
+"""What a rule can limit: name for people, unit."""
+STATED_FOR: dict[Construction, str] = {
+    "any": "every bat",
+    "wood": "wood bats",
+    "not wood": "bats that are not wood",
+    "composite": "composite bats",
+}
+
+
+class Verdict(StrEnum):
+    """What came out of one check."""
+
+    PASS = "pass"
+    FAIL = "fail"
+    NOT_DECIDABLE = "not decidable"
+    NOT_APPLICABLE = "does not apply"
+
+
+@dataclass(frozen=True)
+class Rule:
+    """One limit of a league.
+
+    Parameters
+    ----------
+    quantity : key of `QUANTITIES`.
+    least, most : the limits in SI; None: none on that side.
+    construction : the bats that the source states it for.
+    undecided : why the rule can never be decided here; "": it can.
+    doubt_beyond : why a value beyond the limit is not yet a fail; "": it is.
+    source, where, year : where the limit was read; ``year`` None where the source gives none.
+    reading : primary (the text itself), secondary (quoted elsewhere) or recalled (then there is no limit).
+    """
+
+    quantity: str
+    least: float | None
+    most: float | None
+    construction: Construction
+    undecided: str
+    doubt_beyond: str
+    source: str
+    where: str
+    year: int | None
+    reading: Reading
+
+    def __post_init__(self) -> None:
+        if self.quantity not in QUANTITIES:
+            raise InputError(f"rule on {self.quantity!r}; known quantities: {', '.join(QUANTITIES)}")
+        limited = self.least is not None or self.most is not None
+        if limited == bool(self.undecided):
+            raise InputError(f"rule on {self.quantity}: give either a limit or the reason why there is none")
+        if limited and self.reading == "recalled":
+            raise InputError(f"rule on {self.quantity}: a limit known only from memory is no limit")
+
+
+@dataclass(frozen=True)
+class League:
+    """A league's rules for bats, and the ball they are tested with (name in the catalogue)."""
+
+    key: str
+    name: str
+    ball: str
+    rules: tuple[Rule, ...]
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What is known about one quantity of a bat.
+
+    Parameters
+    ----------
+    value : in SI; None: nothing.
+    doubt : why it cannot decide a rule; "": it can.
+    interval : 95 % interval of a measured value.
+    absent : what the bat does not have, so that no rule on it applies; "": it has it.
+    """
+
+    value: float | None
+    doubt: str = ""
+    interval: tuple[float, float] | None = None
+    absent: str = ""
+
+
+@dataclass(frozen=True)
+class Check:
+    """A rule held against a bat; ``margin`` is the distance inside the nearer limit, negative outside."""
+
+    rule: Rule
+    verdict: Verdict
+    value: float | None
+    margin: float | None
+    reason: str
+
+
+def check_rules(league: League, *, bat: Bat, findings: Mapping[str, Finding]) -> list[Check]:
+    """Return every rule of a league held against a bat and what is known about it."""
+    return [check_rule(rule, bat=bat, finding=findings.get(rule.quantity)) for rule in league.rules]
+
+
+def check_rule(rule: Rule, *, bat: Bat, finding: Finding | None) -> Check:
+    """Return pass, fail, not decidable or does not apply, with margin and reason.
+
+    Parameters
+    ----------
+    finding : what is known; None: nothing.
+    """
+    if not applies(rule, bat):
+        return Check(
+            rule, Verdict.NOT_APPLICABLE, None, None, f"the source states it for {STATED_FOR[rule.construction]}"
+        )
+    if finding is not None and finding.absent:
+        return Check(rule, Verdict.NOT_APPLICABLE, None, None, finding.absent)
+    value = None if finding is None else finding.value
+    if rule.undecided:
+        return Check(rule, Verdict.NOT_DECIDABLE, value, None, rule.undecided)
+    if finding is None or value is None or not math.isfinite(value):
+        reason = (finding.doubt if finding else "") or f"nothing is known about this bat's {title(rule)}"
+        return Check(rule, Verdict.NOT_DECIDABLE, None, None, reason)
+    verdict, reason = _verdict(rule, value, finding)
+    return Check(rule, verdict, value, None if rule.quantity == "solid_wood" else _margin(rule, value), reason)
+
+
+def applies(rule: Rule, bat: Bat) -> bool:
+    """Return whether the source states the rule for a bat of this construction, judged by its barrel."""
+    wood = bat.material.family == "wood"
+    laminate = bat.material.family == "laminate"
+    if bat.shell is not None:
+        inner = bat.shell.inner_wall
+        laminate = laminate or bat.shell.laminate is not None or (inner is not None and inner.laminate is not None)
+    stated: dict[Construction, bool] = {
+        "any": True,
+        "wood": wood and not laminate,
+        "not wood": not wood or laminate,
+        "composite": laminate,
+    }
+    return stated[rule.construction]
+
+
+def construction_findings(bat: Bat, *, body: RigidBody) -> dict[str, Finding]:
+    """Return what the description itself says: sizes, weight, and whether it is one piece of wood.
+
+    A bat given by its mass per length has no measured outline; its diameter follows from the material's density.
+    """
+    widest = max(float(bat.diameter_at(place)) for place in bat.breakpoints())
+    if bat.linear_density is not None:
+        outline = Finding(widest, "the bat is given by its mass per length, not by its outline")
+    else:
+        outline = Finding(widest)
+    found = {
+        "length": Finding(bat.length),
+        "diameter": outline,
+        "drop": Finding(bat.length / INCH - body.mass / OUNCE),
+        "moi": Finding(body.moi(6 * INCH)),
+        "solid_wood": _solid_wood(bat),
+        "grip_length": Finding(None, "a bat file does not say how far the grip reaches"),
+    }
+    if bat.cup is None:
+        found["cup_depth"] = found["cup_diameter"] = Finding(None, absent="the bat has no cupped end")
+    else:
+        found["cup_depth"], found["cup_diameter"] = Finding(bat.cup.depth), Finding(bat.cup.diameter)
+    return found
+
+
+def title(rule: Rule) -> str:
+    """Return the name of what a rule limits."""
+    return QUANTITIES[rule.quantity][0]
+
+
+def _solid_wood(bat: Bat) -> Finding:
+    if bat.material.family != "wood" or bat.shell is not None or bat.bores:
+        return Finding(0.0)
+    if bat.point_masses:
+        return Finding(1.0, "a weight is fixed to the bat, and its file does not say whether it sits inside the wood")
+    return Finding(1.0)
+
+
+def _verdict(rule: Rule, value: float, finding: Finding) -> tuple[Verdict, str]:
+    """Return verdict and reason for a rule that applies, has a limit, and a value to hold against it."""
+    if finding.doubt:
+        return Verdict.NOT_DECIDABLE, finding.doubt
+    slack = SLACK * max(abs(limit) for limit in (rule.least, rule.most) if limit is not None)
+    if rule.quantity == "drop":
+        slack = WEIGHING
+    if _margin(rule, value) >= -slack:
+        return Verdict.PASS, _straddles(rule, finding)
+    if rule.doubt_beyond:
+        return Verdict.NOT_DECIDABLE, rule.doubt_beyond
+    return Verdict.FAIL, _straddles(rule, finding)
+
+
+def _margin(rule: Rule, value: float) -> float:
+    above = math.inf if rule.most is None else rule.most - value
+    below = math.inf if rule.least is None else value - rule.least
+    return min(above, below)
+
+
+def _straddles(rule: Rule, finding: Finding) -> str:
+    if finding.interval is None:
+        return ""
+    low, high = finding.interval
+    if any(limit is not None and low < limit < high for limit in (rule.least, rule.most)):
+        return f"close: the 95 % interval {low:.4f} to {high:.4f} reaches across the limit"
+    return ""

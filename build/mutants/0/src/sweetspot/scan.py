@@ -1,0 +1,112 @@
+"""Hits all along a bat: what every definition of the sweet spot is read from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sweetspot.collision.kernel import hits
+from sweetspot.collision.momentum import bbcor, exit_speed, rigid_efficiency
+from sweetspot.implement import Implement
+from sweetspot.rigid import RigidBody, hand_impulse_ratio
+from sweetspot.swing import Conditions, Hands
+from sweetspot.vibration.modes import Modes
+
+Array = NDArray[np.float64]
+
+POINTS = 161
+STING_BAND = (50.0, 700.0)
+"""Hz; palms feel best between about 100 and 400 Hz and hardly beyond 700 Hz [griffin2012; russell2017acoustics]."""
+ABOVE_HANDS = 0.05
+"""m above the top hand's centre where a scan begins; an implement with a face is hit on its face only."""
+
+
+@dataclass(frozen=True)
+class Scan:
+    """Hits at many positions under the same swing; every array has shape (positions,).
+
+    Parameters
+    ----------
+    position : m from the knob end, increasing.
+    bat_speed, closing_speed : m/s.
+    collision_efficiency, rigid_efficiency : q of the real bat and of a rigid one of the same mass.
+    bbcor : ball-bat restitution about the standard pivot 6 in from the knob.
+    exit_speed, rigid_exit_speed : m/s.
+    hand_impulse : N s that the hands must give to hold their place, from the rigid motion; 0 at the percussion centre.
+    sting : m/s, root mean square of the vibration at both hands right after the hit, modes within `STING_BAND`.
+    contact_time, peak_force : s and N.
+    """
+
+    position: Array
+    bat_speed: Array
+    closing_speed: Array
+    collision_efficiency: Array
+    rigid_efficiency: Array
+    bbcor: Array
+    exit_speed: Array
+    rigid_exit_speed: Array
+    hand_impulse: Array
+    sting: Array
+    contact_time: Array
+    peak_force: Array
+
+
+def scan(
+    bat: Implement, *, body: RigidBody, modes: Modes, conditions: Conditions, positions: Array | None = None
+) -> Scan:
+    """Return hits all along a bat.
+
+    Parameters
+    ----------
+    positions : m from the knob end; None: evenly from just above the top hand to the tip, or along the face.
+    """
+    if positions is None:
+        outline = bat.outline
+        start = max(conditions.hands.position + ABOVE_HANDS, conditions.swing.pivot + ABOVE_HANDS)
+        positions = (
+            np.linspace(start, bat.length, POINTS)
+            if outline is None
+            else np.linspace(max(start, outline.start), outline.end, POINTS)
+        )
+    ball, hands = conditions.ball, conditions.hands
+    ball_speed = conditions.pitch.speed
+    bat_speed = conditions.swing.angular_speed * (positions - conditions.swing.pivot)
+    closing = ball_speed + bat_speed
+    done = hits(modes, ball=ball, position=positions, closing_speed=closing)
+    efficiency = done.collision_efficiency
+    rigid = rigid_efficiency(ball, body=body, position=positions, closing_speed=closing)
+    rigid = np.where(closing > 0, rigid, np.nan)
+    ratio = hand_impulse_ratio(body, positions, hands=hands.position)
+    return Scan(
+        position=positions,
+        bat_speed=bat_speed,
+        closing_speed=closing,
+        collision_efficiency=efficiency,
+        rigid_efficiency=rigid,
+        bbcor=bbcor(efficiency, body=body, ball=ball, position=positions),
+        exit_speed=exit_speed(efficiency, ball_speed=ball_speed, bat_speed=bat_speed),
+        rigid_exit_speed=exit_speed(rigid, ball_speed=ball_speed, bat_speed=bat_speed),
+        hand_impulse=ratio * ball.mass * closing * (1 + efficiency),
+        sting=sting(modes, hands=hands, displacement=done.displacement, velocity=done.velocity),
+        contact_time=done.contact_time,
+        peak_force=done.peak_force,
+    )
+
+
+def sting(modes: Modes, *, hands: Hands, displacement: Array, velocity: Array) -> Array:
+    """Return the vibration speed at the hands in m/s, root mean square over time and over both hands.
+
+    Each mode in `STING_BAND` rings on with amplitude V_i = sqrt(q'^2 + omega^2 q^2) from release, so the handle at
+    h moves with s_i(h) V_i; modes of different frequency add as squares.
+
+    Parameters
+    ----------
+    displacement, velocity : modal motion at release, shape (hits, n).
+    """
+    low, high = STING_BAND
+    felt = (modes.frequency >= low) & (modes.frequency <= high)
+    amplitude = velocity**2 + (modes.angular_frequency * displacement) ** 2
+    shapes = modes.shape_at(np.array(hands.places)) ** 2
+    return np.asarray(np.sqrt(amplitude[..., felt] @ shapes[:, felt].mean(axis=0) / 2))

@@ -1,0 +1,185 @@
+"""What a hollow bat is built of: wall, inner sleeve, handle of another material, cap and knob.
+
+Positions are metres from the knob end.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import model_validator
+
+from sweetspot.laminate import Laminate
+from sweetspot.material import Material
+from sweetspot.thing import NonNegative, Positive, Thing
+
+Array = NDArray[np.float64]
+Stations = tuple[tuple[float, float], ...]
+"""(position, size) pairs in m, positions increasing."""
+
+
+class WallPart(NamedTuple):
+    """One wall at an array of positions: thickness 0 where it is not.
+
+    Parameters
+    ----------
+    material, laminate : what it is made of; a laminate goes before the material.
+    outer, thickness : outer radius and thickness in m.
+    """
+
+    material: Material
+    laminate: Laminate | None
+    outer: Array
+    thickness: Array
+
+    @property
+    def inner(self) -> Array:
+        """Inner radius in m."""
+        return self.outer - self.thickness
+
+    @property
+    def middle(self) -> Array:
+        """Radius of the wall's middle in m."""
+        return self.outer - self.thickness / 2
+
+    @property
+    def density(self) -> float:
+        """Density in kg/m^3 as the catalogue has it."""
+        return self.material.density if self.laminate is None else self.laminate.density
+
+
+class InnerWall(Thing):
+    """A sleeve inside the barrel: the second wall of a double-wall bat.
+
+    Parameters
+    ----------
+    wall : (position, thickness) stations in m, from where the sleeve starts to where it stops.
+    material : of the sleeve.
+    laminate : plies it is laid up of; their thicknesses scale with the wall. None: the material itself.
+    gap : m between the outer wall and the sleeve; 0: they touch.
+    bonded : whether the walls are glued to each other; without, they slide on each other.
+    """
+
+    wall: Stations
+    material: Material
+    laminate: Laminate | None = None
+    gap: NonNegative = 0.0
+    bonded: bool = False
+
+    @model_validator(mode="after")
+    def _holds_together(self) -> InnerWall:
+        check_order(self.wall, "inner_wall")
+        for position, thickness in self.wall:
+            if thickness <= 0:
+                raise ValueError(f"inner wall is {thickness * 1e3:.3g} mm at {position:.4g} m; allowed is more than 0")
+        if self.bonded and self.gap:
+            raise ValueError(f"inner wall is bonded but has a gap of {self.gap * 1e3:.3g} mm; leave out one of them")
+        return self
+
+    def thickness_at(self, position: Array) -> Array:
+        """Return the sleeve's thickness in m at positions in m: 0 beyond its ends, and at the very start."""
+        here = (position > self.wall[0][0]) & (position <= self.wall[-1][0])
+        return np.where(here, between(self.wall, position), 0.0)
+
+
+class Shell(Thing):
+    """A hollow bat: wall thickness along the axis, what the walls are made of, and what closes the ends.
+
+    Parameters
+    ----------
+    wall : (position, thickness) stations in m over the whole length.
+    laminate : plies of the wall; their thicknesses scale with the wall. None: the bat's own material.
+    inner_wall : a sleeve inside; None: a single wall.
+    handle_material : of a two-piece bat, from the knob end to ``joint``; None: one piece.
+    joint : m from the knob end, where the handle ends.
+    joint_mass : kg of whatever joins the pieces, at ``joint``.
+    end_cap_mass, knob_mass : kg, at the tip and at the knob end.
+    """
+
+    wall: Stations
+    laminate: Laminate | None = None
+    inner_wall: InnerWall | None = None
+    handle_material: Material | None = None
+    joint: Positive | None = None
+    joint_mass: NonNegative = 0.0
+    end_cap_mass: NonNegative = 0.0
+    knob_mass: NonNegative = 0.0
+
+    @model_validator(mode="after")
+    def _pieces_belong_together(self) -> Shell:
+        if (self.handle_material is None) != (self.joint is None):
+            raise ValueError("a two-piece bat needs both handle_material and joint; give both or neither")
+        if self.joint_mass and self.joint is None:
+            raise ValueError("joint_mass needs a joint; say where the handle ends")
+        return self
+
+    @property
+    def bonded(self) -> bool:
+        """Whether there are two walls that act as one."""
+        return self.inner_wall is not None and self.inner_wall.bonded
+
+    def wall_at(self, position: Array) -> Array:
+        """Return the thickness of the outer wall in m at positions in m."""
+        return between(self.wall, position)
+
+    def scaled(self, factor: float) -> Shell:
+        """Return the shell with outer wall and sleeve ``factor`` times as thick; outside and gap stay."""
+        sleeve = self.inner_wall
+        if sleeve is not None:
+            sleeve = sleeve.replaced(wall=tuple((place, factor * size) for place, size in sleeve.wall))
+        return self.replaced(wall=tuple((place, factor * size) for place, size in self.wall), inner_wall=sleeve)
+
+    def edges(self) -> tuple[float, ...]:
+        """Return the positions in m where a wall bends, begins or ends."""
+        inner = () if self.inner_wall is None else self.inner_wall.wall
+        joint = () if self.joint is None else (self.joint,)
+        return (*(position for position, _ in (*self.wall, *inner)), *joint)
+
+    def parts(self, position: Array, radius: Array, material: Material) -> list[WallPart]:
+        """Return the walls at positions in m, the outer one of radius ``radius`` m and of ``material`` first."""
+        wall = self.wall_at(position)
+        walls = []
+        if self.handle_material is None or self.joint is None:
+            walls.append(WallPart(material, self.laminate, radius, wall))
+        else:
+            handle = position <= self.joint
+            walls.append(WallPart(material, self.laminate, radius, np.where(handle, 0.0, wall)))
+            walls.append(WallPart(self.handle_material, None, radius, np.where(handle, wall, 0.0)))
+        if self.inner_wall is not None:
+            sleeve = self.inner_wall
+            outside = radius - wall - sleeve.gap
+            walls.append(WallPart(sleeve.material, sleeve.laminate, outside, sleeve.thickness_at(position)))
+        return walls
+
+
+def between(stations: Stations, position: Array | float) -> Array:
+    """Return the size in m at positions in m on straight lines between stations, constant beyond them."""
+    places, sizes = zip(*stations, strict=True)
+    return np.asarray(np.interp(np.asarray(position, float), places, sizes))
+
+
+def check_order(stations: Stations, what: str) -> None:
+    """Refuse stations that are too few or go backwards; ``what`` names them in the message."""
+    if len(stations) < 2:
+        raise ValueError(f"{what} has {len(stations)} station; allowed is two or more")
+    for (before, _), (after, _) in pairwise(stations):
+        if after <= before:
+            raise ValueError(
+                f"{what} goes back from {before:.4g} m to {after:.4g} m; "
+                "list the stations from the knob end outwards, each once"
+            )
+
+
+def check_along(stations: Stations, what: str, *, start: float, end: float) -> None:
+    """Refuse stations that do not run from ``start`` to ``end`` (m), or have a size that is not above zero."""
+    check_order(stations, what)
+    if abs(stations[0][0] - start) > 1e-9 or abs(stations[-1][0] - end) > 1e-6:
+        raise ValueError(
+            f"{what} runs from {stations[0][0]:.4g} m to {stations[-1][0]:.4g} m; allowed is from {start:.4g} m to "
+            f"{end:.4g} m, with a station at each end"
+        )
+    if min(size for _, size in stations) <= 0:
+        raise ValueError(f"{what} has a size that is not above zero")

@@ -1,0 +1,286 @@
+"""What measured shots say about a bat: BBCOR at the best place, with its uncertainty, and the shots that stand out."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from statistics import fmean, median, stdev
+
+from sweetspot.ball import Ball
+from sweetspot.bat import Bat
+from sweetspot.certification import BBCOR_SPEED, BPF_SPEED, CLAMP, OLD_BALL_SPEED, OLD_BAT_SPEED, besr, bpf
+from sweetspot.collision.momentum import collision_efficiency, exit_speed, restitution_from_efficiency
+from sweetspot.errors import InputError
+from sweetspot.rigid import RigidBody, effective_mass
+from sweetspot.rules import Finding
+from sweetspot.shots import Shot
+from sweetspot.units import INCH, MPH
+
+VALID_HITS = 6
+"""Hits that the mean at the best location takes [ncaa_bbcor]."""
+SAME_PLACE = INCH / 8
+"""m; hits within this stretch count as hits at one place. Our choice."""
+SPEED_TOLERANCE = 0.05
+"""Part by which the speed of a shot may differ from the test's; our choice, for the standard's was not read."""
+CONFIDENCE = 0.95
+OUTLIER = 3.5
+"""Robust standard deviations beyond which a hit is named."""
+ROBUST_SCALE = 1.4826
+"""Standard deviation over median absolute deviation of a normal distribution."""
+FINEST = 0.001
+"""Least robust standard deviation of BBCOR; smaller ones are rounding."""
+COR_SPEED = 60 * MPH
+"""Speed at which a ball's own restitution is measured [astm_f1887]."""
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A mean with its standard error and 95 % interval (Student's t), from ``count`` values."""
+
+    mean: float
+    standard_error: float
+    low: float
+    high: float
+    count: int
+
+
+@dataclass(frozen=True)
+class Hit:
+    """A shot with its measures; ``normalised`` is BBCOR with a ball of standard restitution."""
+
+    shot: Shot
+    efficiency: float
+    bbcor: float
+    normalised: float
+
+
+@dataclass(frozen=True)
+class Outlier:
+    """A hit that stands out at the best place: its row, its BBCOR, robust standard deviations from the median."""
+
+    row: int
+    bbcor: float
+    deviation: float
+
+
+@dataclass(frozen=True)
+class Place:
+    """Hits at one place: m from the knob end, how many, mean normalised BBCOR."""
+
+    position: float
+    count: int
+    bbcor: float
+
+
+@dataclass(frozen=True)
+class Measured:
+    """The measures of a bat from shots.
+
+    Parameters
+    ----------
+    places : every place that was hit, from the knob outwards.
+    best_position : m from the knob end: greatest mean BBCOR among places with two hits or more.
+    rows : lines of the file that the means are made of.
+    bbcor : normalised where the balls' restitution was measured.
+    raw_bbcor : as measured.
+    efficiency : q that goes with `bbcor`.
+    bpf : as measured at 60 mph, over each ball's own restitution there; None where the shots do not give it.
+    batted_ball_speed : m/s for a 70 mph ball and a 66 mph bat.
+    without_outliers : BBCOR without the hits that stand out; None where none does.
+    standard_restitution : ball restitution that BBCOR is normalised to; None: not normalised.
+    slowest, fastest : closing speeds at the best place, m/s.
+    ball_stiffness : mean N/m at the best place, reported and not corrected for; None: not measured.
+    notes : what to keep in mind.
+    """
+
+    places: tuple[Place, ...]
+    best_position: float
+    rows: tuple[int, ...]
+    bbcor: Estimate
+    raw_bbcor: Estimate
+    efficiency: Estimate
+    bpf: Estimate | None
+    batted_ball_speed: Estimate
+    outliers: tuple[Outlier, ...]
+    without_outliers: Estimate | None
+    standard_restitution: float | None
+    slowest: float
+    fastest: float
+    ball_stiffness: float | None
+    notes: tuple[str, ...]
+
+    def findings(self) -> dict[str, Finding]:
+        """Return the measures as rules take them, with the reason where the shots cannot decide."""
+        few = ""
+        if self.bbcor.count < VALID_HITS:
+            few = f"the rule takes the mean of {VALID_HITS} valid hits; the best place has {self.bbcor.count}"
+        fast, slow = self._speed_doubt(BBCOR_SPEED), self._speed_doubt(BPF_SPEED)
+        low, high = besr(self.efficiency.low), besr(self.efficiency.high)
+        found = {
+            "bbcor": Finding(self.bbcor.mean, fast or few, (self.bbcor.low, self.bbcor.high)),
+            "besr": Finding(besr(self.efficiency.mean), fast, (low, high)),
+            "batted_ball_speed": Finding(self.batted_ball_speed.mean, fast),
+            "bpf": Finding(None, slow or "the file has no ball_cor, which BPF is a ratio to"),
+        }
+        if self.bpf is not None:
+            found["bpf"] = Finding(self.bpf.mean, "", (self.bpf.low, self.bpf.high))
+        return found
+
+    def _speed_doubt(self, speed: float) -> str:
+        if _near(self.slowest, speed) and _near(self.fastest, speed):
+            return ""
+        return (
+            f"the shots closed at {self.slowest / MPH:.1f} to {self.fastest / MPH:.1f} mph, and the limit holds for "
+            f"{speed / MPH:.0f} mph"
+        )
+
+
+def measure(
+    shots: Iterable[Shot], *, bat: Bat, body: RigidBody, ball: Ball, standard_restitution: float | None = None
+) -> Measured:
+    """Return BBCOR, BESR, BPF and batted-ball speed at the best place, with uncertainty.
+
+    Each shot gives q, and BBCOR = q (1 + r) + r about the clamp 6 in from the knob. Where the ball's own restitution
+    was measured, BBCOR is multiplied by standard over measured restitution: ball-bat restitution grows with the
+    ball's, as BPF supposes. The exact normalisation of [astm_f2219] was not read.
+
+    Parameters
+    ----------
+    body : the bat's mass, balance and moment of inertia.
+    ball : gives the mass where a shot has none.
+    standard_restitution : to normalise to, in (0, 1]; None: the ball's at 60 mph.
+
+    Raises
+    ------
+    InputError
+        when only some shots have a ball_cor, or no place has two shots, so that no uncertainty can be given.
+    """
+    shots = sorted(shots, key=lambda shot: (shot.position, shot.row))
+    standard = ball.restitution.at(COR_SPEED) if standard_restitution is None else standard_restitution
+    if not 0 < standard <= 1:
+        raise InputError(f"the standard ball's restitution was given as {standard:g}; allowed is above 0, up to 1")
+    given = [shot.ball_cor is not None for shot in shots]
+    if any(given) and not all(given):
+        raise InputError("only some of the shots have a ball_cor; give it for all of them or for none")
+    hits = [_hit(shot, body=body, ball=ball, standard=standard) for shot in shots]
+    groups = _places(hits)
+    best = _best(groups)
+    values = [hit.normalised for hit in best]
+    outliers = _outliers(best)
+    named = {outlier.row for outlier in outliers}
+    kept = [hit.normalised for hit in best if hit.shot.row not in named]
+    efficiency = estimate([_normalised_efficiency(hit, body, ball) for hit in best])
+    speeds = [exit_speed(_normalised_efficiency(hit, body, ball), ball_speed=OLD_BALL_SPEED, bat_speed=OLD_BAT_SPEED)
+              for hit in best]  # fmt: skip
+    slow = all(_near(hit.shot.closing_speed, BPF_SPEED) for hit in best)
+    own = [(hit.bbcor, hit.shot.ball_cor) for hit in best if slow and hit.shot.ball_cor is not None]
+    factors = [bpf(value, ball_restitution=cor) for value, cor in own]
+    stiff = [hit.shot.ball_stiffness for hit in best if hit.shot.ball_stiffness is not None]
+    return Measured(
+        places=tuple(_place(group) for group in groups),
+        best_position=_place(best).position,
+        rows=tuple(sorted(hit.shot.row for hit in best)),
+        bbcor=estimate(values),
+        raw_bbcor=estimate([hit.bbcor for hit in best]),
+        efficiency=efficiency,
+        bpf=estimate(factors) if factors else None,
+        batted_ball_speed=estimate(speeds),
+        outliers=outliers,
+        without_outliers=estimate(kept) if outliers and len(kept) > 1 else None,
+        standard_restitution=standard if all(given) else None,
+        slowest=min(hit.shot.closing_speed for hit in best),
+        fastest=max(hit.shot.closing_speed for hit in best),
+        ball_stiffness=fmean(stiff) if stiff else None,
+        notes=_notes(groups, best, bat=bat, normalised=all(given), stiff=bool(stiff)),
+    )
+
+
+def estimate(sample: Iterable[float]) -> Estimate:
+    """Return mean, standard error and Student's 95 % interval of two values or more.
+
+    >>> found = estimate([0.49, 0.50, 0.51])
+    >>> round(found.mean, 3), round(found.high - found.mean, 4)  # t(2) = 4.303, times 0.01 / sqrt(3)
+    (0.5, 0.0248)
+    """
+    from scipy.special import stdtrit
+
+    values = sorted(sample)
+    if len(values) < 2:
+        raise InputError(f"{len(values)} value; an uncertainty takes two or more")
+    mean, error = fmean(values), stdev(values) / math.sqrt(len(values))
+    reach = float(stdtrit(len(values) - 1, (1 + CONFIDENCE) / 2)) * error
+    return Estimate(mean, error, mean - reach, mean + reach, len(values))
+
+
+def _near(speed: float, wanted: float) -> bool:
+    return wanted * (1 - SPEED_TOLERANCE) <= speed <= wanted * (1 + SPEED_TOLERANCE)
+
+
+def _recoil(shot: Shot, body: RigidBody, ball: Ball) -> float:
+    mass = ball.mass if shot.ball_mass is None else shot.ball_mass
+    return mass / effective_mass(body, shot.position, pivot=CLAMP)
+
+
+def _hit(shot: Shot, *, body: RigidBody, ball: Ball, standard: float) -> Hit:
+    efficiency = shot.collision_efficiency
+    restitution = restitution_from_efficiency(efficiency, recoil=_recoil(shot, body, ball))
+    factor = 1.0 if shot.ball_cor is None else standard / shot.ball_cor
+    return Hit(shot, efficiency, restitution, restitution * factor)
+
+
+def _normalised_efficiency(hit: Hit, body: RigidBody, ball: Ball) -> float:
+    return collision_efficiency(hit.normalised, recoil=_recoil(hit.shot, body, ball))
+
+
+def _places(hits: list[Hit]) -> list[list[Hit]]:
+    """Return hits in order of position, those within `SAME_PLACE` of a place's first hit together."""
+    groups: list[list[Hit]] = []
+    for hit in hits:
+        if groups and hit.shot.position - groups[-1][0].shot.position <= SAME_PLACE * (1 + 1e-9):
+            groups[-1].append(hit)
+        else:
+            groups.append([hit])
+    return groups
+
+
+def _place(group: list[Hit]) -> Place:
+    return Place(fmean(hit.shot.position for hit in group), len(group), fmean(hit.normalised for hit in group))
+
+
+def _best(groups: list[list[Hit]]) -> list[Hit]:
+    repeated = [group for group in groups if len(group) > 1]
+    if not repeated:
+        count = sum(len(group) for group in groups)
+        raise InputError(
+            f"{count} good {'shot' if count == 1 else 'shots, each at another place'}: no uncertainty can be given; "
+            f"repeat the best place until it has {VALID_HITS} valid hits, two at the very least"
+        )
+    return max(repeated, key=lambda group: _place(group).bbcor)
+
+
+def _outliers(hits: list[Hit]) -> tuple[Outlier, ...]:
+    """Return hits far from the median in median absolute deviations; with fewer than four none can be told."""
+    if len(hits) < 4:
+        return ()
+    middle = median(hit.normalised for hit in hits)
+    scale = max(ROBUST_SCALE * median(abs(hit.normalised - middle) for hit in hits), FINEST)
+    found = [Outlier(hit.shot.row, hit.normalised, (hit.normalised - middle) / scale) for hit in hits]
+    return tuple(sorted((each for each in found if abs(each.deviation) > OUTLIER), key=lambda each: each.row))
+
+
+def _notes(groups: list[list[Hit]], best: list[Hit], *, bat: Bat, normalised: bool, stiff: bool) -> tuple[str, ...]:
+    top = _place(best)
+    facts: Mapping[str, bool] = {
+        "The balls' own restitution was not measured (column ball_cor): BBCOR is not normalised to a standard ball.": (
+            not normalised
+        ),
+        "The bat's moment of inertia is computed from its outline, not measured: give moi in the bat file.": (
+            bat.moi is None
+        ),
+        "Ball stiffness is reported; no correction for it is made.": stiff,
+        "A place hit only once gave a greater BBCOR than the best place; repeat it.": any(
+            len(group) == 1 and group[0].normalised > top.bbcor for group in groups
+        ),
+    }
+    return tuple(text for text, holds in facts.items() if holds)

@@ -1,0 +1,247 @@
+"""Shots measured in a laboratory, from a CSV file: one row per shot, the unit in every column's name.
+
+``ball_in_mph, ball_out_mph, position_in_from_tip`` and, if measured, ``bat_speed_mph, ball_cor,
+ball_stiffness_lbf_in, ball_mass_oz``. Faulty rows are listed with the reason; the others are used.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from sweetspot.errors import InputError
+from sweetspot.units import FOOT, INCH, MPH, OUNCE, POUND_FORCE, shown
+
+SPEEDS = {"mph": MPH, "m_s": 1.0, "km_h": 1 / 3.6, "ft_s": FOOT}
+UNITS: dict[str, dict[str, float]] = {
+    "ball_in": SPEEDS,
+    "ball_out": SPEEDS,
+    "bat_speed": SPEEDS,
+    "position": {
+        f"{unit}_from_{end}": factor
+        for unit, factor in {"in": INCH, "m": 1.0, "cm": 0.01, "mm": 0.001}.items()
+        for end in ("knob", "tip")
+    },
+    "ball_cor": {"": 1.0},
+    "ball_stiffness": {"n_m": 1.0, "lbf_in": POUND_FORCE / INCH, "lb_in": POUND_FORCE / INCH},
+    "ball_mass": {"oz": OUNCE, "kg": 1.0, "g": 0.001},
+}
+"""Columns that are understood: name without its unit, and the units with their size in SI."""
+NEEDED = ("ball_in", "ball_out", "position")
+FASTEST = 90.0
+"""m/s (201 mph); a faster ball or bat is a number in another unit."""
+CLAMP = 6 * INCH
+COLUMNS_HINT = "ball_in_mph, ball_out_mph and position_in_from_tip (or _m_s, _m_from_knob, ...)"
+
+
+@dataclass(frozen=True)
+class Shot:
+    """One measured shot in SI.
+
+    Parameters
+    ----------
+    row : line of the file.
+    ball_speed, rebound_speed : m/s towards the bat and away from it.
+    bat_speed : m/s of the bat at the point of impact; 0: at rest.
+    position : m from the knob end.
+    ball_cor : restitution of this ball on a rigid wall; None: not measured.
+    ball_stiffness : N/m, dynamic; None: not measured.
+    ball_mass : kg; None: not measured.
+    """
+
+    row: int
+    ball_speed: float
+    rebound_speed: float
+    bat_speed: float
+    position: float
+    ball_cor: float | None
+    ball_stiffness: float | None
+    ball_mass: float | None
+
+    @property
+    def closing_speed(self) -> float:
+        """Ball plus bat speed, m/s."""
+        return self.ball_speed + self.bat_speed
+
+    @property
+    def collision_efficiency(self) -> float:
+        """q = (v_out - v_bat) / (v_in + v_bat); for a bat at rest v_out / v_in."""
+        return (self.rebound_speed - self.bat_speed) / self.closing_speed
+
+
+@dataclass(frozen=True)
+class BadRow:
+    """A row that cannot be used, and why."""
+
+    row: int
+    reason: str
+
+
+@dataclass(frozen=True)
+class Shots:
+    """A file of shots: those that can be used, those that cannot, and columns that mean nothing here."""
+
+    shots: tuple[Shot, ...]
+    bad_rows: tuple[BadRow, ...]
+    ignored_columns: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class _Column:
+    """A column's place, quantity and unit."""
+
+    index: int
+    heading: str
+    quantity: str
+    factor: float
+    from_tip: bool
+
+
+def read_shots(path: Path, *, length: float) -> Shots:
+    """Return the shots of a CSV file.
+
+    Parameters
+    ----------
+    length : of the bat in m, for positions from the tip and to refuse those off the bat.
+
+    Raises
+    ------
+    InputError
+        when the file cannot be read, a needed column is missing or stands there twice, or no row can be used.
+    """
+    rows = _rows(path)
+    try:
+        _, headings = next(rows)
+    except StopIteration:
+        raise InputError(f"{path} is empty; it needs a line of column names: {COLUMNS_HINT}") from None
+    columns, ignored = _columns(headings, path)
+    good, bad = [], []
+    for line, cells in rows:
+        try:
+            good.append(_shot(line, cells, columns, width=len(headings), length=length))
+        except ValueError as fault:
+            bad.append(BadRow(line, str(fault)))
+    if not good:
+        reasons = "; ".join(f"row {row.row}: {row.reason}" for row in bad[:3])
+        raise InputError(f"{path} has no shot that can be used{': ' + reasons if bad else '; it has no rows'}")
+    return Shots(tuple(good), tuple(bad), ignored)
+
+
+def _rows(path: Path) -> Iterator[tuple[int, list[str]]]:
+    """Yield (line, cells) of every line that is not blank."""
+    if not path.is_file():
+        raise InputError(f"{path} is not a file; give a CSV file with the columns {COLUMNS_HINT}")
+    try:
+        with path.open(encoding="utf-8-sig", newline="") as file:
+            reader = csv.reader(file)
+            for cells in reader:
+                if any(cell.strip() for cell in cells):
+                    yield reader.line_num, cells
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
+        raise InputError(f"{path} cannot be read as CSV text: {error}") from None
+
+
+def _columns(headings: list[str], path: Path) -> tuple[dict[str, _Column], tuple[str, ...]]:
+    """Return the columns that are understood by quantity, and the names of those that are not."""
+    found: dict[str, _Column] = {}
+    ignored = []
+    if len(headings) == 1 and any(mark in headings[0] for mark in ";\t"):
+        raise InputError(f"{path}: the columns are separated by semicolons or tabs; separate them with commas")
+    for index, heading in enumerate(headings):
+        name = heading.strip().lower()
+        column = _column(index, name)
+        if column is None:
+            ignored.append(heading.strip())
+            continue
+        if column.quantity in found:
+            raise InputError(
+                f"{path}: columns {found[column.quantity].heading} and {name} both give {column.quantity}; "
+                "keep one of them, in one unit"
+            )
+        found[column.quantity] = column
+    missing = [quantity for quantity in NEEDED if quantity not in found]
+    if missing:
+        examples = ", ".join(f"{quantity}_{next(iter(UNITS[quantity]))}" for quantity in missing)
+        raise InputError(
+            f"{path}: no column for {' and '.join(missing)}; give for example {examples}. "
+            f"The file has: {', '.join(heading.strip() for heading in headings)}"
+        )
+    return found, tuple(ignored)
+
+
+def _column(index: int, name: str) -> _Column | None:
+    """Return what a column means, None for a name that is not ours; a known name with no known unit is refused."""
+    quantity = next((known for known in UNITS if name == known or name.startswith(f"{known}_")), None)
+    if quantity is None:
+        return None
+    unit = name.removeprefix(quantity).removeprefix("_")
+    if unit not in UNITS[quantity]:
+        allowed = ", ".join(f"{quantity}_{unit}".rstrip("_") for unit in UNITS[quantity])
+        raise InputError(f"column {name} has {'an unknown' if unit else 'no'} unit; allowed: {allowed}")
+    return _Column(index, name, quantity, UNITS[quantity][unit], unit.endswith("_from_tip"))
+
+
+def _shot(line: int, cells: list[str], columns: dict[str, _Column], *, width: int, length: float) -> Shot:
+    """Return one row as a shot; raises ValueError with the reason when it cannot be used."""
+    if len(cells) != width:
+        raise ValueError(f"{len(cells)} cells under {width} column names")
+    value = {quantity: _number(cells[column.index], column) for quantity, column in columns.items()}
+    position = length - value["position"] if columns["position"].from_tip else value["position"]
+    shot = Shot(
+        row=line,
+        ball_speed=value["ball_in"],
+        rebound_speed=value["ball_out"],
+        bat_speed=value.get("bat_speed", 0.0),
+        position=position,
+        ball_cor=value.get("ball_cor"),
+        ball_stiffness=value.get("ball_stiffness"),
+        ball_mass=value.get("ball_mass"),
+    )
+    if fault := _fault(shot, length):
+        raise ValueError(fault)
+    return shot
+
+
+def _number(cell: str, column: _Column) -> float:
+    text = cell.strip()
+    if not text:
+        raise ValueError(f"{column.heading} is blank")
+    try:
+        number = float(text)
+    except ValueError:
+        raise ValueError(
+            f"{column.heading} is {text!r}, not a plain number; the unit stands in the column's name"
+        ) from None
+    if not math.isfinite(number):
+        raise ValueError(f"{column.heading} is {text}; allowed is a finite number")
+    return number * column.factor
+
+
+def _fault(shot: Shot, length: float) -> str:
+    """Return why a shot cannot be true, or an empty text."""
+    fastest = max(shot.ball_speed, shot.rebound_speed, shot.bat_speed)
+    faults = (
+        (fastest > FASTEST, f"a speed of {fastest:.4g} m/s ({fastest / MPH:.4g} mph); is the column in another unit?"),
+        (shot.ball_speed <= 0, "ball_in is not above zero"),
+        (shot.bat_speed < 0, "bat_speed is negative: the bat would run from the ball"),
+        (shot.rebound_speed < 0, "negative rebound: the ball did not come back"),
+        (
+            shot.collision_efficiency >= 1 if shot.closing_speed > 0 else False,
+            "the ball leaves faster than it came, off a bat at rest or seen from the bat",
+        ),
+        (
+            not 0 <= shot.position <= length,
+            f"position is {shown(shot.position)} from the knob end, off the bat of {shown(length)}",
+        ),
+        (shot.position <= CLAMP, "position is at the clamp, 6 in from the knob end, or behind it"),
+        (shot.ball_cor is not None and not 0 < shot.ball_cor < 1, "ball_cor is not between 0 and 1"),
+        (shot.ball_stiffness is not None and shot.ball_stiffness <= 0, "ball_stiffness is not above zero"),
+        (
+            shot.ball_mass is not None and not 0.02 < shot.ball_mass < 0.5,
+            "ball_mass is not that of a ball, 0.02 to 0.5 kg; is the column in another unit?",
+        ),
+    )
+    return next((text for wrong, text in faults if wrong), "")

@@ -1,0 +1,196 @@
+"""A sport: its balls and implements, how fast things move in it, its limits, its distances and its words.
+
+Data, not physics: every sport is computed by the same code. How sure each number is goes with it.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from sweetspot.thing import NonNegative, Positive, Thing
+
+Certainty = Literal["measured", "specified", "derived", "fitted", "assumed"]
+CERTAINTIES: tuple[Certainty, ...] = ("measured", "specified", "derived", "fitted", "assumed")
+"""What a value can rest on, from the surest to a soft default; see the catalogue's own words for each."""
+ASSUMED_MARK = "(assumed)"
+"""Stands behind every number that no source was read for, wherever it is shown."""
+
+
+class Known(Thing):
+    """A number of a sport and how sure it is.
+
+    Parameters
+    ----------
+    name : what it is, for people.
+    value : SI, in ``unit``; a ratio has the unit "".
+    written : as the source writes it, with unit and spread.
+    source, where : key of the bibliography and place in it.
+    kind : what it rests on.
+    """
+
+    name: str
+    value: float
+    unit: str
+    written: str
+    source: str
+    where: str
+    kind: Certainty
+
+    @property
+    def marked(self) -> str:
+        """As written, with the mark of a value from memory where it is one.
+
+        >>> Known(name="n", value=1.0, unit="m/s", written="1 m/s", source="recalled", where="", kind="assumed").marked
+        '1 m/s (assumed)'
+        """
+        return f"{self.written} {ASSUMED_MARK}" if self.kind == "assumed" else self.written
+
+
+class Limit(Known):
+    """A limit of the rules: ``side`` says whether the value is the least or the most that is allowed."""
+
+    side: Literal["least", "most"]
+
+
+class Mark(Thing):
+    """A place on court or field that a flight is compared with.
+
+    Parameters
+    ----------
+    name : net, baseline, boundary.
+    distance : how far from where the ball is usually hit, along the middle of the court.
+    height : what the ball must clear there; None: a line on the ground.
+    side : "beyond": the ball must pass it in the air; "before": it must land before it.
+    """
+
+    name: str
+    distance: Known
+    height: Known | None = None
+    side: Literal["beyond", "before"]
+
+
+class DropRule(Thing):
+    """A drop test of a rule book.
+
+    Parameters
+    ----------
+    name : of the test.
+    material : catalogue name of what the ball falls on.
+    block_thickness, side : m, of that block.
+    block_support : how it is held, as in `sweetspot.block.Block`.
+    drop_height : m.
+    printed : what the ball must come back to, as the source writes it.
+    source : key of the bibliography.
+    """
+
+    name: str
+    material: str
+    block_thickness: Positive
+    side: Positive
+    block_support: Literal["clamped", "floor", "free"]
+    drop_height: Positive
+    printed: str
+    source: str
+
+
+class Words(Thing):
+    """What people of a sport call things; the defaults are baseball's.
+
+    Parameters
+    ----------
+    implement : what the ball is hit with.
+    tip, butt : its ends.
+    efficiency : name of q, the rebound speed from an implement at rest over the speed of approach.
+    incoming : the ball as it arrives.
+    exit_speed : the ball's speed as it leaves.
+    zone : where hits are good.
+    smash_factor : name of exit speed over the implement's speed there, where people use it; "": they do not.
+    strongest : name of the place of the greatest q, where it has one; "".
+    deadest : name of the place where the ball hardly comes back, where it has one; "".
+    speed_unit, place_unit, distance_unit : what people read speeds, places on the implement and flights in.
+    """
+
+    implement: str = "bat"
+    tip: str = "tip"
+    butt: str = "knob"
+    efficiency: str = "collision efficiency q"
+    incoming: str = "pitch"
+    exit_speed: str = "exit speed"
+    zone: str = "sweet zone"
+    smash_factor: str = ""
+    strongest: str = ""
+    deadest: str = ""
+    speed_unit: Literal["mph", "m/s"] = "mph"
+    place_unit: Literal["in", "cm"] = "in"
+    distance_unit: Literal["ft", "yd", "m"] = "ft"
+
+
+class Stroke(Thing):
+    """How an implement is usually swung in a sport.
+
+    Parameters
+    ----------
+    swing_speed : of the implement towards the ball, where it is measured.
+    from_tip : m, how far from the tip that is.
+    ball_speed : of the ball towards the implement; 0 for a ball at rest.
+    hands : m from the butt end, centre of the hand nearer to the ball.
+    pivot : m from the butt end of the axis that the implement turns about; negative: behind it, in the arm.
+    """
+
+    swing_speed: Known
+    from_tip: NonNegative
+    ball_speed: Known
+    hands: Positive
+    pivot: float = 0.0
+
+
+class Sport(Thing):
+    """One sport.
+
+    Parameters
+    ----------
+    key : catalogue name.
+    name : what people call it.
+    balls : catalogue names, the usual one first.
+    implements : catalogue names, the usual one first.
+    aerodynamics : catalogue name of the coefficients of drag and lift of its balls.
+    stroke : the usual one.
+    words : what its people call things.
+    speeds : other typical speeds and spins.
+    limits : of the rules.
+    marks : places on court or field.
+    drops : drop tests of its rule book.
+    facts : other published numbers.
+    terms : (its word, what that is here).
+    not_covered : what the model leaves out.
+    """
+
+    key: str
+    name: str
+    balls: tuple[str, ...]
+    implements: tuple[str, ...]
+    aerodynamics: str
+    stroke: Stroke
+    words: Words = Words()
+    speeds: tuple[Known, ...] = ()
+    limits: tuple[Limit, ...] = ()
+    marks: tuple[Mark, ...] = ()
+    drops: tuple[DropRule, ...] = ()
+    facts: tuple[Known, ...] = ()
+    terms: tuple[tuple[str, str], ...] = ()
+    not_covered: tuple[str, ...] = ()
+
+    def known(self) -> tuple[Known, ...]:
+        """Return every number of the sport with its certainty; those of its balls and implements are not here."""
+        heights = tuple(mark.height for mark in self.marks if mark.height is not None)
+        stroke = (self.stroke.swing_speed, self.stroke.ball_speed)
+        return (*stroke, *self.speeds, *self.limits, *(mark.distance for mark in self.marks), *heights, *self.facts)
+
+
+def counted(kinds: list[str]) -> dict[Certainty, int]:
+    """Return how many values rest on what, in the order of `CERTAINTIES`.
+
+    >>> counted(["assumed", "measured", "assumed"])["assumed"]
+    2
+    """
+    return {kind: kinds.count(kind) for kind in CERTAINTIES}

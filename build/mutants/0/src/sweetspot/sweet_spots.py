@@ -1,0 +1,112 @@
+"""Where a bat hits best: every meaning of "sweet spot", each its own function, and the zone.
+
+All positions are metres from the knob end. They differ because they answer different questions; the docs' page on
+the sweet spot says which is which.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sweetspot.errors import InputError
+from sweetspot.parabola import top
+from sweetspot.rigid import RigidBody, centre_of_percussion
+from sweetspot.scan import Array, Scan
+from sweetspot.swing import Conditions
+from sweetspot.units import MPH
+from sweetspot.vibration.modes import Modes
+
+ZONE_LOSS = 3 * MPH
+"""m/s of exit speed that the sweet zone may lose against the best point."""
+ZONE_STING = 0.5
+"""Part of the mean vibration at the hands that the sweet zone must stay below."""
+
+
+@dataclass(frozen=True)
+class SweetSpots:
+    """All of them, m from the knob end; ``zone`` is (start, end), or None where no place meets both conditions."""
+
+    center_of_percussion: float
+    node_1: float
+    node_2: float
+    max_collision_efficiency: float
+    max_exit_speed: float
+    min_sting: float
+    zone: tuple[float, float] | None
+
+
+def sweet_spots(scan: Scan, *, body: RigidBody, modes: Modes, conditions: Conditions) -> SweetSpots:
+    """Return every definition's answer for one bat and swing."""
+    return SweetSpots(
+        center_of_percussion=centre_of_percussion(body, pivot=conditions.hands.position),
+        node_1=barrel_node(modes, harmonic=1),
+        node_2=barrel_node(modes, harmonic=2),
+        max_collision_efficiency=max_collision_efficiency(scan),
+        max_exit_speed=max_exit_speed(scan),
+        min_sting=min_sting(scan, body=body),
+        zone=sweet_zone(scan),
+    )
+
+
+def barrel_node(modes: Modes, *, harmonic: int) -> float:
+    """Return the node of a bending mode nearest to the tip: a ball there does not excite that mode."""
+    for index in modes.of_family("bending"):
+        if modes.harmonics[index] == harmonic:
+            return float(modes.nodes(index)[-1])
+    raise InputError(f"bending mode {harmonic} was not computed; ask for more modes")
+
+
+def max_collision_efficiency(scan: Scan) -> float:
+    """Return where the bat gives back most of the ball's own speed: the best place on a bat at rest."""
+    return _top(scan.position, scan.collision_efficiency)
+
+
+def max_exit_speed(scan: Scan) -> float:
+    """Return where the ball leaves fastest for this swing: further out than greatest q, for the tip moves faster."""
+    return _top(scan.position, scan.exit_speed)
+
+
+def min_sting(scan: Scan, *, body: RigidBody) -> float:
+    """Return where on the barrel the hands feel least vibration: between the nodes of modes 1 and 2."""
+    barrel = scan.position > body.balance_point
+    return _top(scan.position[barrel], -scan.sting[barrel])
+
+
+def sweet_zone(scan: Scan, *, loss: float = ZONE_LOSS, sting: float = ZONE_STING) -> tuple[float, float] | None:
+    """Return the stretch around the best point that loses little speed and stings little, or None.
+
+    Parameters
+    ----------
+    loss : m/s that the exit speed may lie below its best.
+    sting : part of the scan's mean sting that must not be reached.
+    """
+    places = np.linspace(scan.position[0], scan.position[-1], 20 * len(scan.position))
+    speed = np.interp(places, scan.position, scan.exit_speed)
+    felt = np.interp(places, scan.position, scan.sting)
+    good = (speed >= np.nanmax(scan.exit_speed) - loss) & (felt < sting * np.nanmean(scan.sting))
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], good, [False]]).astype(int)))
+    if len(edges) == 0:
+        return None
+    runs = [(float(places[start]), float(places[stop - 1])) for start, stop in edges.reshape(-1, 2)]
+    best = max_exit_speed(scan)
+    return min(runs, key=lambda run: max(run[0] - best, best - run[1], 0.0))
+
+
+def miss_cost(scan: Scan, distance: float) -> tuple[float, float]:
+    """Return the exit speed in m/s lost by hitting ``distance`` m nearer the knob and nearer the tip than the best.
+
+    Beyond the tip there is no bat, and beyond a face nothing to hit with: the value is then nan.
+    """
+    best = max_exit_speed(scan)
+    top = float(np.interp(best, scan.position, scan.exit_speed))
+    inside = float(np.interp(best - distance, scan.position, scan.exit_speed, left=np.nan))
+    outside = float(np.interp(best + distance, scan.position, scan.exit_speed, right=np.nan))
+    return top - inside, top - outside
+
+
+def _top(position: Array, value: Array) -> float:
+    """Return where an evenly sampled curve is highest."""
+    index, shift, _ = top(value)
+    return float(position[index] + shift * (position[1] - position[0]))

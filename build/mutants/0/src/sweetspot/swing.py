@@ -1,0 +1,113 @@
+"""The bat and the ball before contact, and the hands that hold the bat."""
+
+from __future__ import annotations
+
+from pydantic import model_validator
+
+from sweetspot.ball import Ball
+from sweetspot.thing import NonNegative, Positive, Thing
+from sweetspot.units import MPH, shown
+
+MAX_SPEED = 70.0
+"""m/s (157 mph): half as fast again as any recorded pitch or swing."""
+LIGHTEST_HAND = 0.01
+"""kg."""
+
+
+def _speed(value: float) -> str:
+    return f"{value:.4g} m/s ({value / MPH:.4g} mph)"
+
+
+class Pitch(Thing):
+    """The ball as it arrives.
+
+    Parameters
+    ----------
+    speed : m/s towards the bat, >= 0 (0 is a ball on a tee), at most `MAX_SPEED`.
+    """
+
+    speed: NonNegative
+
+    @model_validator(mode="after")
+    def _is_possible(self) -> Pitch:
+        if self.speed > MAX_SPEED:
+            raise ValueError(f"speed is {_speed(self.speed)}; allowed is 0 (a tee) to {_speed(MAX_SPEED)}")
+        return self
+
+
+class Swing(Thing):
+    """The bat turning about one axis at the moment of contact.
+
+    Parameters
+    ----------
+    bat_speed : m/s at ``measured_at``, > 0, at most `MAX_SPEED`.
+    measured_at : m from the knob end, beyond ``pivot``.
+    pivot : m from the knob end of the axis the bat turns about; negative: beyond the knob.
+    """
+
+    bat_speed: float
+    measured_at: Positive
+    pivot: float = 0.0
+
+    @model_validator(mode="after")
+    def _is_a_swing(self) -> Swing:
+        if not 0 < self.bat_speed <= MAX_SPEED:
+            raise ValueError(
+                f"bat speed is {_speed(self.bat_speed)}; allowed is more than 0 and at most {_speed(MAX_SPEED)}"
+            )
+        if self.measured_at <= self.pivot:
+            raise ValueError(
+                f"bat speed is measured at {shown(self.measured_at)}, not beyond the pivot at "
+                f"{shown(self.pivot)}; give a place further out"
+            )
+        return self
+
+    @property
+    def angular_speed(self) -> float:
+        """Angular speed in rad/s."""
+        return self.bat_speed / (self.measured_at - self.pivot)
+
+    def speed_at(self, position: float) -> float:
+        """Return the bat's speed in m/s at a position from the knob end in m."""
+        return self.angular_speed * (position - self.pivot)
+
+
+class Hands(Thing):
+    """Two hands on the handle, each a mass behind a spring and a damper (its flesh).
+
+    The top hand is centred at ``position``; the bottom hand one ``spacing`` nearer the knob.
+
+    Parameters
+    ----------
+    position : m from the knob end, >= 0.
+    spacing : m between the centres of the hands.
+    mass, stiffness, damping : kg, N/m and N s/m per hand; mass 0 for a hand that is not there.
+    """
+
+    position: NonNegative
+    spacing: NonNegative = 0.089
+    mass: NonNegative = 0.0
+    stiffness: NonNegative = 0.0
+    damping: NonNegative = 0.0
+
+    @model_validator(mode="after")
+    def _weigh_something_or_nothing(self) -> Hands:
+        if 0 < self.mass < LIGHTEST_HAND:
+            raise ValueError(
+                f"a hand of {self.mass:g} kg was given; allowed is 0 for no hand, or at least {LIGHTEST_HAND:g} kg"
+            )
+        return self
+
+    @property
+    def places(self) -> tuple[float, float]:
+        """Positions of the top and the bottom hand in m; the bottom one never beyond the knob."""
+        return self.position, max(0.0, self.position - self.spacing)
+
+
+class Conditions(Thing):
+    """Everything about a hit that is not the bat: the pitch, the swing, the hands and the ball."""
+
+    pitch: Pitch
+    swing: Swing
+    hands: Hands
+    ball: Ball

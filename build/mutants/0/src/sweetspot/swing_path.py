@@ -1,0 +1,104 @@
+"""The way the bat goes in space: attack angle, attack direction and tilt, and the three directions they fix.
+
+The bat turns in a plane, so at contact its axis is square to its path. `forward` is the way the barrel goes, `tip` the
+way from knob to tip, `up` square to both; the field's frame is that of `sweetspot.motion`.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from pydantic import model_validator
+
+from sweetspot.thing import Thing
+
+Array = NDArray[np.float64]
+Side = Literal["right", "left"]
+STEEPEST = math.radians(80)
+
+
+class PathAxes(NamedTuple):
+    """Unit vectors of a swing in the field's frame, each of shape (..., 3), square to each other."""
+
+    forward: Array
+    up: Array
+    tip: Array
+
+
+class SwingPath(Thing):
+    """The direction of the swing at contact.
+
+    Parameters
+    ----------
+    attack_angle : rad, of the barrel's path above the level, -80 to 80 degrees.
+    attack_direction : rad, of the barrel's path over the ground from centre field; negative to the pull side, for
+        right-handed and left-handed batters alike, as Statcast gives it.
+    tilt : rad, of the plane of the swing against the ground, at least the attack angle's size, below 90 degrees;
+        None for a bat held level.
+    bats : "right" or "left", the side of a batter who bats right-handed stands left of the plate.
+
+    >>> level = SwingPath(attack_angle=0.0)
+    >>> [(axis.round(9) + 0.0).tolist() for axis in level.axes]
+    [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]]
+    """
+
+    attack_angle: float = 0.0
+    attack_direction: float = 0.0
+    tilt: float | None = None
+    bats: Side = "right"
+
+    @model_validator(mode="after")
+    def _is_a_plane(self) -> SwingPath:
+        if abs(self.attack_angle) > STEEPEST or abs(self.attack_direction) > STEEPEST:
+            raise ValueError(
+                f"attack angle {math.degrees(self.attack_angle):.4g} deg and direction "
+                f"{math.degrees(self.attack_direction):.4g} deg; allowed is -80 to 80 deg for both"
+            )
+        if self.tilt is not None and not abs(self.attack_angle) <= self.tilt < math.pi / 2:
+            raise ValueError(
+                f"the plane of the swing is tilted by {math.degrees(self.tilt):.4g} deg and the barrel's path rises by "
+                f"{math.degrees(self.attack_angle):.4g} deg; no path in a plane is steeper than the plane, so give a "
+                "tilt of at least that and below 90 deg"
+            )
+        return self
+
+    @property
+    def axes(self) -> PathAxes:
+        """The swing's three directions, each of shape (3,)."""
+        tilt = abs(self.attack_angle) if self.tilt is None else self.tilt
+        return path_axes(self.attack_angle, self.attack_direction, tilt=tilt, left=self.bats == "left")
+
+    @property
+    def barrel_drop(self) -> float:
+        """How far the bat's axis points below the level at contact, rad; 0 for a level bat."""
+        return -math.asin(self.axes.tip[2])
+
+
+def path_axes(attack_angle: ArrayLike, attack_direction: ArrayLike, *, tilt: ArrayLike, left: ArrayLike) -> PathAxes:
+    """Return the directions of many swings.
+
+    The barrel goes along (cos a sin d, cos a cos d, sin a). The plane's normal makes the angle ``tilt`` with the
+    vertical, which turns bat and normal about the path by beta, cos beta = cos(tilt) / cos(a); the barrel is below
+    the hands. A tilt smaller than the attack angle counts as the attack angle.
+
+    Parameters
+    ----------
+    attack_angle, attack_direction, tilt : rad, shapes that broadcast.
+    left : whether the batter bats left-handed.
+    """
+    lefty = np.asarray(left, bool)
+    attack, pulled, plane = np.broadcast_arrays(*(np.asarray(v, float) for v in (attack_angle, attack_direction, tilt)))
+    direction = np.where(lefty, -pulled, pulled)
+    cos_turn = np.minimum(np.cos(plane) / np.cos(attack), 1.0)
+    sin_turn = np.sqrt(1 - cos_turn**2)
+    rise, level = np.sin(attack), np.cos(attack)
+    right, out, nothing = np.sin(direction), np.cos(direction), np.zeros_like(direction)
+    forward = np.stack([level * right, level * out, rise], axis=-1)
+    above = np.stack([-rise * right, -rise * out, level], axis=-1)
+    hand = np.where(lefty, -1.0, 1.0)
+    aside = np.stack([hand * out, -hand * right, nothing], axis=-1)
+    cos_turn, sin_turn = cos_turn[..., None], sin_turn[..., None]
+    return PathAxes(forward, cos_turn * above + sin_turn * aside, cos_turn * aside - sin_turn * above)

@@ -1,0 +1,68 @@
+"""How each sport weighs a swing: moments of an implement about the axis and in the unit that its people use."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from sweetspot.rigid import RigidBody
+from sweetspot.thing import Positive, Thing
+
+MOST_POINTS = 70
+"""Of a scale of letters: up to G9."""
+
+
+class SwingWeight(Thing):
+    """One sport's convention.
+
+    Parameters
+    ----------
+    name : what people call it.
+    order : 1 for a first moment M (x_c - axis), 2 for a moment of inertia I_cm + M (x_c - axis)^2.
+    axis : m from the butt end.
+    unit : as people write it.
+    size : of the unit in SI, kg m or kg m^2.
+    zero, step : of a scale of letters and points, both in the unit: the moment at its first letter, and of one
+        point; None: the moment itself is told.
+    first_letter : of the scale, with ten points to a letter.
+    source, where, kind : of the convention.
+    """
+
+    name: str
+    order: Literal[1, 2]
+    axis: float
+    unit: str
+    size: Positive
+    zero: float | None = None
+    step: Positive | None = None
+    first_letter: str = "A"
+    source: str
+    where: str
+    kind: str
+
+    def moment(self, body: RigidBody) -> float:
+        """Return the moment in SI: kg m of order 1, kg m^2 of order 2."""
+        if self.order == 1:
+            return body.mass * (body.balance_point - self.axis)
+        return body.moi(self.axis)
+
+    def value(self, body: RigidBody) -> float:
+        """Return the moment in the convention's unit."""
+        return self.moment(body) / self.size
+
+    def shown(self, body: RigidBody) -> str:
+        """Return the swing weight as people write it: a number with its unit, or a letter with points.
+
+        >>> club = RigidBody(mass=0.31, balance_point=0.85, moi_cm=0.05, roll_moi=0.0)
+        >>> scale = SwingWeight(name="swing weight", order=1, axis=0.3556, unit="in oz", size=0.00072007788733,
+        ...     zero=161.0, step=1.75, source="recalled", where="", kind="assumed")
+        >>> scale.shown(club)  # (0.31 kg x 0.4944 m) / 1 in oz = 212.8, 29.6 points above A0
+        'C9.6'
+        """
+        value = self.value(body)
+        if self.zero is None or self.step is None:
+            return f"{value:,.0f} {self.unit}" if value >= 1000 else f"{value:.4g} {self.unit}"
+        points = round((value - self.zero) / self.step, 1)
+        if not 0 <= points < MOST_POINTS:
+            return f"{value:.4g} {self.unit}, off the scale"
+        letter, within = divmod(points, 10)
+        return f"{chr(ord(self.first_letter) + int(letter))}{within:.1f}"

@@ -1,0 +1,130 @@
+"""The trampoline effect: how much of the ball's energy a hollow barrel's wall takes, and how much it gives back."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from sweetspot.analysis import Analysis, analyse, exit_speed_of
+from sweetspot.ball import Ball
+from sweetspot.bat import Bat
+from sweetspot.collision.impact import Impact, bat_energy
+from sweetspot.collision.momentum import bbcor
+from sweetspot.collision.replay import replayed
+from sweetspot.contact import loading_force
+from sweetspot.errors import InputError
+from sweetspot.swing import Conditions
+from sweetspot.vibration.modes import Modes
+
+
+@dataclass(frozen=True)
+class WallEnergy:
+    """What a wall did during one hit.
+
+    Parameters
+    ----------
+    stored : J, the most energy the hoop modes held at one time.
+    left : J, what they still held when the ball had gone.
+    share : stored over the ball's incoming energy.
+    restitution : sqrt(1 - left / stored), the paper's k of the bat; nan when nothing was stored.
+    """
+
+    stored: float
+    left: float
+    share: float
+    restitution: float
+
+
+@dataclass(frozen=True)
+class WallPoint:
+    """One wall of a sweep: thickness at the barrel (m), hoop frequency (Hz), and what the best hit gives."""
+
+    thickness: float
+    mass: float
+    hoop_frequency: float
+    bbcor: float
+    exit_speed: float
+    share: float
+    energy: WallEnergy
+
+
+def wall_stiffness_at(modes: Modes, position: float) -> float:
+    """Return the wall's stiffness in N/m against a slow push at ``position``: 1 / sum(s^2 / omega^2) over hoop modes.
+
+    Infinite for a bat without hoop modes.
+    """
+    hoop = modes.of_family("hoop")
+    give = np.sum((modes.shape_at(position)[hoop] / modes.angular_frequency[hoop]) ** 2)
+    return float(1 / give) if give > 0 else math.inf
+
+
+def wall_share(ball: Ball, *, modes: Modes, position: float, compression: float) -> float:
+    """Return z = k_b / (k_b + k_w), the wall's share of the energy under a slow push [paper2014].
+
+    Parameters
+    ----------
+    compression : m, of the ball; k_b is its force over it.
+    """
+    ball_stiffness = loading_force(ball, compression) / compression
+    return ball_stiffness / (ball_stiffness + wall_stiffness_at(modes, position))
+
+
+def wall_energy(impact: Impact, modes: Modes) -> WallEnergy:
+    """Return what the wall stored and gave back in a hit, by driving the hoop modes with the recorded force."""
+    hoop = modes.kept(modes.of_family("hoop"))
+    if len(hoop) == 0 or len(impact.force) < 3:
+        return WallEnergy(0.0, 0.0, 0.0, math.nan)
+    motion = replayed(impact, hoop)
+    energy = bat_energy(hoop, motion.displacement, motion.velocity)[3]
+    stored, held = float(energy.max()), float(energy[-1])
+    restitution = math.sqrt(max(0.0, 1 - held / stored)) if stored > 0 else math.nan
+    return WallEnergy(stored, held, stored / impact.energy.incoming, restitution)
+
+
+def with_wall_factor(bat: Bat, factor: float) -> Bat:
+    """Return a hollow bat whose wall is ``factor`` times as thick everywhere; the outside stays as it is.
+
+    What was measured belongs to the original wall, whose density is kept, so a thinner wall makes a lighter bat.
+    """
+    if bat.shell is None:
+        raise InputError(f"{bat.name} is solid; a wall can be changed only on a bat with a shell")
+    if not factor > 0:
+        raise InputError(f"wall factor is {factor:g}; allowed is a number above zero")
+    return bat.replaced(
+        name=f"{bat.name}, wall x {factor:.3g}",
+        shell=bat.shell.scaled(factor),
+        mass=None,
+        balance_point=None,
+        moi=None,
+        original=bat.original or bat,
+    )
+
+
+def wall_point(bat: Bat, conditions: Conditions) -> WallPoint:
+    """Return wall, hoop frequency and best hit of one hollow bat."""
+    return wall_point_of(analyse(bat, conditions))
+
+
+def wall_point_of(analysis: Analysis) -> WallPoint:
+    """Return wall, hoop frequency and best hit of a hollow bat that is analysed already."""
+    modes, conditions = analysis.modes, analysis.conditions
+    hoop = modes.of_family("hoop")
+    if not hoop:
+        raise InputError(f"{analysis.bat.name} has no hoop modes; give a bat with a shell")
+    best, ball = analysis.best, conditions.ball
+    return WallPoint(
+        thickness=float(analysis.bat.wall_at(best.position)),
+        mass=analysis.body.mass,
+        hoop_frequency=float(modes.frequency[hoop].min()),
+        bbcor=bbcor(best.collision_efficiency, body=analysis.body, ball=ball, position=best.position),
+        exit_speed=exit_speed_of(best, conditions),
+        share=wall_share(ball, modes=modes, position=best.position, compression=best.peak_compression),
+        energy=wall_energy(best, modes),
+    )
+
+
+def wall_sweep(bat: Bat, conditions: Conditions, *, factors: tuple[float, ...]) -> list[WallPoint]:
+    """Return one `WallPoint` per factor on the bat's wall thickness."""
+    return [wall_point(with_wall_factor(bat, factor), conditions) for factor in factors]

@@ -1,0 +1,176 @@
+"""Units at the border: text with a unit in, SI out; SI in, people's units out.
+
+Inside the package every number is SI and in radians. ``pint`` does the parsing and loads only when a text is parsed.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from functools import cache
+from typing import Any, Literal
+
+from sweetspot.errors import InputError
+
+INCH = 0.0254
+OUNCE = 0.028349523125
+MPH = 0.44704
+POUND_FORCE = 4.4482216152605
+FOOT = 0.3048
+RPM = math.pi / 30
+DEGREE = math.pi / 180
+OUNCE_INCH_SQUARED = OUNCE * INCH**2
+
+Kind = Literal[
+    "length", "mass", "speed", "moi", "density", "pressure", "force", "time", "angle", "angular speed",
+    "linear density", "areal density", "first moment", "temperature",
+    "stiffness", "damping", "frequency", "ratio", "slope per speed",
+    "slope per temperature",
+]  # fmt: skip
+
+SI: dict[Kind, tuple[str, str]] = {
+    "length": ("meter", "33 in or 0.84 m"),
+    "mass": ("kilogram", "31 oz or 0.88 kg"),
+    "speed": ("meter/second", "90 mph or 40 m/s"),
+    "moi": ("kilogram*meter**2", "11000 oz*in^2 or 0.2 kg*m^2"),
+    "density": ("kilogram/meter**3", "680 kg/m^3"),
+    "pressure": ("pascal", "15 GPa"),
+    "force": ("newton", "37 kN"),
+    "time": ("second", "1.6 s"),
+    "angle": ("radian", "27deg"),
+    "angular speed": ("radian/second", "45 rad/s"),
+    "linear density": ("kilogram/meter", "1.2 kg/m"),
+    "areal density": ("kilogram/meter**2", "2.4 kg/m^2"),
+    "first moment": ("kilogram*meter", "213.5 in*oz"),
+    "temperature": ("kelvin", "21 degC or 70 degF"),
+    "stiffness": ("newton/meter", "20 kN/m"),
+    "damping": ("newton*second/meter", "100 N*s/m"),
+    "frequency": ("hertz", "170 Hz"),
+    "ratio": ("dimensionless", "0.5"),
+    "slope per speed": ("second/meter", "0.0008 1/mph"),
+    "slope per temperature": ("1/kelvin", "0.001 1/delta_degC"),
+}
+"""Every kind of quantity with its SI unit and an example for messages. Temperatures come out in degC."""
+
+FRACTION = re.compile(r"^\s*(\d+)\s+(\d+)/(\d+)\s*(.*)$")
+PLAIN_FRACTION = re.compile(r"^\s*(\d+)/(\d+)\s*([^\d\s/].*)$")
+FEET_INCHES = re.compile(
+    r"^\s*(\d+(?:\.\d+)?)\s*(?:ft|feet|foot|')\s*(\d+(?:\.\d+)?(?:\s+\d+/\d+)?)\s*(?:in|inch|inches|\")\s*$"
+)
+NOT_FINITE = re.compile(r"^\s*[-+]?(nan|inf|infinity)\s*([^a-z]|$|mph|m/s|in\b|oz|kg|m\b|ft)", re.IGNORECASE)
+LONGEST_TEXT = 100
+POWER_OF_NUMBER = re.compile(r"[\d.)]\s*(\*\*|\^|[⁰¹²³⁴⁵⁶⁷⁸⁹])")
+"""`pint` calculates, and 9**9**9 would keep it busy for good."""
+NUMBER = re.compile(r"^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*$")
+
+
+@cache
+def _registry() -> Any:
+    import pint
+
+    return pint.UnitRegistry(cache_folder=":auto:")
+
+
+def shown(length: float) -> str:
+    """Return a length in m as people on both sides of the ocean read it.
+
+    >>> shown(0.8382)
+    '0.8382 m (33 in)'
+    """
+    return f"{length:.4g} m ({length / INCH:.4g} in)"
+
+
+def parse(text: str | float, kind: Kind, what: str = "value") -> float:
+    """Return a text with a unit as a number in SI.
+
+    Understands mixed fractions (``33 1/2 in``) and feet and inches (``2 ft 9.5 in``) as people write them.
+
+    Parameters
+    ----------
+    text : number and unit; a bare number only for ratios.
+    kind : what it must be.
+    what : its name, for messages.
+
+    Raises
+    ------
+    InputError
+        when the unit is missing, unknown or of another kind, or the number is not finite.
+
+    >>> round(parse("33 1/2 in", "length"), 6), round(parse("2 ft 9.5 in", "length"), 6)
+    (0.8509, 0.8509)
+    """
+    example = SI[kind][1]
+    if isinstance(text, (int, float)) and not isinstance(text, bool):
+        text = repr(float(text))
+    if not isinstance(text, str):
+        raise InputError(f"{what} was given as {text!r}; give a number with its unit in quotes, for example {example}")
+    if len(text) > LONGEST_TEXT or POWER_OF_NUMBER.search(text):
+        raise InputError(f"{what} was given as {text[:LONGEST_TEXT]!r}; write a number and its unit, as in {example}")
+    if NOT_FINITE.match(text):
+        raise InputError(f"{what} was given as {text!r}; allowed is a finite number, for example {example}")
+    if NUMBER.match(text) and kind != "ratio":
+        raise InputError(f"{what} was given as {text.strip()} without a unit; write for example {example}")
+    try:
+        value = _in_si(text, kind)
+    except InputError:
+        raise
+    except Exception as error:
+        raise InputError(_not_understood(text, kind, what, error)) from None
+    if not math.isfinite(value):
+        raise InputError(f"{what} was given as {text!r}; allowed is a finite number, for example {example}")
+    return value
+
+
+def _in_si(text: str, kind: Kind) -> float:
+    number = _spelled_out(text)
+    if kind == "ratio":
+        percent = number.removesuffix("%")
+        return float(percent) / (100 if percent != number else 1)
+    registry = _registry()
+    if kind == "temperature":
+        match = re.match(r"^\s*([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s*(\S+)\s*$", number)
+        if match is None:
+            raise ValueError("not a temperature")
+        quantity = registry.Quantity(float(match[1]), match[2])
+        return float(quantity.to("degC").magnitude)
+    return float(registry.Quantity(number).to(SI[kind][0]).magnitude)
+
+
+def _spelled_out(text: str) -> str:
+    """Return the text with mixed fractions and feet-and-inches written as one decimal number and unit."""
+    if match := FEET_INCHES.match(text):
+        feet, inches = float(match[1]), match[2].split()
+        total = 12 * feet + float(inches[0])
+        if len(inches) == 2:
+            top, bottom = inches[1].split("/")
+            total += float(top) / float(bottom)
+        return f"{total!r} in"
+    if match := FRACTION.match(text):
+        return f"{float(match[1]) + float(match[2]) / float(match[3])!r} {match[4]}"
+    if match := PLAIN_FRACTION.match(text):
+        return f"{float(match[1]) / float(match[2])!r} {match[3]}"
+    return text.strip()
+
+
+def _not_understood(text: str, kind: Kind, what: str, error: Exception) -> str:
+    import pint
+
+    example = SI[kind][1]
+    if isinstance(error, pint.DimensionalityError):
+        return f"{what} was given as {text!r}, which is not a {kind}; write for example {example}"
+    if isinstance(error, pint.UndefinedUnitError):
+        return f"{what} was given as {text!r}, whose unit is not known; write for example {example}"
+    return f"{what} was given as {text!r}, which is not a number with a unit; write for example {example}"
+
+
+def parse_position(text: str, *, length: float, what: str = "position") -> float:
+    """Return a place on a bat in m from the knob end: ``27in``, ``6in-from-tip`` or ``0.152m-from-tip``.
+
+    >>> round(parse_position("6in-from-tip", length=0.8382), 4)
+    0.6858
+    """
+    for ending, from_tip in (("-from-tip", True), ("-from-knob", False)):
+        if text.strip().endswith(ending):
+            distance = parse(text.strip().removesuffix(ending), "length", what)
+            return length - distance if from_tip else distance
+    return parse(text, "length", what)

@@ -1,0 +1,180 @@
+"""The case files: one folder per source, ``case.toml`` and, where rows repeat, a ``.csv`` table beside it.
+
+A row with ``table`` stands for one row per line of that table; ``{column}`` in its texts is replaced by the cell.
+"""
+
+from __future__ import annotations
+
+import csv
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from sweetspot.errors import InputError
+from sweetspot.validation.result import EVIDENCE, KINDS, TAGS, Evidence, Kind, Tag
+
+CASES = Path(__file__).parent / "cases"
+
+
+@dataclass(frozen=True)
+class Row:
+    """One value of a source, and how to compute ours.
+
+    Parameters
+    ----------
+    value : expected, in ``unit``; None for a band.
+    low, high : ends of a band in ``unit``; a band has both, so that no absurd value can lie in it.
+    tolerance, tolerance_percent : allowed difference from ``value``, or beyond the ends of the band; one of the two.
+    computation : name in the registry of computations.
+    inputs : its arguments, texts with units.
+
+    The other fields are those of `Result`.
+    """
+
+    name: str
+    quantity: str
+    printed: str
+    unit: str
+    value: float | None
+    low: float | None
+    high: float | None
+    tolerance: float
+    tolerance_percent: float
+    computation: str
+    inputs: dict[str, Any]
+    reason: str
+    kind: Kind
+    tag: Tag
+    evidence: Evidence
+    comment: str
+    expected_miss: str
+    ours: float | None
+    ours_tolerance: float
+
+    @property
+    def allowed(self) -> tuple[float, float]:
+        """The ends between which a computed value passes, in ``unit``."""
+        low = self.value if self.low is None else self.low
+        high = self.value if self.high is None else self.high
+        assert low is not None
+        assert high is not None
+        slack = self.tolerance or self.tolerance_percent / 100 * abs(self.value or 0.0)
+        return low - slack, high + slack
+
+
+@dataclass(frozen=True)
+class Case:
+    """Everything taken from one source.
+
+    Parameters
+    ----------
+    source : key of the bibliography.
+    title : the case in a few words.
+    measured : what was measured or derived there, and how.
+    axes : how its positions, signs and units map to ours.
+    left_out : what the source also gives and is not compared, each with the reason.
+    rows : what is compared.
+    """
+
+    source: str
+    title: str
+    measured: str
+    axes: str
+    left_out: tuple[str, ...]
+    rows: tuple[Row, ...]
+
+
+def sources(folder: Path = CASES) -> tuple[Case, ...]:
+    """Return every case, in the order of the source keys.
+
+    Raises
+    ------
+    InputError
+        when a file cannot be a case; the message says which row and what is wrong.
+    """
+    return tuple(load_case(path) for path in sorted(folder.glob("*/case.toml")))
+
+
+def load_case(path: Path) -> Case:
+    """Return the case of one ``case.toml``; the folder's name must be its source key."""
+    with path.open("rb") as file:
+        found = tomllib.load(file)
+    if found.get("source") != path.parent.name:
+        raise InputError(f"{path} names the source {found.get('source')!r}; it must be its folder's name")
+    rows = tuple(_row(entry, path) for row in found["row"] for entry in _repeated(row, path.parent))
+    return Case(found["source"], found["title"], found["measured"], found["axes"], tuple(found["left_out"]), rows)
+
+
+def _repeated(row: dict[str, Any], folder: Path) -> list[dict[str, Any]]:
+    """Return the row once, or once per line of its table."""
+    if "table" not in row:
+        return [row]
+    with (folder / row["table"]).open(encoding="utf-8", newline="") as file:
+        lines = list(csv.DictReader(file))
+    template = {key: value for key, value in row.items() if key != "table"}
+    return [{key: _filled(value, line) for key, value in template.items()} for line in lines]
+
+
+def _filled(value: Any, cells: dict[str, str]) -> Any:
+    if isinstance(value, str):
+        return value.format_map(cells)
+    if isinstance(value, dict):
+        return {key: _filled(inner, cells) for key, inner in value.items()}
+    return value
+
+
+REQUIRED = ("name", "quantity", "printed", "computation", "reason", "kind", "tag", "evidence")
+OPTIONAL: dict[str, Any] = {
+    "unit": "", "value": None, "low": None, "high": None, "tolerance": 0.0, "tolerance_percent": 0.0, "inputs": {},
+    "comment": "", "expected_miss": "", "ours": None, "ours_tolerance": 0.0,
+}  # fmt: skip
+
+
+def _row(entry: dict[str, Any], path: Path) -> Row:
+    where = f"{path}, row {entry.get('name')!r}"
+    if missing := [key for key in REQUIRED if not entry.get(key)]:
+        raise InputError(f"{where} lacks {', '.join(missing)}")
+    if unknown := entry.keys() - {*REQUIRED, *OPTIONAL}:
+        raise InputError(f"{where} has unknown keys {', '.join(sorted(unknown))}")
+    if entry["kind"] not in KINDS or entry["tag"] not in TAGS:
+        raise InputError(
+            f"{where} has kind {entry['kind']!r} and tag {entry['tag']!r}; allowed are {', '.join(KINDS)} and "
+            f"{', '.join(TAGS)} (a value recalled from memory is no case)"
+        )
+    if entry["evidence"] not in EVIDENCE:
+        raise InputError(f"{where} has evidence {entry['evidence']!r}; allowed are {', '.join(EVIDENCE)}")
+    row = Row(**{**OPTIONAL, **entry})
+    if row.low is None and row.high is None:
+        row = Row(**{**OPTIONAL, **entry, "value": _number(row, where)})
+    elif row.value is not None:
+        raise InputError(f"{where} has both a value and a band; give one of them")
+    elif row.low is None or row.high is None:
+        raise InputError(f"{where} has a band that is open at one end: every absurd value would pass; give both ends")
+    if row.tolerance and row.tolerance_percent:
+        raise InputError(f"{where} has two tolerances; give one of them")
+    _check_miss(row, where)
+    return row
+
+
+def _check_miss(row: Row, where: str) -> None:
+    """Refuse an explained miss that does not say what is expected of us, or one that is none."""
+    if not row.expected_miss:
+        if row.ours is not None:
+            raise InputError(f"{where} has ours = {row.ours:g} without expected_miss, the reason of the miss")
+        return
+    if row.ours is None or not row.ours_tolerance > 0:
+        raise InputError(f"{where} explains a miss; give ours and ours_tolerance, what this model is expected to say")
+    low, high = row.allowed
+    if row.ours + row.ours_tolerance >= low and row.ours - row.ours_tolerance <= high:
+        raise InputError(f"{where}: ours ± ours_tolerance reaches what is allowed, so it explains no miss")
+
+
+def _number(row: Row, where: str) -> float:
+    """Return the expected value: as given, or else the printed text read as a number."""
+    if row.value is not None:
+        return float(row.value)
+    try:
+        return float(row.printed.replace(",", ""))
+    except ValueError:
+        raise InputError(f"{where} prints {row.printed!r}, which is no number; give value, low or high") from None

@@ -1,0 +1,130 @@
+"""Flights of baseballs, and what changes them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from sweetspot import catalog
+from sweetspot.flight.forces import drag_and_lift
+from sweetspot.flight.trajectory import Flight, fly
+from sweetspot.flight.what_if import BattedBall
+from sweetspot.motion import BallMotion
+from sweetspot.units import DEGREE, FOOT, MPH, RPM
+
+INCH_OF_MERCURY = 3386.389
+"""Pa."""
+
+USUAL = BattedBall(
+    exit_speed=100 * MPH,
+    launch_angle=28 * DEGREE,
+    temperature=38 / 1.8,
+    humidity=0.5,
+    pressure=29.92 * INCH_OF_MERCURY,
+    elevation=15 * FOOT,
+)
+"""A fly ball of 403 ft to centre field with the spin that such balls usually have, in the sheet's own weather."""
+
+
+@cache
+def _flown(hit: BattedBall) -> Flight:
+    return fly(
+        hit.motion, ball=catalog.ball(), aerodynamics=catalog.aerodynamics("baseball"), air=hit.air, wind=hit.wind
+    )
+
+
+def _hit(changes: dict[str, Any]) -> BattedBall:
+    return replace(USUAL, **changes)
+
+
+def fly_ball(*, answer: str, **changes: Any) -> float:
+    """Return carry, hang_time, apex_height, landing_angle or landing_speed of a fly ball.
+
+    Parameters
+    ----------
+    changes : fields of `BattedBall` that differ from `USUAL`, SI.
+    """
+    found = _flown(_hit(changes))
+    return found.landing.speed if answer == "landing_speed" else float(getattr(found, answer))
+
+
+def carry_gain(*, by: dict[str, float], **changes: Any) -> float:
+    """Return how much farther a fly ball carries when something changes.
+
+    Parameters
+    ----------
+    by : change of a field of `BattedBall`: temperature in K, elevation in ft, humidity, pressure in Pa, exit_speed and
+        wind_speed in mph, sidespin and backspin in rpm.
+    """
+    units = {"elevation": FOOT, "exit_speed": MPH, "wind_speed": MPH, "sidespin": RPM, "backspin": RPM}
+    before = _hit(changes)
+    motion = before.motion
+    known = replace(before, backspin=motion.backspin, sidespin=motion.sidespin)
+    moved = {name: getattr(known, name) + change * units.get(name, 1.0) for name, change in by.items()}
+    return _flown(replace(known, **moved)).carry - _flown(known).carry
+
+
+def wind_asymmetry(*, wind_speed: float) -> float:
+    """Return what a wind out gives less what the same wind in takes."""
+    still = _flown(USUAL).carry
+    out = _flown(_hit({"wind_speed": wind_speed})).carry
+    head = _flown(_hit({"wind_speed": wind_speed, "wind_direction": np.pi})).carry
+    return (out - still) - (still - head)
+
+
+def air_density_of(**changes: Any) -> float:
+    """Return the density of the air."""
+    return _hit(changes).air.density
+
+
+def air_density_ratio(*, elevation: float) -> float:
+    """Return the density of the air at an elevation over that at the sea."""
+    return _hit({"elevation": elevation}).air.density / _hit({"elevation": 0.0}).air.density
+
+
+def push_of_air(*, part: str, along: str, **changes: Any) -> float:
+    """Return the acceleration by drag or lift at the start, along one axis: right, out or up."""
+    hit = _hit(changes)
+    pushes = drag_and_lift(
+        hit.motion.velocity, spin=hit.motion.spin, ball=catalog.ball(), aerodynamics=catalog.aerodynamics("baseball"),
+        density=hit.air.density,
+    )  # fmt: skip
+    return float(pushes[("drag", "lift").index(part)][("right", "out", "up").index(along)])
+
+
+def coefficient(*, part: str, **changes: Any) -> float:
+    """Return Cd or Cl or the spin factor S at the start of a flight."""
+    motion = _hit(changes).motion
+    law, factor = catalog.aerodynamics("baseball"), _spin_factor(motion)
+    values = {
+        "spin factor": factor,
+        "drag": law.drag_coefficient(factor, spin=float(np.linalg.norm(motion.spin))),
+        "lift": law.lift_coefficient(factor),
+    }
+    return values[part]
+
+
+def _spin_factor(motion: BallMotion) -> float:
+    across = float(np.linalg.norm(np.cross(motion.spin, motion.velocity))) / motion.speed
+    return catalog.ball().radius * across / motion.speed
+
+
+def flight_place(*, time: float, along: str, **changes: Any) -> float:
+    """Return where the ball is after a time: out or up."""
+    found = _flown(_hit(changes)).at(time).position
+    return float(found[("right", "out", "up").index(along)])
+
+
+COMPUTATIONS = (
+    fly_ball,
+    carry_gain,
+    wind_asymmetry,
+    air_density_of,
+    air_density_ratio,
+    push_of_air,
+    coefficient,
+    flight_place,
+)

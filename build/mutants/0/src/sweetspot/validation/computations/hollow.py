@@ -1,0 +1,72 @@
+"""Hollow bats: their hoop modes, and what the trampoline is worth against wood."""
+
+from __future__ import annotations
+
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+
+from sweetspot import catalog
+from sweetspot.bat import Bat
+from sweetspot.line import reduce
+from sweetspot.material import Material
+from sweetspot.shell import Shell
+from sweetspot.trampoline import WallPoint, wall_sweep
+from sweetspot.validation.computations import shared
+from sweetspot.vibration.hoop import contact_patch, hoop_modes
+
+TUBE_LENGTH = 0.84
+WALLS = (1.6, 1.3, 1.0, 0.85)
+"""Factors on a bat's own wall, from stiff to lively."""
+
+
+def tube_hoop_frequency(*, diameter: float, wall: float, modulus: float, density: float, poisson_ratio: float) -> float:
+    """Return the lowest hoop frequency of a long open tube."""
+    metal = Material(
+        name="tube", family="metal", density=density, longitudinal_modulus=modulus, poisson_ratio=poisson_ratio
+    )
+    ends = (0.0, TUBE_LENGTH)
+    tube = Bat(
+        name="tube",
+        length=TUBE_LENGTH,
+        material=metal,
+        profile=tuple((end, diameter) for end in ends),
+        shell=Shell(wall=tuple((end, wall) for end in ends)),
+    )
+    return float(hoop_modes(reduce(tube), patch=contact_patch(catalog.ball())).frequency[0])
+
+
+def metal_place(*, metal: str, wood: str) -> float:
+    """Return how much further from the tip the metal bat hits best."""
+    places = [shared.length(bat) - shared.standard(bat).sweet_spots.max_exit_speed for bat in (metal, wood)]
+    return places[0] - places[1]
+
+
+def bbcor_slope_with_hoop(*, bat: str) -> float:
+    """Return the least rise of BBCOR per 100 Hz of lower hoop frequency when the wall is thinned step by step."""
+    points = _walls(bat)
+    slopes = [
+        100 * (thin.bbcor - thick.bbcor) / (thick.hoop_frequency - thin.hoop_frequency)
+        for thick, thin in pairwise(points)
+    ]
+    return min(slopes)
+
+
+def restitution_of_share(*, bat: str, share: float) -> float:
+    """Return the restitution of the wall that stores ``share`` of the ball's energy."""
+    points = _walls(bat)
+    return float(np.interp(share, [p.energy.share for p in points], [p.energy.restitution for p in points]))
+
+
+@cache
+def _walls(bat: str) -> list[WallPoint]:
+    return wall_sweep(catalog.bat(bat), shared.standard(bat).conditions, factors=WALLS)
+
+
+COMPUTATIONS = (
+    tube_hoop_frequency,
+    metal_place,
+    bbcor_slope_with_hoop,
+    restitution_of_share,
+)

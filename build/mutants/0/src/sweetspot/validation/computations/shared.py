@@ -1,0 +1,43 @@
+"""Bats, modes and analyses that several cases share, each computed once."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from sweetspot import catalog
+from sweetspot.analysis import Analysis, analyse
+from sweetspot.line import Line, reduce
+from sweetspot.rigid import RigidBody, rigid_body
+from sweetspot.standard import standard_conditions
+from sweetspot.vibration.beam import bending_modes
+from sweetspot.vibration.modes import Modes
+
+
+@cache
+def line(bat: str) -> Line:
+    """Return a catalogue bat as a beam."""
+    return reduce(catalog.bat(bat))
+
+
+@cache
+def body(bat: str) -> RigidBody:
+    """Return a catalogue bat as a rigid body."""
+    return rigid_body(line(bat))
+
+
+@cache
+def free_modes(bat: str) -> Modes:
+    """Return the motions of a catalogue bat hung freely."""
+    return bending_modes(line(bat))
+
+
+@cache
+def standard(bat: str) -> Analysis:
+    """Return the full answer for a catalogue bat under the standard conditions: 90 mph pitch, 70 mph of bat speed."""
+    found = catalog.bat(bat)
+    return analyse(found, standard_conditions(found))
+
+
+def length(bat: str) -> float:
+    """Return the length of a catalogue bat in m."""
+    return catalog.bat(bat).length

@@ -1,0 +1,87 @@
+"""Motions that depend on the place across the face: its own give under the ball, and the roll of the whole implement.
+
+A hit beside the line turns the implement about its long axis: a third rigid motion with the shape y / sqrt(I_roll).
+Strings, rubber or a club's thin plate are one more mode that moves under the ball only. It is normalised by the mass
+that moves with the ball there, so that a slow push finds the face's stiffness, sum s^2 / omega^2 = g^2 / k, where g
+says how much less the face gives beside its middle.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from scipy.interpolate import PPoly
+
+from sweetspot.ball import Ball
+from sweetspot.errors import InputError
+from sweetspot.face import MEMBRANE_MEAN, Face, Outline, damping_coefficient
+from sweetspot.line import Line
+from sweetspot.rigid import rigid_body
+from sweetspot.vibration.modes import Array, Family, Modes, Surface
+
+
+def face_modes(line: Line, ball: Ball) -> Modes:
+    """Return the roll of an implement with a face and, where the face gives way, its mode under the ball.
+
+    Parameters
+    ----------
+    line : of an implement with a face and an outline.
+    ball : whose mass turns the face's restitution into a damper (`damping_coefficient`).
+
+    Returns
+    -------
+    Modes
+        "rigid" roll, then perhaps "face"; their shapes are zero along the line and depend on the lateral place only.
+    """
+    face, outline = line.bat.face, line.bat.outline
+    if face is None or outline is None:
+        raise InputError(f"{line.bat.name} has no face; give one that has, or take its bending modes alone")
+    roll_moi = rigid_body(line).roll_moi
+    families: tuple[Family, ...] = ("rigid",)
+    frequency, damping_rate = [0.0], [0.0]
+    if face.stiffness is not None and face.moving_mass is not None:
+        families = ("rigid", "face")
+        frequency.append(math.sqrt(face.stiffness / face.moving_mass) / (2 * math.pi))
+        lost = damping_coefficient(face.restitution, stiffness=face.stiffness, mass=ball.mass)
+        damping_rate.append(lost / face.moving_mass)
+    count = len(families)
+
+    def basis(position: Array, lateral: Array) -> Array:
+        here = outline.holds(position, lateral)
+        shapes = [np.where(here, lateral, 0.0) / math.sqrt(roll_moi)]
+        if face.moving_mass is not None:
+            shapes.append(give(face, outline, position, lateral) / math.sqrt(face.moving_mass))
+        return np.stack(shapes, axis=-1)
+
+    rigid_part = np.zeros((3, count))
+    rigid_part[2, 0] = 1.0
+    return Modes(
+        families=families,
+        harmonics=(0, 1)[:count],
+        frequency=np.array(frequency),
+        damping_rate=np.array(damping_rate),
+        shapes=PPoly.construct_fast(np.zeros((1, 1, count)), np.array([0.0, line.bat.length])),
+        rigid_part=rigid_part,
+        dashpots=np.zeros((0, count)),
+        surface=Surface(basis, np.eye(count)),
+    )
+
+
+def give(face: Face, outline: Outline, position: Array, lateral: Array) -> Array:
+    """Return g, the square root of the face's compliance at places over that in its middle; 0 off the face.
+
+    For a membrane g^2 = (ln((1 - r^2) R / a) + 1/4) / (ln(R / a) + 1/4): round, stretched, of the same area (radius R),
+    pushed evenly over a patch of radius a at distance r R from its middle (image charge). For a plate clamped at its
+    round edge g^2 = (1 - r^2)^2, for a layer g = 1.
+    """
+    square = outline.radius_squared(position, lateral)
+    inside = np.maximum(1 - square, 0.0)
+    if face.edge == "layer":
+        return np.where(square <= 1 + 1e-12, 1.0, 0.0)
+    if face.edge == "plate":
+        return inside
+    ratio = outline.mean_radius / face.patch
+    with np.errstate(divide="ignore"):
+        soft = (np.log(inside * ratio) + MEMBRANE_MEAN) / (math.log(ratio) + MEMBRANE_MEAN)
+    return np.sqrt(np.maximum(soft, 0.0))

@@ -1,0 +1,81 @@
+"""What hands on the handle do to the bat's motions."""
+
+from __future__ import annotations
+
+import numpy as np
+import scipy.linalg
+from scipy.interpolate import PPoly
+
+from sweetspot.implement import Implement, check_position
+from sweetspot.swing import Hands
+from sweetspot.vibration.modes import Array, Family, Modes
+
+
+def gripped(modes: Modes, hands: Hands) -> Modes:
+    """Return the motions of the bat held by two hands, each a mass behind a spring and a damper (its flesh).
+
+    Coordinates are the free motions q and the two hands' own displacements y. With s the shapes at a hand, the
+    spring stores k (s.q - y)^2 / 2 and the damper takes c (s.q' - y')^2; M = diag(1, ..., 1, m, m). The undamped
+    problem K v = omega^2 M v is solved exactly and the dampers are kept whole, as dashpots that couple the modes:
+    leaving out that coupling would let hands reach the ball before any wave could.
+
+    The hands move with the undisturbed swing, so springs and dampers act on the disturbance by the ball only.
+    A hand without mass does nothing.
+
+    Returns
+    -------
+    Modes
+        two more than the free ones; those in which the hands move most are of family "hand".
+    """
+    if hands.mass == 0:
+        return modes
+    count = len(modes)
+    stretch = np.hstack([modes.shape_at(np.array(hands.places)), -np.eye(2)])  # of each hand's flesh
+    inertia = np.diag(np.concatenate([np.ones(count), [hands.mass, hands.mass]]))
+    stiffness = np.diag(np.concatenate([modes.angular_frequency**2, [0.0, 0.0]]))
+    squares, vectors = scipy.linalg.eigh(stiffness + hands.stiffness * stretch.T @ stretch, inertia)
+    dashpots = np.sqrt(hands.damping) * stretch @ vectors
+    _, turn = np.linalg.eigh(dashpots @ dashpots.T)  # to orthogonal rows with the same damping matrix
+    families, harmonics = _names(modes, vectors)
+    return Modes(
+        families=families,
+        harmonics=harmonics,
+        frequency=np.sqrt(np.maximum(squares, 0.0)) / (2 * np.pi),
+        damping_rate=modes.damping_rate @ vectors[:count] ** 2,
+        shapes=PPoly.construct_fast(modes.shapes.c @ vectors[:count], modes.shapes.x),
+        rigid_part=modes.rigid_part @ vectors[:count],
+        dashpots=turn.T @ dashpots,
+        surface=None if modes.surface is None else modes.surface.mixed(vectors[:count]),
+    )
+
+
+def check_hands(bat: Implement, hands: Hands) -> None:
+    """Refuse hands that are not on the handle side of the bat."""
+    check_position(bat, hands.position, "hand position")
+
+
+def _names(modes: Modes, vectors: Array) -> tuple[tuple[Family, ...], tuple[int, ...]]:
+    """Return family and harmonic of each held mode: the lowest ones are rigid, two belong to the hands.
+
+    Modes of barrel and face, which hands on the handle do not feel, keep their names wherever they now stand in the
+    list.
+    """
+    count = len(modes)
+    apart = modes.of_family("hoop") + modes.of_family("face")
+    ringing = (vectors[apart] ** 2).sum(axis=0) > (vectors**2).sum(axis=0) / 2
+    share = (vectors[count:] ** 2).sum(axis=0) / (vectors**2).sum(axis=0)
+    share[: modes.families.count("rigid")] = -1.0
+    of_hands = set(np.argsort(share)[-2:].tolist())
+    names = list(zip(modes.families, modes.harmonics, strict=True))
+    others = [name for number, name in enumerate(names) if number not in apart]
+    in_order = iter(sorted(others, key=lambda name: name[0] != "rigid"))
+    found: list[tuple[Family, int]] = []
+    for index in range(count + 2):
+        if index in of_hands:
+            found.append(("hand", 1 + sum(name == "hand" for name, _ in found)))
+        elif ringing[index]:
+            found.append(names[apart[int(np.argmax(vectors[apart, index] ** 2))]])
+        else:
+            found.append(next(in_order))
+    families, harmonics = zip(*found, strict=True)
+    return families, harmonics

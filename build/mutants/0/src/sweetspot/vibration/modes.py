@@ -1,0 +1,169 @@
+"""The one list of motions that a collision sees: rigid motions and vibrations alike."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.interpolate import PPoly
+
+Array = NDArray[np.float64]
+Family = Literal["rigid", "bending", "hoop", "face", "hand"]
+
+
+@dataclass(frozen=True)
+class Surface:
+    """How the struck surface moves where that depends on the place across it: a face that gives way, a turning blade.
+
+    It moves outwards by ``basis_k(x, y) weights_ki q_i``, over and above the line's own motion.
+
+    Parameters
+    ----------
+    basis : k functions of position and lateral place, m and m of shape (...), to 1/sqrt(kg) of shape (..., k); all
+        are zero off the face.
+    weights : how much of each function is in each mode, shape (k, n).
+    """
+
+    basis: Callable[[Array, Array], Array]
+    weights: Array
+
+    def mixed(self, vectors: Array) -> Surface:
+        """Return the same surface for modes that are mixtures of these, one column each."""
+        return Surface(self.basis, self.weights @ vectors)
+
+
+@dataclass(frozen=True)
+class Modes:
+    """Motions of a bat, each normalised to 1 kg of modal mass.
+
+    Mode i moves the bat's line by ``q_i(t) shape_i(x)`` and obeys
+    q_i'' + damping_rate_i q_i' + sum_k d_ki (d_k . q') + (2 pi frequency_i)^2 q_i = shape_i(x_hit) F.
+
+    Parameters
+    ----------
+    families : "rigid", "bending", "hoop", "face" (strings, rubber, a club's plate) or "hand" (the hands' own motion
+        on their flesh), one per mode.
+    harmonics : 1, 2, ... within the family; 0 for rigid motions.
+    frequency : Hz, shape (n,); 0 for rigid motions.
+    damping_rate : 2 zeta omega in 1/s, shape (n,).
+    shapes : displacement shapes as polynomials in position, 1/sqrt(kg), n columns.
+    dashpots : d_k, dampers that couple modes, orthogonal rows, sqrt(1/s), shape (k, n); none on a free bat.
+    rigid_part : how much of each mode is translation (row 0), rotation (row 1) and, with a face, roll (row 2) of the
+        free bat, shape (2, n) or (3, n).
+    surface : what depends on the place across the face; None: nothing does.
+    """
+
+    families: tuple[Family, ...]
+    harmonics: tuple[int, ...]
+    frequency: Array
+    damping_rate: Array
+    shapes: PPoly
+    rigid_part: Array
+    dashpots: Array
+    surface: Surface | None = None
+
+    def __len__(self) -> int:
+        return len(self.families)
+
+    @property
+    def angular_frequency(self) -> Array:
+        """Angular frequencies in rad/s, shape (n,)."""
+        return 2 * np.pi * self.frequency
+
+    @property
+    def damping_ratio(self) -> Array:
+        """Fractions of critical damping, shape (n,); 0 for rigid motions."""
+        omega = self.angular_frequency
+        return np.divide(self.damping_rate, 2 * omega, out=np.zeros_like(omega), where=omega > 0)
+
+    def shape_at(self, position: ArrayLike, lateral: ArrayLike = 0.0) -> Array:
+        """Return the shapes at positions in m: shape (..., n) for positions of shape (...).
+
+        Parameters
+        ----------
+        lateral : m across the face from the line, of the same shape or one for all.
+        """
+        places = np.asarray(position, float)
+        along = np.asarray(self.shapes(places))
+        if self.surface is None:
+            return along
+        across = np.broadcast_to(np.asarray(lateral, float), places.shape)
+        return along + self.surface.basis(places, across) @ self.surface.weights
+
+    def nodes(self, mode: int) -> Array:
+        """Return the positions in m where mode ``mode`` (its index in the list) stands still, from the knob up."""
+        if mode not in self._nodes:
+            self._nodes[mode] = self._roots(mode)
+        return self._nodes[mode]
+
+    @cached_property
+    def _nodes(self) -> dict[int, Array]:
+        """Those found so far: the same modes are asked for their nodes with every swing."""
+        return {}
+
+    def _roots(self, mode: int) -> Array:
+        alone = PPoly.construct_fast(self.shapes.c[:, :, mode], self.shapes.x, extrapolate=False)
+        found = np.asarray(alone.roots(discontinuity=False), dtype=np.float64)
+        found = np.unique(found[np.isfinite(found)])  # nan stands for a stretch where the shape is zero all along
+        return found[np.abs(alone.derivative()(found)) > 0]
+
+    def of_family(self, family: Family) -> list[int]:
+        """Return the indices of the modes of one family, lowest frequency first."""
+        return [index for index, name in enumerate(self.families) if name == family]
+
+    def kept(self, indices: list[int]) -> Modes:
+        """Return only some of the modes, for example the rigid motions alone."""
+        return Modes(
+            tuple(self.families[index] for index in indices),
+            tuple(self.harmonics[index] for index in indices),
+            self.frequency[indices],
+            self.damping_rate[indices],
+            PPoly.construct_fast(self.shapes.c[:, :, indices], self.shapes.x),
+            self.rigid_part[:, indices],
+            self.dashpots[:, indices],
+            None if self.surface is None else Surface(self.surface.basis, self.surface.weights[:, indices]),
+        )
+
+
+def joined(first: Modes, second: Modes) -> Modes:
+    """Return the modes of both lists, one after the other, as one list over the same bat; one may have a surface."""
+    edges = np.union1d(first.shapes.x, second.shapes.x)
+    degree = max(len(first.shapes.c), len(second.shapes.c)) - 1
+    shapes = np.concatenate([_refined(modes.shapes, edges, degree) for modes in (first, second)], axis=2)
+    zeros = [np.zeros((len(other.dashpots), len(modes))) for modes, other in ((second, first), (first, second))]
+    return Modes(
+        families=first.families + second.families,
+        harmonics=first.harmonics + second.harmonics,
+        frequency=np.concatenate([first.frequency, second.frequency]),
+        damping_rate=np.concatenate([first.damping_rate, second.damping_rate]),
+        shapes=PPoly.construct_fast(shapes, edges),
+        rigid_part=_side_by_side(first.rigid_part, second.rigid_part),
+        dashpots=np.block([[first.dashpots, zeros[0]], [zeros[1], second.dashpots]]),
+        surface=_joined_surface(first, second),
+    )
+
+
+def _side_by_side(left: Array, right: Array) -> Array:
+    """Return two matrices side by side, the one with fewer rows filled up with zeros."""
+    rows = max(len(left), len(right))
+    return np.hstack([np.pad(part, ((0, rows - len(part)), (0, 0))) for part in (left, right)])
+
+
+def _joined_surface(first: Modes, second: Modes) -> Surface | None:
+    if first.surface is not None:
+        return first.surface.mixed(np.eye(len(first), len(first) + len(second)))
+    if second.surface is not None:
+        return second.surface.mixed(np.eye(len(second), len(first) + len(second), k=len(first)))
+    return None
+
+
+def _refined(shapes: PPoly, edges: Array, degree: int) -> Array:
+    """Return the same polynomials on more pieces: Taylor coefficients at the left end of each piece."""
+    left = edges[:-1]
+    terms = [shapes.derivative(order)(left) / math.factorial(order) for order in range(degree, 0, -1)]
+    return np.array([*terms, shapes(left)])

@@ -1,0 +1,176 @@
+"""From a state's controls to the bat, its beam and its modes, each worked out once and kept."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Any
+
+from sweetspot import catalog
+from sweetspot.ball import Ball
+from sweetspot.bat import Bat
+from sweetspot.catalog.batfile import bat_from_table
+from sweetspot.errors import InputError
+from sweetspot.line import reduce
+from sweetspot.reduction import Reduction, reduction
+from sweetspot.standard import SPEED_FROM_TIP
+from sweetspot.swing import Conditions, Hands, Pitch, Swing
+from sweetspot.trampoline import with_wall_factor
+from sweetspot.units import INCH, MPH, OUNCE
+from sweetspot.web.faults import FieldError, about
+from sweetspot.web.states import BatState, SwingState
+from sweetspot.whatif import varied
+
+NOTHING = "nothing"
+"""What an empty hole is filled with."""
+KEPT = 256
+"""Bats kept with their modes; a hollow one takes about 100 kB."""
+MOST_VALUES, LONGEST_VALUE, DEEPEST = 600, 2000, 8
+"""Of an uploaded file: values, letters per value, tables inside tables."""
+PLUG = 1 * INCH
+
+
+@dataclass(frozen=True)
+class ReducedBat(Reduction):
+    """A reduction of which it is known that it is a bat's and no other implement's."""
+
+    bat: Bat
+
+
+def described(state: BatState) -> Bat:
+    """Return the bat that a state's controls describe; a `FieldError` names the control that does not work."""
+    bat = _changed(_unheld(state))
+    with about("choke_up_in"):
+        return bat.choked_up(state.choke_up_in * INCH) if state.choke_up_in else bat
+
+
+def reduced(state: BatState, ball: Ball) -> ReducedBat:
+    """Return a state's bat with its beam and modes; only another bat or another make of ball works them out anew."""
+    found = _reduced(_unheld(state), _make(ball))
+    return replace(found, bat=described(state)) if state.choke_up_in else found
+
+
+def ball_of(state: SwingState) -> Ball:
+    """Return the ball as the controls say: bought with this restitution, then stored."""
+    with about("ball"):
+        ball = catalog.ball(state.ball)
+    if state.ball_cor is not None:
+        ball = ball.with_restitution(state.ball_cor)
+    if state.ball_humidity is None and state.ball_temperature_degf is None:
+        return ball
+    warm = None if state.ball_temperature_degf is None else (state.ball_temperature_degf - 32) / 1.8
+    with about("ball_humidity" if warm is None else "ball_temperature_degf"):
+        return ball.conditioned(humidity=state.ball_humidity, temperature=warm)
+
+
+def conditions_of(state: SwingState, bat: Bat) -> Conditions:
+    """Return pitch, swing, hands and ball of a state; the command line's defaults for the same options."""
+    with about("bat_speed_mph"):
+        swing = Swing(bat_speed=state.bat_speed_mph * MPH, measured_at=bat.length - SPEED_FROM_TIP, pivot=bat.choke)
+    return Conditions(
+        pitch=Pitch(speed=state.pitch_speed_mph * MPH),
+        swing=swing,
+        hands=Hands(position=bat.choke + state.hands_in * INCH),
+        ball=ball_of(state),
+    )
+
+
+def bat_from_text(text: str) -> Bat:
+    """Return the bat of an uploaded TOML text, within limits on its size and depth; no file is opened."""
+    try:
+        table = tomllib.loads(text)
+    except ValueError as error:  # wrong TOML, or a number of thousands of digits
+        raise InputError(f"the bat file is not valid TOML: {error}") from None
+    except RecursionError:
+        raise InputError("the bat file holds tables inside tables beyond all need; a bat has a few lines") from None
+    _check_extent(table)
+    return bat_from_table(table, "the bat file")
+
+
+def _check_extent(table: dict[str, Any]) -> None:
+    for count, (depth, value) in enumerate(_values(table, 0), start=1):
+        if depth > DEEPEST or count > MOST_VALUES:
+            raise InputError(
+                f"the bat file holds more than {MOST_VALUES} values or {DEEPEST} tables inside each other; "
+                "a bat has a few lines"
+            )
+        if isinstance(value, str) and len(value) > LONGEST_VALUE:
+            raise InputError(f"a value of the bat file has {len(value)} letters; allowed are {LONGEST_VALUE}")
+
+
+def _values(value: Any, depth: int) -> Iterator[tuple[int, Any]]:
+    yield depth, value
+    if depth <= DEEPEST and isinstance(value, dict | list):
+        for item in value.values() if isinstance(value, dict) else value:
+            yield from _values(item, depth + 1)
+
+
+def _unheld(state: BatState) -> BatState:
+    """Return the bat's controls alone, without how it is held, as the key under which it is kept."""
+    kept = {name: getattr(state, name) for name in BatState.model_fields}
+    return BatState.model_construct(**{**kept, "choke_up_in": 0.0})
+
+
+def _make(ball: Ball) -> Ball:
+    """Return the ball without its restitution, which no mode depends on."""
+    return ball.replaced(name="", restitution=_ANY_RESTITUTION, reference_humidity=0.5, reference_temperature=21.0)
+
+
+_ANY_RESTITUTION = catalog.ball().restitution
+
+
+@lru_cache(maxsize=KEPT)
+def _reduced(state: BatState, ball: Ball) -> ReducedBat:
+    bat = _changed(state)
+    with about("bat_toml" if state.bat_toml is not None else "bat"):
+        found = reduction(bat, ball=ball)
+    return ReducedBat(bat, found.line, found.body, found.modes)
+
+
+@lru_cache(maxsize=KEPT)
+def _changed(state: BatState) -> Bat:
+    """Return the bat with every change that its controls ask for, in the order in which a workshop would make them."""
+    if state.bat_toml is not None:
+        with about("bat_toml"):
+            bat = bat_from_text(state.bat_toml)
+    else:
+        with about("bat"):
+            bat = catalog.bat(state.bat)
+    if state.profile_in is not None:
+        with about("profile_in"):
+            bat = bat.reshaped(tuple((place * INCH, width * INCH) for place, width in state.profile_in))
+    if state.mass_oz is not None:
+        with about("mass_oz"):
+            bat = varied(bat, {"mass": state.mass_oz * OUNCE}, fill=bat.material)
+            reduce(bat)
+    if state.wall_factor != 1:
+        with about("wall_factor"):
+            bat = with_wall_factor(bat, state.wall_factor)
+    return _drilled(bat, state)
+
+
+def _drilled(bat: Bat, state: BatState) -> Bat:
+    if state.bore_diameter_in:
+        with about("bore_diameter_in"):
+            diameter, depth = state.bore_diameter_in * INCH, state.bore_depth_in * INCH
+            if state.bore_fill == NOTHING:
+                bat = bat.drilled(diameter=diameter, depth=depth)
+            else:
+                with about("bore_fill"):
+                    fill = catalog.material(state.bore_fill)
+                bat = bat.corked(diameter=diameter, depth=depth, fill=fill, plug=min(PLUG, depth / 2))
+    if state.cup_diameter_in:
+        with about("cup_diameter_in"):
+            bat = bat.cupped(diameter=state.cup_diameter_in * INCH, depth=state.cup_depth_in * INCH)
+    if state.weight_oz:
+        place = bat.length - state.weight_from_tip_in * INCH
+        if place < 0:
+            raise FieldError(
+                "weight_from_tip_in",
+                f"the weight would sit {-place / INCH:.4g} in beyond the knob of a bat {bat.length / INCH:.4g} in long",
+            )
+        with about("weight_oz"):
+            bat = bat.weighted(position=place, mass=state.weight_oz * OUNCE)
+    return bat

@@ -1,0 +1,64 @@
+"""The catalogue over the API: what can be chosen, and whether an uploaded bat is one."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from fastapi import APIRouter
+
+from sweetspot import catalog
+from sweetspot.bat import Bat
+from sweetspot.catalog.rules import league, league_names
+from sweetspot.line import reduce
+from sweetspot.report.border import bat_json
+from sweetspot.rigid import rigid_body
+from sweetspot.web.bats import bat_from_text
+from sweetspot.web.faults import about
+from sweetspot.web.schemas import BatFacts, BatText, Choice
+
+
+def catalogue_routes(api: APIRouter) -> None:
+    """Add the routes that list what can be chosen."""
+
+    @api.get("/bats", tags=["catalogue"])
+    def bats() -> list[BatFacts]:
+        """Return the bats of the catalogue."""
+        return list(_bats())
+
+    @api.get("/balls", tags=["catalogue"])
+    def balls() -> list[str]:
+        """Return the names of the catalogue's balls."""
+        return catalog.ball_names()
+
+    @api.get("/materials", tags=["catalogue"])
+    def materials() -> list[str]:
+        """Return the names of the catalogue's materials."""
+        return catalog.material_names()
+
+    @api.get("/leagues", tags=["catalogue"])
+    def leagues() -> list[Choice]:
+        """Return the leagues whose rules are known."""
+        return [Choice(key=name, name=league(name).name) for name in league_names()]
+
+    @api.get("/parks", tags=["catalogue"])
+    def parks() -> list[Choice]:
+        """Return the ball parks of the catalogue."""
+        return [Choice(key=name, name=catalog.park(name).name) for name in catalog.park_names()]
+
+    @api.post("/bat", tags=["catalogue"])
+    def bat(text: BatText) -> BatFacts:
+        """Return the facts of a bat written as TOML, or what is wrong with it."""
+        with about("toml"):
+            found = bat_from_text(text.toml)
+            return _facts(found.name, found)
+
+
+@cache
+def _bats() -> tuple[BatFacts, ...]:
+    return tuple(_facts(name, catalog.bat(name)) for name in catalog.bat_names())
+
+
+def _facts(key: str, bat: Bat) -> BatFacts:
+    known = bat_json(bat.name, bat.length, rigid_body(reduce(bat)))
+    facts = {name: known[name] for name in BatFacts.model_fields if name in known}
+    return BatFacts(key=key, hollow=bat.shell is not None, **facts)

@@ -1,0 +1,87 @@
+"""What is wrong with what a browser or a program sent, said in plain words beside the field it concerns."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from fastapi.exceptions import RequestValidationError
+from pydantic import ValidationError
+
+from sweetspot.errors import InputError, SweetspotError
+
+LONGEST_MESSAGE = 500
+"""Letters of a message; what was given may be long and is cut."""
+
+
+class FieldError(InputError):
+    """An input error that knows which control it belongs to; an empty field is the whole message."""
+
+    def __init__(self, field: str, message: str) -> None:
+        super().__init__(message)
+        self.field = field
+
+
+@contextmanager
+def about(field: str) -> Iterator[None]:
+    """Say of every input error raised inside that it concerns ``field``, unless it says so itself."""
+    try:
+        yield
+    except FieldError:
+        raise
+    except SweetspotError as error:
+        raise FieldError(field, str(error)) from None
+
+
+def fault(error: SweetspotError | ValidationError | RequestValidationError) -> dict[str, str]:
+    """Return {"field", "message"} of an error, short enough to show."""
+    if isinstance(error, ValidationError):
+        return _first(error.errors(include_url=False)[0])
+    if isinstance(error, RequestValidationError):
+        found = error.errors()[0]
+        return _first({**found, "loc": found["loc"][1:]})  # the first part says that it stood in the body
+    field = error.field if isinstance(error, FieldError) else ""
+    return {"field": field, "message": shortened(str(error))}
+
+
+def shortened(message: str) -> str:
+    """Return a message on one line, cut where it is longer than anyone reads."""
+    words = " ".join(message.split())
+    return words if len(words) <= LONGEST_MESSAGE else words[: LONGEST_MESSAGE - 1] + "…"
+
+
+def _first(found: Any) -> dict[str, str]:
+    names = [part for part in found["loc"] if isinstance(part, str)]
+    field = names[0] if names else ""
+    if found["type"] in ("model_attributes_type", "model_type", "dict_type", "missing") and not field:
+        return {"field": "", "message": "the message must be one JSON object, sent as application/json"}
+    return {"field": field, "message": shortened(_sentence(found))}
+
+
+def _sentence(found: Any) -> str:
+    """Return one of pydantic's complaints in our words."""
+    words = _WORDS.get(found["type"])
+    text = found["msg"].removeprefix("Value error, ")
+    text = text[0].lower() + text[1:] if words is None else words.format(**found.get("ctx", {}))
+    given = found.get("input")
+    return f"{text}; given was {str(given)[:60]!r}" if isinstance(given, str | int | float) else text
+
+
+_WORDS = {
+    "extra_forbidden": "there is no such control",
+    "missing": "this field is required",
+    "greater_than_equal": "allowed is {ge:g} or more",
+    "less_than_equal": "allowed is {le:g} or less",
+    "greater_than": "allowed is more than {gt:g}",
+    "less_than": "allowed is less than {lt:g}",
+    "finite_number": "give a finite number",
+    "float_type": "give a number",
+    "float_parsing": "give a number",
+    "int_type": "give a whole number",
+    "int_parsing": "give a whole number",
+    "int_from_float": "give a whole number",
+    "bool_parsing": "give true or false",
+    "literal_error": "allowed is {expected}",
+    "string_too_long": "this is longer than the {max_length} letters allowed",
+}

@@ -1,0 +1,60 @@
+"""What the server hands out: everything is read when it starts, so no path of a request ever reaches the disk."""
+
+from __future__ import annotations
+
+import hashlib
+import importlib.util
+import json
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from sweetspot import __version__
+from sweetspot.web.views import VIEWS
+
+FOLDER = Path(__file__).with_name("static")
+TYPES = {
+    ".html": "text/html; charset=utf-8",
+    ".js": "text/javascript; charset=utf-8",
+    ".css": "text/css; charset=utf-8",
+    ".svg": "image/svg+xml",
+}
+
+
+@dataclass(frozen=True)
+class File:
+    """A file's content with what a browser must know of it."""
+
+    content: bytes
+    media_type: str
+    tag: str
+
+
+def static_files() -> dict[str, File]:
+    """Return every file of the page by its path below /static/."""
+    found = (path for path in sorted(FOLDER.rglob("*")) if path.suffix in TYPES)
+    return {path.relative_to(FOLDER).as_posix(): _file(path.read_bytes(), path.suffix) for path in found}
+
+
+@cache
+def plotly() -> File | None:
+    """Return plotly.js out of the installed package, None where that is missing; the package is not imported."""
+    spec = importlib.util.find_spec("plotly")
+    for folder in (spec.submodule_search_locations or []) if spec else []:
+        path = Path(folder) / "package_data" / "plotly.min.js"
+        if path.is_file():
+            return _file(path.read_bytes(), ".js")
+    return None
+
+
+def shell(template: File) -> File:
+    """Return the page's shell with the views and their controls written into it."""
+    views = [
+        {"name": view.name, "title": view.title, "schema": view.state.model_json_schema()} for view in VIEWS.values()
+    ]
+    facts = json.dumps({"version": __version__, "views": views}).replace("<", "\\u003c")
+    return _file(template.content.replace(b"@facts@", facts.encode()), ".html")
+
+
+def _file(content: bytes, suffix: str) -> File:
+    return File(content, TYPES[suffix], f'"{hashlib.sha256(content).hexdigest()[:20]}"')

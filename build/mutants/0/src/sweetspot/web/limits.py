@@ -1,0 +1,190 @@
+"""Limits of the server: who may ask, how much, how often; and the headers that keep a browser to this page."""
+
+from __future__ import annotations
+
+import ipaddress
+import json
+import time
+from collections import OrderedDict
+from collections.abc import Awaitable, Callable, Iterable, MutableMapping
+from typing import Any
+from urllib.parse import urlsplit
+
+LARGEST_BODY = 64 * 1024
+"""Bytes of a request or of one message on a socket."""
+LONGEST_QUERY = 32 * 1024
+REQUESTS_PER_SECOND, REQUESTS_AT_ONCE = 100.0, 300.0
+"""Of one address, after which it is told to wait."""
+MESSAGES_PER_SECOND, MESSAGES_AT_ONCE = 120.0, 240.0
+"""On one socket, which is read no faster than that."""
+MOST_SOCKETS = 200
+ADDRESSES_KEPT = 10_000
+
+SECURITY_HEADERS = (
+    (
+        "content-security-policy",
+        "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
+        "connect-src 'self'; font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
+    ),
+    ("x-content-type-options", "nosniff"),
+    ("referrer-policy", "no-referrer"),
+    ("cross-origin-opener-policy", "same-origin"),
+    ("cross-origin-resource-policy", "same-origin"),
+)
+
+Scope = MutableMapping[str, Any]
+Message = MutableMapping[str, Any]
+Receive = Callable[[], Awaitable[Message]]
+Send = Callable[[Message], Awaitable[None]]
+App = Callable[[Scope, Receive, Send], Awaitable[None]]
+
+
+class Bucket:
+    """Allowance that refills at a steady rate."""
+
+    def __init__(self, rate: float, size: float) -> None:
+        self._rate, self._size = rate, size
+        self._left, self._seen = size, time.monotonic()
+
+    def take(self) -> bool:
+        """Take one; False when there is none."""
+        now = time.monotonic()
+        self._left = min(self._size, self._left + self._rate * (now - self._seen))
+        self._seen = now
+        if self._left < 1:
+            return False
+        self._left -= 1
+        return True
+
+    @property
+    def wait(self) -> float:
+        """How long until there is one, s."""
+        return max(0.0, (1 - self._left) / self._rate)
+
+
+def host_allowed(host: str, names: Iterable[str]) -> bool:
+    """Say whether a Host header names this server: a number address, or one of the allowed names.
+
+    A name that someone else's server resolves to this machine (DNS rebinding) is neither.
+
+    >>> [host_allowed(host, ["localhost"]) for host in ("localhost:8000", "127.0.0.1", "[::1]:80", "evil.example")]
+    [True, True, True, False]
+    """
+    name = _name(host)
+    if name is None:
+        return False
+    if name in names:
+        return True
+    try:
+        ipaddress.ip_address(name)
+    except ValueError:
+        return False
+    return True
+
+
+def origin_allowed(origin: str | None, host: str) -> bool:
+    """Say whether a request's Origin is this very page; a program that is no browser sends none.
+
+    >>> origin_allowed("http://127.0.0.1:8000", "127.0.0.1:8000"), origin_allowed("https://evil.example", "127.0.0.1")
+    (True, False)
+    """
+    if origin is None:
+        return True
+    try:
+        parts = urlsplit(origin)
+    except ValueError:
+        return False
+    return parts.scheme in ("http", "https") and parts.netloc.lower() == host.lower()
+
+
+def _name(host: str) -> str | None:
+    try:
+        return urlsplit(f"//{host}").hostname
+    except ValueError:
+        return None
+
+
+class Guard:
+    """Middleware before everything else: checks Host, Origin, rate and size, and adds the security headers."""
+
+    def __init__(self, app: App, *, names: Iterable[str]) -> None:
+        self._app = app
+        self._names = frozenset(name.lower() for name in names)
+        self._buckets: OrderedDict[str, Bucket] = OrderedDict()
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer one request, or refuse it."""
+        if scope["type"] not in ("http", "websocket"):
+            await self._app(scope, receive, send)
+            return
+        headers = {name.decode("latin-1"): value.decode("latin-1") for name, value in scope["headers"]}
+        refusal = self._refusal(scope, headers)
+        if refusal is None:
+            limited = _limited(receive) if scope["type"] == "http" else receive
+            await self._app(scope, limited, _with_headers(send))
+        elif scope["type"] == "websocket":
+            await send({"type": "websocket.close", "code": 1008, "reason": refusal[1]})
+        else:
+            await _refuse(_with_headers(send), *refusal)
+
+    def _refusal(self, scope: Scope, headers: dict[str, str]) -> tuple[int, str] | None:
+        host = headers.get("host", "")
+        if not host_allowed(host, self._names):
+            return 421, f"this server is not called {host[:80]!r}; start it with --allow-host to add a name"
+        if not origin_allowed(headers.get("origin"), host):
+            return 403, "pages of other servers may not use this one"
+        if len(scope.get("query_string", b"")) > LONGEST_QUERY:
+            return 414, f"the address is too long; allowed are {LONGEST_QUERY} bytes after the question mark"
+        length = headers.get("content-length", "0")
+        if not length.isdecimal() or int(length[:20]) > LARGEST_BODY:
+            return 413, f"the message is too large; allowed are {LARGEST_BODY} bytes"
+        if not self._bucket(scope).take():
+            return 429, "too many requests from one address; wait a second"
+        return None
+
+    def _bucket(self, scope: Scope) -> Bucket:
+        address = str((scope.get("client") or ("", 0))[0])
+        bucket = self._buckets.pop(address, None) or Bucket(REQUESTS_PER_SECOND, REQUESTS_AT_ONCE)
+        self._buckets[address] = bucket
+        while len(self._buckets) > ADDRESSES_KEPT:
+            self._buckets.popitem(last=False)
+        return bucket
+
+
+class TooLargeError(Exception):
+    """A body without an honest length has grown beyond the limit."""
+
+
+def _limited(receive: Receive) -> Receive:
+    """Return a receiver that ends a body which grows beyond the limit, whatever its length was said to be."""
+    taken = 0
+
+    async def counted() -> Message:
+        nonlocal taken
+        message = await receive()
+        taken += len(message.get("body", b""))
+        if taken > LARGEST_BODY:
+            raise TooLargeError
+        return message
+
+    return counted
+
+
+def _with_headers(send: Send) -> Send:
+    async def sending(message: Message) -> None:
+        if message["type"] == "http.response.start":
+            known = {name for name, _ in message["headers"]}
+            extra = [(name.encode(), value.encode()) for name, value in SECURITY_HEADERS]
+            message["headers"] = [*message["headers"], *(pair for pair in extra if pair[0] not in known)]
+        await send(message)
+
+    return sending
+
+
+async def _refuse(send: Send, status: int, message: str) -> None:
+    body = json.dumps({"error": {"field": "", "message": message}}).encode()
+    headers = [(b"content-type", b"application/json"), (b"content-length", str(len(body)).encode())]
+    if status == 429:
+        headers.append((b"retry-after", b"1"))
+    await send({"type": "http.response.start", "status": status, "headers": headers})
+    await send({"type": "http.response.body", "body": body})

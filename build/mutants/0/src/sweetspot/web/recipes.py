@@ -1,0 +1,86 @@
+"""The lines that give a view's numbers without the page: command line, Python, and the bat's file.
+
+A bat of the catalogue is named; any other is read from the file that goes with the lines.
+"""
+
+from __future__ import annotations
+
+from sweetspot.catalog.batwriter import bat_toml
+from sweetspot.web.bats import described
+from sweetspot.web.states import BatState, SwungState
+
+BAT_FILE = "bat.toml"
+_FIRST = BatState()
+
+
+def bat_name(state: BatState) -> str:
+    """Return what the command line calls the bat: its catalogue name, or the file."""
+    return state.bat if is_catalogued(state) else BAT_FILE
+
+
+def is_catalogued(state: BatState) -> bool:
+    """Say whether a state's bat is one of the catalogue as it is."""
+    changes = {name: getattr(state, name) for name in BatState.model_fields if name != "bat"}
+    shapes = ("bore_depth_in", "bore_fill", "cup_depth_in", "weight_from_tip_in")  # of changes that are not made
+    made = {name for name in changes if name not in shapes and changes[name] != getattr(_FIRST, name)}
+    return not made
+
+
+def bat_text(state: BatState) -> str:
+    """Return the bat's file."""
+    return bat_toml(described(state))
+
+
+def swing_options(state: SwungState) -> str:
+    """Return the command line's options for swing and ball; those that have their usual value are left out."""
+    first = SwungState()
+    pitch = "tee" if state.pitch_speed_mph == 0 else f"{state.pitch_speed_mph:.12g}mph"
+    options = {
+        "--pitch-speed": pitch if state.pitch_speed_mph != first.pitch_speed_mph else None,
+        "--bat-speed": _unless(state.bat_speed_mph, first.bat_speed_mph, "mph"),
+        "--hands": _unless(state.hands_in + state.choke_up_in, first.hands_in + state.choke_up_in, "in"),
+        "--ball": state.ball if state.ball != first.ball else None,
+        "--ball-cor": _unless(state.ball_cor, None, ""),
+        "--ball-humidity": _unless(state.ball_humidity, None, ""),
+        "--ball-temperature": _unless(state.ball_temperature_degf, None, "degF"),
+    }
+    return "".join(f" {name} {value}" for name, value in options.items() if value is not None)
+
+
+def conditions_lines(state: SwungState) -> str:
+    """Return Python lines that make ``bat`` and ``conditions``."""
+    source = f'catalog.bat("{state.bat}")' if is_catalogued(state) else f'catalog.load_bat("{BAT_FILE}")'
+    ball = f'catalog.ball("{state.ball}")'
+    if state.ball_cor is not None:
+        ball += f".with_restitution({state.ball_cor!r})"
+    if state.ball_humidity is not None or state.ball_temperature_degf is not None:
+        warm = None if state.ball_temperature_degf is None else (state.ball_temperature_degf - 32) / 1.8
+        ball += f".conditioned(humidity={state.ball_humidity!r}, temperature={warm!r})"
+    return (
+        "from sweetspot import Conditions, Hands, Pitch, Swing, analyse, catalog, hit_at\n"
+        "from sweetspot.units import INCH, MPH\n\n"
+        f"bat = {source}\n"
+        "conditions = Conditions(\n"
+        f"    pitch=Pitch(speed={state.pitch_speed_mph!r} * MPH),\n"
+        f"    swing=Swing(bat_speed={state.bat_speed_mph!r} * MPH, measured_at=bat.length - 6 * INCH, "
+        "pivot=bat.choke),\n"
+        f"    hands=Hands(position=bat.choke + {state.hands_in!r} * INCH),\n"
+        f"    ball={ball},\n"
+        ")\n"
+    )
+
+
+def modes_line(*, held: bool) -> str:
+    """Return Python lines that make ``modes`` of ``bat`` and ``conditions``, held by typical hands or free."""
+    if not held:
+        return "modes = modes_of(reduce(bat), conditions.ball)\n"
+    return (
+        "from sweetspot import gripped\n"
+        "from sweetspot.analysis import TYPICAL_HAND\n\n"
+        "hands = conditions.hands.replaced(**TYPICAL_HAND)\n"
+        "modes = gripped(modes_of(reduce(bat), conditions.ball), hands)\n"
+    )
+
+
+def _unless(value: float | None, usual: float | None, unit: str) -> str | None:
+    return None if value is None or value == usual else f"{value:.12g}{unit}"

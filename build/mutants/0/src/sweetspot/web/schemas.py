@@ -1,0 +1,58 @@
+"""What the API says besides answers."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pydantic import BaseModel, Field
+
+
+class Fault(BaseModel):
+    """What is wrong: the control it concerns, empty for the whole message, and a sentence."""
+
+    field: str
+    message: str
+
+
+class Refusal(BaseModel):
+    """The body of every 4xx answer."""
+
+    error: Fault
+
+
+class BatText(BaseModel):
+    """A bat file's text."""
+
+    toml: str = Field(max_length=20_000)
+
+
+class Choice(BaseModel):
+    """One of a list: what programs call it, and what people do."""
+
+    key: str
+    name: str
+
+
+class BatFacts(BaseModel):
+    """A bat in a list."""
+
+    key: str
+    name: str
+    length_m: float
+    mass_kg: float
+    balance_point_m: float
+    moi_6in_kg_m2: float
+    hollow: bool
+
+
+REFUSALS: dict[int | str, dict[str, Any]] = {
+    code: {"model": Refusal, "description": words}
+    for code, words in {
+        400: "The message is not JSON.",
+        403: "Asked by a page of another server.",
+        413: "The message is too large.",
+        421: "The server is not called that.",
+        422: "A control has a value that does not work.",
+        429: "Too many requests; wait a second.",
+    }.items()
+}

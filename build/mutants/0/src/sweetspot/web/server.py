@@ -1,0 +1,148 @@
+"""The server: the page, its API and its socket as one application."""
+
+from __future__ import annotations
+
+import logging
+import threading
+from collections.abc import AsyncIterator, Callable, Iterable
+from contextlib import asynccontextmanager
+from typing import Any
+
+from fastapi import APIRouter, FastAPI, Request, Response, WebSocket
+from fastapi.exceptions import RequestValidationError
+from fastapi.responses import JSONResponse
+from starlette.exceptions import HTTPException
+
+from sweetspot import __version__
+from sweetspot.errors import SweetspotError
+from sweetspot.web.answers import Answers, answer_json
+from sweetspot.web.catalogue import catalogue_routes
+from sweetspot.web.faults import fault
+from sweetspot.web.files import File, plotly, shell, static_files
+from sweetspot.web.limits import Guard
+from sweetspot.web.schemas import REFUSALS
+from sweetspot.web.socket import Sockets
+from sweetspot.web.view import View
+from sweetspot.web.views import VIEWS
+
+LOCAL_NAMES = ("localhost", "testserver")
+API = "/api/v1"
+NOT_FOUND = 404
+_NO_PAGE = "there is no page {}"
+
+
+def create_app(*, names: Iterable[str] = ()) -> FastAPI:
+    """Return the application.
+
+    Parameters
+    ----------
+    names : host names, besides localhost and number addresses, under which browsers may ask for it.
+    """
+    answers = Answers()
+
+    @asynccontextmanager
+    async def life(_: FastAPI) -> AsyncIterator[None]:
+        threading.Thread(target=_warm, daemon=True, name="warm").start()
+        yield
+        answers.close()
+
+    app = FastAPI(
+        title="sweetspot",
+        version=__version__,
+        description="Every view of the page as one request: its controls in, its numbers out, SI with units in names.",
+        docs_url=None,
+        redoc_url=None,
+        openapi_url=f"{API}/openapi.json",
+        lifespan=life,
+    )
+    app.add_middleware(Guard, names=(*LOCAL_NAMES, *names))
+    app.add_exception_handler(RequestValidationError, _invalid)
+    app.add_exception_handler(HTTPException, _refused)
+    app.add_exception_handler(SweetspotError, _wrong)
+    api = APIRouter(prefix=API, responses=REFUSALS)
+    catalogue_routes(api)
+    for view in VIEWS.values():
+        _view_route(api, view, answers)
+    app.include_router(api)
+    sockets = Sockets(answers)
+
+    @app.websocket("/ws")
+    async def socket(connection: WebSocket) -> None:
+        await sockets.serve(connection)
+
+    _page_routes(app)
+    return app
+
+
+def _view_route(api: APIRouter, view: View, answers: Answers) -> None:
+    async def endpoint(state: Any) -> Response:
+        return Response(await answers.json(view.name, state), media_type="application/json")
+
+    endpoint.__annotations__["state"] = view.state
+    endpoint.__doc__ = view.answer.__doc__
+    api.post(
+        f"/{view.name}", name=view.title, response_class=JSONResponse, response_model=dict[str, Any], tags=["views"]
+    )(endpoint)
+    if view.recipe is None:
+        return
+    recipe = view.recipe
+
+    def lines(state: Any) -> dict[str, str]:
+        return recipe(state)
+
+    lines.__annotations__["state"] = view.state
+    lines.__doc__ = "Return the lines that give the same numbers without the page, and the bat's file."
+    api.post(f"/{view.name}/recipe", name=f"{view.title}: recipe", tags=["views"])(lines)
+
+
+def _page_routes(app: FastAPI) -> None:
+    files = static_files()
+    pages = {name: shell(files["index.html"]) for name in ("", *VIEWS)}
+    pages["docs"] = files["docs.html"]
+
+    def hand_out(path: str, find: Callable[[str], File | None]) -> None:
+        @app.get(path, include_in_schema=False)
+        async def handed(request: Request) -> Response:
+            return _handed(find(request.path_params.get("name", "")), request)
+
+    hand_out("/", pages.get)
+    hand_out("/static/{name:path}", files.get)
+    hand_out("/vendor/plotly.min.js", lambda _: plotly())
+    hand_out("/{name}", pages.get)
+
+
+def _handed(file: File | None, request: Request) -> Response:
+    if file is None:
+        raise HTTPException(NOT_FOUND)
+    headers = {"etag": file.tag, "cache-control": "no-cache"}
+    if request.headers.get("if-none-match") == file.tag:
+        return Response(status_code=304, headers=headers)
+    return Response(file.content, media_type=file.media_type, headers=headers)
+
+
+async def _invalid(_: Request, error: Exception) -> JSONResponse:
+    assert isinstance(error, RequestValidationError)
+    return JSONResponse({"error": fault(error)}, 422)
+
+
+async def _refused(request: Request, error: Exception) -> JSONResponse:
+    assert isinstance(error, HTTPException)
+    words = _NO_PAGE.format(request.url.path[:80]) if error.status_code == NOT_FOUND else str(error.detail)
+    return JSONResponse({"error": {"field": "", "message": words}}, error.status_code, headers=error.headers)
+
+
+async def _wrong(_: Request, error: Exception) -> JSONResponse:
+    assert isinstance(error, SweetspotError)
+    return JSONResponse({"error": fault(error)}, 422)
+
+
+def _warm() -> None:
+    """Compile or load what the first answer needs, before anyone asks."""
+    try:
+        for view in VIEWS.values():
+            answer_json(view.name, view.state())
+        for view in VIEWS.values():
+            for state in view.slow:
+                answer_json(view.name, state)
+    except Exception:
+        logging.getLogger("sweetspot.web").exception("warming up")

@@ -1,0 +1,128 @@
+"""The socket: one browser's questions and answers, the latest question of each view first and only."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from contextlib import suppress
+from typing import Any
+
+from fastapi import WebSocket, WebSocketDisconnect
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from sweetspot.errors import SweetspotError
+from sweetspot.web.answers import Answers, state_of
+from sweetspot.web.faults import FieldError, fault
+from sweetspot.web.limits import LARGEST_BODY, MESSAGES_AT_ONCE, MESSAGES_PER_SECOND, MOST_SOCKETS, Bucket
+
+TRY_AGAIN_LATER = 1013
+
+
+class Question(BaseModel):
+    """One message of a browser: which view's answer it wants, with which controls."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    id: int = Field(ge=0, le=2**53)
+    view: str = Field(max_length=60)
+    state: dict[str, Any]
+
+
+class Sockets:
+    """Every open socket of this server; their number is limited, and they know nothing of each other."""
+
+    def __init__(self, answers: Answers) -> None:
+        self._answers = answers
+        self._open = 0
+
+    async def serve(self, socket: WebSocket) -> None:
+        """Answer one browser until it goes away."""
+        await socket.accept()
+        if self._open >= MOST_SOCKETS:
+            await socket.close(TRY_AGAIN_LATER, f"all {MOST_SOCKETS} places are taken; try again later")
+            return
+        self._open += 1
+        try:
+            await _Conversation(socket, self._answers).run()
+        finally:
+            self._open -= 1
+
+
+class _Conversation:
+    """One socket. A question replaces the one of the same view that still waits; that one gets no answer."""
+
+    def __init__(self, socket: WebSocket, answers: Answers) -> None:
+        self._socket, self._answers = socket, answers
+        self._waiting: dict[str, Question] = {}
+        self._arrived = asyncio.Event()
+        self._bucket = Bucket(MESSAGES_PER_SECOND, MESSAGES_AT_ONCE)
+
+    async def run(self) -> None:
+        worker = asyncio.create_task(self._answer())
+        try:
+            while True:
+                message = await self._socket.receive()
+                if message["type"] == "websocket.disconnect":
+                    break
+                await self._take(message.get("text"))
+                while not self._bucket.take():  # who sends faster is read later
+                    await asyncio.sleep(self._bucket.wait)
+        except (WebSocketDisconnect, RuntimeError):  # gone while we were speaking
+            pass
+        finally:
+            worker.cancel()
+            with suppress(asyncio.CancelledError):
+                await worker
+
+    async def _take(self, text: str | None) -> None:
+        try:
+            if text is None or len(text) > LARGEST_BODY:
+                raise FieldError("", f"a message is JSON text of at most {LARGEST_BODY} letters")
+            question = Question.model_validate_json(text)
+        except (SweetspotError, ValidationError) as error:
+            await self._say({"id": _id_in(text), "error": fault(error)})
+            return
+        self._waiting.pop(question.view, None)
+        self._waiting[question.view] = question
+        self._arrived.set()
+
+    async def _answer(self) -> None:
+        with suppress(WebSocketDisconnect, RuntimeError):
+            while True:
+                await self._arrived.wait()
+                while self._waiting:
+                    question = self._waiting.pop(next(iter(self._waiting)))
+                    await self._reply(question)
+                self._arrived.clear()
+
+    async def _reply(self, question: Question) -> None:
+        try:
+            found = await self._answers.json(question.view, state_of(question.view, question.state))
+        except SweetspotError as error:
+            await self._say({"id": question.id, "view": question.view, "error": fault(error)})
+        except Exception:  # a fault of ours must not end the conversation
+            _log_fault(question.view)
+            message = "this could not be computed; the fault is the program's. Other settings should work"
+            await self._say({"id": question.id, "view": question.view, "error": {"field": "", "message": message}})
+        else:
+            head = f'{{"id":{question.id},"view":"{question.view}","answer":'
+            await self._socket.send_text(f"{head}{found.decode()}}}")
+
+    async def _say(self, table: dict[str, Any]) -> None:
+        await self._socket.send_text(json.dumps(table))
+
+
+def _id_in(text: str | None) -> int | None:
+    """Return the id of a message that is otherwise wrong, when it can be found."""
+    try:
+        table = json.loads(text or "")
+    except (ValueError, RecursionError):
+        return None
+    number = table.get("id") if isinstance(table, dict) else None
+    return number if isinstance(number, int) and 0 <= number <= 2**53 else None
+
+
+def _log_fault(view: str) -> None:
+    import logging
+
+    logging.getLogger("sweetspot.web").exception("view %s", view)

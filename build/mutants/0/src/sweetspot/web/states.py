@@ -1,0 +1,73 @@
+"""What every view is asked with: the bat, and the hit. Each field is one control, its bounds are the control's.
+
+Units stand in the names, and they are those a page's address shows (mph, in, oz, degF); answers are SI. The page
+shows both in either system.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import BaseModel, ConfigDict, Field
+
+LONGEST_TOML = 20_000
+"""Letters of an uploaded bat; the longest in the catalogue has 3000."""
+MOST_STATIONS = 60
+
+Station = tuple[Annotated[float, Field(ge=0, le=52)], Annotated[float, Field(ge=0.1, le=5)]]
+Name = Annotated[str, Field(min_length=1, max_length=60)]
+
+
+class ViewState(BaseModel):
+    """A view's controls: unknown ones, infinities and NaN are refused."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+
+class BatState(ViewState):
+    """Which bat, and what was done to it."""
+
+    bat: Name = Field("r161-ash", description="name in the catalogue; not looked at when bat_toml is given")
+    bat_toml: Annotated[str, Field(max_length=LONGEST_TOML)] | None = Field(None, description="a bat file's text")
+    profile_in: Annotated[tuple[Station, ...], Field(min_length=2, max_length=MOST_STATIONS)] | None = Field(
+        None, description="another outline: pairs of position from the knob end and diameter"
+    )
+    mass_oz: Annotated[float, Field(ge=10, le=60)] | None = Field(None, description="another weight of the bat")
+    wall_factor: float = Field(1.0, ge=0.5, le=2.0, description="of a hollow bat: its wall times this")
+    bore_diameter_in: float = Field(0.0, ge=0, le=2, description="hole drilled from the tip; 0: none")
+    bore_depth_in: float = Field(10.0, ge=0.5, le=20)
+    bore_fill: Name = Field("cork", description="material of the catalogue that fills the hole, or 'nothing'")
+    cup_diameter_in: float = Field(0.0, ge=0, le=2.2, description="hollow turned into the tip; 0: none")
+    cup_depth_in: float = Field(0.9, ge=0.1, le=2)
+    weight_oz: float = Field(0.0, ge=0, le=16, description="weight fixed to the bat; 0: none")
+    weight_from_tip_in: float = Field(1.0, ge=0, le=52)
+    choke_up_in: float = Field(0.0, ge=0, le=8, description="how far the grip is moved up from the knob")
+
+
+class SwingState(ViewState):
+    """Pitch, swing, hands and ball."""
+
+    pitch_speed_mph: float = Field(90.0, ge=0, le=110, description="of the ball at the plate; 0: on a tee")
+    bat_speed_mph: float = Field(70.0, ge=20, le=110, description="of the bat before impact, 6 in from the tip")
+    hands_in: float = Field(6.0, ge=3, le=12, description="centre of the top hand above the bottom of the grip")
+    ball: Name = Field("baseball", description="name in the catalogue")
+    ball_cor: Annotated[float, Field(ge=0.2, le=0.8)] | None = Field(
+        None, description="restitution at its law's speed, as bought; empty: the catalogue's"
+    )
+    ball_humidity: Annotated[float, Field(ge=0, le=1)] | None = Field(
+        None, description="relative humidity the ball was stored at"
+    )
+    ball_temperature_degf: Annotated[float, Field(ge=-20, le=130)] | None = Field(
+        None, description="temperature of the ball"
+    )
+
+
+class SwungState(SwingState, BatState):
+    """The bat, the swing and the ball."""
+
+
+class HitState(SwungState):
+    """The bat, the swing, the ball, and where they meet."""
+
+    impact_from_tip_in: float = Field(6.0, ge=0, le=40, description="where the ball meets the bat")
+    offset_in: float = Field(0.0, ge=-2.5, le=2.5, description="ball's centre above the bat's axis at impact")

@@ -1,0 +1,186 @@
+// Controls: a label, what is chosen, its unit, and what is wrong with it beside it. Bounds come from the schema.
+//
+//   slider(app, "pitch_speed_mph", { label: "Pitch speed", step: 0.5 })   a range and a number field
+//   slider(app, "ball_cor", { label: "Ball COR", step: 0.005, empty: 0.55 })   may be empty (null): shows 0.55 until moved;
+//                                                      empty may be a function, asked again after every answer
+//   choice(app, "ball", { label: "Ball", options: [["baseball", "Baseball"]] })
+//   toggle(app, "fixed", { label: "Held fast" })
+//   group("Swing", [slider(...), ...], { open: true })   controls under a heading that folds
+//   button("Reset", () => ..., { primary: false })
+// Each returns an element to append. A control shows the value of app.state[field] and calls app.setState.
+
+import { fromShown, toShown, unitOf } from "./units.js";
+
+let count = 0;
+
+export function slider(app, field, { label, step, empty = null, note = "", onInput = null }) {
+  const bounds = boundsOf(app.schema[field]);
+  const { box, fault, id } = frame(field, label, note);
+  const range = input("range", id);
+  const number = input("number", `${id}-number`);
+  const unit = document.createElement("span");
+  unit.className = "unit";
+  number.setAttribute("inputmode", "decimal");
+  range.setAttribute("aria-describedby", `${id}-fault`);
+  number.setAttribute("aria-describedby", `${id}-fault`);
+  box.querySelector(".entry").append(range, number, unit);
+  let system = null;
+  const shown = (value) => toShown(field, value, app.units);
+  const stepShown = () => niceStep(Math.abs(shown(step) - shown(0)), app.units === "us" ? 0 : 1);
+
+  function scale() {
+    if (system === app.units) return;
+    system = app.units;
+    for (const one of [range, number]) {
+      const fine = stepShown();
+      one.min = String(round(shown(bounds.least), fine, Math.ceil));
+      one.max = String(round(shown(bounds.most), fine, Math.floor));
+      one.step = one === range ? String(fine) : "any";
+    }
+    unit.textContent = unitOf(field, app.units);
+    number.setAttribute("aria-label", `${label}${unit.textContent ? `, ${unit.textContent}` : ""}`);
+  }
+
+  function take(text, commit) {
+    const given = Number(text);
+    if (text.trim() === "" || !Number.isFinite(given)) {
+      control.fault(text.trim() === "" ? "Give a number." : `${text} is not a number.`);
+      return;
+    }
+    const value = tidy(fromShown(field, given, app.units));
+    if (value < bounds.least - 1e-9 || value > bounds.most + 1e-9) {
+      control.fault(`Allowed is ${range.min} to ${range.max} ${unit.textContent}.`);
+      return;
+    }
+    const inside = Math.min(bounds.most, Math.max(bounds.least, value));
+    app.setState({ [field]: inside }, { commit });
+    onInput?.(inside);
+  }
+
+  range.addEventListener("input", () => take(range.value, false));
+  range.addEventListener("change", () => app.commit());
+  number.addEventListener("change", () => take(number.value, true));
+  const control = {
+    field,
+    follows: typeof empty === "function",
+    sync(state) {
+      scale();
+      const value = state[field] ?? (typeof empty === "function" ? empty() : empty);
+      if (typeof value !== "number") return;
+      const fine = stepShown();
+      if (document.activeElement !== range || Math.abs(Number(range.value) - shown(value)) > fine / 2) range.value = shown(value);
+      if (document.activeElement !== number || fault.hidden) number.value = String(Number(shown(value).toFixed(decimals(fine))));
+      range.setAttribute("aria-valuetext", `${number.value} ${unit.textContent}`);
+      box.classList.toggle("untouched", state[field] === null);
+    },
+    fault: faultSetter(fault, [range, number]),
+  };
+  scale();
+  app.control(control);
+  return box;
+}
+
+export function choice(app, field, { label, options, note = "", onChange = null }) {
+  const { box, fault, id } = frame(field, label, note);
+  const select = document.createElement("select");
+  select.id = id;
+  select.setAttribute("aria-describedby", `${id}-fault`);
+  const fill = (list) => {
+    select.replaceChildren(...list.map(([value, words]) => new Option(words, value)));
+    if (app.state) control.sync(app.state);
+  };
+  box.querySelector(".entry").append(select);
+  select.addEventListener("change", () => {
+    app.setState({ [field]: select.value });
+    onChange?.(select.value);
+  });
+  const control = {
+    field,
+    sync(state) {
+      const value = String(state[field] ?? "");
+      if (![...select.options].some((option) => option.value === value)) select.append(new Option(value, value));
+      select.value = value;
+    },
+    fault: faultSetter(fault, [select]),
+  };
+  if (options instanceof Promise) options.then(fill);
+  else fill(options);
+  app.control(control);
+  return box;
+}
+
+export function toggle(app, field, { label, note = "" }) {
+  const { box, fault, id } = frame(field, label, note);
+  const tick = input("checkbox", id);
+  box.querySelector(".entry").append(tick);
+  tick.addEventListener("change", () => app.setState({ [field]: tick.checked }));
+  const control = { field, sync: (state) => (tick.checked = Boolean(state[field])), fault: faultSetter(fault, [tick]) };
+  app.control(control);
+  return box;
+}
+
+export function group(title, controls, { open = true } = {}) {
+  const details = document.createElement("details");
+  details.className = "group";
+  details.open = open;
+  const summary = document.createElement("summary");
+  summary.textContent = title;
+  details.append(summary, ...controls);
+  return details;
+}
+
+export function button(words, onClick, { primary = false, title = "" } = {}) {
+  const made = Object.assign(document.createElement("button"), { type: "button", textContent: words, title });
+  if (primary) made.className = "primary";
+  made.addEventListener("click", onClick);
+  return made;
+}
+
+function frame(field, label, note) {
+  count += 1;
+  const id = `c${count}-${field}`;
+  const box = document.createElement("div");
+  box.className = "control";
+  box.dataset.field = field;
+  const name = Object.assign(document.createElement("label"), { htmlFor: id, textContent: label });
+  const entry = Object.assign(document.createElement("div"), { className: "entry" });
+  const fault = Object.assign(document.createElement("p"), { className: "fault", id: `${id}-fault`, hidden: true });
+  box.append(name, entry, fault);
+  if (note) box.append(Object.assign(document.createElement("p"), { className: "note", textContent: note }));
+  return { box, fault, id };
+}
+
+function faultSetter(place, inputs) {
+  return (message) => {
+    place.textContent = message;
+    place.hidden = message === "";
+    for (const one of inputs) {
+      if (message) one.setAttribute("aria-invalid", "true");
+      else one.removeAttribute("aria-invalid");
+    }
+  };
+}
+
+function input(type, id) {
+  return Object.assign(document.createElement("input"), { type, id });
+}
+
+// Bounds of a number in a schema, also of one that may be null.
+export function boundsOf(property) {
+  const numeric = (property.anyOf ?? [property]).find((one) => one.minimum !== undefined || one.maximum !== undefined) ?? property;
+  return {
+    least: numeric.minimum ?? numeric.exclusiveMinimum ?? 0,
+    most: numeric.maximum ?? numeric.exclusiveMaximum ?? 1,
+  };
+}
+
+// 1, 2 or 5 times a power of ten at or below a step; as it is in the system in which it was written.
+function niceStep(step, convert) {
+  if (!convert) return step;
+  const power = 10 ** Math.floor(Math.log10(step) + 1e-9);
+  return power * (step / power >= 5 ? 5 : step / power >= 2 ? 2 : 1);
+}
+
+const decimals = (step) => Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
+const round = (value, step, how) => Number((how(value / step - (how === Math.ceil ? 1e-9 : -1e-9)) * step).toFixed(6));
+const tidy = (value) => Number(value.toPrecision(9));

@@ -1,0 +1,167 @@
+// What can be taken away: pictures, numbers, the bat, and the lines that give the same numbers without the page.
+
+import { interactive } from "./interactive.js";
+import { posted } from "./post.js";
+import { SvgContext } from "./svgcontext.js";
+
+const SHARP = 2; // pixels of a PNG per pixel of the page
+const GAP = 12;
+
+export function exportButton(app) {
+  const button = Object.assign(document.createElement("button"), { type: "button", id: "export", textContent: "Export" });
+  button.setAttribute("aria-haspopup", "dialog");
+  button.addEventListener("click", () => open(app));
+  return button;
+}
+
+async function open(app) {
+  const dialog = document.createElement("dialog");
+  dialog.setAttribute("aria-label", "Export");
+  dialog.innerHTML = "<h2>Take it with you</h2><div class=\"row files\"></div><div class=\"lines\"></div>" +
+    "<form method=\"dialog\"><button>Close</button></form>";
+  dialog.addEventListener("close", () => dialog.remove());
+  const files = dialog.querySelector(".files");
+  if (app.answer && app.view.charts?.().length) {
+    const button = Object.assign(document.createElement("button"), { type: "button", id: "interactive", textContent: "Interactive chart" });
+    button.setAttribute("aria-haspopup", "dialog");
+    button.addEventListener("click", () => {
+      dialog.close(); // first, so that the focus goes back to where this menu was opened
+      interactive(app);
+    });
+    files.append(button);
+  }
+  for (const [words, make] of choices(app)) {
+    const button = Object.assign(document.createElement("button"), { type: "button", textContent: words });
+    button.dataset.format = words.toLowerCase();
+    button.addEventListener("click", make);
+    files.append(button);
+  }
+  document.body.append(dialog);
+  dialog.showModal();
+  await addLines(app, dialog);
+}
+
+function choices(app) {
+  const found = [];
+  if (app.view.figures?.().length) {
+    found.push(["PNG", () => savePng(app)], ["SVG", () => save(app, "svg", "image/svg+xml", svgOf(app))]);
+  }
+  if (app.view.table) found.push(["CSV", () => save(app, "csv", "text/csv", csvOf(app.view.table()))]);
+  found.push(["JSON", () => save(app, "json", "application/json", jsonOf(app))]);
+  return found;
+}
+
+// The lines come from the server, which knows what the command line and the library call these things.
+async function addLines(app, dialog) {
+  const place = dialog.querySelector(".lines");
+  let lines;
+  try {
+    lines = await posted(`/api/v1/${app.name}/recipe`, app.state);
+  } catch (fault) {
+    if (fault?.message) place.textContent = fault.message;
+    lines = {};
+  }
+  if (lines.toml) {
+    const button = Object.assign(document.createElement("button"), { type: "button", textContent: "Bat (TOML)" });
+    button.dataset.format = "toml";
+    button.addEventListener("click", () => download("bat.toml", "application/toml", lines.toml));
+    dialog.querySelector(".files").append(button);
+  }
+  for (const name of Object.keys(lines).filter((key) => key.endsWith(".toml"))) {
+    const button = Object.assign(document.createElement("button"), { type: "button", textContent: name });
+    button.dataset.format = "toml";
+    button.addEventListener("click", () => download(name, "application/toml", lines[name]));
+    dialog.querySelector(".files").append(button);
+  }
+  for (const [key, words] of [["command", "Command line"], ["python", "Python"]]) {
+    if (lines[key]) place.append(block(app, words, lines[key], key));
+  }
+  if (lines.command?.includes("bat.toml")) {
+    place.append(Object.assign(document.createElement("p"), {
+      className: "note", textContent: "bat.toml is this bat; save it with the button above." }));
+  }
+  place.append(block(app, "Address of this picture", location.href, "address"));
+  if (history.state?.view) {
+    place.append(Object.assign(document.createElement("p"), {
+      className: "note", textContent: "The bat's file is too long for an address; send bat.toml along." }));
+  }
+}
+
+function block(app, words, lines, key) {
+  const box = document.createElement("section");
+  const pre = Object.assign(document.createElement("pre"), { textContent: lines, tabIndex: 0 });
+  pre.dataset.lines = key;
+  pre.setAttribute("aria-label", words);
+  const copy = Object.assign(document.createElement("button"), { type: "button", textContent: "Copy" });
+  copy.setAttribute("aria-label", `Copy: ${words}`);
+  copy.addEventListener("click", async () => {
+    await navigator.clipboard.writeText(lines);
+    copy.textContent = "Copied";
+    app.announce(`${words} copied`);
+  });
+  const head = Object.assign(document.createElement("div"), { className: "row" });
+  head.append(Object.assign(document.createElement("h3"), { textContent: words }), copy);
+  box.append(head, pre);
+  return box;
+}
+
+// All drawings of the view, one below the other, on the theme's ground.
+function onto(app, make) {
+  const figures = app.view.figures();
+  const width = Math.max(...figures.map((figure) => figure.width));
+  const height = figures.reduce((sum, figure) => sum + figure.height + GAP, GAP);
+  const context = make(width, height);
+  context.fillStyle = app.colors.panel;
+  context.fillRect(0, 0, width, height);
+  let top = GAP;
+  for (const figure of figures) {
+    context.save();
+    context.translate(0, top);
+    figure.paint(context, figure.width, figure.height);
+    context.restore();
+    top += figure.height + GAP;
+  }
+  return context;
+}
+
+export function svgOf(app) {
+  return onto(app, (width, height) => new SvgContext(width, height)).toString();
+}
+
+function savePng(app) {
+  const canvas = document.createElement("canvas");
+  onto(app, (width, height) => {
+    Object.assign(canvas, { width: width * SHARP, height: height * SHARP });
+    const context = canvas.getContext("2d");
+    context.scale(SHARP, SHARP);
+    return context;
+  });
+  canvas.toBlob((blob) => downloadBlob(`sweetspot-${app.name}.png`, blob));
+}
+
+export function csvOf(table) {
+  const columns = Object.entries(table).filter(([, values]) => Array.isArray(values));
+  const rows = Math.max(0, ...columns.map(([, values]) => values.length));
+  const cell = (value) => (value === null || value === undefined ? "" : /[",\n]/.test(String(value)) ? `"${String(value).replaceAll('"', '""')}"` : String(value));
+  const lines = [columns.map(([name]) => name).join(",")];
+  for (let row = 0; row < rows; row += 1) lines.push(columns.map(([, values]) => cell(values[row])).join(","));
+  return `${lines.join("\n")}\n`;
+}
+
+function jsonOf(app) {
+  return `${JSON.stringify({ view: app.name, version: app.version, state: app.answered, answer: app.answer }, null, 1)}\n`;
+}
+
+function save(app, ending, type, content) {
+  download(`sweetspot-${app.name}.${ending}`, type, content);
+}
+
+function download(name, type, content) {
+  downloadBlob(name, new Blob([content], { type }));
+}
+
+function downloadBlob(name, blob) {
+  const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(blob), download: name });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}

@@ -1,0 +1,62 @@
+// Formulas as MathML from a short notation, words separated by blanks:
+//   mathOf("{ F | I } = { J_C − m x l | J_C + m l^2 }")   fractions in braces, _ below, ^ above
+// Names of several letters (cos, kg) stand upright; a plain text for those whose reader knows no MathML is alttext.
+
+const SPACE = "http://www.w3.org/1998/Math/MathML";
+
+export function mathOf(source, { block = true } = {}) {
+  const math = document.createElementNS(SPACE, "math");
+  math.setAttribute("display", block ? "block" : "inline");
+  math.setAttribute("alttext", source.replace(/[{}]/g, (sign) => (sign === "{" ? "(" : ")")).replaceAll(" | ", ") / ("));
+  math.append(rowOf(source.split(" ").filter(Boolean)));
+  return math;
+}
+
+function rowOf(words) {
+  const row = element("mrow");
+  for (let i = 0; i < words.length; i += 1) {
+    if (words[i] !== "{") {
+      row.append(term(words[i]));
+      continue;
+    }
+    const [bar, end] = [find(words, i, "|"), find(words, i, "}")];
+    row.append(element("mfrac", rowOf(words.slice(i + 1, bar)), rowOf(words.slice(bar + 1, end))));
+    i = end;
+  }
+  return row;
+}
+
+// The bar or brace that belongs to the brace at `start`.
+function find(words, start, sign) {
+  let depth = 0;
+  for (let i = start; i < words.length; i += 1) {
+    if (words[i] === "{") depth += 1;
+    if (words[i] === sign && depth === 1) return i;
+    if (words[i] === "}") depth -= 1;
+  }
+  throw new Error(`no ${sign} in the formula ${words.join(" ")}`);
+}
+
+function term(word) {
+  if (UNITS.includes(word)) return element("mtext", `\u2009${word}`);
+  const [, base, below, above] = /^(.+?)(?:_([^_^]+))?(?:\^([^_^]+))?$/.exec(word);
+  const parts = [base, below, above].filter((part) => part !== undefined).map(token);
+  if (below !== undefined && above !== undefined) return element("msubsup", ...parts);
+  if (below !== undefined) return element("msub", ...parts);
+  return above !== undefined ? element("msup", ...parts) : parts[0];
+}
+
+const UNITS = ["mm", "cm", "in", "kN", "lbf", "N", "s", "J", "%"];
+
+function token(text) {
+  const tag = /^[−-]?[\d.,]+$/.test(text) ? "mn" : /^[\p{L}′]+$/u.test(text) ? "mi" : "mo";
+  const made = element(tag, text);
+  if (tag === "mi" && [...text].length > 1) made.setAttribute("mathvariant", "normal");
+  return made;
+}
+
+function element(tag, ...children) {
+  const made = document.createElementNS(SPACE, tag);
+  made.append(...children);
+  return made;
+}

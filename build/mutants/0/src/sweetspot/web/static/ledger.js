@@ -1,0 +1,106 @@
+// Where the incoming energy is at every moment: a stacked area over time, and a list of its parts at the moment shown.
+
+import { Chart } from "./chart.js";
+import { FONT, haloText } from "./surface.js";
+
+// Part of the answer's energy_j: what it is called, colour.
+export const PARTS = [
+  ["ball", "ball's motion", "red"],
+  ["stored", "ball, squeezed", "woodEdge"],
+  ["heat", "heat in the ball", "muted"],
+  ["translation", "bat pushed back", "blue"],
+  ["rotation", "bat turned", "sky"],
+  ["bending", "bat bending", "purple"],
+  ["hoop", "barrel wall", "orange"],
+  ["damping", "heat in bat and hands", "green"],
+];
+
+class Areas extends Chart {
+  // The parts' names in their own areas, where those are high enough.
+  paintPanel(context, panel, box, across) {
+    super.paintPanel(context, panel, box, across);
+    const key = `${box.right} ${panel.lines.length}`;
+    if (this.named !== this.data.lines || this.namedAt !== key) {
+      this.names = this.placed(context, panel, box, across);
+      Object.assign(this, { named: this.data.lines, namedAt: key });
+    }
+    context.font = `600 12px ${FONT}`;
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    for (const { name, middle, y } of this.names) haloText(context, name, middle, y, this.app.colors.ink, this.app.colors.panel);
+  }
+
+  // Where each name fits into its own area, as high as possible; names that fit nowhere stand in the list alone.
+  placed(context, panel, box, across) {
+    const { x, lines } = this.data;
+    const total = Math.max(...x.map((_, i) => panel.lines.reduce((sum, { key }) => sum + lines[key][i], 0)));
+    const up = (joules) => ((box.bottom - box.top) * joules) / (1.06 * total);
+    const at = x.map(across);
+    context.font = `600 12px ${FONT}`;
+    const below = x.map(() => 0);
+    const found = [];
+    for (const { key, name } of panel.lines) {
+      const half = context.measureText(name).width / 2 + 4;
+      let best = { room: 15 };
+      for (let middle = box.left + half; middle < box.right - half; middle += 8) {
+        const inside = x.map((_, i) => i).filter((i) => Math.abs(at[i] - middle) < half + 4);
+        const top = Math.min(...inside.map((i) => up(below[i] + lines[key][i])));
+        const bottom = Math.max(...inside.map((i) => up(below[i])));
+        if (top - bottom > best.room) best = { room: top - bottom, middle, y: box.bottom - (top + bottom) / 2 };
+      }
+      if (best.middle) found.push({ name, ...best });
+      lines[key].forEach((joules, i) => (below[i] += joules));
+    }
+    return found;
+  }
+}
+
+export class Ledger {
+  constructor(app, { onPick }) {
+    Object.assign(this, { app });
+    const lines = PARTS.map(([key, name, color]) => ({ key, name, color }));
+    this.panel = { title: "Where the energy is", kind: "energy_j", height: 190, stacked: true, lines };
+    this.all = lines;
+    this.chart = new Areas(app, {
+      label: "Where the energy is", panels: [this.panel], axis: { kind: "time_s", label: "after first touch" }, onPick,
+    });
+    this.list = Object.assign(document.createElement("dl"), { className: "ledger" });
+    this.list.setAttribute("aria-label", "Energy at the moment shown");
+    this.element = document.createElement("div");
+    this.element.append(this.chart.element, this.list);
+  }
+
+  set(film, series) {
+    Object.assign(this, { film, series });
+    this.panel.lines = this.all.filter(({ key }) => film.energy[key]);
+    this.list.replaceChildren();
+    this.values = this.panel.lines.map(({ key, name, color }) => {
+      const [box, term, value] = ["div", "dt", "dd"].map((tag) => document.createElement(tag));
+      const chip = Object.assign(document.createElement("span"), { className: "chip" });
+      chip.style.background = this.app.colors[color];
+      term.append(chip, name);
+      value.dataset.part = key;
+      box.append(term, value);
+      this.list.append(box);
+      return value;
+    });
+    const last = this.panel.lines.map(({ key, name }) => `${name} ${this.app.text("energy_j", film.energy[key].at(-1))}`).join(", ");
+    this.chart.label(`Where the ${this.app.text("energy_j", film.hit.incoming_energy_j)} of incoming energy are over time. At the end: ${last}.`);
+  }
+
+  draw(moment) {
+    const { film, series } = this;
+    this.chart.draw({
+      x: series.x, lines: series.lines, range: [series.x[0], film.end], cursor: moment,
+      marks: [{ at: film.hit.contact_time_s, color: "ink" }],
+    });
+    const incoming = film.hit.incoming_energy_j;
+    this.panel.lines.forEach(({ key }, i) => {
+      const joules = moment <= 0 ? (key === "ball" ? incoming : 0) : film.value(film.energy[key], moment);
+      const words = `${this.app.text("energy_j", joules)} · ${((100 * joules) / incoming).toFixed(0)} %`;
+      if (this.values[i].textContent !== words) this.values[i].textContent = words;
+    });
+  }
+
+  figure(name) { return this.chart.figure(name); }
+}

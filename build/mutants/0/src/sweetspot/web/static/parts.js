@@ -1,0 +1,100 @@
+// Pieces that several views are made of: tables, paragraphs, sentences in either system of units, controls inside a list.
+
+import { toShown } from "./units.js";
+
+export function make(tag, properties = {}, ...children) {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...children);
+  return made;
+}
+
+// A table with a caption and row headers; a cell is a text, or { text, note, className }.
+export function tableOf(caption, columns, rows) {
+  const cell = (tag, given, number) => {
+    const { text, note = "", className = "" } = typeof given === "object" && given !== null ? given : { text: given };
+    const made = make(tag, { textContent: text ?? "–", className: [number ? "number" : "", className].filter(Boolean).join(" ") });
+    if (note) made.append(make("small", { textContent: note }));
+    return made;
+  };
+  const head = make("tr", {}, ...columns.map((words, i) => Object.assign(cell("th", words, i > 0), { scope: "col" })));
+  const body = rows.map((row) => make("tr", {}, ...row.map((given, i) => (
+    i === 0 ? Object.assign(cell("th", given, false), { scope: "row" }) : labelled(cell("td", given, true), columns[i])))));
+  const table = make("table", {}, make("caption", { textContent: caption }), make("thead", {}, head), make("tbody", {}, ...body));
+  return make("div", { className: "scroll", tabIndex: 0, role: "region", ariaLabel: caption }, table);
+}
+
+// The column's name beside the cell, for narrow screens where the head is not shown.
+function labelled(cell, column) {
+  cell.dataset.label = typeof column === "object" ? column.text : column;
+  return cell;
+}
+
+export function paragraphs(place, texts) {
+  place.replaceChildren(...texts.map((text) => make("p", { textContent: text })));
+}
+
+// Numbers with a unit inside a sentence, in the reader's units: "2.9 mph" is "1.30 m/s" for those who read SI.
+const OTHER = {
+  si: { mph: ["m/s", 0.44704, 2], in: ["cm", 2.54, 1] },
+  us: { mm: ["in", 1 / 25.4, 2], cm: ["in", 1 / 2.54, 1], m: ["in", 1 / 0.0254, 1], kN: ["lbf", 1000 / 4.4482216152605, 0] },
+};
+const QUANTITY = /([-−+]?\d+(?:\.\d+)?) (mph|in|mm|cm|m|kN)(?=[ .,;:)]|$)/g;
+
+export function inUnits(text, system) {
+  return text.replace(QUANTITY, (whole, number, unit) => {
+    const found = OTHER[system][unit];
+    if (!found) return whole;
+    const [name, size, digits] = found;
+    const value = Number(number.replace("−", "-")) * size;
+    return `${(number.startsWith("+") && value > 0 ? "+" : "")}${value.toFixed(digits).replace("-", "−")} ${name}`;
+  });
+}
+
+// A value of a row whose unit stands beside it, in the reader's units: [number, unit].
+const KIND_OF = {
+  m: "x_m", mm: "x_m", "m/s": "x_m_s", mph: "x_m_s", "kg m^2": "x_kg_m2", kN: "x_n", "N s": "x_n_s", ms: "x_ms",
+};
+const TO_SI = { mm: 1e-3, mph: 0.44704, kN: 1e3 };
+
+export function inReadersUnit(value, unit, app) {
+  if (typeof value !== "number") return value ?? "–";
+  const kind = KIND_OF[unit];
+  if (kind) return app.text(kind, value * (TO_SI[unit] ?? 1), decimalsFor(kind, value * (TO_SI[unit] ?? 1), app));
+  const shown = Math.abs(value) >= 1e4 ? value.toPrecision(4) : String(Number(value.toPrecision(4)));
+  const tidy = Math.abs(value) >= 1e4 ? Number(shown).toLocaleString("en-US") : shown;
+  return `${tidy.replace("-", "−")}${unit === "ratio" ? "" : ` ${unit.replace("^2", "²")}`}`;
+}
+
+// Four figures, but no more decimals than four.
+function decimalsFor(kind, value, app) {
+  const size = Math.abs(toShown(kind, value, app.units));
+  return size === 0 ? 1 : Math.min(4, Math.max(0, 3 - Math.floor(Math.log10(size))));
+}
+
+// An app for the controls of one item of a list in the state: scoped(app, "bats", 1, schema, defaults).
+// The list keeps only what differs from the defaults, so that addresses stay short.
+export function scoped(app, list, index, schema, defaults) {
+  return {
+    schema,
+    get units() { return app.units; },
+    get state() { return { ...defaults, ...app.state[list][index] }; },
+    setState(partial, options) {
+      const items = app.state[list].map((item, i) => (i === index ? slim({ ...defaults, ...item, ...partial }, defaults) : item));
+      app.setState({ [list]: items }, options);
+    },
+    commit: () => app.commit(),
+    control(control) {
+      app.control({
+        field: `${list}.${index}.${control.field}`,
+        sync: (state) => state[list][index] && control.sync({ ...defaults, ...state[list][index] }),
+        fault: (message) => control.fault(message),
+      });
+    },
+  };
+}
+
+function slim(item, defaults) {
+  const kept = Object.entries(item).filter(([field, value]) => JSON.stringify(value) !== JSON.stringify(defaults[field]));
+  return Object.fromEntries(kept);
+}
+

@@ -1,0 +1,69 @@
+// The line to the server: the latest question of each view wins, and a lost connection is shown and comes back.
+
+const SLOW = 4000; // ms after which a missing answer is said to be slow
+const FIRST_WAIT = 250, LONGEST_WAIT = 4000;
+
+export class Line {
+  // onAnswer(view, answer, state), onFault(view, {field, message}, state), onStatus("open" | "lost" | "slow")
+  constructor({ onAnswer, onFault, onStatus }) {
+    this.handlers = { onAnswer, onFault, onStatus };
+    this.asked = new Map(); // view -> {id, state} under way
+    this.next = new Map(); // view -> state to ask when that one is answered
+    this.last = null; // {view, state} to ask again after a loss
+    this.id = 0;
+    this.wait = FIRST_WAIT;
+    this.open();
+  }
+
+  ask(view, state) {
+    this.last = { view, state };
+    this.next.set(view, state);
+    this.flush();
+  }
+
+  open() {
+    const scheme = location.protocol === "https:" ? "wss:" : "ws:";
+    this.socket = new WebSocket(`${scheme}//${location.host}/ws`);
+    this.socket.onopen = () => {
+      this.wait = FIRST_WAIT;
+      this.handlers.onStatus("open");
+      if (this.last && !this.next.has(this.last.view)) this.next.set(this.last.view, this.last.state);
+      this.flush();
+    };
+    this.socket.onmessage = (event) => this.take(JSON.parse(event.data));
+    this.socket.onclose = () => this.lost();
+  }
+
+  lost() {
+    clearTimeout(this.slow);
+    this.asked.clear();
+    this.handlers.onStatus("lost");
+    setTimeout(() => this.open(), this.wait);
+    this.wait = Math.min(2 * this.wait, LONGEST_WAIT);
+  }
+
+  flush() {
+    if (this.socket.readyState !== WebSocket.OPEN) return;
+    for (const [view, state] of this.next) {
+      if (this.asked.has(view)) continue; // one question at a time; the latest waits
+      this.next.delete(view);
+      this.id += 1;
+      this.asked.set(view, { id: this.id, state });
+      this.socket.send(JSON.stringify({ id: this.id, view, state }));
+      clearTimeout(this.slow);
+      this.slow = setTimeout(() => this.handlers.onStatus("slow"), SLOW);
+    }
+  }
+
+  take(message) {
+    const found = [...this.asked].find(([, asked]) => message.id === null || asked.id === message.id);
+    if (!found) return;
+    const [view, { state }] = found;
+    this.asked.delete(view);
+    clearTimeout(this.slow);
+    this.handlers.onStatus("open");
+    if (message.error) this.handlers.onFault(view, message.error, state);
+    else this.handlers.onAnswer(view, message.answer, state);
+    this.flush();
+  }
+}

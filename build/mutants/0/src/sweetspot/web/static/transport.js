@@ -1,0 +1,124 @@
+// Play, pause, step and scrub through a time that is drawn, by pointer and keyboard.
+//
+//   const transport = new Transport(app, { field: "moment_ms", onMoment(seconds) {} });
+//   box.append(transport.element); transport.keys(root);        // transport.end() when the view goes
+//   transport.set({ from, to, frames: [seconds], slowness });   // after every answer
+//   transport.play(); transport.pause(); transport.moment
+//
+// The moment is the view's own while it plays or is scrubbed; where it rests, it goes into app.state[field] in ms.
+
+import { button } from "./controls.js";
+
+export class Transport {
+  constructor(app, { field, onMoment, describe }) {
+    Object.assign(this, { app, field, onMoment, describe, moment: 0, from: 0, to: 1, frames: [], slowness: 1000, stop: null });
+    this.toggle = button("Play", () => this.flip(), { primary: true, title: "Play or pause (K)" });
+    this.toggle.id = "play";
+    const back = button("◀", () => this.step(-1), { title: "One picture back (,)" });
+    const on = button("▶", () => this.step(1), { title: "One picture on (.)" });
+    back.setAttribute("aria-label", "One picture back");
+    on.setAttribute("aria-label", "One picture on");
+    this.range = Object.assign(document.createElement("input"), { type: "range", id: "moment", step: "0.001" });
+    this.range.setAttribute("aria-label", "Moment, ms after first touch");
+    this.range.addEventListener("input", () => {
+      this.pause();
+      this.show(Number(this.range.value) / 1000);
+    });
+    this.range.addEventListener("change", () => this.rest());
+    this.words = Object.assign(document.createElement("output"), { htmlFor: "moment", className: "moment" });
+    this.element = Object.assign(document.createElement("div"), { className: "transport" });
+    this.element.append(this.toggle, back, this.range, on, this.words);
+    app.control({ field, sync: (state) => this.sync(state), fault: () => {} });
+  }
+
+  set({ from, to, frames, slowness }) {
+    Object.assign(this, { from, to, frames, slowness });
+    this.range.min = String(from * 1000);
+    this.range.max = String(to * 1000);
+    this.show(this.moment, false);
+  }
+
+  // The address' moment, unless it is the one that this view has just put there.
+  sync(state) {
+    if (state[this.field] === this.known || this.stop) return;
+    this.known = state[this.field];
+    this.moment = this.known / 1000;
+    if (this.frames.length) this.show(this.moment);
+  }
+
+  show(moment, draw = true) {
+    this.moment = Math.min(this.to, Math.max(this.from, moment));
+    if (document.activeElement !== this.range || this.stop || Math.abs(Number(this.range.value) / 1000 - this.moment) > 2e-6)
+      this.range.value = String(this.moment * 1000);
+    const { short, long } = this.describe(this.moment);
+    this.words.textContent = short;
+    this.range.setAttribute("aria-valuetext", long);
+    if (draw) this.onMoment(this.moment);
+  }
+
+  // Leave the moment in the address.
+  rest() {
+    const moment = Math.round(this.moment * 1e6) / 1000;
+    this.known = moment;
+    if (moment !== this.app.state[this.field]) this.app.setState({ [this.field]: moment });
+    this.app.announce(this.describe(this.moment).long);
+  }
+
+  flip() {
+    if (this.stop) {
+      this.pause();
+      this.rest();
+    } else this.play();
+  }
+
+  play() {
+    if (this.stop) return;
+    if (this.moment >= this.to - 1e-9) this.moment = this.from;
+    let before = null;
+    this.stop = this.app.onFrame((now) => {
+      const passed = before === null ? 0 : Math.min(100, now - before);
+      before = now;
+      this.show(this.moment + passed / 1000 / this.slowness);
+      if (this.moment >= this.to - 1e-9) this.pause();
+    });
+    this.label();
+  }
+
+  pause() {
+    this.stop?.();
+    this.stop = null;
+    this.label();
+  }
+
+  label() {
+    this.toggle.textContent = this.stop ? "Pause" : "Play";
+  }
+
+  // To the next or the last picture of the answer.
+  step(direction) {
+    this.pause();
+    const margin = 1e-9;
+    const next = direction > 0 ? this.frames.find((time) => time > this.moment + margin)
+      : [...this.frames].reverse().find((time) => time < this.moment - margin);
+    this.show(next ?? (direction > 0 ? this.to : this.from));
+    this.rest();
+  }
+
+  keys(root) {
+    this.heard = new AbortController();
+    root.addEventListener("keydown", (event) => {
+      if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches("input[type=number], input[type=text], select, textarea")) return;
+      const act = { k: () => this.flip(), ",": () => this.step(-1), ".": () => this.step(1) }[event.key.toLowerCase()];
+      if (!act) return;
+      event.preventDefault();
+      act();
+    }, { signal: this.heard.signal });
+  }
+
+  // Nothing moves or listens any more.
+  end() {
+    this.stop?.();
+    this.stop = null;
+    this.heard?.abort();
+  }
+}

@@ -1,0 +1,138 @@
+// The pictures of the comparison: the bats below each other with tips aligned, and the change of exit speed with its interval.
+
+import { paintBat } from "../batview.js";
+import { LEFT, RIGHT } from "../chart.js";
+import { FONT, Surface, haloText, ticks } from "../surface.js";
+import { toShown, unitOf } from "../units.js";
+
+export const LINES = [
+  { color: "ink", width: 2.4, dash: [] }, { color: "red", width: 2.2, dash: [7, 3] }, { color: "blue", width: 2.2, dash: [2, 2.5] },
+  { color: "orange", width: 2.2, dash: [10, 3, 2, 3] }, { color: "green", width: 2.2, dash: [4, 2] },
+];
+const NAME = 22, ROOM = 14, WIDEST = 0.068; // px, px, m
+
+export class RowsPicture {
+  constructor(app) {
+    Object.assign(this, { app, bats: [], longest: 1 });
+    this.surface = new Surface(app, { height: (width) => Math.max(1, this.bats.length) * this.row(width), paint: (...all) => this.paint(...all) });
+    this.element = this.surface.element;
+  }
+
+  draw(bats, longest) {
+    Object.assign(this, { bats, longest });
+    const place = ({ bat, max_exit_speed_m: best }) => this.app.text("from_m", bat.length_m - best, 1);
+    this.surface.label(`The bats to scale, tips aligned. ${bats.map((one) => `${one.label} hits fastest ${place(one)} from the tip`).join("; ")}.`);
+    this.surface.draw();
+  }
+
+  scale(width) { return (width - LEFT - RIGHT) / this.longest; }
+  row(width) { return NAME + ROOM + WIDEST * this.scale(width); }
+
+  paint(context, width) {
+    this.bats.forEach((one, i) => this.paintRow(context, one, LINES[i], i * this.row(width), width));
+  }
+
+  paintRow(context, { bat, shape, label, zone_m: zone, max_exit_speed_m: best }, line, top, width) {
+    const { colors } = this.app;
+    const scale = this.scale(width);
+    const left = width - RIGHT - bat.length_m * scale;
+    const middle = top + NAME + (WIDEST * scale) / 2;
+    const across = (x) => left + x * scale;
+    if (zone) {
+      context.fillStyle = colors.zoneEdge;
+      context.fillRect(across(zone[0]), top + NAME + WIDEST * scale + 4, across(zone[1]) - across(zone[0]), 4);
+    }
+    paintBat(context, { ...bat, ...shape }, { left, scale, middle }, colors);
+    context.fillStyle = colors.red;
+    context.strokeStyle = colors.panel;
+    context.lineWidth = 1.5;
+    context.beginPath();
+    context.arc(across(best), middle, 5, 0, 2 * Math.PI);
+    context.fill();
+    context.stroke();
+    Object.assign(context, { strokeStyle: colors[line.color], lineWidth: 3, font: `600 12px ${FONT}`, textAlign: "left", textBaseline: "middle" });
+    context.setLineDash(line.dash);
+    context.beginPath();
+    context.moveTo(LEFT, top + 10);
+    context.lineTo(LEFT + 30, top + 10);
+    context.stroke();
+    context.setLineDash([]);
+    haloText(context, label, LEFT + 36, top + 10, colors.ink, colors.panel);
+  }
+}
+
+const CHANGE_ROW = 30, HEAD = 20, FOOT = 30;
+
+export class ChangePicture {
+  constructor(app) {
+    Object.assign(this, { app, bats: [] });
+    this.surface = new Surface(app, { height: () => HEAD + Math.max(1, this.bats.length - 1) * CHANGE_ROW + FOOT, paint: (...all) => this.paint(...all) });
+    this.element = this.surface.element;
+  }
+
+  draw(bats) {
+    this.bats = bats;
+    const show = (value) => this.app.text("change_m_s", value);
+    this.element.hidden = bats.length < 2;
+    this.surface.label(`Change of exit speed against ${bats[0].label}: ${bats.slice(1).map(({ label, change_m_s: change }) => (
+      `${label} ${show(change.value)}, interval ${show(change.low)} to ${show(change.high)}`)).join("; ")}.`);
+    this.surface.draw();
+  }
+
+  paint(context, width, height) {
+    const { colors, units } = this.app;
+    const shown = (value) => toShown("change_m_s", value, units);
+    const others = this.bats.slice(1);
+    const ends = others.flatMap(({ change_m_s: { low, high } }) => [shown(low), shown(high)]);
+    const room = 0.12 * Math.max(0.2, Math.max(0, ...ends) - Math.min(0, ...ends));
+    const [least, most] = [Math.min(0, ...ends) - room, Math.max(0, ...ends) + room];
+    const names = Math.min(0.42 * width, 220);
+    const across = (value) => names + 10 + ((value - least) / (most - least)) * (width - names - RIGHT - 20);
+    const bottom = height - FOOT;
+    Object.assign(context, { font: `600 12px ${FONT}`, fillStyle: colors.ink, textAlign: "left", textBaseline: "middle" });
+    context.fillText("Change of exit speed", 0, 9);
+    context.font = `11px ${FONT}`;
+    for (const value of ticks(least, most, (width - names) / 60)) {
+      this.rule(context, across(value), HEAD, bottom, value === 0 ? colors.ink : colors.grid);
+      Object.assign(context, { fillStyle: colors.muted, textAlign: "center", textBaseline: "top" });
+      context.fillText(String(value).replace("-", "−"), across(value), bottom + 4);
+    }
+    context.textAlign = "right";
+    context.fillText(`${unitOf("change_m_s", units)} against ${clipped(context, this.bats[0]?.label ?? "", width / 2)}`, width - RIGHT, bottom + 17);
+    others.forEach((one, i) => this.paintRow(context, one, LINES[i + 1], HEAD + (i + 0.5) * CHANGE_ROW, { across, shown, names }));
+  }
+
+  rule(context, x, top, bottom, color) {
+    Object.assign(context, { strokeStyle: color, lineWidth: 1 });
+    context.beginPath();
+    context.moveTo(x, top);
+    context.lineTo(x, bottom);
+    context.stroke();
+  }
+
+  paintRow(context, { label, change_m_s: change }, line, y, { across, shown, names }) {
+    const { colors } = this.app;
+    Object.assign(context, { font: `12px ${FONT}`, fillStyle: colors.ink, textAlign: "left", textBaseline: "middle" });
+    context.fillText(clipped(context, label, names), 0, y);
+    Object.assign(context, { strokeStyle: colors[line.color], fillStyle: colors[line.color], lineWidth: 4, lineCap: "round" });
+    context.beginPath();
+    context.moveTo(across(shown(change.low)), y);
+    context.lineTo(across(shown(change.high)), y);
+    context.stroke();
+    context.lineCap = "butt";
+    context.beginPath();
+    context.arc(across(shown(change.value)), y, 6, 0, 2 * Math.PI);
+    context.fill();
+    Object.assign(context, { font: `600 11px ${FONT}`, textAlign: "center" });
+    const digits = this.app.units === "us" ? 1 : 2;
+    const words = `${change.value > 0 ? "+" : ""}${shown(change.value).toFixed(digits).replace("-", "−")}`;
+    haloText(context, words, across(shown(change.value)), y - 12, colors.ink, colors.panel);
+  }
+}
+
+function clipped(context, text, width) {
+  if (context.measureText(text).width <= width) return text;
+  let short = text;
+  while (short.length > 3 && context.measureText(`${short}…`).width > width) short = short.slice(0, -1);
+  return `${short.trimEnd()}…`;
+}

@@ -1,0 +1,174 @@
+// Flight: the path from the side and from above over a park, in its air and wind; over which fences the ball goes.
+
+import { choice, group, slider, toggle } from "../controls.js";
+import { make, tableOf } from "../parts.js";
+import { toShown } from "../units.js";
+import { FieldPicture, SidePicture } from "./flight_pictures.js";
+
+const WORDS = { "home run": "home run", "off the wall": "off the wall", "in play": "in play", foul: "foul" };
+const CLASSES = { "home run": "good", foul: "muted" };
+const FACTS = [
+  ["Carry", (a, app) => app.text("distance", a.flight.carry_m)],
+  ["Hang time", (a, app) => app.text("seconds", a.flight.hang_time_s)],
+  ["Apex", (a, app) => app.text("distance", a.flight.apex_m)],
+  ["Lands at", (a, app) => `${app.text("landing_speed_m_s", a.flight.landing_speed_m_s)}, ${app.text("angle_rad", a.flight.landing_angle_rad, 0)} down`],
+  ["Without air", (a, app) => app.text("distance", a.without_air.carry_m)],
+  ["Air", (a, app) => app.text("air_density_kg_m3", a.air_density_kg_m3)],
+];
+
+export const view = {
+  name: "flight",
+  defaults: { offset_in: 0.75 },
+
+  mount(root, app) {
+    Object.assign(this, { app });
+    const own = ballControls(app);
+    const swung = swingControls(app);
+    app.control({ field: "parts of start", fault() {}, sync: ({ start }) => {
+      own.hidden = start !== "ball";
+      swung.hidden = start === "ball";
+      if (this.hint) this.hint.hidden = start !== "ball";
+    } });
+    const side = make("div", { className: "side" },
+      group("Start", [choice(app, "start", { label: "The ball starts", options: [["ball", "with these numbers"], ["swing", "from pitch and swing"]] })]),
+      own, swung, this.parkControls(app));
+    this.words = make("p", { className: "headline", id: "verdict" });
+    this.launch = make("p", { className: "note" });
+    this.facts = make("dl", { className: "facts" });
+    this.side = new SidePicture(app);
+    this.field = new FieldPicture(app, { onAim: (angle, { last }) => this.aim(angle, last) });
+    this.hint = make("p", { className: "note", textContent: "Drag on the field to turn the ball." });
+    this.parks = make("div");
+    this.pictures = make("div", { className: "pair" },
+      make("div", {}, make("h2", { textContent: "From the side" }), this.side.element, this.facts),
+      make("div", {}, make("h2", { textContent: "From above" }), this.field.element, this.hint));
+    this.list = make("section", { className: "picture" }, make("h2", { textContent: "In every park" }),
+      toggle(app, "own_elevation", { label: "Each park with the air of its own elevation" }), this.parks);
+    root.append(side, make("div", { className: "stack" },
+      make("section", { className: "picture" }, this.words, this.launch, this.pictures), this.list));
+  },
+
+  parkControls(app) {
+    const parks = app.lists().then((lists) => lists.parks.map(({ key, name }) => [key, name]));
+    this.elevation = slider(app, "elevation_ft", { label: "Elevation", step: 50, empty: 0, note: "The park's, until moved." });
+    return group("Park and weather", [
+      choice(app, "park", { label: "Park", options: parks, onChange: () => app.setState({ elevation_ft: null }) }),
+      slider(app, "wind_speed_mph", { label: "Wind", step: 0.5 }),
+      slider(app, "wind_direction_deg", { label: "Wind blows to: 0 out, ±180 in", step: 5 }),
+      slider(app, "temperature_degf", { label: "Temperature", step: 1 }),
+      slider(app, "relative_humidity", { label: "Humidity of the air", step: 0.01 }),
+      slider(app, "pressure_inhg", { label: "Pressure at sea level", step: 0.02 }),
+      this.elevation,
+      slider(app, "height_ft", { label: "Height at contact", step: 0.1 }),
+    ]);
+  },
+
+  // Dragging on the field turns the ball that starts with its own numbers; a swing's ball goes where it must.
+  aim(angle, last) {
+    if (this.app.state.start !== "ball") return false;
+    const { minimum, maximum } = this.app.schema.spray_deg;
+    const degrees = Math.round((2 * angle * 180) / Math.PI) / 2;
+    this.app.setState({ spray_deg: Math.min(maximum, Math.max(minimum, degrees)) }, { commit: last });
+    return true;
+  },
+
+  // Until it is moved the elevation's control shows the park's.
+  showElevation({ park }, state) {
+    if (state.elevation_ft !== null) return;
+    const shown = Math.round(toShown("distance", park.elevation_m, this.app.units));
+    for (const input of this.elevation.querySelectorAll("input")) if (document.activeElement !== input) input.value = String(shown);
+  },
+
+  update(answer, state) {
+    this.showElevation(answer, state);
+    const words = answer.missed ? "The bat misses the ball, or the ball does not come off it. Move the ball nearer to the bat's axis." : this.headline(answer);
+    this.words.textContent = words;
+    this.app.announce(words);
+    this.pictures.hidden = this.list.hidden = answer.missed;
+    if (answer.missed) {
+      this.launch.textContent = "";
+      return;
+    }
+    this.launch.textContent = this.start(answer);
+    this.facts.replaceChildren(...FACTS.map(([name, value]) => make("div", {}, make("dt", { textContent: name }), make("dd", { textContent: value(answer, this.app) }))));
+    this.side.draw(answer);
+    this.field.draw(answer, state);
+    this.parks.replaceChildren(this.listOfParks(answer));
+  },
+
+  headline({ end, park, flight, out_in: count, of }) {
+    const far = (value) => this.app.text("distance", value);
+    const over = Math.abs(end.clearance_m ?? 0);
+    const what = {
+      "home run": `over the fence of ${park.name}, ${far(over)} above its top at ${far(end.distance_m)}`,
+      "off the wall": `against the fence of ${park.name}, ${far(over)} below its top at ${far(end.distance_m)}`,
+      "in play": `comes down ${far(flight.carry_m)} from the plate in ${park.name}`,
+      foul: "foul",
+    }[end.outcome];
+    const name = end.outcome === "home run" ? "Home run: " : end.outcome === "foul" ? "" : "In play: ";
+    return `${name}${what}. Out in ${count} of ${of} parks.`.replace(/^./, (letter) => letter.toUpperCase());
+  },
+
+  start({ launch, swing }) {
+    const show = (name, value, digits) => this.app.text(name, value, digits);
+    const side = launch.spray_rad < 0 ? "to left field" : "to right field";
+    const words = `The ball leaves at ${show("v_m_s", launch.exit_speed_m_s)}, ${show("a_rad", launch.launch_angle_rad)} up, ` +
+      `${show("a_rad", Math.abs(launch.spray_rad))} ${side}, with ${show("w_rad_s", launch.backspin_rad_s)} of backspin and ${show("w_rad_s", launch.sidespin_rad_s)} of sidespin.`;
+    return swing ? `${words} The bat moves at ${show("v_m_s", swing.bat_speed_m_s)} where they meet.` : words;
+  },
+
+  listOfParks({ parks }) {
+    const sorted = [...parks].sort((a, b) => (b.clearance_m ?? -1e3) - (a.clearance_m ?? -1e3));
+    const table = tableOf("Outcome in every park, the easiest first", ["Park", "Outcome", "Above the fence", "There"], sorted.map((row) => [
+      { text: row.park, note: row.team }, { text: WORDS[row.outcome], className: CLASSES[row.outcome] ?? "" },
+      row.clearance_m === null ? "–" : this.app.text("distance", row.clearance_m), this.app.text("distance", row.distance_m)]));
+    table.classList.add("parks");
+    return table;
+  },
+
+  unmount() {},
+
+  figures() {
+    return [this.side.surface.figure("side"), this.field.surface.figure("field")];
+  },
+
+  charts() {
+    return this.app.answer.missed ? [] : [this.side.chart()];
+  },
+
+  table() {
+    const { time_s, right_m, out_m, up_m, distance_m } = this.app.answer.path ?? {};
+    return { time_s, right_m, out_m, up_m, distance_m };
+  },
+};
+
+function ballControls(app) {
+  return group("The ball as it leaves", [
+    slider(app, "exit_speed_mph", { label: "Exit speed", step: 0.5 }),
+    slider(app, "launch_angle_deg", { label: "Launch angle", step: 0.5 }),
+    slider(app, "spray_deg", { label: "Direction, − left, + right field", step: 0.5 }),
+    slider(app, "backspin_rpm", { label: "Backspin", step: 50 }),
+    slider(app, "sidespin_rpm", { label: "Sidespin, + bends to the left", step: 50 }),
+  ]);
+}
+
+function swingControls(app) {
+  const bats = app.lists().then((lists) => lists.bats.map((bat) => [bat.key, bat.name]));
+  const box = make("div", { className: "side" },
+    group("Bat and swing", [
+      choice(app, "bat", { label: "Bat", options: bats, onChange: () => app.setState({ bat_toml: null, profile_in: null, mass_oz: null }) }),
+      slider(app, "bat_speed_mph", { label: "Bat speed, 6 in from the tip", step: 0.5 }),
+      slider(app, "impact_from_tip_in", { label: "Met from the tip", step: 0.1 }),
+      slider(app, "offset_in", { label: "Ball above the bat's axis", step: 0.05 }),
+      slider(app, "attack_angle_deg", { label: "Attack angle, up", step: 0.5 }),
+      slider(app, "attack_direction_deg", { label: "Attack direction, − pulled", step: 0.5 }),
+      slider(app, "tilt_deg", { label: "Tilt of the swing's plane", step: 0.5 }),
+      choice(app, "bats", { label: "Batter", options: [["right", "right-handed"], ["left", "left-handed"]] }),
+    ]),
+    group("Pitch at the plate", [
+      slider(app, "pitch_speed_mph", { label: "Speed", step: 0.5 }),
+      slider(app, "pitch_angle_deg", { label: "Angle, − falls", step: 0.5 }),
+      slider(app, "pitch_backspin_rpm", { label: "Backspin", step: 50 }),
+    ]));
+  return box;
+}

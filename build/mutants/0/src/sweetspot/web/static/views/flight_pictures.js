@@ -1,0 +1,215 @@
+// The flight from the side (distance over the ground against height) and from above (the field with its fence).
+
+import { FONT, Surface, haloText, ticks } from "../surface.js";
+import { fromShown, toShown, unitOf } from "../units.js";
+
+const LEFT = 42, RIGHT = 14, TOP = 16, FOOT = 34;
+const BASE = 27.432; // m between bases
+const MOUND = 18.44;
+
+function line(context, points, { color, width = 2, dash = [] }) {
+  Object.assign(context, { strokeStyle: color, lineWidth: width, lineJoin: "round", lineCap: "round" });
+  context.setLineDash(dash);
+  context.beginPath();
+  points.forEach(([x, y], i) => (i ? context.lineTo(x, y) : context.moveTo(x, y)));
+  context.stroke();
+  context.setLineDash([]);
+  context.lineCap = "butt";
+}
+
+function dot(context, [x, y], radius, color) {
+  context.fillStyle = color;
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.fill();
+}
+
+export class SidePicture {
+  constructor(app) {
+    Object.assign(this, { app, data: null });
+    this.surface = new Surface(app, { height: (width) => this.tall(width), paint: (...all) => this.paint(...all) });
+    this.element = this.surface.element;
+  }
+
+  draw(answer) {
+    this.data = answer;
+    const far = (value) => this.app.text("distance", value);
+    this.surface.label(`The flight from the side: ${far(answer.flight.apex_m)} high at its apex, ${far(answer.flight.carry_m)} of carry, ` +
+      `${answer.end.clearance_m === null ? "not reaching the fence" : `${far(Math.abs(answer.end.clearance_m))} ${answer.end.clearance_m > 0 ? "above" : "below"} the fence's top`}.`);
+    this.surface.draw();
+  }
+
+  reach() {
+    const { flight, path_without_air: vacuum } = this.data;
+    const fence = this.fence();
+    const highest = Math.max(flight.apex_m, fence.height, 12, Math.min(Math.max(...vacuum.up_m), 1.3 * flight.apex_m));
+    return { far: 1.06 * Math.max(flight.carry_m, fence.distance, 40), high: 1.12 * highest };
+  }
+
+  // The fence in the direction in which the ball passes or would pass it.
+  fence() {
+    const { park, end } = this.data;
+    const wanted = Math.min(park.direction_rad.at(-1), Math.max(park.direction_rad[0], end.direction_rad));
+    const at = park.direction_rad.findIndex((direction) => direction >= wanted - 1e-9);
+    return { distance: park.distance_m[at], height: park.height_m[at] };
+  }
+
+  // The same curves as a chart of distance and height, for those who want to read numbers off them.
+  chart() {
+    const { path, path_without_air: vacuum } = this.data;
+    const { distance, height } = this.fence();
+    const lines = [
+      { key: "air", label: "in this air", color: "red", width: 2.6 }, { key: "vacuum", label: "without air", color: "muted", dash: [4, 4] },
+      { key: "fence", label: "fence", color: "green", width: 5 }];
+    return {
+      app: this.app, label: "The flight from the side", panels: [{ title: "Height", kind: "distance", height: 300, zero: true, lines }],
+      axis: { kind: "distance", label: "over the ground from home plate" },
+      data: {
+        range: [0, this.reach().far], xs: { air: path.distance_m, vacuum: vacuum.distance_m, fence: [distance, distance] },
+        lines: { air: path.up_m, vacuum: vacuum.up_m, fence: [0, height] } },
+    };
+  }
+
+  tall(width) {
+    if (!this.data) return 200;
+    const { far, high } = this.reach();
+    return Math.max(150, TOP + FOOT + (high / far) * (width - LEFT - RIGHT));
+  }
+
+  paint(context, width, height) {
+    if (!this.data) return;
+    const { colors } = this.app;
+    const { far } = this.reach();
+    const scale = (width - LEFT - RIGHT) / far;
+    const [across, up] = [(x) => LEFT + x * scale, (z) => height - FOOT - z * scale];
+    this.paintAxes(context, { width, height, across, up, far, scale });
+    const { path, path_without_air: vacuum, end } = this.data;
+    const { distance, height: top } = this.fence();
+    const points = ({ distance_m, up_m }) => distance_m.map((x, i) => [across(x), up(up_m[i])]);
+    context.save();
+    context.beginPath();
+    context.rect(LEFT, 0, width - LEFT - RIGHT, height - FOOT + 6);
+    context.clip();
+    line(context, points(vacuum), { color: colors.muted, width: 1.4, dash: [4, 4] });
+    line(context, points(path), { color: colors.red, width: 2.6 });
+    context.restore();
+    line(context, [[across(distance), up(0)], [across(distance), up(top)]], { color: colors.green, width: 5 });
+    const roomy = across(distance) < width - 100;
+    Object.assign(context, { font: `600 11px ${FONT}`, textAlign: roomy ? "left" : "right", textBaseline: "middle" });
+    haloText(context, `fence ${this.app.text("distance", top)}`, across(distance) + (roomy ? 7 : -7), up(0) - 8, colors.ink, colors.panel);
+    context.textAlign = "right";
+    if (end.clearance_m !== null) {
+      const place = [across(end.distance_m), up(end.height_m)];
+      dot(context, place, 4.5, colors.red);
+      const sign = end.clearance_m > 0 ? "over by" : "short by";
+      haloText(context, `${sign} ${this.app.text("distance", Math.abs(end.clearance_m))}`, place[0] - 9, Math.min(place[1] + 12, up(0) - 24), colors.ink, colors.panel);
+    }
+    Object.assign(context, { font: `11px ${FONT}`, textAlign: "left" });
+    const high = vacuum.up_m.indexOf(Math.max(...vacuum.up_m));
+    haloText(context, "without air", Math.min(width - 80, across(vacuum.distance_m[high])), Math.max(10, up(vacuum.up_m[high]) - 9), colors.muted, colors.panel);
+  }
+
+  paintAxes(context, { width, height, across, up, far, scale }) {
+    const { colors, units } = this.app;
+    Object.assign(context, { font: `11px ${FONT}`, fillStyle: colors.muted, textAlign: "right", textBaseline: "middle" });
+    const room = (height - FOOT - TOP) / scale;
+    for (const value of ticks(0, toShown("distance", room, units), (height - FOOT) / 34)) {
+      const y = up(fromShown("distance", value, units));
+      line(context, [[LEFT, y], [width - RIGHT, y]], { color: value ? colors.grid : colors.line, width: 1 });
+      context.fillText(String(value), LEFT - 6, y);
+    }
+    Object.assign(context, { textAlign: "center", textBaseline: "top" });
+    for (const value of ticks(0, toShown("distance", far, units), width / 80)) {
+      const x = across(fromShown("distance", value, units));
+      line(context, [[x, up(0)], [x, up(0) + 4]], { color: colors.line, width: 1 });
+      context.fillText(String(value), x, height - FOOT + 6);
+    }
+    context.textAlign = "right";
+    context.fillText(`${unitOf("distance", units)} over the ground from home plate`, width - RIGHT, height - 15);
+  }
+}
+
+export class FieldPicture {
+  // onAim(radians from centre field, { last }): the ball is dragged to another direction.
+  constructor(app, { onAim }) {
+    Object.assign(this, { app, data: null });
+    this.surface = new Surface(app, { height: (width) => 0.98 * width, paint: (...all) => this.paint(...all) });
+    this.element = this.surface.element;
+    this.surface.drags(({ x, y, last }) => this.plate && onAim(Math.atan2(x - this.plate[0], this.plate[1] - y), { last }));
+  }
+
+  draw(answer, state) {
+    Object.assign(this, { data: answer, state });
+    this.surface.label(`The field of ${answer.park.name} from above, with the path of the ball, which is ${answer.end.outcome}.`);
+    this.surface.draw();
+  }
+
+  paint(context, width, height) {
+    if (!this.data) return;
+    const { colors } = this.app;
+    const { park, path, flight, end } = this.data;
+    const reach = 1.05 * Math.max(...park.out_m, ...path.out_m, 60);
+    const wide = 1.05 * Math.max(...park.right_m.map(Math.abs), ...path.right_m.map(Math.abs));
+    const scale = Math.min((height - 30) / (reach + 6), width / (2 * wide));
+    const at = (right, out) => [width / 2 + right * scale, height - 14 - (out + 4) * scale];
+    const fence = park.right_m.map((right, i) => at(right, park.out_m[i]));
+    this.plate = at(0, 0);
+    context.beginPath();
+    context.moveTo(...at(0, 0));
+    for (const point of fence) context.lineTo(...point);
+    context.closePath();
+    context.fillStyle = colors.zone;
+    context.fill();
+    line(context, [fence[0], at(0, 0), fence.at(-1)], { color: colors.line, width: 1 });
+    const h = BASE / Math.SQRT2;
+    line(context, [at(0, 0), at(h, h), at(0, 2 * h), at(-h, h), at(0, 0)], { color: colors.line, width: 1.5 });
+    dot(context, at(0, MOUND), 2.5, colors.line);
+    this.paintFence(context, fence, park.height_m);
+    line(context, path.right_m.map((right, i) => at(right, path.out_m[i])), { color: colors.red, width: 2.6 });
+    dot(context, at(path.right_m.at(-1), path.out_m.at(-1)), 4.5, colors.red);
+    if (end.clearance_m !== null) {
+      const place = at(end.distance_m * Math.sin(end.direction_rad), end.distance_m * Math.cos(end.direction_rad));
+      dot(context, place, 3.5, colors.ink);
+    }
+    Object.assign(context, { font: `600 12px ${FONT}`, textAlign: "center", textBaseline: "middle" });
+    const [x, y] = at(path.right_m.at(-1), path.out_m.at(-1));
+    haloText(context, this.app.text("distance", flight.carry_m), Math.min(width - 30, Math.max(30, x)), Math.max(10, y - 13), colors.ink, colors.panel);
+    this.paintDistances(context, fence, park, at);
+    this.paintWind(context, height);
+  }
+
+  // The fence is the thicker the higher it is.
+  paintFence(context, fence, heights) {
+    const { colors } = this.app;
+    for (let i = 1; i < fence.length; i += 1) {
+      line(context, [fence[i - 1], fence[i]], { color: colors.green, width: Math.min(9, 1.5 + 0.6 * heights[i]) });
+    }
+  }
+
+  paintDistances(context, fence, park) {
+    const { colors } = this.app;
+    const last = fence.length - 1;
+    Object.assign(context, { font: `11px ${FONT}`, textAlign: "center", textBaseline: "middle" });
+    for (const i of [0, Math.round(last / 2), last]) {
+      const [x, y] = fence[i];
+      const words = this.app.text("distance", park.distance_m[i]);
+      const shift = i === 0 ? 26 : i === last ? -26 : 0;
+      haloText(context, words, x + shift, y + 15, colors.muted, colors.panel);
+    }
+  }
+
+  // Down in the corner, where no ball goes.
+  paintWind(context, height) {
+    const { wind_speed_mph: speed, wind_direction_deg: to } = this.state;
+    if (!speed) return;
+    const { colors } = this.app;
+    const [x, y, angle] = [38, height - 62, (to * Math.PI) / 180];
+    const reach = 12 + Math.min(18, speed * 0.6);
+    const tip = [x + reach * Math.sin(angle), y - reach * Math.cos(angle)];
+    const wing = (turn) => [tip[0] - 9 * Math.sin(angle + turn), tip[1] + 9 * Math.cos(angle + turn)];
+    line(context, [[x - reach * Math.sin(angle), y + reach * Math.cos(angle)], tip], { color: colors.blue, width: 3 });
+    line(context, [wing(0.5), tip, wing(-0.5)], { color: colors.blue, width: 3 });
+    Object.assign(context, { font: `11px ${FONT}`, textAlign: "left", textBaseline: "middle" });
+    haloText(context, `wind ${this.app.text("wind_mph", speed, this.app.units === "us" ? 0 : 1)}`, 6, height - 14, colors.ink, colors.panel);
+  }
+}

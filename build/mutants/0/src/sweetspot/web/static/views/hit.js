@@ -1,0 +1,194 @@
+// The hit in slow motion: ball, bat and wall at one moment, and force, hands and energy over time.
+
+import { Chart } from "../chart.js";
+import { choice, group, slider, toggle } from "../controls.js";
+import { Film, LEAD } from "../film.js";
+import { paintEnd, paintSide, sideHeight } from "../filmscene.js";
+import { Ledger } from "../ledger.js";
+import { Surface } from "../surface.js";
+import { Transport } from "../transport.js";
+
+const PANELS = [
+  { title: "Force on the ball", kind: "force_n", height: 84, zero: true, lines: [{ key: "force_n", color: "red", fill: true }] },
+  { title: "Speed of the bat under the top hand", kind: "hand_velocity_m_s", height: 84, lines: [{ key: "hand", color: "purple" }] },
+];
+const FACTS = [
+  ["Exit speed", (a) => ["exit_speed_m_s", a.hit.exit_speed_m_s]],
+  ["Push over, below 1 % of its peak", (a) => ["contact_time_s", a.hit.contact_time_s]],
+  ["Ball free", (a) => ["release_time_s", a.hit.release_time_s]],
+  ["Peak force", (a) => ["peak_force_n", a.hit.peak_force_n]],
+  ["Ball pressed in by", (a) => ["peak_compression_m", a.hit.peak_compression_m]],
+  ["Wave reaches the top hand", (a) => ["arrival_s", a.hands.arrival_s]],
+  ["Push given by then", (a) => ["given_pct", a.hands.impulse_given === null ? null : 100 * a.hands.impulse_given]],
+];
+
+export const view = {
+  name: "hit",
+
+  mount(root, app) {
+    Object.assign(this, { app, film: null, started: false });
+    this.side = new Surface(app, {
+      label: "Ball and bat from the side", height: (width) => (this.film ? sideHeight(this.film, width, this.state) : 300),
+      paint: (...all) => this.film && paintSide(...all, this.shown()),
+    });
+    this.end = new Surface(app, {
+      label: "Barrel and ball from the end", height: () => 250,
+      paint: (...all) => this.film && paintEnd(...all, this.shown()),
+    });
+    this.chart = new Chart(app, {
+      label: "Force and the hands' motion in time", panels: PANELS, axis: { kind: "time_s", label: "after first touch" },
+      onPick: (moment, { last }) => this.pick(moment, last),
+    });
+    this.ledger = new Ledger(app, { onPick: (moment, { last }) => this.pick(moment, last) });
+    this.transport = new Transport(app, {
+      field: "moment_ms", onMoment: () => this.paint(), describe: (moment) => this.describe(moment),
+    });
+    this.words = Object.assign(document.createElement("p"), { className: "verdict flow", id: "verdict" });
+    this.facts = Object.assign(document.createElement("dl"), { className: "facts" });
+    this.values = FACTS.map(([name]) => fact(this.facts, name));
+    root.append(this.controls(), this.pictures());
+    this.transport.keys(root);
+  },
+
+  pictures() {
+    const picture = Object.assign(document.createElement("section"), { className: "picture" });
+    picture.setAttribute("aria-label", "The hit in slow motion");
+    const pair = Object.assign(document.createElement("div"), { className: "film-pair" });
+    pair.append(this.end.element, this.chart.element);
+    picture.append(this.words, this.side.element, this.transport.element, pair, this.ledger.element, this.facts);
+    return picture;
+  },
+
+  controls() {
+    const { app } = this;
+    const side = Object.assign(document.createElement("div"), { className: "side" });
+    this.wall = slider(app, "wall_factor", { label: "Wall, times", step: 0.05 });
+    const bats = app.lists().then((lists) => lists.bats.map((bat) => [bat.key, bat.name]));
+    side.append(
+      group("Hit", [
+        choice(app, "bat", { label: "Bat", options: bats }),
+        slider(app, "impact_from_tip_in", { label: "Ball meets bat, from the tip", step: 0.1 }),
+        slider(app, "pitch_speed_mph", { label: "Pitch speed", step: 0.5 }),
+        slider(app, "bat_speed_mph", { label: "Bat speed, 6 in from the tip", step: 0.5 }),
+        this.wall,
+        toggle(app, "held", { label: "Typical hands hold the bat", note: "Their grip changes the handle's motion, not the ball's." }),
+      ]),
+      group("Film", [
+        slider(app, "slowness", { label: "Slower than life, times", step: 100 }),
+        slider(app, "exaggeration", { label: "Bat's motion drawn larger, times", step: 0.5 }),
+        slider(app, "duration_ms", { label: "Lasts, after first touch", step: 0.5 }),
+        toggle(app, "recoil", { label: "Show the whole motion", note: "Without: the bending alone, the bat's push back and turn left out." }),
+      ]),
+    );
+    return side;
+  },
+
+  update(answer, state) {
+    if (this.film?.answer !== answer) {
+      this.film = new Film(answer);
+      this.series = this.film.series();
+    }
+    this.state = state;
+    FACTS.forEach(([, value], i) => (this.values[i].textContent = this.app.text(...value(answer))));
+    this.ledger.set(this.film, this.series);
+    this.transport.set({ from: -LEAD, to: this.film.end, frames: this.film.times, slowness: state.slowness });
+    this.wall.hidden = !answer.bat.hollow && state.wall_factor === 1;
+    this.say(answer);
+    this.paint();
+    if (!this.started && !this.app.calm && !new URLSearchParams(location.search).has("moment_ms")) {
+      this.transport.moment = -LEAD;
+      this.transport.play();
+    }
+    this.started = true;
+  },
+
+  // What the pictures need to know of this moment.
+  shown() {
+    const { film, app, state } = this;
+    const { deepest } = film;
+    const times = Number(state.exaggeration.toFixed(1));
+    return {
+      film, moment: this.transport.moment, colors: app.colors, exaggeration: state.exaggeration, recoil: state.recoil,
+      wall: deepest > 0 ? Math.min(state.exaggeration, (0.5 * film.answer.hoop.radius_m) / deepest) : 1,
+      notes: [`${state.recoil ? "bat's motion" : "bat's bending alone"} × ${times}; ball and bat to scale; dashed: ${state.recoil ? "where the swing alone would take it" : "the straight bat"}`,
+        `red: the bat moves fast, up to ${app.text("speed_m_s", film.fastest, 0)}`],
+    };
+  },
+
+  paint() {
+    if (!this.film) return;
+    const { film, series } = this;
+    const moment = this.transport.moment;
+    this.side.draw();
+    this.end.draw();
+    const { arrival_s: arrival } = film.answer.hands;
+    const marks = [{ at: film.hit.contact_time_s, color: "muted", label: "push over" }, { at: film.hit.release_time_s, color: "muted", label: "ball free" }];
+    if (arrival !== null) marks.push({ at: arrival, color: "purple", label: "wave at the top hand" });
+    marks.sort((a, b) => b.at - a.at);
+    this.chart.draw({ x: series.x, lines: series.lines, range: [-LEAD, film.end], marks, cursor: moment });
+    this.ledger.draw(moment);
+  },
+
+  pick(moment, last) {
+    this.transport.pause();
+    this.transport.show(moment);
+    if (last) this.transport.rest();
+  },
+
+  describe(moment) {
+    const { film, app } = this;
+    const short = app.text("moment_s", moment, 2);
+    if (!film) return { short, long: short };
+    const { release_time_s: release } = film.hit;
+    const ball = moment < 0 ? "the ball is on its way"
+      : moment < release ? `the ball is pressed in by ${app.text("pressed_m", film.pressed(moment))} with ${app.text("force_n", film.force(moment))}`
+        : "the ball has left";
+    const { arrival_s: arrival } = film.answer.hands;
+    const hands = arrival !== null && moment >= arrival ? "the wave has reached the hands" : "the hands feel nothing yet";
+    return { short, long: `${short} after first touch: ${ball}; ${hands}` };
+  },
+
+  say({ bat, hit, hands }) {
+    const time = (seconds) => this.app.text("time_s", seconds, 2);
+    const back = `What the hands do about it could be back at the ball after ${time(2 * hands.arrival_s)}, `;
+    const wave = hands.arrival_s === null ? "No wave to speak of reaches the top hand in this film."
+      : `The wave reaches the top hand ${time(hands.arrival_s)} after first touch, when the ball has had ${this.app.text("given_pct", 100 * hands.impulse_given, 0)} of its push. ` +
+        back + (2 * hands.arrival_s > hit.contact_time_s ? "too late." : "while ball and bat still push each other.");
+    const words = `${bat.name}: the push is over ${time(hit.contact_time_s)} after first touch. ${wave}`;
+    if (this.words.textContent !== words) this.app.announce(words);
+    this.words.textContent = words;
+    this.side.label(`Ball and bat from the side, ${this.state.exaggeration} times its motion. ${words}`);
+    this.chart.label(`Force on the ball, at most ${this.app.text("force_n", hit.peak_force_n)}, and speed of the bat under the top hand, in time.`);
+    this.end.label("Barrel and ball from the end, where the ball meets it.");
+  },
+
+  unmount() {
+    this.transport.end();
+  },
+
+  figures() {
+    return [this.side.figure("hit"), this.end.figure("end"), this.chart.figure("time"), this.ledger.figure("energy")];
+  },
+
+  charts() {
+    return [this.chart, this.ledger.chart];
+  },
+
+  table() {
+    const { film, hands, hoop, energy_j: energy } = this.film.answer;
+    const dents = Object.fromEntries((hoop?.harmonics ?? []).map((n, i) => [`wall_dent_harmonic_${n}_m`, hoop.dent_m[i]]));
+    return {
+      time_s: film.time_s, force_n: film.force_n, compression_m: film.compression_m, ball_travel_m: film.ball_travel_m,
+      hand_displacement_m: hands.displacement_m, hand_velocity_m_s: hands.velocity_m_s,
+      ...Object.fromEntries(Object.entries(energy).map(([name, values]) => [`energy_${name}_j`, values])), ...dents,
+    };
+  },
+};
+
+function fact(list, name) {
+  const [box, term, value] = ["div", "dt", "dd"].map((tag) => document.createElement(tag));
+  term.textContent = name;
+  box.append(term, value);
+  list.append(box);
+  return value;
+}

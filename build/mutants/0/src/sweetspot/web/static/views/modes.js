@@ -1,0 +1,234 @@
+// Modes: how a bat moves and rings, where each motion stands still, and what a tap excites.
+
+import { button, choice, group, slider, toggle } from "../controls.js";
+import { Stage, paintMotion } from "../modescene.js";
+import { Surface } from "../surface.js";
+import { strike } from "../tapsound.js";
+
+const PERIOD = 1400; // ms on the screen of one swing to and fro, whatever its real frequency
+const INCH = 0.0254;
+const MOST_ROWS = 14;
+
+export const view = {
+  name: "modes",
+
+  mount(root, app) {
+    Object.assign(this, { app, answer: null, phase: 1, stop: null, begun: false });
+    this.stage = new Surface(app, {
+      label: "A motion of the bat", height: (width) => (this.answer ? new Stage(this.answer, width).height : 360),
+      paint: (...all) => this.answer && paintMotion(...all, this.shown()),
+    });
+    this.stage.element.style.cursor = "ew-resize";
+    this.stage.drags(({ x, last }) => this.tapAt(x, last));
+    this.words = Object.assign(document.createElement("p"), { className: "verdict flow", id: "verdict" });
+    this.toggle = button("Play", () => (this.stop ? this.pause() : this.play()), { primary: true, title: "Play or pause (K)" });
+    this.toggle.id = "play";
+    this.speed = Object.assign(document.createElement("span"), { className: "note" });
+    const row = Object.assign(document.createElement("div"), { className: "transport" });
+    row.append(this.toggle, button("Listen to the tap", () => strike(this.answer), { title: "The motions at their frequencies, dying away as they do" }), this.speed);
+    this.rowsBox = Object.assign(document.createElement("div"), { className: "scroll" });
+    const picture = Object.assign(document.createElement("section"), { className: "picture" });
+    picture.setAttribute("aria-label", "Motions of the bat");
+    Object.assign(this.rowsBox, { tabIndex: 0 }).setAttribute("role", "region");
+    this.rowsBox.setAttribute("aria-label", "Motions of the bat");
+    this.aside = Object.assign(document.createElement("p"), { className: "note" });
+    picture.append(this.words, this.stage.element, row, this.rowsBox, this.aside);
+    root.append(this.controls(), picture);
+    this.heard = new AbortController();
+    root.addEventListener("keydown", (event) => this.key(event), { signal: this.heard.signal });
+  },
+
+  controls() {
+    const { app } = this;
+    const side = Object.assign(document.createElement("div"), { className: "side" });
+    this.wall = slider(app, "wall_factor", { label: "Wall, times", step: 0.05 });
+    const bats = app.lists().then((lists) => lists.bats.map((bat) => [bat.key, bat.name]));
+    const held = { label: "Typical hands hold the bat", note: "Without hands it hangs free, as in a laboratory." };
+    side.append(
+      group("Bat", [
+        choice(app, "bat", { label: "Bat", options: bats }),
+        this.wall,
+        toggle(app, "held", held),
+      ]),
+      group("Tap", [
+        slider(app, "tap_from_tip_in", { label: "Where, from the tip", step: 0.1 }),
+        slider(app, "tap_ms", { label: "How long", step: 0.05, note: "A ball about 1 ms, a knuckle 2, a steel ball 0.1." }),
+      ]),
+      group("Picture", [slider(app, "exaggeration", { label: "Size of the motion", step: 0.1 })], { open: false }),
+    );
+    return side;
+  },
+
+  key(event) {
+    if (event.key.toLowerCase() !== "k" || event.target.matches("input[type=number], select") || event.ctrlKey || event.metaKey) return;
+    event.preventDefault();
+    this.toggle.click();
+  },
+
+  tapAt(pixel, last) {
+    if (!this.answer) return;
+    const stage = new Stage(this.answer, this.stage.width);
+    const inches = (this.answer.bat.length_m - stage.along(pixel)) / INCH;
+    this.app.setState({ tap_from_tip_in: Math.round(20 * inches) / 20 }, { commit: last });
+  },
+
+  // The chosen motion, or the one like it on another bat.
+  motion() {
+    const { family, number } = this.state;
+    const same = this.answer.modes.filter((one) => one.family === family);
+    return same[Math.min(number, same.length) - 1] ?? this.answer.modes.find((one) => one.family === "bending");
+  },
+
+  update(answer, state) {
+    Object.assign(this, { answer, state });
+    this.wall.hidden = !answer.bat.hollow && state.wall_factor === 1;
+    this.list();
+    this.say();
+    this.aside.textContent = state.held
+      ? "Damping of a held bat is each motion's own part; the hands' dampers couple the motions too. Hands: typical values, recalled and not measured."
+      : "Damping of the hanging bat: the material's, the same ratio for every motion.";
+    this.stage.draw();
+    if (!this.begun && !this.app.calm) this.play();
+    this.begun = true;
+  },
+
+  shown() {
+    const { answer, state, app } = this;
+    return {
+      answer, motion: this.motion(), phase: this.phase, size: state.exaggeration, both: !this.stop, colors: app.colors,
+      text: (...all) => app.text(...all),
+    };
+  },
+
+  play() {
+    let begin = null;
+    this.stop = this.app.onFrame((now) => {
+      begin ??= now;
+      this.phase = Math.cos((2 * Math.PI * (now - begin)) / PERIOD);
+      this.stage.draw();
+    });
+    this.toggle.textContent = "Pause";
+  },
+
+  // At rest the picture shows both ends of the motion.
+  pause() {
+    this.stop?.();
+    this.stop = null;
+    this.phase = 1;
+    this.toggle.textContent = "Play";
+    this.stage.draw();
+  },
+
+  list() {
+    const rows = this.answer.modes.slice(0, MOST_ROWS);
+    const shape = JSON.stringify(rows.map((row) => [row.family, row.number, row.shape]));
+    if (shape !== this.listed) {
+      this.listed = shape;
+      this.rows(rows);
+    }
+    const chosen = this.motion();
+    const most = Math.max(...rows.map((row) => row.tap.hand_speed_m_s_per_n_s));
+    rows.forEach((row, i) => {
+      const cells = this.cells[i];
+      cells.input.checked = row.family === chosen.family && row.number === chosen.number;
+      const share = row.tap.energy_share;
+      bar(cells.share, share, share === null ? "–" : percent(share));
+      const felt = row.tap.hand_speed_m_s_per_n_s;
+      bar(cells.felt, felt / (most || 1), this.app.text("sting", felt));
+    });
+  },
+
+  rows(rows) {
+    const held = Array.from(document.querySelectorAll("[name=motion]")).includes(document.activeElement);
+    const heads = ["Motion", "Frequency", "Damping", "Dies away in", "Share of the tap's energy", "Felt at the hands after 1 N s"];
+    const table = Object.assign(document.createElement("table"), { className: "motions" });
+    const caption = Object.assign(document.createElement("caption"), { className: "unseen", textContent: "Motions of the bat; choose one to see it" });
+    const head = document.createElement("tr");
+    head.append(...heads.map((words, i) => Object.assign(document.createElement("th"), { textContent: words, scope: "col", className: i && i < 4 ? "number" : "" })));
+    table.append(caption, head);
+    this.cells = rows.map((row) => {
+      const line = document.createElement("tr");
+      const cells = Array.from({ length: 6 }, () => line.appendChild(document.createElement("td")));
+      const label = document.createElement("label");
+      const input = Object.assign(document.createElement("input"), { type: "radio", name: "motion", value: `${row.family} ${row.number}` });
+      input.addEventListener("change", () => this.app.setState({ family: row.family, number: row.number }));
+      label.append(input, thumbnail(row), nameOf(row));
+      cells[0].append(label);
+      cells[1].textContent = row.frequency_hz ? this.app.text("f_hz", row.frequency_hz) : "–";
+      cells[2].textContent = row.damping_ratio === null ? "–" : `${(100 * row.damping_ratio).toFixed(row.damping_ratio < 0.1 ? 2 : 0)} %`;
+      cells[3].textContent = row.decay_s === null ? "–" : this.app.text("decay_s", row.decay_s, row.decay_s < 0.01 ? 1 : 0);
+      for (const cell of cells.slice(1, 4)) cell.className = "number";
+      table.append(line);
+      return { input, share: cells[4], felt: cells[5] };
+    });
+    this.rowsBox.replaceChildren(table);
+    if (held) table.querySelector(":checked")?.focus();
+  },
+
+  say() {
+    const { answer, app } = this;
+    const motion = this.motion();
+    const place = (node) => app.text("node_m", answer.bat.length_m - node);
+    const hertz = app.text("f_hz", motion.frequency_hz);
+    const still = motion.nodes_m.map(place).reverse();
+    const where = still.length ? `It stands still ${listed(still)} from the tip.` : "It stands still nowhere along the bat.";
+    const share = motion.tap.energy_share;
+    const tap = share === null ? "" : ` The tap ${place(answer.tap.position_m)} from the tip gives it ${percent(share)} of the vibration's energy.`;
+    const words = {
+      rigid: `${nameOf(motion)}: the bat moves without bending.`,
+      hoop: `${nameOf(motion)}, ${hertz}: the barrel goes out of round with ${motion.harmonic} waves around it and ${motion.axial} half ${motion.axial === 1 ? "wave" : "waves"} along it.`,
+      hand: `${nameOf(motion)}, ${hertz}: hands and bat against each other, on the hands' flesh.`,
+    }[motion.family] ?? `${nameOf(motion)}, ${hertz}.`;
+    this.words.textContent = `${words} ${where}${tap}`;
+    this.speed.textContent = motion.frequency_hz ? `slowed down ${Math.round((motion.frequency_hz * PERIOD) / 1000)} times, drawn larger than life` : "drawn larger than life";
+    this.stage.label(`${answer.bat.name}. ${this.words.textContent}`);
+    if (this.stage.element.ariaLabel !== this.spoken) app.announce(this.words.textContent);
+    this.spoken = this.stage.element.ariaLabel;
+  },
+
+  unmount() {
+    this.stop?.();
+    this.stop = null;
+    this.heard.abort();
+  },
+
+  figures() {
+    return [this.stage.figure("mode")];
+  },
+
+  table() {
+    const { modes } = this.answer;
+    const shapes = Object.fromEntries(modes.map((row) => [`shape_${row.family}_${row.number}_${Math.round(row.frequency_hz)}_hz`, row.shape]));
+    return { position_m: this.answer.place_m, ...shapes };
+  },
+};
+
+function nameOf({ family, number, harmonic, axial, nodes_m: nodes }) {
+  if (family === "hoop") return `Hoop ${harmonic}.${axial}`;
+  if (family === "rigid") return nodes.length ? "Turn" : "Push";
+  return `${family === "hand" ? "Hands" : "Bending"} ${number}`;
+}
+
+const percent = (share) => (share > 0 && share < 1e-4 ? "< 0.01 %" : `${(100 * share).toFixed(share < 0.01 ? 2 : 1)} %`);
+const listed = (words) => (words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} and ${words.at(-1)}`);
+
+function bar(cell, part, words) {
+  if (!cell.firstChild) cell.append(Object.assign(document.createElement("span"), { className: "bar" }), "");
+  cell.firstChild.style.width = `${Math.round(60 * Math.min(1, Math.max(0, part ?? 0)))}px`;
+  cell.lastChild.textContent = words;
+}
+
+function thumbnail({ shape }) {
+  const space = "http://www.w3.org/2000/svg";
+  const svg = document.createElementNS(space, "svg");
+  svg.setAttribute("viewBox", "0 0 84 26");
+  svg.setAttribute("aria-hidden", "true");
+  const points = shape.filter((_, i) => i % 4 === 0).map((value, i, all) => `${(2 + (80 * i) / (all.length - 1)).toFixed(1)},${(13 - 10 * value).toFixed(1)}`);
+  for (const [tag, look] of [["line", { x1: 2, x2: 82, y1: 13, y2: 13, stroke: "var(--line)", "stroke-dasharray": "3 3" }],
+    ["polyline", { points: points.join(" "), fill: "none", stroke: "var(--accent)", "stroke-width": 2 }]]) {
+    const element = document.createElementNS(space, tag);
+    for (const [name, value] of Object.entries(look)) element.setAttribute(name, value);
+    svg.append(element);
+  }
+  return svg;
+}

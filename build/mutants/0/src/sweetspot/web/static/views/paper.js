@@ -1,0 +1,131 @@
+// The paper: one question after the other, its claim and formula with numbers that can be moved, and the full model.
+
+import { choice, button, group, slider } from "../controls.js";
+import { mathOf } from "../formula.js";
+import { inReadersUnit, inUnits, make, tableOf } from "../parts.js";
+import { PICTURES } from "./paper_pictures.js";
+import { STEPS } from "./paper_steps.js";
+
+export const view = {
+  name: "paper",
+
+  mount(root, app) {
+    Object.assign(this, { app, shown: null });
+    this.steps = STEPS.map((step, i) => {
+      const made = button(`${i + 1}. ${step.title}`, () => app.setState({ question: step.key }));
+      made.className = "step";
+      return made;
+    });
+    const list = make("ol", { className: "questions" }, ...this.steps.map((step) => make("li", {}, step)));
+    const nav = make("nav", { className: "group", ariaLabel: "Questions of the paper" }, make("h2", { textContent: "Questions" }), list);
+    this.own = Object.fromEntries(STEPS.map((step) => [step.key, make("div", {}, ...step.controls(app))]));
+    this.sliders = group("Move it", Object.values(this.own));
+    this.sliders.classList.add("across");
+    app.control({ field: "question", sync: ({ question }) => this.choose(question), fault() {} });
+    this.said = make("div", { className: "claim" });
+    this.formulas = make("div", { className: "formulas" });
+    this.slips = make("details", { className: "slips" });
+    this.picture = make("div");
+    this.rows = make("div");
+    this.truth = make("p", { className: "words", id: "verdict" });
+    this.turn = make("div", { className: "row" },
+      button("Back", () => this.go(-1)), button("Next question", () => this.go(1), { primary: true }));
+    const section = (title, ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
+    this.title = make("h1");
+    root.append(
+      make("div", { className: "side" }, nav, ...model(app)),
+      make("div", { className: "stack" }, this.title, section("The paper says", this.said, this.formulas, this.slips),
+        this.sliders, section("What the full model says", this.truth, this.picture),
+        section("Statement by statement", this.rows), this.turn));
+  },
+
+  choose(question) {
+    STEPS.forEach((step, i) => {
+      const here = step.key === question;
+      this.own[step.key].hidden = !here;
+      if (here) this.steps[i].setAttribute("aria-current", "step");
+      else this.steps[i].removeAttribute("aria-current");
+    });
+  },
+
+  go(by) {
+    const at = STEPS.findIndex(({ key }) => key === this.app.state.question) + by;
+    const next = STEPS[Math.min(STEPS.length - 1, Math.max(0, at))];
+    this.app.setState({ question: next.key });
+    scrollTo({ top: 0 });
+    this.steps[STEPS.indexOf(next)].focus();
+  },
+
+  update(answer, state) {
+    const step = STEPS.find(({ key }) => key === answer.question);
+    if (this.shown !== step.key) this.show(step);
+    this.formulas.replaceChildren(
+      ...step.formulas.map(([number, source, words]) => formulaRow(number, source, words)),
+      ...step.live(answer, state, this.app).map((source) => formulaRow("now", source, "")));
+    this.truth.textContent = step.truth(answer, state, this.app);
+    this.app.announce(this.truth.textContent);
+    this.drawing.draw(answer, state);
+    this.rows.replaceChildren(this.table_(answer.rows));
+    const at = STEPS.indexOf(step);
+    this.turn.firstChild.disabled = at === 0;
+    this.turn.lastChild.disabled = at === STEPS.length - 1;
+  },
+
+  show(step) {
+    this.shown = step.key;
+    this.title.textContent = step.question;
+    this.said.replaceChildren(...step.claim.map((text) => make("p", { textContent: text })));
+    this.slips.replaceChildren(make("summary", { textContent: "Misprints to know" }),
+      make("ul", {}, ...step.slips.map((text) => make("li", { textContent: text }))));
+    this.slips.hidden = step.slips.length === 0;
+    this.sliders.hidden = this.own[step.key].childElementCount === 0;
+    this.drawing = PICTURES[step.key](this.app);
+    this.picture.replaceChildren(...this.drawing.elements);
+  },
+
+  table_(rows) {
+    const show = (value, unit) => (typeof value === "string" ? value : inReadersUnit(value, unit, this.app));
+    return tableOf("Each statement: the paper's number or claim, its formula evaluated here, the full model", [
+      "Statement", "Paper", "Its formula", "Full model",
+    ], rows.map((row) => [
+      { text: `${row.equation === "-" ? "" : `(${row.equation}) `}${inUnits(row.quantity, this.app.units)}`, note: inUnits(row.comment, this.app.units) },
+      show(row.paper, row.unit), show(row.computed, row.unit), show(row.full_model, row.unit)]));
+  },
+
+  unmount() {},
+
+  figures() {
+    return this.drawing.figures();
+  },
+
+  charts() {
+    return this.drawing.charts();
+  },
+
+  table() {
+    const { rows } = this.app.answer;
+    return Object.fromEntries(["equation", "quantity", "unit", "paper", "computed", "full_model", "comment"].map((key) => [key, rows.map((row) => row[key])]));
+  },
+};
+
+function formulaRow(number, source, words) {
+  return make("div", { className: "formula" }, make("span", { className: "number", textContent: number === "now" ? "now" : number ? `(${number})` : "" }),
+    mathOf(source), make("span", { className: "note", textContent: words }));
+}
+
+function model(app) {
+  const bats = app.lists().then((lists) => lists.bats.map((bat) => [bat.key, bat.name]));
+  return [
+    group("The full model's bat and swing", [
+      choice(app, "bat", { label: "Bat", options: bats, onChange: () => app.setState({ bat_toml: null, profile_in: null, mass_oz: null }) }),
+      slider(app, "pitch_speed_mph", { label: "Pitch speed", step: 0.5 }),
+      slider(app, "bat_speed_mph", { label: "Bat speed, 6 in from the tip", step: 0.5 }),
+      slider(app, "hands_in", { label: "Top hand above the grip's end", step: 0.1 }),
+    ], { open: false }),
+    group("Ball", [
+      choice(app, "ball", { label: "Ball", options: app.lists().then(({ balls }) => balls.map((name) => [name, name])) }),
+      slider(app, "ball_humidity", { label: "Stored at humidity", step: 0.01, empty: 0.5 }),
+      slider(app, "ball_temperature_degf", { label: "Temperature", step: 1, empty: 70 }),
+    ], { open: false }),
+  ];
+}

@@ -1,0 +1,32 @@
+"""What a view of the page is to the server."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from sweetspot.web.states import ViewState
+
+
+@dataclass(frozen=True)
+class View:
+    """One view.
+
+    Parameters
+    ----------
+    name : in addresses: /explorer, /api/v1/explorer, static/views/explorer.js.
+    title : in the page's navigation.
+    state : its controls; the defaults are the first picture.
+    answer : from its controls to numbers and lists under keys with units; pure, safe in many threads at once, and
+        raises `FieldError` where a control does not work.
+    recipe : from its controls to the lines that give the same numbers without the page; see `web.recipes`.
+    slow : states whose first answer takes long, worked out once before anyone asks.
+    """
+
+    name: str
+    title: str
+    state: type[ViewState]
+    answer: Callable[[Any], dict[str, Any]]
+    recipe: Callable[[Any], dict[str, str]] | None = None
+    slow: tuple[ViewState, ...] = ()

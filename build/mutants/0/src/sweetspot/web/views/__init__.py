@@ -1,0 +1,24 @@
+"""The views of the page, in the order of its navigation.
+
+How to write one, say ``modes``:
+
+* ``web/views/modes.py``: a state model (a `BatState` or `HitState` with more fields, or a `ViewState`; every field has
+  bounds, a unit in its name and a default), ``answer(state) -> dict`` of plain numbers, texts and lists (arrays may
+  stay numpy; NaN becomes null) under keys with units, and ``VIEW = View("modes", "Modes", ModesState, answer)``.
+  Take the bat from `web.bats`: ``reduced(state, ball)`` keeps beam and modes between requests, ``conditions_of(state,
+  bat)`` gives pitch, swing, hands and ball. A control that does not work raises `FieldError(field, message)`, or wraps
+  what fails in ``with about(field):``. An answer should take a few ms: 50 browsers may be dragging at once.
+* add it to `VIEWS` below; the routes ``/modes``, ``POST /api/v1/modes`` and the socket then exist.
+* ``web/static/views/modes.js``: see the notes at the top of ``web/static/main.js``.
+* ``tests/web/test_view_modes.py``: the answer without a browser, and with the fixture ``page`` (see
+  ``tests/web/conftest.py``) what a person sees.
+"""
+
+from __future__ import annotations
+
+from sweetspot.web.view import View
+from sweetspot.web.views import compare, explorer, flight, hit, modes, paper
+
+VIEWS: dict[str, View] = {
+    view.name: view for view in (explorer.VIEW, hit.VIEW, modes.VIEW, compare.VIEW, flight.VIEW, paper.VIEW)
+}

@@ -1,0 +1,215 @@
+"""Compare: up to four bats in one player's hands, what a hole or another wall changes, and what leagues say of them."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from shlex import quote
+from typing import Annotated, Any, Literal
+
+from pydantic import Field
+
+from sweetspot import catalog
+from sweetspot.ball import Ball
+from sweetspot.bat import Bat
+from sweetspot.catalog.rules import league, league_names
+from sweetspot.catalog.swing_laws import swing_law
+from sweetspot.certification import Certification, certify
+from sweetspot.compare import Compared, Comparison, compare_reduced
+from sweetspot.reduction import Reduction
+from sweetspot.report.certification import check_json
+from sweetspot.report.comparison import assumptions, comparison_json
+from sweetspot.report.verdict import SI, US, Readers, cork_verdict, verdict, wall_verdict
+from sweetspot.rules import check_rules, construction_findings, title
+from sweetspot.trampoline import wall_point_of
+from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.faults import FieldError, about
+from sweetspot.web.outline import outline
+from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, is_catalogued, swing_options
+from sweetspot.web.states import BatState, HitState, Name, SwingState
+from sweetspot.web.view import View
+
+ALL = "all"
+FILLS = {"cork": "cork", "rubber": "rubber", "foam": "polyurethane-foam"}
+"""What a corked bat is filled with: label and material of the catalogue, as `sweetspot compare --what-if cork`."""
+NOTHING = "nothing"
+
+
+class CompareState(SwingState):
+    """The bats, the swing of the first one, and what is asked of them."""
+
+    bats: Annotated[tuple[BatState, ...], Field(min_length=1, max_length=4)] = Field(
+        (BatState(), BatState(bat="corked-r161"), BatState(bat="russell-b6")),
+        description="the first is the reference; the swing is known with it",
+    )
+    same: Literal["effort", "speed"] = Field("effort", description="how the others are swung")
+    swing_law: Name = Field("baseball", description="how bat speed depends on the bat")
+    what_if: Literal["none", "cork", "wall"] = Field(
+        "none", description="of the first bat alone: other bats made of it"
+    )
+    hole_diameter_in: float = Field(1.0, ge=0.25, le=2, description="hole of what_if cork")
+    hole_depth_in: float = Field(10.0, ge=1, le=20)
+    wall_times: float = Field(0.85, ge=0.5, le=2.0, description="wall of what_if wall, times the bat's own")
+    league: Name = Field("ncaa", description="whose rules the bats are held against, or 'all'")
+
+
+def answer(state: CompareState) -> dict[str, Any]:
+    """Return curves, changes with their intervals, the verdict in words, and every rule held against every bat."""
+    ball = ball_of(state)
+    reductions, labels = _bats(state, ball)
+    with about("swing_law"):
+        law = swing_law(state.swing_law)
+    found = compare_reduced(
+        reductions, conditions=conditions_of(state, reductions[0].bat), same=state.same, law=law, labels=labels
+    )
+    table = comparison_json(found, _words(state, found, US))
+    for row, one in zip(table["bats"], found.compared, strict=True):
+        row["shape"] = outline(one.analysis.bat)
+        row["scan"] |= {
+            "collision_efficiency": one.analysis.scan.collision_efficiency,
+            "bbcor": one.analysis.scan.bbcor,
+        }
+        row["wall"] = _wall(one) if state.what_if == "wall" else None
+    return {
+        **table,
+        "assumptions": assumptions(found),
+        "si": {"verdict": _words(state, found, SI), "assumptions": assumptions(found, SI)},
+        "certification": _certification(state, found),
+    }
+
+
+def _words(state: CompareState, found: Comparison, readers: Readers) -> list[str]:
+    """Return the verdict, with what belongs to the question that was asked."""
+    words = verdict(found, readers) or ["Choose another bat to compare this one with."]
+    if state.what_if == "cork":
+        return words + cork_verdict(found, readers)
+    return words + wall_verdict(found) if state.what_if == "wall" else words
+
+
+def _bats(state: CompareState, ball: Ball) -> tuple[list[Reduction], list[str]]:
+    """Return the bats with their labels; those of a what-if are made of the first."""
+    first = _reduced(state.bats[0], ball, 1)
+    if state.what_if == "cork":
+        made = [_made(_holed(state, fill), ball, "hole_diameter_in") for fill in (NOTHING, *FILLS.values())]
+        return [first, *made], ["unmodified", "drilled", *FILLS]
+    if state.what_if == "wall":
+        if first.bat.shell is None:
+            raise FieldError("what_if", f"{first.bat.name} is solid and has no wall; choose a hollow bat as bat 1")
+        thickness = state.bats[0].wall_factor * state.wall_times
+        other = _made(_changed(state, wall_factor=thickness), ball, "wall_times")
+        return [first, other], ["wall as it is", f"wall x {state.wall_times:.3g}"]
+    found = [first, *(_reduced(bat, ball, number) for number, bat in enumerate(state.bats[1:], start=2))]
+    return found, _distinct([one.bat.name for one in found])
+
+
+def _reduced(bat: BatState, ball: Ball, number: int) -> Reduction:
+    """Return one bat; what is wrong with it is said of the bats, with its number."""
+    try:
+        return reduced(bat, ball)
+    except FieldError as error:
+        raise FieldError(f"bats.{number - 1}.{error.field}", f"bat {number}: {error}") from None
+
+
+def _made(bat: BatState, ball: Ball, control: str) -> Reduction:
+    """Return a bat of a what-if; what does not work is said beside the what-if's own control."""
+    try:
+        return reduced(bat, ball)
+    except FieldError as error:
+        raise FieldError(control, str(error)) from None
+
+
+def _holed(state: CompareState, fill: str) -> BatState:
+    return _changed(state, bore_diameter_in=state.hole_diameter_in, bore_depth_in=state.hole_depth_in, bore_fill=fill)
+
+
+def _changed(state: CompareState, **changes: Any) -> BatState:
+    return state.bats[0].model_copy(update=changes)
+
+
+def _distinct(names: list[str]) -> list[str]:
+    """Return the names with a number behind those that occur again."""
+    return [
+        name if name not in names[:index] else f"{name} ({names[: index + 1].count(name)})"
+        for index, name in enumerate(names)
+    ]
+
+
+def _wall(one: Compared) -> dict[str, float]:
+    """Return what a hollow bat's wall does in its best hit."""
+    point = wall_point_of(one.analysis)
+    return {
+        "thickness_m": point.thickness,
+        "hoop_frequency_hz": point.hoop_frequency,
+        "energy_share": point.energy.share,
+        "restitution": point.energy.restitution,
+    }
+
+
+def _certification(state: CompareState, found: Comparison) -> list[dict[str, Any]]:
+    """Return, for every bat, the measures of the simulated test and every rule of the chosen leagues."""
+    with about("league"):
+        leagues = [league(name) for name in (league_names() if state.league == ALL else [state.league])]
+    rows = []
+    for one in found.compared:
+        bat, checks, measures = one.analysis.bat, [], {}
+        for each in leagues:
+            done = _certified(bat.choked_up(-bat.choke) if bat.choke else bat, each.ball)
+            known = {**construction_findings(bat, body=one.analysis.body), **done.findings()}
+            measures = {"bbcor": done.bbcor, "besr": done.besr, "bpf": done.bpf, "ball": done.ball.name}
+            checks += [
+                {**check_json(each.key, check), "league_name": each.name, "title": title(check.rule)}
+                for check in check_rules(each, bat=bat, findings=known)
+            ]
+        rows.append({"label": one.label, **measures, "checks": checks})
+    return rows
+
+
+@lru_cache(maxsize=128)
+def _certified(bat: Bat, ball: str) -> Certification:
+    return certify(bat, ball=catalog.ball(ball))
+
+
+def recipe(state: CompareState) -> dict[str, str]:
+    """Return command line, Python lines and bat files that give the same numbers."""
+    first, files = state.bats[0], {}
+    names = [bat_name(first)]
+    others = state.bats[1:] if state.what_if == "none" else ()
+    if state.what_if == "wall":
+        others = (_changed(state, wall_factor=first.wall_factor * state.wall_times),)
+    for number, bat in enumerate(others, start=2):
+        if is_catalogued(bat):
+            names.append(bat.bat)
+        else:
+            names.append(f"bat-{number}.toml")
+            files[names[-1]] = bat_text(bat)
+    swing = HitState.model_construct(
+        **{**dict(first), **{name: getattr(state, name) for name in SwingState.model_fields}}
+    )
+    options = swing_options(swing)
+    if state.same == "speed":
+        options += " --same-speed"
+    if state.swing_law != CompareState.model_fields["swing_law"].default:
+        options += f" --swing-law {quote(state.swing_law)}"
+    plug = min(1.0, state.hole_depth_in / 2)
+    if state.what_if == "cork":
+        options += f" --what-if cork --bore-diameter {state.hole_diameter_in:.12g}in"
+        options += f" --bore-depth {state.hole_depth_in:.12g}in --plug {plug:.12g}in"
+    made = [f'catalog.load_bat("{name}")' for name in names[1:]]
+    if state.what_if == "cork":
+        hole = f"diameter={state.hole_diameter_in!r} * INCH, depth={state.hole_depth_in!r} * INCH"
+        made = [f"bat.drilled({hole})"]
+        made += [
+            f'bat.corked({hole}, plug={plug!r} * INCH, fill=catalog.material("{fill}"))' for fill in FILLS.values()
+        ]
+    python = conditions_lines(swing) + (
+        "\nfrom sweetspot.catalog.swing_laws import swing_law\nfrom sweetspot.compare import compare\n\n"
+        f"bats = [{', '.join(['bat', *made])}]\n"
+        f'found = compare(bats, conditions=conditions, same="{state.same}", law=swing_law({state.swing_law!r}))\n'
+        "for one in found.compared:\n"
+        "    print(one.label, one.exit_speed.value / MPH, one.change.low / MPH, one.change.high / MPH)\n"
+    )
+    lines = [f"sweetspot compare {' '.join(names)}{options}"]
+    lines += [f"sweetspot certify {name} --league {quote(state.league)}" for name in names]
+    return {"command": "\n".join(lines), "python": python, "toml": bat_text(first), **files}
+
+
+VIEW = View("compare", "Compare", CompareState, answer, recipe)

@@ -1,0 +1,177 @@
+"""The hit in slow motion: ball, bat, barrel wall and energy at a row of moments, and the wave to the hands."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from pydantic import Field
+
+from sweetspot.analysis import TYPICAL_HAND, check_conditions, exit_speed_of, hit_at
+from sweetspot.collision.film import Film, arrival_time, film, impulse_given
+from sweetspot.collision.impact import Array, Impact
+from sweetspot.report.border import bat_json, conditions_json
+from sweetspot.rigid import RigidBody
+from sweetspot.swing import Conditions, Hands
+from sweetspot.units import INCH
+from sweetspot.vibration.hands import gripped
+from sweetspot.vibration.hoop import HARMONICS, contact_patch, patch_mean_around
+from sweetspot.vibration.modes import Modes
+from sweetspot.web.bats import ReducedBat, ball_of, conditions_of, reduced
+from sweetspot.web.faults import FieldError
+from sweetspot.web.outline import outline
+from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, modes_line, swing_options
+from sweetspot.web.states import SwungState
+from sweetspot.web.view import View
+
+PLACES = 61
+"""Places along the bat at which a drawing needs its shapes."""
+
+
+class HitFilmState(SwungState):
+    """The bat, the swing, where they meet, and how the film is shown."""
+
+    impact_from_tip_in: float = Field(6.0, ge=0, le=40, description="where the ball meets the bat")
+    held: bool = Field(False, description="typical hands hold the bat: a mass behind a spring and a damper each")
+    duration_ms: float = Field(4.0, ge=1.5, le=20, description="how long the film goes on after first touch")
+    moment_ms: float = Field(0.6, ge=-0.5, le=20, description="moment that is shown; the answer does not depend on it")
+    exaggeration: float = Field(2.0, ge=1, le=20, description="how many times larger the bat's motion is drawn")
+    recoil: bool = Field(True, description="whether the drawing moves the whole bat too, or bends it alone")
+    slowness: float = Field(1000.0, ge=100, le=10000, description="how many times slower than life the film plays")
+
+
+FILM_FIELDS = ("moment_ms", "exaggeration", "recoil", "slowness")
+"""Controls of the drawing alone."""
+
+
+def answer(state: HitFilmState) -> dict[str, Any]:
+    """Return the hit and its film; how it is drawn makes no difference."""
+    drawn = {name: HitFilmState.model_fields[name].default for name in FILM_FIELDS}
+    return _answer(state.model_copy(update=drawn))
+
+
+@lru_cache(maxsize=64)
+def _answer(state: HitFilmState) -> dict[str, Any]:
+    found = reduced(state, ball_of(state))
+    conditions = conditions_of(state, found.bat)
+    check_conditions(found.bat, conditions, body=found.body)
+    place = found.bat.length - state.impact_from_tip_in * INCH
+    if place < conditions.hands.position:
+        most = (found.bat.length - conditions.hands.position) / INCH
+        raise FieldError(
+            "impact_from_tip_in", f"the ball would meet the hands; allowed is up to {most:.1f} in from the tip"
+        )
+    modes = found.modes
+    if state.held:
+        hands = conditions.hands
+        modes = gripped(modes, Hands(position=hands.position, spacing=hands.spacing, **TYPICAL_HAND))
+    impact = hit_at(place, modes=modes, conditions=conditions)
+    scene = film(impact, modes=modes, ball=conditions.ball, duration=state.duration_ms * 1e-3)
+    return {
+        "bat": {**bat_json(found.bat.name, found.bat.length, found.body), **outline(found.bat)},
+        "ball": {"radius_m": conditions.ball.radius, "mass_kg": conditions.ball.mass},
+        "hands_m": conditions.hands.places,
+        "hit": _hit(impact, conditions),
+        "film": {
+            "time_s": _short(scene.times, 9),
+            "ball_travel_m": _short(scene.travel, 6),
+            "force_n": _short(scene.force, 1),
+            "compression_m": _short(scene.compression, 7),
+            "gap_m": _short(np.maximum(scene.displacement @ modes.shape_at(place) - scene.travel, 0.0), 6),
+            **_bat_motion(scene, modes, found.body, found.bat.length),
+        },
+        "energy_j": {name: _short(part, 3) for name, part in scene.energy._asdict().items() if part.any()},
+        "hands": _hands(scene, modes, conditions.hands.position),
+        "hoop": _hoop(scene, modes, found, conditions),
+        "conditions": conditions_json(conditions),
+    }
+
+
+def _hit(impact: Impact, conditions: Conditions) -> dict[str, Any]:
+    return {
+        "position_m": impact.position,
+        "outcome_text": impact.outcome.sentence,
+        "closing_speed_m_s": impact.closing_speed,
+        "bat_speed_m_s": conditions.swing.speed_at(impact.position),
+        "exit_speed_m_s": exit_speed_of(impact, conditions),
+        "collision_efficiency": impact.collision_efficiency,
+        "contact_time_s": impact.contact_time,
+        "release_time_s": impact.release_time,
+        "peak_force_n": impact.peak_force,
+        "peak_compression_m": impact.peak_compression,
+        "incoming_energy_j": impact.energy.incoming,
+    }
+
+
+def _bat_motion(scene: Film, modes: Modes, body: RigidBody, length: float) -> dict[str, Any]:
+    """Return how the bat's line moves, as modes: y(x, t) = sum_i shape_i(x) q_i(t), in the direction of the push.
+
+    ``push_m`` and ``turn_rad`` are the part of it that an unbending bat would show: y = push + turn (x - balance).
+    """
+    places = np.linspace(0, length, PLACES)
+    line = [index for index, family in enumerate(modes.families) if family != "hoop"]
+    push, turn = (scene.displacement @ modes.rigid_part[:2].T).T
+    return {
+        "place_m": _short(places, 5),
+        "shape_per_sqrt_kg": _short(modes.shape_at(places)[:, line].T, 4),
+        "motion_sqrt_kg_m": _short(scene.displacement[:, line].T, 6),
+        "push_m": _short(push / np.sqrt(body.mass), 6),
+        "turn_rad": _short(turn / np.sqrt(body.moi_cm), 6),
+    }
+
+
+def _hands(scene: Film, modes: Modes, position: float) -> dict[str, Any]:
+    """Return how the place of the top hand moves, and when the wave gets there."""
+    shape = modes.shape_at(position)
+    arrival = arrival_time(scene, modes=modes, position=position)
+    return {
+        "displacement_m": _short(scene.displacement @ shape, 6),
+        "velocity_m_s": _short(scene.velocity @ shape, 3),
+        "arrival_s": arrival,
+        "impulse_given": None if arrival is None else impulse_given(scene.impact, arrival),
+    }
+
+
+def _hoop(scene: Film, modes: Modes, found: ReducedBat, conditions: Conditions) -> dict[str, Any] | None:
+    """Return how far each harmonic dents a hollow barrel's wall under the ball: inwards by a_n(t) cos(n theta)."""
+    hoop = modes.of_family("hoop")
+    if not hoop or found.bat.shell is None:
+        return None
+    position, patch = scene.impact.position, contact_patch(conditions.ball)
+    shape = modes.shape_at(position)
+    dents = []
+    for harmonic in HARMONICS:
+        same = [index for index in hoop if modes.harmonics[index] == harmonic]
+        felt = scene.displacement[:, same] @ shape[same]
+        dents.append(_short(felt / patch_mean_around(found.line, harmonic=harmonic, patch=patch), 7))
+    return {
+        "harmonics": HARMONICS,
+        "dent_m": dents,
+        "radius_m": float(found.bat.diameter_at(position)) / 2,
+        "wall_m": float(found.bat.wall_at(position)),
+    }
+
+
+def _short(values: Array, digits: int) -> Array:
+    """Return numbers rounded to what a drawing can show, so that the answer is short."""
+    return np.round(values, digits) + 0.0
+
+
+def recipe(state: HitFilmState) -> dict[str, str]:
+    """Return the lines that give the hit and its film; the command line knows no hands that weigh something."""
+    place = f"{state.impact_from_tip_in:.12g}in-from-tip"
+    python = conditions_lines(state) + (
+        "from sweetspot import modes_of, reduce\n"
+        "from sweetspot.collision.film import arrival_time, film\n\n"
+        f"{modes_line(held=state.held)}"
+        f"impact = hit_at(bat.length - {state.impact_from_tip_in!r} * INCH, modes=modes, conditions=conditions)\n"
+        f"scene = film(impact, modes=modes, ball=conditions.ball, duration={state.duration_ms!r} * 1e-3)\n"
+        "scene.times, scene.force, scene.energy.bending  # s, N, J\n"
+        "arrival_time(scene, modes=modes, position=conditions.hands.position)  # s\n"
+    )
+    command = f"sweetspot hit {bat_name(state)} --at {place}{swing_options(state)}"
+    return {"python": python, "toml": bat_text(state)} | ({} if state.held else {"command": command})
+
+
+VIEW = View("hit", "Slow motion", HitFilmState, answer, recipe)

@@ -1,0 +1,226 @@
+"""What if: one bat changed in two ways at once, an answer in every cell, like a spreadsheet's two-way table."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+import numpy as np
+
+from sweetspot.bat import Bat
+from sweetspot.catalog.materials import material
+from sweetspot.catalog.swing_laws import swing_law
+from sweetspot.collision.kernel import hits
+from sweetspot.collision.momentum import bbcor, exit_speed
+from sweetspot.compare import Same, speed_ratios, swung_conditions
+from sweetspot.errors import InputError, SweetspotError
+from sweetspot.line import reduce
+from sweetspot.material import Material
+from sweetspot.parabola import peak
+from sweetspot.rigid import RigidBody, rigid_body
+from sweetspot.scan import Array
+from sweetspot.swing import Conditions
+from sweetspot.swing_law import SwingLaw
+from sweetspot.trampoline import with_wall_factor
+from sweetspot.units import INCH
+from sweetspot.vibration.hands import gripped
+from sweetspot.vibration.whole import modes_of
+
+Variation = Literal["mass", "bore_diameter", "bore_depth", "wall_factor", "bat_speed", "pitch_speed"]
+VARIATIONS: tuple[Variation, ...] = get_args(Variation)
+USUAL_DIAMETER, USUAL_DEPTH, USUAL_PLUG = 1 * INCH, 10 * INCH, 1 * INCH
+"""m; the hole of the published corked-bat tests, used for what is not varied [nathan_corknote]."""
+PLACES = 61
+"""On the barrel, where the best hit is looked for."""
+
+
+@dataclass(frozen=True)
+class Axis:
+    """One side of the table: what is varied, and its values in SI (a factor is a ratio)."""
+
+    variation: Variation
+    values: tuple[float, ...]
+
+    def __post_init__(self) -> None:
+        if self.variation not in VARIATIONS:
+            raise InputError(f"{self.variation!r} cannot be varied; allowed is one of {', '.join(VARIATIONS)}")
+        if not self.values or not np.all(np.isfinite(self.values)):
+            raise InputError(f"{self.variation} has no values, or one that is not a number; give one or more")
+
+
+@dataclass(frozen=True)
+class Answers:
+    """The results of one cell: the best hit on the barrel and the bat's own numbers, SI.
+
+    Parameters
+    ----------
+    exit_speed, collision_efficiency, bbcor : the greatest on the barrel under this swing.
+    bat_speed : where the swing is measured.
+    moi : about 6 in from the knob.
+    frequency : of bending mode 1.
+    """
+
+    exit_speed: float
+    collision_efficiency: float
+    bbcor: float
+    bat_speed: float
+    mass: float
+    balance_point: float
+    moi: float
+    frequency: float
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One cell: its place in the table and its answers, or None and the reason why there are none."""
+
+    row: int
+    column: int
+    answers: Answers | None
+    reason: str = ""
+
+
+@dataclass(frozen=True)
+class TwoWay:
+    """The whole table; ``cells[row][column]`` belongs to ``rows.values[row]`` and ``columns.values[column]``."""
+
+    rows: Axis
+    columns: Axis
+    cells: tuple[tuple[Cell, ...], ...]
+
+    def values(self, answer: str) -> Array:
+        """Return one answer of every cell, nan where a cell failed, shape (rows, columns).
+
+        Parameters
+        ----------
+        answer : name of a field of `Answers`.
+        """
+        if answer not in Answers.__dataclass_fields__:
+            raise InputError(f"{answer!r} is no answer; allowed is one of {', '.join(Answers.__dataclass_fields__)}")
+        return np.array([[getattr(cell.answers, answer, np.nan) for cell in row] for row in self.cells], dtype=float)
+
+    @property
+    def failures(self) -> tuple[Cell, ...]:
+        """The cells without answers."""
+        return tuple(cell for row in self.cells for cell in row if cell.answers is None)
+
+
+def what_if(
+    bat: Bat,
+    *,
+    rows: Axis,
+    columns: Axis,
+    conditions: Conditions,
+    same: Same = "effort",
+    law: SwingLaw | None = None,
+    fill: Material | None = None,
+    progress: Callable[[int, int], None] | None = None,
+) -> TwoWay:
+    """Return the two-way table of a bat.
+
+    A cell whose bat cannot exist, or cannot be swung so, carries the reason; the others go on.
+
+    Parameters
+    ----------
+    rows, columns : what they vary; two different things.
+    conditions : of the unchanged bat. With ``same`` "effort" every other bat is swung as ``law`` says.
+    fill : material of a varied hole; None: cork.
+    progress : called with (cells done, cells in all) after each one.
+    """
+    if rows.variation == columns.variation:
+        raise InputError(f"rows and columns both vary {rows.variation}; vary two different things")
+    used = (law or swing_law()) if same == "effort" else None
+    filled = fill or material("cork")
+    body = rigid_body(reduce(bat))
+
+    found: list[tuple[Cell, ...]] = []
+    for row, first in enumerate(rows.values):
+        cells: list[Cell] = []
+        for column, second in enumerate(columns.values):
+            settings: dict[Variation, float] = {rows.variation: float(first), columns.variation: float(second)}
+            try:
+                changed = varied(bat, settings, fill=filled)
+                answers = _answers(changed, settings, (bat, body), conditions, used)
+                cells.append(Cell(row, column, answers))
+            except SweetspotError as error:
+                cells.append(Cell(row, column, None, str(error)))
+            if progress is not None:
+                progress(row * len(columns.values) + column + 1, len(rows.values) * len(columns.values))
+        found.append(tuple(cells))
+    return TwoWay(rows, columns, tuple(found))
+
+
+def varied(bat: Bat, settings: Mapping[Variation, float], *, fill: Material) -> Bat:
+    """Return a bat with its weight, wall and hole as the settings say; speeds among them are left to the swing.
+
+    The weight is that of the bat before it is drilled. A solid bat takes it by lighter or heavier wood, a hollow one
+    by a weight in its end cap. A hole of depth or width 0 is no hole.
+
+    Parameters
+    ----------
+    settings : kg, m and ratios by what is varied.
+    """
+    changed = bat
+    if "wall_factor" in settings:
+        changed = with_wall_factor(changed, settings["wall_factor"])
+    if "mass" in settings:
+        changed = _with_mass(changed, settings["mass"])
+    if "bore_diameter" in settings or "bore_depth" in settings:
+        diameter = settings.get("bore_diameter", USUAL_DIAMETER)
+        depth = settings.get("bore_depth", USUAL_DEPTH)
+        if min(diameter, depth) < 0:
+            raise InputError(f"the hole is {diameter:g} m wide and {depth:g} m deep; allowed is zero or more")
+        if diameter > 0 and depth > 0:
+            changed = changed.corked(diameter=diameter, depth=depth, fill=fill, plug=min(USUAL_PLUG, depth / 2))
+    return changed
+
+
+def _with_mass(bat: Bat, mass: float) -> Bat:
+    if bat.shell is None:
+        if bat.mass is None or (bat.balance_point is None and bat.moi is None):
+            return bat.with_mass(mass)
+        moi = None if bat.moi is None else bat.moi * mass / bat.mass  # denser wood all over: same balance point
+        return bat.replaced(mass=mass, moi=moi)
+    lightest = rigid_body(reduce(bat)).mass - bat.shell.end_cap_mass
+    cap = mass - lightest
+    if cap < 0:
+        raise InputError(f"{bat.name} weighs {lightest:.4g} kg without its end cap; {mass:.4g} kg needs a thinner wall")
+    shell = bat.shell.replaced(end_cap_mass=cap)
+    return bat.replaced(shell=shell, mass=None, balance_point=None, moi=None, original=bat.original or bat)
+
+
+def _answers(
+    bat: Bat,
+    settings: Mapping[Variation, float],
+    known: tuple[Bat, RigidBody],
+    conditions: Conditions,
+    law: SwingLaw | None,
+) -> Answers:
+    """Return one bat's answers: only the pieces of an analysis that they need."""
+    reference, reference_body = known
+    line = reduce(bat)
+    body = rigid_body(line)
+    pitch, swing, ball = conditions.pitch, conditions.swing, conditions.ball
+    told = conditions.replaced(
+        pitch=pitch.replaced(speed=settings.get("pitch_speed", pitch.speed)),
+        swing=swing.replaced(bat_speed=settings.get("bat_speed", swing.bat_speed)),
+    )
+    ratio = None if law is None else speed_ratios(law, bat, body, reference, reference_body).value
+    swung = swung_conditions(bat, reference=reference, conditions=told, ratio=ratio)
+    free = modes_of(line, ball)
+    places = np.linspace(body.balance_point, bat.length, PLACES)
+    bat_speed = swung.swing.angular_speed * (places - swung.swing.pivot)
+    closing = swung.pitch.speed + bat_speed
+    done = hits(gripped(free, swung.hands), ball=ball, position=places, closing_speed=closing, keep_motion=False)
+    efficiency = done.collision_efficiency
+    return Answers(
+        exit_speed=peak(exit_speed(efficiency, ball_speed=swung.pitch.speed, bat_speed=bat_speed)),
+        collision_efficiency=peak(efficiency),
+        bbcor=peak(bbcor(efficiency, body=body, ball=ball, position=places)),
+        bat_speed=swung.swing.bat_speed,
+        mass=body.mass,
+        balance_point=body.balance_point,
+        moi=body.moi(6 * INCH),
+        frequency=float(free.frequency[free.of_family("bending")[0]]),
+    )

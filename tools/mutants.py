@@ -1,0 +1,243 @@
+"""Try deliberate mistakes in physics and catalogue, and print those that no test notices.
+
+    python tools/mutants.py [--only TEXT] [--workers N] [--minutes M]
+
+The mistakes are in `mutations.toml`: text replaced in a named function, class, constant or catalogue table. Each is
+made in a copy of the package, and its group's tests run against the copy, which should fail. Results are kept in
+build/mutants.json and taken up again as long as package, tests and mistake are the same, so that a broken-off run goes
+on. Exit 0 when at least `GOAL` of the mistakes in code and catalogue each were noticed; 1 otherwise.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ast
+import hashlib
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+import tomllib
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+from queue import SimpleQueue
+
+ROOT = Path(__file__).resolve().parents[1]
+PACKAGE = ROOT / "src" / "sweetspot"
+TESTS = ROOT / "tests"
+WORK = ROOT / "build" / "mutants"
+RESULTS = ROOT / "build" / "mutants.json"
+GOAL = 0.97
+PATIENCE = 240
+"""s for the tests of one mistake; a mistake that makes them hang was noticed."""
+
+
+class StaleError(Exception):
+    """The mistake's place or text is no longer in the package."""
+
+
+@dataclass(frozen=True)
+class Mutation:
+    """One mistake: the text ``old`` of the place ``where`` becomes ``new``; ``tests`` should notice."""
+
+    where: str
+    old: str
+    new: str
+    tests: tuple[str, ...]
+
+    @property
+    def in_catalogue(self) -> bool:
+        """Whether it is a wrong value, not wrong code."""
+        return ".toml:" in self.where
+
+    def __str__(self) -> str:
+        return f"{self.where}: {self.old.strip()!r} -> {self.new.strip()!r}"
+
+
+def mutations() -> list[Mutation]:
+    """Return every mistake of `mutations.toml`."""
+    groups = tomllib.loads(Path(__file__).with_suffix("").with_name("mutations.toml").read_text("utf-8"))["group"]
+    return [Mutation(*entry, tuple(group["tests"])) for group in groups for entry in group["mutations"]]
+
+
+def applied(mutation: Mutation) -> tuple[Path, str]:
+    """Return the file that a mistake changes, below the package, and its changed text.
+
+    Raises
+    ------
+    StaleError
+        when the place or the old text is not there exactly once.
+    """
+    spans = list(_catalogue_spans(mutation.where) if mutation.in_catalogue else _code_spans(mutation.where))
+    hits = [(path, text, at) for path, text, start, end in spans for at in _found(text, mutation.old, start, end)]
+    if len(hits) != 1:
+        raise StaleError(f"{mutation}: {len(spans)} places of that name, the text is there {len(hits)} times")
+    ((path, text, at),) = hits
+    return path.relative_to(PACKAGE), text[:at] + mutation.new + text[at + len(mutation.old) :]
+
+
+def _found(text: str, old: str, start: int, end: int) -> Iterator[int]:
+    at = text.find(old, start, end)
+    while at >= 0:
+        yield at
+        at = text.find(old, at + 1, end)
+
+
+def _code_spans(name: str) -> Iterator[tuple[Path, str, int, int]]:
+    """Yield (file, text, start, end) of every definition of a name; of a function, without its docstring."""
+    outer, _, inner = name.partition(".")
+    for path in sorted(PACKAGE.rglob("*.py")):
+        text = path.read_text("utf-8")
+        if outer not in text:
+            continue
+        starts = [0, *(match.end() for match in re.finditer("\n", text))]
+        for node in _named(ast.parse(text).body, outer):
+            for one in _named(node.body, inner) if inner and isinstance(node, ast.ClassDef) else [node]:
+                body = getattr(one, "body", None)
+                first = body[0] if body and ast.get_docstring(one) is None else body[1] if body else one  # type: ignore[arg-type]
+                yield path, text, starts[first.lineno - 1], starts[min(one.end_lineno or 0, len(starts) - 1)]
+
+
+def _named(body: list[ast.stmt], name: str) -> Iterator[ast.stmt]:
+    for node in body:
+        targets = node.targets if isinstance(node, ast.Assign) else [getattr(node, "target", None)]
+        names = {getattr(node, "name", None), *(getattr(target, "id", None) for target in targets)}
+        if name in names:
+            yield node
+
+
+def _catalogue_spans(where: str) -> Iterator[tuple[Path, str, int, int]]:
+    """Yield (file, text, start, end) of a table of a catalogue file, or of its part before the first table."""
+    file, _, table = where.partition(":")
+    for path in PACKAGE.rglob(file):
+        text = path.read_text("utf-8")
+        head = re.search(rf"^\[{re.escape(table)}\]$", text, re.MULTILINE) if table else re.match("", text)
+        if head is not None:
+            following = re.compile(rf"^\[(?!\[?{re.escape(table)}\.)" if table else r"^\[", re.MULTILINE)
+            end = following.search(text, head.end() + 1)
+            yield path, text, head.end(), end.start() if end else len(text)
+
+
+def noticed(mutation: Mutation, home: Path) -> bool:
+    """Return whether the tests fail when the mistake is made in the copy of the package in ``home``."""
+    relative, text = applied(mutation)
+    changed = home / "src" / "sweetspot" / relative
+    before, stat = changed.read_bytes(), changed.stat()
+    caches = home / "caches"
+    cache = caches / ("fresh" if str(relative) in _compiled() else "warm")
+    shutil.rmtree(caches / "fresh", ignore_errors=True)
+    changed.write_text(text, encoding="utf-8")
+    environment = {**os.environ, "PYTHONPATH": str(home / "src"), "NUMBA_CACHE_DIR": str(cache), "XDG_CACHE_HOME": str(cache)}  # fmt: skip
+    command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "--no-header"]
+    try:
+        done = subprocess.run(
+            [*command, *(str(TESTS / name) for name in mutation.tests)],
+            cwd=ROOT, env=environment, capture_output=True, timeout=PATIENCE, check=False,
+        )  # fmt: skip
+    except subprocess.TimeoutExpired:
+        return True
+    finally:
+        changed.write_bytes(before)
+        os.utime(changed, ns=(stat.st_atime_ns, stat.st_mtime_ns))
+    if done.returncode not in (0, 1, 2):  # 2: the tests could not even be collected
+        raise RuntimeError(f"{mutation}: pytest ended with {done.returncode}: {done.stdout.decode()[-800:]}")
+    return done.returncode != 0
+
+
+def _compiled() -> set[str]:
+    """Return the files that numba compiles, and those that such files import: their cached code cannot be kept."""
+    texts = {path: path.read_text("utf-8") for path in PACKAGE.rglob("*.py")}
+    kernels = [text for text in texts.values() if "numba" in text]
+    imported = {
+        match for text in kernels for match in re.findall(r"^from sweetspot\.([\w.]+) import", text, re.MULTILINE)
+    }
+    return {
+        str(path.relative_to(PACKAGE))
+        for path, text in texts.items()
+        if "numba" in text or ".".join(path.relative_to(PACKAGE).with_suffix("").parts) in imported
+    }
+
+
+def _fingerprint() -> str:
+    """Return a hash of everything a result depends on."""
+    digest = hashlib.sha256()
+    for path in sorted([*PACKAGE.rglob("*.py"), *PACKAGE.rglob("*.toml"), *TESTS.rglob("*.py")]):
+        digest.update(path.read_bytes())
+    return digest.hexdigest()
+
+
+def _known(fingerprint: str) -> dict[str, bool]:
+    """Return the kept results, if they are of these files."""
+    if RESULTS.exists():
+        kept = json.loads(RESULTS.read_text("utf-8"))
+        if kept["fingerprint"] == fingerprint:
+            return dict(kept["noticed"])
+    return {}
+
+
+def main() -> int:
+    """Try the mistakes that are not yet tried; print survivors and rates."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
+    parser.add_argument("--only", default="", help="only mistakes whose description holds this text")
+    parser.add_argument("--workers", type=int, default=2, help="mistakes tried side by side")
+    parser.add_argument("--minutes", type=float, default=60.0, help="begin no further mistake after so long")
+    options = parser.parse_args()
+    chosen = [mutation for mutation in mutations() if options.only in str(mutation)]
+    fingerprint = _fingerprint()
+    known, stale = _known(fingerprint), []
+    for mutation in chosen:
+        try:
+            applied(mutation)
+        except StaleError as error:
+            stale.append(str(error))
+    fresh = [mutation for mutation in chosen if str(mutation) not in known]
+    homes: SimpleQueue[Path] = SimpleQueue()
+    for number in range(options.workers):
+        home = WORK / str(number)
+        shutil.rmtree(home / "src", ignore_errors=True)
+        shutil.copytree(ROOT / "src", home / "src", ignore=shutil.ignore_patterns("__pycache__"))
+        homes.put(home)
+    start = time.monotonic()
+
+    def tried(mutation: Mutation) -> None:
+        if time.monotonic() - start > 60 * options.minutes:
+            return
+        home = homes.get()
+        began = time.monotonic()
+        try:
+            known[str(mutation)] = noticed(mutation, home)
+        except StaleError:
+            return
+        finally:
+            homes.put(home)
+        word = "noticed " if known[str(mutation)] else "SURVIVED"
+        print(f"{word} {time.monotonic() - began:5.1f} s  {mutation}", flush=True)
+        RESULTS.write_text(json.dumps({"fingerprint": fingerprint, "noticed": dict(known)}, indent=1), "utf-8")
+
+    with ThreadPoolExecutor(options.workers) as pool:
+        list(pool.map(tried, fresh))
+    return _told(chosen, known, stale)
+
+
+def _told(chosen: list[Mutation], known: dict[str, bool], stale: list[str]) -> int:
+    """Print survivors, stale mistakes and rates; return the exit code."""
+    good = not stale
+    for text in stale:
+        print(f"STALE    {text}")
+    for what, in_catalogue in (("code", False), ("catalogue", True)):
+        own = [mutation for mutation in chosen if mutation.in_catalogue is in_catalogue and str(mutation) in known]
+        left = [str(mutation) for mutation in own if not known[str(mutation)]]
+        print(f"{what}: {len(own) - len(left)} of {len(own)} noticed", *left, sep="\n  survived: ")
+        good &= not own or len(left) <= (1 - GOAL) * len(own)
+    untried = sum(str(mutation) not in known for mutation in chosen) - len(stale)
+    print(f"not tried yet: {untried}; the same command goes on" if untried else "all tried")
+    return 0 if good and not untried else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
