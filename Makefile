@@ -5,7 +5,7 @@ UV := $(BIN)/uv
 BAT := r161-ash
 OUT := report
 
-.PHONY: report app browser test lint types docs bench bench-quick format lock clean
+.PHONY: report app browser test lint types docs mutants bench bench-quick format lock clean
 
 report: $(VENV)/.run  ## where does this bat hit best? BAT=name or file, OUT=folder
 	$(BIN)/sweetspot report $(BAT) --out $(OUT)
@@ -37,6 +37,9 @@ docs: $(VENV)/.dev  ## the documentation, warnings are errors
 	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build/html
 	@echo "open docs/_build/html/index.html"
 
+mutants: $(VENV)/.dev  ## deliberate mistakes in physics and catalogue that the tests must notice; goes on where it stopped
+	$(BIN)/python tools/mutants.py
+
 bench: $(VENV)/.dev  ## measured figures, beside rivals
 	$(BIN)/python -m pytest benchmarks -q -p no:xdist --benchmark-only
 
@@ -55,7 +58,7 @@ lock: $(UV)  ## pin the newest versions that pyproject allows
 		pyproject.toml -o requirements-dev.txt
 
 clean:
-	rm -rf $(VENV) docs/_build docs/_generated report .mypy_cache .ruff_cache .pytest_cache .benchmarks
+	rm -rf $(VENV) docs/_build docs/_generated build report .mypy_cache .ruff_cache .pytest_cache .benchmarks
 
 $(UV):
 	@python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' \

@@ -16,7 +16,7 @@ from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.equipment.bat import Bat
 from sweetspot.flight.air import Air
 from sweetspot.motion.ball_motion import launched
-from sweetspot.motion.swing_path import path_axes
+from sweetspot.motion.swing_path import path_axes, steep_enough
 from sweetspot.units import DEGREE, INCH, MPH, RPM
 
 COUNT = 2_000 if QUICK else 100_000
@@ -32,7 +32,8 @@ def model() -> ReducedBat[Bat]:
 def played(count: int) -> Plays:
     """Return so many random swings at a fastball, met and flown."""
     draw = np.random.default_rng(7)
-    axes = path_axes(draw.normal(9, 8, count) * DEGREE, 0.0, tilt=draw.normal(32, 7, count) * DEGREE, left=False)
+    attack, tilt = draw.normal(9, 8, count) * DEGREE, draw.normal(32, 7, count) * DEGREE
+    axes = path_axes(attack, 0.0, tilt=steep_enough(tilt, attack), left=False)
     return plays(
         model(), ball=ball(), bat_speed=draw.normal(71, 5, count) * MPH, axes=axes, pitch_velocity=PITCH.velocity,
         pitch_spin=PITCH.spin, position=model().bat.length - draw.uniform(4, 9, count) * INCH,

@@ -18,9 +18,10 @@ from sweetspot.dynamics.rigid import effective_mass, pendulum_period
 from sweetspot.equipment.ball import Ball
 from sweetspot.player.expected import DRAWS, SWINGS
 from sweetspot.player.posterior import NOTHING_LEARNED, WALKERS
-from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED
+from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM
 from sweetspot.validation.computations.optimum import best
 from sweetspot.validation.computations.pitching import flown
+from sweetspot.validation.computations.space import league_sidespin
 from sweetspot.web.answers import TIME_LIMIT
 from sweetspot.web.limits import LARGEST_BODY, MESSAGES_PER_SECOND, MOST_SOCKETS, REQUESTS_PER_SECOND
 from sweetspot.web.states import LONGEST_TOML, MOST_STATIONS
@@ -38,6 +39,7 @@ def facts() -> dict[str, str]:
         **_corking(analysis),
         **_parks_and_pitches(),
         **_optimum(),
+        "league_sidespin": f"{abs(league_sidespin(bat='r161-ash', launch_angle=25 * DEGREE)) / RPM:.0f}",
         **_page(),
         **_player(),
         "source_count": str(_source_count()),

@@ -65,7 +65,7 @@ def mutations() -> list[Mutation]:
     return [Mutation(*entry, tuple(group["tests"])) for group in groups for entry in group["mutations"]]
 
 
-def applied(mutation: Mutation) -> tuple[Path, str]:
+def applied(mutation: Mutation, package: Path = PACKAGE) -> tuple[Path, str]:
     """Return the file that a mistake changes, below the package, and its changed text.
 
     Raises
@@ -73,12 +73,12 @@ def applied(mutation: Mutation) -> tuple[Path, str]:
     StaleError
         when the place or the old text is not there exactly once.
     """
-    spans = list(_catalogue_spans(mutation.where) if mutation.in_catalogue else _code_spans(mutation.where))
+    spans = list((_catalogue_spans if mutation.in_catalogue else _code_spans)(mutation.where, package))
     hits = [(path, text, at) for path, text, start, end in spans for at in _found(text, mutation.old, start, end)]
     if len(hits) != 1:
         raise StaleError(f"{mutation}: {len(spans)} places of that name, the text is there {len(hits)} times")
     ((path, text, at),) = hits
-    return path.relative_to(PACKAGE), text[:at] + mutation.new + text[at + len(mutation.old) :]
+    return path.relative_to(package), text[:at] + mutation.new + text[at + len(mutation.old) :]
 
 
 def _found(text: str, old: str, start: int, end: int) -> Iterator[int]:
@@ -88,10 +88,10 @@ def _found(text: str, old: str, start: int, end: int) -> Iterator[int]:
         at = text.find(old, at + 1, end)
 
 
-def _code_spans(name: str) -> Iterator[tuple[Path, str, int, int]]:
+def _code_spans(name: str, package: Path) -> Iterator[tuple[Path, str, int, int]]:
     """Yield (file, text, start, end) of every definition of a name; of a function, without its docstring."""
     outer, _, inner = name.partition(".")
-    for path in sorted(PACKAGE.rglob("*.py")):
+    for path in sorted(package.rglob("*.py")):
         text = path.read_text("utf-8")
         if outer not in text:
             continue
@@ -111,10 +111,10 @@ def _named(body: list[ast.stmt], name: str) -> Iterator[ast.stmt]:
             yield node
 
 
-def _catalogue_spans(where: str) -> Iterator[tuple[Path, str, int, int]]:
+def _catalogue_spans(where: str, package: Path) -> Iterator[tuple[Path, str, int, int]]:
     """Yield (file, text, start, end) of a table of a catalogue file, or of its part before the first table."""
     file, _, table = where.partition(":")
-    for path in PACKAGE.rglob(file):
+    for path in package.rglob(file):
         text = path.read_text("utf-8")
         head = re.search(rf"^\[{re.escape(table)}\]$", text, re.MULTILINE) if table else re.match("", text)
         if head is not None:
@@ -125,14 +125,12 @@ def _catalogue_spans(where: str) -> Iterator[tuple[Path, str, int, int]]:
 
 def noticed(mutation: Mutation, home: Path) -> bool:
     """Return whether the tests fail when the mistake is made in the copy of the package in ``home``."""
-    relative, text = applied(mutation)
-    changed = home / "src" / "sweetspot" / relative
+    package = home / "src" / "sweetspot"
+    relative, text = applied(mutation, package)
+    changed = package / relative
     before, stat = changed.read_bytes(), changed.stat()
-    caches = home / "caches"
-    cache = caches / ("fresh" if str(relative) in _compiled() else "warm")
-    shutil.rmtree(caches / "fresh", ignore_errors=True)
     changed.write_text(text, encoding="utf-8")
-    environment = {**os.environ, "PYTHONPATH": str(home / "src"), "NUMBA_CACHE_DIR": str(cache), "XDG_CACHE_HOME": str(cache)}  # fmt: skip
+    environment = {**os.environ, "PYTHONPATH": str(home / "src")}
     command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "--no-header"]
     try:
         done = subprocess.run(
@@ -147,20 +145,6 @@ def noticed(mutation: Mutation, home: Path) -> bool:
     if done.returncode not in (0, 1, 2):  # 2: the tests could not even be collected
         raise RuntimeError(f"{mutation}: pytest ended with {done.returncode}: {done.stdout.decode()[-800:]}")
     return done.returncode != 0
-
-
-def _compiled() -> set[str]:
-    """Return the files that numba compiles, and those that such files import: their cached code cannot be kept."""
-    texts = {path: path.read_text("utf-8") for path in PACKAGE.rglob("*.py")}
-    kernels = [text for text in texts.values() if "numba" in text]
-    imported = {
-        match for text in kernels for match in re.findall(r"^from sweetspot\.([\w.]+) import", text, re.MULTILINE)
-    }
-    return {
-        str(path.relative_to(PACKAGE))
-        for path, text in texts.items()
-        if "numba" in text or ".".join(path.relative_to(PACKAGE).with_suffix("").parts) in imported
-    }
 
 
 def _fingerprint() -> str:

@@ -34,7 +34,7 @@ def optimum_figure() -> Figure:
     place = np.full(angle.size, best.position)
     found = plays(
         model, bat_speed=swing.speed_at(best.position) * np.ones(angle.size),
-        axes=path_axes(angle.ravel(), 0.0, tilt=0.0, left=False), pitch_velocity=pitch.velocity,
+        axes=path_axes(angle.ravel(), 0.0, tilt=np.abs(angle.ravel()), left=False), pitch_velocity=pitch.velocity,
         pitch_spin=pitch.spin, position=place, offset=offset.ravel(), **conditions,
     )  # fmt: skip
     velocity = found.strikes.velocity

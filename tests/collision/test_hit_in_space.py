@@ -46,13 +46,20 @@ def struck(model: ReducedBat[Bat], **changes: object) -> Strike:
 
 
 def test_head_on_is_the_main_job(model: ReducedBat[Bat], analysis: Analysis) -> None:
-    """Exact: level path, ball straight against it, no spin: nothing slides, so the exit speed is the normal part's."""
+    """Level path, ball straight against it, no spin: the exit speed is the normal part's, exactly without friction.
+
+    With it the front of the turning bat drags the ball along the bat, by less than 0.1 m/s of 46 m/s.
+    """
     conditions, place = analysis.conditions, analysis.sweet_spots.max_exit_speed
-    found = struck(model, swing=conditions.swing, position=place, pitch=pitched(conditions.pitch.speed))
-    assert found.launched is not None
     expected = exit_speed_of(hit_at(place, modes=analysis.modes, conditions=conditions), conditions)
-    assert found.launched.velocity == pytest.approx([0, expected, 0], rel=1e-12, abs=1e-12)
-    assert found.launched.spin == pytest.approx([0, 0, 0], abs=1e-12)
+    for friction, within in ((0.0, 1e-12), (0.2, 0.1)):
+        found = struck(
+            model, swing=conditions.swing, position=place, pitch=pitched(conditions.pitch.speed), friction=friction
+        )
+        assert found.launched is not None
+        assert found.launched.velocity == pytest.approx([0, expected, 0], rel=1e-12, abs=within)
+        assert found.launched.spin[:2] == pytest.approx([0, 0], abs=1e-12)
+        assert abs(found.launched.spin[2]) <= 100 * within
 
 
 @given(offset=st.floats(-0.05, 0.05), attack=st.floats(-0.4, 0.4), drop=st.floats(-0.3, 0.3))
@@ -96,7 +103,10 @@ def test_angular_momentum_about_the_contact_is_kept(model: ReducedBat[Bat]) -> N
 
 
 def test_one_and_many_agree(model: ReducedBat[Bat]) -> None:
-    """The readable hit and the kernel differ by the kernel's coarser step, 1e-4 of the exit speed."""
+    """The readable hit and the kernel differ by the kernel's coarser step, 1e-4 of the exit speed.
+
+    Along the bat by a little more: the turning of the sections tells of the high modes.
+    """
     path = SwingPath(attack_angle=0.15, tilt=0.55)
     x = model.bat.length - 6 * INCH
     swing = Swing(bat_speed=31.0, measured_at=x)
@@ -107,8 +117,8 @@ def test_one_and_many_agree(model: ReducedBat[Bat]) -> None:
             pitch_spin=pitched().spin, position=[place], offset=[offset],
         )  # fmt: skip
         assert one.launched is not None
-        assert many.velocity[0] == pytest.approx(one.launched.velocity, rel=2e-4, abs=3e-3)
-        assert many.spin[0] == pytest.approx(one.launched.spin, rel=1e-3, abs=0.3)
+        assert many.velocity[0] == pytest.approx(one.launched.velocity, rel=2e-4, abs=8e-3)
+        assert many.spin[0] == pytest.approx(one.launched.spin, rel=1e-3, abs=0.8)
 
 
 def test_left_mirrors_right(model: ReducedBat[Bat]) -> None:
@@ -127,7 +137,7 @@ def test_below_the_centre_makes_backspin_and_a_tilted_bat_side_spin(model: Reduc
     tilted = struck(model, offset=0.02, path=SwingPath(tilt=radians(32))).launched
     assert level is not None and tilted is not None
     assert level.launch_angle > 0 and level.backspin > 0
-    assert level.sidespin == pytest.approx(0.0, abs=1e-9)
+    assert abs(level.sidespin) < 0.05 * level.backspin  # only what the turning of a level bat drags along it
     assert tilted.sidespin < 0 < tilted.spray  # a right-handed batter slices it to right field
     assert 0 < tilted.backspin < level.backspin
 
@@ -161,10 +171,10 @@ def test_grazing_contact_slides(model: ReducedBat[Bat]) -> None:
 
 
 def test_second_plane_shakes_less_than_the_first(model: ReducedBat[Bat]) -> None:
-    """Friction is at most 0.2 of the normal force [kensrud2017]."""
+    """Friction is at most 0.2 of the normal force [kensrud2017]; along the bat, 1.4 m/s for 0.8 ms, less friction."""
     found = struck(model, offset=0.03)
     assert found.second_plane is not None and 0 < found.second_plane <= 0.2
-    assert found.travel_around is not None and found.travel_along == pytest.approx(0.0, abs=1e-12)
+    assert found.travel_around is not None and found.travel_along == pytest.approx(1e-3, abs=5e-4)
 
 
 @pytest.mark.parametrize(("bat_speed", "low", "high"), [(63, 0, 3500), (77, 2800, 3500), (88, 0, 4000)])

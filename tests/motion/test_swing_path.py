@@ -10,21 +10,21 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sweetspot.errors import InputError
-from sweetspot.motion.swing_path import SwingPath, path_axes
+from sweetspot.motion.swing_path import SwingPath, path_axes, steep_enough
 
 angles = st.floats(-1.2, 1.2)
 
 
 @given(attack=angles, direction=angles, tilt=st.floats(0.0, 1.5), left=st.booleans())
 def test_axes_are_square_unit_vectors(attack: float, direction: float, tilt: float, left: bool) -> None:
-    axes = np.array(path_axes(attack, direction, tilt=tilt, left=left))
+    axes = np.array(path_axes(attack, direction, tilt=steep_enough(tilt, attack), left=left))
     assert axes @ axes.T == pytest.approx(np.eye(3), abs=1e-12)
 
 
 @given(attack=angles, direction=angles, tilt=st.floats(0.0, 1.5), left=st.booleans())
 def test_the_plane_has_the_tilt(attack: float, direction: float, tilt: float, left: bool) -> None:
     """Exact: the normal of the plane of path and bat stands at the tilt from the vertical, barrel below the hands."""
-    forward, _, tip = path_axes(attack, direction, tilt=tilt, left=left)
+    forward, _, tip = path_axes(attack, direction, tilt=steep_enough(tilt, attack), left=left)
     normal = np.cross(tip, forward) * (-1 if left else 1)
     assert normal[2] == pytest.approx(np.cos(max(tilt, abs(attack))), abs=1e-9)
     assert forward[2] == pytest.approx(np.sin(attack))
@@ -63,3 +63,8 @@ def test_the_barrel_hangs_by_nearly_the_tilt() -> None:
 def test_impossible_paths_are_refused(fields: dict[str, float], words: str) -> None:
     with pytest.raises(InputError, match=words):
         SwingPath(**fields)
+
+
+def test_many_paths_steeper_than_their_planes_are_refused() -> None:
+    with pytest.raises(InputError, match=r"1 of 3 paths are steeper .* attack angle of -30 deg and a tilt of 20 deg"):
+        path_axes(np.radians([10, -30, 20]), 0.0, tilt=radians(20), left=False)

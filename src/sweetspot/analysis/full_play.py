@@ -88,6 +88,7 @@ def plays(
     pitch_spin: ArrayLike,
     position: ArrayLike,
     offset: ArrayLike = 0.0,
+    pivot: float = 0.0,
     start: ArrayLike = (0.0, 0.6, 0.9),
     aerodynamics: Aerodynamics,
     air: Air,
@@ -101,7 +102,7 @@ def plays(
     Parameters
     ----------
     bat_speed : m/s at the point of impact, shape (n,).
-    axes, pitch_velocity, pitch_spin, position, offset : as in `sweetspot.collision.hit_in_space.strikes`.
+    axes, pitch_velocity, pitch_spin, position, offset, pivot : as in `sweetspot.collision.hit_in_space.strikes`.
     start : m, where the balls are met, in the field's frame; 2 ft in front of the plate's tip and 3 ft up.
     threads : workers; None: one per core, and one only for small batches.
     """
@@ -114,6 +115,7 @@ def plays(
         pitch_spin=pitch_spin,
         position=position,
         offset=offset,
+        pivot=pivot,
         friction=friction,
         tangential_restitution=tangential_restitution,
         threads=threads,

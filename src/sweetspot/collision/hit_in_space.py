@@ -1,7 +1,7 @@
 """Bat and ball meet in space: where on the bat, how far off its centre, and how the ball leaves.
 
 The normal part is the coupled collision along the line of centres, for that closing speed and place; `oblique.launch`
-adds friction and spin. Head-on the result is the normal part alone.
+adds friction and spin. Head-on and without friction the result is the normal part alone.
 """
 
 from __future__ import annotations
@@ -18,10 +18,11 @@ from sweetspot.collision.oblique_contact import (
     FRICTION,
     TANGENTIAL_RESTITUTION,
     ContactFrame,
+    bat_give,
     contact_frame,
     launch,
-    recoil_across,
     travel,
+    turning_surface,
 )  # fmt: skip
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.ball import Ball
@@ -115,7 +116,8 @@ def strike(
         for a position that is not on the bat.
     """
     check_position(reduced.bat, position, "position")
-    reach = ball.radius + float(reduced.bat.diameter_at(np.array(position))) / 2
+    radius = float(reduced.bat.diameter_at(np.array(position))) / 2
+    reach = ball.radius + radius
     bat_speed = swing.speed_at(position)
     if abs(offset) >= reach:
         return Strike(Outcome.MISS, bat_speed)
@@ -127,28 +129,31 @@ def strike(
     if impact.outcome is not Outcome.SEPARATED:
         return Strike(impact.outcome, bat_speed)
     impulse = ball.mass * closing * (1 + impact.collision_efficiency)
+    surface = bat_velocity + turning_surface(frame, axes, angular_speed=swing.angular_speed, radius=radius)
     done = launch(
         frame,
         ball=ball,
         ball_velocity=pitch.velocity,
         ball_spin=pitch.spin,
-        bat_velocity=bat_velocity,
+        surface_velocity=surface,
         normal_impulse=impulse,
-        recoil_around=_recoil_around(reduced, np.array(position), impact.velocity, impulse),
-        recoil_along=1 / reduced.body.mass,
+        give=bat_give(
+            reduced.modes, reduced.body, position=position, radius=radius, velocity=impact.velocity,
+            normal_impulse=impulse,
+        ),
         friction=friction,
         tangential_restitution=tangential_restitution,
-    )
-    past = pitch.velocity - bat_velocity
+    )  # fmt: skip
+    past, given = pitch.velocity - surface, done.impulses
     return Strike(
         outcome=impact.outcome,
         bat_speed=bat_speed,
         impact=impact,
         launched=BallMotion(pitch.position, done.velocity, done.spin),
-        travel_along=travel(impact, ball=ball, speed=float(past @ frame.along), impulse=float(done.along)),
-        travel_around=travel(impact, ball=ball, speed=float(past @ frame.around), impulse=float(done.around)),
-        gripped=bool(done.gripped),
-        second_plane=abs(float(done.around)) / impulse,
+        travel_along=travel(impact, ball=ball, speed=float(past @ frame.along), impulse=float(given.along)),
+        travel_around=travel(impact, ball=ball, speed=float(past @ frame.around), impulse=float(given.around)),
+        gripped=bool(given.gripped),
+        second_plane=abs(float(given.around / given.normal)),
     )
 
 
@@ -162,6 +167,7 @@ def strikes(
     pitch_spin: ArrayLike,
     position: ArrayLike,
     offset: ArrayLike = 0.0,
+    pivot: float = 0.0,
     friction: float = FRICTION,
     tangential_restitution: float = TANGENTIAL_RESTITUTION,
     threads: int | None = None,
@@ -174,6 +180,7 @@ def strikes(
     axes : directions of the swings, `sweetspot.motion.swing_path.path_axes`, shape (n, 3) or (3,).
     pitch_velocity, pitch_spin : m/s and rad/s, shape (n, 3) or (3,).
     position, offset : m, as in `strike`; a position off the bat is refused, shape (n,).
+    pivot : m from the knob end, the axis that the swings turn about.
     threads : workers of the collision kernel.
 
     Raises
@@ -186,22 +193,26 @@ def strikes(
         worst = float(place[np.argmax(np.abs(place - reduced.bat.length / 2))])
         raise InputError(f"position {worst:.4g} m is not on the bat; allowed is 0 to {reduced.bat.length:.4g} m")
     velocity, spin = (np.broadcast_to(np.asarray(v, float), (len(speed), 3)) for v in (pitch_velocity, pitch_spin))
-    reach = ball.radius + reduced.bat.diameter_at(place) / 2
+    radius = reduced.bat.diameter_at(place) / 2
+    reach = ball.radius + radius
     missed = np.abs(above) >= reach
     frame = contact_frame(*axes, lift=np.arcsin(np.clip(above / reach, -1.0, 1.0)))
     bat_velocity = speed[:, None] * axes.forward
     closing = np.where(missed, 0.0, np.sum((bat_velocity - velocity) * frame.normal, axis=-1))
     done = hits(reduced.modes, ball=ball, position=place, closing_speed=closing, threads=threads)
     impulse = ball.mass * closing * (1 + done.collision_efficiency)
+    frame = ContactFrame(*(np.broadcast_to(axis, (len(speed), 3)) for axis in frame))
+    turning = np.divide(speed, place - pivot, out=np.zeros(len(speed)), where=place > pivot)
     left = launch(
-        ContactFrame(*(np.broadcast_to(axis, (len(speed), 3)) for axis in frame)),
+        frame,
         ball=ball,
         ball_velocity=velocity,
         ball_spin=spin,
-        bat_velocity=bat_velocity,
+        surface_velocity=bat_velocity + turning_surface(frame, axes, angular_speed=turning, radius=radius),
         normal_impulse=impulse,
-        recoil_around=_recoil_around(reduced, place, done.velocity, impulse),
-        recoil_along=1 / reduced.body.mass,
+        give=bat_give(
+            reduced.modes, reduced.body, position=place, radius=radius, velocity=done.velocity, normal_impulse=impulse
+        ),
         friction=friction,
         tangential_restitution=tangential_restitution,
     )
@@ -216,10 +227,3 @@ def strikes(
         velocity=left.velocity,
         spin=left.spin,
     )
-
-
-def _recoil_around(reduced: ReducedBat[Bat], place: Array, velocity: Array, impulse: ArrayLike) -> Array:
-    """Return the speed that one N s of friction around the bat gives its surface: as a beam, and by rolling, 1/kg."""
-    beam = [i for i, family in enumerate(reduced.modes.families) if family != "hoop"]
-    across = recoil_across(reduced.modes.shape_at(place)[..., beam], velocity[..., beam], normal_impulse=impulse)
-    return across + (reduced.bat.diameter_at(place) / 2) ** 2 / reduced.body.roll_moi

@@ -15,9 +15,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sweetspot.collision.impact import Impact
+from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
+from sweetspot.motion.swing_path import PathAxes
 from sweetspot.numerics.arrays import Array
 
 Contact = Literal["smooth", "grip", "cling"]
@@ -55,21 +57,53 @@ class ObliqueImpact:
     gripped: bool
 
 
+class Give(NamedTuple):
+    """How easily the bat's surface gives way at the point of contact, speed per impulse, 1/kg, each of shape (...).
+
+    The bat is round and pushed at its surface, a radius R from its axis: a push along the line of centres also turns
+    the front of the barrel towards the tip, and a push along the bat also moves it to and fro.
+
+    Parameters
+    ----------
+    normal, around, along : in the direction of the push.
+    coupling : towards the tip per N s that the ball gives along the line of centres; and, as every mobility is
+        symmetric, towards the ball per N s of friction that drags the ball to the tip.
+    """
+
+    normal: ArrayLike
+    around: ArrayLike
+    along: ArrayLike
+    coupling: ArrayLike = 0.0
+
+
+class Impulses(NamedTuple):
+    """What a ball gets at the point of contact, each of shape (...).
+
+    Parameters
+    ----------
+    normal : N s along the line of centres.
+    around, along : N s of friction around the bat (upwards in front of it) and along it (to the tip).
+    gripped : whether friction was enough to stop the sliding.
+    """
+
+    normal: Array
+    around: Array
+    along: Array
+    gripped: NDArray[np.bool_]
+
+
 class Launch(NamedTuple):
     """How balls leave; one row per hit.
 
     Parameters
     ----------
     velocity, spin : m/s and rad/s, shape (..., 3).
-    around, along : N s of friction on the ball around the bat (upwards in front of it) and along it (to the tip).
-    gripped : whether friction was enough to stop the sliding.
+    impulses : what the bat gave.
     """
 
     velocity: Array
     spin: Array
-    around: Array
-    along: Array
-    gripped: NDArray[np.bool_]
+    impulses: Impulses
 
 
 class ContactFrame(NamedTuple):
@@ -96,33 +130,49 @@ def decompose(speed: float, angle: float) -> tuple[float, float]:
     return speed * math.cos(angle), speed * math.sin(angle)
 
 
-def friction_impulse(
-    slip: ArrayLike,
+def contact_impulses(
+    slip_around: ArrayLike,
+    slip_along: ArrayLike,
     *,
-    recoil: ArrayLike,
+    give: Give,
     ball_mass: float,
     normal_impulse: ArrayLike,
     friction: float = FRICTION,
     tangential_restitution: float = TANGENTIAL_RESTITUTION,
-) -> tuple[Array, NDArray[np.bool_]]:
-    """Return the friction impulse on the ball (N s) and whether the contact gripped.
+) -> Impulses:
+    """Return the impulses on the ball of a contact with friction.
 
-    Gripping turns every slip s into -e_x s: J_i = (1 + e_x) s_i / ((1 + 5/2)/m + K_i), the sphere's own give by
-    moving and turning plus the bat's K_i. That is (1 + e_x)/(1 + r_x) of [kensrud2017], r_x = K_i m (2/5)/(7/5).
-    Never more than friction times the normal impulse in all; then it keeps its direction.
+    Gripping turns every slip s into -e_x s. With B = (1 + 5/2)/m + K, the sphere's own give by moving and turning
+    plus the bat's K, and A = 1/m + K_n:
+
+        B_t J_t = (1 + e_x) s_t
+        B_a J_a = (1 + e_x) s_a + C J_n
+        J_n = J_0 + (C / A) J_a
+
+    J_0 is the normal impulse without friction. The first line is (1 + e_x)/(1 + r_x) of [kensrud2017], r_x =
+    K m (2/5)/(7/5). What the normal push itself slides during contact, C J_n, is stopped and not returned: no
+    measurement tells. Friction is never more than ``friction`` times the normal impulse in all; then it keeps its
+    direction, in step with the normal force. For rigid bodies this is Newton's and Euler's law with all six degrees
+    of freedom of each.
 
     Parameters
     ----------
-    slip : m/s, speed of the bat's surface past the ball's, shape (..., directions).
-    recoil : 1/kg, speed that one N s gives the bat's surface in each direction, same shape.
-    normal_impulse : N s, shape (...).
+    slip_around, slip_along : m/s, speed of the bat's surface past the ball's before contact, shape (...).
+    normal_impulse : N s, J_0, shape (...).
     """
-    wanted = (1 + tangential_restitution) * np.asarray(slip) / ((1 + 1 / SPHERE) / ball_mass + np.asarray(recoil))
-    size = np.sqrt(np.sum(wanted**2, axis=-1))
-    limit = friction * np.asarray(normal_impulse)
-    gripped = size <= limit
-    part = np.where(gripped, 1.0, limit / np.where(size > 0, size, 1.0))
-    return wanted * part[..., None], gripped
+    before, coupling = np.asarray(normal_impulse, float), np.asarray(give.coupling, float)
+    sphere = (1 + 1 / SPHERE) / ball_mass
+    raised = coupling / (1 / ball_mass + np.asarray(give.normal))
+    around = (1 + tangential_restitution) * np.asarray(slip_around) / (sphere + np.asarray(give.around))
+    pulled = (1 + tangential_restitution) * np.asarray(slip_along) + coupling * before
+    along = pulled / (sphere + np.asarray(give.along) - coupling * raised)
+    normal = before + raised * along
+    size = np.hypot(around, along)
+    gripped = size <= friction * normal
+    toward = along / np.where(size > 0, size, 1.0)
+    normal = np.where(gripped, normal, before / (1 - friction * raised * toward))
+    part = np.where(gripped, 1.0, friction * normal / np.where(size > 0, size, 1.0))
+    return Impulses(normal, around * part, along * part, gripped)
 
 
 def contact_frame(forward: Array, up: Array, tip: Array, *, lift: ArrayLike) -> ContactFrame:
@@ -142,10 +192,9 @@ def launch(
     ball: Ball,
     ball_velocity: Array,
     ball_spin: Array,
-    bat_velocity: Array,
+    surface_velocity: Array,
     normal_impulse: ArrayLike,
-    recoil_around: ArrayLike,
-    recoil_along: ArrayLike,
+    give: Give,
     friction: float = FRICTION,
     tangential_restitution: float = TANGENTIAL_RESTITUTION,
 ) -> Launch:
@@ -157,46 +206,70 @@ def launch(
     Parameters
     ----------
     frame : directions at contact.
-    ball_velocity, ball_spin, bat_velocity : m/s and rad/s before contact, shape (..., 3), the bat's at the point of
-        contact. Its surface, a radius ahead of its axis, also moves towards the hands by about 1.5 m/s as the bat
-        turns; that is left out, as in the published models.
-    normal_impulse : N s, m (1 + q) times the closing speed along the normal.
-    recoil_around, recoil_along : 1/kg, what one N s of friction gives the bat's surface; see `recoil_across`.
+    ball_velocity, ball_spin, surface_velocity : m/s and rad/s before contact, shape (..., 3), the bat's where it is
+        touched; see `turning_surface`.
+    normal_impulse : N s without friction, m (1 + q) times the closing speed along the normal.
     """
     arm = -ball.radius * frame.normal
-    past = bat_velocity - ball_velocity - np.cross(ball_spin, arm)
-    slip = np.stack([np.sum(past * frame.around, axis=-1), np.sum(past * frame.along, axis=-1)], axis=-1)
-    given, gripped = friction_impulse(
-        slip,
-        recoil=np.stack(np.broadcast_arrays(recoil_around, recoil_along), axis=-1),
+    past = surface_velocity - ball_velocity - np.cross(ball_spin, arm)
+    given = contact_impulses(
+        np.sum(past * frame.around, axis=-1),
+        np.sum(past * frame.along, axis=-1),
+        give=give,
         ball_mass=ball.mass,
         normal_impulse=normal_impulse,
         friction=friction,
         tangential_restitution=tangential_restitution,
     )
-    rubbed = given[..., :1] * frame.around + given[..., 1:] * frame.along
-    pushed = np.asarray(normal_impulse)[..., None] * frame.normal
+    rubbed = given.around[..., None] * frame.around + given.along[..., None] * frame.along
+    pushed = given.normal[..., None] * frame.normal
     return Launch(
         velocity=ball_velocity + (pushed + rubbed) / ball.mass,
         spin=ball_spin + np.cross(arm, rubbed) / (SPHERE * ball.mass * ball.radius**2),
-        around=given[..., 0],
-        along=given[..., 1],
-        gripped=gripped,
+        impulses=given,
     )
 
 
-def recoil_across(shape: Array, velocity: Array, *, normal_impulse: ArrayLike) -> Array:
-    """Return the speed of the bat's axis per N s of normal impulse when the ball leaves, 1/kg.
+def turning_surface(frame: ContactFrame, axes: PathAxes, *, angular_speed: ArrayLike, radius: ArrayLike) -> Array:
+    """Return how much faster than the bat's axis its surface moves where it is touched, m/s, shape (..., 3).
 
-    sum_i shape_i p_i / J over the rigid and bending modes: 1/M + b^2/I_cm of a rigid bat, plus its vibration. The
-    bat is round, so friction in step with the normal force shakes it the same way in the second plane.
+    omega x R n: the front of a bat that turns by ``angular_speed`` in the plane of its path moves towards the hands,
+    by about 1.4 m/s.
 
     Parameters
     ----------
-    shape : of those modes at the point of impact, 1/sqrt(kg), shape (..., n).
+    angular_speed, radius : rad/s of the swing and m of the bat, shape (...).
+    """
+    spin = np.asarray(angular_speed)[..., None] * np.cross(axes.tip, axes.forward)
+    return np.cross(spin, np.asarray(radius)[..., None] * frame.normal)
+
+
+def bat_give(
+    modes: Modes, body: RigidBody, *, position: ArrayLike, radius: ArrayLike, velocity: Array, normal_impulse: ArrayLike
+) -> Give:
+    """Return the give of a round bat from how a normal impulse has left its modes moving.
+
+    With s_i the shapes at the point of impact, p_i the modal velocities when the ball leaves, over the impulse, and R
+    the radius: normal sum s_i p_i, over the hoop modes too; around sum s_i p_i over the beam's modes, the same in the
+    second plane of a round bat, plus R^2/I_roll; coupling R sum s_i' p_i, as a tilted section carries its surface
+    along. Of a rigid bat these are 1/M + b^2/I_cm, the same plus R^2/I_roll, and b R/I_cm. Along the bat
+    1/M + R^2/I_cm; what its bending would add there is left out, 2 % of the sphere's own give.
+
+    Parameters
+    ----------
+    position, radius : m, of shape (...).
     velocity : modal velocities when the ball leaves, sqrt(kg) m/s, shape (..., n).
     """
-    return np.asarray(np.sum(shape * velocity, axis=-1) / np.asarray(normal_impulse))
+    places, size = np.asarray(position, float), np.asarray(radius, float)
+    beam = [index for index, family in enumerate(modes.families) if family != "hoop"]
+    per_impulse = velocity / np.asarray(normal_impulse)[..., None]
+    shape, slope = modes.shape_at(places), modes.slope_at(places)
+    return Give(
+        normal=np.sum(shape * per_impulse, axis=-1),
+        around=np.sum((shape * per_impulse)[..., beam], axis=-1) + size**2 / body.roll_moi,
+        along=1 / body.mass + size**2 / body.moi_cm,
+        coupling=size * np.sum((slope * per_impulse)[..., beam], axis=-1),
+    )
 
 
 def travel(impact: Impact, *, ball: Ball, speed: float, impulse: float) -> float:
@@ -227,7 +300,8 @@ def oblique(
 ) -> ObliqueImpact:
     """Return the motion along the bat that goes with a normal impact, in the plane of bat and path.
 
-    Friction meets the ball's rolling and the bat's sliding along its axis, K = 1/M; see `friction_impulse`.
+    Friction meets the ball's rolling and the bat's sliding along its axis, K = 1/M; see `contact_impulses`. The paper's
+    bat is a line: what a round bat's front does beside (`Give.coupling`) is `launch`'s.
 
     Parameters
     ----------
@@ -240,20 +314,21 @@ def oblique(
     normal, along = decompose(ball_speed, angle)
     if contact == "cling":
         return ObliqueImpact(normal, along, 0.0, 0.0, 0.0, gripped=True)
-    impulses, gripped = friction_impulse(
-        [-along],
-        recoil=[1 / body.mass],
+    given = contact_impulses(
+        0.0,
+        -along,
+        give=Give(normal=0.0, around=0.0, along=1 / body.mass),
         ball_mass=ball.mass,
         normal_impulse=float(np.trapezoid(impact.force, impact.times)),
         friction=0.0 if contact == "smooth" else friction,
         tangential_restitution=tangential_restitution,
     )
-    given = float(impulses[0])
+    rubbed = float(given.along)
     return ObliqueImpact(
         normal_speed=normal,
         along_speed=along,
-        along_speed_after=along + given / ball.mass,
-        spin=-given / (SPHERE * ball.mass * ball.radius),
-        travel=travel(impact, ball=ball, speed=along, impulse=given),
-        gripped=contact == "grip" and bool(gripped),
+        along_speed_after=along + rubbed / ball.mass,
+        spin=-rubbed / (SPHERE * ball.mass * ball.radius),
+        travel=travel(impact, ball=ball, speed=along, impulse=rubbed),
+        gripped=contact == "grip" and bool(given.gripped),
     )

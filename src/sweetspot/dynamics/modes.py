@@ -96,6 +96,14 @@ class Modes:
         across = np.broadcast_to(np.asarray(lateral, float), places.shape)
         return along + self.surface.basis(places, across) @ self.surface.weights
 
+    def slope_at(self, position: ArrayLike) -> Array:
+        """Return how the shapes of the line change along it, 1/(sqrt(kg) m): shape (..., n) for positions (...)."""
+        return np.asarray(self._slopes(np.asarray(position, float)))
+
+    @cached_property
+    def _slopes(self) -> PPoly:
+        return self.shapes.derivative()
+
     def nodes(self, mode: int) -> Array:
         """Return the positions in m where mode ``mode`` (its index in the list) stands still, from the knob up."""
         if mode not in self._nodes:

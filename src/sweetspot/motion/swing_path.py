@@ -14,10 +14,13 @@ from numpy.typing import ArrayLike
 from pydantic import model_validator
 
 from sweetspot.equipment.base import Validated
+from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 
 Side = Literal["right", "left"]
 STEEPEST = math.radians(80)
+ROUNDING = 1e-9
+"""rad by which a path may be steeper than its plane."""
 
 
 class PathAxes(NamedTuple):
@@ -77,20 +80,44 @@ class SwingPath(Validated):
         return -math.asin(self.axes.tip[2])
 
 
+def steep_enough(tilt: ArrayLike, attack_angle: ArrayLike) -> Array:
+    """Return tilts, raised to the attack angle's size where a path would be steeper than its plane, rad.
+
+    For tilts and attack angles that were measured or drawn apart from each other.
+
+    >>> np.degrees(steep_enough(np.radians([30.0, 30.0]), np.radians([10.0, -40.0]))).round(9).tolist()
+    [30.0, 40.0]
+    """
+    return np.asarray(np.maximum(np.asarray(tilt, float), np.abs(attack_angle)))
+
+
 def path_axes(attack_angle: ArrayLike, attack_direction: ArrayLike, *, tilt: ArrayLike, left: ArrayLike) -> PathAxes:
     """Return the directions of many swings.
 
     The barrel goes along (cos a sin d, cos a cos d, sin a). The plane's normal makes the angle ``tilt`` with the
     vertical, which turns bat and normal about the path by beta, cos beta = cos(tilt) / cos(a); the barrel is below
-    the hands. A tilt smaller than the attack angle counts as the attack angle.
+    the hands.
 
     Parameters
     ----------
-    attack_angle, attack_direction, tilt : rad, shapes that broadcast.
+    attack_angle, attack_direction, tilt : rad, shapes that broadcast; the tilt at least the attack angle's size, see
+        `steep_enough`.
     left : whether the batter bats left-handed.
+
+    Raises
+    ------
+    InputError
+        for paths that are steeper than the plane they are said to lie in.
     """
     lefty = np.asarray(left, bool)
     attack, pulled, plane = np.broadcast_arrays(*(np.asarray(v, float) for v in (attack_angle, attack_direction, tilt)))
+    if np.any(steeper := np.abs(attack) > plane + ROUNDING):
+        first = int(np.argmax(steeper))
+        raise InputError(
+            f"{int(np.sum(steeper))} of {steeper.size} paths are steeper than the plane of their swing, the first "
+            f"with an attack angle of {math.degrees(attack.flat[first]):.4g} deg and a tilt of "
+            f"{math.degrees(plane.flat[first]):.4g} deg; no path in a plane is, so give a tilt of at least that"
+        )
     direction = np.where(lefty, -pulled, pulled)
     cos_turn = np.minimum(np.cos(plane) / np.cos(attack), 1.0)
     sin_turn = np.sqrt(1 - cos_turn**2)

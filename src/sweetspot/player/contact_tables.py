@@ -18,7 +18,7 @@ from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
-from sweetspot.motion.swing_path import path_axes
+from sweetspot.motion.swing_path import path_axes, steep_enough
 from sweetspot.numerics.arrays import Array
 from sweetspot.player.prior import fixed, priors
 from sweetspot.units import INCH
@@ -115,7 +115,7 @@ def _off_centre(model: ReducedBat[Bat], ball: Ball) -> tuple[Array, Array, Array
     reach = ball.radius + float(model.bat.diameter_at(place)) / 2
     offset = np.linspace(-FARTHEST * reach, FARTHEST * reach, OFFSETS)
     attack, descent = priors()["attack_angle"].centre, fixed("pitch_descent")
-    axes = path_axes(attack, 0.0, tilt=fixed("swing_tilt"), left=False)
+    axes = path_axes(attack, 0.0, tilt=steep_enough(fixed("swing_tilt"), attack), left=False)
     above = np.tile(offset, len(RATIOS))
     pitch = np.repeat(RATIOS * BAT_SPEED, OFFSETS)[:, None] * np.array([0.0, -math.cos(descent), -math.sin(descent)])
     done = strikes(

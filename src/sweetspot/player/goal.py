@@ -14,7 +14,7 @@ from sweetspot.errors import InputError
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import Air
 from sweetspot.flight.kernel import flights
-from sweetspot.motion.swing_path import path_axes
+from sweetspot.motion.swing_path import path_axes, steep_enough
 from sweetspot.numerics.arrays import Array
 from sweetspot.player.contact_tables import BARREL, BAT_SPEED
 from sweetspot.player.model import PlayerModel
@@ -105,7 +105,8 @@ def carry_table(model: PlayerModel, *, pitch_speed: float, aerodynamics: Aerodyn
     descent = fixed("pitch_descent")
     pitch = pitch_speed * np.array([0.0, -math.cos(descent), -math.sin(descent)])
     done = strikes(
-        bat, ball=model.ball, bat_speed=BAT_SPEED, axes=path_axes(attack, 0.0, tilt=fixed("swing_tilt"), left=False),
+        bat, ball=model.ball, bat_speed=BAT_SPEED,
+        axes=path_axes(attack, 0.0, tilt=steep_enough(fixed("swing_tilt"), attack), left=False),
         pitch_velocity=pitch, pitch_spin=np.zeros(3), position=own.bat.length - BARREL, offset=above,
     )  # fmt: skip
     efficiency = float(

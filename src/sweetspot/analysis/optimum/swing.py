@@ -21,7 +21,7 @@ from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import CALM, Air, Wind
 from sweetspot.motion.ball_motion import BallMotion
 from sweetspot.motion.swing import Swing
-from sweetspot.motion.swing_path import PathAxes, Side, path_axes
+from sweetspot.motion.swing_path import PathAxes, Side, path_axes, steep_enough
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import DEGREE, INCH
 
@@ -102,13 +102,13 @@ def best_swing(
         raise InputError(f"attack angle is {attack_angle / DEGREE:.4g} deg; allowed is -20 to 60 deg")
 
     def axes(angle: Array) -> PathAxes:
-        return path_axes(angle, attack_direction, tilt=tilt, left=bats == "left")
+        return path_axes(angle, attack_direction, tilt=steep_enough(tilt, angle), left=bats == "left")
 
     def tried(angle: Array, offset: Array, place: Array) -> Plays:
         return plays(
             model, ball=ball, bat_speed=swing.angular_speed * (place - swing.pivot), axes=axes(angle),
-            pitch_velocity=pitch.velocity, pitch_spin=pitch.spin, position=place, offset=offset, start=pitch.position,
-            aerodynamics=aerodynamics, air=air, wind=wind,
+            pitch_velocity=pitch.velocity, pitch_spin=pitch.spin, position=place, offset=offset, pivot=swing.pivot,
+            start=pitch.position, aerodynamics=aerodynamics, air=air, wind=wind,
             friction=friction, tangential_restitution=tangential_restitution,
         )  # fmt: skip
 

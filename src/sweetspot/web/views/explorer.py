@@ -143,6 +143,7 @@ def _met(
         pitch_spin=(0.0, 0.0, 0.0),
         position=place,
         offset=state.offset_in * INCH,
+        pivot=conditions.swing.pivot,
     )
     if int(struck.outcome[0]) != Outcome.SEPARATED:
         return struck, (math.nan, math.nan, math.nan)

@@ -143,6 +143,7 @@ def _struck(state: FlightState, ball: Ball) -> dict[str, Any]:
         pitch_spin=pitch.spin,
         position=place,
         offset=state.offset_in * INCH,
+        pivot=conditions.swing.pivot,
     )
     hit = bool(np.isfinite(done.velocity).all())
     return {

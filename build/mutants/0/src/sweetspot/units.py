@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 import re
+import sys
 from functools import cache
 from typing import Any, Literal
 
@@ -59,6 +60,7 @@ FEET_INCHES = re.compile(
 )
 NOT_FINITE = re.compile(r"^\s*[-+]?(nan|inf|infinity)\s*([^a-z]|$|mph|m/s|in\b|oz|kg|m\b|ft)", re.IGNORECASE)
 LONGEST_TEXT = 100
+LARGEST_NUMBER = sys.float_info.max
 POWER_OF_NUMBER = re.compile(r"[\d.)]\s*(\*\*|\^|[⁰¹²³⁴⁵⁶⁷⁸⁹])")
 """`pint` calculates, and 9**9**9 would keep it busy for good."""
 NUMBER = re.compile(r"^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*$")
@@ -68,7 +70,7 @@ NUMBER = re.compile(r"^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*$")
 def _registry() -> Any:
     import pint
 
-    return pint.UnitRegistry(cache_folder=":auto:")
+    return pint.UnitRegistry()  # a cache on disk saves 0.2 s and can be cut off or full
 
 
 def shown(length: float) -> str:
@@ -101,7 +103,7 @@ def parse(text: str | float, kind: Kind, what: str = "value") -> float:
     """
     example = SI[kind][1]
     if isinstance(text, (int, float)) and not isinstance(text, bool):
-        text = repr(float(text))
+        text = "inf" if abs(text) > LARGEST_NUMBER else repr(float(text))
     if not isinstance(text, str):
         raise InputError(f"{what} was given as {text!r}; give a number with its unit in quotes, for example {example}")
     if len(text) > LONGEST_TEXT or POWER_OF_NUMBER.search(text):
@@ -110,15 +112,23 @@ def parse(text: str | float, kind: Kind, what: str = "value") -> float:
         raise InputError(f"{what} was given as {text!r}; allowed is a finite number, for example {example}")
     if NUMBER.match(text) and kind != "ratio":
         raise InputError(f"{what} was given as {text.strip()} without a unit; write for example {example}")
-    try:
-        value = _in_si(text, kind)
-    except InputError:
-        raise
-    except Exception as error:
-        raise InputError(_not_understood(text, kind, what, error)) from None
+    value = _understood(text, kind, what)
     if not math.isfinite(value):
         raise InputError(f"{what} was given as {text!r}; allowed is a finite number, for example {example}")
     return value
+
+
+def _understood(text: str, kind: Kind, what: str) -> float:
+    """Return a text in SI; only what the reading of the text raises is the text's fault."""
+    from tokenize import TokenError
+
+    from pint import PintError
+
+    _registry()  # what fails here fails for every text
+    try:
+        return _in_si(text, kind)
+    except (PintError, TokenError, ValueError, ArithmeticError, AssertionError, SyntaxError, TypeError) as error:
+        raise InputError(_not_understood(text, kind, what, error)) from None
 
 
 def _in_si(text: str, kind: Kind) -> float:

@@ -10,7 +10,6 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
 from sweetspot.ball import COR_FLOOR, Ball
@@ -18,6 +17,7 @@ from sweetspot.collision.coupled import TIME_LIMIT, check_step
 from sweetspot.collision.impact import CONTACT_FORCE, Array, Impacts, Outcome
 from sweetspot.collision.propagator import dashpot_factors, propagator
 from sweetspot.collision.vector_math import exp, log
+from sweetspot.kernel_cache import compiled
 from sweetspot.vibration.modes import Modes
 from sweetspot.workers import in_parts
 
@@ -105,7 +105,7 @@ class Output(NamedTuple):
     motion: Array
 
 
-@njit(cache=True)
+@compiled()
 def _unloading(peak: float, constants: Array) -> tuple[float, float]:
     """Return (a, b) of the unloading curve F = exp(a + b log u) from a peak compression."""
     mass, stiffness, exponent, reference, slope, reference_speed, floor = constants
@@ -116,7 +116,7 @@ def _unloading(peak: float, constants: Array) -> tuple[float, float]:
     return math.log(stiffness) + (exponent - power) * math.log(peak), power
 
 
-@njit(cache=True)
+@compiled()
 def _crossing(earlier: float, start: float, latest: float, kicks: float) -> float:
     """Return where the parabola through the last three kicks crosses zero, in steps after the last but one."""
     if kicks < 4:
@@ -125,7 +125,7 @@ def _crossing(earlier: float, start: float, latest: float, kicks: float) -> floa
     return 2 * start / (math.sqrt(slope**2 - 4 * bend * start) - slope)
 
 
-@njit(nogil=True, cache=True, fastmath={"contract", "nsz"}, error_model="numpy")
+@compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
 def solve(
     lane_count: int,
     closing_speed: Array,
@@ -237,7 +237,7 @@ def solve(
             _dash(lanes.velocity, dashpots, half_dash, rate)
 
 
-@njit(cache=True)
+@compiled()
 def _dash(velocity: Array, dashpots: Array, factors: Array, rate: Array) -> None:
     """Let the dashpots act on the modal velocities of every lane."""
     for k in range(len(factors)):
@@ -250,7 +250,7 @@ def _dash(velocity: Array, dashpots: Array, factors: Array, rate: Array) -> None
                 velocity[i, lane] -= factors[k] * dashpots[k, i] * rate[lane]
 
 
-@njit(cache=True)
+@compiled()
 def _start(
     lane: int,
     following: int,
@@ -294,7 +294,7 @@ def _start(
     return following + 1
 
 
-@njit(cache=True)
+@compiled()
 def _turn(lane: int, constants: Array, step: float, state: Array) -> None:
     """Change a lane from loading to unloading, at the top of the parabola through three kicks, or back."""
     latest, peak = state[COMPRESSION, lane], state[PEAK, lane]
@@ -311,7 +311,7 @@ def _turn(lane: int, constants: Array, step: float, state: Array) -> None:
         state[OFFSET, lane], state[POWER, lane] = _unloading(peak, constants)
 
 
-@njit(cache=True)
+@compiled()
 def _finish(lane: int, step: float, lanes: Lanes, output: Output) -> None:
     """Write the results of a lane whose ball has left, or whose time is up."""
     state, results, row = lanes.state, output.results, lanes.hit_of[lane]

@@ -9,8 +9,10 @@ from collections.abc import Callable
 from typing import Any, cast
 
 from llvmlite import ir
-from numba import njit, types
+from numba import types
 from numba.extending import intrinsic
+
+from sweetspot.kernel_cache import compiled
 
 
 def _bits_of(typing_context: Any, value: Any) -> Any:  # noqa: ARG001 - numba's signature
@@ -40,7 +42,7 @@ LOG2_E = 1.4426950408889634
 LOWEST = -700.0
 
 
-@njit(inline="always", cache=True)
+@compiled(inline="always")
 def log(value: float) -> float:
     """Return the natural logarithm of a positive normal number; relative error about 1e-15.
 
@@ -60,7 +62,7 @@ def log(value: float) -> float:
     return number * LN2_HIGH + (number * LN2_LOW + ratio * (low + eighth * (middle + eighth * high)))
 
 
-@njit(inline="always", cache=True)
+@compiled(inline="always")
 def exp(value: float) -> float:
     """Return the exponential of a number below 700; relative error about 1e-15; cut off at exp(-700).
 

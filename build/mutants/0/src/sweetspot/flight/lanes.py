@@ -19,6 +19,7 @@ from sweetspot.collision.vector_math import exp, log
 from sweetspot.flight import cubic
 from sweetspot.flight.forces import SLOWEST
 from sweetspot.flight.trajectory import MOST_STEPS, SLOW, TIME_LIMIT, FlightOutcome
+from sweetspot.kernel_cache import compiled
 from sweetspot.rigid import STANDARD_GRAVITY
 
 Array = NDArray[np.float64]
@@ -118,7 +119,7 @@ def _stepped(
     )  # fmt: skip
 
 
-@njit(cache=True, error_model="numpy", fastmath={"contract", "nsz"})
+@compiled(error_model="numpy", fastmath={"contract", "nsz"})
 def _advance(lanes: Array, step: float, edge: float, shared: tuple[float, ...], power: float | None,
              profile: float | None) -> float:  # fmt: skip
     """Move every lane by one step; return above zero where something happened in a lane's step."""
@@ -153,7 +154,7 @@ def _advance(lanes: Array, step: float, edge: float, shared: tuple[float, ...], 
     return events
 
 
-@njit(nogil=True, cache=True, error_model="numpy", fastmath={"contract", "nsz"})
+@compiled(nogil=True, error_model="numpy", fastmath={"contract", "nsz"})
 def solve(
     start: Array, constants: Array, power: float | None, profile: float | None, step: float,
     outcome: IntArray, results: Array, paths: Array,
@@ -198,7 +199,7 @@ def solve(
                 busy -= flight_of[lane] < 0
 
 
-@njit(cache=True)
+@compiled()
 def _start(
     lane: int, following: int, start: Array, per_density: float, edge: float, lanes: Array, flight_of: IntArray,
     filled: IntArray, outcome: IntArray, results: Array, paths: Array,
@@ -229,7 +230,7 @@ def _start(
     return following + 1
 
 
-@njit(cache=True)
+@compiled()
 def _leaves(i: int, start: Array, drawing: bool, outcome: IntArray, results: Array, paths: Array) -> bool:
     """Return whether a flight takes place; write down how it ends where it does not, or at once."""
     if drawing:
@@ -256,7 +257,7 @@ def _leaves(i: int, start: Array, drawing: bool, outcome: IntArray, results: Arr
     return False
 
 
-@njit(cache=True, error_model="numpy")
+@compiled(error_model="numpy")
 def _event(
     lane: int, edge: float, shared: tuple[float, ...], power: float | None, profile: float | None, lanes: Array,
     flight_of: IntArray, filled: IntArray, outcome: IntArray, results: Array, paths: Array,
@@ -295,7 +296,7 @@ def _event(
     return True
 
 
-@njit(cache=True, error_model="numpy")
+@compiled(error_model="numpy")
 def _shorten(
     lane: int, part: float, height: float, lanes: Array, shared: tuple[float, ...], power: float | None,
     profile: float | None,
@@ -316,7 +317,7 @@ def _shorten(
     return float(length)
 
 
-@njit(cache=True)
+@compiled()
 def _draw(lane: int, landed: bool, lanes: Array, filled: IntArray, hang_time: float, path: Array) -> None:
     """Fill the points of a path that lie in a lane's last step."""
     length, now = lanes[TAKEN + lane], lanes[TIME + lane]

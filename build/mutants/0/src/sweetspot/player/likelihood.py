@@ -11,10 +11,10 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
 from sweetspot.collision.vector_math import exp
+from sweetspot.kernel_cache import compiled
 from sweetspot.player.priors import Array
 
 IntArray = NDArray[np.int64]
@@ -72,13 +72,13 @@ class Table(NamedTuple):
     far: Array
 
 
-@njit(nogil=True, cache=True)
+@compiled(nogil=True)
 def normal(value: float, mean: float, variance: float) -> float:
     """Return the logarithm of the normal density, without its constant."""
     return -0.5 * ((value - mean) ** 2 / variance + math.log(variance))
 
 
-@njit(nogil=True, cache=True)
+@compiled(nogil=True)
 def combined(value: float, noise: float, mean: float, spread: float) -> tuple[float, float]:
     """Return mean and variance of a quantity that is normal and was measured with noise; nan: not measured."""
     if math.isnan(value):
@@ -87,14 +87,14 @@ def combined(value: float, noise: float, mean: float, spread: float) -> tuple[fl
     return mean + gain * (value - mean), gain * noise**2
 
 
-@njit(nogil=True, cache=True)
+@compiled(nogil=True)
 def within(mean: float, spread: float, limit: float) -> float:
     """Return the part of a normal distribution that lies between -limit and limit."""
     root = math.sqrt(2.0) * spread
     return max(0.5 * (math.erf((limit - mean) / root) + math.erf((limit + mean) / root)), 1e-6)
 
 
-@njit(nogil=True, cache=True)
+@compiled(nogil=True)
 def table_value(values: Array, start: float, step: float, place: float) -> float:
     """Return the straight line between neighbours of an even table; beyond its ends their value."""
     at = min(max((place - start) / step, 0.0), len(values) - 1.000001)
@@ -102,7 +102,7 @@ def table_value(values: Array, start: float, step: float, place: float) -> float
     return float(values[index] + (at - index) * (values[index + 1] - values[index]))
 
 
-@njit(nogil=True, cache=True)
+@compiled(nogil=True)
 def fill_weights(weight: Array, start: float, step: float, mean: float, variance: float) -> tuple[int, int]:
     """Fill a grid with normal weights that add up to 1; return the first place that counts and the one after."""
     reach = GRID_REACH * math.sqrt(variance) + step
@@ -119,7 +119,7 @@ def fill_weights(weight: Array, start: float, step: float, mean: float, variance
     return first, last
 
 
-@njit(nogil=True, cache=True)
+@compiled(nogil=True)
 def fill_folded(weight: Array, points: Array, mean: float, spread: float) -> None:
     """Fill the weights of offsets of either sign, which keep the same exit speed, so that they add up to 1."""
     total = 0.0
@@ -131,7 +131,7 @@ def fill_folded(weight: Array, points: Array, mean: float, spread: float) -> Non
         weight[k] /= total
 
 
-@njit(nogil=True, cache=True, fastmath={"contract", "nsz", "reassoc"})
+@compiled(nogil=True, fastmath={"contract", "nsz", "reassoc"})
 def _summed(left: Array, right: Array) -> float:
     """Return the sum of products, in whatever order is fastest."""
     total = 0.0
@@ -140,7 +140,7 @@ def _summed(left: Array, right: Array) -> float:
     return total
 
 
-@njit(nogil=True, cache=True, fastmath={"contract", "nsz"}, error_model="numpy")
+@compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
 def _density(
     out: float,
     kept: float,
@@ -169,7 +169,7 @@ def _density(
     return _summed(variance, part)
 
 
-@njit(nogil=True, cache=True, fastmath={"contract", "nsz"}, error_model="numpy")
+@compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
 def log_likelihoods(parameters: Array, speeds: Array, table: Table, found: Array) -> None:
     """Fill ``found`` with the log-likelihood of every row of parameters.
 
