@@ -30,8 +30,6 @@ from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
 
-SPARE_KNOB = 0.003  # kg left at the knob where the moi is measured: `line.reduce` can add mass there, not take it away
-
 
 @dataclass(frozen=True)
 class Free:
@@ -184,8 +182,6 @@ def with_sizes(table: dict[str, Any], sizes: dict[str, float]) -> dict[str, Any]
 def searched(name: str, search: Search) -> dict[str, float]:
     """Return the sizes that come closest to the targets."""
     table = {key: unwrapped(value) for key, value in bat_tables()[name].items() if key not in search.hidden}
-    if "moi" in search.hidden:
-        table["point_mass"] = [*table.get("point_mass", []), {"position": "0 in", "mass": f"{SPARE_KNOB} kg"}]
     free = list(search.free.values())
     start, spread = np.array([one.start for one in free]), np.array([one.spread for one in free])
 

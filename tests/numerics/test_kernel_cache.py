@@ -16,7 +16,7 @@ from sweetspot.collision import kernel
 from sweetspot.flight import compiled as lanes
 from sweetspot.numerics import hermite_cubic as cubic
 from sweetspot.numerics import kernel_cache, vector_math
-from sweetspot.numerics.kernel_cache import KernelFiles, compiled, fingerprint, kernel_folder
+from sweetspot.numerics.kernel_cache import _KernelFiles, compiled, fingerprint, kernel_folder
 from sweetspot.player import likelihood
 
 FALLS = """
@@ -207,4 +207,4 @@ def test_nobody_without_a_home_gets_an_answer() -> None:
 def test_files_belong_to_one_signature(folder: Path) -> None:
     function = compiled()(scale)
     assert (function(3.0), function(3)) == (6.0, 6.0)
-    assert len(list(folder.glob(f"{KernelFiles(scale).name}-*.kernel"))) == 2
+    assert len(list(folder.glob(f"{_KernelFiles(scale).name}-*.kernel"))) == 2

@@ -13,15 +13,26 @@ import numpy as np
 
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import DensityRange, Implement, Lump
+from sweetspot.equipment.mass_fit import Correction, least_departure, nearest
 from sweetspot.equipment.section import Section
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.gauss_legendre import quadrature
+from sweetspot.units import INCH
 
-GRADIENT_LIMIT = 0.25
-"""Largest density change from the middle to an end that may explain a measured balance or MOI (assumed)."""
-KNOB_MASS_LIMITS = (-0.025, 0.085)
-"""Mass at the knob that may explain measured values, kg (assumed: a knob smaller than drawn; tape, a knob weight)."""
+BALANCE_SCATTER = 0.3 * INCH
+"""By how much a measured balance point may differ from the drawing's before the drawing is corrected: 3 standard
+deviations of 0.1 in, which diameters and balance points taken at home scatter by (assumed)."""
+MOI_SCATTER = 0.03
+"""The same for the moment of inertia, relative: 3 standard deviations of 1 % (assumed)."""
+USUAL_GRADIENT, GRADIENT_LIMIT = 0.02, 0.25
+"""Usual and largest relative change of density from the middle to an end that may explain measurements (assumed)."""
+USUAL_GRIP_MASS, HEAVIEST_GRIP = 0.010, 0.085
+"""Usual and most mass at the grip that may explain measurements, kg (assumed: tape, knob weight, oversize knob)."""
+LIGHTEST_GRIP = -0.4
+"""Least relative change of density at the knob end (assumed: a knob and handle smaller than drawn)."""
+GRIP_POWER = 6
+"""Mass at the grip falls as (1 - x / L)^6: to a third where the upper hand begins, and most of it is in the knob."""
 
 
 @dataclass(frozen=True)
@@ -34,29 +45,37 @@ class BeamModel:
     density_factor : measured mass over mass at catalogue density, for the bat's own material.
     density_gradient : relative change of density from the middle of the bat to its tip.
     point_masses : everything that sits at one place: knob, end cap, head of a club, added weights.
+    grip_excess : relative change of density at the knob end, which fades along the handle.
+    unplaced : what was measured beyond the distribution, within the scatter of measurements: first moment (kg m) and
+        second moment about the knob end (kg m^2). It counts for the motion as a whole, not for bending.
     """
 
     bat: Implement
     density_factor: float
     density_gradient: float
     point_masses: tuple[Lump, ...]
+    grip_excess: float = 0.0
+    unplaced: tuple[float, float] = (0.0, 0.0)
 
 
 def beam_model(bat: Implement) -> BeamModel:
     """Reduce a bat to a line whose mass, balance and moment of inertia are the measured ones, if any.
 
-    A measured mass scales the density of the bat's own material. A measured balance point or moment of
-    inertia then sets a density gradient along the bat, and both together also a mass at the knob.
+    A measured mass scales the density of the bat's own material. A measured balance point and moment of inertia are
+    those of the line, exactly. Where they differ from the drawing's by more than such measurements scatter
+    (`BALANCE_SCATTER`, `MOI_SCATTER`), density also changes along the bat and at the grip, by as little as brings the
+    difference down to that. Within the scatter they say nothing of where the mass lies: a gram at the knob lowers the
+    first bending mode by nearly 1 %, and a tenth of an inch of balance is four grams.
 
     Raises
     ------
     InputError
-        when no allowed density, gradient or knob mass gives what was measured; the message has the misfit.
+        when no allowed density gives what was measured; the message has the nearest values that can be.
     """
     measured = bat.as_measured()
     known = measured.density_range
     line = BeamModel(measured, 1.0, 0.0, measured.lumps()) if known is None else _fitted(measured, known)
-    return line if measured is bat else replace(line, bat=bat, point_masses=_carried_masses(bat, line))
+    return line if measured is bat else replace(line, bat=bat, point_masses=bat.lumps())
 
 
 def line_of_bat(line: BeamModel) -> Bat:
@@ -72,11 +91,13 @@ def section(line: BeamModel, position: Array) -> Section:
 
 
 def density_scale(line: BeamModel, position: Array) -> Array:
-    """Return the bat's density at positions in m over its catalogue density: factor and gradient of the fit.
+    """Return the bat's density at positions in m over its catalogue density: factor, gradient and grip of the fit.
 
     All walls of a hollow bat, sleeve and handle included, are scaled alike; fills are not.
     """
-    return line.density_factor * (1 + line.density_gradient * (2 * position / line.bat.length - 1))
+    part = position / line.bat.length
+    grip = line.grip_excess * (1 - part) ** GRIP_POWER if line.grip_excess else 0.0
+    return line.density_factor * (1 + line.density_gradient * (2 * part - 1) + grip)
 
 
 def integrate(line: BeamModel, density_of: Callable[[Array], Array]) -> float:
@@ -88,13 +109,13 @@ def integrate(line: BeamModel, density_of: Callable[[Array], Array]) -> float:
 def moments(line: BeamModel) -> tuple[float, float, float]:
     """Return mass (kg), first moment (kg m) and second moment (kg m^2) about the knob end.
 
-    The second moment includes the rotary inertia of the sections and the point masses.
+    The second moment includes the rotary inertia of the sections, the point masses, and what was measured beyond them.
     """
     places, weights = quadrature(line.bat.breakpoints())
     at = section(line, places)
     zeroth = float(np.sum(weights * at.mass))
-    first = float(np.sum(weights * at.mass * places))
-    second = float(np.sum(weights * (at.mass * places**2 + at.rotary_inertia)))
+    first = float(np.sum(weights * at.mass * places)) + line.unplaced[0]
+    second = float(np.sum(weights * (at.mass * places**2 + at.rotary_inertia))) + line.unplaced[1]
     for weight in line.point_masses:
         zeroth += weight.mass
         first += weight.mass * weight.position
@@ -102,62 +123,108 @@ def moments(line: BeamModel) -> tuple[float, float, float]:
     return zeroth, first, second
 
 
-def _carried_masses(bat: Implement, line: BeamModel) -> tuple[Lump, ...]:
-    """Return the point masses of a modified bat: its own, and what the fit put at the original's knob."""
-    fitted = line.point_masses[len(line.bat.lumps()) :]
-    return bat.lumps() + fitted
-
-
 def _fitted(bat: Implement, known: DensityRange) -> BeamModel:
-    """Fit density factor, gradient and knob mass to what was measured: three linear equations at most."""
+    """Fit density factor, gradient and grip to what was measured."""
     plain = BeamModel(bat, 1.0, 0.0, bat.lumps())
     if bat.mass is None:
         if bat.balance_point is not None or bat.moi is not None:
             raise InputError(f"{bat.name} has a measured balance point or moi but no mass; weigh it and give the mass")
         return plain
-    base = np.array(moments(plain))
-    nothing = np.array(moments(replace(plain, density_factor=0.0)))  # fills and point masses alone
-    tilted = np.array(moments(replace(plain, density_gradient=1.0)))
-    effects = np.array([base - nothing, tilted - base, [1.0, 0.0, 0.0]]).T  # of density, gradient, knob mass
-    axis = bat.moi_axis
-    about_axis = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [axis**2, -2 * axis, 1.0]])
-    measured = (bat.mass, None if bat.balance_point is None else bat.mass * bat.balance_point, bat.moi)
-    rows = [row for row, value in enumerate(measured) if value is not None]
-    targets = np.array([measured[row] for row in rows], dtype=float) - (about_axis @ nothing)[rows]
-    unknowns = np.zeros(3)
-    unknowns[: len(rows)] = np.linalg.solve((about_axis @ effects)[rows, : len(rows)], targets)
-    factor, gradient, knob_mass = unknowns[0], unknowns[1] / unknowns[0], unknowns[2]
-    _check_fit(bat, known, base, (float(factor), float(gradient), float(knob_mass)))
-    masses = plain.point_masses
-    if knob_mass:
-        masses = (*masses, Lump(0.0, float(knob_mass)))
-    return BeamModel(bat, float(factor), float(gradient), masses)
+    others = _mass_of_others(plain)
+    line = replace(plain, density_factor=(bat.mass - others) / (moments(plain)[0] - others))
+    _check_density(line, known)
+    if bat.balance_point is not None or bat.moi is not None:
+        line = _corrected(line)
+        _check_density(line, known)
+    return line
 
 
-def _check_fit(bat: Implement, known: DensityRange, base: Array, fit: tuple[float, float, float]) -> None:
-    """Refuse measured values that this outline cannot have, saying by how much they miss."""
-    factor, gradient, knob_mass = fit
+def _mass_of_others(line: BeamModel) -> float:
+    """Return the mass in kg of fills and point masses."""
+    return moments(replace(line, density_factor=0.0))[0]
+
+
+def _corrected(drawn: BeamModel) -> BeamModel:
+    """Return the line of a drawing and its mass with the balance point and moi that were measured."""
+    bat = drawn.bat
+    measured = np.array([bat.balance_point or np.nan, bat.moi or np.nan])
+    asked = np.isfinite(measured)
+    plain = _balance_and_moi(drawn)
+    scatter = np.array([BALANCE_SCATTER, MOI_SCATTER * plain[1]])
+    grip_mass = moments(replace(drawn, grip_excess=1.0))[0] - moments(drawn)[0]
+    kinds = (
+        ((1.0, 0.0), USUAL_GRADIENT, (-GRADIENT_LIMIT, GRADIENT_LIMIT)),
+        ((0.0, 1.0), USUAL_GRIP_MASS / grip_mass, (LIGHTEST_GRIP, HEAVIEST_GRIP / grip_mass)),
+    )
+    effects = [(_balance_and_moi(_shifted(drawn, *unit)) - plain)[asked] for unit, _, _ in kinds]
+    corrections = [
+        Correction(tuple(effect), usual, limits) for effect, (_, usual, limits) in zip(effects, kinds, strict=True)
+    ]
+    misses = (measured - plain)[asked]
+    amounts = least_departure(corrections, misses=misses, scatter=scatter[asked])
+    if amounts is None:
+        closest = _shifted(drawn, *nearest(corrections, misses=misses, scatter=scatter[asked]))
+        raise InputError(_what_can_be(drawn, closest, measured, scatter))
+    line = _shifted(drawn, *amounts)
+    return replace(line, unplaced=_unplaced(line, measured))
+
+
+def _shifted(line: BeamModel, gradient: float, grip: float) -> BeamModel:
+    """Return a line of the same mass whose density changes along it; gradient and grip over the line's own density."""
+    own = moments(line)[0] - _mass_of_others(line)
+    added = moments(replace(line, density_gradient=gradient, grip_excess=grip))[0] - moments(line)[0]
+    part = 1 - added / own
+    return replace(
+        line, density_factor=line.density_factor * part, density_gradient=gradient / part, grip_excess=grip / part
+    )
+
+
+def _balance_and_moi(line: BeamModel) -> Array:
+    """Return balance point in m and moment of inertia in kg m^2 about the axis that its measurement uses."""
+    mass, first, second = moments(line)
+    axis = line.bat.moi_axis
+    return np.array([first / mass, second - 2 * axis * first + axis**2 * mass])
+
+
+def _unplaced(line: BeamModel, measured: Array) -> tuple[float, float]:
+    """Return first and second moment that were measured beyond the line's; I_cm stays where moi was not measured."""
+    mass, first, second = moments(line)
+    balance, moi = measured
+    wanted = first if np.isnan(balance) else mass * balance
+    about = line.bat.moi_axis
+    moi_known = not np.isnan(moi)
+    total = moi + 2 * about * wanted - about**2 * mass if moi_known else second + (wanted**2 - first**2) / mass
+    return float(wanted - first), float(total - second)
+
+
+def _check_density(line: BeamModel, known: DensityRange) -> None:
+    """Refuse a mass that the outline has only at a density that its material cannot have."""
     usual, low, high = known
-    density, slack = factor * usual, 1e-9 * usual
-    fits = low - slack <= density <= high + slack
-    lightest, heaviest = KNOB_MASS_LIMITS
-    if bat.balance_point is None and bat.moi is None:
-        if not fits:
-            raise InputError(
-                f"{bat.name} weighs {bat.mass:.4g} kg, which this outline has only at a density of "
-                f"{density:.0f} kg/m^3; {bat.made_of} can be {low:.0f} to {high:.0f} kg/m^3. "
-                "Check the weight, the diameters and the material"
-            )
-    elif not fits or abs(gradient) > GRADIENT_LIMIT or not lightest <= knob_mass <= heaviest:
-        mass, first, second = base * (bat.mass or 0.0) / base[0]
-        about = second - 2 * bat.moi_axis * first + bat.moi_axis**2 * mass
-        measured = [f"balance point {bat.balance_point:.4g} m"] if bat.balance_point is not None else []
-        measured += [f"moi {bat.moi:.4g} kg m^2"] if bat.moi is not None else []
+    density, slack = line.density_factor * usual, 1e-9 * usual
+    if not low - slack <= density <= high + slack:
+        others, bat = _mass_of_others(line), line.bat
+        own = ((bat.mass or 0.0) - others) / density
         raise InputError(
-            f"{bat.name}: at {bat.mass:.4g} kg the outline gives balance point {first / mass:.4g} m and moi "
-            f"{about:.4g} kg m^2 about {bat.moi_axis:.4g} m, but {' and '.join(measured)} was measured. To fit, "
-            f"the density would have to be {density:.0f} kg/m^3 (allowed {low:.0f} to {high:.0f}), change by "
-            f"{100 * gradient:.0f} % towards the tip (allowed {100 * GRADIENT_LIMIT:.0f} %), and the knob weigh "
-            f"{1e3 * knob_mass:.0f} g more (allowed {1e3 * lightest:.0f} to {1e3 * heaviest:.0f} g). "
-            "Check the profile or the measurement"
+            f"{bat.name} weighs {bat.mass:.4g} kg, which this outline has only at a density of "
+            f"{density:.0f} kg/m^3; {bat.made_of} can be {low:.0f} to {high:.0f} kg/m^3, and the bat then weigh "
+            f"{others + own * low:.4g} to {others + own * high:.4g} kg. "
+            "Check the weight, the diameters and the material"
         )
+
+
+def _what_can_be(drawn: BeamModel, closest: BeamModel, measured: Array, scatter: Array) -> str:
+    """Return why a balance point and moi are refused, and the nearest that are not."""
+    bat = drawn.bat
+    within = 0.98 * scatter  # so that the values still serve when they are rounded
+    possible = _balance_and_moi(closest) + np.clip(measured - _balance_and_moi(closest), -within, within)
+
+    def told(values: Array) -> str:
+        texts = (f"balance point {values[0]:.4g} m", f"moi {values[1]:.4g} kg m^2 about {bat.moi_axis:.4g} m")
+        return " and ".join(text for text, value in zip(texts, measured, strict=True) if not np.isnan(value))
+
+    return (
+        f"{bat.name}: at {bat.mass:.4g} kg the outline gives {told(_balance_and_moi(drawn))}, but {told(measured)} was "
+        f"measured. With density that changes by {100 * GRADIENT_LIMIT:.0f} % towards the tip, and at the grip by "
+        f"{-100 * LIGHTEST_GRIP:.0f} % less or {1e3 * HEAVIEST_GRIP:.0f} g more, the nearest that can be is "
+        f"{told(possible)}. Check the profile or the measurement"
+    )

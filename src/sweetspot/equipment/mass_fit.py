@@ -1,12 +1,17 @@
 """How the mass of an implement lies along it, when only its weight, balance and swing weight were measured.
 
-mu(x) = base(x) exp(a + b z + c z^2), z = 2 x / L - 1: of all distributions that have the three measured values, the one
-that departs least from the drawn one (least relative entropy). It is positive everywhere, whatever was measured.
+`tilt`: mu(x) = base(x) exp(a + b z + c z^2), z = 2 x / L - 1: of all distributions that have the three measured
+values, the one that departs least from the drawn one (least relative entropy). It is positive everywhere, whatever was
+measured.
+
+`least_departure`: where the drawing is to be trusted as far as measurements do not contradict it, how much less or more
+mass must lie where the drawing may be wrong.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -14,6 +19,8 @@ from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 
 TRIALS = 60
+FEASIBLE = 1e-9
+"""Residual of the non-negative least squares, at most 1, below which inequalities contradict each other."""
 GREATEST_RATIO = 1e4
 """Between the densest and the lightest place against the drawn one; more means that the measurements are wrong."""
 
@@ -54,3 +61,73 @@ def maximum_entropy_mass(
         "no plausible distribution of mass has this weight, balance point and swing weight together; check the units, "
         "and about which axis the swing weight was measured"
     )
+
+
+@dataclass(frozen=True)
+class Correction:
+    """A way in which an implement may differ from its drawing, its mass unchanged.
+
+    Parameters
+    ----------
+    effects : what one unit of it adds to every measured quantity.
+    usual : how much of it is usual; corrections share the work in proportion to its square and their effect.
+    limits : how much of it there can be, 0 within.
+    """
+
+    effects: tuple[float, ...]
+    usual: float
+    limits: tuple[float, float]
+
+
+def least_departure(corrections: Sequence[Correction], *, misses: Array, scatter: Array) -> Array | None:
+    """Return the least corrections that bring all misfits within what measurements scatter, None where none do.
+
+    Minimises sum (u / usual)^2 with |miss - effects u| <= scatter and u within its limits: least distance programming,
+    solved by non-negative least squares [lawson1995, ch. 23].
+
+    Parameters
+    ----------
+    corrections : at least one.
+    misses : measured less drawn, one a measured quantity.
+    scatter : by how much each may disagree, > 0.
+
+    >>> one = Correction(effects=(2.0,), usual=1.0, limits=(-5.0, 5.0))
+    >>> least_departure([one], misses=np.array([3.0]), scatter=np.array([1.0])).round(12)
+    array([1.])
+    >>> least_departure([one], misses=np.array([30.0]), scatter=np.array([1.0])) is None
+    True
+    """
+    from scipy.optimize import nnls
+
+    usual, effects, low, high = _arrays(corrections)
+    own = np.eye(len(usual))
+    sides = np.vstack([effects / scatter[:, None], -effects / scatter[:, None], own, -own])
+    bounds = np.concatenate([misses / scatter - 1, -misses / scatter - 1, low, -high])
+    if np.all(bounds <= 0):
+        return np.zeros(len(usual))
+    system = np.vstack([sides.T, bounds])
+    weights, distance = nnls(system, np.append(np.zeros(len(usual)), 1.0))
+    if distance < FEASIBLE:
+        return None
+    residual = system @ weights - np.append(np.zeros(len(usual)), 1.0)
+    return np.asarray(-residual[:-1] / residual[-1] * usual)
+
+
+def nearest(corrections: Sequence[Correction], *, misses: Array, scatter: Array) -> Array:
+    """Return the corrections within their limits that leave the least misfit, by the sum of squares over scatter.
+
+    >>> one = Correction(effects=(2.0,), usual=1.0, limits=(-5.0, 5.0))
+    >>> nearest([one], misses=np.array([30.0]), scatter=np.array([1.0])).round(6)
+    array([5.])
+    """
+    from scipy.optimize import lsq_linear
+
+    usual, effects, low, high = _arrays(corrections)
+    return np.asarray(lsq_linear(effects / scatter[:, None], misses / scatter, bounds=(low, high)).x * usual)
+
+
+def _arrays(corrections: Sequence[Correction]) -> tuple[Array, Array, Array, Array]:
+    """Return what is usual, effects (quantity, correction) and limits, the last three for units of what is usual."""
+    usual = np.array([one.usual for one in corrections])
+    low, high = np.array([one.limits for one in corrections]).T / usual
+    return usual, np.array([one.effects for one in corrections]).T * usual, low, high

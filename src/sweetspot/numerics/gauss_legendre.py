@@ -7,7 +7,7 @@ import numpy as np
 from sweetspot.numerics.arrays import Array
 
 GAUSS_POINTS = 6
-"""Exact to degree 11; the highest degree met is 7 (r^4 of a cone, times a density gradient, times x^2)."""
+"""Exact to degree 11; the highest degree met is 10 (r^4 of a cone times the density of a heavier grip)."""
 
 
 def quadrature(edges: tuple[float, ...]) -> tuple[Array, Array]:

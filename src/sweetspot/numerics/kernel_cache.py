@@ -38,7 +38,7 @@ def compiled(**options: Any) -> Callable[[FUNCTION], FUNCTION]:
 
     def compile_it(function: FUNCTION) -> FUNCTION:
         dispatcher = njit(**options)(function)
-        dispatcher._cache = KernelFiles(function)
+        dispatcher._cache = _KernelFiles(function)
         return cast(FUNCTION, dispatcher)
 
     return compile_it
@@ -78,7 +78,7 @@ def fingerprint(function: Callable[..., Any]) -> str:
     return digest.hexdigest()
 
 
-class KernelFiles(NullCache):
+class _KernelFiles(NullCache):
     """The files of one function, one a signature; looked for when the function is first called.
 
     A file is a digest and, pickled, what numba needs to load the machine code. A fault of the disk, or a file that is
