@@ -52,10 +52,12 @@ golden: $(VENV)/.dev  ## keep the numbers that every command answers now; say wh
 golden-check: $(VENV)/.dev  ## list numbers that changed by more than 1e-9
 	$(BIN)/python tools/golden.py
 
-lock: $(UV)  ## pin the newest versions that pyproject allows
-	$(UV) pip compile -q --upgrade --no-header --no-annotate --no-emit-index-url pyproject.toml -o requirements.txt
-	$(UV) pip compile -q --no-header --no-annotate --no-emit-index-url --extra dev -c requirements.txt \
-		pyproject.toml -o requirements-dev.txt
+LOCK = $(UV) pip compile -q --universal --python-version 3.11.0 --generate-hashes --no-header --no-annotate --no-emit-index-url
+
+lock: $(UV)  ## pin the newest versions that pyproject allows, for every Python and platform from the lowest up
+	$(LOCK) --upgrade pyproject.toml -o requirements.txt
+	$(LOCK) --upgrade --extra dev -c requirements.txt pyproject.toml -o requirements-dev.txt
+	echo uv | $(LOCK) --upgrade - -o requirements-uv.txt
 
 clean:
 	rm -rf $(VENV) docs/_build docs/_generated build report .mypy_cache .ruff_cache .pytest_cache .benchmarks

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
+from hypothesis import settings
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the command line does; before anything loads the library
 
@@ -18,6 +19,9 @@ from sweetspot.cli import main
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.material import Material
+
+settings.register_profile("sweetspot", deadline=None)  # how long an example takes says how busy the machine is
+settings.load_profile("sweetspot")
 
 
 @pytest.fixture(scope="session")

@@ -63,7 +63,7 @@ def test_head_on_is_the_main_job(model: ReducedBat[Bat], analysis: Analysis) -> 
 
 
 @given(offset=st.floats(-0.05, 0.05), attack=st.floats(-0.4, 0.4), drop=st.floats(-0.3, 0.3))
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 def test_without_friction_the_spin_stays(model: ReducedBat[Bat], offset: float, attack: float, drop: float) -> None:
     spin = (-240.0, 30.0, 50.0)
     found = struck(

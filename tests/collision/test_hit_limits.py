@@ -43,7 +43,7 @@ def order(steps: ArrayLike, errors: ArrayLike) -> float:
     return float(np.polyfit(np.log(np.asarray(steps, float)), np.log(np.abs(np.asarray(errors, float))), 1)[0])
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(place=PLACES, closing=st.floats(1.0, 110.0))
 def test_rigid_limit_is_the_closed_form(place: float, closing: float) -> None:
     # exact
@@ -102,7 +102,7 @@ def test_linear_elastic_ball_is_a_half_sine(bat: str) -> None:
     assert one.energy.heat == pytest.approx(0.0, abs=1e-4 * one.energy.incoming)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(place=PLACES, closing=st.floats(2.0, 100.0))
 def test_momentum_goes_to_the_free_bat(place: float, closing: float) -> None:
     # exact: m (1 + q) v = M v_cm, and its moment about the balance point is the bat's spin

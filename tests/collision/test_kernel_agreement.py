@@ -42,7 +42,7 @@ BATS = st.one_of(
 )
 
 
-@settings(max_examples=120, deadline=None)
+@settings(max_examples=120)
 @given(
     modes=BATS,
     place=st.floats(0.0, BAT.length),

@@ -48,7 +48,7 @@ def test_the_replay_ends_where_the_hit_left_the_bat(modes: Modes) -> None:
     assert motion.times[-2] < impact.release_time <= motion.times[-1]
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(
     modes=st.sampled_from(sorted(MODES)), place=st.floats(0.4, 0.83), closing=st.floats(1.0, 100.0),
     duration=st.floats(1e-4, 20e-3),

@@ -131,7 +131,7 @@ def test_roll_is_the_rigid_bodys(club: GolfClub) -> None:
     assert float(shape @ shape) == pytest.approx(expected, rel=1e-9)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(position=st.floats(0.36, 0.66), lateral=st.floats(0.0, 0.11))
 def test_both_sides_of_the_line_are_alike(position: float, lateral: float) -> None:
     racket, ball = catalog.implement("tennis-racket"), catalog.ball("tennis")
@@ -140,7 +140,7 @@ def test_both_sides_of_the_line_are_alike(position: float, lateral: float) -> No
     assert left == pytest.approx([-right[0], right[1]], abs=1e-12)  # roll is odd, the strings' give is even
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(restitution=st.floats(0.3, 0.999))
 def test_the_damper_takes_what_the_restitution_says(restitution: float) -> None:
     """Other code: the ball on spring and damper integrated until they would have to pull."""

@@ -72,7 +72,7 @@ def test_bending_has_no_momentum(name: str) -> None:
     assert np.abs(weight @ bent) == pytest.approx([0.0, 0.0], abs=2e-4 * float(weight @ np.abs(bent[:, 0])))
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(
     mass=st.floats(0.28, 0.36), balance=st.floats(0.30, 0.35), gyration=st.floats(0.19, 0.24),
     frequency=st.floats(90.0, 180.0), twist=st.floats(1.0e-3, 2.0e-3),

@@ -23,7 +23,7 @@ from sweetspot.units import DEGREE, MPH, RPM
 BALL, LAW, AIR = catalog.ball(), catalog.aerodynamics(), Air()
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(
     st.floats(-45, 45), st.floats(60, 115), st.floats(8, 50), st.sampled_from(["right", "left"]), st.floats(-8, 8)
 )  # fmt: skip

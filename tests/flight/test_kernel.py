@@ -74,7 +74,7 @@ def test_error_of_the_usual_step() -> None:
 
 
 @given(st.integers(0, 3 * LANES), st.integers(0, 2**31))
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 def test_rows_do_not_know_of_each_other(count: int, seed: int) -> None:
     hits = random_hits(3 * LANES, seed)
     together, alone = many(hits), many(hits[count : count + 1] or hits[:1])

@@ -53,14 +53,27 @@ def test_every_prior_reads_and_turns_round() -> None:
     assert log_prior(outside) == -np.inf
 
 
-def test_without_data_the_draws_are_the_prior() -> None:
-    """Exact up to the noise of the draws: a swing with nothing measured says nothing."""
-    nothing = PlayerSwing(2, None, None, None, None, None, None, "")
-    found = fit_player(player_model([nothing], bat=OWN, ball=BALL), steps=500, warm_up=300)
-    for name, one in found.learned.items():
-        assert one.width_ratio == pytest.approx(1.0, abs=0.12), name
-        assert abs(np.mean(standardised(found.draws)[:, NAMES.index(name)])) < 0.2, name
+@pytest.fixture(scope="module")
+def nothing() -> PlayerModel:
+    """A swing with nothing measured."""
+    return player_model([PlayerSwing(2, None, None, None, None, None, None, "")], bat=OWN, ball=BALL)
+
+
+def test_without_data_the_posterior_is_the_prior(nothing: PlayerModel) -> None:
+    """Exact: a swing with nothing measured is as likely under any parameters."""
+    places = prior_draws(300, seed=5)
+    assert np.ptp(nothing.log_likelihood(places)) == 0.0
+    assert np.allclose(nothing.log_posterior(places), log_prior(places), atol=1e-12)
+
+
+def test_without_data_the_draws_are_the_prior(nothing: PlayerModel) -> None:
+    """Means within 5 standard errors, the widths' mean within 3 % (its noise: 0.7 %; a wrong kind of step gave 5 %)."""
+    result = fit_player(nothing, steps=1800, warm_up=400)
+    for name, one in result.learned.items():
+        noise = 1 / math.sqrt(one.independent_draws)
+        assert abs(np.mean(standardised(result.draws)[:, NAMES.index(name)])) < 5 * noise, name
         assert not one.told
+    assert np.mean([one.width_ratio for one in result.learned.values()]) == pytest.approx(1.0, abs=0.03)
 
 
 @pytest.fixture(scope="module")
@@ -94,7 +107,7 @@ def test_five_swings_are_enough_to_answer_and_the_intervals_are_wide(typical: Po
     few = fitted(modelled(TYPICAL, count=5, seed=5))
     for name in ("bat_speed", "position_spread", "offset_spread"):
         widths = [found.learned[name].interval for found in (few, typical)]
-        assert widths[0].high - widths[0].low > 1.6 * (widths[1].high - widths[1].low), name
+        assert widths[0].high - widths[0].low > 1.3 * (widths[1].high - widths[1].low), name
     assert np.median([one.width_ratio for one in few.learned.values()]) > 0.5
 
 

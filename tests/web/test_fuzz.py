@@ -37,7 +37,6 @@ def test_no_example_breaks_the_server(mode: GenerationMode, monkeypatch: pytest.
 
         @settings(
             max_examples=EXAMPLES,
-            deadline=None,
             derandomize=True,
             database=None,
             phases=(Phase.generate,),

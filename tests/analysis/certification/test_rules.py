@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sweetspot import catalog, references
@@ -150,7 +150,6 @@ def test_nothing_known_decides_nothing(r161: Bat) -> None:
     assert found.verdict is Verdict.NOT_DECIDABLE and found.margin is None and "nothing is known" in found.reason
 
 
-@settings(deadline=None)
 @given(value=st.floats(0.2, 0.8), most=st.floats(0.3, 0.7))
 def test_margin_has_the_sign_of_the_verdict(value: float, most: float) -> None:
     found = check_rule(rule(most=most), bat=catalog.bat(), finding=Finding(value))

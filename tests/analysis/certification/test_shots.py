@@ -45,7 +45,6 @@ def measured(shots: list[Shot], standard: float | None = None) -> Measured:
     return measure(shots, bat=BAT, body=BODY, ball=BALL, standard_restitution=standard)
 
 
-@settings(deadline=None)
 @given(
     bbcor=st.floats(0.4, 0.6),
     offsets=st.lists(st.floats(0.0, 0.02), min_size=3, max_size=8),
@@ -72,7 +71,6 @@ def test_the_interval_is_right_nineteen_times_in_twenty() -> None:
     assert 0.91 < inside / 400 < 0.985
 
 
-@settings(deadline=None)
 @given(seed=st.integers(0, 10_000))
 def test_row_order_does_not_matter(seed: int) -> None:
     draw = random.Random(seed)
@@ -85,7 +83,6 @@ def test_row_order_does_not_matter(seed: int) -> None:
     assert measured(shots) == measured(mixed)
 
 
-@settings(deadline=None)
 @given(factor=st.floats(0.9, 1.1))
 def test_livelier_balls_are_normalised_away(factor: float) -> None:
     """By definition here: BBCOR grows with the ball's own restitution."""
@@ -216,7 +213,7 @@ def test_bad_cells_of_optional_columns(heading: str, cell: str, reason: str, tmp
 
 
 @given(bad=st.lists(st.booleans(), min_size=1, max_size=20))
-@settings(deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_every_row_is_either_used_or_listed(bad: list[bool], tmp_path: Path) -> None:
     rows = ["136,-1,6" if wrong else GOOD for wrong in bad]
     found = read_shots(written(tmp_path, HEADINGS, GOOD, *rows), length=BAT.length)
