@@ -71,7 +71,12 @@ def test_a_miss_is_an_outcome(run_json: Callable[..., Any], run: Run) -> None:
 def test_the_picture_is_written_whole(run: Run, tmp_path: Path) -> None:
     code, _, err = run("play", "--out", str(tmp_path / "new"))
     assert code == 0 and "wrote" in err
-    assert sorted(file.name for file in (tmp_path / "new").iterdir()) == ["play.json", "play.png", "play.svg"]
+    assert sorted(file.name for file in (tmp_path / "new").iterdir()) == [
+        "play.html",
+        "play.json",
+        "play.png",
+        "play.svg",
+    ]
 
 
 @pytest.mark.parametrize(

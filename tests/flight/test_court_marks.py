@@ -13,7 +13,7 @@ from sweetspot.flight.trajectory import Flight, fly
 from sweetspot.motion.ball_motion import launched
 from sweetspot.numerics.constants import STANDARD_GRAVITY
 from sweetspot.report.flight.court import court_json, court_words
-from sweetspot.report.sports.vocabulary import speech
+from sweetspot.report.quantities import SI, reader
 from sweetspot.units import RPM
 
 
@@ -68,13 +68,16 @@ def test_a_shuttle_falls_steeply_and_hits_alike_land_alike() -> None:
 
 
 def test_words_and_json() -> None:
-    said, ball = speech("cricket"), catalog.ball("cricket")
+    cricket, ball = catalog.sport("cricket"), catalog.ball("cricket")
     flight = shot("cricket", 40.0, 35.0, spin=1000)
-    words = court_words(flight, said, ball=ball)
+    words = court_words(flight, cricket, ball=ball).read(SI)
     assert " m in " in words and "over the longest boundary" in words
-    found = court_json(flight, said, ball=ball)
+    found = court_json(flight, cricket, ball=ball)
     assert found["sport"] == "cricket" and [mark["good"] for mark in found["marks"]] == [True, True]
-    assert "short of the net" in court_words(shot("tennis", 10.0, 5.0), speech("tennis"), ball=catalog.ball("tennis"))
-    low = court_words(shot("tennis", 50.0, 1.0, height=0.3), speech("tennis"), ball=catalog.ball("tennis"))
-    assert "below its top" in low
-    assert "yd" in court_words(shot("golf", 70.0, 12.0, spin=2700), speech("golf"), ball=catalog.ball("golf"))
+    tennis = catalog.sport("tennis")
+    assert "short of the net" in str(court_words(shot("tennis", 10.0, 5.0), tennis, ball=catalog.ball("tennis")))
+    low = court_words(shot("tennis", 50.0, 1.0, height=0.3), tennis, ball=catalog.ball("tennis"))
+    assert "below its top" in str(low)
+    golf = catalog.sport("golf")
+    far = court_words(shot("golf", 70.0, 12.0, spin=2700), golf, ball=catalog.ball("golf"))
+    assert "yd" in far.read(reader(None, golf.words))

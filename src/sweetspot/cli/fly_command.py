@@ -2,25 +2,19 @@
 
 from __future__ import annotations
 
-import sys
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
 
-from sweetspot.cli.options.swing import Format
+from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.weather import AirOptions, park_of
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
-    from sweetspot.equipment.ball import Ball
-    from sweetspot.flight.aerodynamics import Aerodynamics
     from sweetspot.flight.sweep import BattedBall, Varied
-    from sweetspot.report.sports.vocabulary import Speech
+    from sweetspot.report.document import Document
     from sweetspot.units import Kind
-
-    Flying = tuple[Ball, Aerodynamics]
 
 DEFAULT_AIR = AirOptions()
 MOST_VALUES = 100
@@ -72,10 +66,10 @@ def fly(
         Literal["carry", "hang-time", "apex", "landing-angle", "landing-speed"],
         Parameter(help="What the cells of a table show."),
     ] = "carry",
-    out: Annotated[Path | None, Parameter(help="Folder for fly.png, fly.svg and fly.json.")] = None,
-    format: Annotated[Format, Parameter(name="--format", help="table for people, json or csv for programs.")] = "table",
-) -> None:
+    output: OutputOptions = DEFAULT_OUTPUT,
+) -> int:
     """Say how far a hit ball carries. Any one or two options may be ranges (from:to:count); the answer is a table."""
+    from sweetspot.cli.output import present
     from sweetspot.flight.sweep import VARIATIONS, BattedBall
 
     values: dict[str, Any] = {}
@@ -88,17 +82,14 @@ def fly(
             values[name] = _number(name, text)
     for name, spread in ranges:
         values[name] = spread[0]
-    hit, flying = BattedBall(**values, bats=launch.bats), _flying(launch.ball)
-    if not ranges:
-        _single(hit, air, flying, out, format, said=_court(launch.ball))
-    elif out is not None or len(ranges) > 2:
+    hit = BattedBall(**values, bats=launch.bats)
+    if len(ranges) > 2:
         named = " and ".join(_option(name) for name, _ in ranges)
         raise InputError(
-            f"{named} were given as ranges; a table has rows and columns, so at most two options can be ranges, and it "
-            "makes no picture, so leave --out away"
+            f"{named} were given as ranges; a table has rows and columns, so at most two options can be ranges"
         )
-    else:
-        _table(hit, ranges, cell, flying, format)
+    document = _table(hit, ranges, cell, launch.ball) if ranges else _single(hit, air, launch.ball)
+    return present(document, output)
 
 
 def _texts(launch: LaunchOptions, air: AirOptions) -> dict[str, str]:
@@ -149,61 +140,26 @@ def _range(name: str, text: str) -> tuple[float, ...]:
     return tuple(low + (high - low) * step / steps for step in range(int(count)))
 
 
-def _flying(name: str) -> Flying:
-    """Return a ball and how the air pushes it."""
+def _single(hit: BattedBall, air: AirOptions, ball_name: str) -> Document:
     from sweetspot import catalog
+    from sweetspot.report.flight.document import batted_document, batted_flight
 
-    return catalog.ball(name), catalog.aerodynamics(catalog.sport(catalog.ball_sport(name)).aerodynamics)
-
-
-def _court(ball_name: str) -> Speech | None:
-    """Return how the ball's sport speaks of its flights; None for baseball, which has parks."""
-    from sweetspot.catalog import ball_sport
-    from sweetspot.report.sports.vocabulary import speech
-
-    said = speech(ball_sport(ball_name))
-    return None if said.sport.key == "baseball" else said
+    flown = batted_flight(
+        hit, ball=catalog.ball(ball_name), sport=catalog.sport(catalog.ball_sport(ball_name)),
+        aerodynamics=catalog.aerodynamics_of_ball(ball_name), park=park_of(air), own_elevation=air.elevation is None,
+    )  # fmt: skip
+    return batted_document(flown)
 
 
-def _single(
-    hit: BattedBall, air: AirOptions, flying: Flying, out: Path | None, format: Format, *, said: Speech | None
-) -> None:
-    from sweetspot.cli.output import print_csv, print_json, print_table
-    from sweetspot.report.flight.fly_report import FlyReport, fly_json, fly_table, write_fly
-
-    report = FlyReport.of(
-        hit, ball=flying[0], aerodynamics=flying[1], park=park_of(air), own_elevation=air.elevation is None
-    )
-    if format == "json":
-        from sweetspot.report.flight.court import court_json
-
-        court = {} if said is None else {"court": court_json(report.flight, said, ball=flying[0])}
-        print_json({**fly_json(report), **court})
-    elif format == "csv":
-        print_csv(fly_json(report)["path"])
-    else:
-        print_table(fly_table(report))
-        if said is not None:
-            from sweetspot.report.flight.court import court_words
-
-            print_table(f"\n{said.sport.name}: {court_words(report.flight, said, ball=flying[0])}")
-    if out is not None:
-        print("sweetspot: wrote " + ", ".join(str(path) for path in write_fly(report, out)), file=sys.stderr)
-
-
-def _table(hit: BattedBall, ranges: list[Varied], cell: str, flying: Flying, format: Format) -> None:
-    from sweetspot.cli.output import patience, print_json, print_rows_csv, print_table
+def _table(hit: BattedBall, ranges: list[Varied], cell: str, ball_name: str) -> Document:
+    from sweetspot import catalog
+    from sweetspot.cli.output import patience
     from sweetspot.flight.sweep import flight_table
-    from sweetspot.report.flight.sweep_table import fly_table_json, fly_table_rows, shown_fly_table
+    from sweetspot.report.flight.sweep import sweep_document
 
     with patience():
         table = flight_table(
-            hit, rows=ranges[0], columns=ranges[1] if len(ranges) > 1 else None, ball=flying[0],
-            aerodynamics=flying[1],
+            hit, rows=ranges[0], columns=ranges[1] if len(ranges) > 1 else None, ball=catalog.ball(ball_name),
+            aerodynamics=catalog.aerodynamics_of_ball(ball_name),
         )  # fmt: skip
-    if format == "json":
-        print_json(fly_table_json(table))
-    elif format == "csv":
-        print_rows_csv(fly_table_rows(table))
-    else:
-        print_table(shown_fly_table(table, cell.replace("-", "_")))
+    return sweep_document(table, cell.replace("-", "_"))

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
 
-from sweetspot.cli.options.swing import Format, SwingOptions
+from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
+from sweetspot.cli.options.swing import SwingOptions
 from sweetspot.cli.options.weather import AirOptions
 from sweetspot.errors import InputError
 
@@ -69,20 +68,19 @@ def play(
     path: PathOptions = DEFAULT_PATH,
     arrival: ArrivalOptions = DEFAULT_ARRIVAL,
     air: AirOptions = DEFAULT_AIR,
-    out: Annotated[Path | None, Parameter(help="Folder for play.png, play.svg and play.json.")] = None,
-    format: Annotated[Format, Parameter(name="--format", help="table for people, json or csv for programs.")] = "table",
-) -> None:
+    output: OutputOptions = DEFAULT_OUTPUT,
+) -> int:
     """Follow one pitch: how the bat meets it, how the ball leaves, how far it flies and whether it is out."""
     from sweetspot import catalog
     from sweetspot.analysis.bat_analysis import check_conditions
-    from sweetspot.analysis.full_play import play as played
+    from sweetspot.analysis.full_play import play as follow
     from sweetspot.cli.options.pitching import pitched
     from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.options.weather import air_of, park_of, wind_of
-    from sweetspot.cli.output import patience, print_csv, print_json, print_table
+    from sweetspot.cli.output import patience, present
     from sweetspot.dynamics.reduction import reduced_bat
     from sweetspot.flight.fence import landing
-    from sweetspot.report.play.play_report import PlayReport, path_columns, play_json, play_table, write_play
+    from sweetspot.report.play.document import PlayedPitch, play_document
     from sweetspot.units import parse, parse_position
 
     described = catalog.load_bat(bat)
@@ -102,22 +100,15 @@ def play(
     else:
         pitch = pitched(arrival.pitch, arrival.release_speed, ball=conditions.ball, air=weather, wind=wind).plate
     with patience():
-        done = played(
+        played = follow(
             model, ball=conditions.ball, swing=conditions.swing, path=swung, pitch=pitch, position=position,
             offset=under, aerodynamics=catalog.aerodynamics("baseball"), air=weather, wind=wind,
         )  # fmt: skip
-    report = PlayReport(
-        play=done, bat=described, ball=conditions.ball, position=position, offset=under, path=swung, pitch=pitch,
-        park=park, landing=None if park is None or done.flight is None else landing(done.flight.positions, park),
+    result = PlayedPitch(
+        play=played, bat=described, ball=conditions.ball, position=position, offset=under, path=swung, pitch=pitch,
+        park=park, landing=None if park is None or played.flight is None else landing(played.flight.positions, park),
     )  # fmt: skip
-    if format == "json":
-        print_json(play_json(report))
-    elif format == "csv":
-        print_csv(path_columns(report))
-    else:
-        print_table(play_table(report))
-    if out is not None:
-        print("sweetspot: wrote " + ", ".join(str(file) for file in write_play(report, out)), file=sys.stderr)
+    return present(play_document(result), output)
 
 
 def path_of(options: PathOptions) -> SwingPath:

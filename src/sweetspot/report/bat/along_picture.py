@@ -14,23 +14,8 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.pictures import ruler
 from sweetspot.report.pictures.conditions_line import told
-from sweetspot.report.pictures.style import (
-    BLUE,
-    GREEN,
-    INK,
-    MUTED,
-    NORMAL,
-    ORANGE,
-    PAPER,
-    PURPLE,
-    RED,
-    SKY,
-    SMALL,
-    halo,
-    heading,
-    light_grid,
-    styled,
-)
+from sweetspot.report.pictures.style import INK, MUTED, NORMAL, PAPER, SMALL, halo, heading, light_grid, styled
+from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY
 
 MODES_SHOWN = 3
 

@@ -15,7 +15,8 @@ from sweetspot.equipment.face import Outline
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.pictures.conditions_line import Told, told
-from sweetspot.report.pictures.style import INK, MUTED, PAPER, RED, axes_in_inches, heading, styled
+from sweetspot.report.pictures.style import INK, MUTED, PAPER, axes_in_inches, heading, styled
+from sweetspot.report.quantities import RED
 
 WIDTH, SIDE, GAP, TOP, FOOT, BAR = 8.5, 0.75, 0.55, 0.45, 1.05, 0.13
 """Inches of paper: the figure, its sides, between maps, above and below them, and the height of a colour scale."""

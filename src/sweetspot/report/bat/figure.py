@@ -22,7 +22,6 @@ from sweetspot.report.pictures.style import (
     HUGE,
     MUTED,
     NORMAL,
-    RED,
     SMALL,
     ZONE,
     ZONE_EDGE,
@@ -30,6 +29,7 @@ from sweetspot.report.pictures.style import (
     fitted,
     styled,
 )
+from sweetspot.report.quantities import RED
 from sweetspot.units import OUNCE_INCH_SQUARED
 
 HEADER, FOOTER, BETWEEN = 1.0, 1.15, 0.34

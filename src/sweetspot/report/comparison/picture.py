@@ -15,17 +15,11 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.report.pictures import ruler
 from sweetspot.report.pictures.conditions_line import told
 from sweetspot.report.pictures.style import (
-    BLUE,
-    GREEN,
     HUGE,
     INK,
     MUTED,
     NORMAL,
-    ORANGE,
     PAPER,
-    PURPLE,
-    RED,
-    SKY,
     SMALL,
     axes_in_inches,
     fitted,
@@ -33,6 +27,7 @@ from sweetspot.report.pictures.style import (
     light_grid,
     styled,
 )
+from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY
 
 WIDTH, SIDE, HEADER, CURVES, ROW, BETWEEN, FOOTER = 8.0, 0.62, 1.05, 3.1, 0.27, 0.62, 0.85
 """Inches of paper: page, margins, title, curves, one bat's row of the zones, the gap, the foot."""

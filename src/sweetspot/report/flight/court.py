@@ -1,4 +1,4 @@
-"""Flights of other sports in words: in the sport's units, with its net, lines and boundaries instead of fences."""
+"""Flights of other sports in words: with the net, lines and boundaries of the sport instead of fences."""
 
 from __future__ import annotations
 
@@ -7,18 +7,19 @@ from collections.abc import Sequence
 from typing import Any
 
 from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.sport import Sport
 from sweetspot.flight.court_marks import Passage, passages
 from sweetspot.flight.trajectory import Flight, FlightOutcome
+from sweetspot.report.flight.words import flight_words
 from sweetspot.report.json_shapes import cleaned
-from sweetspot.report.sports.vocabulary import Speech
-from sweetspot.units import DEGREE
+from sweetspot.report.sentences import Sentence, Slot, joined, say
 
 
-def court_json(flight: Flight, said: Speech, *, ball: Ball) -> dict[str, Any]:
+def court_json(flight: Flight, sport: Sport, *, ball: Ball) -> dict[str, Any]:
     """Return a flight at every mark of its sport."""
     landed = flight.outcome is FlightOutcome.LANDED
-    found = passages(flight, said.sport.marks, ball=ball) if landed else ()
-    return {"sport": said.sport.key, "marks": [cleaned(_mark_json(passage)) for passage in found]}
+    passed = passages(flight, sport.marks, ball=ball) if landed else ()
+    return {"sport": sport.key, "marks": [cleaned(_mark_json(passage)) for passage in passed]}
 
 
 def _mark_json(passage: Passage) -> dict[str, Any]:
@@ -34,30 +35,26 @@ def _mark_json(passage: Passage) -> dict[str, Any]:
     }
 
 
-def court_words(flight: Flight, said: Speech, *, ball: Ball) -> str:
+def court_words(flight: Flight, sport: Sport, *, ball: Ball) -> Sentence:
     """Return a flight and what it is on this sport's court or field, in sentences."""
     if flight.outcome is not FlightOutcome.LANDED:
-        return flight.outcome.sentence[0].upper() + flight.outcome.sentence[1:] + "."
+        return flight_words(flight)
     start = flight.positions[0]
     reached = math.hypot(flight.landing.position[0] - start[0], flight.landing.position[1] - start[1])
-    height, speed = said.distance(flight.apex_height), said.speed(flight.landing.speed)
-    text = (
-        f"It carries {said.distance(reached)} in {flight.hang_time:.2f} s, at most {height} high, and comes down "
-        f"{flight.landing_angle / DEGREE:.0f} deg steep at {speed}."
-    )
-    return " ".join([text, *_sentences(passages(flight, said.sport.marks, ball=ball), said)])
+    return joined([flight_words(flight, carry=reached), *_sentences(passages(flight, sport.marks, ball=ball))])
 
 
-def _sentences(found: Sequence[Passage], said: Speech) -> list[str]:
+def _sentences(passed: Sequence[Passage]) -> list[Sentence]:
     texts = []
-    for passage in found:
-        name, margin = passage.mark.name, said.distance(abs(passage.margin))
+    for passage in passed:
+        name, margin = passage.mark.name, Slot(abs(passage.margin), "distance")
         if passage.mark.side == "before":
-            texts.append(f"It lands {margin} {'before' if passage.good else 'beyond'} the {name}.")
+            side = "before" if passage.good else "beyond"
+            texts.append(say("It lands {margin} {side} the {name}.", margin=margin, side=side, name=name))
         elif passage.good:
-            texts.append(f"It passes {margin} over the {name}.")
+            texts.append(say("It passes {margin} over the {name}.", margin=margin, name=name))
         elif math.isnan(passage.ball_height):
-            texts.append(f"It lands {margin} short of the {name}.")
+            texts.append(say("It lands {margin} short of the {name}.", margin=margin, name=name))
         else:
-            texts.append(f"It meets the {name} {margin} below its top.")
+            texts.append(say("It meets the {name} {margin} below its top.", margin=margin, name=name))
     return texts

@@ -11,14 +11,17 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from sweetspot.flight.park import FOUL_LINE, Park, fence_at
-from sweetspot.report.pictures.style import BLUE, GREEN, INK, MUTED, ORANGE, PURPLE, RED, SKY, halo, styled
+from sweetspot.report.pictures.style import INK, MUTED, halo, styled
+from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY, US, Reader
 from sweetspot.units import FOOT
 
 COLOURS = (RED, BLUE, GREEN, ORANGE, PURPLE, SKY)
-BASE_PATH = 90.0
-"""ft between bases."""
-RINGS = (300, 350, 400)
-"""ft from home plate."""
+BASE_PATH = 90 * FOOT
+"""m between bases."""
+RINGS = {"ft": (300, 350, 400), "m": (90, 105, 120)}
+"""From home plate, in the unit of the readers."""
+REACH = 440 * FOOT
+"""m that is drawn towards centre field."""
 
 
 @styled
@@ -42,37 +45,54 @@ def parks_figure(parks: Sequence[Park], named: Sequence[Park] = ()) -> Figure:
     return figure
 
 
-def draw_field(axes: Axes) -> None:
-    """Draw foul lines, the infield and distance rings in ft, and fix the axes' shape."""
-    line = np.array([0.0, 420.0]) * math.sin(FOUL_LINE)
+def draw_field(axes: Axes, reading: Reader = US) -> None:
+    """Draw foul lines, the infield and distance rings in the readers' unit, and fix the axes' shape."""
+    unit = reading.units["distance"].size
+    line = np.array([0.0, 0.95 * REACH / unit]) * math.sin(FOUL_LINE)
     for side in (-1, 1):
         axes.plot(side * line, line, color=INK, linewidth=0.8)
-    half = BASE_PATH * math.sin(FOUL_LINE)
+    half = BASE_PATH / unit * math.sin(FOUL_LINE)
     axes.plot([0, half, 0, -half, 0], [0, half, 2 * half, half, 0], color=INK, linewidth=0.8)
     turn = np.linspace(-FOUL_LINE, FOUL_LINE, 91)
-    for ring in RINGS:
+    for ring in RINGS[reading.unit("distance")]:
         axes.plot(ring * np.sin(turn), ring * np.cos(turn), color=MUTED, linewidth=0.5, linestyle=":")
-        axes.annotate(f"{ring} ft", (0, ring), size=6.5, color=MUTED, ha="center", va="center", path_effects=halo(2))
-    axes.set(aspect="equal", xlim=(-310, 310), ylim=(-10, 440))
+        axes.annotate(
+            f"{ring} {reading.unit('distance')}",
+            (0, ring),
+            size=6.5,
+            color=MUTED,
+            ha="center",
+            va="center",
+            path_effects=halo(2),
+        )
+    axes.set(aspect="equal", xlim=(-0.7 * REACH / unit, 0.7 * REACH / unit), ylim=(-0.02 * REACH / unit, REACH / unit))
     axes.axis("off")
 
 
 def draw_fence(
-    axes: Axes, park: Park, *, colour: str = INK, alpha: float = 1.0, thick: bool = False, label: str | None = None
+    axes: Axes,
+    park: Park,
+    *,
+    colour: str = INK,
+    alpha: float = 1.0,
+    thick: bool = False,
+    label: str | None = None,
+    reading: Reader = US,
 ) -> None:
-    """Draw a fence from above in ft; ``thick``: the line is as thick as the wall is high, 1 pt for 8 ft."""
+    """Draw a fence from above; ``thick``: the line is as thick as the wall is high, 1 pt for 8 ft."""
     place, height = outline(park)
+    place = place / reading.units["distance"].size
     if not thick:
         axes.plot(*place.T, color=colour, alpha=alpha, linewidth=0.7, label=label)
         return
     for start in range(len(place) - 1):
-        width = 0.9 * (height[start] + height[start + 1]) / 2 / 8
+        width = 0.9 * (height[start] + height[start + 1]) / 2 / (8 * FOOT)
         axes.plot(*place[start : start + 2].T, color=colour, linewidth=max(0.5, width), solid_capstyle="butt")
     axes.plot([], [], color=colour, linewidth=1.8, label=label)
 
 
 def outline(park: Park) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return points of a fence, one per degree, right and out in ft, shape (91, 2), and its height there in ft."""
+    """Return points of a fence, one per degree, right and out in m, shape (91, 2), and its height there in m."""
     turn = np.linspace(-FOUL_LINE, FOUL_LINE, 91)
     distance, height = fence_at(park, turn)
-    return (distance * np.stack([np.sin(turn), np.cos(turn)])).T / FOOT, height / FOOT
+    return (distance * np.stack([np.sin(turn), np.cos(turn)])).T, height

@@ -9,12 +9,16 @@ from sweetspot.flight.park import Park
 from sweetspot.flight.trajectory import Flight, FlightOutcome
 from sweetspot.motion.ball_motion import BallMotion
 from sweetspot.report.json_shapes import cleaned
-from sweetspot.units import DEGREE, FOOT, MPH, RPM
+from sweetspot.report.sentences import Sentence, Slot, say
+from sweetspot.units import DEGREE
+
+STRAIGHT = 0.05 * DEGREE
+"""A direction nearer to an axis than this is told as the axis."""
 
 
 def flight_json(flight: Flight, *, path: bool = True) -> dict[str, Any]:
     """Return a flight with a unit in every name; ``path`` adds where the ball was at every step."""
-    found: dict[str, Any] = {
+    answer: dict[str, Any] = {
         "outcome": flight.outcome.name.lower(),
         "carry_m": flight.carry,
         "bearing_rad": flight.bearing,
@@ -24,10 +28,15 @@ def flight_json(flight: Flight, *, path: bool = True) -> dict[str, Any]:
         "landing_speed_m_s": flight.landing.speed,
         "landing_angle_rad": flight.landing_angle,
     }
-    if path:
-        right, out, up = flight.positions.T
-        found["path"] = {"time_s": flight.times, "right_m": right, "out_m": out, "up_m": up}
-    return cleaned(found)
+    return cleaned(answer | ({"path": path_columns(flight)} if path else {}))
+
+
+def path_columns(flight: Flight | None) -> dict[str, list[float]]:
+    """Return where the ball was at every step, as columns; empty where nothing flew."""
+    if flight is None:
+        return {"time_s": [], "right_m": [], "out_m": [], "up_m": []}
+    right, out, up = flight.positions.T.tolist()
+    return {"time_s": flight.times.tolist(), "right_m": right, "out_m": out, "up_m": up}
 
 
 def landing_json(landing: Landing, park: Park) -> dict[str, Any]:
@@ -44,36 +53,66 @@ def landing_json(landing: Landing, park: Park) -> dict[str, Any]:
     )
 
 
-def flight_words(flight: Flight) -> str:
-    """Return a flight in a sentence, in feet and miles per hour."""
+def flight_words(flight: Flight, carry: float | None = None) -> Sentence:
+    """Return a flight in a sentence.
+
+    Parameters
+    ----------
+    carry : m over the ground where it counts from another place than home plate.
+    """
     if flight.outcome is not FlightOutcome.LANDED:
-        return flight.outcome.sentence[0].upper() + flight.outcome.sentence[1:] + "."
-    return (
-        f"It carries {flight.carry / FOOT:.0f} ft in {flight.hang_time:.1f} s, at most "
-        f"{flight.apex_height / FOOT:.0f} ft high, and comes down {flight.landing_angle / DEGREE:.0f} deg steep at "
-        f"{flight.landing.speed / MPH:.0f} mph."
-    )
+        return say(flight.outcome.sentence[0].upper() + flight.outcome.sentence[1:] + ".")
+    return say(
+        "It carries {carry} in {time}, at most {apex} high, and comes down {angle} steep at {speed}.",
+        carry=Slot(flight.carry if carry is None else carry, "distance"), time=Slot(flight.hang_time, "time"),
+        apex=Slot(flight.apex_height, "distance"), angle=Slot(flight.landing_angle, "angle", digits=0),
+        speed=Slot(flight.landing.speed, "speed", digits=0),
+    )  # fmt: skip
 
 
-def landing_words(landing: Landing, park: Park) -> str:
+def landing_words(landing: Landing, park: Park) -> Sentence:
     """Return in a sentence what that is in a park."""
     if landing.outcome == "foul":
-        return f"At {park.name} it is foul."
+        return say("At {park} it is foul.", park=park.name)
     if landing.clearance is None:
-        return f"At {park.name} it stays in the field of play."
-    over = "over" if landing.clearance > 0 else "below"
-    return (
-        f"At {park.name} it reaches the fence {landing.distance / FOOT:.0f} ft away "
-        f"{abs(landing.clearance) / FOOT:.0f} ft {over} its top: {landing.outcome}."
-    )
+        return say("At {park} it stays in the field of play.", park=park.name)
+    return say(
+        "At {park} it reaches the fence {distance} away {clearance} {side} its top: {outcome}.",
+        park=park.name, distance=Slot(landing.distance, "distance"),
+        clearance=Slot(abs(landing.clearance), "distance"), side="over" if landing.clearance > 0 else "below",
+        outcome=landing.outcome,
+    )  # fmt: skip
 
 
-def spin_words(ball: BallMotion) -> str:
-    """Return a hit ball's spin, as "2200 rpm of backspin and 849 rpm that bend it right"."""
-    back = signed(ball.backspin / RPM, "rpm of backspin", "rpm of topspin", 0)
-    return f"{back} and {signed(ball.sidespin / RPM, 'rpm that bend it left', 'rpm that bend it right', 0)}"
+def launch_words(ball: BallMotion) -> Sentence:
+    """Return how a ball leaves: "at 105.8 mph, 24.8° up and 11.7° to right field, with 3249 rpm of backspin ..."."""
+    return say(
+        "at {speed}, {up} and {aside}, with {spin}", speed=Slot(ball.speed, "speed"),
+        up=signed(ball.launch_angle, "angle", "up", "down"), aside=direction_words(ball.spray), spin=spin_words(ball),
+    )  # fmt: skip
 
 
-def signed(value: float, positive: str, negative: str, digits: int = 1) -> str:
+def direction_words(angle: float) -> Sentence:
+    """Return a direction over the field in words; rad, positive to right field."""
+    if abs(angle) < STRAIGHT:
+        return say("to centre field")
+    if abs(abs(angle) - 180 * DEGREE) < STRAIGHT:
+        return say("to home plate")
+    return signed(angle, "angle", "to right field", "to left field")
+
+
+def spin_words(ball: BallMotion) -> Sentence:
+    """Return a ball's spin, as "2200 rpm of backspin and 849 rpm that bend it right"; no spin is said to be none."""
+    parts = [
+        (ball.backspin, "of backspin", "of topspin"),
+        (ball.sidespin, "that bend it left", "that bend it right"),
+    ]
+    turning = [signed(value, "spin", right, left) for value, right, left in parts if abs(value) >= DEGREE]
+    if not turning:
+        return say("no spin")
+    return turning[0] if len(turning) == 1 else say("{back} and {side}", back=turning[0], side=turning[1])
+
+
+def signed(value: float, scale: str, positive: str, negative: str) -> Sentence:
     """Return a number's size with the words that say its sign."""
-    return f"{abs(value):.{digits}f} {positive if value >= 0 else negative}"
+    return say("{size} {words}", size=Slot(abs(value), scale), words=positive if value >= 0 else negative)

@@ -12,8 +12,8 @@ from sweetspot.collision.hit_in_space import Strike
 from sweetspot.equipment.ball import Ball
 from sweetspot.motion.ball_motion import BallMotion
 from sweetspot.motion.swing_path import SwingPath
-from sweetspot.report.pictures.style import BLUE, GREEN, INK, MUTED, PAPER, RED, SMALL, halo, heading
-from sweetspot.units import DEGREE, INCH, MPH
+from sweetspot.report.pictures.style import INK, MUTED, PAPER, SMALL, halo, heading
+from sweetspot.report.quantities import BLUE, GREEN, RED, US, Reader
 
 WOOD = "#ecd9b8"
 ARROW = 0.0016
@@ -29,6 +29,7 @@ def draw_contact(
     offset: float,
     path: SwingPath,
     pitch: BallMotion,
+    reading: Reader = US,
 ) -> None:
     """Draw ball and barrel across the bat's axis, with the speeds before and after and the line of centres.
 
@@ -46,6 +47,9 @@ def draw_contact(
         out, above = float(vector @ forward), float(vector @ up)
         return np.array([out * math.cos(tilt) - above * math.sin(tilt), out * math.sin(tilt) + above * math.cos(tilt)])
 
+    def speed(value: float) -> str:
+        return reading.shown(value, "speed", digits=0)
+
     missed = strike.launched is None
     distance = reach if not missed else reach * 1.05
     centre = distance * np.array([math.cos(tilt + lift), math.sin(tilt + lift)])
@@ -53,15 +57,17 @@ def draw_contact(
     axes.add_patch(Circle(tuple(centre), ball.radius, facecolor=PAPER, edgecolor=INK, linewidth=1.0))
     ends = np.array([[0, 0], centre]) * 1.0
     axes.plot(*ends.T, color=MUTED, linewidth=0.8, linestyle=(0, (4, 3)))
-    _arrow(axes, np.zeros(2), strike.bat_speed * turned(forward), RED, f"bat {strike.bat_speed / MPH:.0f} mph")
+    _arrow(axes, np.zeros(2), strike.bat_speed * turned(forward), RED, f"bat {speed(strike.bat_speed)}")
     arriving = turned(pitch.velocity)
-    _arrow(axes, centre - ARROW * arriving, arriving, BLUE, f"pitch {pitch.speed / MPH:.0f} mph", at_tail=True)
+    _arrow(axes, centre - ARROW * arriving, arriving, BLUE, f"pitch {speed(pitch.speed)}", at_tail=True)
     if strike.launched is not None:
         leaving = turned(strike.launched.velocity)
-        words = f"ball {strike.launched.speed / MPH:.0f} mph, {strike.launched.launch_angle / DEGREE:.0f}° up"
+        rising = reading.shown(strike.launched.launch_angle, "angle", digits=0)
+        words = f"ball {speed(strike.launched.speed)}, {rising} up"
         _arrow(axes, centre, leaving, GREEN, words)
     side = "above" if offset >= 0 else "below"
-    heading(axes, "Contact", f"seen along the bat; ball's centre {abs(offset) / INCH:.2f} in {side} the bat's axis")
+    aside = reading.shown(abs(offset), "offset")
+    heading(axes, "Contact", f"seen along the bat; ball's centre {aside} {side} the bat's axis")
     axes.set_aspect("equal")
     axes.set(xlim=(-0.07, 0.19), ylim=(-0.075, 0.125))
     axes.set_axis_off()

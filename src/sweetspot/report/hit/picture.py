@@ -9,22 +9,8 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
 
 from sweetspot.collision.impact import Impact
-from sweetspot.report.pictures.style import (
-    BLUE,
-    GREEN,
-    INK,
-    MUTED,
-    NORMAL,
-    ORANGE,
-    PURPLE,
-    RED,
-    SKY,
-    axes_in_inches,
-    halo,
-    heading,
-    light_grid,
-    styled,
-)
+from sweetspot.report.pictures.style import INK, MUTED, NORMAL, axes_in_inches, halo, heading, light_grid, styled
+from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY
 from sweetspot.units import INCH, POUND_FORCE
 
 ENERGY_NAMES = {

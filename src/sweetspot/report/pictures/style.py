@@ -14,6 +14,8 @@ from matplotlib.font_manager import FontProperties
 from matplotlib.patheffects import AbstractPathEffect, withStroke
 from matplotlib.textpath import TextPath
 
+from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY
+
 if TYPE_CHECKING:
     from matplotlib.typing import RcKeyType
 
@@ -22,8 +24,6 @@ Result = TypeVar("Result")
 
 INK, MUTED, GRID, PAPER = "#1d232a", "#59636e", "#dfe3e7", "#ffffff"
 ZONE, ZONE_EDGE, ZONE_INK = "#e2f1e7", "#86b99a", "#2b6645"
-BLUE, SKY, GREEN, ORANGE, RED, PURPLE = "#0072b2", "#56b4e9", "#009e73", "#e69f00", "#d55e00", "#cc79a7"
-"""The last six are Okabe and Ito's palette."""
 
 SPOT_COLOURS = {
     "max_exit_speed": RED,
@@ -34,6 +34,12 @@ SPOT_COLOURS = {
     "center_of_percussion": GREEN,
 }
 """One colour per field of `SweetSpots`, the same in every picture."""
+
+PAGE_COLOURS = {
+    INK: "ink", MUTED: "muted", GRID: "grid", PAPER: "paper", ZONE: "zone", ZONE_EDGE: "zone-edge",
+    ZONE_INK: "zone-ink", BLUE: "blue", SKY: "sky", GREEN: "green", ORANGE: "orange", RED: "red", PURPLE: "purple",
+}  # fmt: skip
+"""Colours of the pictures that a page's style sheet sets, so that they change with a dark screen."""
 
 SMALL, NORMAL, LARGE, HUGE = 7.5, 8.5, 10.0, 17.0
 """Type sizes in points."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Sequence
 
 from matplotlib.figure import Figure
 
@@ -15,6 +14,8 @@ from sweetspot.motion.swing_path import SwingPath
 from sweetspot.report.flight.picture import draw_above, draw_side
 from sweetspot.report.hit.contact_picture import draw_contact
 from sweetspot.report.pictures.style import NORMAL, styled
+from sweetspot.report.quantities import US, Reader
+from sweetspot.report.sentences import Sentence
 
 LINE = 118
 """Letters in a line of the words below."""
@@ -30,23 +31,26 @@ def play_figure(
     path: SwingPath,
     pitch: BallMotion,
     park: Park | None = None,
-    words: Sequence[str] = (),
+    words: Sentence,
+    reading: Reader = US,
 ) -> Figure:
     """Return the picture of a play; a miss has no flight to draw.
 
     Parameters
     ----------
     bat_radius, offset : m, where they meet.
-    words : sentences for the foot of the page.
+    words : for the foot of the page.
     """
     figure = Figure(figsize=(9.0, 7.4), layout="constrained")
     grid = figure.add_gridspec(3, 2, height_ratios=(2.3, 1.25, 0.4), width_ratios=(1, 1.15))
     contact = figure.add_subplot(grid[0, 0])
-    draw_contact(contact, play.strike, ball=ball, bat_radius=bat_radius, offset=offset, path=path, pitch=pitch)
+    draw_contact(
+        contact, play.strike, ball=ball, bat_radius=bat_radius, offset=offset, path=path, pitch=pitch, reading=reading
+    )
     if play.flight is not None:
-        draw_above(figure.add_subplot(grid[0, 1]), play.flight, park)
-        draw_side(figure.add_subplot(grid[1, :]), play.flight, park)
+        draw_above(figure.add_subplot(grid[0, 1]), play.flight, park, reading)
+        draw_side(figure.add_subplot(grid[1, :]), play.flight, park, reading)
     foot = figure.add_subplot(grid[2, :])
     foot.set_axis_off()
-    foot.text(0, 1, textwrap.fill(" ".join(words), LINE), va="top", size=NORMAL, transform=foot.transAxes)
+    foot.text(0, 1, textwrap.fill(words.read(reading), LINE), va="top", size=NORMAL, transform=foot.transAxes)
     return figure

@@ -14,14 +14,10 @@ from sweetspot.player.goal import told
 from sweetspot.player.posterior import Posterior
 from sweetspot.player.prior import NAMES
 from sweetspot.report.pictures.style import (
-    BLUE,
-    GREEN,
     HUGE,
     INK,
     MUTED,
     NORMAL,
-    RED,
-    SKY,
     SMALL,
     axes_in_inches,
     fitted,
@@ -30,6 +26,7 @@ from sweetspot.report.pictures.style import (
     styled,
 )
 from sweetspot.report.player.units import scale
+from sweetspot.report.quantities import BLUE, GREEN, RED, SKY
 from sweetspot.units import INCH, MPH
 
 WIDTH, SIDE, HEADER, CURVE, BETWEEN, ROW, FOOTER, NAMES_WIDTH = 8.0, 0.62, 1.05, 2.3, 0.75, 0.23, 0.7, 2.5

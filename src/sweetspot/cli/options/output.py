@@ -1,0 +1,28 @@
+"""What every answer can be asked for: its format, its units, and files of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Literal
+
+from cyclopts import Parameter
+
+Format = Literal["table", "json", "csv"]
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class OutputOptions:
+    """How an answer is told."""
+
+    format: Annotated[Format, Parameter(help="table for people, json or csv for programs (SI).")] = "table"
+    units: Annotated[
+        Literal["us", "si"] | None, Parameter(help="Units that people are told in; default: those of the sport.")
+    ] = None
+    out: Annotated[
+        Path | None, Parameter(help="Folder for the answer as a page to print, pictures and JSON, made if need be.")
+    ] = None
+
+
+DEFAULT_OUTPUT = OutputOptions()

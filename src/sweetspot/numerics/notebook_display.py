@@ -1,0 +1,18 @@
+"""What lets a notebook show an answer as a report, without the physics knowing of reports."""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+
+class ShownInNotebooks:
+    """Base of everything that a notebook shows as HTML.
+
+    How it looks is known to `sweetspot.report.notebook` alone, which is higher up in the house; so it is loaded by
+    its name, and only when a notebook asks.
+    """
+
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows."""
+        text: str = import_module("sweetspot.report.notebook").html_of(self)
+        return text

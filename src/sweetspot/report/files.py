@@ -1,0 +1,33 @@
+"""A document as files in a folder: a page, its picture, and the numbers."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from pydantic_core import to_json
+
+from sweetspot.report.document import Document
+from sweetspot.report.html import page
+from sweetspot.report.pictures.files import png_bytes, svg_bytes, write_folder
+from sweetspot.report.quantities import Reader
+
+
+def write_document(document: Document, folder: Path, *, reader: Reader) -> list[Path]:
+    """Write NAME.html, NAME.json and, where there is a drawing, NAME.png and NAME.svg: all of them or none.
+
+    Raises
+    ------
+    InputError
+        when the folder cannot be made or written; it is then as it was.
+    """
+    contents = {".html": page(document, reader).encode(), ".json": as_json(document)}
+    if document.drawing is not None:
+        figure = document.drawing.draw(reader)
+        contents |= {".png": png_bytes(figure), ".svg": svg_bytes(figure)}
+    return write_folder(folder, {document.name + ending: content for ending, content in contents.items()})
+
+
+def as_json(document: Document) -> bytes:
+    """Return the numbers of a document as JSON text; what is not finite is null there, as JSON has neither."""
+    return to_json(document.data, indent=1, inf_nan_mode="null", fallback=np.ndarray.tolist) + b"\n"

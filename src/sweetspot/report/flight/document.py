@@ -1,0 +1,178 @@
+"""One flight with everything that was put in, as a document."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any
+
+from sweetspot import catalog
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.sport import Sport
+from sweetspot.flight.aerodynamics import Aerodynamics
+from sweetspot.flight.all_parks import landings_everywhere
+from sweetspot.flight.fence import Landing, landing
+from sweetspot.flight.park import Park
+from sweetspot.flight.sweep import BattedBall, directed
+from sweetspot.flight.trajectory import Flight, FlightOutcome, fly
+from sweetspot.report.document import Document, Paragraph, Picture
+from sweetspot.report.flight.court import court_json, court_words
+from sweetspot.report.flight.words import (
+    direction_words,
+    flight_json,
+    flight_words,
+    landing_json,
+    landing_words,
+    launch_words,
+    path_columns,
+)
+from sweetspot.report.json_shapes import cleaned
+from sweetspot.report.quantities import Reader, reader
+from sweetspot.report.sentences import Sentence, Slot, joined, say
+from sweetspot.units import DEGREE
+
+
+@dataclass(frozen=True)
+class BattedFlight:
+    """A flight, and where it ends in a park if one was named.
+
+    Parameters
+    ----------
+    out_in, parks : in how many of how many parks it is a home run; 0 of 0 where nobody asked for a park.
+    """
+
+    hit: BattedBall
+    flight: Flight
+    ball: Ball
+    sport: Sport
+    park: Park | None = None
+    landing: Landing | None = None
+    out_in: int = 0
+    parks: int = 0
+
+
+def batted_flight(
+    hit: BattedBall,
+    *,
+    ball: Ball,
+    sport: Sport,
+    aerodynamics: Aerodynamics,
+    park: Park | None,
+    own_elevation: bool = True,
+) -> BattedFlight:
+    """Return the flight of a hit.
+
+    Parameters
+    ----------
+    park : where it is hit; its fence counts, and the hit is tried in every other park too.
+    own_elevation : whether the other parks lie at their own elevation, or all where the hit says.
+    """
+    hit = directed(hit, ball=ball, aerodynamics=aerodynamics)
+    flight = fly(hit.motion, ball=ball, aerodynamics=aerodynamics, air=hit.air, wind=hit.wind)
+    flown = BattedFlight(hit, flight, ball, sport)
+    if park is None or flight.outcome is not FlightOutcome.LANDED:
+        return flown
+    motion, parks = hit.motion, catalog.parks()
+    everywhere = landings_everywhere(
+        motion.position, motion.velocity, motion.spin, parks=parks, ball=ball, aerodynamics=aerodynamics, air=hit.air,
+        wind=hit.wind, own_elevation=own_elevation,
+    )  # fmt: skip
+    out_in = sum(bool(one.out.all()) for one in everywhere)
+    return replace(flown, park=park, landing=landing(flight.positions, park), out_in=out_in, parks=len(parks))
+
+
+def batted_document(flown: BattedFlight) -> Document:
+    """Return a batted ball's flight as a document."""
+    return Document(
+        name="fly", title="", kind="Flight",
+        blocks=[
+            Paragraph(_words(flown)),
+            _picture(flown.flight, flown.park),
+            Paragraph(_weather(flown.hit), "note"),
+        ],
+        data=_json(flown), rows=path_columns(flown.flight), reader=reader(None, flown.sport.words),
+        drawing=_picture(flown.flight, flown.park),
+    )  # fmt: skip
+
+
+def flight_document(flight: Flight) -> Document:
+    """Return any flight as a document."""
+    words = say("A ball leaves {launch}.", launch=launch_words(flight.launch))
+    return Document(
+        name="flight", title="", kind="Flight",
+        blocks=[Paragraph(joined([words, flight_words(flight), _bend(flight)])), _picture(flight, None)],
+        data=flight_json(flight), rows=path_columns(flight), drawing=_picture(flight, None),
+    )  # fmt: skip
+
+
+def _json(flown: BattedFlight) -> dict[str, Any]:
+    launch = flown.flight.launch
+    answer = {
+        "launch": {
+            "exit_speed_m_s": launch.speed,
+            "launch_angle_rad": flown.hit.launch_angle,
+            "spray_rad": flown.hit.spray,
+            "backspin_rad_s": launch.backspin,
+            "sidespin_rad_s": launch.sidespin,
+            "gyrospin_rad_s": launch.gyrospin,
+            "height_m": float(launch.position[2]),
+        },
+        "air_density_kg_m3": flown.hit.air.density,
+        **flight_json(flown.flight),
+    }
+    if flown.park is not None and flown.landing is not None:
+        answer["fence"] = landing_json(flown.landing, flown.park)
+        answer["out_in"], answer["parks"] = flown.out_in, flown.parks
+    if flown.sport.key != "baseball":
+        answer["court"] = court_json(flown.flight, flown.sport, ball=flown.ball)
+    return cleaned(answer)
+
+
+def _words(flown: BattedFlight) -> Sentence:
+    hit = flown.hit
+    usual = " (what such hits usually have)" if hit.backspin is None and hit.sidespin is None else ""
+    sentences = [say("A ball leaves {launch}{usual}.", launch=launch_words(flown.flight.launch), usual=usual)]
+    if flown.sport.key != "baseball":
+        return joined([*sentences, court_words(flown.flight, flown.sport, ball=flown.ball)])
+    sentences += [flight_words(flown.flight), _bend(flown.flight)]
+    if flown.park is not None and flown.landing is not None:
+        sentences.append(landing_words(flown.landing, flown.park))
+        sentences.append(say("It is a home run in {out} of {all} parks.", out=flown.out_in, all=flown.parks))
+    return joined(sentences)
+
+
+def _bend(flight: Flight) -> Sentence:
+    """Return where the ball comes down, if the air has bent its path by a degree or more."""
+    bent = flight.bearing - flight.launch.spray
+    if flight.outcome is not FlightOutcome.LANDED or abs(bent) < DEGREE:
+        return Sentence(())
+    return say(
+        "Its spin and the wind bend it {angle} to the {side}: it lands {where}.",
+        angle=Slot(abs(bent), "angle", digits=0), side="right" if bent > 0 else "left",
+        where=direction_words(flight.bearing),
+    )  # fmt: skip
+
+
+def _weather(hit: BattedBall) -> Sentence:
+    wind = say("no wind")
+    if hit.wind_speed:
+        blowing = Slot(hit.wind_speed, "speed", digits=0)
+        wind = say("wind {speed} {where}", speed=blowing, where=direction_words(hit.wind_direction))
+    return say(
+        "Air {temperature}, {humidity} humid, {elevation} above the sea: {density}; {wind}.",
+        temperature=Slot(hit.temperature, "temperature"), humidity=Slot(hit.humidity, "share"),
+        elevation=Slot(hit.elevation, "distance", digits=0), density=Slot(hit.air.density, "density"), wind=wind,
+    )  # fmt: skip
+
+
+def _picture(flight: Flight, park: Park | None) -> Picture:
+    return Picture(
+        "path", partial(_drawn, flight, park), label="The path of the ball from the side and from above.",
+        caption="A dot every second.",
+    )  # fmt: skip
+
+
+def _drawn(flight: Flight, park: Park | None, reading: Reader) -> Any:
+    from sweetspot.report.flight.picture import flight_figure
+
+    return flight_figure(flight, park, reading)

@@ -1,0 +1,106 @@
+"""A document as HTML: a page of its own that needs nothing else, or a fragment for a notebook."""
+
+from __future__ import annotations
+
+from functools import cache, partial
+from io import StringIO
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup
+
+from sweetspot import __version__
+from sweetspot.references import cite, reference
+from sweetspot.report import document as parts
+from sweetspot.report.quantities import Reader
+from sweetspot.report.sentences import read
+
+HERE = Path(__file__).parent
+TEMPLATES = HERE / "templates"
+SVG = "http://www.w3.org/2000/svg"
+XLINK = "{http://www.w3.org/1999/xlink}href"
+
+
+def page(document: parts.Document, reader: Reader, *, long: bool = True) -> str:
+    """Return a document as a whole page, style and pictures inside it.
+
+    Parameters
+    ----------
+    long : whether the appendix is on it.
+    """
+    return _rendered("page.html.j2", document, reader, appendix=document.appendix if long else ())
+
+
+def fragment(document: parts.Document, reader: Reader) -> str:
+    """Return a document as a part of somebody else's page, such as a notebook's cell."""
+    return _rendered("fragment.html.j2", document, reader, appendix=())
+
+
+def _rendered(template: str, document: parts.Document, reader: Reader, **more: Any) -> str:
+    return _environment().get_template(template).render(
+        document=document, read=lambda words: read(words, reader), kind_of=lambda block: type(block).__name__,
+        shown=lambda column, cell: column.shown(cell, reader), head=lambda column: column.head(reader),
+        drawn=partial(_drawn, reader=reader), cite=cite, reference=reference, version=__version__, **more,
+    )  # fmt: skip
+
+
+@cache
+def _environment() -> Environment:
+    environment = Environment(
+        loader=FileSystemLoader(TEMPLATES), autoescape=True, undefined=StrictUndefined, trim_blocks=True,
+        lstrip_blocks=True,
+    )  # fmt: skip
+    environment.globals["style"] = Markup((HERE / "page.css").read_text(encoding="utf-8"))
+    return environment
+
+
+def _drawn(picture: parts.Picture, *, reader: Reader) -> Markup:
+    """Return a picture as SVG inside the page: its names its own, its colours the page's."""
+    from sweetspot.report.pictures.files import svg_bytes
+    from sweetspot.report.pictures.style import PAGE_COLOURS
+
+    drawing = svg_bytes(picture.draw(reader)).decode()
+    return Markup(inlined(drawing, name=picture.name, label=read(picture.label, reader), colours=PAGE_COLOURS))
+
+
+def inlined(drawing: str, *, name: str, label: str, colours: dict[str, str]) -> str:
+    """Return an SVG file as an element of a page.
+
+    What only a file of its own needs (prologue, metadata, fixed size) is left out, every identifier gets ``name`` in
+    front, and the colours become variables of the page's style, so that they follow a dark screen.
+    """
+    ElementTree.register_namespace("", SVG)
+    ElementTree.register_namespace("xlink", "http://www.w3.org/1999/xlink")
+    root = ElementTree.parse(StringIO(drawing)).getroot()
+    for parent in root.iter():
+        for child in [child for child in parent if child.tag.endswith("}metadata")]:
+            parent.remove(child)
+    for size in ("width", "height"):
+        root.attrib.pop(size, None)
+    root.attrib |= {"role": "img", "aria-label": label}
+    for element in root.iter():
+        for key, value in list(element.attrib.items()):
+            element.set(key, _adapted(key, value, name, colours))
+        if element.tag.endswith("}style") and element.text:
+            element.text = _coloured(element.text, colours)
+    return ElementTree.tostring(root, encoding="unicode", short_empty_elements=True)
+
+
+def _adapted(key: str, value: str, name: str, colours: dict[str, str]) -> str:
+    if key == "id":
+        return f"{name}-{value}"
+    if key in ("href", XLINK) and value.startswith("#"):
+        return f"#{name}-{value[1:]}"
+    return (
+        _coloured(value.replace("url(#", f"url(#{name}-"), colours)
+        if key in ("style", "fill", "stroke") or ("url(#" in value)
+        else value
+    )
+
+
+def _coloured(text: str, colours: dict[str, str]) -> str:
+    for colour, variable in colours.items():
+        text = text.replace(colour, f"var(--{variable})")
+    return text

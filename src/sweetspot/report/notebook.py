@@ -1,0 +1,39 @@
+"""Answers as a notebook shows them: each kind of answer is turned into its document, and that into HTML."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from sweetspot.report.document import Document
+from sweetspot.report.html import fragment
+
+
+def html_of(answer: Any) -> str:
+    """Return an answer of the package as HTML.
+
+    Raises
+    ------
+    TypeError
+        for what has no document.
+    """
+    document = document_of(answer)
+    return fragment(document, document.reader)
+
+
+def document_of(answer: Any) -> Document:
+    """Return the document of an answer: an analysis, a play, a flight, ... or a document itself."""
+    if isinstance(answer, Document):
+        return answer
+    for kind, make in _makers():
+        if isinstance(answer, kind):
+            return make(answer)
+    raise TypeError(f"a {type(answer).__name__} has no document; use its own fields")
+
+
+def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
+    """Return every kind of answer with what makes its document."""
+    from sweetspot.flight.trajectory import Flight
+    from sweetspot.report.flight.document import flight_document
+
+    return ((Flight, flight_document),)

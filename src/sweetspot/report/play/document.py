@@ -1,0 +1,128 @@
+"""A play as a document: contact, launch, flight and fence."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from sweetspot.analysis.full_play import Play
+from sweetspot.catalog.sports import sport
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.bat import Bat
+from sweetspot.flight.fence import Landing
+from sweetspot.flight.park import Park
+from sweetspot.motion.ball_motion import BallMotion
+from sweetspot.motion.swing_path import SwingPath
+from sweetspot.report.document import Document, Paragraph, Picture
+from sweetspot.report.flight.words import (
+    flight_json,
+    flight_words,
+    landing_json,
+    landing_words,
+    launch_words,
+    path_columns,
+)
+from sweetspot.report.json_shapes import cleaned
+from sweetspot.report.quantities import Reader, reader
+from sweetspot.report.sentences import Sentence, Slot, joined, say
+
+
+@dataclass(frozen=True)
+class PlayedPitch:
+    """A play with everything that was put in.
+
+    Parameters
+    ----------
+    position, offset : m, where bat and ball met.
+    park, landing : where the flight ends, if a park was asked for.
+    """
+
+    play: Play
+    bat: Bat
+    ball: Ball
+    position: float
+    offset: float
+    path: SwingPath
+    pitch: BallMotion
+    park: Park | None = None
+    landing: Landing | None = None
+
+    @property
+    def bat_radius(self) -> float:
+        """Radius of the barrel where they met, m."""
+        return float(self.bat.width_at(self.position)) / 2
+
+
+def play_document(played: PlayedPitch) -> Document:
+    """Return a play as a document."""
+    words = play_words(played)
+    arriving = say("{speed} pitch", speed=Slot(played.pitch.speed, "speed", digits=0))
+    picture = Picture(
+        "play", lambda reading: _drawn(played, words, reading),
+        label="The contact of bat and ball, and the ball's path from above and from the side.",
+    )  # fmt: skip
+    return Document(
+        name="play", title=played.bat.name, subtitle=arriving, kind="Play", blocks=[Paragraph(words), picture],
+        data=play_json(played), rows=path_columns(played.play.flight),
+        reader=reader(None, sport(played.bat.sport).words), drawing=picture,
+    )  # fmt: skip
+
+
+def play_json(played: PlayedPitch) -> dict[str, Any]:
+    """Return a play with a unit in every name; what a miss does not have is None."""
+    struck, ball, impact = played.play.strike, played.play.strike.launched, played.play.strike.impact
+    return cleaned(
+        {
+            "bat": played.bat.name,
+            "outcome": struck.outcome.name.lower(),
+            "position_m": played.position,
+            "offset_m": played.offset,
+            "pitch_speed_m_s": played.pitch.speed,
+            "bat_speed_m_s": struck.bat_speed,
+            "closing_speed_m_s": impact and impact.closing_speed,
+            "collision_efficiency": impact and impact.collision_efficiency,
+            "contact_time_s": impact and impact.contact_time,
+            "peak_force_n": impact and impact.peak_force,
+            "exit_speed_m_s": ball and ball.speed,
+            "launch_angle_rad": ball and ball.launch_angle,
+            "spray_rad": ball and ball.spray,
+            "backspin_rad_s": ball and ball.backspin,
+            "sidespin_rad_s": ball and ball.sidespin,
+            "gyrospin_rad_s": ball and ball.gyrospin,
+            "travel_along_m": struck.travel_along,
+            "travel_around_m": struck.travel_around,
+            "gripped": struck.gripped,
+            "flight": played.play.flight and flight_json(played.play.flight),
+            "fence": landing_json(played.landing, played.park) if played.landing and played.park else None,
+        }
+    )
+
+
+def play_words(played: PlayedPitch) -> Sentence:
+    """Return what happened as a few sentences."""
+    struck, ball = played.play.strike, played.play.strike.launched
+    met = say(
+        "{place} from the tip, {offset} {side} the ball's centre",
+        place=Slot(played.bat.length - played.position, "place"), offset=Slot(abs(played.offset), "offset"),
+        side="below" if played.offset >= 0 else "above",
+    )  # fmt: skip
+    if ball is None or played.play.flight is None:
+        return say("The bat came {met}: {outcome}.", met=met, outcome=struck.outcome.sentence)
+    sentences = [
+        say("The bat meets the ball {met}, at {speed}.", met=met, speed=Slot(struck.bat_speed, "speed")),
+        say("The ball leaves {launch}.", launch=launch_words(ball)),
+        "" if struck.gripped else "It slides on the bat all through the contact: friction cannot turn it further.",
+        flight_words(played.play.flight),
+    ]
+    if played.landing is not None and played.park is not None:
+        sentences.append(landing_words(played.landing, played.park))
+    return joined(sentences)
+
+
+def _drawn(played: PlayedPitch, words: Sentence, reading: Reader) -> Any:
+    from sweetspot.report.play.picture import play_figure
+
+    return play_figure(
+        played.play, ball=played.ball, bat_radius=played.bat_radius, offset=played.offset, path=played.path,
+        pitch=played.pitch, park=played.park, words=words, reading=reading,
+    )  # fmt: skip

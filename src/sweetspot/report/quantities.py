@@ -1,0 +1,186 @@
+"""Every quantity that people are shown: its name, the ending of its key, its units and how many digits it deserves.
+
+Nothing else in the package puts a unit behind a number. A `Scale` is a way of showing numbers of one kind; a
+`Quantity` is one thing that is shown, with its label and colour. A `Reader` is who reads: he has one unit per scale.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from sweetspot.equipment.sport import Words
+from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, POUND_FORCE, RPM
+
+System = Literal["us", "si"]
+NOTHING = "-"
+"""Stands where there is no number."""
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A unit of people: its name behind the number, its size in SI, usual digits, and where its zero lies in SI."""
+
+    name: str
+    size: float
+    digits: int
+    zero: float = 0.0
+
+    def number(self, value: float, *, digits: int | None = None, sign: bool = False) -> str:
+        """Return a value in SI as a number in this unit, never as minus zero.
+
+        >>> Unit("mph", 0.44704, 1).number(40.2336), Unit("mph", 0.44704, 1).number(-0.001, sign=True)
+        ('90.0', '+0.0')
+        """
+        if not math.isfinite(value):
+            return NOTHING
+        places = self.digits if digits is None else digits
+        return f"{(value - self.zero) / self.size:{'+' if sign else ''}z.{places}f}"
+
+
+@dataclass(frozen=True)
+class Scale:
+    """A way of showing numbers: ending of JSON keys and columns, and its unit in either system."""
+
+    ending: str
+    us: Unit
+    si: Unit
+
+
+def _same(ending: str, name: str, size: float, digits: int) -> Scale:
+    unit = Unit(name, size, digits)
+    return Scale(ending, unit, unit)
+
+
+SCALES: Mapping[str, Scale] = {
+    "speed": Scale("_m_s", Unit("mph", MPH, 1), Unit("m/s", 1.0, 1)),
+    "place": Scale("_m", Unit("in", INCH, 1), Unit("cm", 0.01, 1)),
+    "offset": Scale("_m", Unit("in", INCH, 2), Unit("cm", 0.01, 1)),
+    "length": Scale("_m", Unit("in", INCH, 2), Unit("cm", 0.01, 1)),
+    "distance": Scale("_m", Unit("ft", FOOT, 0), Unit("m", 1.0, 1)),
+    "compression": _same("_m", "mm", 1e-3, 1),
+    "mass": Scale("_kg", Unit("oz", OUNCE, 1), Unit("g", 1e-3, 0)),
+    "moi": Scale("_kg_m2", Unit("oz in²", OUNCE_INCH_SQUARED, 0), Unit("kg m²", 1.0, 4)),
+    "density": _same("_kg_m3", "kg/m³", 1.0, 4),
+    "pressure": Scale("_pa", Unit("inHg", 3386.389, 2), Unit("hPa", 100.0, 0)),
+    "temperature": Scale("_degc", Unit("°F", 5 / 9, 0, zero=-160 / 9), Unit("°C", 1.0, 0)),
+    "time": _same("_s", "s", 1.0, 1),
+    "contact": _same("_s", "ms", 1e-3, 3),
+    "force": _same("_n", "kN", 1e3, 1),
+    "weight": Scale("_n", Unit("lbf", POUND_FORCE, 0), Unit("kN", 1e3, 2)),
+    "impulse": _same("_n_s", "N s", 1.0, 2),
+    "energy": _same("_j", "J", 1.0, 1),
+    "angle": _same("_rad", "°", DEGREE, 1),
+    "spin": _same("_rad_s", "rpm", RPM, 0),
+    "frequency": _same("_hz", "Hz", 1.0, 0),
+    "vibration": _same("_m_s", "m/s", 1.0, 1),
+    "share": _same("", "%", 0.01, 0),
+    "strain": _same("", "%", 0.01, 2),
+    "ratio": _same("", "", 1.0, 3),
+    "count": _same("", "", 1.0, 0),
+}
+"""Inch of mercury: 3386.389 Pa at 0 °C. All others are exact."""
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One thing that is shown: what it is called, its scale, and its colour in pictures ("" where it has none)."""
+
+    label: str
+    scale: str
+    colour: str = ""
+
+
+BLUE, SKY, GREEN, ORANGE, RED, PURPLE = "#0072b2", "#56b4e9", "#009e73", "#e69f00", "#d55e00", "#cc79a7"
+"""Okabe and Ito's palette, which colour-blind people can tell apart."""
+
+QUANTITIES: Mapping[str, Quantity] = {
+    "exit_speed": Quantity("exit speed", "speed", BLUE),
+    "rigid_exit_speed": Quantity("exit speed if rigid", "speed", SKY),
+    "bat_speed": Quantity("bat speed", "speed"),
+    "pitch_speed": Quantity("pitch speed", "speed"),
+    "collision_efficiency": Quantity("collision efficiency q", "ratio", GREEN),
+    "bbcor": Quantity("BBCOR", "ratio"),
+    "contact_time": Quantity("contact time", "contact"),
+    "peak_force": Quantity("peak force", "force"),
+    "peak_compression": Quantity("peak compression", "compression"),
+    "hand_impulse": Quantity("jolt at the top hand", "impulse", ORANGE),
+    "sting": Quantity("vibration at the hands", "vibration", RED),
+    "mass": Quantity("mass", "mass"),
+    "balance_point": Quantity("balance point", "length"),
+    "moi": Quantity("moment of inertia", "moi"),
+    "frequency": Quantity("frequency", "frequency"),
+    "launch_angle": Quantity("launch angle", "angle"),
+    "spray": Quantity("spray", "angle"),
+    "backspin": Quantity("backspin", "spin"),
+    "sidespin": Quantity("sidespin", "spin"),
+    "carry": Quantity("carry", "distance"),
+    "hang_time": Quantity("hang time", "time"),
+    "apex_height": Quantity("apex", "distance"),
+    "landing_angle": Quantity("landing angle", "angle"),
+    "landing_speed": Quantity("landing speed", "speed"),
+}
+
+
+@dataclass(frozen=True)
+class Reader:
+    """Who reads: the unit of every scale.
+
+    Parameters
+    ----------
+    units : by scale.
+    """
+
+    units: Mapping[str, Unit]
+
+    def number(self, value: float, scale: str, *, digits: int | None = None, sign: bool = False) -> str:
+        """Return a value in SI as a number without its unit."""
+        return self.units[scale].number(value, digits=digits, sign=sign)
+
+    def shown(self, value: float, scale: str, *, digits: int | None = None, sign: bool = False) -> str:
+        """Return a value in SI with its unit.
+
+        >>> US.shown(40.2336, "speed"), SI.shown(0.1524, "place"), US.shown(0.25, "ratio")
+        ('90.0 mph', '15.2 cm', '0.250')
+        """
+        number = self.number(value, scale, digits=digits, sign=sign)
+        return number if number == NOTHING else f"{number}{self.behind(scale)}"
+
+    def behind(self, scale: str) -> str:
+        """Return what stands behind a number of a scale: a space and the unit, as typesetters have it."""
+        name = self.units[scale].name
+        return name if name in ("", "°") else f" {name}"
+
+    def unit(self, scale: str) -> str:
+        """Return the name of a scale's unit, for the head of a column."""
+        return self.units[scale].name
+
+
+US = Reader({name: scale.us for name, scale in SCALES.items()})
+SI = Reader({name: scale.si for name, scale in SCALES.items()})
+
+SYSTEMS: Mapping[System, Reader] = {"us": US, "si": SI}
+
+SPEEDS = {"mph": SCALES["speed"].us, "m/s": SCALES["speed"].si}
+PLACES = {"in": US, "cm": SI}
+DISTANCES = {"ft": SCALES["distance"].us, "yd": Unit("yd", 3 * FOOT, 1), "m": SCALES["distance"].si}
+
+
+def reader(system: System | None, words: Words) -> Reader:
+    """Return who reads an answer: of the system that was asked for, or as the sport's people read.
+
+    >>> golf = Words(speed_unit="mph", place_unit="cm", distance_unit="yd")
+    >>> reader(None, golf).shown(91.44, "distance"), reader("si", golf).shown(91.44, "distance")
+    ('100.0 yd', '91.4 m')
+    """
+    if system is not None:
+        return SYSTEMS[system]
+    usual = PLACES[words.place_unit]
+    return Reader({**usual.units, "speed": SPEEDS[words.speed_unit], "distance": DISTANCES[words.distance_unit]})
+
+
+def with_digits(reading: Reader, **digits: int) -> Reader:
+    """Return a reader who is shown other digits for some scales."""
+    return Reader({name: replace(unit, digits=digits.get(name, unit.digits)) for name, unit in reading.units.items()})

@@ -1,0 +1,131 @@
+"""Sentences with slots: words that are written once, and numbers that each reader sees in his own units."""
+
+from __future__ import annotations
+
+import string
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from sweetspot.motion.swing_law import Interval
+from sweetspot.report.quantities import US, Reader
+
+
+@dataclass(frozen=True)
+class Slot:
+    """A number in a sentence.
+
+    Parameters
+    ----------
+    value : SI.
+    scale : how it is shown, a name of `SCALES`.
+    digits : None: as many as is usual.
+    sign : whether a plus is written.
+    unit : whether its unit is written.
+    """
+
+    value: float
+    scale: str
+    digits: int | None = None
+    sign: bool = False
+    unit: bool = True
+
+    def read(self, reader: Reader) -> str:
+        """Return the number as a reader sees it."""
+        show = reader.shown if self.unit else reader.number
+        return show(self.value, self.scale, digits=self.digits, sign=self.sign)
+
+    @property
+    def bare(self) -> Slot:
+        """The number without its unit."""
+        return Slot(self.value, self.scale, self.digits, self.sign, unit=False)
+
+
+@dataclass(frozen=True)
+class UnitName:
+    """The name of a scale's unit in a sentence."""
+
+    scale: str
+
+    def read(self, reader: Reader) -> str:
+        """Return the name as a reader has it."""
+        return reader.unit(self.scale)
+
+
+Part = str | Slot | UnitName
+
+
+@dataclass(frozen=True)
+class Sentence:
+    """Words with slots; `read` makes a text of them for a reader.
+
+    >>> place = say("{near} to {far} from the tip", near=Slot(0.1016, "place").bare, far=Slot(0.1778, "place"))
+    >>> place.read(US)
+    '4.0 to 7.0 in from the tip'
+    """
+
+    parts: tuple[Part, ...]
+
+    def read(self, reader: Reader) -> str:
+        """Return the sentence as a reader sees it."""
+        return "".join(part if isinstance(part, str) else part.read(reader) for part in self.parts)
+
+    def __add__(self, other: Sentence | str) -> Sentence:
+        """Return this sentence followed by another."""
+        return Sentence((*self.parts, *((other,) if isinstance(other, str) else other.parts)))
+
+    def __str__(self) -> str:
+        """Return the sentence as an American reads it."""
+        return self.read(US)
+
+
+Words = str | Sentence
+"""What a document takes for a text."""
+
+
+def say(template: str, **slots: Part | float | Sentence) -> Sentence:
+    """Return a template's words with its slots filled.
+
+    Parameters
+    ----------
+    template : words with names in braces.
+    slots : by name: a `Slot`, the name of a unit, a sentence, a word, or a number that is written as it is.
+
+    >>> say("hits {place} from the {tip}", place=Slot(0.1524, "place"), tip="toe").read(US)
+    'hits 6.0 in from the toe'
+    """
+    parts: list[Part] = []
+    for words, name, _, _ in string.Formatter().parse(template):
+        if words:
+            parts.append(words)
+        if name is not None:
+            slot = slots[name]
+            parts += (
+                slot.parts
+                if isinstance(slot, Sentence)
+                else [slot if isinstance(slot, (Slot, UnitName)) else str(slot)]
+            )
+    return Sentence(tuple(parts))
+
+
+def joined(sentences: Iterable[Words], between: str = " ") -> Sentence:
+    """Return sentences one after the other; empty ones are left out."""
+    parts: list[Part] = []
+    for sentence in sentences:
+        own = (sentence,) if isinstance(sentence, str) else sentence.parts
+        if any(own):
+            parts += [between, *own] if parts else own
+    return Sentence(tuple(parts))
+
+
+def read(words: Words, reader: Reader) -> str:
+    """Return words as a reader sees them."""
+    return words if isinstance(words, str) else words.read(reader)
+
+
+def within(interval: Interval, scale: str, *, digits: int | None = None, sign: bool = False) -> Sentence:
+    """Return a value with its interval, "+1.2 mph (+0.4 to +2.0)"; without one where the interval has no width."""
+    value = Slot(interval.value, scale, digits, sign)
+    if interval.low == interval.high:
+        return Sentence((value,))
+    low, high = (Slot(end, scale, digits, sign, unit=False) for end in (interval.low, interval.high))
+    return Sentence((value, " (", low, " to ", high, ")"))
