@@ -11,7 +11,14 @@ from scipy.interpolate import PPoly
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import hit_at
-from sweetspot.analysis.strain import PUBLISHED_FAILURE_STRAIN, Damage, damage, linear_limit, modal_history
+from sweetspot.analysis.strain import (
+    PUBLISHED_FAILURE_STRAIN,
+    Damage,
+    _curvature,
+    damage,
+    linear_limit,
+    modal_history,
+)
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact
@@ -128,3 +135,16 @@ def test_without_a_known_strength_there_is_no_limit_and_no_warning(r161: Bat) ->
     unknown = replace(line, bat=r161.replaced(material=r161.material.replaced(strength=None)))
     found = damage(impact, line=unknown, modes=modes)
     assert found.strain_limit is None and found.warnings == ()
+
+
+def test_free_ends_do_not_bend() -> None:
+    """Exact: no moment acts on a free end, so EI psi' = 0 there; the shear part alone keeps w'' from vanishing."""
+    line = beam_model(catalog.bat("uniform-rod"))
+    modes = bending_modes(line, count=5, elements=64)
+    bat = line.bat
+    places = np.linspace(0.0, bat.length, 401)[1:-1]
+    bent = _curvature(line, modes, places)[:, 2:]
+    ends = np.abs(_curvature(line, modes, np.array([1e-9, bat.length - 1e-9]))[:, 2:])
+    assert np.all(ends < 1e-3 * np.abs(bent).max(axis=0))
+    only_bent = np.abs(modes.shapes(bat.length - 1e-9, 2)[2:])
+    assert np.all(only_bent[2:] > 5e-3 * np.abs(bent).max(axis=0)[2:])

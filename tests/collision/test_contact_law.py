@@ -15,7 +15,7 @@ from sweetspot.collision.contact_law import (
     stored_energy,
     unloading_exponent,
 )
-from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.ball import Ball, stiffness_from_load
 
 peaks = st.floats(1e-4, 0.03)
 
@@ -53,3 +53,17 @@ def test_hunt_crossley_of_an_elastic_ball_has_no_damper(baseball: Ball) -> None:
     assert HuntCrossley.for_speed(elastic, 30.0).damping == 0.0
     lossy = HuntCrossley.for_speed(baseball, 30.0)
     assert lossy.damping > 0 and lossy.force(0.01, -1e6, None) == 0.0  # never a pull
+
+
+def test_a_warm_and_a_dry_ball_are_livelier(baseball: Ball) -> None:
+    """[theibert_list] and [azcentral2010]: the signs; by 0.0012 per kelvin and 0.10 per unit of humidity."""
+    here = baseball.restitution.reference
+    warm = baseball.conditioned(temperature=baseball.reference_temperature + 10)
+    damp = baseball.conditioned(humidity=baseball.reference_humidity + 0.2)
+    assert warm.restitution.reference - here == pytest.approx(10 * 0.0012)
+    assert damp.restitution.reference - here == pytest.approx(-0.2 * 0.10)
+
+
+def test_a_load_test_is_met(baseball: Ball) -> None:
+    stiffness = stiffness_from_load(444.0, compression=0.003, exponent=baseball.exponent)
+    assert loading_force(baseball.replaced(stiffness=stiffness), 0.003) == pytest.approx(444.0)

@@ -118,3 +118,14 @@ def test_overdamped_motion_is_exact(r161: Bat) -> None:
 def test_hands_off_the_bat_are_refused(r161: Bat) -> None:
     with pytest.raises(InputError, match=r"hand position is 0.9 m \(35.43 in\)"):
         check_hands(r161, Hands(position=0.9))
+
+
+def test_springs_of_the_hands_are_in_the_frequencies(r161: Bat) -> None:
+    """Exact: the trace of M^-1 K is the sum of omega^2, whatever mixes with what."""
+    free = bending_modes(beam_model(r161))
+    hands = Hands(position=0.15, mass=0.5, stiffness=1e5, damping=0.0)
+    held = gripped(free, hands)
+    at_hands = free.shape_at(np.array(hands.places))
+    expected = (free.angular_frequency**2).sum() + 1e5 * (at_hands**2).sum() + 2 * 1e5 / 0.5
+    added = (held.angular_frequency**2).sum() - (free.angular_frequency**2).sum()
+    assert added == pytest.approx(expected - (free.angular_frequency**2).sum(), rel=1e-5)
