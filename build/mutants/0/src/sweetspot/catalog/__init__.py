@@ -3,14 +3,15 @@
 Data live in TOML files beside this module; physics never reads them.
 """
 
-from sweetspot.catalog.aerodynamics import aerodynamics, aerodynamics_names
+from sweetspot.catalog.aerodynamic_laws import aerodynamics, aerodynamics_names
+from sweetspot.catalog.ballparks import park, park_names, parks
 from sweetspot.catalog.balls import ball, ball_names, ball_sport
 from sweetspot.catalog.bats import bat, bat_names, load_bat
 from sweetspot.catalog.deliveries import delivery, delivery_names
 from sweetspot.catalog.implements import implement, implement_names, load_implement
 from sweetspot.catalog.materials import material, material_names
-from sweetspot.catalog.parks import park, park_names, parks
 from sweetspot.catalog.sports import sport, sport_names
+from sweetspot.catalog.swing_laws import swing_law, swing_law_names
 
 __all__ = [
     "aerodynamics",
@@ -33,4 +34,6 @@ __all__ = [
     "parks",
     "sport",
     "sport_names",
+    "swing_law",
+    "swing_law_names",
 ]

@@ -6,14 +6,14 @@ import math
 from functools import cache
 from typing import Any
 
-from sweetspot.ball import (
+from sweetspot.catalog.records import canonical, entry, quantity, read_table
+from sweetspot.equipment.ball import (
     Ball,
     RestitutionLaw,
     stiffness_from_contact_time,
     stiffness_from_load,
     stiffness_from_peak_force,
 )
-from sweetspot.catalog.records import canonical, entry, quantity, read_table
 from sweetspot.units import Kind
 
 FILE = "balls.toml"

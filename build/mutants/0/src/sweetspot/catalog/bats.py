@@ -6,9 +6,9 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from sweetspot.bat import Bat
-from sweetspot.catalog.batfile import bat_from_table, read_bat, read_toml
+from sweetspot.catalog.files.bat import bat_from_table, read_bat, read_toml
 from sweetspot.catalog.records import FOLDER, canonical, entry
+from sweetspot.equipment.bat import Bat
 
 BAT_FOLDER, IMPLEMENT_FOLDER = FOLDER / "bats", FOLDER / "implements"
 DEFAULT_BAT = "r161-ash"

@@ -7,7 +7,7 @@ from typing import Any
 
 from sweetspot.catalog.records import canonical, quantity, read_table
 from sweetspot.errors import InputError, nearest_names
-from sweetspot.pitch import Delivery
+from sweetspot.flight.pitch import Delivery
 from sweetspot.units import Kind
 
 FILE = "pitches.toml"

@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Any
 
 from sweetspot.catalog.bats import bat_tables, is_file, other_tables
-from sweetspot.catalog.implementfile import implement_from_table, read_implement
+from sweetspot.catalog.files.implement import implement_from_table, read_implement
 from sweetspot.catalog.records import entry
-from sweetspot.implement import Implement
+from sweetspot.equipment.implement import Implement
 
 
 @cache

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from sweetspot.catalog.records import canonical, entry, quantity, read_table, unwrapped
-from sweetspot.material import Material
+from sweetspot.equipment.material import Material
 from sweetspot.units import parse
 
 FILE = "materials.toml"

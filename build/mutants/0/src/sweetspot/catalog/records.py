@@ -72,7 +72,7 @@ def unwrapped(value: Any) -> Any:
     return value
 
 
-def records(entry: dict[str, Any], name: str) -> list[Record]:
+def all_records(entry: dict[str, Any], name: str) -> list[Record]:
     """Return the provenance of every value in an entry that has one."""
     found = []
     for field, value in entry.items():

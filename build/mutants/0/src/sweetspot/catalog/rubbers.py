@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from sweetspot.catalog.records import canonical, entry, quantity, read_table
-from sweetspot.rubber import Rubber
+from sweetspot.equipment.rubber import Rubber
 from sweetspot.units import Kind
 
 FILE = "rubbers.toml"

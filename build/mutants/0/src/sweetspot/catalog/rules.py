@@ -5,8 +5,8 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
+from sweetspot.analysis.certification.rules import QUANTITIES, League, Rule
 from sweetspot.catalog.records import canonical, entry, quantity, read_table
-from sweetspot.rules import QUANTITIES, League, Rule
 from sweetspot.units import Kind
 
 FILE = "rules.toml"

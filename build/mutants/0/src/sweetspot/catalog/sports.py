@@ -5,12 +5,12 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from sweetspot.catalog.aerodynamics import FILE as AIR
+from sweetspot.catalog.aerodynamic_laws import FILE as AIR
 from sweetspot.catalog.balls import FILE as BALLS
 from sweetspot.catalog.bats import DEFAULT_BAT
 from sweetspot.catalog.implements import implement_tables
-from sweetspot.catalog.records import Record, canonical, entry, quantity, read_table, records
-from sweetspot.sport import Certainty, DropRule, Known, Limit, Mark, Sport, Stroke, Words, counted
+from sweetspot.catalog.records import Record, all_records, canonical, entry, quantity, read_table
+from sweetspot.equipment.sport import Certainty, DropRule, Known, Limit, Mark, Sport, Stroke, Words, counted
 from sweetspot.units import Kind, parse
 
 FILE = "sports.toml"
@@ -75,7 +75,7 @@ def sport_records(name: str) -> list[Record]:
     tools = implement_tables()
     air = {canonical(key): table for key, table in read_table(AIR).items()}
     for names, tables in ((found.balls, balls), (found.implements, tools), ((found.aerodynamics,), air)):
-        own += [record for key in names if key in tables for record in records(tables[key], key)]
+        own += [record for key in names if key in tables for record in all_records(tables[key], key)]
     return own
 
 

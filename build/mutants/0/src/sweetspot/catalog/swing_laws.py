@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from sweetspot.catalog.records import canonical, entry, quantity, read_table, unwrapped
-from sweetspot.swing_law import SwingLaw
+from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.units import parse
 
 FILE = "swing_laws.toml"

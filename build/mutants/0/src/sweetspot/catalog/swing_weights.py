@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from sweetspot.catalog.records import entry, read_table
-from sweetspot.swing_weight import SwingWeight
+from sweetspot.dynamics.swing_weight import SwingWeight
 from sweetspot.units import Kind, parse
 
 FILE = "swing_weights.toml"

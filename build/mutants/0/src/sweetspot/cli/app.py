@@ -8,7 +8,7 @@ from typing import Annotated, Any
 from cyclopts import App, Parameter
 
 from sweetspot import __version__
-from sweetspot.cli.options import Format, SwingOptions
+from sweetspot.cli.options.swing import Format, SwingOptions
 from sweetspot.errors import InputError
 
 app = App(
@@ -35,10 +35,10 @@ def report(
 ) -> None:
     """Say where a bat hits best, why there and not at the end, and what each inch of miss costs."""
     from sweetspot.cli.output import patience, print_csv, print_json, print_table
-    from sweetspot.report.border import report_json
+    from sweetspot.report.json_shapes import report_json
 
     if out is not None:
-        from sweetspot.report.page import check_folder
+        from sweetspot.report.bat.html import check_folder
 
         check_folder(out)
     with patience():
@@ -48,11 +48,11 @@ def report(
     elif format == "csv":
         print_csv(report_json(analysis)["scan"])
     else:
-        from sweetspot.report.table import report_table
+        from sweetspot.report.bat.table import report_table
 
         print_table(report_table(analysis))
     if out is not None:
-        from sweetspot.report.page import write_report
+        from sweetspot.report.bat.html import write_report
 
         _say("wrote " + ", ".join(str(path) for path in write_report(analysis, out)))
 
@@ -69,26 +69,26 @@ def hit(
 ) -> None:
     """Compute one collision: exit speed, q, BBCOR, contact time, peak force and where the energy goes."""
     from sweetspot import catalog
-    from sweetspot.analysis import check_conditions, hit_at
-    from sweetspot.bat import Bat
-    from sweetspot.cli.options import conditions_for
+    from sweetspot.analysis.bat_analysis import check_conditions, hit_at
+    from sweetspot.analysis.strain import damage
+    from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.output import print_csv, print_json, print_table
-    from sweetspot.damage import damage
-    from sweetspot.implement import check_lateral, check_position
-    from sweetspot.line import reduce
-    from sweetspot.report.border import damage_json, hit_json
-    from sweetspot.rigid import rigid_body
+    from sweetspot.dynamics.beam import beam_model
+    from sweetspot.dynamics.mode_assembly import all_modes
+    from sweetspot.dynamics.rigid import rigid_body
+    from sweetspot.equipment.bat import Bat
+    from sweetspot.equipment.implement import check_lateral, check_position
+    from sweetspot.report.json_shapes import damage_json, hit_json
     from sweetspot.units import parse, parse_position
-    from sweetspot.vibration.whole import modes_of
 
     described = catalog.load_implement(bat)
     conditions = conditions_for(described, swing)
-    line = reduce(described)
+    line = beam_model(described)
     body = rigid_body(line)
     check_conditions(described, conditions, body=body)
     position = parse_position(at, length=described.length, what="--at")
     check_position(described, position, "--at")
-    modes = modes_of(line, conditions.ball)
+    modes = all_modes(line, conditions.ball)
     lateral = 0.0 if beside is None else parse(beside, "length", "--beside")
     check_lateral(described, position, lateral)
     impact = hit_at(position, modes=modes, conditions=conditions, lateral=lateral)
@@ -99,9 +99,9 @@ def hit(
     elif format == "csv":
         print_csv(hit_json(impact, body=body, conditions=conditions)["history"])
     else:
-        from sweetspot.report.speech import speaks_otherwise
-        from sweetspot.report.sport_table import sport_hit
-        from sweetspot.report.table import damage_lines, hit_table
+        from sweetspot.report.bat.table import damage_lines, hit_table
+        from sweetspot.report.sports.table import sport_hit
+        from sweetspot.report.sports.vocabulary import speaks_otherwise
 
         if speaks_otherwise(described):
             print_table(sport_hit(impact, body=body, conditions=conditions, bat=described))
@@ -116,7 +116,7 @@ def validate(*, format: OutputFormat = "table") -> int:
     """Compare with every published case: printed against computed, tolerance, worth. Exit 1 on an unexplained miss."""
     from sweetspot import validation
     from sweetspot.cli.output import patience, print_json, print_rows_csv, print_table
-    from sweetspot.report.table import names_table
+    from sweetspot.report.bat.table import names_table
 
     with patience():
         found = validation.results()
@@ -141,15 +141,15 @@ def bats(*, format: OutputFormat = "table") -> None:
     """List the catalogue's bats with their weight, balance and swing weight."""
     from sweetspot import catalog
     from sweetspot.cli.output import print_json, print_rows_csv, print_table
-    from sweetspot.line import reduce
-    from sweetspot.report.border import bat_json
-    from sweetspot.report.table import names_table
-    from sweetspot.rigid import rigid_body
+    from sweetspot.dynamics.beam import beam_model
+    from sweetspot.dynamics.rigid import rigid_body
+    from sweetspot.report.bat.table import names_table
+    from sweetspot.report.json_shapes import bat_json
     from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
 
     found = [(name, catalog.bat(name)) for name in catalog.bat_names()]
     rows: list[dict[str, Any]] = [
-        {"key": key, **bat_json(bat.name, bat.length, rigid_body(reduce(bat)))} for key, bat in found
+        {"key": key, **bat_json(bat.name, bat.length, rigid_body(beam_model(bat)))} for key, bat in found
     ]
     if format == "json":
         print_json({"bats": rows})
@@ -178,7 +178,7 @@ def schema(
     /,
 ) -> None:
     """Print the JSON schema of a file that describes a bat, racket, club or stick."""
-    from sweetspot.catalog.implementfile import FILES
+    from sweetspot.catalog.files.implement import FILES
     from sweetspot.cli.output import print_json
     from sweetspot.errors import nearest_names
 
@@ -198,9 +198,9 @@ def pendulum(
     format: OutputFormat = "table",
 ) -> None:
     """Turn the period of a hanging bat into its moment of inertia, or back, as laboratories measure it."""
-    from sweetspot import rigid
     from sweetspot.cli.output import print_json, print_rows_csv, print_table
-    from sweetspot.report.table import names_table
+    from sweetspot.dynamics import rigid
+    from sweetspot.report.bat.table import names_table
     from sweetspot.units import OUNCE_INCH_SQUARED, parse
 
     if (period is None) == (moi is None):
@@ -233,8 +233,8 @@ def pendulum(
 
 def _analysed(name: str, swing: SwingOptions) -> Any:
     from sweetspot import catalog
-    from sweetspot.analysis import analyse
-    from sweetspot.cli.options import conditions_for
+    from sweetspot.analysis.bat_analysis import analyse
+    from sweetspot.cli.options.swing import conditions_for
 
     described = catalog.load_implement(name)
     return analyse(described, conditions_for(described, swing))
@@ -246,36 +246,39 @@ def _say(text: str) -> None:
     print(f"sweetspot: {text}", file=sys.stderr)
 
 
-from sweetspot.cli.certify import certify  # noqa: E402
+from sweetspot.cli.certify_command import certify  # noqa: E402
 
 app.command(certify)
-from sweetspot.cli.compare import compare  # noqa: E402
+from sweetspot.cli.compare_command import compare  # noqa: E402
 
 app.command(compare)
-from sweetspot.cli.drop import drop  # noqa: E402
+from sweetspot.cli.drop_command import drop  # noqa: E402
 
 app.command(drop)
-from sweetspot.cli.paper import paper  # noqa: E402
+from sweetspot.cli.paper_command import paper  # noqa: E402
 
 app.command(paper)
-from sweetspot.cli.app_command import app as page  # noqa: E402
+from sweetspot.cli.page_command import app as page  # noqa: E402
 
 app.command(page, name="app")
-from sweetspot.cli.parks import parks  # noqa: E402
+from sweetspot.cli.parks_command import parks  # noqa: E402
 
 app.command(parks)
-from sweetspot.cli.sports import sports  # noqa: E402
+from sweetspot.cli.sports_command import sports  # noqa: E402
 
 app.command(sports)
-from sweetspot.cli.play import play  # noqa: E402
+from sweetspot.cli.play_command import play  # noqa: E402
 
 app.command(play)
-from sweetspot.cli.optimum import optimum  # noqa: E402
+from sweetspot.cli.optimum_command import optimum  # noqa: E402
 
 app.command(optimum)
-from sweetspot.cli.fly import fly  # noqa: E402
+from sweetspot.cli.fly_command import fly  # noqa: E402
 
 app.command(fly)
-from sweetspot.cli.fit_player import fit_player  # noqa: E402
+from sweetspot.cli.fit_player_command import fit_player  # noqa: E402
 
 app.command(fit_player)
+from sweetspot.cli.tap_command import tap  # noqa: E402
+
+app.command(tap)

@@ -19,13 +19,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.ball import Ball
-from sweetspot.collision.impact import CONTACT_FORCE, Array, EnergyLedger, Impact, Outcome, bat_energy
-from sweetspot.collision.propagator import dashed, dashpot_factors, propagator
-from sweetspot.contact import ContactLaw, Hysteretic
+from sweetspot.collision.contact_law import ContactLaw, Hysteretic
+from sweetspot.collision.impact import CONTACT_FORCE, EnergyLedger, Impact, Outcome, bat_energy
+from sweetspot.collision.modal_propagator import dashed, dashpot_factors, modal_propagator_of
+from sweetspot.dynamics.modes import Modes
+from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
-from sweetspot.parabola import vertex
-from sweetspot.vibration.modes import Modes
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.parabola import vertex
 
 STEP = 4e-6
 """s; exit speeds are then well within 1e-4 of the converged ones (the docs have the curve)."""
@@ -111,7 +112,7 @@ class _Contact:
 
 def _integrated(modes: Modes, ball: Ball, shape: Array, closing_speed: float, step: float, law: ContactLaw) -> _Contact:
     """Step ball and modes from first touch to release, or to the time limit."""
-    drift, half_dash = propagator(modes, step), dashpot_factors(modes, step / 2)
+    drift, half_dash = modal_propagator_of(modes, step), dashpot_factors(modes, step / 2)
     correction = step**2 / 12 * (1 / ball.mass + float(shape @ shape))
     stiffness = modes.angular_frequency**2
 

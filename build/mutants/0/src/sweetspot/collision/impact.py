@@ -8,9 +8,9 @@ from enum import IntEnum
 import numpy as np
 from numpy.typing import NDArray
 
-from sweetspot.vibration.modes import Modes
+from sweetspot.dynamics.modes import Modes
+from sweetspot.numerics.arrays import Array
 
-Array = NDArray[np.float64]
 CONTACT_FORCE = 0.01
 """Part of the peak force at which contact counts as over; a ball that is nearly free presses hardly at all."""
 

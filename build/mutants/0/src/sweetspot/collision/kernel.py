@@ -10,18 +10,18 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from sweetspot.ball import COR_FLOOR, Ball
 from sweetspot.collision.coupled import TIME_LIMIT, check_step
-from sweetspot.collision.impact import CONTACT_FORCE, Array, Impacts, Outcome
-from sweetspot.collision.propagator import dashpot_factors, propagator
-from sweetspot.collision.vector_math import exp, log
-from sweetspot.kernel_cache import compiled
-from sweetspot.vibration.modes import Modes
-from sweetspot.workers import in_parts
+from sweetspot.collision.impact import CONTACT_FORCE, Impacts, Outcome
+from sweetspot.collision.modal_propagator import dashpot_factors, modal_propagator_of
+from sweetspot.dynamics.modes import Modes
+from sweetspot.equipment.ball import COR_FLOOR, Ball
+from sweetspot.numerics.arrays import Array, IntArray
+from sweetspot.numerics.kernel_cache import compiled
+from sweetspot.numerics.threads import in_parts
+from sweetspot.numerics.vector_math import exp, log
 
-IntArray = NDArray[np.int64]
 LANES = 64
 """Most hits side by side; fewer hits than that take only the lanes they need, in fours."""
 STEP = 14e-6
@@ -63,7 +63,7 @@ def hits(
     outcome = np.empty(count, np.int64)
     results = np.empty((5, count))
     motion = np.empty((2, count if keep_motion else 0, size))
-    drift, half_dash = propagator(modes, step), dashpot_factors(modes, step / 2)
+    drift, half_dash = modal_propagator_of(modes, step), dashpot_factors(modes, step / 2)
     law = ball.restitution
     constants = np.array(
         [ball.mass, ball.stiffness, ball.exponent, law.reference, law.slope, law.reference_speed, COR_FLOOR]

@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sweetspot.errors import InputError
-from sweetspot.park import FOUL_LINE, Park, fence_at, nearest_fence
+from sweetspot.flight.park import FOUL_LINE, Park, fence_at, nearest_fence
+from sweetspot.numerics.arrays import Array
 
-Array = NDArray[np.float64]
 Outcome = Literal["home run", "off the wall", "in play", "foul"]
 OUTCOMES: tuple[Outcome, ...] = ("home run", "off the wall", "in play", "foul")
 

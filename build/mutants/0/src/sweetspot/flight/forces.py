@@ -8,14 +8,12 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-from sweetspot.aerodynamics import Aerodynamics
-from sweetspot.ball import Ball
+from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
-from sweetspot.rigid import STANDARD_GRAVITY
-
-Array = NDArray[np.float64]
+from sweetspot.flight.aerodynamics import Aerodynamics
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.constants import STANDARD_GRAVITY
 
 SLOWEST = 1e-9
 """m/s; slower than this through the air there is neither drag nor lift."""

@@ -11,16 +11,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from sweetspot.aerodynamics import Aerodynamics
-from sweetspot.air import CALM, Air, Wind
-from sweetspot.ball import Ball
+from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
-from sweetspot.flight.lanes import APEX_HEIGHT, APEX_TIME, HANG, INPUT_ROWS, LANDED, RESULT_ROWS, solve
+from sweetspot.flight.aerodynamics import Aerodynamics
+from sweetspot.flight.air import CALM, Air, Wind
+from sweetspot.flight.compiled import APEX_HEIGHT, APEX_TIME, HANG, INPUT_ROWS, LANDED, RESULT_ROWS, solve
 from sweetspot.flight.trajectory import check_step
-from sweetspot.workers import in_parts
-
-Array = NDArray[np.float64]
-IntArray = NDArray[np.int64]
+from sweetspot.numerics.arrays import Array, IntArray
+from sweetspot.numerics.threads import in_parts
 
 STEP = 0.2
 """s; carries of baseballs are within 0.001 ft of the converged ones (`make bench` prints the curve)."""
@@ -63,6 +61,11 @@ class Flights:
     def landed(self) -> NDArray[np.bool_]:
         """Which flights came down, shape (n,)."""
         return np.asarray(self.outcome == LANDED)
+
+    @property
+    def bearing(self) -> Array:
+        """Direction in which each ball comes down, rad from centre field, positive to right field, shape (n,)."""
+        return np.arctan2(self.landing_position[:, 0], self.landing_position[:, 1])
 
     @property
     def landing_angle(self) -> Array:

@@ -12,18 +12,16 @@ from dataclasses import dataclass
 from enum import IntEnum
 
 import numpy as np
-from numpy.typing import NDArray
 
-from sweetspot.aerodynamics import Aerodynamics
-from sweetspot.air import CALM, Air, Wind
-from sweetspot.ball import Ball
+from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
-from sweetspot.flight.cubic import first_crossing, on_cubic, turn_on_cubic
+from sweetspot.flight.aerodynamics import Aerodynamics
+from sweetspot.flight.air import CALM, Air, Wind
 from sweetspot.flight.forces import SLOWEST, acceleration, drag_and_lift
-from sweetspot.motion import BallMotion
-from sweetspot.rigid import STANDARD_GRAVITY
-
-Array = NDArray[np.float64]
+from sweetspot.motion.ball_motion import BallMotion
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.constants import STANDARD_GRAVITY
+from sweetspot.numerics.hermite_cubic import first_crossing, on_cubic, turn_on_cubic
 
 STEP = 0.05
 """s, the longest step; carries of baseballs are then well within 0.001 ft of the converged ones."""
@@ -82,6 +80,11 @@ class Flight:
     spin_left: Array
 
     @property
+    def bearing(self) -> float:
+        """Direction in which the ball comes down, rad from centre field, positive to right field."""
+        return math.atan2(self.landing.position[0], self.landing.position[1])
+
+    @property
     def landing_angle(self) -> float:
         """How steeply the ball comes down, rad below the level."""
         return -self.landing.launch_angle
@@ -132,9 +135,9 @@ def fly(
     InputError
         for a start below the ground.
 
-    >>> from sweetspot.ball import RestitutionLaw
-    >>> from sweetspot.air import VACUUM
-    >>> from sweetspot.motion import launched
+    >>> from sweetspot.equipment.ball import RestitutionLaw
+    >>> from sweetspot.flight.air import VACUUM
+    >>> from sweetspot.motion.ball_motion import launched
     >>> law = RestitutionLaw(reference=0.5, reference_speed=30)
     >>> ball = Ball(name="any", mass=0.145, radius=0.0369, restitution=law, stiffness=1e7, exponent=1.5)
     >>> start = launched(speed=30.0, launch_angle=math.pi / 6)

@@ -8,18 +8,19 @@ from statistics import median
 
 import numpy as np
 
-from sweetspot.aerodynamics import Aerodynamics
-from sweetspot.air import Air
-from sweetspot.bat import Bat
+from sweetspot.equipment.bat import Bat
 from sweetspot.errors import SweetspotError
-from sweetspot.parabola import top
-from sweetspot.player.candidates import Candidate, candidates
-from sweetspot.player.contact_table import contact_table
-from sweetspot.player.expectation import NO_CHANGE, Change, Expectation, expectation
+from sweetspot.flight.aerodynamics import Aerodynamics
+from sweetspot.flight.air import Air
+from sweetspot.motion.swing_law import Interval
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.parabola import top
+from sweetspot.player.candidate import Candidate, candidates
+from sweetspot.player.contact_tables import contact_table
+from sweetspot.player.expected import NO_CHANGE, Change, Expectation, expectation
 from sweetspot.player.goal import Goal, carry_table
 from sweetspot.player.posterior import Posterior, interval
-from sweetspot.player.priors import NAMES, Array
-from sweetspot.swing_law import Interval
+from sweetspot.player.prior import NAMES
 from sweetspot.units import INCH, MPH
 
 PLACES = np.arange(2.0, 11.01, 0.5) * INCH

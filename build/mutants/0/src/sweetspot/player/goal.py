@@ -8,16 +8,17 @@ from typing import Literal
 
 import numpy as np
 
-from sweetspot.aerodynamics import Aerodynamics
-from sweetspot.air import Air
-from sweetspot.collision.strike import strikes
+from sweetspot.collision.hit_in_space import strikes
+from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.errors import InputError
+from sweetspot.flight.aerodynamics import Aerodynamics
+from sweetspot.flight.air import Air
 from sweetspot.flight.kernel import flights
-from sweetspot.player.contact_table import BARREL, BAT_SPEED
+from sweetspot.motion.swing_path import path_axes, steep_enough
+from sweetspot.numerics.arrays import Array
+from sweetspot.player.contact_tables import BARREL, BAT_SPEED
 from sweetspot.player.model import PlayerModel
-from sweetspot.player.priors import Array, fixed
-from sweetspot.reduction import reduction
-from sweetspot.swing_path import path_axes
+from sweetspot.player.prior import fixed
 from sweetspot.units import FOOT
 
 GoalName = Literal["exit-speed", "carry", "line"]
@@ -98,13 +99,14 @@ def carry_table(model: PlayerModel, *, pitch_speed: float, aerodynamics: Aerodyn
     pitch_speed : m/s at the plate.
     """
     own = model.bats[0]
-    bat = reduction(own.bat, ball=model.ball)
+    bat = reduced_bat(own.bat, ball=model.ball)
     offset = np.linspace(own.offset[0], own.offset[-1], OFFSET_COUNT)
     attack, above = (grid.ravel() for grid in np.meshgrid(ATTACKS, offset, indexing="ij"))
     descent = fixed("pitch_descent")
     pitch = pitch_speed * np.array([0.0, -math.cos(descent), -math.sin(descent)])
     done = strikes(
-        bat, ball=model.ball, bat_speed=BAT_SPEED, axes=path_axes(attack, 0.0, tilt=fixed("swing_tilt"), left=False),
+        bat, ball=model.ball, bat_speed=BAT_SPEED,
+        axes=path_axes(attack, 0.0, tilt=steep_enough(fixed("swing_tilt"), attack), left=False),
         pitch_velocity=pitch, pitch_spin=np.zeros(3), position=own.bat.length - BARREL, offset=above,
     )  # fmt: skip
     efficiency = float(

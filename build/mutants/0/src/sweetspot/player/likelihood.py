@@ -11,13 +11,11 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from sweetspot.collision.vector_math import exp
-from sweetspot.kernel_cache import compiled
-from sweetspot.player.priors import Array
+from sweetspot.numerics.arrays import Array, IntArray
+from sweetspot.numerics.kernel_cache import compiled
+from sweetspot.numerics.vector_math import exp
 
-IntArray = NDArray[np.int64]
 GRID_REACH = 4.0
 """Standard deviations of the scatter to either side of its mean that are summed over."""
 NEAR_POINTS, FAR_POINTS = 2, 8

@@ -9,16 +9,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.ball import Ball
-from sweetspot.bat import Bat
+from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.catalog.swing_laws import swing_law
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
-from sweetspot.player.contact_table import OFFSETS, RATIOS, ContactTable, contact_table, farthest_offset
+from sweetspot.motion.swing_law import GREATEST_EXPONENT, SwingLaw
+from sweetspot.numerics.arrays import Array
+from sweetspot.player.contact_tables import OFFSETS, RATIOS, ContactTable, contact_table, farthest_offset
 from sweetspot.player.likelihood import FAR_POINTS, NEAR_POINTS, Table, log_likelihoods
-from sweetspot.player.priors import NAMES, Array, fixed, log_prior, natural, priors
+from sweetspot.player.prior import NAMES, fixed, log_prior, natural, priors
 from sweetspot.player.swings import PlayerSwing
-from sweetspot.shots import BadRow
-from sweetspot.swing_law import GREATEST_EXPONENT, SwingLaw
 from sweetspot.units import INCH
 
 SPEED_FROM_TIP = 6 * INCH

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sweetspot.motion.swing_law import Interval
+from sweetspot.numerics.arrays import Array
 from sweetspot.player.model import PlayerModel
-from sweetspot.player.priors import NAMES, Array, natural, prior_draws, standardised
-from sweetspot.swing_law import Interval
+from sweetspot.player.prior import NAMES, natural, prior_draws, standardised
 
 WALKERS = 40
 STEPS, WARM_UP = 1200, 500

@@ -7,12 +7,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from sweetspot.ball import Ball
-from sweetspot.bat import Bat
 from sweetspot.catalog.swing_laws import swing_law
-from sweetspot.player.contact_table import RATIOS, ContactTable, contact_table, farthest_offset
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.bat import Bat
+from sweetspot.numerics.arrays import Array
+from sweetspot.player.contact_tables import RATIOS, ContactTable, contact_table, farthest_offset
 from sweetspot.player.model import SPEED_FROM_TIP, arm_ratio, speed_ratio
-from sweetspot.player.priors import NAMES, Array, fixed
+from sweetspot.player.prior import NAMES, fixed
 from sweetspot.player.swings import PlayerSwing
 
 

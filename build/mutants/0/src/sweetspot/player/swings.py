@@ -12,9 +12,9 @@ from pathlib import Path
 from statistics import median
 from typing import IO
 
+from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.player.columns import TEXTS, Column, Columns, Units, columns_of, is_heading_line
-from sweetspot.shots import BadRow
 from sweetspot.units import INCH, MPH, shown
 
 PLATE_OVER_RELEASE = 0.920

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from html import escape
 
-from sweetspot.plot import style
+from sweetspot.report.pictures import style
 
 Rows = Sequence[Sequence[str]]
 

@@ -11,7 +11,7 @@ from typing import Any
 import pydantic_core
 from pydantic import ValidationError
 
-from sweetspot.web.faults import FieldError, fault
+from sweetspot.web.errors import FieldError, fault
 from sweetspot.web.states import ViewState
 from sweetspot.web.views import VIEWS
 

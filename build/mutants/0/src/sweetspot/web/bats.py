@@ -2,26 +2,25 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
 from sweetspot import catalog
-from sweetspot.ball import Ball
-from sweetspot.bat import Bat
-from sweetspot.catalog.batfile import bat_from_table
+from sweetspot.analysis.trampoline import with_wall_factor
+from sweetspot.analysis.two_way import varied
+from sweetspot.catalog.files.bat import bat_from_table, table_of_text
+from sweetspot.catalog.standard_hit import SPEED_FROM_TIP
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
-from sweetspot.line import reduce
-from sweetspot.reduction import Reduction, reduction
-from sweetspot.standard import SPEED_FROM_TIP
-from sweetspot.swing import Conditions, Hands, Pitch, Swing
-from sweetspot.trampoline import with_wall_factor
+from sweetspot.motion.swing import Conditions, Hands, Pitch, Swing
 from sweetspot.units import INCH, MPH, OUNCE
-from sweetspot.web.faults import FieldError, about
+from sweetspot.web.errors import FieldError, about
 from sweetspot.web.states import BatState, SwingState
-from sweetspot.whatif import varied
 
 NOTHING = "nothing"
 """What an empty hole is filled with."""
@@ -30,13 +29,6 @@ KEPT = 256
 MOST_VALUES, LONGEST_VALUE, DEEPEST = 600, 2000, 8
 """Of an uploaded file: values, letters per value, tables inside tables."""
 PLUG = 1 * INCH
-
-
-@dataclass(frozen=True)
-class ReducedBat(Reduction):
-    """A reduction of which it is known that it is a bat's and no other implement's."""
-
-    bat: Bat
 
 
 def described(state: BatState) -> Bat:
@@ -79,12 +71,7 @@ def conditions_of(state: SwingState, bat: Bat) -> Conditions:
 
 def bat_from_text(text: str) -> Bat:
     """Return the bat of an uploaded TOML text, within limits on its size and depth; no file is opened."""
-    try:
-        table = tomllib.loads(text)
-    except ValueError as error:  # wrong TOML, or a number of thousands of digits
-        raise InputError(f"the bat file is not valid TOML: {error}") from None
-    except RecursionError:
-        raise InputError("the bat file holds tables inside tables beyond all need; a bat has a few lines") from None
+    table = table_of_text(text, "the bat file")
     _check_extent(table)
     return bat_from_table(table, "the bat file")
 
@@ -125,7 +112,7 @@ _ANY_RESTITUTION = catalog.ball().restitution
 def _reduced(state: BatState, ball: Ball) -> ReducedBat:
     bat = _changed(state)
     with about("bat_toml" if state.bat_toml is not None else "bat"):
-        found = reduction(bat, ball=ball)
+        found = reduced_bat(bat, ball=ball)
     return ReducedBat(bat, found.line, found.body, found.modes)
 
 
@@ -144,7 +131,7 @@ def _changed(state: BatState) -> Bat:
     if state.mass_oz is not None:
         with about("mass_oz"):
             bat = varied(bat, {"mass": state.mass_oz * OUNCE}, fill=bat.material)
-            reduce(bat)
+            beam_model(bat)
     if state.wall_factor != 1:
         with about("wall_factor"):
             bat = with_wall_factor(bat, state.wall_factor)

@@ -7,13 +7,13 @@ from functools import cache
 from fastapi import APIRouter
 
 from sweetspot import catalog
-from sweetspot.bat import Bat
 from sweetspot.catalog.rules import league, league_names
-from sweetspot.line import reduce
-from sweetspot.report.border import bat_json
-from sweetspot.rigid import rigid_body
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.bat import Bat
+from sweetspot.report.json_shapes import bat_json
 from sweetspot.web.bats import bat_from_text
-from sweetspot.web.faults import about
+from sweetspot.web.errors import about
 from sweetspot.web.schemas import BatFacts, BatText, Choice
 
 
@@ -59,6 +59,6 @@ def _bats() -> tuple[BatFacts, ...]:
 
 
 def _facts(key: str, bat: Bat) -> BatFacts:
-    known = bat_json(bat.name, bat.length, rigid_body(reduce(bat)))
+    known = bat_json(bat.name, bat.length, rigid_body(beam_model(bat)))
     facts = {name: known[name] for name in BatFacts.model_fields if name in known}
     return BatFacts(key=key, hollow=bat.shell is not None, **facts)

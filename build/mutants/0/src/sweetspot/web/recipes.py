@@ -5,7 +5,7 @@ A bat of the catalogue is named; any other is read from the file that goes with 
 
 from __future__ import annotations
 
-from sweetspot.catalog.batwriter import bat_toml
+from sweetspot.catalog.files.write import bat_toml
 from sweetspot.web.bats import described
 from sweetspot.web.states import BatState, SwungState
 
@@ -73,12 +73,12 @@ def conditions_lines(state: SwungState) -> str:
 def modes_line(*, held: bool) -> str:
     """Return Python lines that make ``modes`` of ``bat`` and ``conditions``, held by typical hands or free."""
     if not held:
-        return "modes = modes_of(reduce(bat), conditions.ball)\n"
+        return "modes = all_modes(beam_model(bat), conditions.ball)\n"
     return (
         "from sweetspot import gripped\n"
-        "from sweetspot.analysis import TYPICAL_HAND\n\n"
+        "from sweetspot.analysis.bat_analysis import TYPICAL_HAND\n\n"
         "hands = conditions.hands.replaced(**TYPICAL_HAND)\n"
-        "modes = gripped(modes_of(reduce(bat), conditions.ball), hands)\n"
+        "modes = gripped(all_modes(beam_model(bat), conditions.ball), hands)\n"
     )
 
 

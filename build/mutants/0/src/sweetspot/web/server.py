@@ -17,7 +17,7 @@ from sweetspot import __version__
 from sweetspot.errors import SweetspotError
 from sweetspot.web.answers import Answers, answer_json
 from sweetspot.web.catalogue import catalogue_routes
-from sweetspot.web.faults import fault
+from sweetspot.web.errors import fault
 from sweetspot.web.files import File, plotly, shell, static_files
 from sweetspot.web.limits import Guard
 from sweetspot.web.schemas import REFUSALS

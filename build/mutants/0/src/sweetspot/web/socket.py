@@ -12,7 +12,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from sweetspot.errors import SweetspotError
 from sweetspot.web.answers import Answers, state_of
-from sweetspot.web.faults import FieldError, fault
+from sweetspot.web.errors import FieldError, fault
 from sweetspot.web.limits import LARGEST_BODY, MESSAGES_AT_ONCE, MESSAGES_PER_SECOND, MOST_SOCKETS, Bucket
 
 TRY_AGAIN_LATER = 1013

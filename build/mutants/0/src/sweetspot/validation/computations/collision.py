@@ -9,14 +9,15 @@ from scipy.interpolate import PPoly
 from scipy.optimize import brentq
 
 from sweetspot import catalog
-from sweetspot.analysis import Analysis, exit_speed_of, hit_at
+from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of, hit_at
+from sweetspot.collision.closed_form import restitution_from_efficiency
 from sweetspot.collision.coupled import hit
-from sweetspot.collision.impact import Array, Impact
-from sweetspot.collision.momentum import restitution_from_efficiency
-from sweetspot.rigid import centre_of_percussion, effective_mass
-from sweetspot.swing import Conditions, Pitch
+from sweetspot.collision.impact import Impact
+from sweetspot.dynamics.modes import Modes
+from sweetspot.dynamics.rigid import centre_of_percussion, effective_mass
+from sweetspot.motion.swing import Conditions, Pitch
+from sweetspot.numerics.arrays import Array
 from sweetspot.validation.computations import shared
-from sweetspot.vibration.modes import Modes
 
 
 def wall_restitution(*, speed: float) -> float:

@@ -7,13 +7,13 @@ from functools import cache
 import numpy as np
 
 from sweetspot import catalog
-from sweetspot.bat import Bat
+from sweetspot.collision.closed_form import bbcor
 from sweetspot.collision.kernel import hits
-from sweetspot.collision.momentum import bbcor
-from sweetspot.line import reduce
-from sweetspot.rigid import RigidBody, rigid_body
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.rigid import RigidBody, rigid_body
+from sweetspot.equipment.bat import Bat
 from sweetspot.units import INCH
-from sweetspot.vibration.beam import bending_modes
 
 PLACES = np.linspace(4 * INCH, 9 * INCH, 51)
 """m from the tip."""
@@ -51,14 +51,14 @@ def _corked(bat: str, *, bore_diameter: float, bore_depth: float, plug: float) -
 
 @cache
 def _body(bat: Bat) -> RigidBody:
-    return rigid_body(reduce(bat))
+    return rigid_body(beam_model(bat))
 
 
 @cache
 def _best(bat: Bat, closing_speed: float) -> tuple[float, float]:
     """Return the greatest q and the greatest BBCOR along the barrel for one closing speed."""
     ball, body, places = catalog.ball(), _body(bat), bat.length - PLACES
-    done = hits(bending_modes(reduce(bat)), ball=ball, position=places, closing_speed=closing_speed)
+    done = hits(bending_modes(beam_model(bat)), ball=ball, position=places, closing_speed=closing_speed)
     efficiency = done.collision_efficiency
     return float(efficiency.max()), float(bbcor(efficiency, body=body, ball=ball, position=places).max())
 

@@ -10,9 +10,9 @@ import numpy as np
 
 from sweetspot import catalog
 from sweetspot.flight.forces import drag_and_lift
+from sweetspot.flight.sweep import BattedBall
 from sweetspot.flight.trajectory import Flight, fly
-from sweetspot.flight.what_if import BattedBall
-from sweetspot.motion import BallMotion
+from sweetspot.motion.ball_motion import BallMotion
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
 
 INCH_OF_MERCURY = 3386.389

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 
-from sweetspot.analysis import TYPICAL_HAND
+from sweetspot.analysis.bat_analysis import TYPICAL_HAND
 from sweetspot.collision.coupled import hit
-from sweetspot.collision.impact import Array
 from sweetspot.collision.kernel import hits
-from sweetspot.collision.propagator import propagator
-from sweetspot.swing import Hands
+from sweetspot.collision.modal_propagator import modal_propagator_of
+from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.hands import gripped
+from sweetspot.dynamics.modes import Modes
+from sweetspot.motion.swing import Hands
+from sweetspot.numerics.arrays import Array
 from sweetspot.units import INCH
 from sweetspot.validation.computations import shared
-from sweetspot.vibration.beam import bending_modes
-from sweetspot.vibration.hands import gripped
-from sweetspot.vibration.modes import Modes
 
 HANDS = 6 * INCH
 VICE = 1e9
@@ -60,7 +60,7 @@ def impulse_given_at_arrival(*, bat: str) -> float:
     modes = bending_modes(shared.line(bat), count=MANY_MODES, elements=MANY_MODES)
     closing = conditions.pitch.speed + conditions.swing.speed_at(place)
     force = hit(modes, ball=conditions.ball, position=place, closing_speed=closing, step=STEP).force
-    drift, push, handle = propagator(modes, STEP), modes.shape_at(place), modes.shape_at(HANDS)
+    drift, push, handle = modal_propagator_of(modes, STEP), modes.shape_at(place), modes.shape_at(HANDS)
     displacement, velocity = np.zeros(len(modes)), np.zeros(len(modes))
     speed = np.empty(round(WATCHED / STEP))
     for step in range(len(speed)):

@@ -8,13 +8,13 @@ from itertools import pairwise
 import numpy as np
 
 from sweetspot import catalog
-from sweetspot.bat import Bat
-from sweetspot.line import reduce
-from sweetspot.material import Material
-from sweetspot.shell import Shell
-from sweetspot.trampoline import WallPoint, wall_sweep
+from sweetspot.analysis.trampoline import WallPoint, wall_sweep
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.hoop import contact_patch, hoop_modes
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.material import Material
+from sweetspot.equipment.shell import Shell
 from sweetspot.validation.computations import shared
-from sweetspot.vibration.hoop import contact_patch, hoop_modes
 
 TUBE_LENGTH = 0.84
 WALLS = (1.6, 1.3, 1.0, 0.85)
@@ -34,7 +34,7 @@ def tube_hoop_frequency(*, diameter: float, wall: float, modulus: float, density
         profile=tuple((end, diameter) for end in ends),
         shell=Shell(wall=tuple((end, wall) for end in ends)),
     )
-    return float(hoop_modes(reduce(tube), patch=contact_patch(catalog.ball())).frequency[0])
+    return float(hoop_modes(beam_model(tube), patch=contact_patch(catalog.ball())).frequency[0])
 
 
 def metal_place(*, metal: str, wood: str) -> float:

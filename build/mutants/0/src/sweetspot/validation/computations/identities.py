@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 
-from sweetspot.collision.momentum import collision_efficiency, exit_speed
-from sweetspot.paper import energy_returned, mean_force, rod
-from sweetspot.rigid import STANDARD_GRAVITY, RigidBody, centre_of_percussion, effective_mass, pendulum_period
+from sweetspot.collision.closed_form import collision_efficiency, exit_speed
+from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion, effective_mass, pendulum_period
+from sweetspot.numerics.constants import STANDARD_GRAVITY
+from sweetspot.paper.formulas import energy_returned, mean_force, rod
 from sweetspot.validation.computations import shared
 
 

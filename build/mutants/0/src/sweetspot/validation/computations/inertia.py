@@ -7,8 +7,8 @@ from dataclasses import replace
 from scipy.optimize import minimize_scalar
 
 from sweetspot import catalog
-from sweetspot.collision.momentum import collision_efficiency, exit_speed
-from sweetspot.rigid import RigidBody, centre_of_percussion, effective_mass
+from sweetspot.collision.closed_form import collision_efficiency, exit_speed
+from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion, effective_mass
 from sweetspot.validation.computations import shared
 
 

@@ -9,14 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sweetspot import catalog
+from sweetspot.collision.closed_form import bbcor, exit_speed
 from sweetspot.collision.kernel import hits
-from sweetspot.collision.momentum import bbcor, exit_speed
-from sweetspot.swing import Hands
+from sweetspot.dynamics.hands import gripped
+from sweetspot.motion.swing import Hands
+from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.units import INCH
 from sweetspot.validation.computations import shared
-from sweetspot.vibration.hands import gripped
 
-CLAMP = 6 * INCH
+CLAMP = STANDARD_AXIS
 CLAMP_STIFFNESS = 1e9
 """N/m; stiff enough to hold its place still, free to turn."""
 NEAR, FAR, HITS = 2 * INCH, 10 * INCH, 81

@@ -7,16 +7,16 @@ from functools import cache
 import numpy as np
 
 from sweetspot import catalog
-from sweetspot.analysis import TYPICAL_HAND
-from sweetspot.bat import Bat
-from sweetspot.line import reduce, section
-from sweetspot.rigid import centre_of_percussion
-from sweetspot.swing import Hands
+from sweetspot.analysis.bat_analysis import TYPICAL_HAND
+from sweetspot.dynamics.beam import beam_model, section
+from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.hands import gripped
+from sweetspot.dynamics.modes import Modes
+from sweetspot.dynamics.rigid import centre_of_percussion
+from sweetspot.equipment.bat import Bat
+from sweetspot.motion.swing import Hands
 from sweetspot.units import INCH
 from sweetspot.validation.computations import shared
-from sweetspot.vibration.beam import bending_modes
-from sweetspot.vibration.hands import gripped
-from sweetspot.vibration.modes import Modes
 
 THIN_LENGTH, THIN_DIAMETER = 1.3, 0.005
 """m; the longest and thinnest rod that a bat may be: radius of gyration over length is 1/1040."""
@@ -43,7 +43,7 @@ def _thin_rod() -> tuple[Modes, float]:
         material=catalog.material("aluminium_7xxx"),
         profile=((0.0, THIN_DIAMETER), (THIN_LENGTH, THIN_DIAMETER)),
     )
-    line = reduce(bat)
+    line = beam_model(bat)
     at = section(line, np.array([THIN_LENGTH / 2]))
     return bending_modes(line, count=3), float(at.mass[0] / at.bending_stiffness[0])
 

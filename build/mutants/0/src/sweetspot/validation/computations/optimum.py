@@ -7,12 +7,12 @@ from functools import cache
 from typing import Literal
 
 from sweetspot import catalog
-from sweetspot.air import Air
-from sweetspot.collision.oblique import FRICTION, TANGENTIAL_RESTITUTION
-from sweetspot.motion import launched
-from sweetspot.optimum import BestSwing, best_launch, best_swing
-from sweetspot.reduction import reduction
-from sweetspot.standard import standard_conditions
+from sweetspot.analysis.optimum import BestSwing, best_launch, best_swing
+from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.collision.oblique_contact import FRICTION, TANGENTIAL_RESTITUTION
+from sweetspot.dynamics.reduction import reduced_bat
+from sweetspot.flight.air import Air
+from sweetspot.motion.ball_motion import launched
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
 
 BAT = "r161-ash"
@@ -36,7 +36,7 @@ def best(pitch: str, model: Model, friction: float = FRICTION) -> BestSwing:
     )
     law = catalog.aerodynamics()
     return best_swing(
-        reduction(bat, ball=ball),
+        reduced_bat(bat, ball=ball),
         ball=ball,
         swing=standard_conditions(bat).swing,
         pitch=arriving,

@@ -5,10 +5,10 @@ from __future__ import annotations
 from functools import cache
 
 from sweetspot import catalog
-from sweetspot.air import Air
-from sweetspot.catalog.aerodynamics import aerodynamics
+from sweetspot.catalog.aerodynamic_laws import aerodynamics
 from sweetspot.catalog.deliveries import usual_height
-from sweetspot.pitch import MIDDLE, PitchFlight, aimed
+from sweetspot.flight.air import Air
+from sweetspot.flight.pitch import MIDDLE, PitchFlight, aimed
 from sweetspot.units import FOOT
 
 DAY = Air(temperature=24.0, elevation=290 * FOOT)

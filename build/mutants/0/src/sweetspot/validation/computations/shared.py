@@ -5,18 +5,18 @@ from __future__ import annotations
 from functools import cache
 
 from sweetspot import catalog
-from sweetspot.analysis import Analysis, analyse
-from sweetspot.line import Line, reduce
-from sweetspot.rigid import RigidBody, rigid_body
-from sweetspot.standard import standard_conditions
-from sweetspot.vibration.beam import bending_modes
-from sweetspot.vibration.modes import Modes
+from sweetspot.analysis.bat_analysis import Analysis, analyse
+from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.dynamics.beam import BeamModel, beam_model
+from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.modes import Modes
+from sweetspot.dynamics.rigid import RigidBody, rigid_body
 
 
 @cache
-def line(bat: str) -> Line:
+def line(bat: str) -> BeamModel:
     """Return a catalogue bat as a beam."""
-    return reduce(catalog.bat(bat))
+    return beam_model(catalog.bat(bat))
 
 
 @cache

@@ -6,27 +6,26 @@ from functools import cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from sweetspot import catalog
-from sweetspot.bat import Bat
-from sweetspot.collision.oblique import SPHERE
-from sweetspot.collision.strike import strike, strikes
-from sweetspot.motion import BallMotion, launch_angles
-from sweetspot.reduction import Reduction, reduction
-from sweetspot.swing import Swing
-from sweetspot.swing_path import SwingPath, path_axes
+from sweetspot.collision.hit_in_space import strike, strikes
+from sweetspot.collision.oblique_contact import SPHERE
+from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
+from sweetspot.equipment.bat import Bat
+from sweetspot.motion.ball_motion import BallMotion, launch_angles
+from sweetspot.motion.swing import Swing
+from sweetspot.motion.swing_path import SwingPath, path_axes, steep_enough
+from sweetspot.numerics.arrays import Array
 from sweetspot.units import DEGREE, INCH, MPH, RPM
 
-Array = NDArray[np.float64]
 FROM_TIP = 6 * INCH
 STILL = BallMotion(np.zeros(3), np.zeros(3), np.zeros(3))
 
 
 @cache
-def _model(bat: str) -> Reduction[Bat]:
-    return reduction(catalog.bat(bat), ball=catalog.ball())
+def _model(bat: str) -> ReducedBat[Bat]:
+    return reduced_bat(catalog.bat(bat), ball=catalog.ball())
 
 
 def tangential_recoil(*, bat: str) -> float:
@@ -128,7 +127,10 @@ def _league(bat: str, left_handed: float = 0.4, count: int = 60_000, seed: int =
     speed = draw.normal(71.5, 5.3, count).clip(50, 95) * MPH
     attack = draw.normal(8.6, 8.4, count) * DEGREE
     tilt = draw.normal(31.9, 6.7, count).clip(0, 80) * DEGREE
-    axes = path_axes(attack, draw.normal(0, 12, count) * DEGREE, tilt=tilt, left=draw.random(count) < left_handed)
+    axes = path_axes(
+        attack, draw.normal(0, 12, count) * DEGREE, tilt=steep_enough(tilt, attack),
+        left=draw.random(count) < left_handed,
+    )  # fmt: skip
     pitch, fall = draw.normal(82, 5, count) * MPH, draw.normal(6.6, 1.8, count) * DEGREE
     place = (model.bat.length - draw.normal(6.5, 2.0, count) * INCH).clip(0.3, model.bat.length)
     done = strikes(

@@ -7,22 +7,22 @@ from dataclasses import replace
 from functools import cache
 
 from sweetspot import catalog
-from sweetspot.air import Air
-from sweetspot.analysis import Analysis, analyse_reduced, exit_speed_of
-from sweetspot.block import Block
+from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced, exit_speed_of
+from sweetspot.analysis.drop_test import Rebound, fire
+from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.catalog.swing_laws import swing_law
+from sweetspot.collision.closed_form import collision_efficiency
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact
-from sweetspot.collision.momentum import collision_efficiency
-from sweetspot.drop import Rebound, fire
+from sweetspot.dynamics.block import Block
+from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
+from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion
+from sweetspot.equipment.implement import Implement
+from sweetspot.flight.air import Air
 from sweetspot.flight.trajectory import Flight, fly
-from sweetspot.implement import Implement
-from sweetspot.motion import launched
-from sweetspot.reduction import Reduction, reduction
-from sweetspot.rigid import RigidBody, centre_of_percussion
-from sweetspot.sport_rows import dead_spot, rule_book_drops
-from sweetspot.standard import standard_conditions
-from sweetspot.swing import Conditions
+from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.swing import Conditions
+from sweetspot.paper.sports import dead_spot, rule_book_drops
 
 
 def racket_percussion(*, mass: float, balance_point: float, moi: float, axis: float) -> float:
@@ -181,8 +181,8 @@ def _conditions(implement: str) -> Conditions:
 
 
 @cache
-def _reduced(implement: str) -> Reduction[Implement]:
-    return reduction(catalog.implement(implement), ball=_conditions(implement).ball)
+def _reduced(implement: str) -> ReducedBat[Implement]:
+    return reduced_bat(catalog.implement(implement), ball=_conditions(implement).ball)
 
 
 @cache

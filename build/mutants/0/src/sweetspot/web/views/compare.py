@@ -9,21 +9,21 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from sweetspot import catalog
-from sweetspot.ball import Ball
-from sweetspot.bat import Bat
+from sweetspot.analysis.certification.rules import check_rules, construction_findings, title
+from sweetspot.analysis.certification.simulated_test import Certification, certify
+from sweetspot.analysis.comparison import Compared, Comparison, compare_reduced
+from sweetspot.analysis.trampoline import wall_point_of
 from sweetspot.catalog.rules import league, league_names
 from sweetspot.catalog.swing_laws import swing_law
-from sweetspot.certification import Certification, certify
-from sweetspot.compare import Compared, Comparison, compare_reduced
-from sweetspot.reduction import Reduction
-from sweetspot.report.certification import check_json
-from sweetspot.report.comparison import assumptions, comparison_json
-from sweetspot.report.verdict import SI, US, Readers, cork_verdict, verdict, wall_verdict
-from sweetspot.rules import check_rules, construction_findings, title
-from sweetspot.trampoline import wall_point_of
+from sweetspot.dynamics.reduction import ReducedBat
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.bat import Bat
+from sweetspot.report.bat.conclusion import SI, US, Readers, cork_verdict, verdict, wall_verdict
+from sweetspot.report.certification.table import check_json
+from sweetspot.report.comparison.table import assumptions, comparison_json
+from sweetspot.web.bat_outline import outline
 from sweetspot.web.bats import ball_of, conditions_of, reduced
-from sweetspot.web.faults import FieldError, about
-from sweetspot.web.outline import outline
+from sweetspot.web.errors import FieldError, about
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, is_catalogued, swing_options
 from sweetspot.web.states import BatState, HitState, Name, SwingState
 from sweetspot.web.view import View
@@ -57,10 +57,8 @@ def answer(state: CompareState) -> dict[str, Any]:
     ball = ball_of(state)
     reductions, labels = _bats(state, ball)
     with about("swing_law"):
-        law = swing_law(state.swing_law)
-    found = compare_reduced(
-        reductions, conditions=conditions_of(state, reductions[0].bat), same=state.same, law=law, labels=labels
-    )
+        law = swing_law(state.swing_law) if state.same == "effort" else None
+    found = compare_reduced(reductions, conditions=conditions_of(state, reductions[0].bat), law=law, labels=labels)
     table = comparison_json(found, _words(state, found, US))
     for row, one in zip(table["bats"], found.compared, strict=True):
         row["shape"] = outline(one.analysis.bat)
@@ -85,7 +83,7 @@ def _words(state: CompareState, found: Comparison, readers: Readers) -> list[str
     return words + wall_verdict(found) if state.what_if == "wall" else words
 
 
-def _bats(state: CompareState, ball: Ball) -> tuple[list[Reduction], list[str]]:
+def _bats(state: CompareState, ball: Ball) -> tuple[list[ReducedBat], list[str]]:
     """Return the bats with their labels; those of a what-if are made of the first."""
     first = _reduced(state.bats[0], ball, 1)
     if state.what_if == "cork":
@@ -101,7 +99,7 @@ def _bats(state: CompareState, ball: Ball) -> tuple[list[Reduction], list[str]]:
     return found, _distinct([one.bat.name for one in found])
 
 
-def _reduced(bat: BatState, ball: Ball, number: int) -> Reduction:
+def _reduced(bat: BatState, ball: Ball, number: int) -> ReducedBat:
     """Return one bat; what is wrong with it is said of the bats, with its number."""
     try:
         return reduced(bat, ball)
@@ -109,7 +107,7 @@ def _reduced(bat: BatState, ball: Ball, number: int) -> Reduction:
         raise FieldError(f"bats.{number - 1}.{error.field}", f"bat {number}: {error}") from None
 
 
-def _made(bat: BatState, ball: Ball, control: str) -> Reduction:
+def _made(bat: BatState, ball: Ball, control: str) -> ReducedBat:
     """Return a bat of a what-if; what does not work is said beside the what-if's own control."""
     try:
         return reduced(bat, ball)
@@ -200,10 +198,11 @@ def recipe(state: CompareState) -> dict[str, str]:
         made += [
             f'bat.corked({hole}, plug={plug!r} * INCH, fill=catalog.material("{fill}"))' for fill in FILLS.values()
         ]
+    law = f"catalog.swing_law({state.swing_law!r})" if state.same == "effort" else "None"
     python = conditions_lines(swing) + (
-        "\nfrom sweetspot.catalog.swing_laws import swing_law\nfrom sweetspot.compare import compare\n\n"
+        "\nfrom sweetspot import compare\n\n"
         f"bats = [{', '.join(['bat', *made])}]\n"
-        f'found = compare(bats, conditions=conditions, same="{state.same}", law=swing_law({state.swing_law!r}))\n'
+        f"found = compare(bats, conditions=conditions, law={law})\n"
         "for one in found.compared:\n"
         "    print(one.label, one.exit_speed.value / MPH, one.change.low / MPH, one.change.high / MPH)\n"
     )

@@ -9,21 +9,22 @@ from typing import Any
 import numpy as np
 
 from sweetspot import catalog
-from sweetspot.analysis import check_conditions
+from sweetspot.analysis.bat_analysis import check_conditions
+from sweetspot.analysis.position_scan import scan
+from sweetspot.analysis.sweet_spot import sweet_spots
+from sweetspot.collision.closed_form import bbcor, exit_speed
+from sweetspot.collision.hit_in_space import Strikes, strikes
 from sweetspot.collision.impact import Impacts, Outcome
 from sweetspot.collision.kernel import hits
-from sweetspot.collision.momentum import bbcor, exit_speed
-from sweetspot.collision.strike import Strikes, strikes
-from sweetspot.motion import BallMotion
-from sweetspot.report.border import bat_json, conditions_json
-from sweetspot.scan import scan
-from sweetspot.sweet_spots import sweet_spots
-from sweetspot.swing import Conditions
-from sweetspot.swing_path import SwingPath
+from sweetspot.dynamics.reduction import ReducedBat
+from sweetspot.motion.ball_motion import BallMotion
+from sweetspot.motion.swing import Conditions
+from sweetspot.motion.swing_path import SwingPath
+from sweetspot.report.json_shapes import bat_json, conditions_json
 from sweetspot.units import INCH
-from sweetspot.web.bats import ReducedBat, ball_of, conditions_of, reduced
-from sweetspot.web.faults import FieldError
-from sweetspot.web.outline import outline
+from sweetspot.web.bat_outline import outline
+from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.errors import FieldError
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, swing_options
 from sweetspot.web.states import HitState
 from sweetspot.web.view import View
@@ -142,6 +143,7 @@ def _met(
         pitch_spin=(0.0, 0.0, 0.0),
         position=place,
         offset=state.offset_in * INCH,
+        pivot=conditions.swing.pivot,
     )
     if int(struck.outcome[0]) != Outcome.SEPARATED:
         return struck, (math.nan, math.nan, math.nan)

@@ -4,29 +4,28 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
-from pydantic import Field
 
 from sweetspot import catalog
-from sweetspot.air import Air, Wind
-from sweetspot.ball import Ball
-from sweetspot.catalog.aerodynamics import aerodynamics
-from sweetspot.collision.strike import strikes
-from sweetspot.flight.everywhere import PATH_POINTS, landings_everywhere
+from sweetspot.catalog.aerodynamic_laws import aerodynamics
+from sweetspot.collision.hit_in_space import strikes
+from sweetspot.equipment.ball import Ball
+from sweetspot.flight.air import Air, Wind
+from sweetspot.flight.all_parks import PATH_POINTS, landings_everywhere
 from sweetspot.flight.fence import landing
 from sweetspot.flight.kernel import Flights, flights
-from sweetspot.motion import BallMotion, launched
-from sweetspot.park import FOUL_LINE, Park, fence_at
-from sweetspot.swing_path import SwingPath
+from sweetspot.flight.park import FOUL_LINE, Park, fence_at
+from sweetspot.motion.ball_motion import BallMotion, launched
+from sweetspot.motion.swing_path import SwingPath
 from sweetspot.units import FOOT, INCH, MPH, RPM
+from sweetspot.web.bat_outline import outline
 from sweetspot.web.bats import ball_of, conditions_of, reduced
-from sweetspot.web.faults import FieldError, about
-from sweetspot.web.outline import outline
-from sweetspot.web.states import HitState, Name
+from sweetspot.web.errors import FieldError, about
 from sweetspot.web.view import View
 from sweetspot.web.views.flight_recipe import flight_lines
+from sweetspot.web.views.flight_state import FlightState
 
 INCH_OF_MERCURY = 3386.389
 """Pa."""
@@ -35,32 +34,6 @@ FORWARD = 2 * FOOT
 SHOWN = 2
 """Every how many points of a path are handed out."""
 FENCE_POINTS = 91
-
-
-class FlightState(HitState):
-    """How the ball leaves, from numbers or from a swing; the park, the air and the wind."""
-
-    start: Literal["ball", "swing"] = Field("ball", description="from the ball's own numbers, or from pitch and swing")
-    exit_speed_mph: float = Field(98.0, ge=20, le=125)
-    launch_angle_deg: float = Field(28.0, ge=-30, le=80)
-    spray_deg: float = Field(-15.0, ge=-60, le=60, description="from centre field, positive to right field")
-    backspin_rpm: float = Field(2200.0, ge=-5000, le=6000, description="positive lifts the ball")
-    sidespin_rpm: float = Field(0.0, ge=-5000, le=5000, description="positive bends the path to the left")
-    height_ft: float = Field(3.0, ge=0.5, le=7, description="of the ball at contact")
-    attack_angle_deg: float = Field(9.0, ge=-20, le=35, description="of the barrel's path above the level")
-    attack_direction_deg: float = Field(0.0, ge=-45, le=45, description="from centre field, negative to the pull side")
-    tilt_deg: float = Field(32.0, ge=0, le=75, description="of the swing's plane; at least the attack angle")
-    bats: Literal["right", "left"] = "right"
-    pitch_angle_deg: float = Field(-6.0, ge=-20, le=5, description="of the pitch at the plate, negative falls")
-    pitch_backspin_rpm: float = Field(2000.0, ge=-3500, le=3500, description="positive for a fastball")
-    park: Name = Field("fenway-park", description="name, team or its letters")
-    temperature_degf: float = Field(70.0, ge=0, le=120)
-    relative_humidity: float = Field(0.5, ge=0, le=1, description="of the air")
-    pressure_inhg: float = Field(29.92, ge=26, le=32, description="reduced to sea level, as weather reports give it")
-    elevation_ft: float | None = Field(None, ge=-300, le=12000, description="of the field; empty: the park's")
-    wind_speed_mph: float = Field(0.0, ge=0, le=50)
-    wind_direction_deg: float = Field(0.0, ge=-180, le=180, description="to where it blows, 0: out to centre field")
-    own_elevation: bool = Field(True, description="count parks in the air of each one's elevation")
 
 
 @dataclass(frozen=True)
@@ -170,6 +143,7 @@ def _struck(state: FlightState, ball: Ball) -> dict[str, Any]:
         pitch_spin=pitch.spin,
         position=place,
         offset=state.offset_in * INCH,
+        pivot=conditions.swing.pivot,
     )
     hit = bool(np.isfinite(done.velocity).all())
     return {

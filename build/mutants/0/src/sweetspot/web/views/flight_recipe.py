@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, swing_options
 
 if TYPE_CHECKING:
-    from sweetspot.web.views.flight import FlightState
+    from sweetspot.web.views.flight_state import FlightState
 
 
 def flight_lines(state: FlightState) -> dict[str, str]:
@@ -82,10 +82,10 @@ def _ball_python(state: FlightState) -> str:
     return (
         "from math import radians\n"
         "from sweetspot import catalog\n"
-        "from sweetspot.air import Air, Wind\n"
+        "from sweetspot.flight.air import Air, Wind\n"
         "from sweetspot.flight.fence import landing\n"
         "from sweetspot.flight.trajectory import fly\n"
-        "from sweetspot.motion import launched\n"
+        "from sweetspot.motion.ball_motion import launched\n"
         "from sweetspot.units import FOOT, MPH, RPM\n\n"
         f"motion = launched(speed={state.exit_speed_mph!r} * MPH, launch_angle=radians({state.launch_angle_deg!r}),\n"
         f"                  spray=radians({state.spray_deg!r}), backspin={state.backspin_rpm!r} * RPM,\n"
@@ -100,12 +100,12 @@ def _ball_python(state: FlightState) -> str:
 def _swing_python(state: FlightState) -> str:
     return conditions_lines(state) + (
         "\nfrom math import pi, radians\n"
-        "from sweetspot.air import Air, Wind\n"
-        "from sweetspot.reduction import reduction\n"
+        "from sweetspot.flight.air import Air, Wind\n"
+        "from sweetspot.dynamics.reduction import reduced_bat\n"
         "from sweetspot.flight.fence import landing\n"
-        "from sweetspot.motion import launched\n"
-        "from sweetspot.play import play\n"
-        "from sweetspot.swing_path import SwingPath\n"
+        "from sweetspot.motion.ball_motion import launched\n"
+        "from sweetspot.analysis.full_play import play\n"
+        "from sweetspot.motion.swing_path import SwingPath\n"
         "from sweetspot.units import FOOT, RPM\n\n"
         f"path = SwingPath(attack_angle=radians({state.attack_angle_deg!r}), tilt=radians({state.tilt_deg!r}),\n"
         f'                 attack_direction=radians({state.attack_direction_deg!r}), bats="{state.bats}")\n'
@@ -113,7 +113,7 @@ def _swing_python(state: FlightState) -> str:
         f"                 backspin={state.pitch_backspin_rpm!r} * RPM, height={state.height_ft!r} * FOOT,\n"
         "                 forward=2 * FOOT)\n"
         f"{_field_python(state)}"
-        "model = reduction(bat, ball=conditions.ball).held(conditions.hands)\n"
+        "model = reduced_bat(bat, ball=conditions.ball).held(conditions.hands)\n"
         "done = play(model, ball=conditions.ball, swing=conditions.swing, path=path, pitch=pitch,\n"
         f"            position=bat.length - {state.impact_from_tip_in!r} * INCH, offset={state.offset_in!r} * INCH,\n"
         "            aerodynamics=aerodynamics, air=air, wind=wind)\n"

@@ -8,19 +8,21 @@ from typing import Any
 import numpy as np
 from pydantic import Field
 
-from sweetspot.analysis import TYPICAL_HAND, check_conditions, exit_speed_of, hit_at
-from sweetspot.collision.film import Film, arrival_time, film, impulse_given
-from sweetspot.collision.impact import Array, Impact
-from sweetspot.report.border import bat_json, conditions_json
-from sweetspot.rigid import RigidBody
-from sweetspot.swing import Conditions, Hands
+from sweetspot.analysis.bat_analysis import TYPICAL_HAND, check_conditions, exit_speed_of, hit_at
+from sweetspot.collision.impact import Impact
+from sweetspot.collision.time_history import TimeHistory, arrival_time, history_of, impulse_given
+from sweetspot.dynamics.hands import gripped
+from sweetspot.dynamics.hoop import HARMONICS, contact_patch, patch_mean_around
+from sweetspot.dynamics.modes import Modes
+from sweetspot.dynamics.reduction import ReducedBat
+from sweetspot.dynamics.rigid import RigidBody
+from sweetspot.motion.swing import Conditions, Hands
+from sweetspot.numerics.arrays import Array
+from sweetspot.report.json_shapes import bat_json, conditions_json
 from sweetspot.units import INCH
-from sweetspot.vibration.hands import gripped
-from sweetspot.vibration.hoop import HARMONICS, contact_patch, patch_mean_around
-from sweetspot.vibration.modes import Modes
-from sweetspot.web.bats import ReducedBat, ball_of, conditions_of, reduced
-from sweetspot.web.faults import FieldError
-from sweetspot.web.outline import outline
+from sweetspot.web.bat_outline import outline
+from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.errors import FieldError
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, modes_line, swing_options
 from sweetspot.web.states import SwungState
 from sweetspot.web.view import View
@@ -67,7 +69,7 @@ def _answer(state: HitFilmState) -> dict[str, Any]:
         hands = conditions.hands
         modes = gripped(modes, Hands(position=hands.position, spacing=hands.spacing, **TYPICAL_HAND))
     impact = hit_at(place, modes=modes, conditions=conditions)
-    scene = film(impact, modes=modes, ball=conditions.ball, duration=state.duration_ms * 1e-3)
+    scene = history_of(impact, modes=modes, ball=conditions.ball, duration=state.duration_ms * 1e-3)
     return {
         "bat": {**bat_json(found.bat.name, found.bat.length, found.body), **outline(found.bat)},
         "ball": {"radius_m": conditions.ball.radius, "mass_kg": conditions.ball.mass},
@@ -104,7 +106,7 @@ def _hit(impact: Impact, conditions: Conditions) -> dict[str, Any]:
     }
 
 
-def _bat_motion(scene: Film, modes: Modes, body: RigidBody, length: float) -> dict[str, Any]:
+def _bat_motion(scene: TimeHistory, modes: Modes, body: RigidBody, length: float) -> dict[str, Any]:
     """Return how the bat's line moves, as modes: y(x, t) = sum_i shape_i(x) q_i(t), in the direction of the push.
 
     ``push_m`` and ``turn_rad`` are the part of it that an unbending bat would show: y = push + turn (x - balance).
@@ -121,7 +123,7 @@ def _bat_motion(scene: Film, modes: Modes, body: RigidBody, length: float) -> di
     }
 
 
-def _hands(scene: Film, modes: Modes, position: float) -> dict[str, Any]:
+def _hands(scene: TimeHistory, modes: Modes, position: float) -> dict[str, Any]:
     """Return how the place of the top hand moves, and when the wave gets there."""
     shape = modes.shape_at(position)
     arrival = arrival_time(scene, modes=modes, position=position)
@@ -133,7 +135,7 @@ def _hands(scene: Film, modes: Modes, position: float) -> dict[str, Any]:
     }
 
 
-def _hoop(scene: Film, modes: Modes, found: ReducedBat, conditions: Conditions) -> dict[str, Any] | None:
+def _hoop(scene: TimeHistory, modes: Modes, found: ReducedBat, conditions: Conditions) -> dict[str, Any] | None:
     """Return how far each harmonic dents a hollow barrel's wall under the ball: inwards by a_n(t) cos(n theta)."""
     hoop = modes.of_family("hoop")
     if not hoop or found.bat.shell is None:
@@ -162,11 +164,11 @@ def recipe(state: HitFilmState) -> dict[str, str]:
     """Return the lines that give the hit and its film; the command line knows no hands that weigh something."""
     place = f"{state.impact_from_tip_in:.12g}in-from-tip"
     python = conditions_lines(state) + (
-        "from sweetspot import modes_of, reduce\n"
-        "from sweetspot.collision.film import arrival_time, film\n\n"
+        "from sweetspot import all_modes, beam_model\n"
+        "from sweetspot.collision.time_history import arrival_time, history_of\n\n"
         f"{modes_line(held=state.held)}"
         f"impact = hit_at(bat.length - {state.impact_from_tip_in!r} * INCH, modes=modes, conditions=conditions)\n"
-        f"scene = film(impact, modes=modes, ball=conditions.ball, duration={state.duration_ms!r} * 1e-3)\n"
+        f"scene = history_of(impact, modes=modes, ball=conditions.ball, duration={state.duration_ms!r} * 1e-3)\n"
         "scene.times, scene.force, scene.energy.bending  # s, N, J\n"
         "arrival_time(scene, modes=modes, position=conditions.hands.position)  # s\n"
     )

@@ -9,19 +9,19 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from pydantic import Field
 
-from sweetspot.analysis import TYPICAL_HAND, check_conditions
-from sweetspot.collision.impact import Array
-from sweetspot.report.border import bat_json
-from sweetspot.sweet_spots import barrel_node
-from sweetspot.swing import Hands
+from sweetspot.analysis.bat_analysis import TYPICAL_HAND, check_conditions
+from sweetspot.analysis.sweet_spot import barrel_node
+from sweetspot.dynamics.hands import gripped
+from sweetspot.dynamics.hoop import barrel_range
+from sweetspot.dynamics.modes import Modes
+from sweetspot.dynamics.tap import tapped
+from sweetspot.motion.swing import Hands
+from sweetspot.numerics.arrays import Array
+from sweetspot.report.json_shapes import bat_json
 from sweetspot.units import INCH
-from sweetspot.vibration.hands import gripped
-from sweetspot.vibration.hoop import barrel_range
-from sweetspot.vibration.modes import Modes
-from sweetspot.vibration.tap import tapped
+from sweetspot.web.bat_outline import outline
 from sweetspot.web.bats import ball_of, conditions_of, reduced
-from sweetspot.web.faults import FieldError
-from sweetspot.web.outline import outline
+from sweetspot.web.errors import FieldError
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, modes_line, swing_options
 from sweetspot.web.states import SwungState
 from sweetspot.web.view import View
@@ -156,8 +156,8 @@ def _signed_largest(shape: Array) -> float:
 def recipe(state: ModesState) -> dict[str, str]:
     """Return the lines that give the motions and the tap; the command line knows no hands that weigh something."""
     python = conditions_lines(state) + (
-        "from sweetspot import modes_of, reduce\n"
-        "from sweetspot.vibration.tap import tapped\n\n"
+        "from sweetspot import all_modes, beam_model\n"
+        "from sweetspot.dynamics.tap import tapped\n\n"
         f"{modes_line(held=state.held)}"
         "modes.frequency, modes.damping_ratio, modes.nodes(2)  # Hz, ratios, m from the knob end\n"
         f"tapped(modes, position=bat.length - {state.tap_from_tip_in!r} * INCH, duration={state.tap_ms!r} * 1e-3)\n"

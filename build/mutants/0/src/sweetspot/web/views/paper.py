@@ -12,19 +12,20 @@ from typing import Any, Literal
 import numpy as np
 from pydantic import Field
 
-from sweetspot import catalog, paper
-from sweetspot.analysis import Analysis, analyse_reduced
-from sweetspot.ball import Ball
-from sweetspot.block import Block, Support
-from sweetspot.drop import bounce
-from sweetspot.paper import Row
-from sweetspot.paper_rows import PARTS, Choices, can_be_drilled, corked_analysis, metal_wall_point
-from sweetspot.report.border import bat_json, cleaned, conditions_json
-from sweetspot.rigid import centre_of_percussion, hand_impulse_ratio
+from sweetspot import catalog
+from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced
+from sweetspot.analysis.drop_test import bounce
+from sweetspot.dynamics.block import Block, Support
+from sweetspot.dynamics.rigid import centre_of_percussion, hand_impulse_ratio
+from sweetspot.equipment.ball import Ball
+from sweetspot.paper import formulas as paper
+from sweetspot.paper.chain import PARTS, Choices, can_be_drilled, corked_analysis, metal_wall_point
+from sweetspot.paper.formulas import Row
+from sweetspot.report.json_shapes import bat_json, cleaned, conditions_json
 from sweetspot.units import INCH
+from sweetspot.web.bat_outline import outline
 from sweetspot.web.bats import ball_of, conditions_of, reduced
-from sweetspot.web.faults import FieldError, about
-from sweetspot.web.outline import outline
+from sweetspot.web.errors import FieldError, about
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, swing_options
 from sweetspot.web.states import BatState, HitState, Name, SwingState
 from sweetspot.web.view import View
@@ -249,7 +250,7 @@ def recipe(state: PaperState) -> dict[str, str]:
     }
     options = "".join(f" --{name.replace('_', '-')} {text}" for name, text in texts.items())
     python = conditions_lines(swing) + (
-        "\nfrom math import radians\nfrom sweetspot.paper_rows import PARTS, Choices\n\n"
+        "\nfrom math import radians\nfrom sweetspot.paper.chain import PARTS, Choices\n\n"
         "choices = Choices(\n"
         f"    entry_angle=radians({state.entry_angle_deg!r}), rod_hands={state.rod_hands_in!r} * INCH,\n"
         f"    hands_moved={state.hands_moved_in!r} * INCH, bore_diameter={state.hole_diameter_in!r} * INCH,\n"
