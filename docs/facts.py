@@ -6,19 +6,24 @@ import math
 
 import numpy as np
 from cases import analysed, best_contact, from_tip
+from scipy.optimize import brentq
 
 from sweetspot import Pitch, analyse, bending_modes, catalog, hit, references, standard_conditions
 from sweetspot.analysis.bat_analysis import TYPICAL_HAND, Analysis, exit_speed_of, hit_at
+from sweetspot.analysis.miss_cost import viscous_scan
 from sweetspot.analysis.sweet_spot import miss_cost
 from sweetspot.catalog.records import read_table
 from sweetspot.cli.page_command import PORT
-from sweetspot.collision.contact_law import equivalent_wall_speed, loading_force
+from sweetspot.collision.contact_law import HuntCrossley, equivalent_wall_speed, loading_force
+from sweetspot.collision.impact import Impact
 from sweetspot.collision.oblique_contact import oblique
 from sweetspot.dynamics.rigid import effective_mass, pendulum_period
 from sweetspot.equipment.ball import Ball
+from sweetspot.numerics.parabola import top
 from sweetspot.player.expected import DRAWS, SWINGS
 from sweetspot.player.posterior import NOTHING_LEARNED, WALKERS
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM
+from sweetspot.validation.computations.collision import rigid_wall
 from sweetspot.validation.computations.optimum import best
 from sweetspot.validation.computations.pitching import flown
 from sweetspot.validation.computations.space import league_sidespin
@@ -39,6 +44,7 @@ def facts() -> dict[str, str]:
         **_corking(analysis),
         **_parks_and_pitches(),
         **_optimum(),
+        **_two_laws(analysis),
         "league_sidespin": f"{abs(league_sidespin(bat='r161-ash', launch_angle=25 * DEGREE)) / RPM:.0f}",
         **_page(),
         **_player(),
@@ -118,6 +124,40 @@ def _speeds(analysis: Analysis) -> dict[str, str]:
         "effective_mass_best": f"{effective_mass(analysis.body, best) / OUNCE:.0f}",
         "effective_mass_tip": f"{effective_mass(analysis.body, tip) / OUNCE:.0f}",
         "grip_effect": f"{_grip_effect(analysis):.2f}",
+    }
+
+
+def _two_laws(analysis: Analysis) -> dict[str, str]:
+    """Return what another contact law with the same bounce from a wall would change."""
+    ball, length = analysis.conditions.ball, analysis.bat.length
+    other = viscous_scan(analysis, reach=4.5 * INCH)
+    index, shift, _ = top(other.exit_speed)
+    best = other.position[index] + shift * (other.position[1] - other.position[0])
+    ours = np.interp(other.position, analysis.scan.position, analysis.scan.exit_speed)
+
+    def more(inches: float) -> float:
+        return float(np.interp(length - inches * INCH, other.position, other.exit_speed - ours)) / MPH
+
+    def on_wall(speed: float, stiffness: float, law_speed: float) -> Impact:
+        own = ball.replaced(stiffness=stiffness)
+        law = HuntCrossley.for_speed(own, law_speed)
+        return hit(rigid_wall(), ball=own, position=0.0, closing_speed=speed, law=law)
+
+    hard = 151 * MPH
+    real = hit(rigid_wall(), ball=ball, position=0.0, closing_speed=hard)
+    softer = brentq(
+        lambda part: on_wall(hard, part * ball.stiffness, hard).peak_compression - real.peak_compression, 0.2, 1.0
+    )
+    harder = brentq(lambda part: on_wall(hard, part * ball.stiffness, hard).peak_force - real.peak_force, 1.0, 1.5)
+    soft = on_wall(hard, softer * ball.stiffness, hard)
+    return {
+        "viscous_best": f"{(length - best) / INCH:.1f}",
+        "viscous_gain": f"{more(10):.0f}",
+        "viscous_loss": f"{-more(4):.0f}",
+        "viscous_at_136": f"{on_wall(136 * MPH, ball.stiffness, 58 * MPH).collision_efficiency:.2f}",
+        "viscous_compression": f"{1e3 * on_wall(hard, harder * ball.stiffness, hard).peak_compression:.0f}",
+        "viscous_force": f"{soft.peak_force / 1e3:.0f}",
+        "viscous_time": f"{1e3 * soft.contact_time:.2f}",
     }
 
 

@@ -17,6 +17,7 @@ def test_the_bed_is_a_membrane_under_an_even_push() -> None:
     racket = catalog.load_implement("tennis-racket")
     assert isinstance(racket, Racket)
     assert isinstance(racket.outline, Outline)
+    assert racket.strings is not None
     bed, outline = racket.strings, racket.outline
     patch, rim, tension = bed.patch, outline.mean_radius, bed.surface_tension(outline)
     radius = np.linspace(0.0, rim, 400_001)

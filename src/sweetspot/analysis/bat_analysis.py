@@ -9,6 +9,7 @@ from typing import Generic
 from sweetspot.analysis.position_scan import Scan, scan
 from sweetspot.analysis.sweet_spot import SweetSpots, sweet_spots
 from sweetspot.collision.closed_form import exit_speed
+from sweetspot.collision.contact_law import ContactLaw
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact
 from sweetspot.dynamics.beam import BeamModel
@@ -82,10 +83,17 @@ def analyse_reduced(reduced: ReducedBat[Given], conditions: Conditions) -> Analy
     return Analysis(bat, conditions, reduced.line, body, modes, free, along, spots)
 
 
-def hit_at(position: float, *, modes: Modes, conditions: Conditions, lateral: float = 0.0) -> Impact:
-    """Return the hit at one place (m from the knob end, and across the face) under these conditions."""
+def hit_at(
+    position: float, *, modes: Modes, conditions: Conditions, lateral: float = 0.0, law: ContactLaw | None = None
+) -> Impact:
+    """Return the hit at one place (m from the knob end, and across the face) under these conditions.
+
+    Parameters
+    ----------
+    law : another contact law than the ball's own.
+    """
     closing = conditions.pitch.speed + conditions.swing.speed_at(position)
-    return hit(modes, ball=conditions.ball, position=position, lateral=lateral, closing_speed=closing)
+    return hit(modes, ball=conditions.ball, position=position, lateral=lateral, closing_speed=closing, law=law)
 
 
 def exit_speed_of(impact: Impact, conditions: Conditions) -> float:

@@ -76,7 +76,8 @@ class HuntCrossley:
     """Spring and damper F = k u^n (1 + lambda u'), lambda chosen once for the speed of approach.
 
     Exact on a rigid wall: with d = lambda v, d - ln(1 + d) = -e d - ln(1 - e d) gives d from e(v). On a bat that
-    recoils it still uses the approach speed, where `Hysteretic` uses the energy: the two differ by about 0.01 in e.
+    recoils it still uses the approach speed, where `Hysteretic` uses the energy. On a bat that bends the two differ
+    by much more: the docs of the ball say by how much, and what speaks for which.
     """
 
     ball: Ball

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from sweetspot.analysis.bat_analysis import Analysis, analyse, exit_speed_of
-from sweetspot.analysis.sweet_spot import miss_cost
+from sweetspot.analysis.miss_cost import miss_costs
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
@@ -154,7 +154,11 @@ def test_other_numbers_are_the_analysis_s(read: Page, analysis: Analysis) -> Non
     assert read.row("bending 1")[1] == f"{analysis.modes.frequency[first]:.0f}"
     speed = exit_speed_of(analysis.best, analysis.conditions)
     assert read.row("exit speed") == ["exit speed", f"{speed / MPH:.1f} mph", f"{speed:.1f} m/s"]
-    costs = [f"\N{MINUS SIGN}{cost / MPH:.1f} mph" for cost in miss_cost(analysis.scan, 2 * INCH)]
+    ((inside, outside),) = miss_costs(analysis, (2 * INCH,))
+    costs = [
+        f"\N{MINUS SIGN}{loss.value / MPH:.1f} mph ({loss.low / MPH:.1f} to {loss.high / MPH:.1f})"
+        for loss in (inside, outside)
+    ]
     assert read.row("2 in") == ["2 in", *costs]
     assert read.row("pitch")[1] == "90.0 mph"
 

@@ -5,33 +5,37 @@ from __future__ import annotations
 import math
 
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
+from sweetspot.analysis.miss_cost import miss_costs
 from sweetspot.analysis.position_scan import STING_BAND
-from sweetspot.analysis.sweet_spot import ZONE_LOSS, ZONE_STING, miss_cost
+from sweetspot.analysis.sweet_spot import ZONE_LOSS, ZONE_STING
 from sweetspot.collision.closed_form import bbcor
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.references import cite, reference
 from sweetspot.report.bat.provenance import own_values, shown, sources_of, used_records
 from sweetspot.report.bat.table import SPOT_NAMES
-from sweetspot.report.bat.words import from_tip
+from sweetspot.report.bat.words import MISSES, from_tip, in_mph
 from sweetspot.report.markup import Html, bullets, paragraphs, section, table, text
+from sweetspot.report.sports.words import WHY_TWO
 from sweetspot.units import INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, POUND_FORCE
 
 MODES_SHOWN = 6
-MISSES = (1, 2, 3)
-"""Inches."""
 
 
 def key_numbers(analysis: Analysis[Implement]) -> Html:
     """Return the few numbers that everybody asks for, large."""
     spots = analysis.sweet_spots
-    inside, outside = (loss / MPH for loss in miss_cost(analysis.scan, 2 * INCH))
+    ((inside, outside),) = miss_costs(analysis, (2 * INCH,))
+    worse = inside if math.isnan(outside.value) else max(inside, outside)
     zone = "none" if spots.zone is None else f"{(spots.zone[1] - spots.zone[0]) / INCH:.1f} in"
     cards = (
         (f"{from_tip(analysis, spots.max_exit_speed):.1f} in", "from the tip: where it hits best"),
         (f"{exit_speed_of(analysis.best, analysis.conditions) / MPH:.1f} mph", "exit speed of the best hit"),
         (zone, "wide: the sweet zone, fast and quiet"),
-        (f"\N{MINUS SIGN}{max(inside, 0.0 if math.isnan(outside) else outside):.1f} mph", "for missing it by 2 inches"),
+        (
+            f"\N{MINUS SIGN}{worse.value / MPH:.1f} mph",
+            f"for missing it by 2 inches ({worse.low / MPH:.1f} to {worse.high / MPH:.1f})",
+        ),
     )
     items = "\n".join(f"<div><dt>{text(words)}</dt><dd>{text(number)}</dd></div>" for number, words in cards)
     return Html(f'<dl class="cards">\n{items}\n</dl>')
@@ -118,12 +122,13 @@ def best_hit(analysis: Analysis[Implement], figure: Html) -> Html:
 def misses(analysis: Analysis[Implement]) -> Html:
     """Return what hitting beside the best place costs, either way."""
     rows = []
-    for inches in MISSES:
-        inside, outside = (loss / MPH for loss in miss_cost(analysis.scan, inches * INCH))
-        beyond = "off the bat" if math.isnan(outside) else f"\N{MINUS SIGN}{outside:.1f} mph"
-        rows.append((f"{inches} in", f"\N{MINUS SIGN}{inside:.1f} mph", beyond))
+    costs = miss_costs(analysis, tuple(inches * INCH for inches in MISSES))
+    for inches, (inside, outside) in zip(MISSES, costs, strict=True):
+        beyond = "off the bat" if math.isnan(outside.value) else f"\N{MINUS SIGN}{in_mph(outside)}"
+        rows.append((f"{inches} in", f"\N{MINUS SIGN}{in_mph(inside)}", beyond))
     columns = ("miss by", "towards the hands", "towards the tip")
-    return section("What a miss costs", table(columns, rows, numbers=(1, 2)), name="misses")
+    told = table(columns, rows, numbers=(1, 2))
+    return section("What a miss costs", told, Html(f"<p>{text(WHY_TWO)}</p>"), name="misses")
 
 
 def conditions(analysis: Analysis[Implement]) -> Html:

@@ -5,14 +5,16 @@ from __future__ import annotations
 import numpy as np
 
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
-from sweetspot.analysis.sweet_spot import miss_cost
+from sweetspot.analysis.miss_cost import Loss, miss_costs
 from sweetspot.dynamics.rigid import effective_mass
 from sweetspot.equipment.implement import Implement
 from sweetspot.report.sports.vocabulary import speaks_otherwise
-from sweetspot.report.sports.words import sport_answer
+from sweetspot.report.sports.words import WHY_TWO, sport_answer
 from sweetspot.units import INCH, MPH, OUNCE
 
 SMALL = 1e-3
+MISSES = (1, 2, 3)
+"""Inches."""
 
 
 def answer(analysis: Analysis[Implement]) -> list[str]:
@@ -65,12 +67,18 @@ def _why_not_the_end(analysis: Analysis[Implement]) -> str:
 
 
 def _miss(analysis: Analysis[Implement]) -> str:
-    def cost(inches: float) -> str:
-        inside, outside = (loss / MPH for loss in miss_cost(analysis.scan, inches * INCH))
-        outer = "off the bat" if np.isnan(outside) else f"{outside:.1f} mph"
-        return f"{inches:.0f} in: {inside:.1f} mph towards the hands, {outer} towards the tip"
+    def cost(inches: int, inside: Loss, outside: Loss) -> str:
+        outer = "off the bat" if np.isnan(outside.value) else in_mph(outside)
+        return f"{inches} in: {in_mph(inside)} towards the hands, {outer} towards the tip"
 
-    return f"What a miss costs: {'; '.join(cost(inches) for inches in (1, 2, 3))}."
+    costs = miss_costs(analysis, tuple(inches * INCH for inches in MISSES))
+    told = "; ".join(cost(inches, *both) for inches, both in zip(MISSES, costs, strict=True))
+    return f"What a miss costs: {told}. {WHY_TWO}"
+
+
+def in_mph(loss: Loss) -> str:
+    """Return a cost and its interval in words."""
+    return f"{loss.value / MPH:.1f} mph ({loss.low / MPH:.1f} to {loss.high / MPH:.1f})"
 
 
 def _hands(analysis: Analysis[Implement]) -> str:

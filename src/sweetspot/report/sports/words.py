@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
-from sweetspot.analysis.sweet_spot import ZONE_LOSS, miss_cost
+from sweetspot.analysis.miss_cost import Loss, miss_costs
+from sweetspot.analysis.sweet_spot import ZONE_LOSS
 from sweetspot.dynamics.rigid import effective_mass
 from sweetspot.equipment.implement import Implement
 from sweetspot.paper.sports import dead_spot
@@ -13,6 +14,10 @@ from sweetspot.report.sports.vocabulary import Speech, speech
 
 MISSES = (0.02, 0.04, 0.06)
 """m."""
+WHY_TWO = (
+    "In brackets: what a ball that loses its energy by how fast it is pressed, not by how far, allows as well; no "
+    "measurement has settled that."
+)
 FOLLOWS = 0.005
 """Below minus this q is called negative."""
 
@@ -102,13 +107,15 @@ def _miss(analysis: Analysis[Implement], said: Speech) -> str:
     words, scan = said.words, analysis.scan
     best = analysis.sweet_spots.max_exit_speed
     costs = []
-    for miss in MISSES:
-        inside, outside = miss_cost(scan, miss)
-        if best - miss < scan.position[0]:
-            break
-        outer = "off it" if np.isnan(outside) else said.speed(outside)
-        costs.append(f"{said.place(miss)}: {said.speed(inside)} towards the hands, {outer} towards the {words.tip}")
-    return f"What a miss costs: {'; '.join(costs)}." if costs else ""
+    hittable = tuple(miss for miss in MISSES if best - miss >= scan.position[0])
+    for miss, (inside, outside) in zip(hittable, miss_costs(analysis, hittable) if hittable else [], strict=True):
+        outer = "off it" if np.isnan(outside.value) else _spanned(outside, said)
+        costs.append(f"{said.place(miss)}: {_spanned(inside, said)} towards the hands, {outer} towards the {words.tip}")
+    return f"What a miss costs: {'; '.join(costs)}. {WHY_TWO}" if costs else ""
+
+
+def _spanned(loss: Loss, said: Speech) -> str:
+    return f"{said.speed(loss.value)} ({said.speed(loss.low)} to {said.speed(loss.high)})"
 
 
 def _hands(analysis: Analysis[Implement], said: Speech) -> str:

@@ -22,7 +22,7 @@ from sweetspot.validation.computations import shared
 
 def wall_restitution(*, speed: float) -> float:
     """Return the rebound ratio of the catalogue's baseball from a wall that cannot move, by the coupled collision."""
-    return hit(_wall(), ball=catalog.ball(), position=0.0, closing_speed=speed).collision_efficiency
+    return hit(rigid_wall(), ball=catalog.ball(), position=0.0, closing_speed=speed).collision_efficiency
 
 
 def wall_restitution_change(*, speed: float, other_speed: float) -> float:
@@ -34,7 +34,7 @@ def wall_restitution_change(*, speed: float, other_speed: float) -> float:
     return float(np.diff(ratios).max())
 
 
-def _wall() -> Modes:
+def rigid_wall() -> Modes:
     """Return a body with one motion that no force can excite: its shape is zero, as of an infinite mass."""
     still = PPoly(np.zeros((1, 1, 1)), np.array([0.0, 1.0]))
     return Modes(

@@ -221,7 +221,7 @@ def solve(
         if len(half_dash) > 0:  # the kick alone, then dampers for half a step on both sides of the drift
             for i in range(size):
                 for lane in range(lane_count):
-                    lanes.velocity[i, lane] += lanes.shape[i, lane] * impulse[lane]
+                    lanes.velocity[i, lane] -= lanes.shape[i, lane] * impulse[lane]
             impulse[:] = 0.0
             _dash(lanes.velocity, dashpots, half_dash, rate)
         for i in range(size):
