@@ -65,15 +65,17 @@ clean:
 $(UV):
 	@python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
 		|| { echo "sweetspot needs Python 3.11 or newer; python3 here is $$(python3 --version)"; exit 2; }
+	@python3 -c 'import ensurepip, venv' 2> /dev/null \
+		|| { echo "python3 here lacks venv with pip; on Debian or Ubuntu: sudo apt install python3-venv"; exit 2; }
 	python3 -m venv $(VENV)
 	$(BIN)/python -m pip install -q --disable-pip-version-check -r requirements-uv.txt
 
 $(VENV)/.run: requirements.txt pyproject.toml | $(UV)
-	$(UV) pip install -q -r requirements.txt
+	$(UV) pip install -q --compile-bytecode -r requirements.txt
 	$(UV) pip install -q --no-deps -e .
 	@touch $@
 
 $(VENV)/.dev: requirements-dev.txt pyproject.toml | $(UV)
-	$(UV) pip install -q -r requirements-dev.txt
+	$(UV) pip install -q --compile-bytecode -r requirements-dev.txt
 	$(UV) pip install -q --no-deps -e .
 	@touch $@ $(VENV)/.run
