@@ -9,23 +9,8 @@ from matplotlib.figure import Figure
 from sweetspot.calibration.naming import NamedTone
 from sweetspot.calibration.sinusoids import Fit
 from sweetspot.calibration.tap_analysis import TapTest
-from sweetspot.report.pictures.style import (
-    BLUE,
-    GREEN,
-    HUGE,
-    INK,
-    MUTED,
-    ORANGE,
-    PURPLE,
-    RED,
-    SKY,
-    SMALL,
-    axes_in_inches,
-    halo,
-    heading,
-    light_grid,
-    styled,
-)
+from sweetspot.report.pictures.style import HUGE, INK, MUTED, SMALL, axes_in_inches, halo, heading, light_grid, styled
+from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY
 
 WIDTH, HEIGHT, SIDE, HEADER = 8.0, 7.6, 0.75, 0.95
 """Inches of paper."""
