@@ -61,8 +61,8 @@ def tap(
     tapped_bar = _bar(bar, mass)
     test = tap_test(
         [read_recording(path) for path in recordings],
-        modes=None if described is None else _modes(described),
-        positions=[] if described is None else _places(described, at or []),
+        modes=None if described is None else modes_to_name(described),
+        positions=[] if described is None else tap_places(described, at or []),
         bar=tapped_bar,
         band=_band(band),
     )
@@ -85,7 +85,7 @@ def tap(
         print(f"sweetspot: wrote {written}", file=sys.stderr)
 
 
-def _modes(described: Implement) -> Modes:
+def modes_to_name(described: Implement) -> Modes:
     from sweetspot.catalog.standard_hit import standard_conditions
     from sweetspot.dynamics.beam import beam_model
     from sweetspot.dynamics.mode_assembly import all_modes
@@ -93,7 +93,7 @@ def _modes(described: Implement) -> Modes:
     return all_modes(beam_model(described), standard_conditions(described).ball)
 
 
-def _places(described: Implement, texts: list[str]) -> list[float]:
+def tap_places(described: Implement, texts: list[str]) -> list[float]:
     from sweetspot.equipment.implement import check_position
     from sweetspot.units import parse_position
 
@@ -136,11 +136,11 @@ def _synthesise(name: str, at: list[str], listen_at: str, noise: float, seed: in
     from sweetspot.calibration.synthetic import synthesised
 
     described = catalog.load_implement(name)
-    places = _places(described, at or ["1in-from-tip"])
+    places = tap_places(described, at or ["1in-from-tip"])
     if len(places) > 1:
         raise InputError("--synthesise taps in one place; give --at once")
-    listened = _places(described, [listen_at])[0]
-    sound = synthesised(_modes(described), position=places[0], listened=listened, noise=noise, seed=seed)
+    listened = tap_places(described, [listen_at])[0]
+    sound = synthesised(modes_to_name(described), position=places[0], listened=listened, noise=noise, seed=seed)
     path = out or Path(f"{Path(name).stem}-tap.wav")
     write_recording(sound, path)
     print(f"sweetspot: wrote {path}", file=sys.stderr)

@@ -48,13 +48,7 @@ def bending_modes(line: BeamModel, *, count: int = MODES, elements: int = ELEMEN
     Damping is the material's free-free ratio, the same for every mode. Holds for transverse waves longer than
     the barrel is thick, that is up to about 10 kHz for a wood bat.
     """
-    ends = {*line.bat.breakpoints(), *(weight.position for weight in line.point_masses)}
-    edges = _element_edges(_apart(sorted(ends)), line.bat.length / elements)
-    deflection, rotation = _bases(edges)
-    stiffness, inertia = _matrices(line, deflection, rotation)
-    squares, vectors = lowest(stiffness, inertia, first=2, last=count + 1)
-    if line.bat.frequency is not None:  # stiffness known up to a factor, which does not change the shapes
-        squares *= (2 * np.pi * line.bat.frequency) ** 2 / squares[0]
+    edges, deflection, squares, vectors = _solved(line, count, elements)
     bending = _as_polynomials(deflection, vectors[: deflection.N])
     bending *= np.sign(bending[:, -1, :].sum(axis=0))  # positive at the tip (local coordinate 1 of the last element)
     coefficients = np.concatenate([_rigid_polynomials(line, edges), bending], axis=2)
@@ -73,6 +67,24 @@ def bending_modes(line: BeamModel, *, count: int = MODES, elements: int = ELEMEN
         rigid_part=np.eye(2, count + 2),
         dashpots=np.zeros((0, count + 2)),
     )
+
+
+def bending_frequencies(line: BeamModel, *, count: int, elements: int = ELEMENTS) -> Array:
+    """Return the frequencies in Hz of the lowest ``count`` bending modes alone; see `bending_modes`."""
+    _, _, squares, _ = _solved(line, count, elements)
+    return np.asarray(np.sqrt(squares) / (2 * np.pi))
+
+
+def _solved(line: BeamModel, count: int, elements: int) -> tuple[Array, Any, Array, Array]:
+    """Return element ends, the deflection's basis, squared angular frequencies and mass-normalised vectors."""
+    ends = {*line.bat.breakpoints(), *(weight.position for weight in line.point_masses)}
+    edges = _element_edges(_apart(sorted(ends)), line.bat.length / elements)
+    deflection, rotation = _bases(edges)
+    stiffness, inertia = _matrices(line, deflection, rotation)
+    squares, vectors = lowest(stiffness, inertia, first=2, last=count + 1)
+    if line.bat.frequency is not None:  # stiffness known up to a factor, which does not change the shapes
+        squares *= (2 * np.pi * line.bat.frequency) ** 2 / squares[0]
+    return edges, deflection, squares, vectors
 
 
 def _apart(ends: list[float]) -> tuple[float, ...]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 
 from sweetspot.numerics.arrays import Array
@@ -12,7 +14,13 @@ GAUSS_POINTS = 6
 
 def quadrature(edges: tuple[float, ...]) -> tuple[Array, Array]:
     """Return Gauss-Legendre positions and weights on every piece between ``edges``, one after the other."""
-    nodes, weights = np.polynomial.legendre.leggauss(GAUSS_POINTS)
+    nodes, weights = _rule()
     left, width = np.array(edges[:-1]), np.diff(edges)
     places = left[:, None] + width[:, None] * (nodes + 1) / 2
     return places.ravel(), (width[:, None] * weights / 2).ravel()
+
+
+@cache
+def _rule() -> tuple[Array, Array]:
+    nodes, weights = np.polynomial.legendre.leggauss(GAUSS_POINTS)
+    return nodes, weights

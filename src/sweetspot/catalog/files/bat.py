@@ -101,6 +101,16 @@ class MaterialTable(FileTable):
     damping_ratio: float | None = None
 
 
+class CalibrationTable(FileTable):
+    """[calibration]: what `sweetspot calibrate` leaves unknown about this bat."""
+
+    measured: tuple[str, ...] = Field(description="names of what was measured")
+    unknowns: tuple[str, ...] = Field(description="names of what is not known exactly")
+    covariance: tuple[tuple[float, ...], ...] = Field(
+        description="of the unknowns' deviations: of logarithms, and of the density gradient itself"
+    )
+
+
 class BatFile(FileTable):
     """A bat as written in a TOML file; every size, weight and modulus is a text with its unit."""
 
@@ -124,6 +134,7 @@ class BatFile(FileTable):
     point_mass: tuple[PointMassTable, ...] = ()
     choke: Text = Field("0 in", description="how far the grip is moved up from the knob")
     original: BatFile | None = Field(None, description="the bat as it was measured, when this one is that bat changed")
+    calibration: CalibrationTable | None = None
     note: str | None = Field(None, description="anything worth knowing about this bat")
 
 

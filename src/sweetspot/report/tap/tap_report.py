@@ -51,9 +51,9 @@ def tap_table(test: TapTest) -> Group:
     shown = [
         {
             "mode": str(one.name) if one.name else "?",
-            "frequency Hz": _shown(one.tone.frequency),
+            "frequency Hz": shown_measured(one.tone.frequency),
             "expected Hz": "" if one.expected is None else f"{one.expected:.1f}",
-            "damping %": _shown(one.tone.damping_ratio, 100),
+            "damping %": shown_measured(one.tone.damping_ratio, 100),
             "Q": f"{one.tone.quality:.0f}" if one.tone.damping_ratio.low > 0 else "> " + _least_quality(one),
             "level": f"{one.tone.level:.3f}",
             "taps": f"{one.tone.taps}",
@@ -73,7 +73,7 @@ def tap_table(test: TapTest) -> Group:
     return Group(*parts)
 
 
-def _shown(value: Measured, scale: float = 1.0) -> str:
+def shown_measured(value: Measured, scale: float = 1.0) -> str:
     """Return a value with its interval, both to the interval's second digit."""
     import math
 
@@ -111,8 +111,8 @@ def _bar_json(bar: BarModulus) -> dict[str, Any]:
 
 def _bar_rows(bar: BarModulus) -> list[dict[str, str]]:
     values = {
-        "Young's modulus E, GPa": _shown(bar.modulus, 1e-9),
-        "density, kg/m³": _shown(bar.density),
-        "E / G": _shown(bar.modulus_ratio),
+        "Young's modulus E, GPa": shown_measured(bar.modulus, 1e-9),
+        "density, kg/m³": shown_measured(bar.density),
+        "E / G": shown_measured(bar.modulus_ratio),
     }
     return [{"quantity": name, "value": value} for name, value in values.items()]

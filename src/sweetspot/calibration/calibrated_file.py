@@ -1,0 +1,136 @@
+"""A calibrated bat as a bat file: every value with its interval, and whether it was measured, fitted or assumed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from sweetspot.calibration.measured import REACH, Measured
+from sweetspot.calibration.measurements import Measurement, predicted
+from sweetspot.calibration.posterior import Posterior
+from sweetspot.calibration.unknowns import Unknown, UnknownName, deviated
+from sweetspot.catalog.files.write import bat_table
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.bat import Bat
+from sweetspot.numerics.arrays import Array
+
+SOURCE = "own_measurement"
+TOLD = 0.7
+"""Error after over before, below which measurements have told something about an unknown."""
+AXIS = 0.1524
+"""m from the knob end, of the written moment of inertia."""
+MEASURING = {"mass": ("mass",), "balance_point": ("balance_point",), "moi": ("moi", "period")}
+"""Kinds of measurement that measure a written property."""
+
+
+@dataclass(frozen=True)
+class Value:
+    """A value of a calibrated bat: SI, with its error and where it comes from."""
+
+    value: Measured
+    kind: str
+
+
+def properties(posterior: Posterior) -> dict[str, Value]:
+    """Return mass, balance point and moment of inertia about 6 in, with errors of the whole posterior."""
+    wanted = [Measurement("mass", Measured(1, 1)), Measurement("balance_point", Measured(1, 1)),
+              Measurement("moi", Measured(1, 1), axis=AXIS)]  # fmt: skip
+    values = predicted(posterior.line, wanted)
+    slopes = np.array([_slope(posterior, index, wanted) for index in range(len(posterior.unknowns))])
+    errors = np.sqrt(np.einsum("ji,jk,ki->i", slopes, posterior.covariance, slopes))
+    kinds = {one.kind for one in posterior.measurements}
+    return {
+        one.kind: Value(
+            Measured(float(value), float(error)), "measured" if kinds & set(MEASURING[one.kind]) else "fitted"
+        )
+        for one, value, error in zip(wanted, values, errors, strict=True)
+    }
+
+
+def _slope(posterior: Posterior, index: int, wanted: list[Measurement]) -> Array:
+    step = np.zeros(len(posterior.unknowns))
+    step[index] = 1e-3 * posterior.unknowns[index].spread
+    ahead, behind = (
+        predicted(deviated(posterior.line, posterior.unknowns, sign * step), wanted) for sign in (1.0, -1.0)
+    )
+    return np.asarray((ahead - behind) / (2 * step[index]))
+
+
+def material_values(posterior: Posterior) -> dict[str, Value]:
+    """Return moduli and density of the calibrated bat."""
+    bat = posterior.line.bat
+    assert isinstance(bat, Bat)  # only bats are calibrated
+    centre = {
+        "modulus": ("longitudinal_modulus", bat.material.longitudinal_modulus),
+        "shear_modulus": ("shear_modulus", bat.material.shear),
+        "density": ("density", bat.material.density * posterior.line.density_factor),
+    }
+    found = {}
+    for unknown in posterior.unknowns:
+        if unknown.name in centre:
+            field, value = centre[unknown.name]
+            error = posterior.deviation(unknown.name).error
+            told = "fitted" if error < TOLD * unknown.spread else "assumed"
+            found[field] = Value(Measured(value, value * error), told)
+    return found
+
+
+def calibrated_bat(posterior: Posterior, damping: Measured | None) -> Bat:
+    """Return the most likely bat: its outline, material, weight, balance and moment of inertia are the fitted ones."""
+    bat = posterior.line.bat
+    assert isinstance(bat, Bat)  # only bats are calibrated
+    body = rigid_body(posterior.line)
+    density = bat.material.density * posterior.line.density_factor
+    low, high = bat.material.density_range or (density, density)
+    material = bat.material.replaced(density=min(max(density, low), high))
+    if damping is not None:
+        material = material.replaced(damping_ratio=damping.value)
+    return bat.replaced(
+        name=f"{bat.name}, calibrated", material=material, mass=body.mass, balance_point=body.balance_point,
+        moi=body.moi(AXIS), moi_axis=AXIS,
+    )  # fmt: skip
+
+
+def calibrated_table(posterior: Posterior, damping: Measured | None) -> dict[str, Any]:
+    """Return the content of a bat file with intervals, and the covariance of what is not known.
+
+    Spreads are half widths of 90 % intervals, as everywhere in the catalogue.
+    """
+    table = bat_table(calibrated_bat(posterior, damping))
+    units = {"mass": "kg", "balance_point": "m", "moi": "kg*m^2"}
+    for name, one in properties(posterior).items():
+        table[name] = _record(table[name], one, units[name])
+    material = table["material"] if isinstance(table["material"], dict) else {"like": table["material"]}
+    units = {"longitudinal_modulus": "Pa", "shear_modulus": "Pa", "density": "kg/m^3"}
+    for name, one in material_values(posterior).items():
+        written = material.get(name, f"{one.value.value!r} {units[name]}")
+        material[name] = _record(written, one, units[name])
+    if damping is not None:
+        material["damping_ratio"] = _record(damping.value, Value(damping, "measured"), "")
+    table["material"] = material
+    table["calibration"] = {
+        "measured": [one.name for one in posterior.measurements],
+        "unknowns": [one.name for one in posterior.unknowns],
+        "covariance": posterior.covariance.tolist(),
+    }
+    return table
+
+
+def _record(written: Any, one: Value, unit: str) -> dict[str, Any]:
+    half = REACH * one.value.error
+    spread = f"{half:.6g} {unit}" if unit else float(f"{half:.6g}")
+    where = "`sweetspot calibrate`: half width of the 90 % interval"
+    return {"value": written, "spread": spread, "source": SOURCE, "where": where, "kind": one.kind}
+
+
+def known_deviations(table: dict[str, Any]) -> tuple[tuple[Unknown, ...], Array] | None:
+    """Return the unknowns and their covariance that a bat file's table holds; None: it was not calibrated."""
+    calibration = table.get("calibration")
+    if calibration is None:
+        return None
+    covariance = np.array(calibration["covariance"], float)
+    names: list[UnknownName] = calibration["unknowns"]
+    spreads = np.sqrt(np.diag(covariance))
+    return tuple(Unknown(name, float(spread)) for name, spread in zip(names, spreads, strict=True)), covariance

@@ -1,0 +1,105 @@
+"""What can be measured on one bat with a scale, a string and a telephone, and what a beam model says to it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.naming import ModeName, NamedTone
+from sweetspot.dynamics.beam import BeamModel
+from sweetspot.dynamics.bending import bending_frequencies
+from sweetspot.dynamics.hoop import hoop_modes
+from sweetspot.dynamics.rigid import pendulum_period, rigid_body
+from sweetspot.errors import InputError
+from sweetspot.numerics.arrays import Array
+
+MeasuredKind = Literal["mass", "balance_point", "moi", "period", "frequency"]
+BENDING_ERROR, HOOP_ERROR = 0.005, 0.03
+"""One sigma of a frequency's logarithm that the model itself deserves (assumed): grain, paint and glue; for hoop modes
+the course of the wall."""
+MOST_BENDING = 5
+"""Bending modes that are compared; higher ones depend on knots and grain."""
+ELEMENTS = 8
+"""Finite elements at least; five modes are then converged to 1e-3 of a bat's damping-free frequency."""
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """One measured value.
+
+    Parameters
+    ----------
+    kind : what was measured.
+    value : SI.
+    axis : m from the knob end, of a moment of inertia or a pendulum's period.
+    mode : of a frequency.
+    """
+
+    kind: MeasuredKind
+    value: Measured
+    axis: float = 0.1524
+    mode: ModeName | None = None
+
+    @property
+    def name(self) -> str:
+        """What people call it."""
+        words = {"balance_point": "balance point", "moi": "moment of inertia", "period": "pendulum"}
+        return str(self.mode) if self.mode else words.get(self.kind, self.kind)
+
+    @property
+    def error(self) -> float:
+        """One sigma of measurement and model together, SI."""
+        if self.mode is None:
+            return self.value.error
+        model = HOOP_ERROR if self.mode.family == "hoop" else BENDING_ERROR
+        return float(np.hypot(self.value.error, model * self.value.value))
+
+
+def of_tones(tones: Sequence[NamedTone]) -> list[Measurement]:
+    """Return the measurements that a tap test makes: its named bending tones, and the lowest hoop tone.
+
+    Of two tones with one name, a mode in two planes, the mean counts, and half their distance is its error.
+    """
+    by_name: dict[ModeName, list[Measured]] = {}
+    for one in tones:
+        if one.name and (one.name.family == "bending" or one.name.harmonic == 2) and one.name.harmonic <= MOST_BENDING:
+            by_name.setdefault(one.name, []).append(one.tone.frequency)
+    found = []
+    for name, frequencies in by_name.items():
+        first = frequencies[0]
+        if name.family == "bending" and len(frequencies) > 1:
+            values = [one.value for one in frequencies]
+            first = Measured(float(np.mean(values)), first.error).widened(float(np.ptp(values)) / 2)
+        found.append(Measurement("frequency", first, mode=name))
+    return found
+
+
+def predicted(line: BeamModel, measurements: Sequence[Measurement]) -> Array:
+    """Return what a beam model says to measurements, SI, shape (n,)."""
+    body = rigid_body(line)
+    bending = hoop = None
+    count = max((one.mode.harmonic for one in measurements if one.mode and one.mode.family == "bending"), default=0)
+    values = []
+    for one in measurements:
+        if one.kind == "mass":
+            values.append(body.mass)
+        elif one.kind == "balance_point":
+            values.append(body.balance_point)
+        elif one.kind == "moi":
+            values.append(body.moi(one.axis))
+        elif one.kind == "period":
+            turning = body.moi(one.axis)
+            values.append(pendulum_period(turning, mass=body.mass, balance_point=body.balance_point, pivot=one.axis))
+        elif one.mode is None:
+            raise InputError("a frequency needs the name of its mode")
+        elif one.mode.family == "bending":
+            bending = bending_frequencies(line, count=count, elements=ELEMENTS) if bending is None else bending
+            values.append(float(bending[one.mode.harmonic - 1]))
+        else:
+            hoop = hoop_modes(line, patch=0.0, harmonics=(2,), axial_modes=1) if hoop is None else hoop
+            values.append(float(hoop.frequency[0]))
+    return np.array(values)

@@ -1,0 +1,166 @@
+"""The bat that measurements and expectations allow: most likely values, their errors, and who contradicts whom.
+
+Unknowns x are counted in their spreads, so that before the measurements x is standard normal. The most likely x has the
+least sum of squares of (model(x) - measured) / error and of x itself, with the Jacobian J by differences; its
+covariance is C = (J^T J)^-1. Every row of J, measurement or expectation, is one independent source with unit error: of
+the variance of unknown j, source i causes (C J^T)_ji^2. Against all others together a source lies off by
+r_i / sqrt(1 - J_i C J_i^T) sigma, its studentised residual r.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import least_squares
+
+from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.measurements import Measurement, predicted
+from sweetspot.calibration.unknowns import Unknown, deviated
+from sweetspot.dynamics.beam import BeamModel
+from sweetspot.errors import InputError
+from sweetspot.numerics.arrays import Array
+
+CONTRADICTION = 3.0
+"""Sigma from which on a source contradicts the others."""
+FARTHEST = 8.0
+"""Spreads that an unknown may deviate; only measurements that contradict each other go there."""
+STEP = 0.02
+"""Of a spread, in the differences."""
+HARDLY = 0.02
+"""Part of a source's own variance that the others must leave it, for it to be able to contradict them."""
+
+
+@dataclass(frozen=True)
+class Posterior:
+    """What is known of a bat after it was measured.
+
+    Parameters
+    ----------
+    prior : the bat as described.
+    line : the most likely bat.
+    unknowns : what was looked for.
+    measurements : what was measured.
+    deviations : of the most likely bat from the description, shape (n,).
+    covariance : of the deviations, shape (n, n).
+    predictions : what the most likely bat says to the measurements, SI.
+    pulls : of every measurement, then every unknown's expectation: its distance from all others together in sigma.
+    gains : change of every deviation per sigma of every source, shape (n, sources).
+    """
+
+    prior: BeamModel
+    line: BeamModel
+    unknowns: tuple[Unknown, ...]
+    measurements: tuple[Measurement, ...]
+    deviations: Array
+    covariance: Array
+    predictions: Array
+    pulls: Array
+    gains: Array
+
+    @property
+    def sources(self) -> tuple[str, ...]:
+        """Names of measurements and expectations, in the order of `pulls`."""
+        return (*(one.name for one in self.measurements), *(f"expected {one.name}" for one in self.unknowns))
+
+    @property
+    def contradictions(self) -> dict[str, float]:
+        """Sources that lie more than three sigma from all others together, the farthest first."""
+        off = {name: float(pull) for name, pull in zip(self.sources, self.pulls, strict=True)}
+        return dict(sorted(((n, p) for n, p in off.items() if abs(p) > CONTRADICTION), key=lambda e: -abs(e[1])))
+
+    def deviation(self, name: str) -> Measured:
+        """Return an unknown's deviation and its error."""
+        index = [one.name for one in self.unknowns].index(name)  # type: ignore[arg-type]
+        return Measured(float(self.deviations[index]), float(np.sqrt(self.covariance[index, index])))
+
+    def budget(self, name: str) -> dict[str, float]:
+        """Return the part of an unknown's variance that each source causes, the greatest first; they add up to 1."""
+        index = [one.name for one in self.unknowns].index(name)  # type: ignore[arg-type]
+        shares = self.gains[index] ** 2 / self.covariance[index, index]
+        return dict(sorted(zip(self.sources, shares.tolist(), strict=True), key=lambda entry: -entry[1]))
+
+    def draws(self, count: int, *, seed: int) -> Array:
+        """Return deviations drawn from the posterior, shape (count, n)."""
+        generator = np.random.default_rng(seed)
+        return generator.multivariate_normal(self.deviations, self.covariance, size=count, method="cholesky")
+
+
+def residuals(x: Array, *, line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequence[Measurement]) -> Array:
+    """Return (model(x) - measured) / error of every measurement, then x.
+
+    Minus half the sum of their squares is the logarithm of the posterior.
+
+    Parameters
+    ----------
+    x : deviations in their spreads, shape (n,).
+    """
+    spreads = np.array([one.spread for one in unknowns])
+    values = np.array([one.value.value for one in measurements])
+    errors = np.array([one.error for one in measurements])
+    said = predicted(deviated(line, unknowns, x * spreads), measurements)
+    return np.concatenate([(said - values) / errors, x])
+
+
+def suspects(posterior: Posterior) -> dict[str, Posterior]:
+    """Return the measurements that alone explain a contradiction, each with the bat that all the others agree on."""
+    found = {}
+    for one in posterior.measurements:
+        if one.name in posterior.contradictions and len(posterior.measurements) > 1:
+            others = [other for other in posterior.measurements if other is not one]
+            without = calibrate(posterior.prior, posterior.unknowns, others)
+            if not without.contradictions:
+                found[one.name] = without
+    return found
+
+
+def calibrate(line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequence[Measurement]) -> Posterior:
+    """Return the most likely bat for measurements on it.
+
+    Parameters
+    ----------
+    line : the bat as described, without what was measured.
+    unknowns : what may deviate from it.
+    measurements : at least one.
+
+    Raises
+    ------
+    InputError
+        when nothing was measured, or no bat comes near the measurements.
+    """
+    if not measurements:
+        raise InputError("nothing was measured; give at least a weight, a balance point, a pendulum's period or a tap")
+    spreads = np.array([one.spread for one in unknowns])
+
+    def misses(x: Array) -> Array:
+        return residuals(x, line=line, unknowns=unknowns, measurements=measurements)
+
+    def forward(x: Array) -> Array:
+        here = misses(x)
+        return np.array([(misses(x + step) - here) / STEP for step in STEP * np.eye(len(x))]).T
+
+    try:
+        found = least_squares(
+            misses, np.zeros(len(unknowns)), jac=forward, bounds=(-FARTHEST, FARTHEST), xtol=1e-4, ftol=1e-6
+        )
+    except (InputError, np.linalg.LinAlgError) as error:
+        raise InputError(f"no bat of this kind comes near what was measured: {error}") from None
+    steps = STEP * np.eye(len(unknowns))
+    slopes = np.array([(misses(found.x + step) - misses(found.x - step)) / (2 * STEP) for step in steps]).T
+    covariance = np.linalg.inv(slopes.T @ slopes)
+    off = misses(found.x)
+    left = 1 - np.einsum("ij,jk,ik->i", slopes, covariance, slopes)
+    pulls = np.where(left > HARDLY, off / np.sqrt(np.maximum(left, HARDLY)), 0.0)
+    best = deviated(line, unknowns, found.x * spreads)
+    return Posterior(
+        prior=line,
+        line=best,
+        unknowns=tuple(unknowns),
+        measurements=tuple(measurements),
+        deviations=found.x * spreads,
+        covariance=np.asarray(covariance * np.outer(spreads, spreads), dtype=np.float64),
+        predictions=predicted(best, measurements),
+        pulls=pulls,
+        gains=spreads[:, None] * (covariance @ slopes.T),
+    )

@@ -1,0 +1,142 @@
+"""What is not known about a bat before it is measured, and the bat that follows from a guess of it.
+
+Each unknown is the deviation of a logarithm (moduli, density, wall, diameters, masses at knob and end cap) from the
+description, or of the density's gradient itself. Before any measurement it is normal with mean 0 and the spread that
+the catalogue gives for the material, or that is assumed here. A solid bat carries a few grams of tape and paint at its
+knob.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from sweetspot.catalog.materials import material_spreads
+from sweetspot.dynamics.beam import BeamModel, beam_model
+from sweetspot.equipment.bat import Bat, PointMass
+from sweetspot.errors import InputError
+from sweetspot.numerics.arrays import Array
+
+UnknownName = Literal[
+    "modulus", "shear_modulus", "density", "density_gradient", "knob_mass", "end_mass", "wall", "handle", "barrel"
+]
+GRADIENT_SPREAD = 0.05
+"""One sigma of the density's relative change from the middle to the tip (assumed)."""
+KNOB_EXTRA, KNOB_EXTRA_SPREAD = 0.005, 0.8
+"""kg at the knob of a solid bat that no drawing has, and one sigma of its logarithm: mostly 1 to 19 g (assumed)."""
+FITTING_SPREAD = 0.1
+"""One sigma of the logarithm of a hollow bat's knob and end cap (assumed)."""
+WALL_SPREAD = 0.08
+"""One sigma of the wall's logarithm: makers do not publish walls (assumed)."""
+DIAMETER_SPREAD = 0.003
+"""One sigma of the logarithm of diameters: 0.1 mm of a handle, 0.2 mm of a barrel, a careful caliper (assumed)."""
+
+
+@dataclass(frozen=True)
+class Unknown:
+    """One thing that is not known exactly.
+
+    Parameters
+    ----------
+    name : which.
+    spread : one sigma before the measurements; of a logarithm, but for the density gradient.
+    """
+
+    name: UnknownName
+    spread: float
+
+
+def described(bat: Bat) -> BeamModel:
+    """Return a bat's beam as described, without what was measured, with tape and paint at a solid bat's knob."""
+    bare = bat.replaced(mass=None, balance_point=None, moi=None, original=None)
+    if bat.shell is None and not any(weight.position == 0 for weight in bat.point_masses):
+        weights = (*bat.point_masses, PointMass(position=0.0, mass=KNOB_EXTRA))
+        bare = bare.replaced(point_masses=weights)
+    return beam_model(bare)
+
+
+def unknowns_of(bat: Bat, *, diameter_spread: float = DIAMETER_SPREAD) -> tuple[Unknown, ...]:
+    """Return what is not known about a bat of this kind.
+
+    Parameters
+    ----------
+    diameter_spread : one sigma of the diameters as a part of them, of handle and barrel each.
+
+    Raises
+    ------
+    InputError
+        for a wall that is laid up of plies, whose moduli no file of one bat could hold.
+    """
+    if bat.shell is not None and (bat.shell.laminate is not None or bat.shell.handle_material is not None):
+        raise InputError(
+            f"{bat.name} has walls of plies or a handle of its own material; calibrate knows bats of one material"
+        )
+    if not 0 < diameter_spread < 0.1:
+        raise InputError(f"the error of the diameters is {diameter_spread:g} of them; allowed is 0 to 0.1")
+    spreads = material_spreads(bat.material.name)
+    found = [Unknown("modulus", spreads["longitudinal_modulus"])]
+    if bat.material.shear_modulus is not None:
+        found.append(Unknown("shear_modulus", spreads["shear_modulus"]))
+    found += [Unknown("density", spreads["density"]), Unknown("density_gradient", GRADIENT_SPREAD)]
+    if bat.shell is None:
+        found.append(Unknown("knob_mass", KNOB_EXTRA_SPREAD))
+    else:
+        found = [one for one in found if one.name != "density_gradient"]  # metal is as dense everywhere
+        found += [Unknown("wall", WALL_SPREAD)]
+        found += [Unknown("knob_mass", FITTING_SPREAD)] * bool(bat.shell.knob_mass)
+        found += [Unknown("end_mass", FITTING_SPREAD)] * bool(bat.shell.end_cap_mass)
+    if bat.profile is not None:
+        found += [Unknown("handle", diameter_spread), Unknown("barrel", diameter_spread)]
+    return tuple(found)
+
+
+def deviated(line: BeamModel, unknowns: Sequence[Unknown], deviations: Array) -> BeamModel:
+    """Return a bat's beam with these deviations from it, shape (n,)."""
+    by: dict[str, float] = {one.name: float(off) for one, off in zip(unknowns, deviations, strict=True)}
+    assert isinstance(line.bat, Bat)  # guaranteed by unknowns_of
+    bat = _changed(line.bat, by)
+    return replace(
+        line,
+        bat=bat,
+        density_factor=line.density_factor * math.exp(by.get("density", 0.0)),
+        density_gradient=line.density_gradient + by.get("density_gradient", 0.0),
+        point_masses=(*bat.lumps(), *line.point_masses[len(line.bat.lumps()) :]),
+    )
+
+
+def _changed(bat: Bat, by: dict[str, float]) -> Bat:
+    """Return the bat with other moduli, diameters, walls and masses at its ends."""
+    factor = {name: math.exp(off) for name, off in by.items()}
+    changes: dict[str, object] = {}
+    stiff = {"longitudinal_modulus": "modulus", "shear_modulus": "shear_modulus"}
+    moduli = {field: getattr(bat.material, field) * factor[name] for field, name in stiff.items() if name in by}
+    changes["material"] = bat.material.replaced(**moduli)
+    knob = factor.get("knob_mass", 1.0)
+    if bat.shell is not None:
+        shell = bat.shell.scaled(factor.get("wall", 1.0))
+        ends = {"knob_mass": shell.knob_mass * knob, "end_cap_mass": shell.end_cap_mass * factor.get("end_mass", 1.0)}
+        changes["shell"] = shell.replaced(**ends)
+    else:
+        changes["point_masses"] = tuple(
+            weight.replaced(mass=weight.mass * knob) if weight.position == 0 else weight for weight in bat.point_masses
+        )
+    if "handle" in by and bat.profile is not None:
+        places, diameters = (np.array(column) for column in zip(*bat.profile, strict=True))
+        part = barrel_part(bat, places)
+        scaled = diameters * np.exp(by["handle"] * (1 - part) + by["barrel"] * part)
+        changes["profile"] = tuple(zip(places.tolist(), scaled.tolist(), strict=True))
+    return bat.replaced(**changes)
+
+
+def barrel_part(bat: Bat, position: Array) -> Array:
+    """Return how much of the barrel's error diameters at positions in m have: 0 on the handle to 1 on the barrel."""
+    beyond_knob = np.linspace(0.15 * bat.length, bat.length, 200)
+    thin, thick = np.min(bat.diameter_at(beyond_knob)), np.max(bat.diameter_at(beyond_knob))
+    part = (
+        np.clip((bat.diameter_at(position) - thin) / (thick - thin), 0, 1) if thick > thin else np.zeros(len(position))
+    )
+    return np.asarray(np.where(position < beyond_knob[0], 0.0, part))

@@ -1,0 +1,1 @@
+"""A calibrated bat for people: words, tables, JSON."""

@@ -1,0 +1,76 @@
+"""`sweetspot calibrate`: from a scale, a string and a tap to a bat file that remembers how sure it is."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from sweetspot import catalog
+from sweetspot.calibration.calibrated_file import known_deviations
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.bending import bending_frequencies
+
+Run = Callable[..., tuple[int, str, str]]
+WEIGHED = ("--mass", "31.00oz±0.05oz", "--balance-point", "22.05in±0.05in", "--pendulum", "1.4545s±0.003s")
+
+
+def test_the_whole_way(run: Run, run_json: Callable[..., Any], tmp_path: Path) -> None:
+    """The R161 weighed, hung and tapped: its own values come back, and the written bat rings as measured."""
+    sound, file = tmp_path / "r161.wav", tmp_path / "mine.toml"
+    assert run("tap", "--synthesise", "r161-ash", "--out", str(sound))[0] == 0
+    found = run_json("calibrate", "r161-ash", *WEIGHED, "--tap", str(sound), "--at", "1in-from-tip", "--out", str(file))
+    assert found["consistent"]
+    assert found["findings"] == []
+    modulus = found["bat"]["longitudinal_modulus"]
+    assert modulus["longitudinal_modulus_low_pa"] < 15.3e9 < modulus["longitudinal_modulus_high_pa"]
+    assert modulus["kind"] == "fitted"
+    assert found["damping_ratio"]["damping_ratio"] == pytest.approx(0.0075, rel=0.03)
+    own = catalog.load_bat(str(file))
+    fitted = {one["name"]: one.get("fitted_hz") for one in found["measurements"]}
+    rings = bending_frequencies(beam_model(own), count=3)
+    assert rings.tolist() == pytest.approx([fitted[f"bending {number}"] for number in (1, 2, 3)], rel=2e-4)
+    assert rings[0] == pytest.approx(171.76, rel=0.005)
+    table = tomllib.loads(file.read_text(encoding="utf-8"))
+    assert table["mass"]["kind"] == "measured"
+    assert table["material"]["longitudinal_modulus"]["kind"] == "fitted"
+    known = known_deviations(table)
+    assert known is not None
+    unknowns, covariance = known
+    assert [one.name for one in unknowns] == table["calibration"]["unknowns"]
+    assert np.linalg.eigvalsh(covariance).min() > 0
+
+
+def test_a_contradiction_is_told_and_no_bat_written(run: Run, tmp_path: Path) -> None:
+    file = tmp_path / "mine.toml"
+    arguments = [*WEIGHED[:-1], "1.50s±0.003s", "--tone", "bending-1:171.8Hz", "--tone", "bending-2:572.4Hz"]
+    code, out, err = run("calibrate", "r161-ash", *arguments, "--out", str(file))
+    assert code == 1
+    assert "no bat was written" in err
+    assert not file.exists()
+    assert "The measurements contradict each other" in out
+    code, out, _ = run("calibrate", "r161-ash", *arguments, "--leave-out", "pendulum", "--out", str(file))
+    assert code == 0
+    assert file.exists()
+    assert "What the doubt about E comes from" in out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ((), "nothing was measured"),
+        (("--mass", "31"), "without a unit"),
+        (("--tone", "bending-9:171Hz"), "write bending-1"),
+        (("--mass", "31oz", "--leave-out", "moi"), "measured are mass"),
+        (("--at", "1in"), "without --tap"),
+        (("--mass", "31oz", "--diameter-error", "20%"), "allowed is 0 to 0.1"),
+    ],
+)
+def test_refusals(run: Run, arguments: tuple[str, ...], message: str) -> None:
+    code, _, err = run("calibrate", "r161-ash", *arguments)
+    assert code == 2
+    assert message in err
