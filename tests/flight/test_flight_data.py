@@ -20,7 +20,7 @@ from sweetspot.motion.ball_motion import spin_axes
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
 
 DATA = Path(__file__).parents[3] / "shared" / "data"
-BALL, LAW = catalog.ball(), catalog.aerodynamics("baseball")
+BALL, LAW = catalog.ball(), catalog.aerodynamics("trajectory-calculator")
 POUNDS = 0.06242796
 """lb/ft^3 in a kg/m^3; the sheet has 0.06261."""
 SHEET_POUNDS, SHEET_DENSITY = 0.06261, 0.0747421

@@ -14,7 +14,9 @@ DEFAULT_AERODYNAMICS = "baseball"
 FIELDS: dict[str, Kind] = {
     "drag": "ratio",
     "drag_per_spin": "time",
+    "drag_per_active_spin": "time",
     "drag_per_spin_factor": "ratio",
+    "drag_per_inverse_reynolds": "ratio",
     "lift_scale": "ratio",
     "lift_offset": "ratio",
     "lift_slope": "ratio",
@@ -34,7 +36,7 @@ def aerodynamics_names() -> list[str]:
 def aerodynamics(name: str = DEFAULT_AERODYNAMICS) -> Aerodynamics:
     """Return the coefficients of a kind of ball; raises `InputError` with the nearest names for an unknown one.
 
-    >>> round(aerodynamics("baseball").drag_coefficient(0.2, spin=261.8), 4)  # 0.3008 + 0.0292 x 2.5
+    >>> round(aerodynamics("trajectory-calculator").drag_coefficient(0.2, spin=261.8), 4)  # 0.3008 + 0.0292 x 2.5
     0.3738
     """
     _, found = entry(read_table(FILE), name, "aerodynamics")

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+import math
+from typing import Annotated, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from sweetspot.equipment.base import NonNegative, Positive, Validated
 
 SMALLEST_SPIN_FACTOR = 1e-9
 """Below this spin factor a law with an exponent under one is taken at it, where its force has long been nothing."""
+
+REFERENCE_REYNOLDS = 2e5
+"""Re_0, about that of a baseball at 90 mph by the sea."""
+VISCOSITY = 1.82e-5
+"""Pa s, of air at 21 degC, 1.458e-6 T^1.5 / (T + 110.4) with T in K [standard_atmosphere1976]."""
 
 
 class Aerodynamics(Validated):
@@ -18,9 +24,13 @@ class Aerodynamics(Validated):
     With the spin factor S = R w_perp / v, w_perp the part of the spin across the path, w the whole spin and v the
     speed through the air,
 
-        Cd = drag + drag_per_spin w + drag_per_spin_factor S
+        Cd = drag + drag_per_spin w + drag_per_active_spin w_perp + drag_per_spin_factor S
+             + drag_per_inverse_reynolds (Re_0 / Re - 1)
         Cl = lift_scale S^n / (lift_offset + lift_slope S^n)
         dw/dt = -(v / spin_decay_speed) w / spin_decay_time
+
+    where Re = 2 rho R v / mu is Reynolds's number, Re_0 `REFERENCE_REYNOLDS`, and mu `VISCOSITY`. The part with 1 / Re is
+    a force linear in the speed and alike in thin air and thick, so it has a limit for a ball at rest.
 
     Several published laws are this one with other numbers: Nathan's for the baseball (1.120 S / (0.583 + 2.333 S))
     [nathan_calculator], 1 / (2 + v / (R w)) of tennis (scale 1, offset 1, slope 2), a S^0.4 of golf, and a body
@@ -30,8 +40,10 @@ class Aerodynamics(Validated):
     ----------
     name : what people call it.
     drag : Cd without spin, >= 0.
-    drag_per_spin : s, >= 0.
+    drag_per_spin : s, >= 0, for the whole spin.
+    drag_per_active_spin : s, >= 0, for the spin across the path.
     drag_per_spin_factor : >= 0.
+    drag_per_inverse_reynolds : >= 0, at most the drag; what Cd gains when Reynolds's number falls to half of Re_0.
     lift_scale, lift_offset, lift_slope : >= 0, the offset > 0.
     lift_exponent : n, above 0 to 2.
     spin_decay_time : s, in which the spin falls to 1/e at the decay speed; None: the spin stays.
@@ -41,7 +53,9 @@ class Aerodynamics(Validated):
     name: str = "no name"
     drag: NonNegative
     drag_per_spin: NonNegative = 0.0
+    drag_per_active_spin: NonNegative = 0.0
     drag_per_spin_factor: NonNegative = 0.0
+    drag_per_inverse_reynolds: NonNegative = 0.0
     lift_scale: NonNegative = 0.0
     lift_offset: Positive = 1.0
     lift_slope: NonNegative = 0.0
@@ -49,20 +63,47 @@ class Aerodynamics(Validated):
     spin_decay_time: Positive | None = None
     spin_decay_speed: Positive = 44.704
 
+    @model_validator(mode="after")
+    def _never_pulls(self) -> Self:
+        if self.drag_per_inverse_reynolds > self.drag:
+            raise ValueError(
+                f"drag_per_inverse_reynolds is {self.drag_per_inverse_reynolds:g}, more than the drag of {self.drag:g}; "
+                "a fast ball would be pulled along; give a smaller one"
+            )
+        return self
+
     @property
     def spin_decay_rate(self) -> float:
         """Part of the spin lost per metre of way through the air, 1/m; 0 where the spin stays."""
         return 0.0 if self.spin_decay_time is None else 1 / (self.spin_decay_time * self.spin_decay_speed)
 
-    def drag_coefficient(self, spin_factor: float, *, spin: float) -> float:
+    def drag_coefficient(
+        self, spin_factor: float, *, spin: float, active_spin: float = 0.0, reynolds: float = REFERENCE_REYNOLDS
+    ) -> float:
         """Return Cd.
 
         Parameters
         ----------
         spin_factor : S, >= 0.
-        spin : w, rad/s, >= 0, the whole spin.
+        spin, active_spin : w and w_perp, rad/s, >= 0.
+        reynolds : Re, > 0.
         """
-        return self.drag + self.drag_per_spin * spin + self.drag_per_spin_factor * spin_factor
+        return (
+            self.drag
+            + self.drag_per_spin * spin
+            + self.drag_per_active_spin * active_spin
+            + self.drag_per_spin_factor * spin_factor
+            + self.drag_per_inverse_reynolds * (REFERENCE_REYNOLDS / reynolds - 1)
+        )
+
+    def viscous_rate(self, *, radius: float, mass: float) -> float:
+        """Return the braking by the part of drag that is linear in speed, 1/s: Cd rho A v / (2 m) with Cd = c Re_0 / Re.
+
+        Parameters
+        ----------
+        radius, mass : of the ball, m and kg, > 0.
+        """
+        return self.drag_per_inverse_reynolds * REFERENCE_REYNOLDS * VISCOSITY * math.pi * radius / (4 * mass)
 
     def lift_coefficient(self, spin_factor: float) -> float:
         """Return Cl for a spin factor S >= 0."""

@@ -59,7 +59,7 @@ def _rates(
     strength: float, wind: Pair, shared: tuple[float, ...], power: float | None, profile: float | None,
 ) -> tuple[float, float, float, float, float]:  # fmt: skip
     """Return (acceleration right, out, up; change of the spin left; how fast the air changes the velocity)."""
-    radius, drag, per_spin, per_factor, scale, offset, slope, decay, reference = shared
+    radius, drag, per_spin, per_active, per_factor, viscous, scale, offset, slope, decay, reference = shared
     blowing = 1.0
     if profile is not None:
         blowing = exp(profile * log(max(height, 1e-300) / reference))
@@ -77,7 +77,8 @@ def _rates(
         floored = max(factor, SMALLEST_SPIN_FACTOR)
         raised = exp(power * log(floored))
         lift = radius * scale * raised / floored / (offset + slope * raised)
-    braking = strength * speed * (drag + per_spin * left * spin[3] + per_factor * factor)
+    coefficient = drag + per_spin * left * spin[3] + per_active * across / speed + per_factor * factor
+    braking = strength * speed * coefficient + viscous * (strength > 0)
     lift *= strength
     return (
         lift * across_right - braking * right,
@@ -170,10 +171,10 @@ def solve(
     outcome, results : (n,) and (10, n): state at landing, hang time, height and time of the apex.
     paths : (n, k, 3), k points evenly in time; k = 0 to solve.
     """
-    edge = constants[9]
+    edge = constants[11]
     shared = (
         constants[1], constants[2], constants[3], constants[4], constants[5], constants[6], constants[7], constants[8],
-        constants[10],
+        constants[9], constants[10], constants[12],
     )  # fmt: skip
     lanes = np.zeros(ROWS * LANES)
     flight_of = np.full(LANES, -1)

@@ -1,0 +1,305 @@
+"""Fit the baseball's law of drag and lift to tracked balls: ``python tools/fit_aerodynamics.py ../shared/data``.
+
+How drag changes with active spin and Reynolds's number comes from pitches, compared only within a game, so that weather
+and a park's cameras drop out; their active spin is read from their movement with the lift of the trajectory calculator
+(with less, a sinker would have more active spin than it has spin). The level of drag, and the lift of a batted ball,
+come from balls hit in the air, each launched so that it comes down at its bearing; a caught ball's distance ends at the
+glove. Nothing is written: what is printed goes into ``catalog/aerodynamics.toml`` by hand.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import gzip
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sweetspot import catalog
+from sweetspot.aerodynamics import REFERENCE_REYNOLDS, VISCOSITY, Aerodynamics
+from sweetspot.air import Air
+from sweetspot.errors import InputError
+from sweetspot.flight.bearing import bearing_of_place, launched_to
+from sweetspot.flight.kernel import Flights
+from sweetspot.pitch import PLATE, nine_parameters, spin_from_movement
+from sweetspot.units import DEGREE, FOOT, MPH, RPM
+
+Array = NDArray[np.float64]
+Rows = list[dict[str, str]]
+
+HITS = "savant_2022_contact_sample.csv.gz"
+PITCHES = ("savant_2019_homeruns.csv.gz", "savant_2020-09-03_allpitches.csv.gz", HITS,
+           "savant_2024-04-02_999pitches.csv.gz", "savant_2024-07-25_cease_nohitter_full118col.csv.gz")  # fmt: skip
+ROOF = "TB"
+"""Whose games were under a roof at a known temperature."""
+TEMPERATURE = 40 / 1.8
+"""degC, 72 degF: under the roof; in the open the weather is not known and the same is taken."""
+GLOVE = 5 * FOOT
+"""m above the ground, where a fly is caught (assumed; 1 ft more or less is 0.6 ft of distance)."""
+CAUGHT = ("field_out", "sac_fly", "double_play", "sac_fly_double_play")
+KRPM = 1000 * RPM
+BOOTSTRAPS = 40
+START = {"drag": 0.33, "lift_scale": 1.05}
+STEPS = {"drag": 0.004, "lift_scale": 0.02}
+
+
+@dataclass(frozen=True)
+class Pitches:
+    """Tracked pitches half-way to the plate: m/s and m/s^2 of shape (n, 3), kg/m^3, the file and the game of each."""
+
+    velocity: Array
+    acceleration: Array
+    density: Array
+    file: NDArray[np.str_]
+    game: NDArray[np.str_]
+    roof: NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Hits:
+    """Balls hit in the air and where they ended: SI, shape (n,)."""
+
+    exit_speed: Array
+    launch_angle: Array
+    bearing: Array
+    bats: NDArray[np.str_]
+    density: Array
+    height: Array
+    distance: Array
+    game: NDArray[np.str_]
+    roof: NDArray[np.bool_]
+
+    def where(self, rows: NDArray[np.bool_] | NDArray[np.int64]) -> Hits:
+        """Return some of the rows."""
+        return Hits(**{name: values[rows] for name, values in vars(self).items()})
+
+
+def read(path: Path) -> Rows:
+    """Return the rows of a public file; raises `InputError` where it is missing."""
+    if not path.exists():
+        raise InputError(f"{path} is not there; give the folder that has the public files")
+    with gzip.open(path, "rt", encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def column(rows: Rows, name: str) -> Array:
+    """Return a column as numbers, NaN where empty."""
+    return np.array([float(row[name] or "nan") for row in rows])
+
+
+def density_of(rows: Rows) -> Array:
+    """Return the density of the air of each row, by the elevation of its park."""
+    known: dict[str, float] = {}
+    for row in rows:
+        if row["home_team"] not in known:
+            park = catalog.park(row["home_team"])
+            known[row["home_team"]] = Air(temperature=TEMPERATURE, elevation=park.elevation).density
+    return np.array([known[row["home_team"]] for row in rows])
+
+
+def read_pitches(folder: Path) -> Pitches:
+    """Return the pitches of every file that have all nine parameters."""
+    parts = []
+    for name in PITCHES:
+        rows = read(folder / name)
+        values = {field: column(rows, field) for field in ("vx0", "vy0", "vz0", "ax", "ay", "az", "release_pos_y")}
+        whole = np.isfinite(np.stack(list(values.values()))).all(axis=0)
+        rows = [row for row, good in zip(rows, whole, strict=True) if good]
+        velocity, acceleration = (
+            FOOT * np.stack([values[field][whole] for field in fields], axis=-1)
+            for fields in (("vx0", "vy0", "vz0"), ("ax", "ay", "az"))
+        )
+        tracked = nine_parameters(velocity, acceleration=acceleration)
+        _, midway = tracked.at((PLATE + FOOT * values["release_pos_y"][whole]) / 2)
+        file = name.removeprefix("savant_").split("_")[0]
+        parts.append(
+            Pitches(
+                midway, acceleration, density_of(rows), np.full(len(rows), file),
+                np.array([file + row["game_pk"] for row in rows]), np.array([row["home_team"] == ROOF for row in rows]),
+            )
+        )  # fmt: skip
+    return Pitches(*(np.concatenate([getattr(part, name) for part in parts]) for name in vars(parts[0])))
+
+
+def read_hits(folder: Path) -> Hits:
+    """Return fly balls and line drives of 80 mph or more at 15 to 45 deg."""
+    needed = ("launch_speed", "launch_angle", "hit_distance_sc", "hc_x", "hc_y")
+    rows = [
+        row
+        for row in read(folder / HITS)
+        if row["bb_type"] in ("fly_ball", "line_drive") and all(row[name] for name in needed)
+    ]
+    rows = [row for row in rows if float(row["launch_speed"]) >= 80 and 15 <= float(row["launch_angle"]) <= 45]
+    return Hits(
+        exit_speed=column(rows, "launch_speed") * MPH,
+        launch_angle=column(rows, "launch_angle") * DEGREE,
+        bearing=bearing_of_place(column(rows, "hc_x"), column(rows, "hc_y")),
+        bats=np.array(["left" if row["stand"] == "L" else "right" for row in rows]),
+        density=density_of(rows),
+        height=np.array([GLOVE if row["events"] in CAUGHT else 0.0 for row in rows]),
+        distance=column(rows, "hit_distance_sc") * FOOT,
+        game=np.array([row["game_pk"] for row in rows]),
+        roof=np.array([row["home_team"] == ROOF for row in rows]),
+    )
+
+
+def drag_seen(pitches: Pitches, law: Aerodynamics) -> tuple[Array, Array, Array, NDArray[np.bool_]]:
+    """Return Cd of pitches, what goes with active spin (krpm) and with Re_0 / Re - 1, and which rows are sound."""
+    ball = catalog.ball()
+    speed = np.linalg.norm(pitches.velocity, axis=-1)
+    spin = spin_from_movement(
+        pitches.velocity, acceleration=pitches.acceleration, ball=ball, aerodynamics=law, density=pitches.density
+    )
+    active = np.linalg.norm(spin, axis=-1) / KRPM
+    push = pitches.acceleration + np.array([0.0, 0.0, 9.80665])
+    strength = pitches.density * math.pi * ball.radius**2 / (2 * ball.mass)
+    seen = -np.sum(push * pitches.velocity, axis=-1) / (strength * speed**3)
+    thinner = REFERENCE_REYNOLDS * VISCOSITY / (2 * pitches.density * ball.radius * speed) - 1
+    usual = 0.305 + 0.02 * np.nan_to_num(active)
+    return seen, active, thinner, np.isfinite(active) & (active < 5) & (np.abs(seen - usual) < 0.1)
+
+
+def within_games(values: Array, game: NDArray[np.int64]) -> Array:
+    """Return values less the mean of their game."""
+    return values - (np.bincount(game, values) / np.bincount(game))[game]
+
+
+def fit_shape(pitches: Pitches, law: Aerodynamics, rows: NDArray[np.bool_] | None = None) -> tuple[Array, Array]:
+    """Return by how much Cd grows per krpm of active spin and per Re_0 / Re - 1, with standard errors."""
+    seen, active, thinner, sound = drag_seen(pitches, law)
+    sound = sound if rows is None else sound & rows
+    game = np.unique(pitches.game[sound], return_inverse=True)[1]
+    known = np.stack([within_games(values[sound], game) for values in (active, thinner)], axis=-1)
+    wanted = within_games(seen[sound], game)
+    found = np.linalg.lstsq(known, wanted, rcond=None)[0]
+    left = wanted - known @ found
+    inverse = np.linalg.inv(known.T @ known)
+    sums = np.stack([np.bincount(game, left * side) for side in known.T], axis=-1)  # errors go together in a game
+    return found, np.sqrt(np.diag(inverse @ sums.T @ sums @ inverse))
+
+
+def flown(hits: Hits, law: Aerodynamics) -> tuple[Array, Flights]:
+    """Return the distance in m that a tracker would give each ball, and the flights."""
+    _, result = launched_to(
+        hits.bearing, exit_speed=hits.exit_speed, launch_angle=hits.launch_angle, ball=catalog.ball(), aerodynamics=law,
+        air=hits.density, bats=hits.bats,
+    )  # fmt: skip
+    return result.carry - hits.height / np.tan(result.landing_angle), result
+
+
+def fit_level(hits: Hits, law: Aerodynamics) -> Aerodynamics:
+    """Return the law with the drag and lift that fit the distances best, both halves (roof, open) counting alike."""
+    weight = np.where(hits.roof, 1 / max(hits.roof.sum(), 1), 1 / max((~hits.roof).sum(), 1)) ** 0.5
+    for _ in range(6):
+        now = flown(hits, law)[0]
+        slopes = np.stack(
+            [
+                (flown(hits, law.replaced(**{name: getattr(law, name) + step}))[0] - now) / step
+                for name, step in STEPS.items()
+            ],
+            axis=-1,
+        )
+        good = np.isfinite(slopes).all(axis=-1)
+        known, wanted = (weight[:, None] * slopes)[good], (weight * (hits.distance - now))[good]
+        step = np.linalg.lstsq(known, wanted, rcond=None)[0]
+        law = law.replaced(**{name: getattr(law, name) + float(by) for name, by in zip(STEPS, step, strict=True)})
+        if np.abs(step).max() < 1e-5:
+            break
+    return law
+
+
+def resampled(hits: Hits, random: np.random.Generator) -> Hits:
+    """Return the hits of as many games, drawn with repetition."""
+    games, place = np.unique(hits.game, return_inverse=True)
+    drawn = random.integers(len(games), size=len(games))
+    return hits.where(np.concatenate([np.flatnonzero(place == game) for game in drawn]))
+
+
+def table(hits: Hits, law: Aerodynamics) -> None:
+    """Print the bias in ft, as caught and to the ground, over and over: by everything a ball is known by."""
+    seen, result = flown(hits, law)
+    caught, ground = (seen - hits.distance) / FOOT, (result.carry - hits.distance) / FOOT
+    pull = np.where(hits.bats == "right", -1, 1) * hits.bearing / DEGREE
+    sides: Sequence[tuple[str, Array, Sequence[float]]] = (
+        ("launch angle, deg", hits.launch_angle / DEGREE, (15, 20, 25, 30, 35, 40, 45.1)),
+        ("exit speed, mph", hits.exit_speed / MPH, (80, 85, 90, 95, 100, 105, 125)),
+        ("pulled by, deg", pull, (-46, -30, -15, 0, 15, 30, 46)),
+        ("apex, ft", result.apex_height / FOOT, (0, 30, 50, 70, 90, 110, 300)),
+        ("air, kg/m^3", hits.density, (1.0, 1.15, 1.17, 1.19, 1.3)),
+    )
+    for where, rows in (("roof", hits.roof), ("open", ~hits.roof), ("all", np.ones(len(pull), bool))):
+        print(f"{where:5} n {rows.sum():5}  to the glove {caught[rows].mean():+5.1f} (SD {caught[rows].std():4.1f}), "
+              f"to the ground {ground[rows].mean():+5.1f} (SD {ground[rows].std():4.1f})")  # fmt: skip
+        for name, values, edges in sides:
+            groups = [rows & (values >= low) & (values < high) for low, high in pairwise(edges)]
+            cells = [f"{low:g}: {caught[group].mean():+.1f} ({group.sum()})" for low, group in
+                     zip(edges, groups, strict=False) if group.sum() > 9]  # fmt: skip
+            print(f"      {name:18}", "  ".join(cells))
+
+
+def report(name: str, law: Aerodynamics, many: Sequence[Aerodynamics] = ()) -> None:
+    """Print the numbers of a law, with standard errors from laws fitted to resampled games."""
+    units = {"drag": 1.0, "lift_scale": 1.0, "drag_per_active_spin": 1 / KRPM, "drag_per_inverse_reynolds": 1.0}
+    said = [
+        f"{field} {getattr(law, field) / unit:.4f}"
+        + (f" +- {np.std([getattr(one, field) for one in many]) / unit:.4f}" if many and field in STEPS else "")
+        for field, unit in units.items()
+    ]
+    print(f"{name}: " + ", ".join(said))
+
+
+def main() -> None:
+    """Fit, tell how sure, and test on what was left out."""
+    options = argparse.ArgumentParser(description=__doc__)
+    options.add_argument("folder", type=Path, help="folder of the public tables")
+    folder = options.parse_args().folder
+    pitches, hits = read_pitches(folder), read_hits(folder)
+    sheet = catalog.aerodynamics("trajectory-calculator")
+    shape, errors = fit_shape(pitches, sheet)
+    shaped = sheet.replaced(
+        drag_per_spin=0.0, drag_per_active_spin=shape[0] / KRPM, drag_per_inverse_reynolds=float(shape[1]), **START
+    )
+    law = fit_level(hits, shaped)
+    random = np.random.default_rng(1)
+    many = [fit_level(resampled(hits, random), law) for _ in range(BOOTSTRAPS)]
+    report("all (active spin per krpm)", law, many)
+    together = np.corrcoef([[getattr(one, name) for name in STEPS] for one in many], rowvar=False)[0, 1]
+    print(f"drag and lift go together with {together:+.2f}")
+    print(
+        "pitches by file: per krpm, per Re_0 / Re, and the drag without what spin and Reynolds's number do by the law:"
+    )
+    print(
+        f"  {'all':21} n {len(pitches.game):5}  {shape[0]:.4f} +- {errors[0]:.4f}, {shape[1]:+.4f} +- {errors[1]:.4f}"
+    )
+    seen, active, thinner, sound = drag_seen(pitches, sheet)
+    for file in (*np.unique(pitches.file), "under the roof, 2022"):
+        rows = pitches.roof & (pitches.file == "2022") if file.startswith("under") else pitches.file == file
+        if len(np.unique(pitches.game[rows])) > 1:
+            own, about = fit_shape(pitches, sheet, rows)
+            said = f"{own[0]:.4f} +- {about[0]:.4f}, {own[1]:+.4f} +- {about[1]:.4f}"
+        else:
+            said = "one game"
+        rows &= sound
+        level = (seen - shape[0] * active - shape[1] * thinner)[rows]
+        print(f"  {file:21} n {rows.sum():5}  {said}; drag {level.mean():.4f}, scatter {level.std():.4f}")
+    even = np.array([int(game) % 2 == 0 for game in hits.game])
+    for fitted, tested, name in ((even, ~even, "even"), (~even, even, "odd")):
+        half = fit_level(hits.where(fitted), law)
+        report(f"games of {name} number", half)
+        rest = hits.where(tested)
+        for where, rows in (("roof", rest.roof), ("open", ~rest.roof)):
+            apart = (flown(rest, half)[0] - rest.distance)[rows] / FOOT
+            print(f"  on the others, {where}: {apart.mean():+.1f} ft, SD {apart.std():.1f}, n {rows.sum()}")
+    for where, rows in (("roof", hits.roof), ("open", ~hits.roof)):
+        report(f"{where} alone", fit_level(hits.where(rows), law))
+    table(hits, law)
+
+
+if __name__ == "__main__":
+    main()
