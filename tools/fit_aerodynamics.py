@@ -22,12 +22,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sweetspot import catalog
-from sweetspot.aerodynamics import REFERENCE_REYNOLDS, VISCOSITY, Aerodynamics
-from sweetspot.air import Air
 from sweetspot.errors import InputError
+from sweetspot.flight.aerodynamics import REFERENCE_REYNOLDS, VISCOSITY, Aerodynamics
+from sweetspot.flight.air import Air
 from sweetspot.flight.bearing import bearing_of_place, launched_to
 from sweetspot.flight.kernel import Flights
-from sweetspot.pitch import PLATE, nine_parameters, spin_from_movement
+from sweetspot.flight.pitch import PLATE, nine_parameters, spin_from_movement
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
 
 Array = NDArray[np.float64]

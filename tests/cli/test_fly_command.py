@@ -17,7 +17,7 @@ from sweetspot.units import FOOT
 Run = Callable[..., tuple[int, str, str]]
 RunJson = Callable[..., Any]
 SHEET = ("--exit-speed", "103mph", "--launch-angle", "27.5deg", "--backspin", "2500rpm", "--sidespin", "0rpm",
-         "--elevation", "15ft")  # fmt: skip
+         "--law", "trajectory-calculator", "--elevation", "15ft")  # fmt: skip
 
 
 def test_the_published_run_in_words(run: Run) -> None:

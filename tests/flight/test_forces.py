@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 
 from sweetspot import catalog
 from sweetspot.errors import InputError
-from sweetspot.flight.aerodynamics import Aerodynamics
+from sweetspot.flight.aerodynamics import REFERENCE_REYNOLDS, VISCOSITY, Aerodynamics
 from sweetspot.flight.forces import acceleration, drag_and_lift, drag_from_terminal_speed
 
-BALL, LAW = catalog.ball(), catalog.aerodynamics("baseball")
+BALL, LAW = catalog.ball(), catalog.aerodynamics("trajectory-calculator")
 part = st.floats(-300, 300)
 vectors = st.tuples(part, part, part).map(np.array)
 
@@ -101,3 +101,33 @@ def test_every_catalogue_entry_can_fly() -> None:
 def test_unknown_aerodynamics_names_the_nearest() -> None:
     with pytest.raises(InputError, match="baseball"):
         catalog.aerodynamics("basebal")
+
+
+def test_thin_air_has_the_greater_coefficient() -> None:
+    """Exact: Cd = c + b (Re_0 / Re - 1) with Re = 2 rho R v / mu; half the density is twice Re_0 / Re."""
+    law = Aerodynamics(drag=0.33, drag_per_inverse_reynolds=0.04)
+    velocity, still = np.array([0.0, 38.0, 0.0]), np.zeros(3)
+    thick, thin = (
+        -drag_and_lift(velocity, spin=still, ball=BALL, aerodynamics=law, density=density)[0][1]
+        / (density * math.pi * BALL.radius**2 / (2 * BALL.mass) * 38.0**2)
+        for density in (1.2, 0.6)
+    )
+    reynolds = 2 * 1.2 * BALL.radius * 38.0 / VISCOSITY
+    assert thick == pytest.approx(0.33 + 0.04 * (REFERENCE_REYNOLDS / reynolds - 1))
+    assert thin - thick == pytest.approx(0.04 * REFERENCE_REYNOLDS / reynolds)
+
+
+def test_only_the_active_spin_drags_where_a_law_says_so() -> None:
+    velocity = np.array([0.0, 40.0, 0.0])
+    law = Aerodynamics(drag=0.3, drag_per_active_spin=2e-4)
+    still, gyro, back = (
+        drag_and_lift(velocity, spin=np.array(spin), ball=BALL, aerodynamics=law, density=1.2)[0][1]
+        for spin in ((0.0, 0.0, 0.0), (0.0, 250.0, 0.0), (250.0, 0.0, 0.0))
+    )
+    assert gyro == still
+    assert back / still == pytest.approx((0.3 + 2e-4 * 250) / 0.3)
+
+
+def test_more_viscous_drag_than_drag_is_refused() -> None:
+    with pytest.raises(InputError, match="pulled along"):
+        Aerodynamics(drag=0.03, drag_per_inverse_reynolds=0.04)

@@ -49,7 +49,7 @@ def test_the_green_monster_stops_what_clears_other_fences() -> None:
 
 
 def test_own_elevation_counts() -> None:
-    own, same = (asked(own_elevation=choice, exit_speed_mph=104)["parks"] for choice in (True, False))
+    own, same = (asked(own_elevation=choice, exit_speed_mph=108)["parks"] for choice in (True, False))
     pair = next((a, b) for a, b in zip(own, same, strict=True) if a["park"] == "Coors Field")
     assert pair[0]["clearance_m"] > pair[1]["clearance_m"] + 5
 

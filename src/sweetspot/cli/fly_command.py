@@ -12,6 +12,7 @@ from sweetspot.cli.options.weather import AirOptions, park_of
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
+    from sweetspot.flight.aerodynamics import Aerodynamics
     from sweetspot.flight.sweep import BattedBall, Varied
     from sweetspot.report.document import Document
     from sweetspot.units import Kind
@@ -53,6 +54,9 @@ class LaunchOptions:
         "right"
     )
     ball: Annotated[str, Parameter(help="Ball of the catalogue; its sport's drag and lift are taken.")] = "baseball"
+    law: Annotated[
+        str | None, Parameter(help="Another law of drag and lift, such as trajectory-calculator; default: the sport's.")
+    ] = None
 
 
 DEFAULT_LAUNCH = LaunchOptions()
@@ -88,7 +92,7 @@ def fly(
         raise InputError(
             f"{named} were given as ranges; a table has rows and columns, so at most two options can be ranges"
         )
-    document = _table(hit, ranges, cell, launch.ball) if ranges else _single(hit, air, launch.ball)
+    document = _table(hit, ranges, cell, launch) if ranges else _single(hit, air, launch)
     return present(document, output)
 
 
@@ -140,18 +144,24 @@ def _range(name: str, text: str) -> tuple[float, ...]:
     return tuple(low + (high - low) * step / steps for step in range(int(count)))
 
 
-def _single(hit: BattedBall, air: AirOptions, ball_name: str) -> Document:
+def _law(launch: LaunchOptions) -> Aerodynamics:
+    from sweetspot import catalog
+
+    return catalog.aerodynamics(launch.law) if launch.law else catalog.aerodynamics_of_ball(launch.ball)
+
+
+def _single(hit: BattedBall, air: AirOptions, launch: LaunchOptions) -> Document:
     from sweetspot import catalog
     from sweetspot.report.flight.document import batted_document, batted_flight
 
     flown = batted_flight(
-        hit, ball=catalog.ball(ball_name), sport=catalog.sport(catalog.ball_sport(ball_name)),
-        aerodynamics=catalog.aerodynamics_of_ball(ball_name), park=park_of(air), own_elevation=air.elevation is None,
+        hit, ball=catalog.ball(launch.ball), sport=catalog.sport(catalog.ball_sport(launch.ball)),
+        aerodynamics=_law(launch), park=park_of(air), own_elevation=air.elevation is None,
     )  # fmt: skip
     return batted_document(flown)
 
 
-def _table(hit: BattedBall, ranges: list[Varied], cell: str, ball_name: str) -> Document:
+def _table(hit: BattedBall, ranges: list[Varied], cell: str, launch: LaunchOptions) -> Document:
     from sweetspot import catalog
     from sweetspot.cli.output import patience
     from sweetspot.flight.sweep import flight_table
@@ -159,7 +169,7 @@ def _table(hit: BattedBall, ranges: list[Varied], cell: str, ball_name: str) -> 
 
     with patience():
         table = flight_table(
-            hit, rows=ranges[0], columns=ranges[1] if len(ranges) > 1 else None, ball=catalog.ball(ball_name),
-            aerodynamics=catalog.aerodynamics_of_ball(ball_name),
+            hit, rows=ranges[0], columns=ranges[1] if len(ranges) > 1 else None, ball=catalog.ball(launch.ball),
+            aerodynamics=_law(launch),
         )  # fmt: skip
     return sweep_document(table, cell.replace("-", "_"))

@@ -29,8 +29,8 @@ class Aerodynamics(Validated):
         Cl = lift_scale S^n / (lift_offset + lift_slope S^n)
         dw/dt = -(v / spin_decay_speed) w / spin_decay_time
 
-    where Re = 2 rho R v / mu is Reynolds's number, Re_0 `REFERENCE_REYNOLDS`, and mu `VISCOSITY`. The part with 1 / Re is
-    a force linear in the speed and alike in thin air and thick, so it has a limit for a ball at rest.
+    where Re = 2 rho R v / mu is Reynolds's number, Re_0 `REFERENCE_REYNOLDS`, and mu `VISCOSITY`. The part with 1 / Re
+    is a force linear in the speed and alike in thin air and thick, so it has a limit for a ball at rest.
 
     Several published laws are this one with other numbers: Nathan's for the baseball (1.120 S / (0.583 + 2.333 S))
     [nathan_calculator], 1 / (2 + v / (R w)) of tennis (scale 1, offset 1, slope 2), a S^0.4 of golf, and a body
@@ -67,8 +67,8 @@ class Aerodynamics(Validated):
     def _never_pulls(self) -> Self:
         if self.drag_per_inverse_reynolds > self.drag:
             raise ValueError(
-                f"drag_per_inverse_reynolds is {self.drag_per_inverse_reynolds:g}, more than the drag of {self.drag:g}; "
-                "a fast ball would be pulled along; give a smaller one"
+                f"drag_per_inverse_reynolds is {self.drag_per_inverse_reynolds:g}, more than the drag of "
+                f"{self.drag:g}: a fast ball would be pulled along; give a smaller one"
             )
         return self
 
@@ -97,7 +97,7 @@ class Aerodynamics(Validated):
         )
 
     def viscous_rate(self, *, radius: float, mass: float) -> float:
-        """Return the braking by the part of drag that is linear in speed, 1/s: Cd rho A v / (2 m) with Cd = c Re_0 / Re.
+        """Return the braking by the part of drag that is linear in speed, Cd rho A v / (2 m) at Cd = c Re_0 / Re, 1/s.
 
         Parameters
         ----------

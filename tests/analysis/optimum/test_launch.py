@@ -25,7 +25,9 @@ SPIN = 2200 * RPM
 @pytest.mark.parametrize(("speed", "angle"), [(90, 31.0), (100, 29.5), (110, 28.0)])
 def test_best_angles_of_the_calculator(speed: float, angle: float) -> None:
     """[nathan_calculator] with 2200 rpm, by another integration of the same model, to half a degree."""
-    found = best_launch(speed * MPH, backspin=SPIN, ball=BALL, aerodynamics=LAW, air=AIR)
+    found = best_launch(
+        speed * MPH, backspin=SPIN, ball=BALL, aerodynamics=catalog.aerodynamics("trajectory-calculator"), air=AIR
+    )
     assert found.launch_angle / DEGREE == pytest.approx(angle, abs=0.3)
 
 

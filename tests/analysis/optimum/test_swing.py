@@ -88,7 +88,7 @@ def test_topspin_is_worth_more_to_a_ball_that_rolls_off(model: ReducedBat[Bat], 
         speed=85 * MPH, launch_angle=-5 * DEGREE, spray=math.pi, backspin=-2200 * RPM, height=0.9, forward=0.6
     )
     gains = []
-    for law, returned in ((LAW, 0.405), (LAW.replaced(drag_per_spin=0.0), 0.0)):
+    for law, returned in ((LAW, 0.405), (LAW.replaced(drag_per_active_spin=0.0), 0.0)):
         carries = [
             best_swing(
                 model, ball=BALL, swing=analysis.conditions.swing, pitch=pitch, aerodynamics=law, air=AIR,
