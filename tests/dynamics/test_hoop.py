@@ -137,3 +137,10 @@ def test_joined_modes_keep_their_shapes() -> None:
     assert both.shape_at(places)[:, : len(bending)] == pytest.approx(bending.shape_at(places), abs=1e-9)
     assert both.shape_at(places)[:, len(bending) :] == pytest.approx(hoop.shape_at(places), abs=1e-9)
     assert len(both) == len(bending) + len(hoop) and both.families.count("hoop") == len(hoop)
+
+
+def test_the_patch_is_that_of_three_quarters_of_the_peak(baseball: Ball) -> None:
+    """a^2 = R u (Hertz), u = 0.75 of the compression that stops the ball at 60 m/s: k U^(n+1)/(n+1) = m v^2/2."""
+    compression = contact_patch(baseball) ** 2 / baseball.radius / 0.75
+    area = baseball.stiffness * compression ** (baseball.exponent + 1) / (baseball.exponent + 1)
+    assert area == pytest.approx(baseball.mass * 60.0**2 / 2)

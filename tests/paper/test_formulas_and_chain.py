@@ -76,9 +76,26 @@ def test_drop(baseball: Ball) -> None:
 def test_chain(analysis: Analysis) -> None:
     rows = paper_rows(analysis)
     by_equation = {(row.equation, row.quantity): row for row in rows}
-    assert {"1", "2", "3", "4", "S", "9", "10", "11", "12", "13", "14", "Fig. 6", "W", "z", "k", "-"} == {
-        row.equation for row in rows
-    }
+    assert {
+        "1",
+        "2",
+        "3",
+        "4",
+        "S",
+        "9",
+        "10",
+        "11",
+        "12",
+        "5, 6",
+        "7, 8",
+        "13",
+        "14",
+        "Fig. 6",
+        "W",
+        "z",
+        "k",
+        "-",
+    } == {row.equation for row in rows}
     assert all(row.comment.endswith(".") for row in rows)
     assert by_equation["W", "W1, wood: energy returned over energy stored"].computed == pytest.approx(0.2025)
     assert by_equation["W", "W2, metal: energy returned over energy stored"].computed == pytest.approx(0.26325)

@@ -140,6 +140,17 @@ def _percussion(analysis: Analysis, choices: Choices) -> Iterator[Row]:
         "The parallel-axis theorem. A bat is thicker at the far end, so it is harder to turn than the rod.",
     )  # fmt: skip
     yield Row(
+        "5, 6", f"angular speed per N s at the tip, (l + x) / J_D, {held}", "1/(kg m)", None,
+        paper.turning_per_blow(rod, bat.length, hands=on_rod), paper.turning_per_blow(body, bat.length, hands=hands),
+        "Printed with 1 + x for l + x. Full model: this bat, this grip, held like the rod: its place can't move.",
+    )  # fmt: skip
+    yield Row(
+        "7, 8", f"speed of the mass centre per N s at the tip, l (l + x) / J_D, {held}", "1/kg", None,
+        paper.centre_speed_per_blow(rod, bat.length, hands=on_rod),
+        paper.centre_speed_per_blow(body, bat.length, hands=hands),
+        "More than 1/m: the hands push the same way as the blow, F = I - m a_c is negative.",
+    )  # fmt: skip
+    yield Row(
         "10", f"x = J_C / (m l), {held}", "m", None, paper.best_point_beyond_centre(rod, hands=on_rod),
         paper.best_point_beyond_centre(body, hands=hands),
         "Printed with 1 + x for l + x in equations 5 to 9. L/6 for a uniform rod. Full model: this bat, this grip.",

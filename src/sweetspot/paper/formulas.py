@@ -77,6 +77,26 @@ def best_point_beyond_centre(body: RigidBody, *, hands: float) -> float:
     return body.moi_cm / (body.mass * arm)
 
 
+def turning_per_blow(body: RigidBody, position: float, *, hands: float) -> float:
+    """Return the angular speed about the hands per N s of blow, (l + x) / (J_C + m l^2) [paper2014, eq. 5, 6].
+
+    The paper prints 1 + x and a unit impulse delta(t), so its alpha is an angular speed.
+
+    >>> round(turning_per_blow(rod(0.84, 0.9), 0.84, hands=0.0), 6)  # 3 / (m L) of a rod hit at its end
+    3.968254
+    """
+    arm = body.balance_point - hands
+    return (position - hands) / (body.moi_cm + body.mass * arm**2)
+
+
+def centre_speed_per_blow(body: RigidBody, position: float, *, hands: float) -> float:
+    """Return the speed of the mass centre per N s of blow, l (l + x) / (J_C + m l^2), 1/kg [paper2014, eq. 7, 8].
+
+    The hands give what is missing: F = I - m a_c, which is equation 9.
+    """
+    return (body.balance_point - hands) * turning_per_blow(body, position, hands=hands)
+
+
 def hand_force_ratio(body: RigidBody, position: float, *, hands: float) -> float:
     """Return F / I = (J_C - m x l) / (J_C + m l^2), hand force over blow [paper2014, eq. 9].
 

@@ -324,7 +324,7 @@ def _finish(lane: int, step: float, lanes: Lanes, output: Output) -> None:
         crossing = _crossing(state[EARLIER, lane], state[BEFORE, lane], state[COMPRESSION, lane], state[KICKS, lane])
         results[0, row] = -state[BALL_SPEED, lane] / state[CLOSING, lane]
         results[1, row] = (state[CONTACT, lane] - 1.5) * step
-        results[2, row] = (state[KICKS, lane] - 0.5 + crossing) * step
+        results[2, row] = (state[KICKS, lane] - 1.5 + crossing) * step
     if output.motion.shape[1]:
         output.motion[0, row] = lanes.displacement[:, lane]
         output.motion[1, row] = lanes.velocity[:, lane]
