@@ -23,7 +23,7 @@ BARREL = 13 * INCH
 AXIS = 6 * INCH
 
 
-def torpedo(bat: Bat, *, thinner: float) -> Bat:
+def made_torpedo(bat: Bat, *, thinner: float) -> Bat:
     """Return a bat like another, thinner at its end by ``thinner`` m, as heavy and as hard to swing about 6 in."""
     body = rigid_body(beam_model(bat))
     place, diameter = np.array(bat.profile).T
@@ -44,7 +44,7 @@ def torpedo(bat: Bat, *, thinner: float) -> Bat:
 def _tested(bat: str, thinner: float) -> BatTest:
     """Return the bat test of a catalogue bat, or of a torpedo made of it."""
     plain, ball = catalog.bat(bat), catalog.ball()
-    line = beam_model(torpedo(plain, thinner=thinner) if thinner else plain)
+    line = beam_model(made_torpedo(plain, thinner=thinner) if thinner else plain)
     modes = all_modes(line, ball)
     return bat_test(line, body=rigid_body(line), modes=modes, ball=ball, closing_speed=TEST_SPEED)
 
