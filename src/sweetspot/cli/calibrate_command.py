@@ -67,7 +67,7 @@ def calibrate(
     if out is not None:
         import tomli_w
 
-        from sweetspot.report.pictures.files import write_all
+        from sweetspot.report.file_set import write_all
 
         write_all({out: tomli_w.dumps(calibrated_table(posterior, damping)).encode()})
         print(f"sweetspot: wrote {out}", file=sys.stderr)

@@ -75,7 +75,8 @@ def tap(
     if out is not None:
         import json
 
-        from sweetspot.report.pictures.files import png_bytes, svg_bytes, write_folder
+        from sweetspot.report.file_set import write_folder
+        from sweetspot.report.pictures.files import png_bytes, svg_bytes
         from sweetspot.report.tap.picture import tap_figure
 
         figure = tap_figure(test, "A tapped bar" if bar else described.name if described else "A tap")

@@ -8,8 +8,9 @@ import numpy as np
 from pydantic_core import to_json
 
 from sweetspot.report.document import Document
+from sweetspot.report.file_set import write_folder
 from sweetspot.report.html import page
-from sweetspot.report.pictures.files import png_bytes, svg_bytes, write_folder
+from sweetspot.report.pictures.files import png_bytes, svg_bytes
 from sweetspot.report.quantities import Reader
 
 

@@ -18,6 +18,7 @@ from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.references import keys
+from sweetspot.report import file_set
 from sweetspot.report.bat.beside_published import _predicts, chosen
 from sweetspot.report.bat.html import NAMES, check_folder, write_report
 from sweetspot.report.bat.provenance import bat_records, own_values, shown, sources_of, used_records
@@ -247,14 +248,14 @@ def test_no_permission_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
 
 
 def test_a_full_disk_leaves_nothing(analysis: Analysis, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    write = Path.write_bytes
+    write = file_set._write_to_disk
 
-    def full(path: Path, content: bytes) -> int:
+    def full(path: Path, content: bytes) -> None:
         if ".json" in path.name:
             raise OSError(28, "No space left on device")
-        return write(path, content)
+        write(path, content)
 
-    monkeypatch.setattr(Path, "write_bytes", full)
+    monkeypatch.setattr(file_set, "_write_to_disk", full)
     with pytest.raises(InputError, match=r"report\.json cannot be written: no space left"):
         write_report(analysis, tmp_path / "a" / "b")
     assert not list(tmp_path.iterdir())

@@ -25,8 +25,9 @@ from sweetspot.equipment.shell import Shell
 from sweetspot.errors import InputError
 from sweetspot.report.bat.figure import report_figure
 from sweetspot.report.bat.outline_picture import bat_figure
+from sweetspot.report.file_set import write_all
 from sweetspot.report.hit.picture import ENERGY_NAMES, hit_figure
-from sweetspot.report.pictures.files import png_bytes, save, svg_bytes, write_all
+from sweetspot.report.pictures.files import png_bytes, save, svg_bytes
 from sweetspot.report.pictures.marks import SPOT_LABELS, ladder
 from sweetspot.report.pictures.style import SPOT_COLOURS
 from sweetspot.units import INCH, MPH

@@ -29,8 +29,9 @@ def write_report(analysis: Analysis[Implement], folder: Path) -> list[Path]:
         when the folder cannot be written; it is then as it was.
     """
     from sweetspot.report.bat.figure import report_figure
+    from sweetspot.report.file_set import write_folder
     from sweetspot.report.hit.picture import hit_figure
-    from sweetspot.report.pictures.files import png_bytes, svg_bytes, write_folder
+    from sweetspot.report.pictures.files import png_bytes, svg_bytes
 
     check_folder(folder)
     overview = report_figure(analysis)

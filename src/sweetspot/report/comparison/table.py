@@ -136,7 +136,8 @@ def write_comparison(comparison: Comparison[Implement], verdict: list[str], fold
         when the folder cannot be made or written.
     """
     from sweetspot.report.comparison.picture import compare_figure
-    from sweetspot.report.pictures.files import png_bytes, svg_bytes, write_folder
+    from sweetspot.report.file_set import write_folder
+    from sweetspot.report.pictures.files import png_bytes, svg_bytes
 
     figure = compare_figure(comparison)
     text = json.dumps(comparison_json(comparison, verdict), indent=1, allow_nan=False) + "\n"

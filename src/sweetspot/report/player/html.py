@@ -11,8 +11,9 @@ from sweetspot.player.goal import told
 from sweetspot.player.posterior import Posterior
 from sweetspot.player.swings import Swings
 from sweetspot.report.bat.html import check_folder
+from sweetspot.report.file_set import write_folder
 from sweetspot.report.markup import Html, bullets, paragraphs, picture, section, table, text
-from sweetspot.report.pictures.files import png_bytes, svg_bytes, write_folder
+from sweetspot.report.pictures.files import png_bytes, svg_bytes
 from sweetspot.report.player.player_report import bat_rows, means, player_json
 from sweetspot.report.player.units import scale
 from sweetspot.report.player.words import answers, facts, findings, notes

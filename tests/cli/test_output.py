@@ -1,0 +1,95 @@
+"""Whatever stands at the other end of standard output, files are written and the last word is one clear line."""
+
+from __future__ import annotations
+
+import io
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from sweetspot.cli import main
+from sweetspot.cli.output import print_json
+
+FLY = ["fly", "--exit-speed", "100mph", "--format", "csv"]
+
+
+class Fails(io.StringIO):
+    """A standard output that fails when it is written."""
+
+    def __init__(self, error: OSError) -> None:
+        super().__init__()
+        self.error = error
+
+    def write(self, text: str) -> int:  # noqa: ARG002 - a stream's signature
+        raise self.error
+
+
+@pytest.mark.parametrize(
+    ("stream", "code", "said"),
+    [
+        (Fails(BrokenPipeError(32, "Broken pipe")), 0, ""),
+        (
+            Fails(OSError(28, "No space left on device")),
+            2,
+            "standard output cannot be written: no space left on device",
+        ),
+        (Fails(OSError(5, "Input/output error")), 2, "standard output cannot be written: input/output error"),
+        (None, 2, "standard output is closed, so nothing could be printed"),
+    ],
+)
+def test_files_are_written_whoever_reads(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str],
+    stream: io.StringIO | None, code: int, said: str,
+) -> None:  # fmt: skip
+    monkeypatch.setattr(sys, "stdout", stream)
+    with pytest.raises(SystemExit) as stopped:
+        main([*FLY, "--out", str(tmp_path / "out")])
+    assert stopped.value.code == code
+    assert {"fly.json", "fly.png", "fly.svg"} <= {path.name for path in (tmp_path / "out").iterdir()}
+    lines = capsys.readouterr().err.splitlines()
+    assert lines[-1].removeprefix("sweetspot: ") == said if said else lines[-1].startswith("sweetspot: wrote")
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "cp437", "cp1252", "latin-1"])
+def test_signs_that_a_terminal_lacks_cost_a_question_mark(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], encoding: str
+) -> None:
+    profile = 'profile = [["0 in", "1 in"], ["33 in", "2.5 in"]]'
+    text = f'name = "\u68d2 bat"\nlength = "33 in"\nmaterial = "white ash"\n{profile}\n'
+    (tmp_path / "bat.toml").write_text(text, encoding="utf-8")
+    raw = io.BytesIO()
+    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(raw, encoding=encoding))
+    with pytest.raises(SystemExit) as stopped:
+        main(["certify", str(tmp_path / "bat.toml")])
+    assert stopped.value.code in (0, 1)
+    assert b"? bat" in raw.getvalue()
+    assert f"characters that {encoding} does not have were printed as ?" in capsys.readouterr().err
+
+
+def test_a_command_that_fails_prints_nothing_on_standard_output(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(["pendulum", "--mass", "31oz", "--balance-point", "2in", "--period", "1.5s"])
+    assert capsys.readouterr().out == ""
+
+
+def test_a_reader_that_has_enough_and_closed_ends(tmp_path: Path) -> None:
+    """Real processes: a pipe that closes, standard output and standard error closed, a full device."""
+    command = f"{sys.executable} -m sweetspot schema"
+    for shell, code, said in (
+        (f"{command} | head -c 10 > /dev/null; exit ${{PIPESTATUS[0]}}", 0, ""),
+        (f"{command} >&- 2>&-", 2, ""),
+        (f"{command} > /dev/full", 2, "sweetspot: standard output cannot be written: no space left on device"),
+    ):
+        result = subprocess.run(["bash", "-c", shell], capture_output=True, text=True, check=False, timeout=60)
+        assert (result.returncode, result.stderr.strip()) == (code, said), shell
+
+
+def test_json_has_no_infinities(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(ValueError, match="Out of range"):
+        print_json({"value": float("nan")})
+    capsys.readouterr()
+    print_json({"value": 1.5})
+    assert json.loads(capsys.readouterr().out) == {"value": 1.5}
