@@ -10,12 +10,13 @@ from sweetspot.catalog.bats import bat, bat_names, load_bat
 from sweetspot.catalog.deliveries import delivery, delivery_names
 from sweetspot.catalog.implements import implement, implement_names, load_implement
 from sweetspot.catalog.materials import material, material_names
-from sweetspot.catalog.sports import sport, sport_names
+from sweetspot.catalog.sports import aerodynamics_of_ball, sport, sport_names
 from sweetspot.catalog.swing_laws import swing_law, swing_law_names
 
 __all__ = [
     "aerodynamics",
     "aerodynamics_names",
+    "aerodynamics_of_ball",
     "ball",
     "ball_names",
     "ball_sport",

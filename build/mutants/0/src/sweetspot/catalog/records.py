@@ -66,10 +66,12 @@ def quantity(entry: dict[str, Any], field: str, kind: Kind, what: str) -> float 
 
 
 def unwrapped(value: Any) -> Any:
-    """Return a value without its provenance: the ``value`` of a record, anything else as it is."""
-    if isinstance(value, dict) and "value" in value and "source" in value:
+    """Return a value without its provenance: the ``value`` of a record, also inside tables; anything else as it is."""
+    if not isinstance(value, dict):
+        return value
+    if "value" in value and "source" in value:
         return value["value"]
-    return value
+    return {name: unwrapped(part) for name, part in value.items()}
 
 
 def all_records(entry: dict[str, Any], name: str) -> list[Record]:

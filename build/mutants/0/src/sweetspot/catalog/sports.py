@@ -6,11 +6,14 @@ from functools import cache
 from typing import Any
 
 from sweetspot.catalog.aerodynamic_laws import FILE as AIR
+from sweetspot.catalog.aerodynamic_laws import aerodynamics
 from sweetspot.catalog.balls import FILE as BALLS
+from sweetspot.catalog.balls import ball_sport
 from sweetspot.catalog.bats import DEFAULT_BAT
 from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.records import Record, all_records, canonical, entry, quantity, read_table
 from sweetspot.equipment.sport import Certainty, DropRule, Known, Limit, Mark, Sport, Stroke, Words, counted
+from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.units import Kind, parse
 
 FILE = "sports.toml"
@@ -60,6 +63,15 @@ def sport(name: str = DEFAULT_SPORT) -> Sport:
         terms=tuple((word, meaning) for word, meaning in found.get("terms", {}).items()),
         not_covered=tuple(found["not_covered"]),
     )
+
+
+def aerodynamics_of_ball(name: str) -> Aerodynamics:
+    """Return how the air pushes a ball of the catalogue: by the law of the sport it belongs to.
+
+    >>> aerodynamics_of_ball("softball-12in") == aerodynamics("softball")
+    True
+    """
+    return aerodynamics(sport(ball_sport(name)).aerodynamics)
 
 
 def certainty(name: str) -> dict[Certainty, int]:

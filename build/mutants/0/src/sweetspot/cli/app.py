@@ -282,3 +282,6 @@ app.command(fit_player)
 from sweetspot.cli.tap_command import tap  # noqa: E402
 
 app.command(tap)
+from sweetspot.cli.calibrate_command import calibrate  # noqa: E402
+
+app.command(calibrate)

@@ -8,7 +8,12 @@ import sys
 import threading
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from sweetspot.cli.options.output import OutputOptions
+    from sweetspot.report.document import Document
 
 PATIENCE = 3.0
 """s before a run says why it takes a while."""
@@ -40,6 +45,26 @@ def print_table(renderable: Any) -> None:
     if not console.is_terminal:
         console = Console(width=110)
     console.print(renderable)
+
+
+def present(document: Document, options: OutputOptions) -> int:
+    """Print an answer as it was asked for, its files written first, and return the exit code."""
+    written: list[Path] = []
+    if options.out is not None:
+        from sweetspot.report.files import write_document
+
+        written = write_document(document, options.out, reader=document.reader_of(options.units))
+    if options.format == "json":
+        print_json(document.data)
+    elif options.format == "csv":
+        print_csv(document.rows)
+    else:
+        from sweetspot.report.terminal import to_terminal
+
+        print_table(to_terminal(document, document.reader_of(options.units)))
+    if written:
+        print(f"sweetspot: wrote {', '.join(map(str, written))}", file=sys.stderr)
+    return 0 if document.passed else 1
 
 
 @contextmanager

@@ -11,7 +11,7 @@ import numpy as np
 
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
-from sweetspot.flight.aerodynamics import Aerodynamics
+from sweetspot.flight.aerodynamics import VISCOSITY, Aerodynamics
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_GRAVITY
 
@@ -52,7 +52,15 @@ def drag_and_lift(
     )
     spin_factor = ball.radius * math.sqrt(float(across @ across)) / speed**2
     strength = density * math.pi * ball.radius**2 / (2 * ball.mass)
-    drag = aerodynamics.drag_coefficient(spin_factor, spin=math.sqrt(float(spin @ spin)))
+    reynolds = 2 * density * ball.radius * speed / VISCOSITY
+    active = spin_factor * speed / ball.radius
+    drag = (
+        aerodynamics.drag_coefficient(
+            spin_factor, spin=math.sqrt(float(spin @ spin)), active_spin=active, reynolds=reynolds
+        )
+        if density > 0
+        else 0.0
+    )
     lift = aerodynamics.lift_over_spin_factor(spin_factor) * ball.radius
     return -strength * drag * speed * velocity, strength * lift * across
 

@@ -165,8 +165,10 @@ def _constants(ball: Ball, aerodynamics: Aerodynamics, wind: Wind | ArrayLike) -
     edge, height = (wind.calm_below, wind.reference_height) if isinstance(wind, Wind) else (0.0, 1.0)
     return np.array(
         [
-            math.pi * ball.radius**2 / (2 * ball.mass), ball.radius, aerodynamics.drag, aerodynamics.drag_per_spin,
-            aerodynamics.drag_per_spin_factor, aerodynamics.lift_scale, aerodynamics.lift_offset,
-            aerodynamics.lift_slope, aerodynamics.spin_decay_rate, edge, height,
+            math.pi * ball.radius**2 / (2 * ball.mass), ball.radius,
+            aerodynamics.drag - aerodynamics.drag_per_inverse_reynolds, aerodynamics.drag_per_spin,
+            aerodynamics.drag_per_active_spin, aerodynamics.drag_per_spin_factor,
+            aerodynamics.viscous_rate(radius=ball.radius, mass=ball.mass), aerodynamics.lift_scale,
+            aerodynamics.lift_offset, aerodynamics.lift_slope, aerodynamics.spin_decay_rate, edge, height,
         ]
     )  # fmt: skip

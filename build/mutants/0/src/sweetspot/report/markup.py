@@ -6,16 +6,9 @@ import re
 from collections.abc import Sequence
 from html import escape
 
-from sweetspot.report.pictures import style
+from sweetspot.report.pictures.style import PAGE_COLOURS
 
 Rows = Sequence[Sequence[str]]
-
-COLOURS = {
-    style.INK: "ink", style.MUTED: "muted", style.GRID: "grid", style.PAPER: "paper", style.ZONE: "zone",
-    style.ZONE_EDGE: "zone-edge", style.ZONE_INK: "zone-ink", style.BLUE: "blue", style.SKY: "sky",
-    style.GREEN: "green", style.ORANGE: "orange", style.RED: "red", style.PURPLE: "purple",
-}  # fmt: skip
-"""Colours of the pictures that the page's style sheet sets, so that they change with a dark screen."""
 
 
 class Html(str):
@@ -86,7 +79,7 @@ def picture(svg: bytes, *, name: str, label: str, caption: str) -> Html:
     drawing = re.sub(r'(<svg[^>]*?) width="[^"]*"', r"\1", drawing, count=1)
     drawing = re.sub(r'(<svg[^>]*?) height="[^"]*"', r"\1", drawing, count=1)
     drawing = re.sub(r'\b(id="|href="#|url\(#)', rf"\g<1>{name}-", drawing)
-    for colour, variable in COLOURS.items():
+    for colour, variable in PAGE_COLOURS.items():
         drawing = drawing.replace(colour, f"var(--{variable})")
     drawing = drawing.replace("<svg", f'<svg role="img" aria-label="{escape(label)}"', 1)
     return Html(

@@ -31,7 +31,8 @@ INPUT_KINDS: dict[str, Kind] = {
     "launch_angle": "angle", "backspin": "angular speed", "deflection": "angle", "other_deflection": "angle",
     "spray": "angle", "sidespin": "angular speed", "temperature": "temperature", "humidity": "ratio",
     "elevation": "length", "wind_speed": "speed", "wind_direction": "angle", "height": "length", "time": "time",
-    "diameter": "length", "wall": "length", "modulus": "pressure", "density": "density", "poisson_ratio": "ratio",
+    "diameter": "length", "thinner": "length", "wall": "length",
+    "modulus": "pressure", "density": "density", "poisson_ratio": "ratio",
 }  # fmt: skip
 """What the inputs of computations are; inputs with other names (bats, mode numbers) are passed on as they stand."""
 

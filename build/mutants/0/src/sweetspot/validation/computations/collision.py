@@ -13,16 +13,17 @@ from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of, hit_at
 from sweetspot.collision.closed_form import restitution_from_efficiency
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact
+from sweetspot.dynamics.hands import gripped
 from sweetspot.dynamics.modes import Modes
-from sweetspot.dynamics.rigid import centre_of_percussion, effective_mass
-from sweetspot.motion.swing import Conditions, Pitch
+from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion, effective_mass
+from sweetspot.motion.swing import Conditions, Hands, Pitch
 from sweetspot.numerics.arrays import Array
 from sweetspot.validation.computations import shared
 
 
 def wall_restitution(*, speed: float) -> float:
     """Return the rebound ratio of the catalogue's baseball from a wall that cannot move, by the coupled collision."""
-    return hit(_wall(), ball=catalog.ball(), position=0.0, closing_speed=speed).collision_efficiency
+    return hit(rigid_wall(), ball=catalog.ball(), position=0.0, closing_speed=speed).collision_efficiency
 
 
 def wall_restitution_change(*, speed: float, other_speed: float) -> float:
@@ -34,12 +35,36 @@ def wall_restitution_change(*, speed: float, other_speed: float) -> float:
     return float(np.diff(ratios).max())
 
 
-def _wall() -> Modes:
+def rigid_wall() -> Modes:
     """Return a body with one motion that no force can excite: its shape is zero, as of an infinite mass."""
     still = PPoly(np.zeros((1, 1, 1)), np.array([0.0, 1.0]))
     return Modes(
         ("rigid",), (0,), np.zeros(1), np.zeros(1), still, rigid_part=np.zeros((2, 1)), dashpots=np.zeros((0, 1))
     )
+
+
+def held_rod_turning(*, bat: str, closing_speed: float) -> float:
+    """Return the angular speed after a hit at the tip of a rigid rod hinged at its end, times m L over the impulse."""
+    _, slope, impulse, body, length = _held_rod(bat, closing_speed)
+    return slope / impulse * body.mass * length
+
+
+def held_rod_hand_force(*, bat: str, closing_speed: float) -> float:
+    """Return 1 - m v_c over the impulse of that hit: what the hinge gives, as a part of the blow."""
+    centre, _, impulse, body, _ = _held_rod(bat, closing_speed)
+    return 1 - body.mass * centre / impulse
+
+
+@cache
+def _held_rod(bat: str, closing_speed: float) -> tuple[float, float, float, RigidBody, float]:
+    """Return the speed of the centre, the angular speed, the impulse, the rod as a body, and its length."""
+    free, body, length, ball = shared.free_modes(bat), shared.body(bat), shared.length(bat), catalog.ball()
+    hinge = Hands(position=0.0, spacing=0.0, mass=1e6, stiffness=1e9)
+    held = gripped(free.kept(free.of_family("rigid")), hinge)
+    impact = hit(held, ball=ball, position=length, closing_speed=closing_speed, step=1e-6)
+    impulse = ball.mass * closing_speed * (1 + impact.collision_efficiency)
+    centre = float(held.shape_at(body.balance_point) @ impact.velocity)
+    return centre, float(held.slope_at(body.balance_point) @ impact.velocity), impulse, body, length
 
 
 def turned_mean_force(
@@ -204,6 +229,8 @@ def _exit(bat: str, *, pitch: float = 0.0, swing: float = 0.0) -> float:
 COMPUTATIONS = (
     wall_restitution,
     wall_restitution_change,
+    held_rod_turning,
+    held_rod_hand_force,
     turned_mean_force,
     turned_peak_force,
     turned_contact_time,

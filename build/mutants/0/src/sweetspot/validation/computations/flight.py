@@ -30,28 +30,27 @@ USUAL = BattedBall(
 
 
 @cache
-def _flown(hit: BattedBall) -> Flight:
-    return fly(
-        hit.motion, ball=catalog.ball(), aerodynamics=catalog.aerodynamics("baseball"), air=hit.air, wind=hit.wind
-    )
+def _flown(hit: BattedBall, law: str) -> Flight:
+    return fly(hit.motion, ball=catalog.ball(), aerodynamics=catalog.aerodynamics(law), air=hit.air, wind=hit.wind)
 
 
 def _hit(changes: dict[str, Any]) -> BattedBall:
     return replace(USUAL, **changes)
 
 
-def fly_ball(*, answer: str, **changes: Any) -> float:
+def fly_ball(*, answer: str, law: str = "baseball", **changes: Any) -> float:
     """Return carry, hang_time, apex_height, landing_angle or landing_speed of a fly ball.
 
     Parameters
     ----------
+    law : name of the law of drag and lift.
     changes : fields of `BattedBall` that differ from `USUAL`, SI.
     """
-    found = _flown(_hit(changes))
+    found = _flown(_hit(changes), law)
     return found.landing.speed if answer == "landing_speed" else float(getattr(found, answer))
 
 
-def carry_gain(*, by: dict[str, float], **changes: Any) -> float:
+def carry_gain(*, by: dict[str, float], law: str = "baseball", **changes: Any) -> float:
     """Return how much farther a fly ball carries when something changes.
 
     Parameters
@@ -64,14 +63,14 @@ def carry_gain(*, by: dict[str, float], **changes: Any) -> float:
     motion = before.motion
     known = replace(before, backspin=motion.backspin, sidespin=motion.sidespin)
     moved = {name: getattr(known, name) + change * units.get(name, 1.0) for name, change in by.items()}
-    return _flown(replace(known, **moved)).carry - _flown(known).carry
+    return _flown(replace(known, **moved), law).carry - _flown(known, law).carry
 
 
-def wind_asymmetry(*, wind_speed: float) -> float:
+def wind_asymmetry(*, wind_speed: float, law: str = "baseball") -> float:
     """Return what a wind out gives less what the same wind in takes."""
-    still = _flown(USUAL).carry
-    out = _flown(_hit({"wind_speed": wind_speed})).carry
-    head = _flown(_hit({"wind_speed": wind_speed, "wind_direction": np.pi})).carry
+    still = _flown(USUAL, law).carry
+    out = _flown(_hit({"wind_speed": wind_speed}), law).carry
+    head = _flown(_hit({"wind_speed": wind_speed, "wind_direction": np.pi}), law).carry
     return (out - still) - (still - head)
 
 
@@ -85,24 +84,24 @@ def air_density_ratio(*, elevation: float) -> float:
     return _hit({"elevation": elevation}).air.density / _hit({"elevation": 0.0}).air.density
 
 
-def push_of_air(*, part: str, along: str, **changes: Any) -> float:
+def push_of_air(*, part: str, along: str, law: str = "baseball", **changes: Any) -> float:
     """Return the acceleration by drag or lift at the start, along one axis: right, out or up."""
     hit = _hit(changes)
     pushes = drag_and_lift(
-        hit.motion.velocity, spin=hit.motion.spin, ball=catalog.ball(), aerodynamics=catalog.aerodynamics("baseball"),
+        hit.motion.velocity, spin=hit.motion.spin, ball=catalog.ball(), aerodynamics=catalog.aerodynamics(law),
         density=hit.air.density,
     )  # fmt: skip
     return float(pushes[("drag", "lift").index(part)][("right", "out", "up").index(along)])
 
 
-def coefficient(*, part: str, **changes: Any) -> float:
+def coefficient(*, part: str, law: str = "baseball", **changes: Any) -> float:
     """Return Cd or Cl or the spin factor S at the start of a flight."""
     motion = _hit(changes).motion
-    law, factor = catalog.aerodynamics("baseball"), _spin_factor(motion)
+    known, factor = catalog.aerodynamics(law), _spin_factor(motion)
     values = {
         "spin factor": factor,
-        "drag": law.drag_coefficient(factor, spin=float(np.linalg.norm(motion.spin))),
-        "lift": law.lift_coefficient(factor),
+        "drag": known.drag_coefficient(factor, spin=float(np.linalg.norm(motion.spin))),
+        "lift": known.lift_coefficient(factor),
     }
     return values[part]
 
@@ -112,9 +111,9 @@ def _spin_factor(motion: BallMotion) -> float:
     return catalog.ball().radius * across / motion.speed
 
 
-def flight_place(*, time: float, along: str, **changes: Any) -> float:
+def flight_place(*, time: float, along: str, law: str = "baseball", **changes: Any) -> float:
     """Return where the ball is after a time: out or up."""
-    found = _flown(_hit(changes)).at(time).position
+    found = _flown(_hit(changes), law).at(time).position
     return float(found[("right", "out", "up").index(along)])
 
 

@@ -40,7 +40,7 @@ def best(pitch: str, model: Model, friction: float = FRICTION) -> BestSwing:
         ball=ball,
         swing=standard_conditions(bat).swing,
         pitch=arriving,
-        aerodynamics=law if model == "measured" else law.replaced(drag_per_spin=0.0),
+        aerodynamics=law if model == "measured" else law.replaced(drag_per_active_spin=0.0),
         air=SHEET,
         friction=friction,
         tangential_restitution=TANGENTIAL_RESTITUTION if model == "measured" else 0.0,
@@ -57,10 +57,10 @@ def best_carry_change_by_friction(*, pitch: str, friction: float) -> float:
     return best(pitch, "measured", friction).carry - best(pitch, "measured").carry
 
 
-def best_launch_angle(*, exit_speed: float, backspin: float) -> float:
+def best_launch_angle(*, exit_speed: float, backspin: float, law: str = "baseball") -> float:
     """Return the launch angle that carries farthest."""
     found = best_launch(
-        exit_speed, backspin=backspin, ball=catalog.ball(), aerodynamics=catalog.aerodynamics(), air=SHEET
+        exit_speed, backspin=backspin, ball=catalog.ball(), aerodynamics=catalog.aerodynamics(law), air=SHEET
     )
     return found.launch_angle
 

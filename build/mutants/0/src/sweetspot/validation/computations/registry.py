@@ -19,6 +19,7 @@ from sweetspot.validation.computations import (
     pitching,
     space,
     sports,
+    torpedo,
 )
 
 COMPUTATIONS: dict[str, Callable[..., float]] = {
@@ -37,6 +38,7 @@ COMPUTATIONS: dict[str, Callable[..., float]] = {
         pitching,
         optimum,
         flight,
+        torpedo,
     )
     for function in module.COMPUTATIONS
 }

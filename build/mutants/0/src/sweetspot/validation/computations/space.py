@@ -6,10 +6,13 @@ from functools import cache
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import brentq
+from scipy.optimize import brentq, least_squares
+from scipy.special import ndtri
 
 from sweetspot import catalog
+from sweetspot.collision.closed_form import exit_speed
 from sweetspot.collision.hit_in_space import strike, strikes
+from sweetspot.collision.kernel import hits
 from sweetspot.collision.oblique_contact import SPHERE
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.equipment.bat import Bat
@@ -58,6 +61,8 @@ class League(NamedTuple):
     """Fair hits of a simulated league, each field of shape (hits,); angles in rad, spins in rad/s."""
 
     over_ceiling: Array
+    measured_speed: Array
+    measured_bat_speed: Array
     deflection: Array
     exit_speed: Array
     launch_angle: Array
@@ -74,6 +79,69 @@ def ceiling_ratio(*, bat: str, deflection: float, other_deflection: float) -> fl
         return float(np.percentile(hits.over_ceiling[(hits.deflection >= low) & (hits.deflection < high)], 98))
 
     return edge(deflection, other_deflection) / edge(0.0, 5 * DEGREE)
+
+
+def edge_slope(*, bat: str) -> float:
+    """Return how the 98th percentile of exit speeds grows with bat speed, deflections within 20 degrees.
+
+    Measured speeds, in groups of 2 mph from 60 to 80 mph, a straight line through the groups.
+    """
+    hits, middle, edge = _league(bat), [], []
+    straight = np.abs(hits.deflection) < 20 * DEGREE
+    for low in range(60, 80, 2):
+        group = straight & (np.abs(hits.measured_bat_speed / MPH - low - 1) <= 1)
+        middle.append(hits.measured_bat_speed[group].mean())
+        edge.append(np.percentile(hits.measured_speed[group], 98))
+    return float(np.polyfit(middle, edge, 1)[0])
+
+
+def below_edge(*, bat: str, percentile: str) -> float:
+    """Return a percentile of exit speeds over their 98th, for balls that leave in line with a 71.5 mph swing.
+
+    Hits are spread normally along the bat, and their mean and spread are those with which the 25th and the 50th
+    percentile come out as in the tracked balls; all others follow.
+    """
+    mean, spread = _places_of_league(bat)
+    return float(_percentiles(bat, mean, spread, np.array([float(percentile)]))[0])
+
+
+TRACKED_QUARTILES = (0.8257, 0.9114)
+"""25th and 50th percentile over the 98th, 4824 tracked balls [sure2026]: swings of 65 to 78 mph, 3 +- 10 deg."""
+
+
+@cache
+def _places_of_league(bat: str) -> tuple[float, float]:
+    """Return mean and standard deviation of the distance from the tip that give the tracked quartiles, m."""
+
+    def misfit(guess: Array) -> Array:
+        return _percentiles(bat, guess[0] * INCH, guess[1] * INCH, np.array([25.0, 50.0])) - TRACKED_QUARTILES
+
+    mean, spread = least_squares(misfit, [7.5, 2.3], diff_step=[0.02, 0.02]).x * INCH
+    return float(mean), float(spread)
+
+
+def _percentiles(bat: str, mean: float, spread: float, wanted: Array) -> Array:
+    """Return percentiles over the 98th of what radars see of hits spread along the bat, shape of ``wanted``."""
+    from_tip, speed = _along(bat)
+    chance = (np.arange(4000) + 0.5) / 4000
+    seen = np.interp(mean + spread * ndtri(chance), from_tip, speed) * (1 + _seen_spread())
+    return np.asarray(np.percentile(seen, wanted) / np.percentile(seen, 98))
+
+
+@cache
+def _seen_spread() -> Array:
+    """Relative errors of exit speed over ceiling: 1.5 mph of bat speed and 0.5 mph of exit speed, shape (4000,)."""
+    return np.random.default_rng(2026).normal(0, np.hypot(1.23 * 1.5 / 107, 0.5 / 107), 4000)
+
+
+@cache
+def _along(bat: str) -> tuple[Array, Array]:
+    """Return places from the tip, m, and head-on exit speeds of a 71.5 mph swing at an 82 mph pitch."""
+    model, from_tip = _model(bat), np.linspace(0, 18 * INCH, 181)
+    places = model.bat.length - from_tip
+    swung = 71.5 * MPH * places / (model.bat.length - FROM_TIP)
+    done = hits(model.modes, ball=catalog.ball(), position=places, closing_speed=swung + 82 * MPH)
+    return from_tip, exit_speed(done.collision_efficiency, ball_speed=82 * MPH, bat_speed=swung)
 
 
 def league_backspin(*, bat: str, launch_angle: float) -> float:
@@ -145,14 +213,15 @@ def _league(bat: str, left_handed: float = 0.4, count: int = 60_000, seed: int =
     )
     launch, spray, (back, side, _) = launch_angles(done.velocity, done.spin)
     seen = done.exit_speed + draw.normal(0, 0.5, count) * MPH
-    ceiling = 1.23 * (speed + draw.normal(0, 1.5, count) * MPH) + 0.23 * 82 * MPH
+    seen_bat = speed + draw.normal(0, 1.5, count) * MPH
+    ceiling = 1.23 * seen_bat + 0.23 * 82 * MPH
     deflection = launch - attack - draw.normal(0, 3, count) * DEGREE
     fair = np.isfinite(done.exit_speed) & (np.abs(spray) < 45 * DEGREE)
-    every = (seen / ceiling, deflection, done.exit_speed, launch, spray, back, side)
+    every = (seen / ceiling, seen, seen_bat, deflection, done.exit_speed, launch, spray, back, side)
     return League(*(value[fair] for value in every))
 
 
 COMPUTATIONS = (
     tangential_recoil, tee_spin, ceiling_ratio, league_backspin, league_backspin_slope, league_sidespin_slope,
-    league_sidespin, league_backspin_spray_slope,
+    league_sidespin, league_backspin_spray_slope, edge_slope, below_edge,
 )  # fmt: skip
