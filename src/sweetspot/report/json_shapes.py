@@ -14,6 +14,7 @@ from sweetspot.analysis.strain import Damage
 from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.collision.closed_form import bbcor
 from sweetspot.collision.impact import Impact
+from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
@@ -26,7 +27,10 @@ def report_json(analysis: Analysis[Implement]) -> dict[str, Any]:
     spots, along = analysis.sweet_spots, analysis.scan
     return cleaned(
         {
-            "bat": bat_json(analysis.bat.name, analysis.bat.length, analysis.body),
+            "bat": {
+                **bat_json(analysis.bat.name, analysis.bat.length, analysis.body),
+                "moi_6in_doubt_kg_m2": moi_doubt(analysis.line, analysis.body, STANDARD_AXIS),
+            },
             "modes": modes_json(analysis),
             "sweet_spots": {
                 **{f"{name}_m": value for name, value in asdict(spots).items() if name != "zone"},

@@ -10,11 +10,13 @@ from matplotlib.patches import Rectangle
 
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
 from sweetspot.catalog.swing_weights import swing_weight
+from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat import along_picture as along
 from sweetspot.report.bat.outline_picture import ABOVE, GUIDE_START, RULER, SIDE, WIDTH, bat_panel, draw_bat_panel
+from sweetspot.report.bat.words import told_with_doubt
 from sweetspot.report.pictures import ruler
 from sweetspot.report.pictures.conditions_line import told
 from sweetspot.report.pictures.marks import from_the_tip
@@ -96,8 +98,9 @@ def _swing_weight(analysis: Analysis[Implement]) -> str:
     """Say how heavy the swing is, as the sport weighs it."""
     bat, body = analysis.bat, analysis.body
     if isinstance(bat, Bat):
-        moi = body.moi(STANDARD_AXIS) / OUNCE_INCH_SQUARED
-        return f"moment of inertia {moi:,.0f} oz in² about 6 in from the knob"
+        doubt = moi_doubt(analysis.line, body, STANDARD_AXIS) / OUNCE_INCH_SQUARED
+        told = told_with_doubt(body.moi(STANDARD_AXIS) / OUNCE_INCH_SQUARED, doubt)
+        return f"moment of inertia {told} oz in² about 6 in from the knob"
     convention = swing_weight(bat.sport)
     return f"{convention.name} {convention.shown(body)}".replace("^2", "²")
 

@@ -9,12 +9,13 @@ from sweetspot.analysis.miss_cost import miss_costs
 from sweetspot.analysis.position_scan import STING_BAND
 from sweetspot.analysis.sweet_spot import ZONE_LOSS, ZONE_STING
 from sweetspot.collision.closed_form import bbcor
+from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.references import cite, reference
 from sweetspot.report.bat.provenance import own_values, shown, sources_of, used_records
 from sweetspot.report.bat.table import SPOT_NAMES
-from sweetspot.report.bat.words import MISSES, from_tip, in_mph
+from sweetspot.report.bat.words import MISSES, from_tip, in_mph, told_with_doubt
 from sweetspot.report.markup import Html, bullets, paragraphs, section, table, text
 from sweetspot.report.sports.words import WHY_TWO
 from sweetspot.units import INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, POUND_FORCE
@@ -68,14 +69,17 @@ def mass_properties(analysis: Analysis[Implement]) -> Html:
         ("weight", f"{body.mass / OUNCE:.2f} oz", f"{1e3 * body.mass:.0f} g"),
         ("balance point, from the knob", f"{body.balance_point / INCH:.2f} in", f"{100 * body.balance_point:.1f} cm"),
     ]
-    for name, value in (
-        ("moment of inertia, 6 in from the knob", body.moi(STANDARD_AXIS)),
-        ("moment of inertia, knob end", body.moi(0.0)),
-        ("moment of inertia, balance point", body.moi_cm),
-        ("moment of inertia, about its own axis", body.roll_moi),
-    ):
+    about = [
+        (f"moment of inertia, {name}", body.moi(axis), moi_doubt(analysis.line, body, axis))
+        for name, axis in (
+            ("6 in from the knob", STANDARD_AXIS), ("knob end", 0.0), ("balance point", body.balance_point),
+        )
+    ]  # fmt: skip
+    for name, value, doubt in (*about, ("moment of inertia, about its own axis", body.roll_moi, 0.0)):
         ounces = value / OUNCE_INCH_SQUARED
-        pair = f"{ounces:,.{0 if ounces >= 100 else 1}f} oz in²", f"{value:.3g} kg m²"
+        told = told_with_doubt(ounces, doubt / OUNCE_INCH_SQUARED) if ounces >= 100 else f"{ounces:.1f}"
+        spread = f" ± {doubt:.2g}" if doubt else ""
+        pair = f"{told} oz in²", f"{value:.3g}{spread} kg m²"
         american, metric = (words.replace(" ", "\N{NO-BREAK SPACE}") for words in pair)
         rows.append((name, american, metric))
     return section("Weight and balance", table(("", "US", "SI"), rows, numbers=(1, 2)), name="mass")

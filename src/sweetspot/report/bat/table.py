@@ -13,12 +13,13 @@ from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
 from sweetspot.analysis.strain import Damage
 from sweetspot.collision.closed_form import bbcor
 from sweetspot.collision.impact import Impact
+from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.paper.formulas import Row, Value
-from sweetspot.report.bat.words import answer, from_tip
+from sweetspot.report.bat.words import answer, from_tip, told_with_doubt
 from sweetspot.report.sports.table import sport_report
 from sweetspot.report.sports.vocabulary import speaks_otherwise
 from sweetspot.units import INCH, MPH, OUNCE, OUNCE_INCH_SQUARED
@@ -46,7 +47,7 @@ def report_table(analysis: Analysis[Implement]) -> Group:
     title.append(f"{bat.length / INCH:.2f} in, {body.mass / OUNCE:.1f} oz, {bat.made_of}", style="dim")
     words = [Padding(Text(paragraph), (0, 0, 1, 0)) for paragraph in answer(analysis)]
     return Group(
-        title, Text(), *words, _spots(analysis), Text(), _along(analysis), Text(), _mass(analysis.body), Text(),
+        title, Text(), *words, _spots(analysis), Text(), _along(analysis), Text(), _mass(analysis), Text(),
         _modes(analysis), Text(), _best(analysis), Text(), Text(_conditions_line(analysis.conditions), style="dim"),
     )  # fmt: skip
 
@@ -148,16 +149,20 @@ def _along(analysis: Analysis[Implement]) -> Table:
     return table
 
 
-def _mass(body: RigidBody) -> Table:
+def _mass(analysis: Analysis[Implement]) -> Table:
+    body = analysis.body
     table = _table("mass property", "US", "SI", title="Weight and balance")
     table.add_row("mass", f"{body.mass / OUNCE:.2f} oz", f"{body.mass:.4f} kg")
     table.add_row("balance point, from knob", f"{body.balance_point / INCH:.2f} in", f"{body.balance_point:.4f} m")
-    for name, value in (
-        ("MOI about 6 in", body.moi(STANDARD_AXIS)),
-        ("MOI about the knob end", body.moi(0.0)),
-        ("MOI about the balance point", body.moi_cm),
+    for name, axis in (
+        ("MOI about 6 in", STANDARD_AXIS),
+        ("MOI about the knob end", 0.0),
+        ("MOI about the balance point", body.balance_point),
     ):
-        table.add_row(name, f"{value / OUNCE_INCH_SQUARED:.0f} oz in^2", f"{value:.4f} kg m^2")
+        value, doubt = body.moi(axis), moi_doubt(analysis.line, body, axis)
+        spread = f" ± {doubt:.2g}" if doubt else ""
+        ounces = told_with_doubt(value / OUNCE_INCH_SQUARED, doubt / OUNCE_INCH_SQUARED)
+        table.add_row(name, f"{ounces} oz in^2", f"{value:.4f}{spread} kg m^2")
     return table
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
@@ -34,6 +36,14 @@ def answer(analysis: Analysis[Implement]) -> list[str]:
 def from_tip(analysis: Analysis[Implement], position: float) -> float:
     """Return a position's distance from the tip in inches."""
     return (analysis.bat.length - position) / INCH
+
+
+def told_with_doubt(value: float, doubt: float) -> str:
+    """Return a number with its standard deviation, both to two digits of that; alone where there is none."""
+    if doubt <= 0:
+        return f"{value:,.0f}"
+    digits = 1 - math.floor(math.log10(doubt))
+    return " ± ".join(f"{round(one, digits):,.{max(digits, 0)}f}" for one in (value, doubt))
 
 
 def _where(analysis: Analysis[Implement]) -> str:

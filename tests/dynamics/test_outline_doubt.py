@@ -1,0 +1,74 @@
+"""What an outline tells of the moment of inertia, found again on the measured bats."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from sweetspot import catalog
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.outline_doubt import OF_CENTRE, OF_SWING, moi_doubt
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.bat import Bat
+from sweetspot.report.bat.words import told_with_doubt
+from sweetspot.units import INCH
+
+MEASURED = ("russell-b1", "russell-b2")
+ORDINARY = ("mlb-a", "mlb-b", "mlb-c", "mlb-d", "r161-ash", *MEASURED)
+AXIS = 6 * INCH
+
+
+def errors(*, balance: bool) -> tuple[np.ndarray, np.ndarray]:
+    """Relative errors about 6 in and about the balance point, outlines of other bats at the measured length."""
+    swing, centre = [], []
+    for target in MEASURED:
+        bat, known = catalog.bat(target), rigid_body(beam_model(catalog.bat(target)))
+        for name in ORDINARY:
+            if name == target:
+                continue
+            other = catalog.bat(name)
+            profile = tuple((place * bat.length / other.length, width) for place, width in other.profile or ())
+            found = rigid_body(
+                beam_model(
+                    other.replaced(
+                        length=bat.length, profile=profile, mass=bat.mass, moi=None,
+                        balance_point=bat.balance_point if balance else None,
+                    )
+                )
+            )  # fmt: skip
+            swing.append(found.moi(AXIS) / known.moi(AXIS) - 1)
+            centre.append(found.moi_cm / known.moi_cm - 1)
+    return np.array(swing), np.array(centre)
+
+
+def test_the_doubt_is_what_other_outlines_miss_by() -> None:
+    """[russell2010swing]: root mean square over twelve pairs, to a fifth of itself."""
+    swing, _ = errors(balance=False)
+    assert np.sqrt(np.mean(swing**2)) == pytest.approx(OF_SWING, rel=0.2)
+    _, centre = errors(balance=True)
+    assert np.sqrt(np.mean(centre**2)) == pytest.approx(OF_CENTRE, rel=0.2)
+
+
+def test_what_was_measured_is_not_in_doubt(r161: Bat) -> None:
+    measured = beam_model(catalog.bat("russell-b1"))
+    assert moi_doubt(measured, rigid_body(measured), AXIS) == 0.0
+    line = beam_model(r161)
+    body = rigid_body(line)
+    assert moi_doubt(line, body, AXIS) == pytest.approx(0.06 * body.moi(AXIS))
+    balanced = beam_model(r161.replaced(balance_point=body.balance_point))
+    about = rigid_body(balanced)
+    for axis in (0.0, AXIS, about.balance_point):
+        assert moi_doubt(balanced, about, axis) == pytest.approx(0.14 * about.moi_cm)
+
+
+@pytest.mark.parametrize(
+    ("value", "doubt", "told"),
+    [
+        (11239.0, 0.0, "11,239"),
+        (10297.3, 618.0, "10,300 ± 620"),
+        (2433.0, 341.0, "2,430 ± 340"),
+        (99.6, 5.96, "99.6 ± 6.0"),
+    ],
+)
+def test_no_more_digits_than_are_known(value: float, doubt: float, told: str) -> None:
+    assert told_with_doubt(value, doubt) == told
