@@ -4,31 +4,41 @@ from __future__ import annotations
 
 import os
 import sys
+from contextlib import suppress
 
 from sweetspot.errors import SweetspotError
 
 EXIT_BAD_INPUT = 2
+EXIT_INTERRUPTED = 130
 
 
 def main(arguments: list[str] | None = None) -> None:
-    """Run the command line; exit 0 when done, 1 when a checked thing failed, 2 on bad input with one clear message."""
+    """Run the command line; exit 0 when done, 1 when a checked thing failed, 2 on bad input with one clear message.
+
+    What a command prints comes out when it has done everything else, so that no terminal, pipe or full disk at the
+    other end costs the files it writes.
+    """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # our matrices are small; threads only get in each other's way
     from cyclopts import CycloptsError
 
     from sweetspot.cli.app import app
+    from sweetspot.cli.standard_output import OutputError, held_output
 
     try:
-        result = app(arguments, exit_on_error=False, print_error=False, result_action="return_value")
-    except (SweetspotError, CycloptsError) as error:
-        print(f"sweetspot: {_one_line(error)}", file=sys.stderr)
+        with held_output():
+            result = app(arguments, exit_on_error=False, print_error=False, result_action="return_value")
+    except (SweetspotError, CycloptsError, OutputError) as error:
+        _complain(_one_line(error))
         sys.exit(EXIT_BAD_INPUT)
-    except BrokenPipeError:
-        sys.stderr.close()
-        sys.exit(0)
     except KeyboardInterrupt:
-        print("sweetspot: interrupted; nothing was written", file=sys.stderr)
-        sys.exit(130)
+        _complain("interrupted; nothing was written")
+        sys.exit(EXIT_INTERRUPTED)
     sys.exit(result if isinstance(result, int) else 0)
+
+
+def _complain(text: str) -> None:
+    with suppress(OSError, AttributeError):  # nobody listens on standard error
+        sys.stderr.write(f"sweetspot: {text}\n")
 
 
 def _one_line(error: Exception) -> str:

@@ -142,15 +142,21 @@ def bats(*, format: OutputFormat = "table") -> None:
     from sweetspot import catalog
     from sweetspot.cli.output import print_json, print_rows_csv, print_table
     from sweetspot.dynamics.beam import beam_model
+    from sweetspot.dynamics.outline_doubt import moi_doubt
     from sweetspot.dynamics.rigid import rigid_body
+    from sweetspot.numerics.constants import STANDARD_AXIS
     from sweetspot.report.bat.table import names_table
+    from sweetspot.report.bat.words import told_with_doubt
     from sweetspot.report.json_shapes import bat_json
     from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
 
     found = [(name, catalog.bat(name)) for name in catalog.bat_names()]
-    rows: list[dict[str, Any]] = [
-        {"key": key, **bat_json(bat.name, bat.length, rigid_body(beam_model(bat)))} for key, bat in found
-    ]
+    rows: list[dict[str, Any]] = []
+    for key, bat in found:
+        line = beam_model(bat)
+        body = rigid_body(line)
+        doubt = {"moi_6in_doubt_kg_m2": moi_doubt(line, body, STANDARD_AXIS)}
+        rows.append({"key": key, **bat_json(bat.name, bat.length, body), **doubt})
     if format == "json":
         print_json({"bats": rows})
     elif format == "csv":
@@ -163,7 +169,9 @@ def bats(*, format: OutputFormat = "table") -> None:
                 "in": f"{row['length_m'] / INCH:.1f}",
                 "oz": f"{row['mass_kg'] / OUNCE:.1f}",
                 "balance in": f"{row['balance_point_m'] / INCH:.2f}",
-                "MOI 6in oz in^2": f"{row['moi_6in_kg_m2'] / OUNCE_INCH_SQUARED:.0f}",
+                "MOI 6in oz in^2": told_with_doubt(
+                    row["moi_6in_kg_m2"] / OUNCE_INCH_SQUARED, row["moi_6in_doubt_kg_m2"] / OUNCE_INCH_SQUARED
+                ),
             }
             for row in rows
         ]

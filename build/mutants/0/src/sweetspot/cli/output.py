@@ -1,4 +1,4 @@
-"""Printing: data on stdout, progress on stderr."""
+"""Printing: data on stdout, when the command has done everything else; progress on stderr."""
 
 from __future__ import annotations
 
