@@ -11,7 +11,7 @@ import sport_tables
 import tables
 from cases import analysed
 from facts import facts
-from figures import axes, ball, convergence, flight, hollow, oblique, optimum, parks, percussion, spots
+from figures import axes, ball, convergence, flight, hollow, home_runs, oblique, optimum, parks, percussion, spots
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
@@ -33,6 +33,7 @@ def figures() -> dict[str, Callable[[], Figure]]:
         "wall": hollow.wall_figure,
         "offset": oblique.offset_figure,
         "parks": parks.parks_figure,
+        "home_runs": home_runs.calibration_figure,
         "optimum": optimum.optimum_figure,
         "flight": flight.flight_figure,
         "flight_convergence": flight.flight_convergence,

@@ -25,9 +25,12 @@ from sweetspot import catalog
 from sweetspot.errors import InputError
 from sweetspot.flight.aerodynamics import REFERENCE_REYNOLDS, VISCOSITY, Aerodynamics
 from sweetspot.flight.air import Air
+from sweetspot.flight.batted_spin import batted_ball_spin
 from sweetspot.flight.bearing import bearing_of_place, launched_to
+from sweetspot.flight.home_runs import home_run_chances
 from sweetspot.flight.kernel import Flights
 from sweetspot.flight.pitch import PLATE, nine_parameters, spin_from_movement
+from sweetspot.motion.ball_motion import spin_axes
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
 
 Array = NDArray[np.float64]
@@ -73,6 +76,8 @@ class Hits:
     height: Array
     distance: Array
     game: NDArray[np.str_]
+    home: NDArray[np.str_]
+    home_run: NDArray[np.bool_]
     roof: NDArray[np.bool_]
 
     def where(self, rows: NDArray[np.bool_] | NDArray[np.int64]) -> Hits:
@@ -145,6 +150,8 @@ def read_hits(folder: Path) -> Hits:
         height=np.array([GLOVE if row["events"] in CAUGHT else 0.0 for row in rows]),
         distance=column(rows, "hit_distance_sc") * FOOT,
         game=np.array([row["game_pk"] for row in rows]),
+        home=np.array([row["home_team"] for row in rows]),
+        home_run=np.array([row["events"] == "home_run" for row in rows]),
         roof=np.array([row["home_team"] == ROOF for row in rows]),
     )
 
@@ -243,6 +250,47 @@ def table(hits: Hits, law: Aerodynamics) -> None:
             print(f"      {name:18}", "  ".join(cells))
 
 
+def scatter(hits: Hits, law: Aerodynamics) -> None:
+    """Print, as parts of the drag coefficient, what carries scatter and lie apart by: the numbers of `Scatter`."""
+    seen = flown(hits, law)[0]
+    apart = seen - hits.distance
+    per_drag = (seen - flown(hits, law.replaced(drag=law.drag + 0.01))[0]) / 0.01
+    coefficient = law.drag + 2.3 * KRPM * law.drag_per_active_spin + 0.4 * law.drag_per_inverse_reynolds
+    far = (hits.launch_angle > 22 * DEGREE) & (hits.launch_angle < 40 * DEGREE) & (hits.exit_speed > 95 * MPH)
+    for name, rows in (("roof", hits.roof), ("open", ~hits.roof)):
+        centred = apart[rows & far] - np.median(apart[rows & far])
+        spread = 1.4826 * np.median(np.abs(centred)) / per_drag[rows & far].mean()
+        shift = apart[rows].mean() / per_drag[rows].mean()
+        print(f"scatter, {name}: {spread / coefficient:.3f}, shift {shift / coefficient:+.3f} of the drag coefficient")
+
+
+def home_runs(hits: Hits, law: Aerodynamics) -> None:
+    """Print how many home runs the balls should have been in their own parks, and were, by chance."""
+    spray, _ = launched_to(
+        hits.bearing, exit_speed=hits.exit_speed, launch_angle=hits.launch_angle, ball=catalog.ball(), aerodynamics=law,
+        air=hits.density, bats=hits.bats,
+    )  # fmt: skip
+    axes = spin_axes(hits.launch_angle, spray)
+    backspin, sidespin = batted_ball_spin(hits.launch_angle, spray, bats=hits.bats)
+    chance = np.zeros(len(spray))
+    for team in np.unique(hits.home):
+        here = hits.home == team
+        chance[here] = home_run_chances(
+            [0.0, 2 * FOOT, 3 * FOOT], (hits.exit_speed[:, None] * axes[2])[here],
+            (backspin[:, None] * axes[0] + sidespin[:, None] * axes[1])[here],
+            parks=[catalog.park(team, 2022)], ball=catalog.ball(), aerodynamics=law, air=Air(temperature=TEMPERATURE),
+        ).chance[:, 0]  # fmt: skip
+    for name, rows in (("roof", hits.roof), ("open", ~hits.roof), ("all", chance >= 0)):
+        brier = np.mean((chance - hits.home_run)[rows] ** 2)
+        print(
+            f"home runs, {name}: {chance[rows].sum():.1f} expected, {hits.home_run[rows].sum()} hit, Brier {brier:.4f}"
+        )
+    for low, high in pairwise((0, 0.02, 0.1, 0.25, 0.5, 0.75, 0.9, 0.98, 1.01)):
+        rows = (chance >= low) & (chance < high)
+        print(f"  chance {low:4.2f} up: {rows.sum():4} balls, {chance[rows].mean():.3f} expected, "
+              f"{hits.home_run[rows].mean():.3f} hit")  # fmt: skip
+
+
 def report(name: str, law: Aerodynamics, many: Sequence[Aerodynamics] = ()) -> None:
     """Print the numbers of a law, with standard errors from laws fitted to resampled games."""
     units = {"drag": 1.0, "lift_scale": 1.0, "drag_per_active_spin": 1 / KRPM, "drag_per_inverse_reynolds": 1.0}
@@ -299,6 +347,8 @@ def main() -> None:
     for where, rows in (("roof", hits.roof), ("open", ~hits.roof)):
         report(f"{where} alone", fit_level(hits.where(rows), law))
     table(hits, law)
+    scatter(hits, law)
+    home_runs(hits, law)
 
 
 if __name__ == "__main__":

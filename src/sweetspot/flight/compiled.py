@@ -90,7 +90,7 @@ def _rates(
 
 
 @njit(forceinline=True, error_model="numpy", fastmath={"contract", "nsz"})
-def _stepped(
+def stepped(
     state: State, step: float, spin: Spin, strength: float, wind: Pair, shared: tuple[float, ...],
     power: float | None, profile: float | None,
 ) -> State:  # fmt: skip
@@ -130,7 +130,7 @@ def _advance(lanes: Array, step: float, edge: float, shared: tuple[float, ...], 
         response = _rates(z, vx, vy, vz, left, spin, strength, wind, shared, power, profile)[4]
         length = step / max(1.0, SLOW * response)
         state = (lanes[X + lane], lanes[Y + lane], z, vx, vy, vz, left)
-        after = _stepped(state, length, spin, strength, wind, shared, power, profile)
+        after = stepped(state, length, spin, strength, wind, shared, power, profile)
         lanes[BEFORE + X + lane], lanes[BEFORE + Y + lane], lanes[BEFORE + Z + lane] = state[0], state[1], z
         lanes[BEFORE + VX + lane], lanes[BEFORE + VY + lane], lanes[BEFORE + VZ + lane] = vx, vy, vz
         lanes[BEFORE + LEFT + lane] = left
@@ -308,7 +308,7 @@ def _shorten(
         lanes[BEFORE + X + lane], lanes[BEFORE + Y + lane], lanes[BEFORE + Z + lane], lanes[BEFORE + VX + lane],
         lanes[BEFORE + VY + lane], lanes[BEFORE + VZ + lane], lanes[BEFORE + LEFT + lane],
     )  # fmt: skip
-    after = _stepped(state, length, spin, lanes[STRENGTH + lane], wind, shared, power, profile)
+    after = stepped(state, length, spin, lanes[STRENGTH + lane], wind, shared, power, profile)
     lanes[X + lane], lanes[Y + lane], lanes[Z + lane] = after[0], after[1], height
     lanes[VX + lane], lanes[VY + lane], lanes[VZ + lane], lanes[LEFT + lane] = after[3], after[4], after[5], after[6]
     lanes[TIME + lane] += length - lanes[TAKEN + lane]

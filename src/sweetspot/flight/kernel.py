@@ -101,12 +101,12 @@ def flights(
     check_step(step)
     if not 0 <= path_points <= MOST_PATH_POINTS or path_points == 1:
         raise InputError(f"path_points is {path_points}; allowed is 0 (no path) or 2 to {MOST_PATH_POINTS}")
-    start = _rows(position, velocity, spin, air, wind)
+    start = flight_rows(position, velocity, spin, air, wind)
     count = start.shape[1]
     outcome = np.empty(count, np.int64)
     results = np.empty((RESULT_ROWS, count))
     paths = np.empty((count, path_points, 3))
-    constants = _constants(ball, aerodynamics, wind)
+    constants = flight_constants(ball, aerodynamics, wind)
     power = None if aerodynamics.lift_exponent == 1 else aerodynamics.lift_exponent
     profile = wind.exponent if isinstance(wind, Wind) and wind.exponent and wind.speed else None
 
@@ -133,7 +133,7 @@ def flights(
     )
 
 
-def _rows(
+def flight_rows(
     position: ArrayLike, velocity: ArrayLike, spin: ArrayLike, air: Air | ArrayLike, wind: Wind | ArrayLike
 ) -> Array:  # fmt: skip
     """Return what differs between flights, shape (12, n): position, velocity, spin, density, wind right and out."""
@@ -160,7 +160,7 @@ def _rows(
     return start
 
 
-def _constants(ball: Ball, aerodynamics: Aerodynamics, wind: Wind | ArrayLike) -> Array:
+def flight_constants(ball: Ball, aerodynamics: Aerodynamics, wind: Wind | ArrayLike) -> Array:
     """Return the numbers that every flight shares, in the order that `lanes.solve` takes them."""
     edge, height = (wind.calm_below, wind.reference_height) if isinstance(wind, Wind) else (0.0, 1.0)
     return np.array(

@@ -12,6 +12,7 @@ from sweetspot.equipment.sport import Sport
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.all_parks import landings_everywhere
 from sweetspot.flight.fence import Landing, landing
+from sweetspot.flight.home_runs import home_run_chances
 from sweetspot.flight.park import Park
 from sweetspot.flight.sweep import BattedBall, directed
 from sweetspot.flight.trajectory import Flight, FlightOutcome, fly
@@ -39,6 +40,8 @@ class BattedFlight:
     Parameters
     ----------
     out_in, parks : in how many of how many parks it is a home run; 0 of 0 where nobody asked for a park.
+    chance, expected_out_in : of a home run in the park, and in how many parks on average, with the scatter of balls,
+        spin and weather.
     """
 
     hit: BattedBall
@@ -49,6 +52,8 @@ class BattedFlight:
     landing: Landing | None = None
     out_in: int = 0
     parks: int = 0
+    chance: float = 0.0
+    expected_out_in: float = 0.0
 
 
 def batted_flight(
@@ -78,7 +83,14 @@ def batted_flight(
         wind=hit.wind, own_elevation=own_elevation,
     )  # fmt: skip
     out_in = sum(bool(one.out.all()) for one in everywhere)
-    return replace(flown, park=park, landing=landing(flight.positions, park), out_in=out_in, parks=len(parks))
+    chances = home_run_chances(
+        motion.position, motion.velocity, motion.spin, parks=(park, *parks), ball=ball, aerodynamics=aerodynamics,
+        air=hit.air, wind=hit.wind, own_elevation=own_elevation,
+    ).chance[0]  # fmt: skip
+    return replace(
+        flown, park=park, landing=landing(flight.positions, park), out_in=out_in, parks=len(parks),
+        chance=float(chances[0]), expected_out_in=float(chances[1:].sum()),
+    )  # fmt: skip
 
 
 def batted_document(flown: BattedFlight) -> Document:
@@ -123,6 +135,7 @@ def _json(flown: BattedFlight) -> dict[str, Any]:
     if flown.park is not None and flown.landing is not None:
         answer["fence"] = landing_json(flown.landing, flown.park)
         answer["out_in"], answer["parks"] = flown.out_in, flown.parks
+        answer["home_run_chance"], answer["expected_out_in"] = flown.chance, flown.expected_out_in
     if flown.sport.key != "baseball":
         answer["court"] = court_json(flown.flight, flown.sport, ball=flown.ball)
     return cleaned(answer)
@@ -137,7 +150,14 @@ def _words(flown: BattedFlight) -> Sentence:
     sentences += [flight_words(flown.flight), _bend(flown.flight)]
     if flown.park is not None and flown.landing is not None:
         sentences.append(landing_words(flown.landing, flown.park))
-        sentences.append(say("It is a home run in {out} of {all} parks.", out=flown.out_in, all=flown.parks))
+        sentences.append(
+            say(
+                "It is a home run in {out} of {all} parks. Balls, spin and weather differ: of a hundred like it "
+                "{chance} are home runs here, and each in {expected} parks on average.",
+                out=flown.out_in, all=flown.parks, chance=round(100 * flown.chance),
+                expected=f"{flown.expected_out_in:.0f}",
+            )
+        )  # fmt: skip
     return joined(sentences)
 
 

@@ -1,0 +1,140 @@
+"""How likely is a home run: a ball's chance in every park, with what its flight scatters by.
+
+Two balls hit alike do not fly alike. Balls differ in drag, spin about the usual line, and no park's weather is known to
+the breeze. All that is told as one scatter of the drag coefficient, as wide as what tracked carries scatter by
+(`tools/fit_aerodynamics.py` prints it), so a ball that would clear a fence by nothing has a chance of one half.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from sweetspot.equipment.ball import Ball
+from sweetspot.flight.aerodynamics import Aerodynamics
+from sweetspot.flight.air import CALM, Air, Wind
+from sweetspot.flight.fence_compiled import FOUL, TABLE_STEP, chances
+from sweetspot.flight.kernel import flight_constants, flight_rows
+from sweetspot.flight.park import Park, fence_at, nearest_fence
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.threads import in_parts
+
+CHUNK = 2048
+"""Balls per task handed to a thread."""
+ALIKE = 1e-4
+"""kg/m^3; parks whose air differs by less share it."""
+DIRECTIONS = np.linspace(-FOUL, FOUL, round(2 * FOUL / TABLE_STEP) + 1)
+
+
+@dataclass(frozen=True)
+class Scatter:
+    """What single flights scatter by, as parts of the drag coefficient.
+
+    Parameters
+    ----------
+    roof, open : standard deviation under a fixed roof and in the open; a roof that moves lies in between.
+    roof_shift, open_shift : what the mean ball has more of there than the law says; see docs/theory/flight.md.
+    """
+
+    roof: float = 0.053
+    open: float = 0.062
+    roof_shift: float = -0.016
+    open_shift: float = 0.024
+
+    def of(self, park: Park) -> tuple[float, float]:
+        """Return shift and standard deviation in a park."""
+        covered = {"open": 0.0, "retractable": 0.5, "fixed": 1.0}[park.roof]
+        return (
+            covered * self.roof_shift + (1 - covered) * self.open_shift,
+            covered * self.roof + (1 - covered) * self.open,
+        )
+
+
+USUAL = Scatter()
+"""Fitted to the same balls of 2022 as the law [savant_2022rays]."""
+NONE = Scatter(roof=0.0, open=0.0, roof_shift=0.0, open_shift=0.0)
+"""Every ball flies by the law: chances are 0 or 1."""
+
+
+@dataclass(frozen=True)
+class HomeRuns:
+    """Chances of many balls in many parks.
+
+    Parameters
+    ----------
+    chance : shape (n, parks), 0 to 1.
+    clearance : m from the fence's top up to the mean ball's centre over it, shape (n, parks); negative where it falls
+        short, NaN where it is foul or does not come near.
+    """
+
+    chance: Array
+    clearance: Array
+
+    @property
+    def expected(self) -> Array:
+        """In how many of the parks each ball is a home run on average, shape (n,)."""
+        return np.asarray(self.chance.sum(axis=1))
+
+
+def home_run_chances(
+    position: ArrayLike,
+    velocity: ArrayLike,
+    spin: ArrayLike,
+    *,
+    parks: Iterable[Park],
+    ball: Ball,
+    aerodynamics: Aerodynamics,
+    air: Air,
+    wind: Wind | ArrayLike = CALM,
+    own_elevation: bool = True,
+    scatter: Scatter = USUAL,
+    threads: int | None = None,
+) -> HomeRuns:
+    """Return each ball's chance of a home run in each park.
+
+    A ball is followed as far as the fences and nothing is kept of its path: 16 bytes per ball and park.
+
+    Parameters
+    ----------
+    position, velocity, spin : m, m/s and rad/s as the ball leaves the bat, shape (3,) or (n, 3), broadcast together.
+    parks : with their own fences; ``own_elevation`` says whether each lies at its own elevation too.
+    air, wind : as in `landings_everywhere`; the wind does not know of shelter here.
+    threads : workers; None: one per core.
+    """
+    everywhere = tuple(parks)
+    airs = [air.replaced(elevation=park.elevation) if own_elevation else air for park in everywhere]
+    density = np.array([one.density for one in airs])
+    nodes = np.linspace(density.min(), density.max(), 3) if np.ptp(density) > ALIKE else density[:1]
+    weights = np.array([_weights(one, nodes) for one in density])
+    fences = np.array([fence_at(park, DIRECTIONS) for park in everywhere]).transpose(1, 0, 2).copy()
+    nearest = min(nearest_fence(park) for park in everywhere)
+    shifts, scatters = np.array([scatter.of(park) for park in everywhere]).T.copy()
+    start = flight_rows(position, velocity, spin, air, wind)[[0, 1, 2, 3, 4, 5, 6, 7, 8, 10, 11]]
+    constants = flight_constants(ball, aerodynamics, wind)
+    shared = (*constants[1:11], constants[12])
+    power = None if aerodynamics.lift_exponent == 1 else aerodynamics.lift_exponent
+    profile = wind.exponent if isinstance(wind, Wind) and wind.exponent and wind.speed else None
+    chance = np.empty((start.shape[1], len(everywhere)))
+    clearance = np.empty_like(chance)
+
+    def work(part: slice) -> None:
+        chances(
+            np.ascontiguousarray(start[:, part]), nodes, weights, fences, nearest, shifts, scatters, constants, shared,
+            power, profile, chance[part], clearance[part],
+        )  # fmt: skip
+
+    in_parts(work, len(chance), size=CHUNK, threads=threads)
+    return HomeRuns(chance, clearance)
+
+
+def _weights(density: float, nodes: Array) -> list[float]:
+    """Return the weights of Lagrange's parabola through the nodes (or of the only one).
+
+    >>> [round(weight, 6) for weight in _weights(1.1, np.array([1.0, 1.1, 1.2]))]
+    [0.0, 1.0, 0.0]
+    """
+    return [math.prod((density - other) / (node - other) for other in nodes if other != node) for node in nodes]

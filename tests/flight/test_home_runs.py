@@ -1,0 +1,99 @@
+"""Chances of home runs: the kernel against paths judged one by one, the limit without scatter, and tracked balls."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+from sweetspot import catalog
+from sweetspot.flight.air import Air, Wind
+from sweetspot.flight.all_parks import landings_everywhere
+from sweetspot.flight.batted_spin import batted_ball_spin
+from sweetspot.flight.home_runs import NONE, HomeRuns, Scatter, home_run_chances
+from sweetspot.motion.ball_motion import spin_axes
+from sweetspot.numerics.arrays import Array
+from sweetspot.units import FOOT, MPH
+
+BALL, LAW, AIR, PARKS = catalog.ball(), catalog.aerodynamics(), Air(temperature=22.0), catalog.parks()
+START = np.array([0.0, 2 * FOOT, 3 * FOOT])
+
+
+@cache
+def launched(count: int) -> tuple[Array, Array]:
+    """Return velocities and spins of balls that come near fences."""
+    generator = np.random.default_rng(3)
+    angle, turn = generator.uniform(0.3, 0.75, count), generator.uniform(-0.75, 0.75, count)
+    axes = spin_axes(angle, turn)
+    back, side = batted_ball_spin(angle, turn)
+    speed = generator.uniform(92, 112, count) * MPH
+    return speed[:, None] * axes[2], back[:, None] * axes[0] + side[:, None] * axes[1]
+
+
+def asked(count: int, **changes: Any) -> HomeRuns:
+    velocity, spin = launched(count)
+    options: dict[str, Any] = {"parks": PARKS, "ball": BALL, "aerodynamics": LAW, "air": AIR} | changes
+    return home_run_chances(START, velocity, spin, **options)
+
+
+@pytest.mark.parametrize("wind", [Wind(), Wind(speed=5.0, direction=2.0)])
+def test_without_scatter_it_is_the_path_judged(wind: Wind) -> None:
+    """Agreement to 3 cm in every park's own air: chords of a path of 161 points, and a parabola over the air."""
+    velocity, spin = launched(300)
+    found = asked(300, scatter=NONE, wind=wind)
+    judged = landings_everywhere(
+        START, velocity, spin, parks=PARKS, ball=BALL, aerodynamics=LAW, air=AIR, wind=wind
+    )  # fmt: skip
+    clearance = np.stack([park.clearance for park in judged], axis=-1)
+    both = np.isfinite(clearance)
+    assert both.sum() > 2000 and np.isfinite(found.clearance[both]).all()
+    assert np.abs(found.clearance - clearance)[both].max() < 0.03
+    out = np.stack([park.out for park in judged], axis=-1)
+    sure = np.abs(np.nan_to_num(clearance, nan=1.0)) > 0.03
+    assert np.array_equal(out[sure], found.chance[sure] > 0.5)
+    assert set(np.unique(found.chance[sure])) == {0.0, 1.0}
+
+
+def test_a_ball_level_with_the_top_is_a_coin() -> None:
+    """Symmetry: clearance zero is a chance of one half, a spread above and below add to one."""
+    found = asked(2000, scatter=Scatter(roof=0.06, open=0.06, roof_shift=0.0, open_shift=0.0))
+    level = np.abs(np.nan_to_num(found.clearance, nan=9.0)) < 0.05
+    assert level.sum() > 30 and np.abs(found.chance[level] - 0.5).max() < 0.02
+    assert (found.chance[np.nan_to_num(found.clearance) > 0] >= 0.5).all()
+
+
+def test_drag_moves_the_height_as_much_as_flown_with_it() -> None:
+    """Agreement: the linear answer to 4 % more drag against flights with 4 % more of every part of it, to 10 %."""
+    more = Scatter(roof=0.0, open=0.0, roof_shift=0.04, open_shift=0.04)
+    parts = ("drag", "drag_per_active_spin", "drag_per_inverse_reynolds")
+    heavy = LAW.replaced(**{name: 1.04 * getattr(LAW, name) for name in parts})
+    plain, linear, flown = (
+        asked(400, scatter=NONE),
+        asked(400, scatter=more),
+        asked(400, scatter=NONE, aerodynamics=heavy),
+    )
+    lower, truly = plain.clearance - linear.clearance, plain.clearance - flown.clearance
+    near = np.abs(np.nan_to_num(plain.clearance, nan=99.0)) < 6
+    near &= np.isfinite(truly)
+    assert near.sum() > 500 and truly[near].mean() > 0.5
+    assert lower[near].mean() == pytest.approx(truly[near].mean(), rel=0.1)
+
+
+def test_thin_air_and_a_roof() -> None:
+    own, sea = asked(400), asked(400, own_elevation=False)
+    coors = [park.name for park in PARKS].index("Coors Field")
+    assert own.chance[:, coors].sum() > 1.2 * sea.chance[:, coors].sum()
+    assert own.expected.shape == (400,) and (own.expected <= 30).all()
+
+
+def test_what_cannot_fly_has_no_chance() -> None:
+    velocity, spin = launched(4)
+    velocity = velocity.copy()
+    velocity[0] = math.nan
+    velocity[1] = [0.0, 40.0, -20.0]  # into the ground
+    velocity[2] = [40.0, 5.0, 20.0]  # far foul
+    found = home_run_chances(START, velocity, spin, parks=PARKS, ball=BALL, aerodynamics=LAW, air=AIR)
+    assert (found.chance[:3] == 0).all() and np.isnan(found.clearance[:2]).all()
