@@ -19,7 +19,7 @@ def test_table_says_who_gains(run: Run) -> None:
     code, out, _ = run("compare", "r161-ash", "corked-r161", "youth-30")
     words = " ".join(out.split())
     assert code == 0
-    for heading in ("mass oz", "MOI 6in oz in^2", "q max", "BBCOR max", "bat speed mph", "change mph", "reference"):
+    for heading in ("mass oz", "MOI 6in oz in²", "q max", "BBCOR in play", "bat speed mph", "change mph", "reference"):
         assert heading in words
     assert "R161, corked: swung 2.0 mph faster, the ball leaves 1.2 mph slower (-1.8 to -0.6): a loss." in words
     assert "about the knob to the power -0.29" in words and "nothing else" in words
@@ -76,16 +76,40 @@ def test_files_are_written_whole(run: Run, tmp_path: Path) -> None:
     folder = tmp_path / "new" / "comparison"
     code, _, err = run("compare", "r161-ash", "youth-30", "--out", str(folder))
     assert code == 0 and "wrote" in err
-    assert sorted(path.name for path in folder.iterdir()) == ["compare.json", "compare.png", "compare.svg"]
+    assert sorted(path.name for path in folder.iterdir()) == [
+        "compare.html",
+        "compare.json",
+        "compare.png",
+        "compare.svg",
+    ]
     assert json.loads((folder / "compare.json").read_text())["bats"][1]["label"].startswith("youth")
 
 
-def test_what_if_table(run: Run, run_json: RunJson) -> None:
+def test_units_are_the_readers(run: Run, tmp_path: Path) -> None:
+    code, out, _ = run("compare", "r161-ash", "corked-r161", "--units", "si", "--out", str(tmp_path))
+    words = " ".join(out.split())
+    assert code == 0 and "swung 0.87 m/s faster" in words and "mass g" in words and "MOI 6in kg m²" in words
+    assert "mph" not in words and " oz" not in words
+    page = (tmp_path / "compare.html").read_text(encoding="utf-8")
+    assert "0.87 m/s faster" in page and "BBCOR in play" in page
+
+
+def test_rackets_are_compared_in_their_sports_words(run: Run) -> None:
+    code, out, _ = run("compare", "tennis-racket", "badminton-racket")
+    words = " ".join(out.split())
+    assert code == 0 and "The rackets" in words and "swing weight" in words and "racket speed m/s" in words
+    assert "BBCOR" not in words and "no law of this sport's own players" in words
+
+
+def test_what_if_table(run: Run, run_json: RunJson, tmp_path: Path) -> None:
     asked = ["r161-ash", "--rows", "mass=30oz:31oz:2", "--columns", "bore-depth=0in:40in:3"]
     code, out, _ = run("compare", *asked, "--cell", "bbcor")
     words = " ".join(out.split())
     assert code == 0 and "bbcor: mass in oz down, bore depth in in across" in words
     assert "make it shallower" in words
+    folder = tmp_path / "grid"
+    assert run("compare", *asked, "--out", str(folder))[0] == 0
+    assert sorted(path.suffix for path in folder.iterdir()) == [".html", ".json", ".png", ".svg"]
     result = run_json("compare", *asked)
     assert result["columns"]["bore_depth_m"] == pytest.approx([0.0, 0.508, 1.016])
     assert [row[2] for row in result["answers"]["exit_speed_m_s"]] == [None, None]
@@ -96,7 +120,7 @@ def test_a_long_table_says_how_far_it_is(run: Run) -> None:
     asked = ["--rows", "mass=30oz:31oz:5", "--columns", "pitch-speed=80mph:95mph:10", "--format", "csv"]
     code, out, err = run("compare", "r161-ash", *asked)
     assert code == 0 and len(out.splitlines()) == 51
-    assert "sweetspot: 50 of 50 cells" in err and "sweetspot: 25 of 50 cells" in err
+    assert "sweetspot: cells: 50 of 50" in err and "sweetspot: cells: 25 of 50" in err
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,7 @@ import pytest
 from sweetspot import catalog
 from sweetspot.analysis.comparison import compare
 from sweetspot.catalog.standard_hit import standard_conditions
-from sweetspot.report.bat.conclusion import verdict
+from sweetspot.report.comparison.words import verdict
 from sweetspot.units import MPH
 from sweetspot.web.errors import FieldError
 from sweetspot.web.views.compare import VIEW, CompareState, answer
@@ -28,7 +28,7 @@ def test_it_is_the_librarys_comparison() -> None:
     bats = [catalog.bat("r161-ash"), catalog.bat("russell-b6")]
     expected = compare(bats, conditions=standard_conditions(bats[0]), law=catalog.swing_law())
     found = asked(bats=[{}, {"bat": "russell-b6"}])
-    assert found["verdict"] == verdict(expected)
+    assert found["verdict"] == [str(sentence) for sentence in verdict(expected)]
     for row, one in zip(found["bats"], expected.compared, strict=True):
         for end in ("value", "low", "high"):
             assert row["exit_speed_m_s"][end] == pytest.approx(getattr(one.exit_speed, end), rel=1e-12)

@@ -22,6 +22,7 @@ from sweetspot.errors import InputError
 from sweetspot.motion.swing import MAX_SPEED, Conditions
 from sweetspot.motion.swing_law import Interval, SwingLaw, turned_faster
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.notebook_display import ShownInNotebooks
 from sweetspot.numerics.parabola import peak
 
 ACCURACY = 1e-9
@@ -54,8 +55,8 @@ class Compared(Generic[Tool_co]):
     break_even: float
 
 
-@dataclass(frozen=True)
-class Comparison(Generic[Tool_co]):
+@dataclass(frozen=True, repr=False)
+class Comparison(ShownInNotebooks, Generic[Tool_co]):
     """Bats side by side, the reference first; ``law`` is None when all are swung at the same speed.
 
     The intervals hold the spread of the law's exponent and nothing else.
@@ -63,6 +64,10 @@ class Comparison(Generic[Tool_co]):
 
     compared: tuple[Compared[Tool_co], ...]
     law: SwingLaw | None
+
+    def __repr__(self) -> str:
+        """Return what was compared, short."""
+        return f"<Comparison of {', '.join(compared.label for compared in self.compared)}>"
 
     @property
     def reference(self) -> Compared[Tool_co]:

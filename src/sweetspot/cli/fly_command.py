@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
+from sweetspot.cli.options.ranges import spread
 from sweetspot.cli.options.weather import AirOptions, park_of
 from sweetspot.errors import InputError
 
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
     from sweetspot.units import Kind
 
 DEFAULT_AIR = AirOptions()
-MOST_VALUES = 100
 KINDS: dict[str, Kind] = {
     "exit_speed": "speed", "launch_angle": "angle", "spray": "angle", "bearing": "angle", "backspin": "angular speed",
     "sidespin": "angular speed", "gyrospin": "angular speed", "height": "length", "forward": "length",
@@ -81,11 +81,11 @@ def fly(
     for name, text in _texts(launch, air).items():
         varied = next((known for known in VARIATIONS if known == name), None)
         if ":" in text and varied is not None:
-            ranges.append((varied, _range(name, text)))
+            ranges.append((varied, spread(text, KINDS[name], _option(name))))
         else:
             values[name] = _number(name, text)
-    for name, spread in ranges:
-        values[name] = spread[0]
+    for name, values_of in ranges:
+        values[name] = values_of[0]
     hit = BattedBall(**values, bats=launch.bats)
     if len(ranges) > 2:
         named = " and ".join(_option(name) for name, _ in ranges)
@@ -128,20 +128,6 @@ def _number(name: str, text: str) -> float:
     from sweetspot.units import parse
 
     return parse(text, KINDS[name], _option(name))
-
-
-def _range(name: str, text: str) -> tuple[float, ...]:
-    """Return the values of a range written as ``90mph:110mph:5``: from, to, and how many."""
-    parts = text.split(":")
-    if len(parts) != 3:
-        raise InputError(
-            f"{_option(name)} was given as {text!r}; a range is from, to and how many values: 90mph:110mph:5"
-        )
-    first, last, count = parts
-    if not count.strip().isdecimal() or not 1 <= int(count) <= MOST_VALUES:
-        raise InputError(f"{_option(name)} asks for {count!r} values; allowed is 1 to {MOST_VALUES}")
-    low, high, steps = _number(name, first), _number(name, last), max(int(count) - 1, 1)
-    return tuple(low + (high - low) * step / steps for step in range(int(count)))
 
 
 def _law(launch: LaunchOptions) -> Aerodynamics:

@@ -6,7 +6,7 @@ import csv
 import json
 import sys
 import threading
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 PATIENCE = 3.0
 """s before a run says why it takes a while."""
+LONG = 50
+"""Steps of work from which on a log hears of it."""
 
 
 def print_json(value: Any) -> None:
@@ -65,6 +67,33 @@ def present(document: Document, options: OutputOptions) -> int:
     if written:
         print(f"sweetspot: wrote {', '.join(map(str, written))}", file=sys.stderr)
     return 0 if document.passed else 1
+
+
+@contextmanager
+def progress(what: str) -> Iterator[Callable[[int, int], None]]:
+    """Yield what shows on stderr how far the work is: a bar on a terminal, elsewhere a line at every quarter.
+
+    Work of fewer than `LONG` steps says nothing off a terminal.
+    """
+    from rich.console import Console
+
+    console = Console(stderr=True)
+    if not console.is_terminal:
+
+        def say(done: int, total: int) -> None:
+            if total >= LONG and 4 * done // total > 4 * (done - 1) // total:
+                print(f"sweetspot: {what}: {done} of {total}", file=sys.stderr)
+
+        yield say
+        return
+    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+
+    percent = TextColumn("{task.percentage:>3.0f} %")
+    with Progress(
+        TextColumn("{task.description}"), BarColumn(), percent, TimeRemainingColumn(), console=console, transient=True
+    ) as bar:
+        task = bar.add_task(what)
+        yield lambda done, total: bar.update(task, completed=done, total=total)
 
 
 @contextmanager

@@ -170,6 +170,11 @@ def paper_json(rows: list[Row]) -> dict[str, Any]:
     return cleaned({"rows": [asdict(row) for row in rows]})
 
 
+def as_columns(rows: list[dict[str, Any]]) -> dict[str, list[Any]]:
+    """Return rows with equal keys as columns; no columns where there are no rows."""
+    return {name: [row[name] for row in rows] for name in rows[0]} if rows else {}
+
+
 def cleaned(table: dict[str, Any]) -> dict[str, Any]:
     """Return a table with arrays as lists and every number that is not finite as None, as JSON has neither."""
     return {key: _clean(item) for key, item in table.items()}

@@ -56,6 +56,7 @@ def _same(ending: str, name: str, size: float, digits: int) -> Scale:
 
 SCALES: Mapping[str, Scale] = {
     "speed": Scale("_m_s", Unit("mph", MPH, 1), Unit("m/s", 1.0, 1)),
+    "speed_change": Scale("_m_s", Unit("mph", MPH, 1), Unit("m/s", 1.0, 2)),
     "place": Scale("_m", Unit("in", INCH, 1), Unit("cm", 0.01, 1)),
     "offset": Scale("_m", Unit("in", INCH, 2), Unit("cm", 0.01, 1)),
     "length": Scale("_m", Unit("in", INCH, 2), Unit("cm", 0.01, 1)),
@@ -121,7 +122,29 @@ QUANTITIES: Mapping[str, Quantity] = {
     "apex_height": Quantity("apex", "distance"),
     "landing_angle": Quantity("landing angle", "angle"),
     "landing_speed": Quantity("landing speed", "speed"),
+    "apex": Quantity("apex", "distance"),
+    "bearing": Quantity("bearing of the landing", "angle"),
+    "gyrospin": Quantity("gyrospin", "spin"),
+    "height": Quantity("height of contact", "distance"),
+    "temperature": Quantity("temperature", "temperature"),
+    "humidity": Quantity("humidity", "ratio"),
+    "pressure": Quantity("barometer", "pressure"),
+    "elevation": Quantity("elevation", "distance"),
+    "wind_speed": Quantity("wind", "speed"),
+    "wind_direction": Quantity("direction of the wind", "angle"),
+    "bore_diameter": Quantity("width of the hole", "length"),
+    "bore_depth": Quantity("depth of the hole", "length"),
+    "wall_factor": Quantity("wall, times its own", "ratio"),
 }
+
+
+def key(name: str) -> str:
+    """Return the name of a quantity with its unit, as JSON and CSV have it.
+
+    >>> key("carry"), key("bbcor")
+    ('carry_m', 'bbcor')
+    """
+    return f"{name}{SCALES[QUANTITIES[name].scale].ending}"
 
 
 @dataclass(frozen=True)
@@ -164,6 +187,7 @@ SI = Reader({name: scale.si for name, scale in SCALES.items()})
 SYSTEMS: Mapping[System, Reader] = {"us": US, "si": SI}
 
 SPEEDS = {"mph": SCALES["speed"].us, "m/s": SCALES["speed"].si}
+SPEED_CHANGES = {"mph": SCALES["speed_change"].us, "m/s": SCALES["speed_change"].si}
 PLACES = {"in": US, "cm": SI}
 DISTANCES = {"ft": SCALES["distance"].us, "yd": Unit("yd", 3 * FOOT, 1), "m": SCALES["distance"].si}
 
@@ -178,7 +202,8 @@ def reader(system: System | None, words: Words) -> Reader:
     if system is not None:
         return SYSTEMS[system]
     usual = PLACES[words.place_unit]
-    return Reader({**usual.units, "speed": SPEEDS[words.speed_unit], "distance": DISTANCES[words.distance_unit]})
+    speeds = {"speed": SPEEDS[words.speed_unit], "speed_change": SPEED_CHANGES[words.speed_unit]}
+    return Reader({**usual.units, **speeds, "distance": DISTANCES[words.distance_unit]})
 
 
 def with_digits(reading: Reader, **digits: int) -> Reader:

@@ -122,9 +122,11 @@ def read(words: Words, reader: Reader) -> str:
     return words if isinstance(words, str) else words.read(reader)
 
 
-def within(interval: Interval, scale: str, *, digits: int | None = None, sign: bool = False) -> Sentence:
+def within(
+    interval: Interval, scale: str, *, digits: int | None = None, sign: bool = False, unit: bool = True
+) -> Sentence:
     """Return a value with its interval, "+1.2 mph (+0.4 to +2.0)"; without one where the interval has no width."""
-    value = Slot(interval.value, scale, digits, sign)
+    value = Slot(interval.value, scale, digits, sign, unit)
     if interval.low == interval.high:
         return Sentence((value,))
     low, high = (Slot(end, scale, digits, sign, unit=False) for end in (interval.low, interval.high))

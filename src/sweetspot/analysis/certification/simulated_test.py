@@ -23,6 +23,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.numerics.notebook_display import ShownInNotebooks
 from sweetspot.numerics.parabola import top
 from sweetspot.units import INCH, MPH, shown
 
@@ -64,8 +65,8 @@ class BatTest:
     at_edge: bool
 
 
-@dataclass(frozen=True)
-class Certification:
+@dataclass(frozen=True, repr=False)
+class Certification(ShownInNotebooks):
     """The measures of a bat from the model.
 
     Parameters
@@ -79,6 +80,10 @@ class Certification:
     body: RigidBody
     fast: BatTest
     slow: BatTest
+
+    def __repr__(self) -> str:
+        """Return the measures, short."""
+        return f"<Certification of {self.bat.name}: BBCOR {self.bbcor:.4f}, BESR {self.besr:.4f}, BPF {self.bpf:.3f}>"
 
     @property
     def bbcor(self) -> float:

@@ -1,7 +1,9 @@
-"""One picture of several bats: the exit speed along each, tips aligned, with their sweet zones below."""
+"""One picture of several bats, tips aligned: outlines, exit speed along each, differences, sweet zones."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -11,10 +13,13 @@ from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
 from sweetspot.analysis.comparison import Compared, Comparison
+from sweetspot.catalog.sports import sport
 from sweetspot.equipment.implement import Implement
+from sweetspot.numerics.arrays import Array
 from sweetspot.report.pictures import ruler
-from sweetspot.report.pictures.conditions_line import told
+from sweetspot.report.pictures.conditions_line import Told
 from sweetspot.report.pictures.style import (
+    GRID,
     HUGE,
     INK,
     MUTED,
@@ -27,119 +32,173 @@ from sweetspot.report.pictures.style import (
     light_grid,
     styled,
 )
-from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY
+from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY, US, Reader
+from sweetspot.report.sentences import within
 
-WIDTH, SIDE, HEADER, CURVES, ROW, BETWEEN, FOOTER = 8.0, 0.62, 1.05, 3.1, 0.27, 0.62, 0.85
-"""Inches of paper: page, margins, title, curves, one bat's row of the zones, the gap, the foot."""
+WIDTH, SIDE, HEADER, CURVES, DIFFERENCES, ROW, BETWEEN, FOOTER = 8.0, 0.62, 1.05, 2.6, 1.3, 0.27, 0.5, 0.85
+"""Inches of paper: page, margins, title, curves, differences, one bat's row of the zones, the gaps, the foot."""
 NAME_WIDTH = 2.3
 """Inches of paper for a bat's name in its row."""
 COLOURS = (INK, RED, BLUE, GREEN, ORANGE, PURPLE, SKY)
 DASHES: tuple[Any, ...] = ("solid", (0, (5, 1.5)), (0, (1.5, 1.2)))
 """The reference is drawn in ink; from the eighth bat on the colours come again, dashed."""
+OUTER = 0.4
+"""Part of the length, from the tip, that the axes of speed and difference are made for; curves run on beyond it."""
+POINTS = 200
 
 
 @styled
-def compare_figure(comparison: Comparison[Implement]) -> Figure:
-    """Return the figure: curves of exit speed above, a row with zone, best place and speed for every bat below."""
+def compare_figure(comparison: Comparison[Implement], reading: Reader = US) -> Figure:
+    """Return the figure: outlines, exit speed, its difference from the first, and a row with zone and best place each.
+
+    Parameters
+    ----------
+    reading : whose units.
+    """
     compared = comparison.compared
-    length = max(found.analysis.bat.length for found in compared)
-    rows = ROW * (len(compared) + 0.4)
-    height = HEADER + CURVES + BETWEEN + rows + FOOTER
-    figure = Figure(figsize=(WIDTH, height))
+    length = max(one.analysis.bat.length for one in compared)
     across = WIDTH - 2 * SIDE
-    _header(figure, comparison, height)
-    curves = axes_in_inches(figure, left=SIDE, top=HEADER, width=across, height=CURVES)
-    zones = axes_in_inches(figure, left=SIDE, top=HEADER + CURVES + BETWEEN, width=across, height=rows)
-    for axes in (curves, zones):
+    scale = ruler.metres_per_inch_of_paper(length, across)
+    outlines = max(float(one.analysis.bat.width_at(_places(one)).max()) for one in compared) / scale + 0.1
+    rows, differences = ROW * (len(compared) + 0.4), DIFFERENCES + BETWEEN if len(compared) > 1 else 0.0
+    height = HEADER + outlines + BETWEEN + CURVES + differences + BETWEEN + rows + FOOTER
+    figure = Figure(figsize=(WIDTH, height))
+    _header(figure, comparison, height, reading)
+
+    def panel(top: float, tall: float) -> Axes:
+        axes = axes_in_inches(figure, left=SIDE, top=top, width=across, height=tall)
         ruler.set_limits(axes, length)
-    _curves(curves, compared, length)
-    _zones(zones, compared, length)
-    words = "Boxes: sweet zones. Dots: best places. Change: against the first bat. Free bats, hit straight on."
+        return axes
+
+    top = HEADER + outlines + BETWEEN
+    _curves(panel(top, CURVES), compared, length, reading)
+    _zones(panel(top + CURVES + differences + BETWEEN, rows), compared, length, reading)
+    _outlines(panel(HEADER, outlines), compared, length, scale * outlines / 2)
+    if differences:
+        _differences(panel(top + CURVES + BETWEEN, DIFFERENCES), compared, length, reading)
+    words = "Boxes: sweet zones. Dots: best places. Change: against the first. Hit straight on."
     figure.text(SIDE / WIDTH, 0.12 / height, words, color=MUTED, size=SMALL)
     return figure
 
 
-def _header(figure: Figure, comparison: Comparison[Implement], height: float) -> None:
+def _header(figure: Figure, comparison: Comparison[Implement], height: float, reading: Reader) -> None:
     conditions, law = comparison.reference.analysis.conditions, comparison.law
-    telling = told(comparison.reference.analysis.bat)
-    left, tool = SIDE / WIDTH, telling.words.implement
+    words = sport(comparison.reference.analysis.bat.sport).words
+    left, tool = SIDE / WIDTH, words.implement
     number = len(comparison.compared)
     title = f"One {tool}" if number == 1 else f"{number} {tool}s, one player"
     figure.text(left, 1 - 0.42 / height, title, size=HUGE, weight="bold")
     effort = f"all at the same {tool} speed" if law is None else f"same effort by the law of {law.name}"
-    arriving = (
-        f"{telling.speed(conditions.pitch.speed, digits=0)} {telling.words.incoming}"
-        if conditions.pitch.speed
-        else telling.coming(0.0)
-    )
-    first = (
-        f"{arriving}; {telling.speed(conditions.swing.bat_speed, digits=0)} of {tool} speed with the first {tool}, "
-        f"{effort}"
-    )
+    speed = partial(reading.shown, scale="speed", digits=0)
+    pitch = conditions.pitch.speed
+    arriving = f"{speed(pitch)} {words.incoming}" if pitch else f"a {words.incoming} at rest"
+    first = f"{arriving}; {speed(conditions.swing.bat_speed)} of {tool} speed with the first {tool}, {effort}"
     figure.text(left, 1 - 0.66 / height, first, color=MUTED, size=NORMAL, parse_math=False)
 
 
-def _curves(axes: Axes, compared: tuple[Compared[Implement], ...], length: float) -> None:
-    telling = told(compared[0].analysis.bat)
-    size = telling.speed_size
-    ruler.show_from_tip(axes, length, telling, labels=False)
+def _outlines(axes: Axes, compared: Sequence[Compared[Implement]], length: float, half: float) -> None:
+    """Draw every outline to scale, the first one filled."""
+    for number, one in reversed(list(enumerate(compared))):
+        places, (colour, dash) = _places(one), _look(number)
+        across, along = one.analysis.bat.width_at(places) / 2, places + length - one.analysis.bat.length
+        ends = np.concatenate([along, along[::-1], along[:1]]), np.concatenate([across, -across[::-1], across[:1]])
+        axes.plot(*ends, color=colour, linestyle=dash, linewidth=1.0)
+        if number == 0:
+            axes.fill(*ends, color=GRID, linewidth=0, zorder=0)
+    axes.set_ylim(-half, half)
+    axes.axis("off")
+    heading(axes, "Outlines", "to scale, tips aligned")
+
+
+def _curves(axes: Axes, compared: Sequence[Compared[Implement]], length: float, reading: Reader) -> None:
+    ruler.show_from_tip(axes, length, _telling(compared, reading), labels=False)
     axes.yaxis.set_major_locator(MaxNLocator(nbins=6))
     light_grid(axes)
-    heading(axes, "Exit speed", f"how fast the ball leaves, {telling.words.speed_unit}")
+    heading(axes, "Exit speed", f"how fast the ball leaves, {reading.unit('speed')}")
+    size = reading.units["speed"].size
     tops, lows = [], []
-    for number, found in reversed(list(enumerate(compared))):  # the reference last, on top
-        scan = found.analysis.scan
-        places = scan.position + length - found.analysis.bat.length
-        speed = scan.exit_speed / size
-        colour, dash = _look(number)
+    for number, one in reversed(list(enumerate(compared))):  # the reference last, on top
+        scan, (colour, dash) = one.analysis.scan, _look(number)
+        places, speed = scan.position + length - one.analysis.bat.length, scan.exit_speed / size
         axes.plot(places, speed, color=colour, linestyle=dash, linewidth=1.5)
-        axes.plot(_best(found, length), found.exit_speed.value / size, "o", color=colour, markersize=5,
+        axes.plot(_best(one, length), one.exit_speed.value / size, "o", color=colour, markersize=5,
                   markeredgecolor=PAPER, markeredgewidth=0.8, zorder=5)  # fmt: skip
         tops.append(float(np.nanmax(speed)))
-        lows.append(float(np.nanmin(speed)))
-    axes.set_ylim(min(0.0, *lows), 1.08 * max(tops))
+        lows.append(float(np.nanmin(speed[places > (1 - OUTER) * length], initial=tops[-1])))
+    top, low = max(tops), min(lows)
+    axes.set_ylim(low - 0.05 * (top - low), top + 0.08 * (top - low))
 
 
-def _zones(axes: Axes, compared: tuple[Compared[Implement], ...], length: float) -> None:
+def _differences(axes: Axes, compared: Sequence[Compared[Implement]], length: float, reading: Reader) -> None:
+    """Draw by how much the ball leaves faster than from the first one, equally far from the tip."""
+    ruler.show_from_tip(axes, length, _telling(compared, reading), labels=False)
+    light_grid(axes)
+    heading(
+        axes, "Difference from the first", f"equally far from the tip, {reading.unit('speed_change')}; above 0: faster"
+    )
+    size = reading.units["speed_change"].size
+    places = np.linspace((1 - OUTER) * length, length, POINTS)
+    axes.axhline(0, color=COLOURS[0], linewidth=1.0)
+    first, ends = _speed_at(compared[0], places, length), [0.0]
+    for number, one in enumerate(compared[1:], start=1):
+        difference, (colour, dash) = (_speed_at(one, places, length) - first) / size, _look(number)
+        axes.plot(places, difference, color=colour, linestyle=dash, linewidth=1.5)
+        ends += [float(np.nanmin(difference, initial=0.0)), float(np.nanmax(difference, initial=0.0))]
+    room = 0.1 * (max(ends) - min(ends)) or 1.0
+    axes.set_ylim(min(ends) - room, max(ends) + room)
+
+
+def _speed_at(compared: Compared[Implement], places: Array, length: float) -> Array:
+    """Return the exit speed at places on the common axis, nan beyond the scan."""
+    scan = compared.analysis.scan
+    along = scan.position + length - compared.analysis.bat.length
+    return np.interp(places, along, scan.exit_speed, left=np.nan, right=np.nan)
+
+
+def _places(compared: Compared[Implement]) -> Array:
+    return np.linspace(0.0, compared.analysis.bat.length, POINTS)
+
+
+def _telling(compared: Sequence[Compared[Implement]], reading: Reader) -> Told:
+    """Return the sport's words with the reader's units."""
+    words = sport(compared[0].analysis.bat.sport).words
+    return Told(words.replaced(place_unit=reading.unit("place"), speed_unit=reading.unit("speed")))
+
+
+def _zones(axes: Axes, compared: Sequence[Compared[Implement]], length: float, reading: Reader) -> None:
     """Draw a row per bat: name, sweet zone on the common axis, exit speed, and the change with its interval."""
-    telling = told(compared[0].analysis.bat)
+    telling = _telling(compared, reading)
     ruler.show_from_tip(axes, length, telling)
     axes.set_xlabel(f"{telling.place_long} from the {telling.words.tip}", labelpad=2)
     axes.set_yticks([])
     axes.spines["left"].set_visible(False)
     axes.set_ylim(-len(compared) + 0.3, 0.7)
-    heading(axes, "Sweet zones", "fast and quiet; with the exit speed at the best place, and the change")
+    heading(axes, "Sweet zones", "fast and quiet; with the exit speed at the best place, and its change")
     edge = axes.get_xlim()[0]
-    for number, found in enumerate(compared):
+    for number, one in enumerate(compared):
         colour, dash = _look(number)
-        zone, best = found.analysis.sweet_spots.zone, _best(found, length)
+        zone, best = one.analysis.sweet_spots.zone, _best(one, length)
         if zone is not None:
-            start = zone[0] + length - found.analysis.bat.length
+            start = zone[0] + length - one.analysis.bat.length
             axes.add_patch(
                 Rectangle((start, -number - 0.3), zone[1] - zone[0], 0.6, facecolor=colour, alpha=0.22, linewidth=0,
                           gid="zone")
             )  # fmt: skip
         axes.plot(best, -number, "o", color=colour, markersize=5, markeredgecolor=PAPER, markeredgewidth=0.8, zorder=5)
         axes.plot([edge, edge + 0.025 * length], [-number, -number], color=colour, linestyle=dash, linewidth=2)
-        name, size = fitted(found.label, width=NAME_WIDTH, size=NORMAL, smallest=SMALL)
+        name, size = fitted(one.label, width=NAME_WIDTH, size=NORMAL, smallest=SMALL)
         look: dict[str, Any] = {"va": "center_baseline", "color": INK, "size": size, "parse_math": False}
         axes.text(edge + 0.035 * length, -number, name, ha="left", **look)
-        words = telling.speed(found.exit_speed.value)
-        words += "" if number == 0 else f"  {_change(found, telling.speed_size)}"
+        change = within(one.change, "speed_change", sign=True).read(reading)
+        words = reading.shown(one.exit_speed.value, "speed") + (f"  {change}" if number else "")
         left = edge + 0.66 * (axes.get_xlim()[1] - edge)
         axes.text(left, -number, words, ha="right", va="center_baseline", color=INK, size=SMALL, parse_math=False)
-
-
-def _change(found: Compared[Implement], size: float) -> str:
-    change = found.change
-    text = f"{change.value / size:+.1f}"
-    return text if change.low == change.high else f"{text} ({change.low / size:+.1f} to {change.high / size:+.1f})"
 
 
 def _look(number: int) -> tuple[str, Any]:
     return COLOURS[number % len(COLOURS)], DASHES[min(number // len(COLOURS), len(DASHES) - 1)]
 
 
-def _best(found: Compared[Implement], length: float) -> float:
+def _best(one: Compared[Implement], length: float) -> float:
     """Return the best place in m on the common axis, on which all tips lie at ``length``."""
-    return found.analysis.sweet_spots.max_exit_speed + length - found.analysis.bat.length
+    return one.analysis.sweet_spots.max_exit_speed + length - one.analysis.bat.length

@@ -13,14 +13,17 @@ from sweetspot.analysis.certification.rules import check_rules, construction_fin
 from sweetspot.analysis.certification.simulated_test import Certification, certify
 from sweetspot.analysis.comparison import Compared, Comparison, compare_reduced
 from sweetspot.analysis.trampoline import wall_point_of
+from sweetspot.catalog.corking import FILLS, LABELS
 from sweetspot.catalog.rules import league, league_names
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
-from sweetspot.report.bat.conclusion import SI, US, Readers, cork_verdict, verdict, wall_verdict
 from sweetspot.report.certification.table import check_json
-from sweetspot.report.comparison.table import assumptions, comparison_json
+from sweetspot.report.comparison.document import comparison_json
+from sweetspot.report.comparison.words import assumptions, cork_verdict, verdict, wall_verdict
+from sweetspot.report.quantities import SI, US
+from sweetspot.report.sentences import Sentence, say
 from sweetspot.web.bat_outline import outline
 from sweetspot.web.bats import ball_of, conditions_of, reduced
 from sweetspot.web.errors import FieldError, about
@@ -29,8 +32,6 @@ from sweetspot.web.states import BatState, HitState, Name, SwingState
 from sweetspot.web.view import View
 
 ALL = "all"
-FILLS = {"cork": "cork", "rubber": "rubber", "foam": "polyurethane-foam"}
-"""What a corked bat is filled with: label and material of the catalogue, as `sweetspot compare --what-if cork`."""
 NOTHING = "nothing"
 
 
@@ -59,7 +60,8 @@ def answer(state: CompareState) -> dict[str, Any]:
     with about("swing_law"):
         law = swing_law(state.swing_law) if state.same == "effort" else None
     found = compare_reduced(reductions, conditions=conditions_of(state, reductions[0].bat), law=law, labels=labels)
-    table = comparison_json(found, _words(state, found, US))
+    words, assumed = _words(state, found), assumptions(found)
+    table = comparison_json(found, [sentence.read(US) for sentence in words])
     for row, one in zip(table["bats"], found.compared, strict=True):
         row["shape"] = outline(one.analysis.bat)
         row["scan"] |= {
@@ -69,18 +71,18 @@ def answer(state: CompareState) -> dict[str, Any]:
         row["wall"] = _wall(one) if state.what_if == "wall" else None
     return {
         **table,
-        "assumptions": assumptions(found),
-        "si": {"verdict": _words(state, found, SI), "assumptions": assumptions(found, SI)},
+        "assumptions": assumed.read(US),
+        "si": {"verdict": [sentence.read(SI) for sentence in words], "assumptions": assumed.read(SI)},
         "certification": _certification(state, found),
     }
 
 
-def _words(state: CompareState, found: Comparison, readers: Readers) -> list[str]:
+def _words(state: CompareState, comparison: Comparison) -> list[Sentence]:
     """Return the verdict, with what belongs to the question that was asked."""
-    words = verdict(found, readers) or ["Choose another bat to compare this one with."]
+    words = verdict(comparison) or [say("Choose another bat to compare this one with.")]
     if state.what_if == "cork":
-        return words + cork_verdict(found, readers)
-    return words + wall_verdict(found) if state.what_if == "wall" else words
+        return words + cork_verdict(comparison)
+    return words + wall_verdict(comparison) if state.what_if == "wall" else words
 
 
 def _bats(state: CompareState, ball: Ball) -> tuple[list[ReducedBat], list[str]]:
@@ -88,7 +90,7 @@ def _bats(state: CompareState, ball: Ball) -> tuple[list[ReducedBat], list[str]]
     first = _reduced(state.bats[0], ball, 1)
     if state.what_if == "cork":
         made = [_made(_holed(state, fill), ball, "hole_diameter_in") for fill in (NOTHING, *FILLS.values())]
-        return [first, *made], ["unmodified", "drilled", *FILLS]
+        return [first, *made], list(LABELS)
     if state.what_if == "wall":
         if first.bat.shell is None:
             raise FieldError("what_if", f"{first.bat.name} is solid and has no wall; choose a hollow bat as bat 1")

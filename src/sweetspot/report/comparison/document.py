@@ -1,0 +1,171 @@
+"""A comparison as a document: who gains, what the implements are, what they do in play, and what that assumes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from sweetspot.analysis.comparison import Compared, Comparison
+from sweetspot.catalog.sports import sport
+from sweetspot.catalog.swing_weights import swing_weight
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
+from sweetspot.motion.swing_law import Interval
+from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.report.comparison.words import INTERVAL_MEANS, assumptions, cork_verdict, verdict
+from sweetspot.report.document import Cell, Column, Document, Paragraph, Picture, Table
+from sweetspot.report.json_shapes import as_columns, bat_json, cleaned, conditions_json
+from sweetspot.report.quantities import Reader, reader
+from sweetspot.report.sentences import Words, read, within
+
+BBCOR_OF_PLAY = (
+    "BBCOR in play is at this swing's closing speed. The number that rules limit is measured otherwise, in a test with "
+    "the bat at rest; `sweetspot certify` computes that one."
+)
+
+
+def comparison_document(comparison: Comparison[Implement], *, corking: bool = False) -> Document:
+    """Return a comparison as a document.
+
+    Parameters
+    ----------
+    corking : whether the bats are one bat unmodified, drilled, corked, ..., so that corking is answered too.
+    """
+    reference = comparison.reference.analysis
+    its = sport(reference.bat.sport)
+    reading, tool, number = reader(None, its.words), its.words.implement, len(comparison.compared)
+    words = verdict(comparison) + (cork_verdict(comparison) if corking else [])
+    picture = Picture(
+        "curves", lambda reading: _drawn(comparison, reading),
+        label=f"Outlines, exit speed along each {tool}, and the difference from the first one.",
+        caption="Tips aligned. Boxes: sweet zones. Dots: best places.",
+    )  # fmt: skip
+    notes: list[Words] = [assumptions(comparison), *([BBCOR_OF_PLAY] if isinstance(reference.bat, Bat) else [])]
+    return Document(
+        name="compare", title=f"One {tool}" if number == 1 else f"{number} {tool}s, one player",
+        subtitle=_effort(comparison), kind="Comparison",
+        blocks=[
+            *map(Paragraph, words), picture, _things(comparison.compared), _in_play(comparison.compared),
+            *(Paragraph(note, "note") for note in notes),
+        ],
+        data=comparison_json(comparison, [read(sentence, reading) for sentence in words]),
+        rows=as_columns(comparison_rows(comparison)), reader=reading, drawing=picture,
+    )  # fmt: skip
+
+
+def _effort(comparison: Comparison[Implement]) -> str:
+    tool = sport(comparison.reference.analysis.bat.sport).words.implement
+    law = comparison.law
+    return f"all at the same {tool} speed" if law is None else f"same effort by the law of {law.name}"
+
+
+def _things(compared: Sequence[Compared[Implement]]) -> Table:
+    """Return what the implements are; round bats have a BBCOR, others their sport's own swing weight."""
+    bat = compared[0].analysis.bat
+    tool, convention = sport(bat.sport).words.implement, swing_weight(bat.sport)
+    columns = [Column(tool), Column("mass", "mass"), Column("balance", "length")]
+    weighed = Column("MOI 6in", "moi") if isinstance(bat, Bat) else Column(convention.name, right=True)
+    columns += [weighed, Column("f1", "frequency"), Column("q max", "ratio")]
+    columns += [Column("BBCOR in play", "ratio")] if isinstance(bat, Bat) else []
+    rows: list[list[Cell]] = []
+    for one in compared:
+        body = one.analysis.body
+        weight = body.moi(STANDARD_AXIS) if isinstance(bat, Bat) else convention.shown(body)
+        row: list[Cell] = [one.label, body.mass, body.balance_point, weight, first_frequency(one, "bending")]
+        row += [one.collision_efficiency, *([one.bbcor] if isinstance(bat, Bat) else [])]
+        rows.append(row)
+    return Table(f"The {tool}s", columns, rows)
+
+
+def _in_play(compared: Sequence[Compared[Implement]]) -> Table:
+    words = sport(compared[0].analysis.bat.sport).words
+    tool = words.implement
+    columns = [
+        Column(tool), Column(f"{tool} speed", "speed"), Column(words.exit_speed, "speed"),
+        Column("change", "speed_change"), Column("break-even", "speed"),
+    ]  # fmt: skip
+    rows: list[list[Cell]] = [
+        [
+            one.label, within(one.bat_speed, "speed", unit=False), within(one.exit_speed, "speed", unit=False),
+            within(one.change, "speed_change", sign=True, unit=False) if number else "reference", one.break_even,
+        ]
+        for number, one in enumerate(compared)
+    ]  # fmt: skip
+    return Table("In play", columns, rows)
+
+
+def _drawn(comparison: Comparison[Implement], reading: Reader) -> Any:
+    from sweetspot.report.comparison.picture import compare_figure
+
+    return compare_figure(comparison, reading)
+
+
+def comparison_json(comparison: Comparison[Implement], verdict: Sequence[str]) -> dict[str, Any]:
+    """Return everything about a comparison; the first bat is the reference."""
+    law, reference = comparison.law, comparison.reference
+    exponents = law.exponents if law else None
+    return cleaned(
+        {
+            "reference": reference.label,
+            "same": "speed" if law is None else "effort",
+            "swing_law": law and exponents and {
+                "name": law.name,
+                "exponent": _interval(exponents),
+                "axis_from_grip_m": law.axis,
+                "lightest_moi_kg_m2": law.lightest_moi,
+            },
+            "interval": INTERVAL_MEANS,
+            "bats": [_bat(compared) for compared in comparison.compared],
+            "verdict": list(verdict),
+            "conditions": conditions_json(reference.analysis.conditions),
+        }
+    )  # fmt: skip
+
+
+def comparison_rows(comparison: Comparison[Implement]) -> list[dict[str, Any]]:
+    """Return one flat row per bat."""
+    rows = []
+    for compared in comparison.compared:
+        described = _bat(compared)
+        row: dict[str, Any] = {"label": compared.label}
+        for key, value in described.items():
+            if key == "bat":
+                row |= {name: value[name] for name in ("mass_kg", "balance_point_m", "moi_6in_kg_m2", "moi_knob_kg_m2")}
+            elif isinstance(value, dict) and "value" in value:
+                stem = key.removesuffix("_m_s")
+                row |= {key: value["value"], f"{stem}_low_m_s": value["low"], f"{stem}_high_m_s": value["high"]}
+            elif isinstance(value, float | None):
+                row[key] = value
+        rows.append(cleaned(row))
+    return rows
+
+
+def first_frequency(compared: Compared[Implement], family: str) -> float:
+    """Return the lowest frequency in Hz of a family of modes, nan where the bat has none."""
+    modes = compared.analysis.modes
+    return min(
+        (float(modes.frequency[i]) for i, name in enumerate(modes.families) if name == family), default=float("nan")
+    )
+
+
+def _bat(compared: Compared[Implement]) -> dict[str, Any]:
+    analysis = compared.analysis
+    return {
+        "label": compared.label,
+        "bat": bat_json(analysis.bat.name, analysis.bat.length, analysis.body),
+        "bending_1_hz": first_frequency(compared, "bending"),
+        "hoop_1_hz": first_frequency(compared, "hoop"),
+        "max_collision_efficiency": compared.collision_efficiency,
+        "max_bbcor": compared.bbcor,
+        "bat_speed_m_s": _interval(compared.bat_speed),
+        "exit_speed_m_s": _interval(compared.exit_speed),
+        "change_m_s": _interval(compared.change),
+        "break_even_bat_speed_m_s": compared.break_even,
+        "max_exit_speed_m": analysis.sweet_spots.max_exit_speed,
+        "zone_m": analysis.sweet_spots.zone,
+        "scan": {"position_m": analysis.scan.position, "exit_speed_m_s": analysis.scan.exit_speed},
+    }
+
+
+def _interval(interval: Interval) -> dict[str, float]:
+    return {"value": interval.value, "low": interval.low, "high": interval.high}

@@ -1,0 +1,165 @@
+"""What a comparison says, in plain words: who gains, who loses, and whether corking helps."""
+
+from __future__ import annotations
+
+import math
+
+from sweetspot.analysis.comparison import Compared, Comparison
+from sweetspot.analysis.trampoline import wall_point_of
+from sweetspot.catalog.sports import sport
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
+from sweetspot.report.sentences import Sentence, Slot, joined, say, within
+from sweetspot.units import MPH
+
+PUBLISHED_EFFICIENCY = (0.214, 0.193)
+"""q of a whole and of the corked bat in the laboratory [nathan2011corked]."""
+PUBLISHED_BREAK_EVEN = 2.9 * MPH
+"""m/s of bat speed that follows from these two at a 94 mph pitch and 70 mph of bat speed."""
+NOTHING = 0.005 * MPH
+"""m/s that no table shows."""
+INTERVAL_MEANS = "95 % of the spread of the swing law's exponent, and nothing else"
+
+
+def verdict(comparison: Comparison[Implement]) -> list[Sentence]:
+    """Return one sentence for every bat after the first."""
+    return [_sentence(compared, comparison.reference) for compared in comparison.compared[1:]]
+
+
+def cork_verdict(comparison: Comparison[Implement]) -> list[Sentence]:
+    """Return the answer to "does corking help?" for a comparison labelled unmodified, drilled, cork, ...
+
+    The published drop of q and break-even speed stand beside the predicted ones; nothing is fitted to them.
+    """
+    first = comparison.reference
+    corked = next(compared for compared in comparison.compared if compared.label == "cork")
+    return [_answer(first, corked, comparison), _beside_published(first, corked), _papers_argument(first, corked)]
+
+
+def wall_verdict(comparison: Comparison) -> list[Sentence]:
+    """Return what another wall does, for a comparison of a hollow bat with itself with that wall."""
+    first, other = (wall_point_of(compared.analysis) for compared in comparison.compared[:2])
+    return [
+        say(
+            "Where the ball hits best the wall is {thin} thick instead of {before} and rings at {rings} instead of "
+            "{rang}. It takes {share} of the ball's energy instead of {shared} and gives {back} of that back in time; "
+            "what it takes, the ball does not lose. BBCOR there goes from {low} to {high}: the {size} wall is the "
+            "{temper} one.",
+            thin=Slot(other.thickness, "compression", 2), before=Slot(first.thickness, "compression", 2),
+            rings=Slot(other.hoop_frequency, "frequency"), rang=Slot(first.hoop_frequency, "frequency"),
+            share=Slot(other.energy.share, "share", 1), shared=Slot(first.energy.share, "share", 1),
+            back=Slot(other.energy.restitution**2, "share"), low=Slot(first.bbcor, "ratio"),
+            high=Slot(other.bbcor, "ratio"), size="thinner" if other.thickness < first.thickness else "thicker",
+            temper="livelier" if other.bbcor > first.bbcor else "deader",
+        )
+    ]  # fmt: skip
+
+
+def assumptions(comparison: Comparison[Implement]) -> Sentence:
+    """Return what the numbers were computed under."""
+    reference, law = comparison.reference.analysis, comparison.law
+    words, conditions = sport(reference.bat.sport).words, reference.conditions
+    tool, pitch = words.implement, conditions.pitch.speed
+    greatest = "q and BBCOR are the greatest on the barrel" if isinstance(reference.bat, Bat) else "q is the greatest"
+    text = say(
+        "The {ball} {comes}. The {tool}'s speed is that {place} from the {tip}; {greatest} at this swing's closing "
+        "speed. Break-even: the {tool} speed with which the ball leaves as fast as from the first {tool}.",
+        ball=words.incoming, comes=say("comes at {speed}", speed=Slot(pitch, "speed")) if pitch else "is at rest",
+        tool=tool, place=Slot(reference.bat.length - conditions.swing.measured_at, "place"), tip=words.tip,
+        greatest=greatest,
+    )  # fmt: skip
+    if law is None:
+        return text + f" Every {tool} is swung at the same speed, as no player does with unequal ones."
+    foreign = "" if isinstance(reference.bat, Bat) else "; no law of this sport's own players is used"
+    return text + say(
+        " Same effort: {tool} speed goes as the moment of inertia about {axis} to the power -{power} ({law}){foreign}. "
+        "In brackets: the interval from powers of -{low} to -{high}: {means}.",
+        tool=tool, axis=_axis(law.axis, words.butt), power=f"{law.exponent:g}", law=law.name, foreign=foreign,
+        low=Slot(law.exponents.low, "ratio", 2), high=Slot(law.exponents.high, "ratio", 2), means=INTERVAL_MEANS,
+    )  # fmt: skip
+
+
+def _axis(axis: float, butt: str) -> Sentence:
+    if axis == 0:
+        return say("the {butt}", butt=butt)
+    return say("{place} above the bottom of the grip", place=Slot(axis, "place"))
+
+
+def _change(speed: float, *, sign: bool = False) -> Slot:
+    return Slot(speed, "speed_change", sign=sign)
+
+
+def _sentence(compared: Compared[Implement], first: Compared[Implement]) -> Sentence:
+    faster = compared.bat_speed.value - first.bat_speed.value
+    change = compared.change
+    swung = say("")
+    if abs(faster) > NOTHING:
+        swung = say("swung {speed} {way}, ", speed=_change(abs(faster)), way="faster" if faster > 0 else "slower")
+    text = say("{label}: {swung}the ball leaves ", label=compared.label, swung=swung)
+    if max(abs(change.low), abs(change.high)) < NOTHING:
+        return text + f"as fast as from {first.label}."
+    text += say("{speed} {way}", speed=_change(abs(change.value)), way="faster" if change.value > 0 else "slower")
+    if change.low < change.high:
+        text += say(" ({ends})", ends=_ends(change.low, change.high))
+    return text + (": a gain." if change.low > 0 else ": a loss." if change.high < 0 else ": the sign is not sure.")
+
+
+def _ends(low: float, high: float) -> Sentence:
+    return say("{low} to {high}", low=_change(low, sign=True).bare, high=_change(high, sign=True).bare)
+
+
+def _answer(first: Compared[Implement], corked: Compared[Implement], comparison: Comparison[Implement]) -> Sentence:
+    change = corked.change
+    lighter = Slot(first.analysis.body.mass - corked.analysis.body.mass, "mass")
+    text = say("Does corking help? The corked bat is {mass} lighter", mass=lighter)
+    if comparison.law is None:
+        sent = say("; swung no faster, it sends the ball off {speed}.", speed=_change(change.value, sign=True))
+        return joined([text + sent, _needed(first, corked)])
+    gained = corked.bat_speed.shifted(-first.bat_speed.value)
+    swung = say(
+        " and the same player swings it {speed} faster ({ends}).", speed=_change(gained.value),
+        ends=_ends(gained.low, gained.high),
+    )  # fmt: skip
+    net = say("Net change of the exit speed: {change}.", change=within(change, "speed_change", sign=True))
+    if change.high < 0:
+        end = "No, the ball leaves slower. What remains is a quicker, later swing, which is not computed here."
+    elif change.low > 0:
+        end = "Here it does, by this law."
+    else:
+        end = "Whether it helps cannot be told within the spread of what players do."
+    return joined([text + swung, _needed(first, corked), net, end])
+
+
+def _needed(first: Compared[Implement], corked: Compared[Implement]) -> Sentence:
+    more = corked.break_even - first.bat_speed.value
+    if math.isnan(more):
+        return say("No swing is fast enough to break even with it.")
+    way = "faster" if more > 0 else "slower"
+    return say("To break even it must be swung {speed} {way}.", speed=_change(abs(more)), way=way)
+
+
+def _beside_published(first: Compared[Implement], corked: Compared[Implement]) -> Sentence:
+    whole, after = PUBLISHED_EFFICIENCY
+    before, now = first.collision_efficiency, corked.collision_efficiency
+    return say(
+        "Predicted and published: the greatest q falls from {before} to {now}, by {fall}; in the laboratory it fell "
+        "from {whole} to {after}, by {fell}, for another bat. At a {pitch} pitch and {bat} of bat speed the published "
+        "q values need {needed} to break even. BBCOR changes by {bbcor}: no trampoline. Nothing was fitted to these.",
+        before=Slot(before, "ratio"), now=Slot(now, "ratio"), fall=Slot(before - now, "ratio"),
+        whole=Slot(whole, "ratio"), after=Slot(after, "ratio"), fell=Slot(whole - after, "ratio"),
+        pitch=Slot(94 * MPH, "speed", 0), bat=Slot(70 * MPH, "speed", 0),
+        needed=_change(PUBLISHED_BREAK_EVEN, sign=True), bbcor=Slot(corked.bbcor - first.bbcor, "ratio", sign=True),
+    )  # fmt: skip
+
+
+def _papers_argument(first: Compared[Implement], corked: Compared[Implement]) -> Sentence:
+    before, after = first.analysis.best, corked.analysis.best
+    return say(
+        "The paper argues with Hooke's law and momentum: a softer bat is pressed in further, so the force F = k x is "
+        "greater and acts longer, so F t and with it the ball's change of speed are greater. But a softer spring is "
+        "pressed in further by less force, not more. Here the peak force goes from {force} to {less} and contact from "
+        "{time} to {longer}. What counts is mass: a lighter barrel is pushed back more and returns less speed to the "
+        "ball.",
+        force=Slot(before.peak_force, "force").bare, less=Slot(after.peak_force, "force"),
+        time=Slot(before.contact_time, "contact").bare, longer=Slot(after.contact_time, "contact"),
+    )  # fmt: skip

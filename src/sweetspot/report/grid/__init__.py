@@ -1,0 +1,1 @@
+"""One answer over what is varied: table and picture."""

@@ -1,0 +1,32 @@
+"""A grid of answers as a document."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from sweetspot.report.document import Block, Document, Picture
+from sweetspot.report.grid.values import Grid
+from sweetspot.report.quantities import Reader
+
+
+def grid_document(
+    grid: Grid,
+    *,
+    name: str,
+    kind: str,
+    data: Mapping[str, Any],
+    rows: Mapping[str, Sequence[Any]],
+    notes: Sequence[Block] = (),
+) -> Document:
+    """Return a grid as a document: its table, ``notes``, its picture."""
+    picture = Picture("grid", lambda reading: _drawn(grid, reading), label=grid.title)
+    return Document(
+        name=name, title="", kind=kind, blocks=[grid.table(), *notes, picture], data=data, rows=rows, drawing=picture
+    )
+
+
+def _drawn(grid: Grid, reading: Reader) -> Any:
+    from sweetspot.report.grid.picture import grid_figure
+
+    return grid_figure(grid, reading)
