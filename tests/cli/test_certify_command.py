@@ -59,6 +59,20 @@ def test_a_corked_bat_fails_the_major_league(run: Run) -> None:
     assert checks(result)["solid_wood"]["verdict"] == "fail"
 
 
+def test_a_limit_that_holds_no_more_is_said_to(run: Run) -> None:
+    code, out, _ = run("certify", "russell-b5", "--league", "little-league")
+    assert code == 0 and "since 1 January 2018 bats must keep the USABat standard" in " ".join(out.split())
+
+
+def test_units_are_the_readers_and_a_page_is_written(run: Run, tmp_path: Path) -> None:
+    code, out, _ = run("certify", "russell-b5", "--units", "si", "--out", str(tmp_path))
+    words = " ".join(out.split())
+    assert code == 1 and "Russell B5, hollow fails: BBCOR of NCAA and NFHS (0.5" in words
+    assert "ball at 61 m/s" in words and "mph" not in words and " oz" not in words
+    page = (tmp_path / "certify.html").read_text(encoding="utf-8")
+    assert '<span class="missed">fail</span>' in page and "BBCOR of the test" in page
+
+
 def test_csv_has_one_row_per_rule(run: Run) -> None:
     code, out, _ = run("certify", "r161-ash", "--league", "all", "--format", "csv")
     rows = list(csv.DictReader(io.StringIO(out)))

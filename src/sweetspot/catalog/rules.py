@@ -29,7 +29,7 @@ def league(name: str = DEFAULT_LEAGUE) -> League:
     """
     key, found = entry(read_table(FILE), name, "league")
     rules = tuple(_rule(table, f"{key} {table['quantity']}") for table in found["rule"])
-    return League(canonical(key), found["name"], found["ball"], rules)
+    return League(canonical(key), found["name"], found["ball"], rules, found.get("superseded", ""))
 
 
 def _rule(table: dict[str, Any], what: str) -> Rule:

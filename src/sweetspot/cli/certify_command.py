@@ -2,23 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
-from sweetspot.cli.options.swing import Format
+from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
-    from rich.table import Table
-
-    from sweetspot.analysis.certification.rules import Check
-    from sweetspot.analysis.certification.shot_statistics import Estimate, Measured
+    from sweetspot.analysis.certification.rules import League
+    from sweetspot.analysis.certification.shot_statistics import Measured
     from sweetspot.analysis.certification.shots import Shots
-    from sweetspot.analysis.certification.simulated_test import BatTest, Certification
+    from sweetspot.analysis.certification.simulated_test import Certification
     from sweetspot.dynamics.rigid import RigidBody
     from sweetspot.equipment.ball import Ball
     from sweetspot.equipment.bat import Bat
@@ -38,16 +34,16 @@ def certify(
     standard_ball_cor: Annotated[
         str | None, Parameter(help="Restitution that shots are normalised to; default: the ball's at 60 mph.")
     ] = None,
-    format: Annotated[Format, Parameter(name="--format", help="table for people, json or csv for programs.")] = "table",
+    output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Test a bat: BBCOR, BESR, BPF and a league's rules, with margin. Exit 1 when a rule fails."""
     from sweetspot import catalog
-    from sweetspot.analysis.certification.rules import Verdict, check_rules, construction_findings
-    from sweetspot.cli.output import patience, print_json, print_rows_csv, print_table
+    from sweetspot.analysis.certification.rules import check_rules, construction_findings
+    from sweetspot.analysis.certification.simulated_test import certify as simulate
+    from sweetspot.cli.output import patience, present
     from sweetspot.dynamics.beam import beam_model
     from sweetspot.dynamics.rigid import rigid_body
-    from sweetspot.report.certification.table import check_json, simulated_json
-    from sweetspot.report.json_shapes import bat_json, cleaned
+    from sweetspot.report.certification.document import TestedBat, tested_document
 
     if bat is None:
         raise InputError("certify needs a bat: BBCOR takes the recoil from its weight, balance and moment of inertia")
@@ -55,36 +51,19 @@ def certify(
         raise InputError("--standard-ball-cor normalises measured shots; give them with --shots")
     described = catalog.load_bat(bat)
     leagues, chosen = _leagues(league, ball)
-    body = rigid_body(beam_model(described))
-    result: dict[str, Any] = {"bat": bat_json(described.name, described.length, body), "ball": chosen.name}
-    table: Callable[[], Any]
+    body, read = rigid_body(beam_model(described)), None
+    test: Certification | Measured
     if shots is None:
-        from sweetspot.analysis.certification.simulated_test import certify as simulate
-
         with patience():
-            done = simulate(described, ball=chosen)
-        findings, table = done.findings(), partial(simulated_table, done)
-        result["test"] = simulated_json(done)
+            test = simulate(described, ball=chosen)
     else:
-        read, measured = _measured(shots, described, body=body, ball=chosen, standard=standard_ball_cor)
-        findings, table = measured.findings(), partial(measured_table, measured, read, length=described.length)
-        result["shots"] = measured_json(measured, read)
-    findings = {**construction_findings(described, body=body), **findings}
-    checks = [(one.key, check) for one in leagues for check in check_rules(one, bat=described, findings=findings)]
-    failed = any(check.verdict is Verdict.FAIL for _, check in checks)
-    result |= {"checks": [check_json(key, check) for key, check in checks], "passed": not failed}
-    if format == "json":
-        print_json(cleaned(result))
-    elif format == "csv":
-        print_rows_csv(result["checks"])
-    else:
-        print_table(table())
-        print_table("")
-        print_table(checks_table(checks, described.name))
-    return 1 if failed else 0
+        read, test = _measured(shots, described, body=body, ball=chosen, standard=standard_ball_cor)
+    findings = {**construction_findings(described, body=body), **test.findings()}
+    checks = [(one, check) for one in leagues for check in check_rules(one, bat=described, findings=findings)]
+    return present(tested_document(TestedBat(described, chosen, body, test, read, checks)), output)
 
 
-def _leagues(name: str, ball_name: str | None) -> tuple[list[Any], Ball]:
+def _leagues(name: str, ball_name: str | None) -> tuple[list[League], Ball]:
     """Return the leagues asked for and the ball; ``all`` means every league that uses the ball."""
     from sweetspot import catalog
     from sweetspot.catalog.rules import league, league_names
@@ -108,165 +87,3 @@ def _measured(path: Path, bat: Bat, *, body: RigidBody, ball: Ball, standard: st
     read = read_shots(path, length=bat.length)
     wanted = None if standard is None else parse(standard, "ratio", "--standard-ball-cor")
     return read, measure(read.shots, bat=bat, body=body, ball=ball, standard_restitution=wanted)
-
-
-def measured_json(measured: Measured, read: Shots) -> dict[str, Any]:
-    """Return what the shots say, with the rows that were not used and why."""
-    from dataclasses import asdict
-
-    def plain(found: Estimate | None) -> dict[str, Any] | None:
-        return None if found is None else asdict(found)
-
-    speed = asdict(measured.batted_ball_speed)
-    return {
-        "good_rows": len(read.shots),
-        "bad_rows": [asdict(row) for row in read.bad_rows],
-        "ignored_columns": read.ignored_columns,
-        "places": [
-            {"position_m": place.position, "count": place.count, "bbcor": place.bbcor} for place in measured.places
-        ],
-        "best_position_m": measured.best_position,
-        "rows": measured.rows,
-        "bbcor": plain(measured.bbcor),
-        "raw_bbcor": plain(measured.raw_bbcor),
-        "standard_ball_cor": measured.standard_restitution,
-        "collision_efficiency": plain(measured.efficiency),
-        "besr": measured.efficiency.mean + 0.5,
-        "bpf": plain(measured.bpf),
-        "batted_ball_speed": {f"{name}_m_s" if name != "count" else name: value for name, value in speed.items()},
-        "outliers": [asdict(outlier) for outlier in measured.outliers],
-        "bbcor_without_outliers": plain(measured.without_outliers),
-        "slowest_closing_speed_m_s": measured.slowest,
-        "fastest_closing_speed_m_s": measured.fastest,
-        "ball_stiffness_n_m": measured.ball_stiffness,
-        "notes": measured.notes,
-    }
-
-
-def simulated_table(done: Certification) -> Table:
-    """Return the simulated test for a terminal."""
-    from sweetspot.report.bat.table import names_table
-    from sweetspot.units import MPH
-
-    fast, slow, length = done.fast, done.slow, done.bat.length
-    rows = [
-        ("BBCOR", f"{done.bbcor:.4f}", _place(fast, length),
-         f"ball at {fast.closing_speed / MPH:.0f} mph, best of {len(fast.position)} places"),
-        ("collision efficiency q", f"{fast.best_efficiency:.4f}", _place(fast, length), "there"),
-        ("BESR", f"{done.besr:.4f}", _place(fast, length), "q + 1/2"),
-        ("BPF", f"{done.bpf:.3f}", _place(slow, length),
-         f"ball at {slow.closing_speed / MPH:.0f} mph, whose own restitution is {slow.ball_restitution:.4f}"),
-        ("batted-ball speed", f"{done.batted_ball_speed / MPH:.1f} mph", _place(fast, length),
-         "70 mph ball, 66 mph bat"),
-        ("MOI about 6 in", f"{_ounces(done.body):.0f} oz in^2", "", "the clamp's axis"),
-    ]  # fmt: skip
-    shown = [dict(zip(("measure", "value", "in from tip", "test"), row, strict=True)) for row in rows]
-    return names_table(shown, f"Simulated test: {done.bat.name}, {done.ball.name}")
-
-
-def _place(test: BatTest, length: float) -> str:
-    from sweetspot.units import INCH
-
-    return f"{(length - test.best_position) / INCH:.2f}{' (end of scan)' if test.at_edge else ''}"
-
-
-def _ounces(body: RigidBody) -> float:
-    from sweetspot.analysis.certification.simulated_test import CLAMP
-    from sweetspot.units import OUNCE_INCH_SQUARED
-
-    return body.moi(CLAMP) / OUNCE_INCH_SQUARED
-
-
-def measured_table(measured: Measured, read: Shots, *, length: float) -> Any:
-    """Return what the shots say for a terminal: measures, places, hits that stand out, rows not used, notes."""
-    from rich.console import Group
-    from rich.text import Text
-
-    from sweetspot.report.bat.table import names_table
-    from sweetspot.units import INCH, MPH
-
-    def row(name: str, found: Estimate, digits: int = 4, scale: float = 1.0, unit: str = "") -> dict[str, Any]:
-        numbers = [f"{value / scale:.{digits}f}" for value in (found.mean, found.standard_error, found.low, found.high)]
-        mean, error, low, high = numbers
-        return {"measure": name, "mean": mean + unit, "standard error": error, "95 % interval": f"{low} to {high}"}
-
-    raw = measured.standard_restitution is None
-    rows = [row("BBCOR, as measured" if raw else "BBCOR, normalised", measured.bbcor)]
-    if not raw:
-        rows.append(row("BBCOR, as measured", measured.raw_bbcor))
-    if measured.without_outliers is not None:
-        rows.append(row("BBCOR without outliers", measured.without_outliers))
-    rows.append(row("collision efficiency q", measured.efficiency))
-    rows.append(row("batted-ball speed, 70 + 66 mph", measured.batted_ball_speed, 1, MPH, " mph"))
-    if measured.bpf is not None:
-        rows.append(row("BPF", measured.bpf, 3))
-    heading = f"{len(measured.rows)} shots {(length - measured.best_position) / INCH:.2f} in from the tip"
-    places = [
-        {"in from tip": f"{(length - place.position) / INCH:.2f}", "shots": place.count, "BBCOR": f"{place.bbcor:.4f}"}
-        for place in measured.places
-    ]
-    lines = [f"Row {one.row} stands out: BBCOR {one.bbcor:.4f}, {one.deviation:+.1f} robust standard deviations from "
-             "the median. It is counted." for one in measured.outliers]  # fmt: skip
-    lines += [f"Row {bad.row} is not used: {bad.reason}." for bad in read.bad_rows]
-    if read.ignored_columns:
-        lines.append(f"Columns not used: {', '.join(read.ignored_columns)}.")
-    lines += measured.notes
-    return Group(names_table(rows, heading), Text(), names_table(places, "Places"), Text(), *map(Text, lines))
-
-
-def checks_table(checks: list[tuple[str, Check]], name: str) -> Any:
-    """Return the rules for a terminal, and below them why a rule is not a plain pass or fail."""
-    from rich.console import Group
-    from rich.text import Text
-
-    from sweetspot.analysis.certification.rules import title
-    from sweetspot.report.bat.table import names_table
-
-    rows = []
-    for league, check in checks:
-        rule = check.rule
-        reading = "" if rule.reading == "primary" else f", {rule.reading}"
-        rows.append(
-            {
-                "league": league,
-                "rule": title(rule),
-                "verdict": check.verdict.value,
-                "value": _shown(rule.quantity, check.value),
-                "limit": _limit(check),
-                "margin": _shown(rule.quantity, check.margin, sign="+"),
-                "source": f"{rule.source} {rule.year or ''}".strip() + reading,
-            }
-        )
-    reasons = [
-        f"{league}, {title(check.rule)}: {check.verdict.value}: {check.reason}."
-        for league, check in checks
-        if check.reason
-    ]
-    return Group(names_table(rows, f"Rules: {name}"), Text(), *map(Text, reasons))
-
-
-def _limit(check: Check) -> str:
-    rule = check.rule
-    if rule.quantity == "solid_wood":
-        return "yes"
-    sides = [("at least ", rule.least), ("at most ", rule.most)]
-    return " ".join(word + _shown(rule.quantity, side) for word, side in sides if side is not None)
-
-
-def _shown(quantity: str, value: float | None, sign: str = "") -> str:
-    """Return a value in the unit that people use for it."""
-    from sweetspot.analysis.certification.rules import QUANTITIES
-    from sweetspot.units import INCH, MPH, OUNCE_INCH_SQUARED
-
-    if value is None:
-        return ""
-    unit = QUANTITIES[quantity][1]
-    if unit == "yes or no":
-        return "yes" if value else "no"
-    scale, digits, label = {
-        "m": (INCH, 3, " in"),
-        "m/s": (MPH, 1, " mph"),
-        "kg m^2": (OUNCE_INCH_SQUARED, 0, " oz in^2"),
-        "in - oz": (1.0, 2, ""),
-    }.get(unit, (1.0, 4, ""))
-    return f"{value / scale:{sign}z.{digits}f}{label}"

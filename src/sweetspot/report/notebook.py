@@ -33,7 +33,11 @@ def document_of(answer: Any) -> Document:
 
 def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     """Return every kind of answer with what makes its document."""
+    from sweetspot.analysis.certification.simulated_test import Certification
+    from sweetspot.analysis.comparison import Comparison
     from sweetspot.flight.trajectory import Flight
+    from sweetspot.report.certification.document import certification_document
+    from sweetspot.report.comparison.document import comparison_document
     from sweetspot.report.flight.document import flight_document
 
-    return ((Flight, flight_document),)
+    return ((Flight, flight_document), (Comparison, comparison_document), (Certification, certification_document))

@@ -98,12 +98,19 @@ class Rule:
 
 @dataclass(frozen=True)
 class League:
-    """A league's rules for bats, and the ball they are tested with (name in the catalogue)."""
+    """A league's rules for bats.
+
+    Parameters
+    ----------
+    ball : name in the catalogue of the ball that bats are tested with.
+    superseded : since when and by what the rules hold no more; "": they do.
+    """
 
     key: str
     name: str
     ball: str
     rules: tuple[Rule, ...]
+    superseded: str = ""
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
-from sweetspot.report.certification.table import check_json
+from sweetspot.report.certification.numbers import check_json
 from sweetspot.report.comparison.document import comparison_json
 from sweetspot.report.comparison.words import assumptions, cork_verdict, verdict, wall_verdict
 from sweetspot.report.quantities import SI, US

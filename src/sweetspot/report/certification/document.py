@@ -1,0 +1,214 @@
+"""A bat test and the rules held against it as a document."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from sweetspot.analysis.certification.rules import QUANTITIES, Check, League, Verdict, title
+from sweetspot.analysis.certification.shot_statistics import Estimate, Measured
+from sweetspot.analysis.certification.shots import Shots
+from sweetspot.analysis.certification.simulated_test import CLAMP, OLD_BALL_SPEED, OLD_BAT_SPEED, BatTest, Certification
+from sweetspot.dynamics.rigid import RigidBody
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.bat import Bat
+from sweetspot.report.certification.numbers import check_json, measured_json, simulated_json
+from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Marked, Paragraph, Table
+from sweetspot.report.json_shapes import as_columns, bat_json, cleaned
+from sweetspot.report.sentences import Sentence, Slot, Words, joined, say
+
+SCALES = {"m": ("length", 3), "m/s": ("speed", 1), "kg m^2": ("moi", None), "in - oz": ("ratio", 2)}
+"""Scale and digits of what rules limit, by its unit; every other is a ratio with four digits."""
+MARKS = {Verdict.PASS: "hit", Verdict.FAIL: "missed"}
+
+
+@dataclass(frozen=True)
+class TestedBat:
+    """A bat, how it was tested, and every rule held against it.
+
+    Parameters
+    ----------
+    test : the simulated test, or what measured shots say.
+    shots : the file of measured shots; None for a simulated test.
+    checks : (league, rule held against the bat).
+    """
+
+    bat: Bat
+    ball: Ball
+    body: RigidBody
+    test: Certification | Measured
+    shots: Shots | None = None
+    checks: Sequence[tuple[League, Check]] = ()
+
+    @property
+    def failed(self) -> list[tuple[League, Check]]:
+        """The rules that the bat breaks."""
+        return [(league, check) for league, check in self.checks if check.verdict is Verdict.FAIL]
+
+
+def tested_document(tested: TestedBat) -> Document:
+    """Return a tested bat as a document."""
+    test = tested.test
+    blocks: list[Block] = [Paragraph(_headline(tested))] if tested.checks else []
+    blocks += [Paragraph(words, "warning") for words in _superseded(tested.checks)]
+    if isinstance(test, Certification):
+        blocks.append(_simulated(test))
+    elif tested.shots is not None:
+        blocks += _measured(test, tested.shots, length=tested.bat.length)
+    if tested.checks:
+        blocks += [_rules(tested.checks), *_listed(_reasons(tested.checks))]
+    checks = [check_json(league.key, check) for league, check in tested.checks]
+    return Document(
+        name="certify", title=tested.bat.name, subtitle=tested.ball.name, kind="Bat test", blocks=blocks,
+        data=cleaned(_json(tested, checks)), rows=as_columns(checks), passed=not tested.failed,
+    )  # fmt: skip
+
+
+def certification_document(certification: Certification) -> Document:
+    """Return a simulated test alone, with no rules held against it, as a document."""
+    return tested_document(TestedBat(certification.bat, certification.ball, certification.body, certification))
+
+
+def _json(tested: TestedBat, checks: list[dict[str, Any]]) -> dict[str, Any]:
+    bat, test = tested.bat, tested.test
+    told = {"test": simulated_json(test)} if isinstance(test, Certification) else {}
+    if isinstance(test, Measured) and tested.shots is not None:
+        told = {"shots": measured_json(test, tested.shots)}
+    described = {"bat": bat_json(bat.name, bat.length, tested.body), "ball": tested.ball.name}
+    return described | told | {"checks": checks, "passed": not tested.failed}
+
+
+def _headline(tested: TestedBat) -> Sentence:
+    broken = [
+        say("{rule} of {league} ({value}, allowed {limit})", rule=title(check.rule), league=league.name,
+            value=_value(check.rule.quantity, check.value), limit=_limit(check))
+        for league, check in tested.failed
+    ]  # fmt: skip
+    if broken:
+        return say("{bat} fails: {rules}.", bat=tested.bat.name, rules=joined(broken, "; "))
+    passed = any(check.verdict is Verdict.PASS for _, check in tested.checks)
+    if not passed:
+        return say("No rule could be decided for {bat}.", bat=tested.bat.name)
+    return say("{bat} keeps every rule that can be decided here.", bat=tested.bat.name)
+
+
+def _superseded(checks: Sequence[tuple[League, Check]]) -> list[str]:
+    leagues = {league.key: league for league, _ in checks}.values()
+    return [f"{league.name}: {league.superseded}." for league in leagues if league.superseded]
+
+
+def _simulated(test: Certification) -> Table:
+    fast, slow, length = test.fast, test.slow, test.bat.length
+    at = Slot(fast.closing_speed, "speed", 0)
+    rows: list[list[Cell]] = [
+        ["BBCOR of the test", Slot(test.bbcor, "ratio", 4), _place(fast, length),
+         say("ball at {speed}, best of {count} places", speed=at, count=len(fast.position))],
+        ["collision efficiency q", Slot(fast.best_efficiency, "ratio", 4), _place(fast, length), "there"],
+        ["BESR", Slot(test.besr, "ratio", 4), _place(fast, length), "q + 1/2"],
+        ["BPF", Slot(test.bpf, "ratio"), _place(slow, length),
+         say("ball at {speed}, whose own restitution is {own}", speed=Slot(slow.closing_speed, "speed", 0),
+             own=Slot(slow.ball_restitution, "ratio", 4))],
+        ["batted-ball speed", Slot(test.batted_ball_speed, "speed"), _place(fast, length), _old_test()],
+        ["MOI about 6 in", Slot(test.body.moi(CLAMP), "moi"), "", "the clamp's axis"],
+    ]  # fmt: skip
+    columns = [Column("measure"), Column("value", right=True), Column("from the tip", "length"), Column("test")]
+    return Table("Simulated test", columns, rows)
+
+
+def _old_test() -> Sentence:
+    ball, bat = Slot(OLD_BALL_SPEED, "speed", 0), Slot(OLD_BAT_SPEED, "speed", 0)
+    return say("{ball} ball, {bat} bat", ball=ball, bat=bat)
+
+
+def _place(test: BatTest, length: float) -> Sentence:
+    place = Slot(length - test.best_position, "length").bare
+    return say("{place}{end}", place=place, end=" (end of scan)" if test.at_edge else "")
+
+
+def _measured(measured: Measured, shots: Shots, *, length: float) -> list[Block]:
+    """Return what the shots say: measures, places, hits that stand out, rows not used, notes."""
+    raw = measured.standard_restitution is None
+    rows = [_estimate("BBCOR, as measured" if raw else "BBCOR, normalised", measured.bbcor)]
+    if not raw:
+        rows.append(_estimate("BBCOR, as measured", measured.raw_bbcor))
+    if measured.without_outliers is not None:
+        rows.append(_estimate("BBCOR without outliers", measured.without_outliers))
+    rows.append(_estimate("collision efficiency q", measured.efficiency))
+    rows.append(_estimate(say("batted-ball speed, {old}", old=_old_test()), measured.batted_ball_speed, "speed", 1))
+    if measured.bpf is not None:
+        rows.append(_estimate("BPF", measured.bpf, digits=3))
+    heading = say(
+        "{count} shots {place} from the tip", count=len(measured.rows),
+        place=Slot(length - measured.best_position, "length"),
+    )  # fmt: skip
+    columns = [Column("measure"), *(Column(name, right=True) for name in ("mean", "standard error", "95 % interval"))]
+    places: list[list[Cell]] = [
+        [Slot(length - place.position, "length").bare, place.count, place.bbcor] for place in measured.places
+    ]
+    lines = [
+        f"Row {one.row} stands out: BBCOR {one.bbcor:.4f}, {one.deviation:+.1f} robust standard deviations from the "
+        "median. It is counted." for one in measured.outliers
+    ]  # fmt: skip
+    lines += [f"Row {bad.row} is not used: {bad.reason}." for bad in shots.bad_rows]
+    if shots.ignored_columns:
+        lines.append(f"Columns not used: {', '.join(shots.ignored_columns)}.")
+    where = [Column("from the tip", "length"), Column("shots", "count"), Column("BBCOR", "ratio", digits=4)]
+    return [Table(heading, columns, rows), Table("Places", where, places), *_listed([*lines, *measured.notes])]
+
+
+def _estimate(name: Words, estimate: Estimate, scale: str = "ratio", digits: int = 4) -> list[Cell]:
+    error, low, high = (
+        Slot(value, scale, digits).bare for value in (estimate.standard_error, estimate.low, estimate.high)
+    )
+    return [name, Slot(estimate.mean, scale, digits), error, say("{low} to {high}", low=low, high=high)]
+
+
+def _rules(checks: Sequence[tuple[League, Check]]) -> Table:
+    columns = [Column(name) for name in ("league", "rule", "verdict")]
+    columns += [Column(name, right=True) for name in ("value", "limit", "margin")]
+    rows: list[list[Cell]] = []
+    for league, check in checks:
+        rule = check.rule
+        reading = "" if rule.reading == "primary" else f", {rule.reading}"
+        rows.append([
+            league.key, title(rule), Marked(check.verdict.value, MARKS.get(check.verdict, "")),
+            _value(rule.quantity, check.value), _limit(check), _value(rule.quantity, check.margin, sign=True),
+            f"{rule.source} {rule.year or ''}".strip() + reading,
+        ])  # fmt: skip
+    return Table("Rules", [*columns, Column("source")], rows)
+
+
+def _listed(lines: Sequence[str]) -> list[Block]:
+    return [Bullets(lines)] if lines else []
+
+
+def _reasons(checks: Sequence[tuple[League, Check]]) -> list[str]:
+    """Return why a rule is not a plain pass or fail."""
+    return [
+        f"{league.key}, {title(check.rule)}: {check.verdict.value}: {check.reason}."
+        for league, check in checks
+        if check.reason
+    ]
+
+
+def _limit(check: Check) -> Words:
+    rule = check.rule
+    if rule.quantity == "solid_wood":
+        return "yes"
+    sides = [("at least", rule.least), ("at most", rule.most)]
+    return joined(
+        say("{side} {limit}", side=side, limit=_value(rule.quantity, limit)) for side, limit in sides
+        if limit is not None
+    )  # fmt: skip
+
+
+def _value(quantity: str, value: float | None, *, sign: bool = False) -> Sentence:
+    """Return a value in the unit that people use for it."""
+    if value is None:
+        return Sentence(())
+    unit = QUANTITIES[quantity][1]
+    if unit == "yes or no":
+        return say("yes" if value else "no")
+    scale, digits = SCALES.get(unit, ("ratio", 4))
+    return Sentence((Slot(value, scale, digits, sign),))
