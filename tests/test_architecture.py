@@ -44,7 +44,7 @@ HOMES = {
     "uvicorn": ("web/",),
     "plotly": ("web/",),
     "jinja2": ("report/",),
-    "pint": ("units.py",),
+    "pint": ("units/",),
     "tomllib": ("catalog/", "validation/", "references.py"),
     "skfem": ("dynamics/",),
     "emcee": ("player/",),

@@ -7,9 +7,12 @@ import sys
 from contextlib import suppress
 
 from sweetspot.errors import SweetspotError
+from sweetspot.units.usual import insisting
 
 EXIT_BAD_INPUT = 2
 EXIT_INTERRUPTED = 130
+FORCE = "--force"
+"""Takes every number as it is given, whatever is usual; every command understands it."""
 
 
 def main(arguments: list[str] | None = None) -> None:
@@ -24,9 +27,11 @@ def main(arguments: list[str] | None = None) -> None:
     from sweetspot.cli.app import app
     from sweetspot.cli.standard_output import OutputError, held_output
 
+    given = sys.argv[1:] if arguments is None else arguments
     try:
-        with held_output():
-            result = app(arguments, exit_on_error=False, print_error=False, result_action="return_value")
+        with held_output(), insisting(FORCE in given):
+            words = [word for word in given if word != FORCE]
+            result = app(words, exit_on_error=False, print_error=False, result_action="return_value")
     except (SweetspotError, CycloptsError, OutputError) as error:
         _complain(_one_line(error))
         sys.exit(EXIT_BAD_INPUT)

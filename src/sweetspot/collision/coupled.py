@@ -27,6 +27,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.parabola import vertex
+from sweetspot.units import check_place
 
 STEP = 4e-6
 """s; exit speeds are then well within 1e-4 of the converged ones (the docs have the curve)."""
@@ -57,8 +58,14 @@ def hit(
     lateral : m across the face from the bat's line.
     step : s, > 0; the error falls with its square.
     law : another contact law than the ball's own `Hysteretic` one.
+
+    Raises
+    ------
+    InputError
+        for a step that is not above zero, or a place that is none in metres.
     """
     check_step(step)
+    check_place(position, "position")
     if not closing_speed > 0:
         return _no_contact(modes, position, closing_speed)
     done = _integrated(modes, ball, modes.shape_at(position, lateral), closing_speed, step, law or Hysteretic(ball))

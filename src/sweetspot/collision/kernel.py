@@ -21,6 +21,7 @@ from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.kernel_cache import compiled
 from sweetspot.numerics.threads import in_parts
 from sweetspot.numerics.vector_math import exp, log
+from sweetspot.units import check_place
 
 LANES = 64
 """Most hits side by side; fewer hits than that take only the lanes they need, in fours."""
@@ -56,6 +57,7 @@ def hits(
     threads : workers; None: one per core, and one only for small batches.
     """
     check_step(step)
+    check_place(position, "position")
     given = (np.asarray(values, float) for values in (position, lateral, closing_speed))
     places, across, speeds = (values.ravel() for values in np.broadcast_arrays(*given))
     speeds = np.ascontiguousarray(speeds)

@@ -14,6 +14,7 @@ from sweetspot.dynamics.beam import BeamModel, integrate, moments, section
 from sweetspot.equipment.base import Real
 from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_GRAVITY
+from sweetspot.units import check_place
 
 
 @dataclass(frozen=True)
@@ -94,6 +95,7 @@ def effective_mass(body: RigidBody, position: Real, *, pivot: float | None = Non
     >>> round(effective_mass(rod, 1.0), 6)  # a quarter of a free rod's mass at its end
     0.25
     """
+    check_place(position, "position")
     if pivot is None:
         return 1 / (1 / body.mass + (position - body.balance_point) ** 2 / body.moi_cm)
     arm = position - pivot

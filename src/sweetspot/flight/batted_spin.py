@@ -7,6 +7,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import DEGREE, RPM
 
@@ -14,6 +15,21 @@ BACKSPIN = (-763.0, 120.0, 21.0)
 """rpm, rpm per degree of launch angle, rpm per degree of spray to the opposite side [nathan_calculator]."""
 SIDESPIN = (-849.0, -94.0)
 """rpm, rpm per degree of spray [nathan_calculator]."""
+
+
+USUAL_ANGLES = (-15.0, 50.0)
+"""deg; the line comes from balls that fly [nathan_calculator], and gives topspin to those hit down. Beyond, pop-ups and
+choppers spin as it happens: the line would give 6,400 rpm at 60 deg."""
+
+
+def check_usual_spin(launch_angle: float, *, known: bool) -> None:
+    """Refuse to guess the spin of a ball launched as the usual spin was never measured; ``known``: it need not be."""
+    low, high = USUAL_ANGLES
+    if not known and not low - 1e-9 <= launch_angle / DEGREE <= high + 1e-9:
+        raise InputError(
+            f"launch_angle is {launch_angle / DEGREE:.4g} deg, and what spin hits usually have is known for {low:g} to "
+            f"{high:g} deg only; give backspin and sidespin"
+        )
 
 
 def batted_ball_spin(

@@ -13,7 +13,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import STANDARD_PRESSURE, Air, Wind
-from sweetspot.flight.batted_spin import batted_ball_spin
+from sweetspot.flight.batted_spin import batted_ball_spin, check_usual_spin
 from sweetspot.flight.bearing import launched_to
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.motion.ball_motion import BallMotion, launched
@@ -73,6 +73,7 @@ class BattedBall:
             raise InputError("only the bearing of this hit is known; `directed` solves for its launch direction")
         if not self.exit_speed >= 0:
             raise InputError(f"exit speed is {self.exit_speed:g} m/s; allowed is zero or more")
+        check_usual_spin(self.launch_angle, known=self.backspin is not None and self.sidespin is not None)
         usual = batted_ball_spin(self.launch_angle, self.spray, bats=self.bats)
         return launched(
             speed=self.exit_speed,

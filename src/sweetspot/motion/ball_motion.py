@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
+from sweetspot.units import check_angle
 
 
 @dataclass(frozen=True)
@@ -97,10 +98,17 @@ def launched(
     backspin, sidespin, gyrospin : rad/s; see the properties of `BallMotion`.
     height, forward : m above the ground and in front of the plate's tip where it starts.
 
+    Raises
+    ------
+    InputError
+        for an angle that is none in radians.
+
     >>> ball = launched(speed=46.0, launch_angle=0.48, spray=-0.2, backspin=260.0, sidespin=-50.0, height=1.0)
     >>> round(ball.speed, 9), round(ball.spray, 9), round(ball.backspin, 9), round(ball.sidespin, 9)
     (46.0, -0.2, 260.0, -50.0)
     """
+    check_angle(launch_angle, "launch_angle")
+    check_angle(spray, "spray")
     axes = spin_axes(launch_angle, spray)
     return BallMotion(
         position=np.array([0.0, forward, height]),

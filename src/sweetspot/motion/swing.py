@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from pydantic import model_validator
+from typing import Annotated
+
+from pydantic import Field, model_validator
 
 from sweetspot.equipment.ball import Ball
-from sweetspot.equipment.base import NonNegative, Positive, Validated
+from sweetspot.equipment.base import NonNegative, Validated
 from sweetspot.units import MPH, shown
+from sweetspot.units.usual import LONGEST_IMPLEMENT
 
 MAX_SPEED = 70.0
 """m/s (157 mph): half as fast again as any recorded pitch or swing."""
@@ -46,7 +49,7 @@ class Swing(Validated):
     """
 
     bat_speed: float
-    measured_at: Positive
+    measured_at: Annotated[float, Field(gt=0, le=LONGEST_IMPLEMENT)]
     pivot: float = 0.0
 
     @model_validator(mode="after")

@@ -12,15 +12,8 @@ from functools import cache
 from typing import Any, Literal
 
 from sweetspot.errors import InputError
-
-INCH = 0.0254
-OUNCE = 0.028349523125
-MPH = 0.44704
-POUND_FORCE = 4.4482216152605
-FOOT = 0.3048
-RPM = math.pi / 30
-DEGREE = math.pi / 180
-OUNCE_INCH_SQUARED = OUNCE * INCH**2
+from sweetspot.units.sizes import INCH
+from sweetspot.units.usual import check_usual
 
 Kind = Literal[
     "length", "mass", "speed", "moi", "density", "pressure", "force", "time", "angle", "angular speed",
@@ -63,6 +56,8 @@ LONGEST_TEXT = 100
 LARGEST_NUMBER = sys.float_info.max
 POWER_OF_NUMBER = re.compile(r"[\d.)]\s*(\*\*|\^|[⁰¹²³⁴⁵⁶⁷⁸⁹])")
 """`pint` calculates, and 9**9**9 would keep it busy for good."""
+DECIMAL_COMMA = re.compile(r"\d,|,\d")
+"""`pint` would drop what follows the comma."""
 NUMBER = re.compile(r"^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*$")
 
 
@@ -96,7 +91,8 @@ def parse(text: str | float, kind: Kind, what: str = "value") -> float:
     Raises
     ------
     InputError
-        when the unit is missing, unknown or of another kind, or the number is not finite.
+        when the unit is missing, unknown or of another kind, the number is not finite or has a decimal comma, or it
+        lies outside what is usual for an option of that name (see `check_usual`).
 
     >>> round(parse("33 1/2 in", "length"), 6), round(parse("2 ft 9.5 in", "length"), 6)
     (0.8509, 0.8509)
@@ -110,11 +106,14 @@ def parse(text: str | float, kind: Kind, what: str = "value") -> float:
         raise InputError(f"{what} was given as {text[:LONGEST_TEXT]!r}; write a number and its unit, as in {example}")
     if NOT_FINITE.match(text):
         raise InputError(f"{what} was given as {text!r}; allowed is a finite number, for example {example}")
+    if DECIMAL_COMMA.search(text):
+        raise InputError(f"{what} was given as {text!r}; write the decimals after a point, as in {example}")
     if NUMBER.match(text) and kind != "ratio":
         raise InputError(f"{what} was given as {text.strip()} without a unit; write for example {example}")
     value = _understood(text, kind, what)
     if not math.isfinite(value):
         raise InputError(f"{what} was given as {text!r}; allowed is a finite number, for example {example}")
+    check_usual(value, what, text)
     return value
 
 

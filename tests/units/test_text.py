@@ -13,9 +13,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sweetspot import units
 from sweetspot.errors import InputError
 from sweetspot.units import Kind, parse, parse_position
+from sweetspot.units import text as units
 
 
 @pytest.mark.parametrize(

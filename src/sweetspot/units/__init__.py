@@ -1,0 +1,36 @@
+"""Units at the border: texts with units in, SI out; the sizes of people's units; what is usual for each quantity."""
+
+from sweetspot.units.sizes import (
+    DEGREE,
+    FOOT,
+    INCH,
+    MPH,
+    OUNCE,
+    OUNCE_INCH_SQUARED,
+    POUND_FORCE,
+    RPM,
+)
+from sweetspot.units.text import NUMBER, SI, Kind, parse, parse_position, shown
+from sweetspot.units.usual import USUAL, check_angle, check_place, check_usual, insisting
+
+__all__ = [
+    "DEGREE",
+    "FOOT",
+    "INCH",
+    "MPH",
+    "NUMBER",
+    "OUNCE",
+    "OUNCE_INCH_SQUARED",
+    "POUND_FORCE",
+    "RPM",
+    "SI",
+    "USUAL",
+    "Kind",
+    "check_angle",
+    "check_place",
+    "check_usual",
+    "insisting",
+    "parse",
+    "parse_position",
+    "shown",
+]

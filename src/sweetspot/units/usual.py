@@ -1,0 +1,168 @@
+"""What is usual for every quantity that people give: a slip of units or of a decimal is refused by its size.
+
+The bounds are wide: what players, laboratories and weather do lies well inside them. They are choices, not physics;
+who means what he wrote insists (``--force`` on the command line, `insisting` in Python).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass
+from typing import Any
+
+from sweetspot.errors import InputError
+from sweetspot.units.sizes import DEGREE, FOOT, INCH, MPH, OUNCE, RPM
+
+LONGEST_IMPLEMENT = 2.0
+"""m; nothing that is swung at a ball is longer."""
+
+_insisted: ContextVar[bool] = ContextVar("insisted", default=False)
+
+
+@contextmanager
+def insisting(really: bool = True) -> Iterator[None]:
+    """Take every number as it is given, within this block."""
+    token = _insisted.set(really)
+    try:
+        yield
+    finally:
+        _insisted.reset(token)
+
+
+@dataclass(frozen=True)
+class Usual:
+    """What is usual for a quantity.
+
+    Parameters
+    ----------
+    low, high : bounds in ``unit``.
+    unit : as people write it.
+    size : of that unit in SI.
+    hint : what to do, where more is to say than to check the unit.
+    above, below : outside these, in ``unit``, a value is impossible; what takes it refuses it in its own words.
+    """
+
+    low: float
+    high: float
+    unit: str
+    size: float = 1.0
+    hint: str = ""
+    above: float = -math.inf
+    below: float = math.inf
+
+    def holds(self, value: float) -> bool:
+        """Return whether a value in SI is usual, bounds included, or impossible and so not for us to tell."""
+        slack = 1e-9 * max(abs(self.low), abs(self.high)) * self.size
+        within = self.low * self.size - slack <= value <= self.high * self.size + slack
+        return within or not self.above * self.size < value < self.below * self.size
+
+
+INCH_OF_MERCURY = 3386.389
+MOST_BAT_SPEED = 70 / MPH
+"""mph; what a swing may have at all."""
+SPIN = "spins of balls stay below 15000 rpm; write rpm, or rad/s for radians"
+SEA_LEVEL = (
+    "a barometer is reduced to sea level, and the elevation is counted on top; for a pressure that was measured at the "
+    "field give it with --elevation 0ft"
+)
+
+USUAL: dict[str, Usual] = {
+    "pitch_speed": Usual(10, 125, "mph", MPH, "pitches come with up to 110mph; for a ball at rest say tee", above=0),
+    "release_speed": Usual(15, 125, "mph", MPH, above=15),
+    "exit_speed": Usual(5, 250, "mph", MPH, above=-0.001),
+    "bat_speed": Usual(5, 150, "mph", MPH, above=0, below=MOST_BAT_SPEED),
+    "launch_angle": Usual(-89, 89, "deg", DEGREE, "0deg is level, 90deg straight up"),
+    "spray": Usual(-90, 90, "deg", DEGREE, "0deg is centre field, 45deg the right foul line"),
+    "bearing": Usual(-90, 90, "deg", DEGREE, "0deg is centre field, 45deg the right foul line"),
+    "attack_angle": Usual(-60, 60, "deg", DEGREE, above=-65, below=65),
+    "attack_direction": Usual(-90, 90, "deg", DEGREE),
+    "approach_angle": Usual(-60, 30, "deg", DEGREE),
+    "tilt": Usual(0, 85, "deg", DEGREE),
+    "backspin": Usual(-15000, 15000, "rpm", RPM, SPIN),
+    "sidespin": Usual(-15000, 15000, "rpm", RPM, SPIN),
+    "gyrospin": Usual(-15000, 15000, "rpm", RPM, SPIN),
+    "pitch_backspin": Usual(-4000, 4000, "rpm", RPM),
+    "pitch_sidespin": Usual(-4000, 4000, "rpm", RPM),
+    "temperature": Usual(-40, 60, "degC"),
+    "pressure": Usual(26, 32, "inHg", INCH_OF_MERCURY, SEA_LEVEL),
+    "elevation": Usual(-1400, 15000, "ft", FOOT),
+    "wind_speed": Usual(0, 60, "mph", MPH, "the direction is given with --wind-direction"),
+    "calm_below": Usual(0, 300, "ft", FOOT),
+    "height": Usual(0, 40, "ft", FOOT, above=0),
+    "forward": Usual(-10, 10, "ft", FOOT),
+    "offset": Usual(-3, 3, "in", INCH, "ball and barrel touch up to about 2.7 in"),
+    "ball_cor": Usual(0.2, 0.9, "", above=0, below=1),
+    "mass": Usual(2, 80, "oz", OUNCE, above=0),
+    "balance_point": Usual(4, 60, "in", INCH, "it counts from the knob end", above=0),
+    "period": Usual(0.5, 3, "s", 1.0, "one swing is there and back; give the time of one, not of ten", above=0),
+    "bore_diameter": Usual(0, 3, "in", INCH),
+    "bore_depth": Usual(0, 40, "in", INCH),
+}
+"""By the name of the quantity, as options and columns have it. [The widths of these bounds are our choice.]"""
+
+
+def check_usual(value: float, what: str, given: object) -> None:
+    """Refuse a value outside what is usual for its quantity; what is not in `USUAL` passes.
+
+    Parameters
+    ----------
+    value : SI.
+    what : name of the quantity, or its option: ``--exit-speed``.
+    given : as it was written, for the message.
+
+    >>> check_usual(44.7, "--exit-speed", "100mph")
+    >>> check_usual(447.0, "--exit-speed", "1000mph")
+    Traceback (most recent call last):
+    ...
+    sweetspot.errors.InputError: --exit-speed was given as 1000mph; usual is 5 to 250 mph. Check the unit and the \
+decimal point, or add --force if it is meant
+    """
+    usual = USUAL.get(what.removeprefix("--").replace("-", "_"))
+    if usual is None or _insisted.get() or usual.holds(value):
+        return
+    hint = f"; {usual.hint}" if usual.hint else ""
+    unit = f" {usual.unit}" if usual.unit else ""
+    raise InputError(
+        f"{what} was given as {given}; usual is {usual.low:g} to {usual.high:g}{unit}{hint}. Check the unit and the "
+        "decimal point, or add --force if it is meant"
+    )
+
+
+def check_place(value: Any, what: str) -> None:
+    """Refuse a place on an implement, or one of many, that is no place in metres.
+
+    >>> check_place(27, "position")
+    Traceback (most recent call last):
+    ...
+    sweetspot.errors.InputError: position is 27 m from the knob end; places are in metres, and 27 in are 27 * 0.0254
+    """
+    farthest = value if isinstance(value, (float, int)) else _farthest(value)
+    if not abs(farthest) <= LONGEST_IMPLEMENT:
+        raise InputError(
+            f"{what} is {farthest:g} m from the knob end; places are in metres, and {farthest:g} in are "
+            f"{farthest:g} * 0.0254"
+        )
+
+
+def _farthest(places: Any) -> float:
+    """Return the place farthest from the knob end; one that is not known is none."""
+    import numpy as np
+
+    known = np.asarray(places, float)
+    known = known[np.isfinite(known)]
+    return float(known[np.abs(known).argmax()]) if known.size else 0.0
+
+
+def check_angle(value: float, what: str) -> None:
+    """Refuse an angle that is none in radians.
+
+    >>> check_angle(28, "launch_angle")
+    Traceback (most recent call last):
+    ...
+    sweetspot.errors.InputError: launch_angle is 28 rad; angles are in radians: write math.radians(28)
+    """
+    if not math.isfinite(value) or abs(value) > math.tau:
+        raise InputError(f"{what} is {value:g} rad; angles are in radians: write math.radians({value:g})")

@@ -1,0 +1,86 @@
+"""Slips of units, decimals and scales are refused, by whichever door they come; who insists is believed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from sweetspot import Swing, all_modes, beam_model, catalog, effective_mass, hit, hits, launched, rigid_body
+from sweetspot.equipment.bat import Bat
+from sweetspot.errors import InputError
+from sweetspot.units import USUAL, parse
+from sweetspot.units.usual import insisting
+
+Run = Callable[..., tuple[int, str, str]]
+
+
+@pytest.mark.parametrize("text", ["3,5 m/s", "3,5m/s", "0,7in", "1,5 oz", "4,0m/s", ",5 in", "1,000 ft"])
+def test_a_decimal_comma_is_never_misread(text: str) -> None:
+    with pytest.raises(InputError, match="decimals after a point"):
+        parse(text, "length" if "in" in text or "ft" in text else "mass" if "oz" in text else "speed")
+
+
+@pytest.mark.parametrize("name", USUAL)
+def test_bounds_hold_at_their_ends_and_not_beyond(name: str) -> None:
+    usual = USUAL[name]
+    width = (usual.high - usual.low) * usual.size
+    assert usual.holds(usual.low * usual.size) and usual.holds(usual.high * usual.size)
+    for end, beyond in ((usual.low, -0.001), (usual.high, 0.001)):
+        value = end * usual.size + beyond * width
+        possible = usual.above * usual.size < value < usual.below * usual.size
+        assert usual.holds(value) != possible
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ("fly --exit-speed 1000mph", "usual is 5 to 250 mph"),
+        ("fly --exit-speed 0mph", "--exit-speed was given as 0mph"),
+        ("fly --launch-angle 180deg", "90deg straight up"),
+        ("fly --launch-angle 60deg", "give backspin and sidespin"),
+        ("fly --spray 180deg", "45deg the right foul line"),
+        ("fly --backspin 1e7rpm", "15000 rpm"),
+        ("fly --pressure 24inHg --elevation 5200ft", "reduced to sea level"),
+        ("fly --wind-speed 3,5m/s", "after a point"),
+        ("fly --wind-speed 500mph", "usual is 0 to 60 mph"),
+        ("fly --temperature -300degF", "-40 to 60 degC"),
+        ("report r161-ash --pitch-speed 0.6mph", "for a ball at rest say tee"),
+        ("play r161-ash --offset 0,7in", "after a point"),
+        ("pendulum --mass 30.5oz --balance-point 22.4in --period 14.5s", "not of ten"),
+        ("pendulum --mass 31lb --balance-point 22.4in --period 1.4s", "usual is 2 to 80 oz"),
+        ("drop --height 1,5m", "after a point"),
+    ],
+)
+def test_silent_nonsense_is_refused(run: Run, arguments: str, words: str) -> None:
+    code, out, err = run(*arguments.split())
+    assert code == 2 and not out
+    assert words in err and err.count("\n") == 1
+
+
+def test_who_insists_is_believed(run: Run) -> None:
+    code, out, _ = run("fly", "--exit-speed", "300mph", "--force")
+    assert code == 0 and "300.0 mph" in out
+    with insisting():
+        assert parse("300 mph", "speed", "--exit-speed") == pytest.approx(134.112)
+    with pytest.raises(InputError, match="--force"):
+        parse("300 mph", "speed", "--exit-speed")
+
+
+def test_inches_and_degrees_in_python_are_told_of(r161: Bat) -> None:
+    line, ball = beam_model(r161), catalog.ball()
+    modes, body = all_modes(line, ball), rigid_body(line)
+    for wrong in (
+        lambda: hit(modes, ball=ball, position=27, closing_speed=50.0),
+        lambda: hits(modes, ball=ball, position=np.array([0.6, 27.0]), closing_speed=50.0),
+        lambda: effective_mass(body, 27.0),
+    ):
+        with pytest.raises(InputError, match=r"places are in metres, and 27 in are 27 \* 0.0254"):
+            wrong()
+    with pytest.raises(InputError, match=r"write math.radians\(28\)"):
+        launched(speed=44.7, launch_angle=28)
+    with pytest.raises(InputError, match="measured_at"):
+        Swing(bat_speed=31.0, measured_at=27.0)
+    assert math.isfinite(hit(modes, ball=ball, position=0.69, closing_speed=50.0).collision_efficiency)
