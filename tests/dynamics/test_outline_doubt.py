@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
+from sweetspot.analysis.certification.rules import construction_findings
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.outline_doubt import OF_CENTRE, OF_SWING, moi_doubt
 from sweetspot.dynamics.rigid import rigid_body
@@ -51,14 +52,14 @@ def test_the_doubt_is_what_other_outlines_miss_by() -> None:
 
 def test_what_was_measured_is_not_in_doubt(r161: Bat) -> None:
     measured = beam_model(catalog.bat("russell-b1"))
-    assert moi_doubt(measured, rigid_body(measured), AXIS) == 0.0
+    assert moi_doubt(measured.bat, rigid_body(measured), AXIS) == 0.0
     line = beam_model(r161)
     body = rigid_body(line)
-    assert moi_doubt(line, body, AXIS) == pytest.approx(0.06 * body.moi(AXIS))
+    assert moi_doubt(r161, body, AXIS) == pytest.approx(0.06 * body.moi(AXIS))
     balanced = beam_model(r161.replaced(balance_point=body.balance_point))
     about = rigid_body(balanced)
     for axis in (0.0, AXIS, about.balance_point):
-        assert moi_doubt(balanced, about, axis) == pytest.approx(0.14 * about.moi_cm)
+        assert moi_doubt(balanced.bat, about, axis) == pytest.approx(0.14 * about.moi_cm)
 
 
 @pytest.mark.parametrize(
@@ -72,3 +73,13 @@ def test_what_was_measured_is_not_in_doubt(r161: Bat) -> None:
 )
 def test_no_more_digits_than_are_known(value: float, doubt: float, told: str) -> None:
     assert told_with_doubt(value, doubt) == told
+
+
+def test_a_rule_on_a_moment_that_was_not_measured_is_close(r161: Bat) -> None:
+    """The value passes or fails by itself; the interval of two standard deviations says how sure that is."""
+    body = rigid_body(beam_model(r161))
+    found = construction_findings(r161, body=body)["moi"]
+    assert found.interval is not None
+    assert np.array(found.interval) == pytest.approx(body.moi(AXIS) * np.array([0.88, 1.12]))
+    measured = catalog.bat("russell-b1")
+    assert construction_findings(measured, body=rigid_body(beam_model(measured)))["moi"].interval is None

@@ -7,9 +7,9 @@ moments predicted with the outlines of other ordinary wood bats at their own len
 
 from __future__ import annotations
 
-from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
 
 OF_CENTRE = 0.14
 """Standard deviation of the moment about the balance point, as a part of it."""
@@ -17,14 +17,14 @@ OF_SWING = 0.06
 """Standard deviation of the moment about an axis in the handle where the balance point was not measured either."""
 
 
-def moi_doubt(line: BeamModel, body: RigidBody, axis: float) -> float:
+def moi_doubt(bat: Implement, body: RigidBody, axis: float) -> float:
     """Return one standard deviation in kg m^2 of the moment about an axis across the bat at ``axis`` m.
 
     Zero where a moment was measured, and for other implements, whose outlines were not compared with measured ones.
     With a measured balance point only the moment about it is in doubt, I(axis) = I_cm + M (axis - balance)^2.
     """
-    if not isinstance(line.bat, Bat) or line.bat.moi is not None:
+    if not isinstance(bat, Bat) or bat.moi is not None:
         return 0.0
-    if line.bat.balance_point is not None or axis == body.balance_point:
+    if bat.balance_point is not None or axis == body.balance_point:
         return OF_CENTRE * body.moi_cm
     return OF_SWING * body.moi(axis)

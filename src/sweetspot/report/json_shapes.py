@@ -29,7 +29,7 @@ def report_json(analysis: Analysis[Implement]) -> dict[str, Any]:
         {
             "bat": {
                 **bat_json(analysis.bat.name, analysis.bat.length, analysis.body),
-                "moi_6in_doubt_kg_m2": moi_doubt(analysis.line, analysis.body, STANDARD_AXIS),
+                "moi_6in_doubt_kg_m2": moi_doubt(analysis.bat, analysis.body, STANDARD_AXIS),
             },
             "modes": modes_json(analysis),
             "sweet_spots": {

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Literal
 
+from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
@@ -196,11 +197,12 @@ def construction_findings(bat: Bat, *, body: RigidBody) -> dict[str, Finding]:
         outline = Finding(widest, "the bat is given by its mass per length, not by its outline")
     else:
         outline = Finding(widest)
+    moi, doubt = body.moi(STANDARD_AXIS), 2 * moi_doubt(bat, body, STANDARD_AXIS)
     found = {
         "length": Finding(bat.length),
         "diameter": outline,
         "drop": Finding(bat.length / INCH - body.mass / OUNCE),
-        "moi": Finding(body.moi(STANDARD_AXIS)),
+        "moi": Finding(moi, interval=(moi - doubt, moi + doubt) if doubt else None),
         "solid_wood": _solid_wood(bat),
         "grip_length": Finding(None, "a bat file does not say how far the grip reaches"),
     }

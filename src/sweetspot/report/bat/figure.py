@@ -98,7 +98,7 @@ def _swing_weight(analysis: Analysis[Implement]) -> str:
     """Say how heavy the swing is, as the sport weighs it."""
     bat, body = analysis.bat, analysis.body
     if isinstance(bat, Bat):
-        doubt = moi_doubt(analysis.line, body, STANDARD_AXIS) / OUNCE_INCH_SQUARED
+        doubt = moi_doubt(analysis.bat, body, STANDARD_AXIS) / OUNCE_INCH_SQUARED
         told = told_with_doubt(body.moi(STANDARD_AXIS) / OUNCE_INCH_SQUARED, doubt)
         return f"moment of inertia {told} oz in² about 6 in from the knob"
     convention = swing_weight(bat.sport)

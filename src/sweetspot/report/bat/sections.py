@@ -70,7 +70,7 @@ def mass_properties(analysis: Analysis[Implement]) -> Html:
         ("balance point, from the knob", f"{body.balance_point / INCH:.2f} in", f"{100 * body.balance_point:.1f} cm"),
     ]
     about = [
-        (f"moment of inertia, {name}", body.moi(axis), moi_doubt(analysis.line, body, axis))
+        (f"moment of inertia, {name}", body.moi(axis), moi_doubt(analysis.bat, body, axis))
         for name, axis in (
             ("6 in from the knob", STANDARD_AXIS), ("knob end", 0.0), ("balance point", body.balance_point),
         )

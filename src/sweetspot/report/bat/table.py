@@ -159,7 +159,7 @@ def _mass(analysis: Analysis[Implement]) -> Table:
         ("MOI about the knob end", 0.0),
         ("MOI about the balance point", body.balance_point),
     ):
-        value, doubt = body.moi(axis), moi_doubt(analysis.line, body, axis)
+        value, doubt = body.moi(axis), moi_doubt(analysis.bat, body, axis)
         spread = f" ± {doubt:.2g}" if doubt else ""
         ounces = told_with_doubt(value / OUNCE_INCH_SQUARED, doubt / OUNCE_INCH_SQUARED)
         table.add_row(name, f"{ounces} oz in^2", f"{value:.4f}{spread} kg m^2")
