@@ -153,9 +153,8 @@ def bats(*, format: OutputFormat = "table") -> None:
     found = [(name, catalog.bat(name)) for name in catalog.bat_names()]
     rows: list[dict[str, Any]] = []
     for key, bat in found:
-        line = beam_model(bat)
-        body = rigid_body(line)
-        doubt = {"moi_6in_doubt_kg_m2": moi_doubt(line, body, STANDARD_AXIS)}
+        body = rigid_body(beam_model(bat))
+        doubt = {"moi_6in_doubt_kg_m2": moi_doubt(bat, body, STANDARD_AXIS)}
         rows.append({"key": key, **bat_json(bat.name, bat.length, body), **doubt})
     if format == "json":
         print_json({"bats": rows})
