@@ -225,3 +225,24 @@ def test_the_api_describes_itself(client: httpx.Client) -> None:
         assert set(schema["properties"]) == set(view.state.model_fields)
     assert client.get("/docs").status_code == 200
     assert json.dumps(document)
+
+
+def test_a_fault_of_the_program_is_told_as_json(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As the API describes every refusal, and not in the server's own words."""
+    import asyncio
+
+    from sweetspot.web import server
+
+    def broken(self: object, name: str, state: object) -> None:
+        raise ZeroDivisionError
+
+    monkeypatch.setattr(server.Answers, "json", broken)
+
+    async def asked() -> httpx.Response:
+        transport = httpx.ASGITransport(app=server.create_app(), raise_app_exceptions=False)
+        async with httpx.AsyncClient(transport=transport, base_url="http://localhost") as client:
+            return await client.post("/api/v1/explorer", json={})
+
+    response = asyncio.run(asked())
+    assert response.status_code == 500
+    assert "report it" in response.json()["error"]["message"]

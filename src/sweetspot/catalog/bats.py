@@ -52,4 +52,9 @@ def load_bat(name_or_path: str) -> Bat:
 def is_file(name_or_path: str) -> bool:
     """Say whether a text is meant as a file: it ends in ``.toml``, holds a path separator or names an existing one."""
     path = Path(name_or_path)
-    return path.suffix.lower() == ".toml" or "/" in name_or_path or "\\" in name_or_path or path.is_file()
+    if path.suffix.lower() == ".toml" or "/" in name_or_path or "\\" in name_or_path:
+        return True
+    try:
+        return path.is_file()
+    except (OSError, ValueError):  # longer than any file's name, or with a sign that none may have
+        return False

@@ -49,7 +49,7 @@ def entry(table: dict[str, dict[str, Any]], name: str, what: str) -> tuple[str, 
     key = canonical(name)
     known = {canonical(key): key for key in table}
     if key not in known:
-        raise InputError(f"{what} {name!r} is not in the catalogue. {nearest_names(key, sorted(known))}")
+        raise InputError(f"{what} {name[:60]!r} is not in the catalogue. {nearest_names(key[:60], sorted(known))}")
     return known[key], table[known[key]]
 
 

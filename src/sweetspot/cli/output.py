@@ -31,7 +31,22 @@ def print_csv(columns: Mapping[str, Sequence[Any]]) -> None:
     """Print columns of equal length as CSV on stdout; None becomes an empty field."""
     writer = csv.writer(sys.stdout, lineterminator="\n")
     writer.writerow(columns)
-    writer.writerows(zip(*columns.values(), strict=True))
+    writer.writerows([harmless(cell) for cell in row] for row in zip(*columns.values(), strict=True))
+
+
+def harmless(cell: Any) -> Any:
+    """Return a cell of a CSV file so that a spreadsheet shows it: text that it would take as a formula is quoted.
+
+    >>> harmless("=1+1"), harmless("-1.5"), harmless("r161-ash"), harmless(-2.0)
+    ("'=1+1", '-1.5', 'r161-ash', -2.0)
+    """
+    if not isinstance(cell, str) or not cell.startswith(("=", "+", "-", "@", "\t", "\r")):
+        return cell
+    try:
+        float(cell)
+    except ValueError:
+        return f"'{cell}"
+    return cell
 
 
 def print_rows_csv(rows: Sequence[Mapping[str, Any]]) -> None:

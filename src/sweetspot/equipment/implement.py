@@ -12,7 +12,7 @@ from typing import Literal, NamedTuple
 
 from numpy.typing import ArrayLike
 
-from sweetspot.equipment.base import NonNegative, Positive, Validated
+from sweetspot.equipment.base import Name, NonNegative, Positive, Validated
 from sweetspot.equipment.face import Face, Outline
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.section import Section
@@ -60,7 +60,7 @@ class Implement(Validated, ABC):
     choke : m the grip is moved up from the butt end; shifts the default pivot and hands.
     """
 
-    name: str
+    name: Name
     length: Positive
     sport: str = "baseball"
     mass: Positive | None = None

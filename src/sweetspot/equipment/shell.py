@@ -5,6 +5,7 @@ Positions are metres from the knob end.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -14,6 +15,7 @@ from pydantic import model_validator
 from sweetspot.equipment.base import NonNegative, Positive, Validated
 from sweetspot.equipment.laminate import Laminate
 from sweetspot.equipment.material import Material
+from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 
 Stations = tuple[tuple[float, float], ...]
@@ -160,16 +162,27 @@ def between(stations: Stations, position: Array | float) -> Array:
     return np.asarray(np.interp(np.asarray(position, float), places, sizes))
 
 
+MOST_STATIONS = 150
+"""Each is the end of a beam element, and the time of a bending analysis grows with the cube of their number."""
+
+
 def check_order(stations: Stations, what: str) -> None:
     """Refuse stations that are too few or go backwards; ``what`` names them in the message."""
     if len(stations) < 2:
         raise ValueError(f"{what} has {len(stations)} station; allowed is two or more")
+    check_count(stations, what)
     for (before, _), (after, _) in pairwise(stations):
         if after <= before:
             raise ValueError(
                 f"{what} goes back from {before:.4g} m to {after:.4g} m; "
                 "list the stations from the knob end outwards, each once"
             )
+
+
+def check_count(stations: Sequence[object], what: str) -> None:
+    """Refuse more stations than an analysis can use."""
+    if len(stations) > MOST_STATIONS:
+        raise InputError(f"{what} has {len(stations)} stations; allowed is up to {MOST_STATIONS}: thin them out")
 
 
 def check_along(stations: Stations, what: str, *, start: float, end: float) -> None:

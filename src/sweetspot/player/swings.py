@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import csv
-import gzip
+import io
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from datetime import date, datetime
 from pathlib import Path
 from statistics import median
-from typing import IO
 
 from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.errors import InputError, nearest_names
+from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text
 from sweetspot.player.columns import TEXTS, Column, Columns, Units, columns_of, is_heading_line
 from sweetspot.units import INCH, MPH, shown
 
@@ -158,31 +158,25 @@ def evenly(swings: Sequence[PlayerSwing], most: int) -> tuple[tuple[PlayerSwing,
 
 def _lines(path: Path) -> Iterator[tuple[int, list[str]]]:
     """Yield (line, cells) from the line of column names on, blank lines left out."""
-    if not path.is_file():
+    if path.is_dir():
         raise InputError(f"{path} is not a file; give a CSV file with a row per swing")
+    text = read_text(path, most=MOST_TABLE_BYTES, advice="give a CSV file with the rows of one batter")
     try:
-        with _opened(path) as file:
-            reader = csv.reader(file)
-            before: list[tuple[int, list[str]]] = []
-            found = False
-            for cells in reader:
-                if not any(cell.strip() for cell in cells):
-                    continue
-                found = found or is_heading_line(cells)
-                if found:
-                    yield reader.line_num, cells
-                elif len(before) < PREAMBLE:
-                    before.append((reader.line_num, cells))
-            if not found:
-                yield from before
-    except (OSError, EOFError, UnicodeDecodeError, csv.Error) as error:
+        reader = csv.reader(io.StringIO(text, newline=""))
+        before: list[tuple[int, list[str]]] = []
+        found = False
+        for cells in reader:
+            if not any(cell.strip() for cell in cells):
+                continue
+            found = found or is_heading_line(cells)
+            if found:
+                yield reader.line_num, cells
+            elif len(before) < PREAMBLE:
+                before.append((reader.line_num, cells))
+        if not found:
+            yield from before
+    except csv.Error as error:
         raise InputError(f"{path} cannot be read as CSV text: {error}") from None
-
-
-def _opened(path: Path) -> IO[str]:
-    if path.suffix == ".gz":
-        return gzip.open(path, "rt", encoding="utf-8-sig", newline="")
-    return path.open(encoding="utf-8-sig", newline="")
 
 
 def _of_batter(

@@ -46,6 +46,16 @@ SI: dict[Kind, tuple[str, str]] = {
 }
 """Every kind of quantity with its SI unit and an example for messages. Temperatures come out in degC."""
 
+LARGEST: dict[Kind, float] = {
+    "length": 1e4, "mass": 1e3, "speed": 1e4, "moi": 1e3, "density": 1e5, "pressure": 1e13, "force": 1e8, "time": 1e6,
+    "angle": 1e3, "angular speed": 1e5, "linear density": 1e3, "areal density": 1e4, "first moment": 1e4,
+    "temperature": 1e4, "stiffness": 1e12, "damping": 1e9, "frequency": 1e7, "ratio": 1e6,
+    "slope per speed": 1e3, "slope per temperature": 1e3,
+}  # fmt: skip
+"""What no quantity of its kind exceeds in any sport, SI: arithmetic with more than that says nothing, or fails."""
+SMALLEST = 1e-15
+"""SI; less than that is zero, or a slip."""
+
 FRACTION = re.compile(r"^\s*(\d+)\s+(\d+)/(\d+)\s*(.*)$")
 PLAIN_FRACTION = re.compile(r"^\s*(\d+)/(\d+)\s*([^\d\s/].*)$")
 FEET_INCHES = re.compile(
@@ -111,6 +121,8 @@ def parse(text: str | float, kind: Kind, what: str = "value") -> float:
     if NUMBER.match(text) and kind != "ratio":
         raise InputError(f"{what} was given as {text.strip()} without a unit; write for example {example}")
     value = _understood(text, kind, what)
+    if math.isfinite(value) and (abs(value) > LARGEST[kind] or 0 < abs(value) < SMALLEST):
+        raise InputError(f"{what} was given as {text!r}, beyond anything in sport; write for example {example}")
     if not math.isfinite(value):
         raise InputError(f"{what} was given as {text!r}; allowed is a finite number, for example {example}")
     check_usual(value, what, text)

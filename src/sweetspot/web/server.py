@@ -28,6 +28,7 @@ from sweetspot.web.views import VIEWS
 LOCAL_NAMES = ("localhost", "testserver")
 API = "/api/v1"
 NOT_FOUND = 404
+_BROKEN = "this question breaks the program; the fault is not yours. Please report it with the question"
 _NO_PAGE = "there is no page {}"
 
 
@@ -59,6 +60,7 @@ def create_app(*, names: Iterable[str] = ()) -> FastAPI:
     app.add_exception_handler(RequestValidationError, _invalid)
     app.add_exception_handler(HTTPException, _refused)
     app.add_exception_handler(SweetspotError, _wrong)
+    app.add_exception_handler(Exception, _broken)
     api = APIRouter(prefix=API, responses=REFUSALS)
     catalogue_routes(api)
     for view in VIEWS.values():
@@ -134,6 +136,10 @@ async def _refused(request: Request, error: Exception) -> JSONResponse:
 async def _wrong(_: Request, error: Exception) -> JSONResponse:
     assert isinstance(error, SweetspotError)
     return JSONResponse({"error": fault(error)}, 422)
+
+
+async def _broken(_: Request, error: Exception) -> JSONResponse:  # noqa: ARG001 - the server logs it
+    return JSONResponse({"error": {"field": "", "message": _BROKEN}}, 500)
 
 
 def _warm() -> None:

@@ -172,6 +172,12 @@ def measure(
     if any(given) and not all(given):
         raise InputError("only some of the shots have a ball_cor; give it for all of them or for none")
     hits = [_hit(shot, body=body, ball=ball, standard=standard) for shot in shots]
+    for hit in hits:
+        if max(hit.bbcor, hit.normalised) >= 1:
+            raise InputError(
+                f"row {hit.shot.row} gives a BBCOR of {hit.normalised:.3g}; allowed is below 1, where ball and bat "
+                "part as fast as they met. Check the speeds, the ball's restitution and the bat's moment of inertia"
+            )
     groups = _places(hits)
     best = _best(groups)
     values = [hit.normalised for hit in best]

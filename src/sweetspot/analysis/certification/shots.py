@@ -7,6 +7,7 @@ ball_stiffness_lbf_in, ball_mass_oz``. Faulty rows are listed with the reason; t
 from __future__ import annotations
 
 import csv
+import io
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -14,6 +15,7 @@ from pathlib import Path
 
 from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text
 from sweetspot.units import FOOT, INCH, MPH, OUNCE, POUND_FORCE, shown
 
 SPEEDS = {"mph": MPH, "m_s": 1.0, "km_h": 1 / 3.6, "ft_s": FOOT}
@@ -35,6 +37,10 @@ NEEDED = ("ball_in", "ball_out", "position")
 FASTEST = 90.0
 """m/s (201 mph); a faster ball or bat is a number in another unit."""
 CLAMP = STANDARD_AXIS
+CORS = (0.3, 0.7)
+"""Restitution on a rigid wall that a ball of any bat sport can have (assumed: those in use lie between 0.4 and 0.6)."""
+STIFFNESSES = (1e5, 2e7)
+"""Dynamic stiffness in N/m that one can have (assumed; those of balls in use lie within 1 to 5 MN/m)."""
 COLUMNS_HINT = "ball_in_mph, ball_out_mph and position_in_from_tip (or _m_s, _m_from_knob, ...)"
 
 
@@ -133,15 +139,15 @@ def read_shots(path: Path, *, length: float) -> Shots:
 
 def _rows(path: Path) -> Iterator[tuple[int, list[str]]]:
     """Yield (line, cells) of every line that is not blank."""
-    if not path.is_file():
+    if path.is_dir():
         raise InputError(f"{path} is not a file; give a CSV file with the columns {COLUMNS_HINT}")
+    text = read_text(path, most=MOST_TABLE_BYTES, advice=f"give a CSV file with the columns {COLUMNS_HINT}")
     try:
-        with path.open(encoding="utf-8-sig", newline="") as file:
-            reader = csv.reader(file)
-            for cells in reader:
-                if any(cell.strip() for cell in cells):
-                    yield reader.line_num, cells
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
+        reader = csv.reader(io.StringIO(text, newline=""))
+        for cells in reader:
+            if any(cell.strip() for cell in cells):
+                yield reader.line_num, cells
+    except csv.Error as error:
         raise InputError(f"{path} cannot be read as CSV text: {error}") from None
 
 
@@ -238,8 +244,15 @@ def _fault(shot: Shot, length: float) -> str:
             f"position is {shown(shot.position)} from the knob end, off the bat of {shown(length)}",
         ),
         (shot.position <= CLAMP, "position is at the clamp, 6 in from the knob end, or behind it"),
-        (shot.ball_cor is not None and not 0 < shot.ball_cor < 1, "ball_cor is not between 0 and 1"),
-        (shot.ball_stiffness is not None and shot.ball_stiffness <= 0, "ball_stiffness is not above zero"),
+        (
+            shot.ball_cor is not None and not CORS[0] <= shot.ball_cor <= CORS[1],
+            f"ball_cor is not that of a ball on a rigid wall, {CORS[0]:g} to {CORS[1]:g}",
+        ),
+        (
+            shot.ball_stiffness is not None and not STIFFNESSES[0] <= shot.ball_stiffness <= STIFFNESSES[1],
+            f"ball_stiffness is not that of a ball, {STIFFNESSES[0]:g} to {STIFFNESSES[1]:g} N/m; is the column in "
+            "another unit?",
+        ),
         (
             shot.ball_mass is not None and not 0.02 < shot.ball_mass < 0.5,
             "ball_mass is not that of a ball, 0.02 to 0.5 kg; is the column in another unit?",

@@ -16,13 +16,17 @@ from sweetspot.catalog.records import unwrapped
 from sweetspot.equipment.bat import Bat, Bore, Cup, PointMass
 from sweetspot.equipment.laminate import Laminate, Ply
 from sweetspot.equipment.material import Material
-from sweetspot.equipment.shell import InnerWall, Shell
+from sweetspot.equipment.shell import InnerWall, Shell, check_count
 from sweetspot.errors import InputError
+from sweetspot.numerics.text_files import read_text
 from sweetspot.units import parse
 
 Text = str
 Pairs = tuple[tuple[Text, Text], ...]
 MAX_BYTES = 1_000_000
+DEEPEST_KEY = 40
+DEEP_KEY = re.compile(rf"""(?<![\w"'-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')\s*+\.\s*+){{{DEEPEST_KEY}}}""")
+"""A key of many parts joined by dots."""
 
 
 class BoreTable(FileTable):
@@ -145,18 +149,14 @@ def read_bat(path: Path) -> Bat:
 
 def read_toml(path: Path) -> dict[str, Any]:
     """Return a TOML file's content; a missing, huge or malformed file is an `InputError`."""
-    try:
-        if path.stat().st_size > MAX_BYTES:
-            raise InputError(f"{path} is larger than {MAX_BYTES // 1_000_000} MB; a bat file has a few lines")
-        return table_of_text(path.read_text(encoding="utf-8"), str(path))
-    except OSError as error:
-        raise InputError(f"{path} cannot be read: {(error.strerror or str(error)).lower()}") from None
-    except UnicodeDecodeError:
-        raise InputError(f"{path} is not a text file in UTF-8; a bat file is TOML text") from None
+    text = read_text(path, most=MAX_BYTES, advice="a bat file is TOML text of a few lines")
+    return table_of_text(text, str(path))
 
 
 def table_of_text(text: str, where: str) -> dict[str, Any]:
     """Return the table that a TOML text describes; ``where`` names its origin in messages."""
+    if DEEP_KEY.search(text):  # the reader's time grows with the square of their number
+        raise InputError(f"{where} holds a key of more than {DEEPEST_KEY} parts; a bat has a few lines")
     try:
         return tomllib.loads(text)
     except ValueError as error:  # wrong TOML, or a number of thousands of digits
@@ -220,6 +220,7 @@ def _bat(file: BatFile) -> Bat:
 
 
 def _pairs(pairs: Pairs, what: str) -> tuple[tuple[float, float], ...]:
+    check_count(pairs, what)
     return tuple(
         (parse(position, "length", f"{what} position"), parse(size, "length", f"{what} size"))
         for position, size in pairs

@@ -165,8 +165,9 @@ def implement_from_table(table: dict[str, Any], where: str) -> Implement:
     kind = table.get("kind", "bat")
     if kind == "bat":
         return bat_from_table(table, where)
-    if kind not in KINDS:
-        raise InputError(f"{where}: kind {kind!r} is not known. {nearest_names(str(kind), sorted((*KINDS, 'bat')))}")
+    if not isinstance(kind, str) or kind not in KINDS:
+        known = nearest_names(str(kind)[:40], sorted((*KINDS, "bat")))
+        raise InputError(f"{where}: kind {repr(kind)[:60]} is not known. {known}")
     made_from, make = KINDS[kind]
     try:
         return make(made_from(**{key: _unwrapped(value) for key, value in table.items()}))

@@ -8,6 +8,7 @@ from typing import Annotated, Any
 from pydantic import ConfigDict
 
 from sweetspot.equipment.base import Validated
+from sweetspot.equipment.shell import check_count
 from sweetspot.units import Kind, parse
 
 
@@ -57,6 +58,7 @@ def in_si(table: FileTable, what: str = "") -> dict[str, Any]:
             if value is not None and isinstance(meaning, Of):
                 value = parse(value, meaning.kind, label)
             elif value is not None and isinstance(meaning, PairsOf):
+                check_count(value, label)
                 value = tuple(
                     (parse(first, meaning.first, f"{label} position"), parse(second, meaning.second, f"{label} size"))
                     for first, second in value

@@ -1,0 +1,79 @@
+"""Files that people hand in: honest ones are read, bombs and devices cost no more than honest ones."""
+
+from __future__ import annotations
+
+import gzip
+import os
+import resource
+import time
+from pathlib import Path
+
+import pytest
+
+from sweetspot.errors import InputError
+from sweetspot.numerics.text_files import read_text
+
+MEGABYTE = 1_000_000
+
+
+def read(path: Path, most: int = MEGABYTE) -> str:
+    return read_text(path, most=most, advice="make it shorter")
+
+
+def test_honest_files(tmp_path: Path) -> None:
+    for name, content in (
+        ("plain", "näme,1\r\n".encode()),
+        ("mark", b"\xef\xbb\xbf" + "näme,1\r\n".encode()),
+        ("packed.gz", gzip.compress("näme,1\r\n".encode())),
+    ):
+        (tmp_path / name).write_bytes(content)
+        assert read(tmp_path / name) == "näme,1\r\n"
+
+
+@pytest.mark.parametrize("bomb", ["device", "gzip", "large"])
+def test_bombs_are_refused_at_once(tmp_path: Path, bomb: str) -> None:
+    """Within a second and 200 MB: a device that never ends, 1 GB packed into 1 MB, a large file."""
+    if bomb == "device":
+        path = Path("/dev/zero")
+    elif bomb == "gzip":
+        path = tmp_path / "bomb.gz"
+        path.write_bytes(gzip.compress(b"1,2,3\n" * (10 * MEGABYTE)) * 10)
+    else:
+        path = tmp_path / "large"
+        with path.open("wb") as file:
+            file.truncate(2**33)
+    before, start = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss, time.process_time()
+    with pytest.raises(InputError, match=r"larger than 16 MB; make it shorter"):
+        read(path, 16 * MEGABYTE)
+    assert time.process_time() - start < 1.0
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < 200_000  # kB
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (b"no gzip at all", "cannot be read: not a gzipped file"),
+        (gzip.compress(b"cut off" * 500)[:30], "is damaged"),
+        (gzip.compress(b"turned over" * 500)[:20] + b"\xff" * 40, "is damaged|cannot be read"),
+        (gzip.compress(b"\xff\xfe"), "not a text file in UTF-8"),
+    ],
+)
+def test_damaged_files(tmp_path: Path, content: bytes, said: str) -> None:
+    path = tmp_path / "damaged.csv.gz"
+    path.write_bytes(content)
+    with pytest.raises(InputError, match=said):
+        read(path)
+
+
+def test_what_is_no_file(tmp_path: Path) -> None:
+    for path in (tmp_path, tmp_path / "missing", tmp_path / ("x" * 2000), Path("a\0b"), tmp_path / "missing" / "x"):
+        with pytest.raises(InputError, match="cannot be read") as caught:
+            read(path)
+        assert len(str(caught.value)) < 400
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    reader = os.open(pipe, os.O_RDWR)  # so that neither end waits
+    os.write(reader, b"x" * 100)
+    with pytest.raises(InputError, match="larger"):
+        read(pipe, 10)
+    os.close(reader)
