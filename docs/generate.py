@@ -11,7 +11,20 @@ import sport_tables
 import tables
 from cases import analysed
 from facts import facts
-from figures import axes, ball, convergence, flight, hollow, home_runs, oblique, optimum, parks, percussion, spots
+from figures import (
+    axes,
+    ball,
+    calibration,
+    convergence,
+    flight,
+    hollow,
+    home_runs,
+    oblique,
+    optimum,
+    parks,
+    percussion,
+    spots,
+)
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
@@ -37,6 +50,7 @@ def figures() -> dict[str, Callable[[], Figure]]:
         "optimum": optimum.optimum_figure,
         "flight": flight.flight_figure,
         "flight_convergence": flight.flight_convergence,
+        "calibration": calibration.worth_figure,
         "hand_force": percussion.hand_force_figure,
         "mesh_convergence": convergence.mesh_convergence,
         "step_convergence": convergence.step_convergence,

@@ -74,3 +74,17 @@ def test_refusals(run: Run, arguments: tuple[str, ...], message: str) -> None:
     code, _, err = run("calibrate", "r161-ash", *arguments)
     assert code == 2
     assert message in err
+
+
+def test_how_sure_a_report_a_hit_and_a_comparison_are(run: Run, run_json: Callable[..., Any]) -> None:
+    report = run_json("report", "russell-b1", "--uncertainty")
+    sure, best = report["uncertainty"], report["sweet_spots"]["max_exit_speed_m"]
+    assert sure["position_m"] == best
+    assert sure["exit_speed_low_m_s"] < sure["exit_speed_m_s"] < sure["exit_speed_high_m_s"]
+    assert abs(sure["max_exit_speed_place_m"] - best) < 0.01
+    hit = run_json("hit", "russell-b1", "--at", f"{best}m", "--uncertainty")
+    assert hit["uncertainty"]["exit_speed_m_s"] == pytest.approx(hit["exit_speed_m_s"], rel=1e-3)
+    assert hit["uncertainty"]["exit_speed_error_m_s"] == pytest.approx(sure["exit_speed_error_m_s"], rel=0.02)
+    code, out, _ = run("compare", "r161-ash", "russell-b1", "--uncertainty")
+    assert code == 0
+    assert "with the same ball" in " ".join(out.split())

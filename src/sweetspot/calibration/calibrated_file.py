@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,8 @@ from sweetspot.calibration.measured import REACH, Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.posterior import Posterior
 from sweetspot.calibration.unknowns import Unknown, UnknownName, deviated
+from sweetspot.catalog.bats import is_file
+from sweetspot.catalog.files.bat import read_toml
 from sweetspot.catalog.files.write import bat_table
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
@@ -89,15 +92,12 @@ def calibrated_bat(posterior: Posterior, damping: Measured | None) -> Bat:
         material = material.replaced(damping_ratio=damping.value)
     return bat.replaced(
         name=f"{bat.name}, calibrated", material=material, mass=body.mass, balance_point=body.balance_point,
-        moi=body.moi(AXIS), moi_axis=AXIS,
+        moi=body.moi(AXIS), moi_axis=AXIS, density_gradient=posterior.line.density_gradient,
     )  # fmt: skip
 
 
 def calibrated_table(posterior: Posterior, damping: Measured | None) -> dict[str, Any]:
-    """Return the content of a bat file with intervals, and the covariance of what is not known.
-
-    Spreads are half widths of 90 % intervals, as everywhere in the catalogue.
-    """
+    """Return the content of a bat file with half widths of 90 % intervals, and the covariance of what is not known."""
     table = bat_table(calibrated_bat(posterior, damping))
     units = {"mass": "kg", "balance_point": "m", "moi": "kg*m^2"}
     for name, one in properties(posterior).items():
@@ -123,6 +123,11 @@ def _record(written: Any, one: Value, unit: str) -> dict[str, Any]:
     spread = f"{half:.6g} {unit}" if unit else float(f"{half:.6g}")
     where = "`sweetspot calibrate`: half width of the 90 % interval"
     return {"value": written, "spread": spread, "source": SOURCE, "where": where, "kind": one.kind}
+
+
+def deviations_of(name_or_path: str) -> tuple[tuple[Unknown, ...], Array] | None:
+    """Return what the file of a calibrated bat holds of what is not known; None for any other bat."""
+    return known_deviations(read_toml(Path(name_or_path))) if is_file(name_or_path) else None
 
 
 def known_deviations(table: dict[str, Any]) -> tuple[tuple[Unknown, ...], Array] | None:

@@ -2,8 +2,8 @@
 
 Each unknown is the deviation of a logarithm (moduli, density, wall, diameters, masses at knob and end cap) from the
 description, or of the density's gradient itself. Before any measurement it is normal with mean 0 and the spread that
-the catalogue gives for the material, or that is assumed here. A solid bat carries a few grams of tape and paint at its
-knob.
+the catalogue gives for the material, or that is assumed here. The catalogue's spread is that of a mean; one billet
+scatters more, so it counts as one sigma. A solid bat carries a few grams of tape and paint at its knob.
 """
 
 from __future__ import annotations

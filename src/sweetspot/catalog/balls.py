@@ -14,7 +14,7 @@ from sweetspot.equipment.ball import (
     stiffness_from_load,
     stiffness_from_peak_force,
 )
-from sweetspot.units import Kind
+from sweetspot.units import Kind, parse
 
 FILE = "balls.toml"
 DEFAULT_BALL = "baseball"
@@ -83,3 +83,39 @@ def _stiffness(found: dict[str, Any], value: Any, *, mass: float, exponent: floa
     return stiffness_from_contact_time(
         value("contact_time", "time"), speed=speed, mass=mass, exponent=exponent, restitution=law.at(speed)
     )
+
+
+def ball_spreads(ball: Ball) -> dict[str, float]:
+    """Return the half widths of what is plausible of a ball of the catalogue, whatever was changed on it.
+
+    Returns
+    -------
+    dict
+        "restitution" and "restitution_slope" (s/m) as they are, "mass" and "stiffness" as parts of themselves; without
+        those that the catalogue does not know, and empty for a ball that it does not have.
+
+    >>> round(ball_spreads(ball("baseball"))["restitution"], 3)
+    0.032
+    """
+    record = next((found for found in read_table(FILE).values() if found["name"] == ball.name), {})
+
+    def spread(field: str, kind: Kind) -> float | None:
+        if not isinstance(record.get(field), dict) or "spread" not in record[field]:
+            return None
+        return parse(record[field]["spread"], kind, f"{ball.name} {field} spread")
+
+    def part(field: str, kind: Kind) -> float | None:
+        size, value = spread(field, kind), quantity(record, field, kind, ball.name)
+        return None if size is None or not value else size / value
+
+    forces = {"peak_force": part("peak_force", "force"), "contact_time": part("contact_time", "time")}
+    steep = next((size for size in forces.values() if size is not None), None)
+    slow = part("load", "force")
+    found = {
+        "restitution": spread("cor_reference", "ratio"),
+        "restitution_slope": spread("cor_slope", "slope per speed"),
+        "mass": part("mass", "mass"),
+        # k goes as the (n + 1)th power of a peak force or of one over the time of contact
+        "stiffness": (ball.exponent + 1) * steep if steep is not None else slow,
+    }
+    return {name: size for name, size in found.items() if size}

@@ -21,6 +21,7 @@ app = App(
 
 BatName = Annotated[str, Parameter(help="Name in the catalogue (see `sweetspot bats`) or a TOML file.")]
 OutputFormat = Annotated[Format, Parameter(name="--format", help="table for people, json or csv for programs.")]
+Uncertainty = Annotated[bool, Parameter(negative="", help="Say how sure the answer is, and what its doubt comes from.")]
 DEFAULT_SWING = SwingOptions()
 
 
@@ -30,6 +31,7 @@ def report(
     /,
     *,
     out: Annotated[Path | None, Parameter(help="Folder for report.html, PNG, SVG and JSON.")] = None,
+    uncertainty: Uncertainty = False,
     swing: SwingOptions = DEFAULT_SWING,
     format: OutputFormat = "table",
 ) -> None:
@@ -43,14 +45,19 @@ def report(
         check_folder(out)
     with patience():
         analysis = _analysed(bat, swing)
+        sure = _doubt(bat, analysis.line, analysis.conditions, None) if uncertainty else None
+    best = analysis.sweet_spots.max_exit_speed
     if format == "json":
-        print_json(report_json(analysis))
+        extra = {} if sure is None else {"uncertainty": _doubt_json(sure, best, along=True)}
+        print_json({**report_json(analysis), **extra})
     elif format == "csv":
         print_csv(report_json(analysis)["scan"])
     else:
         from sweetspot.report.bat.table import report_table
 
         print_table(report_table(analysis))
+        if sure is not None:
+            print_table(_doubt_words(sure, best, analysis.bat.length, along=True))
     if out is not None:
         from sweetspot.report.bat.html import write_report
 
@@ -64,6 +71,7 @@ def hit(
     *,
     at: Annotated[str, Parameter(help="Where the ball meets the bat: 27in, 6in-from-tip or 0.152m-from-tip.")],
     beside: Annotated[str | None, Parameter(help="How far beside a face's middle line: 3cm; not for bats.")] = None,
+    uncertainty: Uncertainty = False,
     swing: SwingOptions = DEFAULT_SWING,
     format: OutputFormat = "table",
 ) -> None:
@@ -93,8 +101,10 @@ def hit(
     check_lateral(described, position, lateral)
     impact = hit_at(position, modes=modes, conditions=conditions, lateral=lateral)
     strains = damage(impact, line=line, modes=modes) if isinstance(described, Bat) else None
+    sure = _doubt(bat, line, conditions, [position]) if uncertainty else None
     if format == "json":
         extra = {"damage": damage_json(strains)} if strains else {}
+        extra |= {} if sure is None else {"uncertainty": _doubt_json(sure, position, along=False)}
         print_json({**hit_json(impact, body=body, conditions=conditions), **extra})
     elif format == "csv":
         print_csv(hit_json(impact, body=body, conditions=conditions)["history"])
@@ -109,6 +119,8 @@ def hit(
             print_table(hit_table(impact, body=body, conditions=conditions, length=described.length))
         if strains:
             print_table(damage_lines(strains))
+        if sure is not None:
+            print_table(_doubt_words(sure, position, described.length, along=False))
 
 
 @app.command
@@ -245,6 +257,31 @@ def _analysed(name: str, swing: SwingOptions) -> Any:
 
     described = catalog.load_implement(name)
     return analyse(described, conditions_for(described, swing))
+
+
+def _doubt(name: str, line: Any, conditions: Any, positions: list[float] | None) -> Any:
+    """Return what the answers about a bat depend on; a calibrated bat's file knows its own part."""
+    import numpy as np
+
+    from sweetspot.calibration.calibrated_file import deviations_of
+    from sweetspot.calibration.uncertainty import doubt
+
+    places = None if positions is None else np.array(positions)
+    return doubt(line, conditions, known=deviations_of(name), positions=places)
+
+
+def _doubt_json(sure: Any, position: float, *, along: bool) -> dict[str, Any]:
+    from sweetspot.report.calibration.doubt_report import doubt_json
+
+    return doubt_json(sure, position, place=sure.best_place() if along else None)
+
+
+def _doubt_words(sure: Any, position: float, length: float, *, along: bool) -> Any:
+    from rich.text import Text
+
+    from sweetspot.report.calibration.doubt_report import doubt_words
+
+    return Text(f"\n{doubt_words(sure, position, length=length, place=sure.best_place() if along else None)}")
 
 
 def _say(text: str) -> None:

@@ -12,6 +12,7 @@ from sweetspot.cli.options.swing import SwingOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
+    from sweetspot.analysis.comparison import Comparison
     from sweetspot.analysis.two_way import Axis, Variation
     from sweetspot.equipment.bat import Bat
     from sweetspot.equipment.implement import Implement
@@ -46,6 +47,9 @@ def compare(
     cell: Annotated[str, Parameter(help="What its cells show: exit-speed, bbcor, collision-efficiency, ...")] = (
         "exit-speed"
     ),
+    uncertainty: Annotated[
+        bool, Parameter(negative="", help="Say how sure each gain is, for what is not known of bats and ball.")
+    ] = False,
     swing: SwingOptions = DEFAULT_SWING,
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
@@ -76,7 +80,35 @@ def compare(
         described = list(corkings(_bat(described[0]), diameter=diameter, depth=depth, plug=closed))
     with patience():
         comparison = compared(described, conditions=conditions_for(described[0], swing), law=law, labels=labels)
-    return present(comparison_document(comparison, corking=what_if is not None), output)
+    document = comparison_document(comparison, corking=what_if is not None)
+    return present(_with_doubt(document, comparison, bats) if uncertainty else document, output)
+
+
+def _with_doubt(document: Document, comparison: Comparison[Implement], names: tuple[str, ...]) -> Document:
+    """Return a comparison with how sure each bat's gain over the first is."""
+    from dataclasses import replace
+
+    from sweetspot.calibration.calibrated_file import deviations_of
+    from sweetspot.calibration.uncertainty import difference, doubt
+    from sweetspot.report.calibration.doubt_report import difference_words
+    from sweetspot.report.document import Paragraph
+    from sweetspot.report.tap.tap_report import measured_json
+
+    if len(names) != len(comparison.compared):
+        raise InputError("--uncertainty compares bats that are given by name or file; leave out --what-if")
+    found = comparison.compared
+    sure = [
+        doubt(one.analysis.line, one.analysis.conditions, known=deviations_of(name))
+        for one, name in zip(found, names, strict=True)
+    ]
+    best = [one.analysis.sweet_spots.max_exit_speed for one in found]
+    gains = {
+        one.label: difference(sure[0], doubts, (best[0], place))
+        for one, doubts, place in zip(found[1:], sure[1:], best[1:], strict=True)
+    }
+    words = [Paragraph(difference_words(label, found[0].label, gain)) for label, gain in gains.items()]
+    data = [{"label": label, **measured_json(gain, "exit_speed_gain", "_m_s")} for label, gain in gains.items()]
+    return replace(document, blocks=[*document.blocks, *words], data={**document.data, "uncertainty": data})
 
 
 def _bat(described: Implement) -> Bat:

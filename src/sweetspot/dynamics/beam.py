@@ -125,7 +125,8 @@ def moments(line: BeamModel) -> tuple[float, float, float]:
 
 def _fitted(bat: Implement, known: DensityRange) -> BeamModel:
     """Fit density factor, gradient and grip to what was measured."""
-    plain = BeamModel(bat, 1.0, 0.0, bat.lumps())
+    gradient = bat.density_gradient if isinstance(bat, Bat) else 0.0
+    plain = BeamModel(bat, 1.0, gradient, bat.lumps())
     if bat.mass is None:
         if bat.balance_point is not None or bat.moi is not None:
             raise InputError(f"{bat.name} has a measured balance point or moi but no mass; weigh it and give the mass")
@@ -171,6 +172,7 @@ def _corrected(drawn: BeamModel) -> BeamModel:
 
 def _shifted(line: BeamModel, gradient: float, grip: float) -> BeamModel:
     """Return a line of the same mass whose density changes along it; gradient and grip over the line's own density."""
+    gradient = line.density_gradient + gradient  # beyond what the drawing has
     own = moments(line)[0] - _mass_of_others(line)
     added = moments(replace(line, density_gradient=gradient, grip_excess=grip))[0] - moments(line)[0]
     part = 1 - added / own

@@ -77,6 +77,7 @@ class Bat(OfMaterial):
     material : of the body.
     profile : (position, diameter) stations in m from 0 to ``length``, positions increasing.
     linear_density : coefficients c0, c1, c2, ... of c0 + c1 x + c2 x^2 + ... in kg/m, x from the knob end.
+    density_gradient : relative change of density from the middle of the bat to its tip, -0.25 to 0.25.
     bores, cup, shell, point_masses : what is drilled, turned, hollowed and added.
     original : the bat as it was measured, when this one is that bat with something changed.
 
@@ -90,6 +91,7 @@ class Bat(OfMaterial):
     material: Material
     profile: Stations | None = None
     linear_density: tuple[float, ...] | None = None
+    density_gradient: Annotated[float, Field(ge=-0.25, le=0.25)] = 0.0
     bores: tuple[Bore, ...] = ()
     cup: Cup | None = None
     shell: Shell | None = None
@@ -314,7 +316,9 @@ class Bat(OfMaterial):
 
     def with_material(self, material: Material) -> Self:
         """Return the same outline in another material; what was measured on the old one is dropped."""
-        return self.replaced(material=material, mass=None, balance_point=None, moi=None, original=None)
+        return self.replaced(
+            material=material, density_gradient=0.0, mass=None, balance_point=None, moi=None, original=None
+        )
 
     def _changed(self, name: str, **changes: object) -> Self:
         """Return a modified bat that remembers the bat its measured values belong to."""

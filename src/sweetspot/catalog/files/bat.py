@@ -128,6 +128,7 @@ class BatFile(FileTable):
     linear_density: tuple[float, ...] | None = Field(
         None, description="c0, c1, c2, ... of c0 + c1 x + c2 x^2 ... in kg/m with x in m from the knob end"
     )
+    density_gradient: float = Field(0.0, description="relative change of density from the middle to the tip")
     mass: Text | None = Field(None, description="measured; density is scaled to it")
     balance_point: Text | None = Field(None, description="measured, from the knob end")
     moi: Text | None = Field(None, description="measured moment of inertia about moi_axis")
@@ -200,6 +201,7 @@ def _bat(file: BatFile) -> Bat:
         material=own,
         profile=profile,
         linear_density=file.linear_density,
+        density_gradient=file.density_gradient,
         bores=tuple(_bore(bore) for bore in file.bore),
         cup=None if file.cup is None else Cup(**_lengths(file.cup, "cup")),
         shell=None if file.shell is None else _shell(file.shell, own),

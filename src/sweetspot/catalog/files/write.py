@@ -43,6 +43,8 @@ def bat_table(bat: Bat) -> dict[str, Any]:
         table["profile"] = _pairs(bat.profile)
     if bat.linear_density is not None:
         table["linear_density"] = list(bat.linear_density)
+    if bat.density_gradient:
+        table["density_gradient"] = bat.density_gradient
     measured = {
         "mass": _with(bat.mass, "kg"),
         "balance_point": _with(bat.balance_point, "m"),

@@ -1,0 +1,56 @@
+"""What each measurement of a bat is worth: the doubt of its wood and of its exit speed, step by step."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from figures.style import BLUE, GREY, RED, new_figure
+from sweetspot import catalog
+from sweetspot.calibration.measured import REACH, Measured
+from sweetspot.calibration.measurements import Measurement, predicted
+from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.posterior import calibrate
+from sweetspot.calibration.uncertainty import doubt
+from sweetspot.calibration.unknowns import described, unknowns_of
+from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.units import MPH
+
+STEPS = {
+    "drawing": [],
+    "+ weight": [Measurement("mass", Measured(1.0, 0.0015))],
+    "+ balance": [Measurement("balance_point", Measured(1.0, 0.0013))],
+    "+ pendulum": [Measurement("period", Measured(1.0, 0.003))],
+    "+ tap": [Measurement("frequency", Measured(1.0, 0.3), mode=ModeName("bending", number)) for number in (1, 2, 3)],
+}
+"""Each step with its new measurements and their errors, SI."""
+
+
+def worth_figure() -> Figure:
+    """Return the half widths of 90 % intervals after each measurement of the flagship bat, ball and swing fixed."""
+    bat = catalog.bat()
+    line, unknowns, conditions = described(bat), unknowns_of(bat), standard_conditions(bat)
+    place = bat.length - 0.147
+    so_far: list[Measurement] = []
+    speed, moduli = [], []
+    for new in STEPS.values():
+        values = predicted(line, new).tolist()
+        so_far += [
+            Measurement(one.kind, Measured(value, one.value.error), mode=one.mode)
+            for one, value in zip(new, values, strict=True)
+        ]
+        prior = np.diag([one.spread**2 for one in unknowns])
+        covariance = calibrate(line, unknowns, so_far).covariance if so_far else prior
+        sure = doubt(line, conditions, known=(unknowns, covariance), positions=np.array([place]))
+        part = sure.at("exit_speed", place).error * np.sqrt(sure.shares("exit_speed", place)["bat"])
+        speed.append(REACH * part / MPH)
+        moduli.append(100 * REACH * np.sqrt(covariance[0, 0]))
+    figure, (left, right) = new_figure(7.5, 4.6, rows=2, sharex=True)
+    left.bar(list(STEPS), speed, color=RED, width=0.55)
+    left.set(ylabel="exit speed, ± mph", title="doubt of the bat alone, 90 %")
+    right.bar(list(STEPS), moduli, color=BLUE, width=0.55)
+    right.set(ylabel="modulus E, ± %")
+    for axes, values, digits in ((left, speed, 1), (right, moduli, 1)):
+        for index, value in enumerate(values):
+            axes.annotate(f"{value:.{digits}f}", (index, value), ha="center", va="bottom", color=GREY)
+    return figure
