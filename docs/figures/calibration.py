@@ -51,6 +51,7 @@ def worth_figure() -> Figure:
     right.bar(list(STEPS), moduli, color=BLUE, width=0.55)
     right.set(ylabel="modulus E, ± %")
     for axes, values, digits in ((left, speed, 1), (right, moduli, 1)):
+        axes.margins(y=0.15)
         for index, value in enumerate(values):
             axes.annotate(f"{value:.{digits}f}", (index, value), ha="center", va="bottom", color=GREY)
     return figure
