@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -44,6 +45,21 @@ def test_given_angle_place_and_speed_are_kept(run_json: Callable[..., Any]) -> N
 def test_tables_for_people(run: Run) -> None:
     code, out, _ = run("optimum", "--park", "coors", "--pitch", "slider")
     assert code == 0 and "slider" in out and "Coors Field" in out and "Launch angle" in out
+
+
+def test_files_and_units(run: Run, tmp_path: Path) -> None:
+    code, out, _ = run("optimum", "--show", "launch", "--units", "si", "--out", str(tmp_path))
+    words = " ".join(out.split())
+    assert code == 0 and "exit speed m/s" in words and "carry m" in words
+    assert {path.name for path in tmp_path.iterdir()} == {f"optimum.{end}" for end in ("html", "json", "png", "svg")}
+
+
+def test_the_ball_that_was_asked_for_is_flown(run_json: Callable[..., Any]) -> None:
+    carries = [
+        run_json("optimum", "--show", "launch", "--exit-speed", "90mph", "--ball", ball)["launches"][0]["carry_m"]
+        for ball in ("baseball", "softball-12in")
+    ]
+    assert carries[1] < 0.9 * carries[0]  # larger and slower: the softball's own drag
 
 
 @pytest.mark.parametrize(

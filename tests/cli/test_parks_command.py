@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -36,6 +37,13 @@ def test_one_park_all_the_way_round(run_json: Callable[..., Any], run: Run) -> N
 def test_tables_for_people(run: Run, arguments: tuple[str, ...]) -> None:
     code, out, _ = run("parks", *arguments)
     assert code == 0 and "309" in out
+
+
+@pytest.mark.parametrize(("arguments", "name"), [((), "parks"), (("fenway",), "park")])
+def test_files_and_units(run: Run, tmp_path: Path, arguments: tuple[str, ...], name: str) -> None:
+    code, out, _ = run("parks", *arguments, "--units", "si", "--out", str(tmp_path))
+    assert code == 0 and "94" in out and " ft" not in out
+    assert {path.name for path in tmp_path.iterdir()} == {f"{name}{end}" for end in (".html", ".json", ".png", ".svg")}
 
 
 def test_an_unknown_park_names_the_nearest(run: Run) -> None:

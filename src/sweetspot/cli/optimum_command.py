@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
 
-from sweetspot.cli.options.swing import Format, SwingOptions
+from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
+from sweetspot.cli.options.swing import SwingOptions
 from sweetspot.cli.options.weather import AirOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
+    from sweetspot.analysis.optimum import BestSwing, EasiestHomeRun
+    from sweetspot.equipment.bat import Bat
     from sweetspot.flight.air import Air
     from sweetspot.flight.park import Park
+    from sweetspot.flight.pitch import PitchFlight
+    from sweetspot.report.optimum.document import AskedLaunch
 
 ALL = "all"
 FAST_AND_SLOW = ("fastball", "curve")
@@ -60,43 +65,32 @@ def optimum(
         Literal["all", "swing", "launch", "parks"],
         Parameter(help="One of the three questions only; csv answers one, swing unless said; parks: --park all."),
     ] = "all",
-    format: Annotated[Format, Parameter(name="--format", help="table for people, json or csv for programs.")] = "table",
-) -> None:
+    output: OutputOptions = DEFAULT_OUTPUT,
+) -> int:
     """Find the swing and the launch angle that carry farthest, and with --park (or --park all) the slowest home run."""
     from sweetspot import catalog
-    from sweetspot.cli.output import patience, print_json, print_rows_csv, print_table
-    from sweetspot.report.optimum import tables
+    from sweetspot.cli.output import patience, present
+    from sweetspot.report.optimum.document import Optimum, optimum_document
 
     everywhere = air.park == ALL or (show == "parks" and air.park is None)
     weather = replace(air, park=None) if everywhere else air
     asked: tuple[str, ...] = ("swing", "launch", "parks") if show == "all" else (show,)
-    if format == "csv":
+    if output.format == "csv":
         asked = asked[:1]
-    described = catalog.load_bat(bat)
-    found: dict[str, list[dict[str, Any]]] = {}
+    described, parks = catalog.load_bat(bat), everywhere or air.park is not None
     with patience():
-        if "swing" in asked:
-            found["swings"] = _swings(bat, pitch, release_speed, contact, weather)
-        if "launch" in asked:
-            found["launches"] = _launches(exit_speed, backspin, contact.ball, weather)
-        if "parks" in asked and (everywhere or air.park is not None):
-            found["parks"] = _parks(backspin, contact.ball, weather, everywhere=everywhere)
-    if format == "json":
-        print_json({"bat": described.name, **found})
-    elif format == "csv":
-        print_rows_csv(next(iter(found.values())))
-    else:
-        if "swings" in found:
-            print_table(tables.swings_table(found["swings"], length=described.length))
-        if "launches" in found:
-            print_table(tables.launches_table(found["launches"]))
-        if "parks" in found:
-            print_table(tables.parks_table(found["parks"]))
+        optimum = Optimum(
+            described,
+            swings=_swings(described, pitch, release_speed, contact, weather) if "swing" in asked else None,
+            launches=_launches(exit_speed, backspin, contact.ball, weather) if "launch" in asked else None,
+            parks=_parks(backspin, contact.ball, weather, everywhere) if "parks" in asked and parks else None,
+        )
+    return present(optimum_document(optimum), output)
 
 
 def _swings(
-    bat: str, pitches: tuple[str, ...], release_speed: str | None, contact: ContactOptions, weather: AirOptions
-) -> list[dict[str, Any]]:
+    bat: Bat, pitches: tuple[str, ...], release_speed: str | None, contact: ContactOptions, weather: AirOptions
+) -> list[tuple[BestSwing, PitchFlight]]:
     from sweetspot import catalog
     from sweetspot.analysis.optimum import best_swing
     from sweetspot.cli.options.pitching import pitched
@@ -104,53 +98,50 @@ def _swings(
     from sweetspot.cli.options.weather import air_of, wind_of
     from sweetspot.dynamics.reduction import reduced_bat
     from sweetspot.equipment.implement import check_position
-    from sweetspot.report.optimum.tables import swing_row
     from sweetspot.units import parse, parse_position
 
-    described = catalog.load_bat(bat)
     told = SwingOptions(
         bat_speed=contact.bat_speed, bat_speed_at=contact.bat_speed_at, pivot=contact.pivot, ball=contact.ball
     )
-    conditions = conditions_for(described, told)
-    air, wind = air_of(weather), wind_of(weather)
-    position = None if contact.at is None else parse_position(contact.at, length=described.length, what="--at")
+    conditions = conditions_for(bat, told)
+    air, wind, law = air_of(weather), wind_of(weather), catalog.aerodynamics_of_ball(contact.ball)
+    position = None if contact.at is None else parse_position(contact.at, length=bat.length, what="--at")
     if position is not None:
-        check_position(described, position, "--at")
+        check_position(bat, position, "--at")
     steep = None if contact.attack_angle is None else parse(contact.attack_angle, "angle", "--attack-angle")
-    model = reduced_bat(described, ball=conditions.ball).held(conditions.hands)
+    model = reduced_bat(bat, ball=conditions.ball).held(conditions.hands)
     rows = []
     for name in pitches:
         thrown = pitched(name, release_speed, ball=conditions.ball, air=air, wind=wind)
         best = best_swing(
-            model, ball=conditions.ball, swing=conditions.swing, pitch=thrown.plate, tilt=parse(contact.tilt, "angle",
-            "--tilt"), aerodynamics=catalog.aerodynamics(), air=air, wind=wind, position=position, attack_angle=steep,
+            model, ball=conditions.ball, swing=conditions.swing, pitch=thrown.plate, aerodynamics=law, air=air,
+            wind=wind, position=position, attack_angle=steep, tilt=parse(contact.tilt, "angle", "--tilt"),
         )  # fmt: skip
-        rows.append(swing_row(best, thrown))
+        rows.append((best, thrown))
     return rows
 
 
-def _launches(speeds: tuple[str, ...], backspin: str, ball: str, weather: AirOptions) -> list[dict[str, Any]]:
+def _launches(speeds: tuple[str, ...], backspin: str, ball: str, weather: AirOptions) -> list[AskedLaunch]:
     from sweetspot import catalog
     from sweetspot.analysis.optimum import best_launch
     from sweetspot.cli.options.weather import air_of, wind_of
-    from sweetspot.report.optimum.tables import launch_row
+    from sweetspot.report.optimum.document import AskedLaunch
     from sweetspot.units import parse
 
     spin = parse(backspin, "angular speed", "--backspin")
-    what, law, air, wind = catalog.ball(ball), catalog.aerodynamics(), air_of(weather), wind_of(weather)
+    what, law, air, wind = catalog.ball(ball), catalog.aerodynamics_of_ball(ball), air_of(weather), wind_of(weather)
     rows = []
     for text in speeds:
         speed = parse(text, "speed", "--exit-speed")
         best = best_launch(speed, backspin=spin, ball=what, aerodynamics=law, air=air, wind=wind)
-        rows.append(launch_row(best, exit_speed=speed, backspin=spin))
+        rows.append(AskedLaunch(speed, spin, best))
     return rows
 
 
-def _parks(backspin: str, ball: str, weather: AirOptions, *, everywhere: bool) -> list[dict[str, Any]]:
+def _parks(backspin: str, ball: str, weather: AirOptions, everywhere: bool) -> list[EasiestHomeRun]:
     from sweetspot import catalog
     from sweetspot.analysis.optimum import easiest_home_run
     from sweetspot.cli.options.weather import air_of, park_of, wind_of
-    from sweetspot.report.optimum.tables import park_row
     from sweetspot.units import parse
 
     if wind_of(weather).speed > 0:
@@ -167,7 +158,7 @@ def _parks(backspin: str, ball: str, weather: AirOptions, *, everywhere: bool) -
         if everywhere and weather.elevation is None:
             here = here.replaced(elevation=park.elevation)
         best = easiest_home_run(
-            park, backspin=spin, ball=catalog.ball(ball), aerodynamics=catalog.aerodynamics(), air=here
+            park, backspin=spin, ball=catalog.ball(ball), aerodynamics=catalog.aerodynamics_of_ball(ball), air=here
         )
-        rows.append(park_row(best))
+        rows.append(best)
     return rows

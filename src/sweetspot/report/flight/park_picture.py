@@ -25,7 +25,7 @@ REACH = 440 * FOOT
 
 
 @styled
-def parks_figure(parks: Sequence[Park], named: Sequence[Park] = ()) -> Figure:
+def parks_figure(parks: Sequence[Park], named: Sequence[Park] = (), reading: Reader = US) -> Figure:
     """Return many fences laid over each other, those in ``named`` in colour with their heights as thickness.
 
     Parameters
@@ -35,11 +35,11 @@ def parks_figure(parks: Sequence[Park], named: Sequence[Park] = ()) -> Figure:
     """
     figure = Figure(figsize=(7.0, 5.6), layout="constrained")
     axes = figure.subplots()
-    draw_field(axes)
+    draw_field(axes, reading)
     for park in parks:
-        draw_fence(axes, park, colour=MUTED, alpha=0.35)
+        draw_fence(axes, park, colour=MUTED, alpha=0.35, reading=reading)
     for park, colour in zip(named, COLOURS, strict=False):
-        draw_fence(axes, park, colour=colour, thick=True, label=park.name)
+        draw_fence(axes, park, colour=colour, thick=True, label=park.name, reading=reading)
     if named:
         axes.legend(loc="lower left", frameon=False, title="line as thick as the wall is high")
     return figure

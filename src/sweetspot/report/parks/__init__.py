@@ -1,0 +1,1 @@
+"""Ball parks for people: tables and pictures of their fences."""
