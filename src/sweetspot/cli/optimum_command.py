@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from sweetspot.flight.air import Air
     from sweetspot.flight.park import Park
     from sweetspot.flight.pitch import PitchFlight
-    from sweetspot.report.optimum.document import AskedLaunch
+    from sweetspot.report.optimum.answers import AskedLaunch
 
 ALL = "all"
 FAST_AND_SLOW = ("fastball", "curve")
@@ -70,7 +70,8 @@ def optimum(
     """Find the swing and the launch angle that carry farthest, and with --park (or --park all) the slowest home run."""
     from sweetspot import catalog
     from sweetspot.cli.output import patience, present
-    from sweetspot.report.optimum.document import Optimum, optimum_document
+    from sweetspot.report.optimum.answers import Optimum
+    from sweetspot.report.optimum.document import optimum_document
 
     everywhere = air.park == ALL or (show == "parks" and air.park is None)
     weather = replace(air, park=None) if everywhere else air
@@ -125,7 +126,7 @@ def _launches(speeds: tuple[str, ...], backspin: str, ball: str, weather: AirOpt
     from sweetspot import catalog
     from sweetspot.analysis.optimum import best_launch
     from sweetspot.cli.options.weather import air_of, wind_of
-    from sweetspot.report.optimum.document import AskedLaunch
+    from sweetspot.report.optimum.answers import AskedLaunch
     from sweetspot.units import parse
 
     spin = parse(backspin, "angular speed", "--backspin")

@@ -3,43 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
-from sweetspot.analysis.optimum import BestLaunch, BestSwing, EasiestHomeRun
+from sweetspot.analysis.optimum import BestSwing, EasiestHomeRun
 from sweetspot.catalog.sports import sport
-from sweetspot.equipment.bat import Bat
 from sweetspot.flight.pitch import PitchFlight
 from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Picture, Table
 from sweetspot.report.flight.words import direction_words
 from sweetspot.report.json_shapes import as_columns
+from sweetspot.report.optimum.answers import AskedLaunch, Optimum
 from sweetspot.report.quantities import Reader, reader
 from sweetspot.report.sentences import Sentence, Slot, say
-
-
-@dataclass(frozen=True)
-class AskedLaunch:
-    """The best launch angle of one exit speed (m/s) and backspin (rad/s)."""
-
-    exit_speed: float
-    backspin: float
-    best: BestLaunch
-
-
-@dataclass(frozen=True)
-class Optimum:
-    """What was asked for, and the answers; None: not asked for.
-
-    Parameters
-    ----------
-    swings : the best contact with each pitch.
-    parks : the slowest home run of each park.
-    """
-
-    bat: Bat
-    swings: Sequence[tuple[BestSwing, PitchFlight]] | None = None
-    launches: Sequence[AskedLaunch] | None = None
-    parks: Sequence[EasiestHomeRun] | None = None
 
 
 def optimum_document(optimum: Optimum) -> Document:

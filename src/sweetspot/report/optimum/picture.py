@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from sweetspot.report.optimum.document import Optimum
+from sweetspot.report.optimum.answers import Optimum
 from sweetspot.report.pictures.style import HUGE, INK, NORMAL, SMALL, axes_in_inches, heading, light_grid, styled
 from sweetspot.report.quantities import BLUE, GREEN, RED, Reader
 
