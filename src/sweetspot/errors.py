@@ -15,6 +15,10 @@ class InputError(SweetspotError, ValueError):
     """
 
 
+class UnusualWarning(UserWarning):
+    """What was given can be computed and is like nothing in its sport; probably a unit is wrong."""
+
+
 def nearest_names(name: str, known: list[str]) -> str:
     """Return a hint that lists the known names closest to ``name``.
 

@@ -231,12 +231,12 @@ def test_a_fault_of_the_program_is_told_as_json(monkeypatch: pytest.MonkeyPatch)
     """As the API describes every refusal, and not in the server's own words."""
     import asyncio
 
-    from sweetspot.web import server
+    from sweetspot.web import answers, server
 
     def broken(self: object, name: str, state: object) -> None:
         raise ZeroDivisionError
 
-    monkeypatch.setattr(server.Answers, "json", broken)
+    monkeypatch.setattr(answers.Answers, "json", broken)
 
     async def asked() -> httpx.Response:
         transport = httpx.ASGITransport(app=server.create_app(), raise_app_exceptions=False)

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import os
 import sys
-from contextlib import suppress
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from typing import Any
 
-from sweetspot.errors import SweetspotError
+from sweetspot.errors import SweetspotError, UnusualWarning
 from sweetspot.units.usual import insisting
 
 EXIT_BAD_INPUT = 2
@@ -29,7 +32,7 @@ def main(arguments: list[str] | None = None) -> None:
 
     given = sys.argv[1:] if arguments is None else arguments
     try:
-        with held_output(), insisting(FORCE in given):
+        with held_output(), insisting(FORCE in given), _warnings_told(FORCE in given):
             words = [word for word in given if word != FORCE]
             result = app(words, exit_on_error=False, print_error=False, result_action="return_value")
     except (SweetspotError, CycloptsError, OutputError) as error:
@@ -39,6 +42,23 @@ def main(arguments: list[str] | None = None) -> None:
         _complain("interrupted; nothing was written")
         sys.exit(EXIT_INTERRUPTED)
     sys.exit(result if isinstance(result, int) else 0)
+
+
+@contextmanager
+def _warnings_told(insisted: bool) -> Iterator[None]:
+    """Say warnings of the package in one line each, or nothing to who insists."""
+
+    def say(message: Warning | str, category: type[Warning], *place: Any) -> None:
+        if issubclass(category, UnusualWarning):
+            _complain(f"warning: {message}")
+        else:
+            show(message, category, *place)
+
+    with warnings.catch_warnings():
+        show = warnings.showwarning
+        warnings.simplefilter("ignore" if insisted else "always", UnusualWarning)
+        warnings.showwarning = say  # type: ignore[assignment] # what else it is given is handed on
+        yield
 
 
 def _complain(text: str) -> None:

@@ -13,6 +13,7 @@ from sweetspot.catalog.files.tables import FileTable
 from sweetspot.catalog.files.turned import turned_profile
 from sweetspot.catalog.materials import material
 from sweetspot.catalog.records import unwrapped
+from sweetspot.catalog.usual_bodies import warn_of_doubts
 from sweetspot.equipment.bat import Bat, Bore, Cup, PointMass
 from sweetspot.equipment.laminate import Laminate, Ply
 from sweetspot.equipment.material import Material
@@ -145,7 +146,9 @@ class BatFile(FileTable):
 
 def read_bat(path: Path) -> Bat:
     """Return the bat that a TOML file describes; raises `InputError` that says what is wrong in it."""
-    return bat_from_table(read_toml(path), str(path))
+    bat = bat_from_table(read_toml(path), str(path))
+    warn_of_doubts(bat)
+    return bat
 
 
 def read_toml(path: Path) -> dict[str, Any]:

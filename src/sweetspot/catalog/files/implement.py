@@ -28,6 +28,7 @@ from sweetspot.catalog.files.tables import (
 from sweetspot.catalog.materials import material
 from sweetspot.catalog.records import unwrapped
 from sweetspot.catalog.rubbers import rubber
+from sweetspot.catalog.usual_bodies import warn_of_doubts
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.face import Face, Outline
 from sweetspot.equipment.golf_club import ClubHead, GolfClub
@@ -177,7 +178,9 @@ def implement_from_table(table: dict[str, Any], where: str) -> Implement:
 
 def read_implement(path: Path) -> Implement:
     """Return the implement that a TOML file describes; raises `InputError` that says what is wrong in it."""
-    return implement_from_table(read_toml(path), str(path))
+    implement = implement_from_table(read_toml(path), str(path))
+    warn_of_doubts(implement)
+    return implement
 
 
 def _unwrapped(value: Any) -> Any:
