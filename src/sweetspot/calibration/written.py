@@ -31,7 +31,7 @@ def parse_measured(text: str, kind: Kind, what: str = "value") -> Measured:
     elif match is None or "/" in unit.split(" ")[0]:
         raise InputError(f"{what} was given as {text!r}; say how sure it is, as in '33.5in ± 0.1in'")
     else:
-        error = parse(f"{10.0 ** -len(match[1] or '')!r} {unit}", kind, what)
+        error = parse(f"{10.0 ** -len(match[1] or '')!r} {unit}", kind, f"the error of {what}")
     if not error > 0:
         raise InputError(f"the error of {what} was given as {parts[-1]!r}; allowed is more than 0")
     return Measured(value, error)

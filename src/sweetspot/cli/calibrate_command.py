@@ -89,7 +89,7 @@ def _weighed(
     if balance_point is not None:
         found.append(Measurement("balance_point", parse_measured(balance_point, "length", "--balance-point")))
     if pendulum is not None:
-        found.append(Measurement("period", parse_measured(pendulum, "time", "--pendulum"), axis=axis))
+        found.append(Measurement("period", parse_measured(pendulum, "time", "period"), axis=axis))
     if moi is not None:
         found.append(Measurement("moi", parse_measured(moi, "moi", "--moi"), axis=axis))
     return found

@@ -116,7 +116,7 @@ def _bar(sizes: str | None, mass: str | None) -> Bar | None:
     if len(parts) != 3:
         raise InputError(f"--bar was given as {sizes!r}; write length x width x thickness: 114.36mm x 25.44mm x 3.12mm")
     length, width, thickness = (parse_measured(part, "length", "--bar") for part in parts)
-    return Bar(length, width, thickness, parse_measured(mass, "mass", "--mass"))
+    return Bar(length, width, thickness, parse_measured(mass, "mass", "the bar's --mass"))
 
 
 def _band(text: str) -> Band:
