@@ -1,1 +1,0 @@
-"""The ball in the air: forces, one flight to read, many flights at once."""

@@ -1,1 +1,0 @@
-"""What people get to read: words, tables, JSON and the printed page."""
