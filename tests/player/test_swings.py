@@ -170,3 +170,18 @@ def test_real_statcast_files() -> None:
     many = read(table)
     assert len(many.swings) + len(many.bad_rows) + many.without_swing == count
     assert len(many.bad_rows) < 0.01 * count
+
+
+def test_fouls_lend_their_bat_speed_and_bunts_nothing(tmp_path: Path) -> None:
+    """Newer Statcast exports give fouls an exit speed; taken as hits they would spread the contact point."""
+    path = written(
+        tmp_path,
+        "description,launch_speed,launch_angle,release_speed,bat_speed",
+        "hit_into_play,101,20,95,72", "foul,71,60,94,73", "foul_tip,,,94,70", "foul,70,55,94,", "foul_bunt,40,5,90,30",
+        "swinging_strike,,,93,71", "ball,,,93,",
+    )  # fmt: skip
+    found = read(path, None)
+    assert [one.exit_speed is not None for one in found.swings] == [True, False, False, False]
+    assert [one.foul for one in found.swings] == [False, True, True, False]
+    assert found.without_swing == 2 and [one.row for one in found.bad_rows] == [6]
+    assert any("2 of 4 swings are fouls" in note for note in found.notes)

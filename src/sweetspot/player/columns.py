@@ -10,6 +10,7 @@ import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from datetime import date, datetime
 from typing import Literal
 
 from sweetspot.errors import InputError
@@ -45,11 +46,14 @@ UNITS: dict[str, dict[str, float]] = {
     "bat": {},
     "batter": {},
     "date": {},
+    "outcome": {},
 }
 """Quantities that are understood, and the units of each with their size in SI."""
-TEXTS = ("bat", "batter", "date")
+TEXTS = ("bat", "batter", "date", "outcome")
 NEEDED = ("bat_speed", "exit_speed")
 """At least one of these."""
+
+DATE_FORMATS = ("%Y-%m-%d", "%m/%d/%Y", "%m/%d/%y", "%Y/%m/%d", "%b %d, %Y", "%B %d, %Y", "%d.%m.%Y")
 
 ALIASES: dict[str, tuple[str, ...]] = {
     "bat_speed": ("bat_speed", "batspeed", "swing_speed", "barrel_speed", "bat_head_speed", "bat_velocity"),
@@ -63,6 +67,7 @@ ALIASES: dict[str, tuple[str, ...]] = {
     "bat": ("bat", "equipment", "bat_name", "bat_used", "bat_model"),
     "batter": ("batter", "batter_id", "player", "hitter", "user"),
     "date": ("date", "game_date", "swing_date", "time_stamp", "timestamp", "datetime", "date_time"),
+    "outcome": ("outcome", "pitch_result", "pitch_outcome"),
 }  # fmt: skip
 """Plain names that need a unit."""
 
@@ -94,7 +99,8 @@ SYSTEMS = (
         "Statcast",
         frozenset({"launch_speed", "launch_angle"}),
         {"bat_speed": "bat_speed", "launch_speed": "exit_speed", "release_speed": "release_speed",
-         "launch_angle": "launch_angle", "attack_angle": "attack_angle", "batter": "batter", "game_date": "date"},
+         "launch_angle": "launch_angle", "attack_angle": "attack_angle", "batter": "batter", "game_date": "date",
+         "description": "outcome"},
     ),
     System(
         "HitTrax",
@@ -184,6 +190,21 @@ def columns_of(headings: Sequence[str], *, units: Units | None, file_name: str) 
             f"The file has: {', '.join(heading.strip() for heading in headings)}"
         )
     return Columns(found, tuple(ignored), system.name if system else "plain")
+
+
+def day_of(cells: Sequence[str], columns: Columns) -> date | None:
+    """Return the date of a row, None where there is none that can be read."""
+    column = columns.found.get("date")
+    if column is None or column.index >= len(cells):
+        return None
+    text = cells[column.index].strip()
+    for part in (text, text.split(" ")[0].split("T")[0]):
+        for form in DATE_FORMATS:
+            try:
+                return datetime.strptime(part, form).date()
+            except ValueError:
+                continue
+    return None
 
 
 def _belongs(names: Sequence[str], system: System) -> bool:

@@ -7,14 +7,14 @@ import io
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from datetime import date, datetime
+from datetime import date
 from pathlib import Path
 from statistics import median
 
 from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text
-from sweetspot.player.columns import TEXTS, Column, Columns, Units, columns_of, is_heading_line
+from sweetspot.player.columns import TEXTS, Column, Columns, Units, columns_of, day_of, is_heading_line
 from sweetspot.units import INCH, MPH, shown
 
 PLATE_OVER_RELEASE = 0.920
@@ -31,7 +31,8 @@ FEW = 20
 """Swings below which the intervals are said to be wide."""
 MOST_SWINGS = 400
 """Swings that a fit takes: twice as many narrow the intervals by a quarter and take twice as long."""
-DATE_FORMATS = ("%Y-%m-%d", "%m/%d/%Y", "%m/%d/%y", "%Y/%m/%d", "%b %d, %Y", "%B %d, %Y", "%d.%m.%Y")
+FOUL, BUNT = "foul", "bunt"
+"""Words of an outcome, such as Statcast's description, that tell such a swing."""
 EMPTY = ("", "na", "n/a", "nan", "null", "none", "-", "--")
 
 
@@ -48,6 +49,7 @@ class PlayerSwing:
     launch_angle, attack_angle : rad above the horizontal, of the ball and of the bat's path.
     position : m from the tip.
     bat : name of the bat as the file gives it; "": the player's own.
+    foul : whether the ball went foul; only the bat speed of such a swing counts.
     """
 
     row: int
@@ -58,6 +60,7 @@ class PlayerSwing:
     attack_angle: float | None
     position: float | None
     bat: str
+    foul: bool = False
 
 
 @dataclass(frozen=True)
@@ -130,7 +133,7 @@ def read_swings(
         reasons = "; ".join(f"row {one.row}: {one.reason}" for one in bad[:3])
         why = f": {reasons}" if bad else "; no row has a bat speed or an exit speed"
         raise InputError(f"{path} has no swing that can be used{why}")
-    days = sorted(day for _, cells in rows if (day := _day(cells, columns)) is not None)
+    days = sorted(day for _, cells in rows if (day := day_of(cells, columns)) is not None)
     return Swings(
         swings=tuple(good),
         bad_rows=tuple(bad),
@@ -226,11 +229,18 @@ def _read(
     position = value.get("position")
     if position is not None and not columns.found["position"].from_tip:
         position = length - position
-    named = columns.found.get("bat")
+    named, told = columns.found.get("bat"), columns.found.get("outcome")
+    outcome = cells[told.index].strip().lower() if told else ""
+    if BUNT in outcome:
+        return BadRow(line, f"{outcome.replace('_', ' ')}: not a full swing")
+    if FOUL in outcome:  # a glancing hit: its speed says nothing of where fair balls are met
+        value |= {"exit_speed": None, "launch_angle": None}
+        if value.get("bat_speed") is None:
+            return None
     swing = PlayerSwing(
         row=line, bat_speed=value.get("bat_speed"), exit_speed=value.get("exit_speed"), pitch_speed=pitch,
         launch_angle=value.get("launch_angle"), attack_angle=value.get("attack_angle"), position=position,
-        bat=cells[named.index].strip() if named else "",
+        bat=cells[named.index].strip() if named else "", foul=FOUL in outcome,
     )  # fmt: skip
     wrong = _fault(swing, length)
     return BadRow(line, wrong) if wrong else swing
@@ -314,24 +324,13 @@ def _with_pitch(swings: list[PlayerSwing], path: Path) -> tuple[list[PlayerSwing
     return good, bad
 
 
-def _day(cells: Sequence[str], columns: Columns) -> date | None:
-    column = columns.found.get("date")
-    if column is None or column.index >= len(cells):
-        return None
-    text = cells[column.index].strip()
-    for part in (text, text.split(" ")[0].split("T")[0]):
-        for form in DATE_FORMATS:
-            try:
-                return datetime.strptime(part, form).date()
-            except ValueError:
-                continue
-    return None
-
-
 def _notes(swings: list[PlayerSwing], columns: Columns, pitch_speed: float | None) -> tuple[str, ...]:
     """Return what a reader should know about the data before trusting what comes out."""
     notes = []
     count = len(swings)
+    fouls = sum(one.foul for one in swings)
+    if fouls:
+        notes.append(f"{fouls} of {count} swings are fouls; of these only the bat speed is used.")
     if count < FEW:
         noun = "swing is" if count == 1 else "swings are"
         notes.append(
