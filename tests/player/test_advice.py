@@ -29,7 +29,7 @@ from sweetspot.player.contact_tables import contact_table
 from sweetspot.player.expected import Change, expectation
 from sweetspot.player.goal import CarryTable, Goal, carry_table, told
 from sweetspot.player.model import player_model
-from sweetspot.player.posterior import Posterior, fit_player
+from sweetspot.player.posterior import Posterior, walked
 from sweetspot.player.prior import NAMES, natural
 from sweetspot.player.simulate import simulated_swings
 from sweetspot.player.swings import PlayerSwing, Swings, read_swings
@@ -46,7 +46,7 @@ AIR, DRAG = Air(), aerodynamics()
 @pytest.fixture(scope="module")
 def posterior() -> Posterior:
     swings = simulated_swings(natural(np.zeros(10)), bats=[OWN], ball=BALL, count=40, pitch_speed=PITCH, seed=2)
-    return fit_player(player_model(swings, bat=OWN, ball=BALL), steps=150, warm_up=150)
+    return walked(player_model(swings, bat=OWN, ball=BALL), steps=150, warm_up=150)
 
 
 @pytest.fixture(scope="module")
@@ -217,7 +217,7 @@ def test_real_swings_give_sensible_numbers() -> None:
     path = DATA / "cmu36sure2026_battedballs_battracking.csv.gz"
     found = read_swings(path, length=OWN.length, pitch_speed=PITCH)
     some: tuple[PlayerSwing, ...] = found.swings[::200]
-    posterior = fit_player(player_model(some, bat=catalog.bat("mlb-a"), ball=BALL), steps=200, warm_up=200)
+    posterior = walked(player_model(some, bat=catalog.bat("mlb-a"), ball=BALL), steps=200, warm_up=200)
     values = {name: one.interval for name, one in posterior.learned.items()}
     assert values["bat_speed"].value / MPH == pytest.approx(71.5, abs=1.6)
     assert math.degrees(values["attack_angle"].value) == pytest.approx(8.6, abs=2.0)

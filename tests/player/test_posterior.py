@@ -15,7 +15,7 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.player.contact_tables import ContactTable, contact_table, farthest_offset
 from sweetspot.player.likelihood import combined, fill_folded, fill_weights, normal, within
 from sweetspot.player.model import PlayerModel, bats_of, player_model, speed_ratio
-from sweetspot.player.posterior import Posterior, fit_player, interval, split_r_hat, summarised
+from sweetspot.player.posterior import Posterior, interval, split_r_hat, summarised, walked
 from sweetspot.player.prior import NAMES, log_prior, natural, prior_draws, priors, standardised
 from sweetspot.player.simulate import simulated_swings
 from sweetspot.player.swings import PlayerSwing
@@ -40,7 +40,7 @@ def modelled(standard: Array, *, count: int, seed: int, several: bool = False) -
 
 
 def fitted(model: PlayerModel, seed: int = 1) -> Posterior:
-    return fit_player(model, seed=seed, steps=220, warm_up=160)
+    return walked(model, seed=seed, steps=220, warm_up=160)
 
 
 def test_every_prior_reads_and_turns_round() -> None:
@@ -68,7 +68,7 @@ def test_without_data_the_posterior_is_the_prior(nothing: PlayerModel) -> None:
 
 def test_without_data_the_draws_are_the_prior(nothing: PlayerModel) -> None:
     """Means within 5 standard errors, the widths' mean within 3 % (its noise: 0.7 %; a wrong kind of step gave 5 %)."""
-    result = fit_player(nothing, steps=1800, warm_up=400)
+    result = walked(nothing, steps=1800, warm_up=400)
     for name, one in result.learned.items():
         noise = 1 / math.sqrt(one.independent_draws)
         assert abs(np.mean(standardised(result.draws)[:, NAMES.index(name)])) < 5 * noise, name
@@ -113,7 +113,7 @@ def test_five_swings_are_enough_to_answer_and_the_intervals_are_wide(typical: Po
 
 def test_the_same_seed_gives_the_same_draws() -> None:
     model = modelled(TYPICAL, count=10, seed=6)
-    first, second, other = (fit_player(model, seed=seed, steps=20, warm_up=5) for seed in (1, 1, 2))
+    first, second, other = (walked(model, seed=seed, steps=20, warm_up=5) for seed in (1, 1, 2))
     assert np.array_equal(first.draws, second.draws)
     assert not np.array_equal(first.draws, other.draws)
 
@@ -126,7 +126,7 @@ def test_progress_is_told_and_can_interrupt() -> None:
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        fit_player(modelled(TYPICAL, count=5, seed=6), steps=100, warm_up=10, progress=stop)
+        walked(modelled(TYPICAL, count=5, seed=6), steps=100, warm_up=10, progress=stop)
     assert calls == [(25, 110)]
 
 
@@ -145,7 +145,7 @@ def test_an_interrupt_inside_the_likelihood_is_quiet(
 
     monkeypatch.setattr(PlayerModel, "log_posterior", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        fit_player(model, steps=100, warm_up=10)
+        walked(model, steps=100, warm_up=10)
     assert capsys.readouterr().out == ""
 
 

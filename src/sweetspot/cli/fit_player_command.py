@@ -41,6 +41,12 @@ def fit_player(
     bat_speed_at: Annotated[str, Parameter(help="Where the player's bat speed is measured.")] = "6in-from-tip",
     ball: Annotated[str, Parameter(help="Ball of the catalogue.")] = "baseball",
     air: AirOptions = DEFAULT_AIR,
+    sampler: Annotated[
+        Literal["draws", "walkers"],
+        Parameter(
+            help="draws: weighted ones, in about a second; walkers: an ensemble that walks, ten times longer."
+        ),
+    ] = "draws",
     seed: Annotated[int, Parameter(help="Of the random numbers; the same seed gives the same answers.")] = 1,
     out: Annotated[Path | None, Parameter(help="Folder for player.html, player.png, player.svg, player.json.")] = None,
     format: Annotated[Format, Parameter(name="--format", help="table for people, json or csv for programs.")] = "table",
@@ -67,7 +73,7 @@ def fit_player(
     weather = air_of(air)
     swings, model = _read(file, bat, pitch_speed, units, batter, bat_speed_at, ball)
     with _progress("reading the swings") as report:
-        posterior = fitted(model, seed=seed, progress=report)
+        posterior = fitted(model, method=sampler, seed=seed, progress=report)
     with _progress("trying bats") as report:
         advice = advise(
             posterior, goal=wanted, aerodynamics=aerodynamics(ball), air=weather, others=others, progress=report

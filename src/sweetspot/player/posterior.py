@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
 from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.arrays import Array
+from sweetspot.player.importance import importance_draws
 from sweetspot.player.model import PlayerModel
 from sweetspot.player.prior import NAMES, natural, prior_draws, standardised
 
@@ -31,7 +33,10 @@ FARTHEST_START = 3.0
 """Prior standard deviations."""
 USUAL_CLOSING = 68.0
 """m/s, a pitch and a swing together, at which the bat's best place is read off."""
+RESAMPLED = 6000
+"""Draws taken from the weighted ones, each as often as it weighs."""
 Progress = Callable[[int, int], None]
+Method = Literal["draws", "walkers"]
 
 
 @dataclass(frozen=True)
@@ -90,6 +95,32 @@ class Posterior:
 
 
 def fit_player(
+    model: PlayerModel, *, method: Method = "draws", seed: int = 1, progress: Progress | None = None
+) -> Posterior:
+    """Return draws from the posterior of a player's parameters.
+
+    Parameters
+    ----------
+    method : "draws" weighs independent draws (`importance_draws`), in a fraction of a second, and walks only where too
+        few of them count; "walkers" walks at once (`walked`), which takes minutes on a slow machine.
+    seed : of the random numbers; the same seed gives the same draws.
+    progress : called with (steps done, steps in all) while walking.
+    """
+    if method == "walkers":
+        return walked(model, seed=seed, progress=progress)
+    found = importance_draws(
+        model.log_posterior, other_side=lambda place: _mirrored(model, place), size=len(NAMES), seed=seed
+    )
+    if found.effective < ENOUGH:
+        return walked(model, seed=seed, progress=progress)
+    if progress is not None:
+        progress(1, 1)
+    taken = np.random.default_rng(seed).choice(len(found.weights), RESAMPLED, p=found.weights)
+    draws = found.draws[taken]
+    return Posterior(model, natural(draws), summarised(draws[:, None], independent=found.effective), seed)
+
+
+def walked(
     model: PlayerModel,
     *,
     seed: int = 1,
@@ -97,7 +128,7 @@ def fit_player(
     warm_up: int = WARM_UP,
     progress: Progress | None = None,
 ) -> Posterior:
-    """Return draws from the posterior of a player's parameters, by an ensemble of walkers [foreman2013].
+    """Return draws from the posterior by an ensemble of walkers [foreman2013].
 
     The walkers begin where draws from the prior were gathered, on both sides of the bat's best place, and move by
     differences between one another.
@@ -125,8 +156,13 @@ def fit_player(
     return Posterior(model, natural(chains.reshape(-1, len(NAMES))), summarised(chains), seed)
 
 
-def summarised(chains: Array) -> dict[str, Learned]:
-    """Return what chains of standard parameters, shape (steps, walkers, 10), say about each of them."""
+def summarised(chains: Array, *, independent: float | None = None) -> dict[str, Learned]:
+    """Return what chains of standard parameters, shape (steps, walkers, 10), say about each of them.
+
+    Parameters
+    ----------
+    independent : how many draws count, where they are no chains but weighted draws; None: worked out from the chains.
+    """
     flat = chains.reshape(-1, chains.shape[-1])
     before = prior_draws(PRIOR_DRAWS, seed=0)
     values, prior_values = natural(flat), natural(before)
@@ -137,8 +173,8 @@ def summarised(chains: Array) -> dict[str, Learned]:
             interval=interval(values[:, index]),
             before=interval(prior_values[:, index]),
             width_ratio=float(flat[:, index].std() / before[:, index].std()),
-            mixing=split_r_hat(chains[:, :, index]),
-            independent_draws=independent_draws(chains[:, :, index]),
+            mixing=1.0 if independent else split_r_hat(chains[:, :, index]),
+            independent_draws=independent or independent_draws(chains[:, :, index]),
         )
     return found
 
@@ -183,16 +219,21 @@ def _start(model: PlayerModel, seed: int) -> Array:
     Exit speed hardly tells the sides apart, and walkers that all begin on one would seldom find the other.
     """
     generator = np.random.default_rng(seed)
-    own, at = model.bats[0], NAMES.index("position")
-    fastest = float(own.from_tip[np.argmax(own.efficiency + USUAL_CLOSING * own.efficiency_slope)])
     first = _gathered(model, prior_draws(SCATTERED, seed), generator)
-    values = natural(first)
-    values[:, at] = 2 * fastest - values[:, at]
-    mirrored = np.clip(standardised(values), -FARTHEST_START, FARTHEST_START)
+    mirrored = _mirrored(model, first)
     second = _gathered(
         model, np.concatenate([mirrored + 0.2 * generator.standard_normal(mirrored.shape)] * 4), generator
     )
     return np.concatenate([first[-WALKERS // 2 :], second[-WALKERS // 2 :]])
+
+
+def _mirrored(model: PlayerModel, standard: Array) -> Array:
+    """Return places with the contact point as far on the other side of the bat's best place, shape as given."""
+    own, at = model.bats[0], NAMES.index("position")
+    fastest = float(own.from_tip[np.argmax(own.efficiency + USUAL_CLOSING * own.efficiency_slope)])
+    values = natural(standard)
+    values[..., at] = 2 * fastest - values[..., at]
+    return np.clip(standardised(values), -FARTHEST_START, FARTHEST_START)
 
 
 def _gathered(model: PlayerModel, places: Array, generator: np.random.Generator) -> Array:

@@ -1,0 +1,169 @@
+"""Draws from a player's posterior in a fraction of a second: Laplace's normal, then importance sampling about it.
+
+From the likeliest parameters and the curvature there (Laplace) begins a mixture of two wide-tailed normals, the second
+with the contact point on the other side of the bat's best place. Draws are weighted by how likely they are against how
+often the mixture gives them; the mixture is fitted to the weighted draws, round by round, and the draws of the best
+round are taken as often as they weigh [cappe2008]. Their effective number says whether that was good enough;
+`posterior.fit_player` walks instead where it was not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from sweetspot.numerics.arrays import Array
+
+ROUNDS, MOST_ROUNDS, DRAWS = 3, 7, 1000
+"""Rounds of draws at least and at most, and how many draws in each."""
+GOOD = 300.0
+"""Effective draws at which the rounds end."""
+FREEDOM = 6.0
+"""Degrees of freedom of the wide tails."""
+WIDER = 1.25
+"""Times the variance that the draws are wider than what was found."""
+LEAST_SHARE = 0.08
+"""Of either part of the mixture."""
+HEAVIEST = 0.02
+"""Most that one draw may weigh while the mixture is fitted to them."""
+KEPT = 0.1
+"""Part of a covariance that stays from the round before."""
+FLATTEST = 0.8
+"""Least curvature: that of the prior is 1, and no direction can be wider for long."""
+GRADIENT_STEP, CURVATURE_STEP = 1e-4, 0.05
+"""Of standard parameters, whose prior has a standard deviation of 1."""
+Density = Callable[[Array], Array]
+
+
+@dataclass(frozen=True)
+class Part:
+    """One part of the mixture: share, place, shape (n,), and covariance, shape (n, n)."""
+
+    share: float
+    place: Array
+    covariance: Array
+
+
+@dataclass(frozen=True)
+class Weighted:
+    """Weighted draws, shapes (draws, n) and (draws,); the weights add to one."""
+
+    draws: Array
+    weights: Array
+
+    @property
+    def effective(self) -> float:
+        """Number of equally heavy draws that would tell as much: 1 / sum of squared weights."""
+        return float(1 / np.sum(self.weights**2))
+
+
+def importance_draws(log_density: Density, *, other_side: Callable[[Array], Array], size: int, seed: int) -> Weighted:
+    """Return weighted draws of a density of ``size`` parameters that a standard normal is the scale of.
+
+    Parameters
+    ----------
+    log_density : of rows of parameters, shape (rows, size) to (rows,), up to a constant; -inf where not allowed.
+    other_side : gives the place whose density may be about as high as that of the highest.
+
+    >>> log_density = lambda rows: -0.5 * ((rows - 1) ** 2).sum(axis=1)
+    >>> found = importance_draws(log_density, other_side=lambda place: -place, size=2, seed=1)
+    >>> bool(np.all(abs(found.weights @ found.draws - 1) < 0.1)), found.effective > 500
+    (True, True)
+    """
+    generator = np.random.default_rng(seed)
+    place = highest(log_density, np.zeros(size))
+    covariance = _covariance(log_density, place)
+    parts = [Part(0.75, place, covariance), Part(0.25, other_side(place), covariance)]
+    best = Weighted(place[None], np.ones(1))
+    for turn in range(1, MOST_ROUNDS + 1):
+        draws = _drawn(parts, DRAWS, generator)
+        log_weight = log_density(draws) - np.logaddexp.reduce(_log_parts(parts, draws), axis=0)
+        weights = np.exp(log_weight - log_weight.max())
+        found = Weighted(draws, weights / weights.sum())
+        best = max(best, found, key=lambda one: one.effective)
+        if turn >= ROUNDS and best.effective > GOOD:
+            break
+        parts = _fitted(parts, found)
+    return best
+
+
+def highest(log_density: Density, start: Array) -> Array:
+    """Return a place where the density is highest near ``start``, found with slopes from differences."""
+    from scipy.optimize import minimize
+
+    steps = GRADIENT_STEP * np.eye(len(start))
+
+    def low(place: Array) -> tuple[float, Array]:
+        rows = np.concatenate([place[None], place + steps, place - steps])
+        values = np.nan_to_num(-log_density(rows), nan=1e6, posinf=1e6)
+        size = len(start)
+        return float(values[0]), (values[1 : size + 1] - values[size + 1 :]) / (2 * GRADIENT_STEP)
+
+    found = minimize(low, start, jac=True, method="BFGS", options={"gtol": 0.05, "maxiter": 40})
+    return np.asarray(found.x)
+
+
+def _covariance(log_density: Density, place: Array) -> Array:
+    """Return the inverse of the curvature at a place, no direction wider than about the prior."""
+    size = len(place)
+    steps = CURVATURE_STEP * np.eye(size)
+    first, second = np.tril_indices(size, -1)
+    rows = [place[None], place + steps, place - steps, place + steps[first] + steps[second],
+            place - steps[first] - steps[second]]  # fmt: skip
+    values = -log_density(np.concatenate(rows))
+    middle, ahead, behind = values[0], values[1 : size + 1], values[size + 1 : 2 * size + 1]
+    curvature = np.diag(ahead + behind - 2 * middle)
+    both = values[2 * size + 1 :].reshape(2, -1).sum(axis=0) + 2 * middle
+    curvature[first, second] = curvature[second, first] = (
+        both - ahead[first] - behind[first] - ahead[second] - behind[second]
+    ) / 2
+    scale, axes = np.linalg.eigh(np.nan_to_num(curvature / CURVATURE_STEP**2, posinf=1.0, neginf=1.0))
+    return np.asarray((axes / np.clip(scale, FLATTEST, None)) @ axes.T)
+
+
+def _drawn(parts: list[Part], count: int, generator: np.random.Generator) -> Array:
+    """Return draws of the mixture of wide-tailed normals, shape (count, n)."""
+    size = len(parts[0].place)
+    which = generator.choice(len(parts), count, p=[part.share for part in parts])
+    normal = generator.standard_normal((count, size))
+    normal /= np.sqrt(generator.chisquare(FREEDOM, count) / FREEDOM)[:, None]
+    draws = np.empty((count, size))
+    for index, part in enumerate(parts):
+        mine = which == index
+        draws[mine] = part.place + normal[mine] @ np.linalg.cholesky(WIDER * part.covariance).T
+    return draws
+
+
+def _log_parts(parts: list[Part], draws: Array) -> Array:
+    """Return the logarithm of share times density of each part, shape (parts, draws), up to a constant."""
+    found = []
+    for part in parts:
+        root = np.linalg.cholesky(WIDER * part.covariance)
+        square = np.sum(np.linalg.solve(root, (draws - part.place).T) ** 2, axis=0)
+        size = len(part.place)
+        found.append(
+            np.log(part.share) - np.log(np.diag(root)).sum() - (FREEDOM + size) / 2 * np.log1p(square / FREEDOM)
+        )
+    return np.array(found)
+
+
+def _fitted(parts: list[Part], found: Weighted) -> list[Part]:
+    """Return the mixture moved to where the weighted draws are; a part that few of them belong to stays."""
+    logs = _log_parts(parts, found.draws)
+    belongs = np.exp(logs - np.logaddexp.reduce(logs, axis=0))
+    weights = np.minimum(found.weights, HEAVIEST)
+    weights = weights / weights.sum()
+    moved = []
+    for part, mine in zip(parts, belongs * weights, strict=True):
+        share = float(mine.sum())
+        if share < LEAST_SHARE / 4:
+            moved.append(Part(LEAST_SHARE, part.place, part.covariance))
+            continue
+        place = mine @ found.draws / share
+        apart = found.draws - place
+        covariance = (apart * mine[:, None]).T @ apart / share
+        moved.append(Part(max(share, LEAST_SHARE), place, (1 - KEPT) * covariance + KEPT * part.covariance))
+    total = sum(part.share for part in moved)
+    return [Part(part.share / total, part.place, part.covariance) for part in moved]
