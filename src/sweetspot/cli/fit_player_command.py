@@ -43,9 +43,7 @@ def fit_player(
     air: AirOptions = DEFAULT_AIR,
     sampler: Annotated[
         Literal["draws", "walkers"],
-        Parameter(
-            help="draws: weighted ones, in about a second; walkers: an ensemble that walks, ten times longer."
-        ),
+        Parameter(help="draws: weighted ones, in about a second; walkers: an ensemble that walks, ten times longer."),
     ] = "draws",
     seed: Annotated[int, Parameter(help="Of the random numbers; the same seed gives the same answers.")] = 1,
     out: Annotated[Path | None, Parameter(help="Folder for player.html, player.png, player.svg, player.json.")] = None,
