@@ -42,7 +42,7 @@ def test_report_says_where_and_why(run: Run) -> None:
     code, out, _ = run("report", "r161-ash")
     assert code == 0
     words = " ".join(out.split())
-    assert "This bat hits best" in words and "Why not the end?" in words and "What a miss costs" in words
+    assert "This bat hits best" in words and "Why not at the tip?" in words and "What a miss costs" in words
 
 
 def test_report_json_keeps_the_border_contract(run_json: RunJson) -> None:

@@ -38,7 +38,7 @@ def test_a_fired_ball_and_a_plate_bent_too_far(run: Run) -> None:
     code, out, _ = run(
         "drop", "--speed", "60mph", "--material", "aluminium-7xxx", "--thickness", "3mm", "--support", "clamped"
     )
-    assert code == 0 and "26.82 m/s (60.0 mph)" in out and "beware" in out and "comes back to" not in out
+    assert code == 0 and "26.82 m/s" in out and "Beware" in out and "comes back to" not in out
 
 
 def test_in_air_as_the_rule_books_do(run: Run) -> None:

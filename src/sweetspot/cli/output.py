@@ -64,13 +64,18 @@ def print_table(renderable: Any) -> None:
     console.print(renderable)
 
 
-def present(document: Document, options: OutputOptions) -> int:
-    """Print an answer as it was asked for, its files written first, and return the exit code."""
+def present(document: Document, options: OutputOptions, *, long: bool = False) -> int:
+    """Print an answer as it was asked for, its files written first, and return the exit code.
+
+    Parameters
+    ----------
+    long : whether a printed page goes on after its first sheet.
+    """
     written: list[Path] = []
     if options.out is not None:
         from sweetspot.report.files import write_document
 
-        written = write_document(document, options.out, reader=document.reader_of(options.units))
+        written = write_document(document, options.out, reader=document.reader_of(options.units), long=long)
     if options.format == "json":
         print_json(document.data)
     elif options.format == "csv":

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
 
-from sweetspot.cli.options.swing import Format, SwingOptions
+from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
+from sweetspot.cli.options.swing import SwingOptions
 
 if TYPE_CHECKING:
     from sweetspot.paper.chain import Choices
@@ -69,25 +70,18 @@ def paper(
     *,
     options: PaperOptions = DEFAULT_OPTIONS,
     swing: SwingOptions = DEFAULT_SWING,
-    format: Annotated[Format, Parameter(name="--format", help="table for people, json or csv for programs.")] = "table",
-) -> None:
+    output: OutputOptions = DEFAULT_OUTPUT,
+) -> int:
     """Work through the implemented paper: its claims, its formulas evaluated, and the full model's answer."""
     from sweetspot import catalog
     from sweetspot.analysis.bat_analysis import analyse
     from sweetspot.cli.options.swing import conditions_for
-    from sweetspot.cli.output import patience, print_json, print_rows_csv, print_table
+    from sweetspot.cli.output import patience, present
     from sweetspot.paper.chain import paper_rows
-    from sweetspot.report.json_shapes import paper_json
+    from sweetspot.report.paper.document import paper_document
 
     described = catalog.load_bat(bat)
     choices = choices_for(options)
     with patience():
         rows = paper_rows(analyse(described, conditions_for(described, swing)), choices)
-    if format == "json":
-        print_json(paper_json(rows))
-    elif format == "csv":
-        print_rows_csv(paper_json(rows)["rows"])
-    else:
-        from sweetspot.report.bat.table import paper_table
-
-        print_table(paper_table(rows))
+    return present(paper_document(rows), output)

@@ -101,6 +101,7 @@ class Words(Validated):
     implement : what the ball is hit with.
     tip, butt : its ends.
     efficiency : name of q, the rebound speed from an implement at rest over the speed of approach.
+    ball : what is hit.
     incoming : the ball as it arrives.
     exit_speed : the ball's speed as it leaves.
     zone : where hits are good.
@@ -114,6 +115,7 @@ class Words(Validated):
     tip: str = "tip"
     butt: str = "knob"
     efficiency: str = "collision efficiency q"
+    ball: str = "ball"
     incoming: str = "pitch"
     exit_speed: str = "exit speed"
     zone: str = "sweet zone"

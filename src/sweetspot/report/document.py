@@ -147,11 +147,12 @@ class Sources:
 
 @dataclass(frozen=True)
 class Section:
-    """A part with its heading; ``name`` is its anchor."""
+    """A part with its heading; ``name`` is its anchor, ``level`` that of its heading."""
 
     name: str
     title: Words
     blocks: Sequence[Block]
+    level: Literal[2, 3] = 2
 
 
 Block = Paragraph | Bullets | Question | Cards | Table | Picture | Sources | Section
@@ -170,7 +171,8 @@ class Document(ShownInNotebooks):
     rows : the same as columns of equal length, for CSV.
     reader : who reads unless somebody says otherwise: the sport's people.
     kind : what it is, over the title of a page.
-    appendix : what only the long version of a page shows.
+    details : tables that a terminal shows too, and a page when it is opened.
+    appendix : what only a page shows when it is opened.
     drawing : the picture that is written as a file of its own.
     passed : whether what was checked holds.
     """
@@ -183,6 +185,7 @@ class Document(ShownInNotebooks):
     subtitle: Words = ""
     reader: Reader = US
     kind: str = ""
+    details: Sequence[Block] = ()
     appendix: Sequence[Block] = ()
     drawing: Picture | None = None
     passed: bool = True

@@ -23,19 +23,19 @@ SVG = "http://www.w3.org/2000/svg"
 XLINK = "{http://www.w3.org/1999/xlink}href"
 
 
-def page(document: parts.Document, reader: Reader, *, long: bool = True) -> str:
+def page(document: parts.Document, reader: Reader, *, long: bool = False) -> str:
     """Return a document as a whole page, style and pictures inside it.
 
     Parameters
     ----------
-    long : whether the appendix is on it.
+    long : whether details and appendix are open; else they open by a click and do not print.
     """
-    return _rendered("page.html.j2", document, reader, appendix=document.appendix if long else ())
+    return _rendered("page.html.j2", document, reader, long=long)
 
 
 def fragment(document: parts.Document, reader: Reader) -> str:
     """Return a document as a part of somebody else's page, such as a notebook's cell."""
-    return _rendered("fragment.html.j2", document, reader, appendix=())
+    return _rendered("fragment.html.j2", document, reader)
 
 
 def _rendered(template: str, document: parts.Document, reader: Reader, **more: Any) -> str:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import string
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sweetspot.motion.swing_law import Interval
-from sweetspot.report.quantities import US, Reader
+from sweetspot.report.quantities import NOTHING, US, Reader
 
 
 @dataclass(frozen=True)
@@ -21,6 +21,7 @@ class Slot:
     digits : None: as many as is usual.
     sign : whether a plus is written.
     unit : whether its unit is written.
+    round : whether a zero behind the point is left out: "3 mph", but "1.3 m/s".
     """
 
     value: float
@@ -28,16 +29,20 @@ class Slot:
     digits: int | None = None
     sign: bool = False
     unit: bool = True
+    round: bool = False
 
     def read(self, reader: Reader) -> str:
         """Return the number as a reader sees it."""
-        show = reader.shown if self.unit else reader.number
-        return show(self.value, self.scale, digits=self.digits, sign=self.sign)
+        number = reader.number(self.value, self.scale, digits=self.digits, sign=self.sign)
+        if number == NOTHING:
+            return number
+        number = number.removesuffix(".0") if self.round else number
+        return number + reader.behind(self.scale) if self.unit else number
 
     @property
     def bare(self) -> Slot:
         """The number without its unit."""
-        return Slot(self.value, self.scale, self.digits, self.sign, unit=False)
+        return replace(self, unit=False)
 
 
 @dataclass(frozen=True)
@@ -107,11 +112,11 @@ def say(template: str, **slots: Part | float | Sentence) -> Sentence:
     return Sentence(tuple(parts))
 
 
-def joined(sentences: Iterable[Words], between: str = " ") -> Sentence:
+def joined(sentences: Iterable[Words | Slot], between: str = " ") -> Sentence:
     """Return sentences one after the other; empty ones are left out."""
     parts: list[Part] = []
     for sentence in sentences:
-        own = (sentence,) if isinstance(sentence, str) else sentence.parts
+        own = sentence.parts if isinstance(sentence, Sentence) else (sentence,)
         if any(own):
             parts += [between, *own] if parts else own
     return Sentence(tuple(parts))
@@ -131,3 +136,10 @@ def within(
         return Sentence((value,))
     low, high = (Slot(end, scale, digits, sign, unit=False) for end in (interval.low, interval.high))
     return Sentence((value, " (", low, " to ", high, ")"))
+
+
+def with_doubt(value: float, doubt: float, scale: str) -> Sentence:
+    """Return a value with its standard deviation, "10297 ± 618 oz in²"; alone where there is none."""
+    if not doubt > 0:
+        return Sentence((Slot(value, scale),))
+    return say("{value} ± {doubt}", value=Slot(value, scale).bare, doubt=Slot(doubt, scale))

@@ -23,7 +23,7 @@ def to_terminal(document: parts.Document, reader: Reader) -> Group:
     if subtitle := read(document.subtitle, reader):
         title.append(f"  {subtitle}", style="dim")
     heading = [title, Text()] if title.plain else []
-    return Group(*heading, *_rendered(document.blocks, reader))
+    return Group(*heading, *_rendered([*document.blocks, *document.details], reader))
 
 
 def _rendered(blocks: Sequence[parts.Block], reader: Reader) -> Iterator[RenderableType]:

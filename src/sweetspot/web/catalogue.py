@@ -11,7 +11,7 @@ from sweetspot.catalog.rules import league, league_names
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
-from sweetspot.report.json_shapes import bat_json
+from sweetspot.report.bat.json import bat_json
 from sweetspot.web.bats import bat_from_text
 from sweetspot.web.errors import about
 from sweetspot.web.schemas import BatFacts, BatText, Choice

@@ -26,10 +26,11 @@ from sweetspot.errors import InputError
 from sweetspot.report.bat.figure import report_figure
 from sweetspot.report.bat.outline_picture import bat_figure
 from sweetspot.report.file_set import write_all
-from sweetspot.report.hit.picture import ENERGY_NAMES, hit_figure
+from sweetspot.report.hit.ledger import ENERGY_NAMES
+from sweetspot.report.hit.picture import hit_figure
 from sweetspot.report.pictures.files import png_bytes, save, svg_bytes
-from sweetspot.report.pictures.marks import SPOT_LABELS, ladder
-from sweetspot.report.pictures.style import SPOT_COLOURS
+from sweetspot.report.pictures.marks import ladder
+from sweetspot.report.sweet_spots import SPOTS
 from sweetspot.units import INCH, MPH
 
 
@@ -146,20 +147,20 @@ def test_zone_and_best_place_run_where_the_numbers_say(picture: Figure, analysed
 
 def test_every_sweet_spot_is_marked_with_its_number(picture: Figure, analysed: Analysis) -> None:
     words = [text for text, _ in _texts(picture)]
-    for field, label in SPOT_LABELS.items():
+    for field, spot in SPOTS.items():
         inches = (analysed.bat.length - getattr(analysed.sweet_spots, field)) / INCH
-        assert label in words
+        assert spot.label in words
         assert f"{inches:.1f}" in words
     marked = [line for line in picture.axes[0].lines if line.get_marker() == "o"]
     drawn = sorted(float(np.asarray(line.get_xdata())[0]) for line in marked)
-    assert drawn == pytest.approx(sorted(getattr(analysed.sweet_spots, field) for field in SPOT_LABELS))
+    assert drawn == pytest.approx(sorted(getattr(analysed.sweet_spots, field) for field in SPOTS))
 
 
 def test_leaders_do_not_cross(analysed: Analysis) -> None:
     left, right = ladder(analysed)
     assert [mark.place for mark in right] == sorted(mark.place for mark in right)
     assert [mark.place for mark in left] == sorted((mark.place for mark in left), reverse=True)
-    assert {mark.field for mark in [*left, *right]} == set(SPOT_LABELS)
+    assert {mark.field for mark in [*left, *right]} == set(SPOTS)
 
 
 def _panel(figure: Figure, title: str) -> Axes:
@@ -186,7 +187,7 @@ def test_energy_steps_add_up(analysed: Analysis) -> None:
 
 def test_names_cover_every_field() -> None:
     fields = set(SweetSpots.__dataclass_fields__) - {"zone"}
-    assert fields == set(SPOT_LABELS) == set(SPOT_COLOURS)
+    assert fields == set(SPOTS)
     from sweetspot.collision.impact import EnergyLedger
 
     assert set(ENERGY_NAMES) == set(EnergyLedger.__dataclass_fields__) - {"incoming"}

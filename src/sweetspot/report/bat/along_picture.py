@@ -13,36 +13,36 @@ from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.pictures import ruler
-from sweetspot.report.pictures.conditions_line import told
 from sweetspot.report.pictures.style import INK, MUTED, NORMAL, PAPER, SMALL, halo, heading, light_grid, styled
-from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY
+from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SCALES, SKY, Reader, Unit
+from sweetspot.report.sport_words import words_of
 
 MODES_SHOWN = 3
+KM_H = Unit("km/h", 1 / 3.6, 1)
 
 
 @styled
-def exit_speed(axes: Axes, analysis: Analysis[Implement]) -> None:
-    """Draw the ball's exit speed along the bat: mph on the left, m/s on the right, the rigid bat dashed."""
-    scan, telling = analysis.scan, told(analysis.bat)
-    words = telling.words
-    speed, rigid = scan.exit_speed / telling.speed_size, scan.rigid_exit_speed / telling.speed_size
-    _prepare(axes, analysis, "Exit speed", f"how fast the ball leaves, for this {words.incoming} and swing")
+def exit_speed(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> None:
+    """Draw the exit speed along the bat: the reader's unit on the left, another on the right, the rigid bat dashed."""
+    scan, words, unit = analysis.scan, words_of(analysis.bat), reading.units["speed"]
+    speed, rigid = scan.exit_speed / unit.size, scan.rigid_exit_speed / unit.size
+    _prepare(axes, analysis, reading, "Exit speed", f"how fast the ball leaves, for this {words.incoming} and swing")
     axes.plot(scan.position, rigid, color=MUTED, linewidth=1.2, linestyle=(0, (4, 2.5)))
     axes.plot(scan.position, speed, color=RED)
     top = float(np.nanmax(np.concatenate([speed, rigid])))
     axes.set_ylim(min(0.0, float(np.nanmin(speed))), 1.18 * top)
-    axes.set_ylabel(words.speed_unit)
-    size, name = telling.other_speed
-    factor = telling.speed_size / size
+    axes.set_ylabel(unit.name)
+    other = KM_H if unit == SCALES["speed"].si else SCALES["speed"].si
+    factor = unit.size / other.size
     second = axes.secondary_yaxis("right", functions=(partial(np.multiply, factor), partial(np.multiply, 1 / factor)))
-    second.set_ylabel(name)
+    second.set_ylabel(other.name)
     second.spines["right"].set_visible(True)
     spots = analysis.sweet_spots
     best = float(np.interp(spots.max_exit_speed, scan.position, speed))
     _dot(axes, spots.max_exit_speed, best, RED)
-    place = telling.place(analysis.bat.length - spots.max_exit_speed)
+    place = reading.shown(analysis.bat.length - spots.max_exit_speed, "place")
     axes.annotate(
-        f"{best:.1f} {words.speed_unit}, {place} from the {words.tip}", (spots.max_exit_speed, best),
+        f"{best:.1f} {unit.name}, {place} from the {words.tip}", (spots.max_exit_speed, best),
         xytext=(spots.max_exit_speed - 0.08 * analysis.bat.length, 1.08 * top), textcoords="data",
         ha="right", va="center", weight="bold", color=INK,
         arrowprops={"arrowstyle": "-", "color": RED, "linewidth": 0.8, "shrinkA": 1, "shrinkB": 3, "relpos": (1, 0.4)},
@@ -52,11 +52,17 @@ def exit_speed(axes: Axes, analysis: Analysis[Implement]) -> None:
 
 
 @styled
-def efficiency(axes: Axes, analysis: Analysis[Implement]) -> None:
+def efficiency(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> None:
     """Draw the collision efficiency q along the bat, the rigid bat dashed."""
     scan = analysis.scan
-    tool = told(analysis.bat).words.implement
-    _prepare(axes, analysis, "Collision efficiency q", f"what part of its speed a ball gets back from a {tool} at rest")
+    tool = words_of(analysis.bat).implement
+    _prepare(
+        axes,
+        analysis,
+        reading,
+        "Collision efficiency q",
+        f"what part of its speed a ball gets back from a {tool} at rest",
+    )
     axes.plot(scan.position, scan.rigid_efficiency, color=MUTED, linewidth=1.2, linestyle=(0, (4, 2.5)))
     axes.plot(scan.position, scan.collision_efficiency, color=ORANGE)
     axes.axhline(0, color=MUTED, linewidth=0.7)
@@ -71,11 +77,11 @@ def efficiency(axes: Axes, analysis: Analysis[Implement]) -> None:
 
 
 @styled
-def hand_impulse(axes: Axes, analysis: Analysis[Implement]) -> None:
+def hand_impulse(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> None:
     """Draw the impulse at the top hand, with its sign: zero at the centre of percussion."""
     scan = analysis.scan
-    tool = told(analysis.bat).words.implement
-    _prepare(axes, analysis, "Jolt at the top hand", f"the blow that the {tool}'s turning passes on")
+    tool = words_of(analysis.bat).implement
+    _prepare(axes, analysis, reading, "Jolt at the top hand", f"the blow that the {tool}'s turning passes on")
     axes.axhline(0, color=MUTED, linewidth=0.7)
     axes.fill_between(scan.position, 0, scan.hand_impulse, color=GREEN, alpha=0.16, linewidth=0)
     axes.plot(scan.position, scan.hand_impulse, color=GREEN)
@@ -88,10 +94,10 @@ def hand_impulse(axes: Axes, analysis: Analysis[Implement]) -> None:
 
 
 @styled
-def sting(axes: Axes, analysis: Analysis[Implement]) -> None:
+def sting(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> None:
     """Draw the vibration that the hands feel after a hit."""
     scan = analysis.scan
-    _prepare(axes, analysis, "Sting", "vibration at the hands right after the hit, 50 to 700 Hz")
+    _prepare(axes, analysis, reading, "Sting", "vibration at the hands right after the hit, 50 to 700 Hz")
     axes.fill_between(scan.position, 0, scan.sting, color=PURPLE, alpha=0.18, linewidth=0)
     axes.plot(scan.position, scan.sting, color=PURPLE)
     axes.set_ylim(0, 1.14 * float(np.nanmax(scan.sting)))
@@ -101,13 +107,14 @@ def sting(axes: Axes, analysis: Analysis[Implement]) -> None:
 
 
 @styled
-def mode_shapes(axes: Axes, analysis: Analysis[Implement]) -> None:
+def mode_shapes(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> None:
     """Draw how the bat bends in its first modes, each on its own line, nodes as dots."""
     bat, modes = analysis.bat, analysis.modes
     ruler.set_limits(axes, bat.length)
     hands = analysis.conditions.hands
     held = "held" if any((hands.mass, hands.stiffness, hands.damping)) else "free"
-    tool = told(bat).words.implement
+    tool = words_of(bat).implement
+    ruler.show_from_tip(axes, bat.length, reading, labels=False)
     heading(axes, "Bending modes", f"how the {held} {tool} rings; a hit at a node does not ring that mode")
     axes.set_yticks([])
     axes.spines["left"].set_visible(False)
@@ -132,9 +139,9 @@ def mode_shapes(axes: Axes, analysis: Analysis[Implement]) -> None:
     axes.set_ylim(-len(shown) + 0.45, 0.55)
 
 
-def _prepare(axes: Axes, analysis: Analysis[Implement], title: str, note: str) -> None:
+def _prepare(axes: Axes, analysis: Analysis[Implement], reading: Reader, title: str, note: str) -> None:
     ruler.set_limits(axes, analysis.bat.length)
-    ruler.show_from_tip(axes, analysis.bat.length, told(analysis.bat), labels=False)
+    ruler.show_from_tip(axes, analysis.bat.length, reading, labels=False)
     axes.yaxis.set_major_locator(MaxNLocator(nbins=4))
     light_grid(axes)
     heading(axes, title, note)

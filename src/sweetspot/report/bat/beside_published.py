@@ -1,10 +1,13 @@
-"""How the model does against published measurements: the rows of the printed page."""
+"""How the model does against published measurements of the same sport: the rows of the page."""
 
 from __future__ import annotations
 
-from sweetspot.catalog.bats import DEFAULT_BAT
-from sweetspot.references import cite
-from sweetspot.report.markup import Html, bullets, section, table, text
+from collections.abc import Sequence
+
+from sweetspot.catalog.implements import implement_tables
+from sweetspot.catalog.records import canonical
+from sweetspot.catalog.sports import DEFAULT_SPORT
+from sweetspot.report.document import Block, Bullets, Cell, Column, Linked, Marked, Paragraph, Section, Table
 from sweetspot.validation import Result, Row, sources
 from sweetspot.validation.computations import space
 from sweetspot.validation.run import judged
@@ -15,52 +18,59 @@ SLOW = {function.__name__ for function in space.COMPUTATIONS} | {"turned_contact
 """Computations that a report does not wait for: the speed of a given hit is searched, a league's hits are drawn."""
 
 
-def published() -> Html:
-    """Return a table of published values beside ours; empty when there is nothing to compare."""
-    found = chosen()
-    if not found:
-        return Html("")
-    words = Html(
-        f"<p>The same model for the catalogue's {text(DEFAULT_BAT)}, beside published numbers that did not go into "
-        "it, with the known and explained misses among them; <code>sweetspot validate</code> lists all cases.</p>"
+def published_section(results: Sequence[Result]) -> list[Block]:
+    """Return a section of published values beside ours; none when there is nothing to compare."""
+    if not results:
+        return []
+    words = (
+        "The same model for implements of this sport in the catalogue, beside published numbers that did not go into "
+        "it, known and explained misses among them; `sweetspot validate` lists all cases."
     )
-    columns = ("quantity", "published", "computed", "allowed", "verdict")
-    compared = table(columns, [_cells(result) for result in found], numbers=(1, 2), name="published")
+    columns = [Column("quantity"), Column("source"), Column("published", right=True), Column("computed", right=True),
+               Column("allowed"), Column("verdict")]  # fmt: skip
     why = [
-        Html(f"<b>{text(result.quantity[0].upper() + result.quantity[1:])}:</b> {text(result.expected_miss)}")
-        for result in found
+        f"{result.quantity[0].upper() + result.quantity[1:]}: {result.expected_miss}"
+        for result in results
         if not result.ok and result.expected_miss
     ]
-    reasons = Html(f"<h3>Why these miss</h3>\n{bullets(why)}") if why else Html("")
-    return section("Beside published values", words, compared, reasons, name="published")
+    reasons: list[Block] = [Section("why-miss", "Why these miss", [Bullets(why)], level=3)] if why else []
+    table = Table("", columns, [_cells(result) for result in results], name="published")
+    return [Section("published", "Beside published values", [Paragraph(words), table, *reasons])]
 
 
-def _cells(result: Result) -> tuple[str, str, str, str, str]:
+def _cells(result: Result) -> list[Cell]:
     unit = f" {result.unit}" if result.unit else ""
     worded = not any(letter.isdigit() for letter in result.printed)
     printed = result.printed if worded or result.unit in result.printed else result.printed + unit
-    source = f'<abbr title="{text(cite(result.source))}">{text(result.source)}</abbr>'
-    named = Html(f"{text(result.quantity)} <small>{text(result.name)}, {source}</small>")
-    verdict = Html(f'<span class="{"hit" if result.ok else "missed"}">{text(result.status)}</span>')
-    return named, printed, shown(result) + unit, result.tolerance, verdict
+    return [
+        result.quantity, Linked(result.source, f"#source-{result.source}", result.name), printed, shown(result) + unit,
+        result.tolerance, Marked(result.status, "hit" if result.ok else "missed"),
+    ]  # fmt: skip
 
 
-def chosen() -> list[Result]:
-    """Return the known misses, then in turn one row from every source until the table is full."""
-    cases = sources()
-    missed = [(row, case) for case in cases for row in case.rows if row.expected_miss and _predicts(row)]
-    queues = [[(row, case) for row in case.rows if _tells(row)] for case in cases]
+def chosen(sport: str) -> list[Result]:
+    """Return in turn one row from every source about a sport's implements, and known misses for at most half of it."""
+    own = [[(row, case) for row in case.rows if _predicts(row) and sport in _sports(row)] for case in sources()]
+    missed = [pair for queue in own for pair in queue if pair[0].expected_miss][: ROWS // 2]
+    queues = [[pair for pair in queue if _tells(pair[0])] for queue in own]
     turns = max(map(len, queues), default=0)
     others = [queue[turn] for turn in range(turns) for queue in queues if turn < len(queue)]
-    return [judged(row, case) for row, case in [*others[: max(0, ROWS - len(missed))], *missed]]
+    return [judged(row, case) for row, case in [*others[: ROWS - len(missed)], *missed]]
+
+
+def _sports(row: Row) -> set[str]:
+    """Return the sports of the catalogue's implements that a row names."""
+    tables = {canonical(key): table for key, table in implement_tables().items()}
+    named = [canonical(text) for text in row.inputs.values() if isinstance(text, str)]
+    return {canonical(tables[name].get("sport", DEFAULT_SPORT)) for name in named if name in tables}
 
 
 def _predicts(row: Row) -> bool:
     """Say whether a row predicts something about bats, soon enough for a report."""
-    return row.evidence == "prediction about bats" and row.computation not in SLOW
+    return "prediction" in row.evidence and row.computation not in SLOW
 
 
 def _tells(row: Row) -> bool:
-    """Say whether a row is a measured number of the one bat shown here, not fitted to and not a known miss."""
+    """Say whether a row is a measured number, and not a known miss."""
     number = row.kind in ("quantitative", "band") and any(letter.isdigit() for letter in row.printed)
-    return _predicts(row) and number and not row.expected_miss and row.inputs.get("bat") == DEFAULT_BAT
+    return number and not row.expected_miss

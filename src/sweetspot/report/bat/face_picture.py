@@ -14,9 +14,9 @@ from sweetspot.analysis.face_maps import FaceMap
 from sweetspot.equipment.face import Outline
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
-from sweetspot.report.pictures.conditions_line import Told, told
 from sweetspot.report.pictures.style import INK, MUTED, PAPER, axes_in_inches, heading, styled
-from sweetspot.report.quantities import RED
+from sweetspot.report.quantities import RED, Reader
+from sweetspot.report.sport_words import reader_of, words_of
 
 WIDTH, SIDE, GAP, TOP, FOOT, BAR = 8.5, 0.75, 0.55, 0.45, 1.05, 0.13
 """Inches of paper: the figure, its sides, between maps, above and below them, and the height of a colour scale."""
@@ -27,21 +27,22 @@ CENTIMETRE = 0.01
 
 
 @styled
-def face_figure(found: FaceMap, bat: Implement) -> Figure:
+def face_figure(found: FaceMap, bat: Implement, reading: Reader | None = None) -> Figure:
     """Return three maps side by side, handle to the left: exit speed, efficiency q, vibration at the hands."""
-    telling, outline = told(bat), found.outline
+    reading, outline = reading or reader_of(bat), found.outline
+    speed = reading.units["speed"]
     across = (WIDTH - 2 * SIDE - 2 * GAP) / 3
     height = min(TALLEST, across * outline.width / (outline.end - outline.start))
     figure = Figure(figsize=(WIDTH, TOP + height + FOOT))
     maps = (
-        ("Exit speed", telling.words.speed_unit, found.exit_speed / telling.speed_size, RISE),
+        ("Exit speed", speed.name, found.exit_speed / speed.size, RISE),
         ("Efficiency q", "", found.collision_efficiency, RISE),
         ("Sting", "m/s", found.sting, FALL),
     )
     for number, (title, unit, values, colours) in enumerate(maps):
         left = SIDE + number * (across + GAP)
         axes = axes_in_inches(figure, left=left, top=TOP, width=across, height=height)
-        _map(axes, found, values, colours, telling, bat.length)
+        _map(axes, found, values, colours, reading, bat)
         heading(axes, title, unit)
         if number == 0:
             axes.set_ylabel("cm across")
@@ -53,9 +54,9 @@ def face_figure(found: FaceMap, bat: Implement) -> Figure:
 
 
 def _map(
-    axes: Axes, found: FaceMap, values: Array, colours: LinearSegmentedColormap, telling: Told, length: float
+    axes: Axes, found: FaceMap, values: Array, colours: LinearSegmentedColormap, reading: Reader, bat: Implement
 ) -> None:
-    outline = found.outline
+    outline, place, length = found.outline, reading.units["place"], bat.length
     half, long = outline.width / 2, outline.end - outline.start
     shape = _shape(outline)
     image = axes.imshow(
@@ -69,10 +70,10 @@ def _map(
     reach = 0.02 * long
     axes.set_xlim(outline.start - reach, outline.end + reach)
     axes.set_ylim(-half - reach, half + reach)
-    step = _step(long) / CENTIMETRE * telling.place_size
+    step = _step(long) / CENTIMETRE * place.size
     counts = np.arange(np.ceil((length - outline.end) / step), (length - outline.start) / step + 1e-9)
-    axes.set_xticks(length - counts * step, [f"{count * step / telling.place_size:.3g}" for count in counts])
-    axes.set_xlabel(f"{telling.words.place_unit} from the {telling.words.tip}", labelpad=1)
+    axes.set_xticks(length - counts * step, [f"{count * step / place.size:.3g}" for count in counts])
+    axes.set_xlabel(f"{place.name} from the {words_of(bat).tip}", labelpad=1)
     sideways = _step(max(outline.width, long / 2))
     places = np.arange(-np.floor(half / sideways), np.floor(half / sideways) + 1) * sideways
     axes.set_yticks(places, [f"{abs(place) / CENTIMETRE:.3g}" for place in places])

@@ -16,10 +16,8 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat import along_picture as along
 from sweetspot.report.bat.outline_picture import ABOVE, GUIDE_START, RULER, SIDE, WIDTH, bat_panel, draw_bat_panel
-from sweetspot.report.bat.words import told_with_doubt
 from sweetspot.report.pictures import ruler
-from sweetspot.report.pictures.conditions_line import told
-from sweetspot.report.pictures.marks import from_the_tip
+from sweetspot.report.pictures.ruler import from_the_tip
 from sweetspot.report.pictures.style import (
     HUGE,
     MUTED,
@@ -31,13 +29,14 @@ from sweetspot.report.pictures.style import (
     fitted,
     styled,
 )
-from sweetspot.report.quantities import RED
-from sweetspot.units import OUNCE_INCH_SQUARED
+from sweetspot.report.quantities import RED, Reader
+from sweetspot.report.sentences import with_doubt
+from sweetspot.report.sport_words import arriving, reader_of, words_of
 
 HEADER, FOOTER, BETWEEN = 1.0, 1.15, 0.34
 """Inches of paper for the title, the rulers at the foot, and between panels."""
-SPEED_ROOM = 1.5
-"""Inches of paper for the speed beside the title."""
+SPEED_ROOM, SWING_ROOM = 1.5, 2.4
+"""Inches of paper for the speed beside the title, and for the swing below it."""
 PANELS = (
     (along.exit_speed, 1.65),
     (along.efficiency, 1.1),
@@ -49,24 +48,24 @@ PANELS = (
 
 
 @styled
-def report_figure(analysis: Analysis[Implement]) -> Figure:
+def report_figure(analysis: Analysis[Implement], reading: Reader | None = None) -> Figure:
     """Return the tall figure: title, bat to scale, then exit speed, q, jolt, sting and modes on the same axis."""
-    bat, panel = analysis.bat, bat_panel(analysis.bat)
+    bat, panel, reading = analysis.bat, bat_panel(analysis.bat), reading or reader_of(analysis.bat)
     across = WIDTH - 2 * SIDE
     height = HEADER + panel.height + RULER + sum(BETWEEN + tall for _, tall in PANELS) + FOOTER
     figure = Figure(figsize=(WIDTH, height))
-    _header(figure, analysis, height)
+    _header(figure, analysis, reading, height)
     top = HEADER
     axes = axes_in_inches(figure, left=SIDE, top=top, width=across, height=panel.height)
-    draw_bat_panel(axes, analysis, panel)
+    draw_bat_panel(axes, analysis, panel, reading)
     top += panel.height + RULER
     for draw, tall in PANELS:
         top += BETWEEN
         axes = axes_in_inches(figure, left=SIDE, top=top, width=across, height=tall)
-        draw(axes, analysis)
+        draw(axes, analysis, reading)
         top += tall
-    ruler.show_from_tip(axes, bat.length, told(bat))
-    axes.set_xlabel(from_the_tip(analysis), labelpad=2)
+    ruler.show_from_tip(axes, bat.length, reading)
+    axes.set_xlabel(from_the_tip(analysis.bat, reading), labelpad=2)
     ruler.show_centimetres(axes, bat.length, offset=30, butt=bat.grip_end)
     foot_of_bat = HEADER + panel.height + RULER
     _guides(figure, analysis, height, bat_top=HEADER + ABOVE - GUIDE_START, top=foot_of_bat, bottom=top)
@@ -74,33 +73,34 @@ def report_figure(analysis: Analysis[Implement]) -> Figure:
     return figure
 
 
-def _header(figure: Figure, analysis: Analysis[Implement], height: float) -> None:
+def _header(figure: Figure, analysis: Analysis[Implement], reading: Reader, height: float) -> None:
     """Write the bat's name, its sizes and the answer."""
     bat, body, conditions = analysis.bat, analysis.body, analysis.conditions
     left, right = SIDE / WIDTH, 1 - SIDE / WIDTH
-    telling = told(bat)
-    speed = telling.speed(exit_speed_of(analysis.best, conditions), digits=0)
+    words = words_of(bat)
+    speed = reading.shown(exit_speed_of(analysis.best, conditions), "speed", digits=0)
     figure.text(right, 1 - 0.45 / height, speed, size=HUGE, weight="bold", color=RED, ha="right")
     name, size = fitted(bat.name, width=WIDTH - 2 * SIDE - SPEED_ROOM, size=HUGE)
     figure.text(left, 1 - 0.45 / height, name, size=size, weight="bold", parse_math=False)
     quiet: dict[str, Any] = {"color": MUTED, "size": NORMAL, "parse_math": False}
-    sizes = f"{telling.length(bat.length)}  ·  {telling.weight(body.mass)}  ·  {bat.made_of}"
+    sizes = f"{reading.shown(bat.length, 'length')}  ·  {reading.shown(body.mass, 'mass')}  ·  {bat.made_of}"
+    sizes, _ = fitted(sizes, width=WIDTH - 2 * SIDE - SWING_ROOM, size=NORMAL, smallest=NORMAL)
     figure.text(left, 1 - 0.68 / height, sizes, **quiet)
-    figure.text(left, 1 - 0.86 / height, _swing_weight(analysis), **quiet)
+    figure.text(left, 1 - 0.86 / height, _swing_weight(analysis, reading), **quiet)
     swing = conditions.swing
-    swung = f"from {telling.coming(conditions.pitch.speed)} and a {telling.speed(swing.bat_speed, digits=0)} swing,"
+    swung = f"{arriving(words, conditions.pitch.speed).read(reading)}, {words.implement} at "
+    swung += reading.shown(swing.bat_speed, "speed")
     figure.text(right, 1 - 0.68 / height, swung, ha="right", **quiet)
-    at = f"measured {telling.place(bat.length - swing.measured_at)} from the {telling.words.tip}"
+    at = f"{reading.shown(bat.length - swing.measured_at, 'place')} from the {words.tip}"
     figure.text(right, 1 - 0.86 / height, at, ha="right", **quiet)
 
 
-def _swing_weight(analysis: Analysis[Implement]) -> str:
+def _swing_weight(analysis: Analysis[Implement], reading: Reader) -> str:
     """Say how heavy the swing is, as the sport weighs it."""
     bat, body = analysis.bat, analysis.body
     if isinstance(bat, Bat):
-        doubt = moi_doubt(analysis.bat, body, STANDARD_AXIS) / OUNCE_INCH_SQUARED
-        told = told_with_doubt(body.moi(STANDARD_AXIS) / OUNCE_INCH_SQUARED, doubt)
-        return f"moment of inertia {told} oz in² about 6 in from the knob"
+        moi = with_doubt(body.moi(STANDARD_AXIS), moi_doubt(bat, body, STANDARD_AXIS), "moi").read(reading)
+        return f"moment of inertia {moi} about {reading.shown(STANDARD_AXIS, 'place')} from the {words_of(bat).butt}"
     convention = swing_weight(bat.sport)
     return f"{convention.name} {convention.shown(body)}".replace("^2", "²")
 
@@ -130,7 +130,7 @@ def _guides(
 
 def _footer(figure: Figure, analysis: Analysis[Implement], height: float) -> None:
     """Say what was hit with what, and what the lines are."""
-    words = told(analysis.bat).words
+    words = words_of(analysis.bat)
     text = (
         f"Shaded: {words.zone}.  Red line: best place.  Dashed: the same {words.implement} if it were rigid.  "
         f"Free {words.implement}, {analysis.conditions.ball.name}, hit straight on."

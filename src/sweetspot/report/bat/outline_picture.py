@@ -19,9 +19,11 @@ from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.pictures import ruler
-from sweetspot.report.pictures.conditions_line import told
-from sweetspot.report.pictures.marks import draw_marks, draw_notes, from_the_tip
+from sweetspot.report.pictures.marks import draw_marks, draw_notes
+from sweetspot.report.pictures.ruler import from_the_tip
 from sweetspot.report.pictures.style import ZONE, ZONE_EDGE, axes_in_inches, styled
+from sweetspot.report.quantities import Reader
+from sweetspot.report.sport_words import reader_of
 
 WIDTH, SIDE = 8.5, 0.8
 """Inches of paper: the figure, and the room left and right of the axes."""
@@ -59,17 +61,17 @@ class BatPanel:
 
 
 @styled
-def bat_figure(analysis: Analysis[Implement]) -> Figure:
+def bat_figure(analysis: Analysis[Implement], reading: Reader | None = None) -> Figure:
     """Return the bat alone, to scale, with its sweet spots, the sweet zone, balance point and hands."""
-    panel = bat_panel(analysis.bat)
+    panel, reading = bat_panel(analysis.bat), reading or reader_of(analysis.bat)
     figure = Figure(figsize=(WIDTH, panel.height + FOOT))
     axes = axes_in_inches(figure, left=SIDE, top=0.1, width=WIDTH - 2 * SIDE, height=panel.height)
-    draw_bat_panel(axes, analysis, panel)
+    draw_bat_panel(axes, analysis, panel, reading)
     zone = analysis.sweet_spots.zone
     if zone is not None:  # from the axis up to a little above the bat
         top = (panel.below + panel.above - ABOVE + GUIDE_START) / panel.height
         axes.axvspan(*zone, ymax=top, facecolor=ZONE, edgecolor=ZONE_EDGE, linewidth=0.6, zorder=0)
-    axes.set_xlabel(from_the_tip(analysis), labelpad=2)
+    axes.set_xlabel(from_the_tip(analysis.bat, reading), labelpad=2)
     ruler.show_centimetres(axes, analysis.bat.length, offset=30, butt=analysis.bat.grip_end)
     return figure
 
@@ -82,17 +84,17 @@ def bat_panel(bat: Implement) -> BatPanel:
 
 
 @styled
-def draw_bat_panel(axes: Axes, analysis: Analysis[Implement], panel: BatPanel) -> None:
+def draw_bat_panel(axes: Axes, analysis: Analysis[Implement], panel: BatPanel, reading: Reader) -> None:
     """Draw bat, marks and notes on axes whose paper size is the panel's, one scale in both directions."""
     bat = analysis.bat
     ruler.set_limits(axes, bat.length)
     axes.set_ylim(-panel.below * panel.scale, panel.above * panel.scale)
     axes.spines["left"].set_visible(False)
     axes.set_yticks([])
-    ruler.show_from_tip(axes, bat.length, told(bat))
+    ruler.show_from_tip(axes, bat.length, reading)
     draw_bat(axes, bat)
-    draw_marks(axes, analysis, panel.scale, top=panel.above * panel.scale)
-    draw_notes(axes, analysis, panel.scale, bottom=-panel.below * panel.scale)
+    draw_marks(axes, analysis, reading, panel.scale, top=panel.above * panel.scale)
+    draw_notes(axes, analysis, reading, panel.scale, bottom=-panel.below * panel.scale)
 
 
 @styled

@@ -12,6 +12,7 @@ from sweetspot.catalog.materials import FILE as MATERIAL_FILE
 from sweetspot.catalog.materials import material
 from sweetspot.catalog.records import Record, all_records, read_table
 from sweetspot.catalog.rubbers import FILE as RUBBER_FILE
+from sweetspot.catalog.sports import sport
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.material import Material
@@ -29,7 +30,7 @@ STATIONS_SHOWN = 3
 def used_records(analysis: Analysis[Implement]) -> dict[str, list[Record]]:
     """Return the records of everything that went into an analysis, under a heading for each thing."""
     described = analysis.bat
-    found = {f"bat: {described.name}": bat_records(described)}
+    found = {f"{sport(described.sport).words.implement}: {described.name}": bat_records(described)}
     for made_of in {used.name: used for used in described.materials}.values():
         found[f"material: {made_of.name}"] = material_records(made_of)
     for rubber in described.rubbers if isinstance(described, TableTennisRacket) else ():

@@ -1,108 +1,196 @@
-"""The answer in plain words: where this bat hits best, why there and not at the end, what a miss costs."""
+"""The answer in plain words, for any sport: where it hits best, why there and not at the end, what a miss costs."""
 
 from __future__ import annotations
 
-import math
+from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
 from sweetspot.analysis.miss_cost import Loss, miss_costs
+from sweetspot.analysis.sweet_spot import ZONE_LOSS
+from sweetspot.catalog.sports import sport
 from sweetspot.dynamics.rigid import effective_mass
 from sweetspot.equipment.implement import Implement
-from sweetspot.report.sports.vocabulary import speaks_otherwise
-from sweetspot.report.sports.words import WHY_TWO, sport_answer
-from sweetspot.units import INCH, MPH, OUNCE
+from sweetspot.equipment.sport import ASSUMED_MARK, Words
+from sweetspot.paper.sports import dead_spot
+from sweetspot.report.sentences import Part, Sentence, Slot, joined, say
+from sweetspot.report.sport_words import arriving, in_words, weight, words_of
+from sweetspot.units import INCH
 
+MISSES = {"in": (1 * INCH, 2 * INCH, 3 * INCH), "cm": (0.02, 0.04, 0.06)}
+"""m, by the unit in which a sport's people read places."""
+WHY_TWO = (
+    "In brackets: what a ball that loses its energy by how fast it is pressed, not by how far, allows as well; no "
+    "measurement has settled that."
+)
 SMALL = 1e-3
-MISSES = (1, 2, 3)
-"""Inches."""
+"""Relative change of a speed that is told as less than this."""
+FOLLOWS = 0.005
+"""Below minus this q is called negative."""
 
 
-def answer(analysis: Analysis[Implement]) -> list[str]:
-    """Return the answer as a few paragraphs, in the units that players and makers use."""
-    if speaks_otherwise(analysis.bat):
-        return sport_answer(analysis)
-    words = [_where(analysis), _why_not_the_end(analysis), _miss(analysis), _hands(analysis)]
-    if hoop := analysis.modes.of_family("hoop"):
-        lowest = analysis.modes.frequency[hoop].min()
-        words.append(
-            f"This bat is hollow: its wall gives way and springs back. It rings at {lowest:.0f} Hz (lowest hoop mode); "
-            "the lower that is, the more of the ball's lost energy the wall saves."
-        )
-    return words
+class Miss(NamedTuple):
+    """What a miss by ``distance`` (m) costs, towards the hands and towards the tip."""
+
+    distance: float
+    inside: Loss
+    outside: Loss
 
 
-def from_tip(analysis: Analysis[Implement], position: float) -> float:
-    """Return a position's distance from the tip in inches."""
-    return (analysis.bat.length - position) / INCH
+def misses_of(analysis: Analysis[Implement]) -> list[Miss]:
+    """Return what misses cost that still hit the face on the hands' side, up to three."""
+    best, nearest = analysis.sweet_spots.max_exit_speed, float(analysis.scan.position[0])
+    distances = tuple(one for one in MISSES[words_of(analysis.bat).place_unit] if best - one >= nearest)
+    costs = miss_costs(analysis, distances) if distances else []
+    return [Miss(distance, *both) for distance, both in zip(distances, costs, strict=True)]
 
 
-def told_with_doubt(value: float, doubt: float) -> str:
-    """Return a number with its standard deviation, both to two digits of that; alone where there is none."""
-    if doubt <= 0:
-        return f"{value:,.0f}"
-    digits = 1 - math.floor(math.log10(doubt))
-    return " ± ".join(f"{round(one, digits):,.{max(digits, 0)}f}" for one in (value, doubt))
+def answer(analysis: Analysis[Implement], misses: Sequence[Miss]) -> list[Sentence]:
+    """Return the answer as a few paragraphs; every number that was assumed and not measured is said to be so."""
+    words = words_of(analysis.bat)
+    paragraphs = (
+        _where(analysis, words), _bounce(analysis, words), _why_not_the_end(analysis, words), _miss(misses, words),
+        _hands(analysis, words), _wall(analysis), _assumed(analysis),
+    )  # fmt: skip
+    return [words for words in paragraphs if words.parts]
 
 
-def _where(analysis: Analysis[Implement]) -> str:
-    spots = analysis.sweet_spots
-    best = from_tip(analysis, spots.max_exit_speed)
-    speed = exit_speed_of(analysis.best, analysis.conditions) / MPH
-    text = f"This bat hits best {best:.1f} in from the tip: the ball leaves at {speed:.1f} mph"
-    text += f" from a {analysis.conditions.pitch.speed / MPH:.0f} mph pitch."
+def from_tip(analysis: Analysis[Implement], position: float) -> Slot:
+    """Return how far from the tip a position is."""
+    return Slot(analysis.bat.length - position, "place")
+
+
+def cost(loss: Loss) -> Sentence:
+    """Return a cost and its interval."""
+    value, low, high = (Slot(one, "speed") for one in loss)
+    return say("{value} ({low} to {high})", value=value, low=low.bare, high=high.bare)
+
+
+def _where(analysis: Analysis[Implement], words: Words) -> Sentence:
+    spots, best, conditions = analysis.sweet_spots, analysis.best, analysis.conditions
+    leaves, swung = exit_speed_of(best, conditions), conditions.swing.speed_at(best.position)
+    text = in_words(
+        "This {implement} hits best {place} from the {tip}: {coming} leaves at {speed}.", words,
+        place=from_tip(analysis, spots.max_exit_speed), coming=arriving(words, conditions.pitch.speed),
+        speed=Slot(leaves, "speed"),
+    )  # fmt: skip
+    if words.smash_factor and swung:
+        text += in_words(
+            " Its {smash_factor}, {exit_speed} over {implement} speed, is {ratio}.", words,
+            ratio=Slot(leaves / swung, "ratio", 2),
+        )  # fmt: skip
     if spots.zone is None:
-        return text + " No stretch of the barrel is both fast and quiet: there is no sweet zone by our measure."
-    outer, inner = from_tip(analysis, spots.zone[1]), from_tip(analysis, spots.zone[0])
-    return (
-        f"{text} The sweet zone, within 3 mph of that and with less than half the mean vibration at the hands, "
-        f"reaches from {outer:.1f} to {inner:.1f} in from the tip, {inner - outer:.1f} in wide."
-    )
+        return text + in_words(" No stretch is both fast and quiet: there is no {zone} by our measure.", words)
+    return text + in_words(
+        " The {zone}, within {loss} of that and with less than half the mean vibration at the hands, reaches from "
+        "{outer} to {inner} from the {tip}, {width} wide.", words,
+        loss=Slot(ZONE_LOSS, "speed", round=True), outer=from_tip(analysis, spots.zone[1]).bare,
+        inner=from_tip(analysis, spots.zone[0]), width=Slot(spots.zone[1] - spots.zone[0], "place"),
+    )  # fmt: skip
 
 
-def _why_not_the_end(analysis: Analysis[Implement]) -> str:
-    scan, body = analysis.scan, analysis.body
-    best, tip = analysis.sweet_spots.max_exit_speed, analysis.bat.length
-    speed_gain = (analysis.conditions.swing.speed_at(tip) - analysis.conditions.swing.speed_at(best)) / MPH
-    here, there = effective_mass(body, best) / OUNCE, effective_mass(body, tip) / OUNCE
-    rigid, real = scan.rigid_exit_speed[-1] / MPH, scan.exit_speed[-1] / MPH
-    top = exit_speed_of(analysis.best, analysis.conditions) / MPH
-    return (
-        f"Why not the end? The tip moves {speed_gain:.0f} mph faster, but there the bat gives way by turning: the ball "
-        f"meets only {there:.0f} oz of bat instead of {here:.0f} oz. A rigid bat would send it off the tip at "
-        f"{rigid:.0f} mph. A real bat also bends and keeps that energy as vibration: {real:.0f} mph, "
-        f"{top - real:.0f} mph less than at its best."
-    )
+def _bounce(analysis: Analysis[Implement], words: Words) -> Sentence:
+    """Return where a ball comes back best and worst, where the sport has words for it, and what a negative q means."""
+    parts: list[Sentence] = []
+    if words.strongest:
+        most = float(np.nanmax(analysis.scan.collision_efficiency))
+        parts.append(
+            in_words(
+                "The {strongest} is {place} from the {tip}, where a {implement} at rest gives back {share} of the "
+                "speed.", words, place=from_tip(analysis, analysis.sweet_spots.max_collision_efficiency),
+                share=Slot(most, "share"),
+            )
+        )  # fmt: skip
+    dead = dead_spot(analysis)
+    if words.deadest and dead is not None:
+        parts.append(
+            in_words(
+                "The {deadest} is {place} from the {tip}: a {ball} there does not come back, for its {thrown} meet "
+                "only {met}, and vibration takes more.", words, place=from_tip(analysis, dead),
+                thrown=weight(analysis.conditions.ball.mass), met=weight(effective_mass(analysis.body, dead)),
+            )
+        )  # fmt: skip
+    if analysis.best.collision_efficiency < -FOLLOWS:
+        parts.append(
+            in_words(
+                "The {efficiency} is negative: the {ball} leaves slower than the {implement} came, and follows it.",
+                words,
+            )
+        )
+    return joined(parts)
 
 
-def _miss(analysis: Analysis[Implement]) -> str:
-    def cost(inches: int, inside: Loss, outside: Loss) -> str:
-        outer = "off the bat" if np.isnan(outside.value) else in_mph(outside)
-        return f"{inches} in: {in_mph(inside)} towards the hands, {outer} towards the tip"
-
-    costs = miss_costs(analysis, tuple(inches * INCH for inches in MISSES))
-    told = "; ".join(cost(inches, *both) for inches, both in zip(MISSES, costs, strict=True))
-    return f"What a miss costs: {told}. {WHY_TWO}"
-
-
-def in_mph(loss: Loss) -> str:
-    """Return a cost and its interval in words."""
-    return f"{loss.value / MPH:.1f} mph ({loss.low / MPH:.1f} to {loss.high / MPH:.1f})"
-
-
-def _hands(analysis: Analysis[Implement]) -> str:
-    spots = analysis.sweet_spots
-    quiet, percussion = from_tip(analysis, spots.min_sting), from_tip(analysis, spots.center_of_percussion)
-    return (
-        f"The hands feel least vibration from a hit {quiet:.1f} in from the tip, between the nodes of the first "
-        f"({from_tip(analysis, spots.node_1):.1f} in) and second ({from_tip(analysis, spots.node_2):.1f} in) bending "
-        f"mode, and no jolt at the top hand from one at the centre of percussion, {percussion:.1f} in. How the bat is "
-        f"held hardly matters to the ball: {_grip(analysis.grip_effect)}."
-    )
+def _why_not_the_end(analysis: Analysis[Implement], words: Words) -> Sentence:
+    """Return why not at the tip; nothing where that is the fastest place or not the best one's rival."""
+    scan, body, swing = analysis.scan, analysis.body, analysis.conditions.swing
+    best, last = analysis.sweet_spots.max_exit_speed, float(scan.position[-1])
+    top, end = exit_speed_of(analysis.best, analysis.conditions), float(scan.exit_speed[-1])
+    gain = swing.speed_at(last) - swing.speed_at(best)
+    if not gain > 0 or not top > end:
+        return Sentence(())
+    face = analysis.bat.face
+    springy = face is not None and face.stiffness is not None
+    rigid = "" if springy else "A rigid {implement} would send it off at {rigid}. "
+    slots: dict[str, Part] = {
+        "gain": Slot(gain, "speed"),
+        "there": Slot(effective_mass(body, last), "mass"), "here": Slot(effective_mass(body, best), "mass"),
+        "rigid": Slot(float(scan.rigid_exit_speed[-1]), "speed"), "real": Slot(end, "speed"),
+        "less": Slot(top - end, "speed"),
+    }  # fmt: skip
+    return in_words(
+        "Why not at the {tip}? The last place to be hit moves {gain} faster, but there the {implement} gives way by "
+        f"turning: the {{ball}} meets only {{there}} instead of {{here}}. {rigid}A real one also bends and keeps that "
+        "energy as vibration: {real}, {less} less than at its best.", words, **slots,
+    )  # fmt: skip
 
 
-def _grip(effect: float) -> str:
-    if abs(effect) < SMALL:
-        return f"typical hands change its speed by less than {100 * SMALL:g} %"
-    return f"typical hands change its speed by {100 * effect:+.1f} %"
+def _miss(misses: Sequence[Miss], words: Words) -> Sentence:
+    costs = [
+        in_words(
+            "{distance}: {inside} towards the hands, {outside} towards the {tip}", words,
+            distance=Slot(one.distance, "place", round=True), inside=cost(one.inside),
+            outside=f"off the {words.implement}" if np.isnan(one.outside.value) else cost(one.outside),
+        )
+        for one in misses
+    ]  # fmt: skip
+    return joined([say("What a miss costs: {costs}.", costs=joined(costs, "; ")), WHY_TWO]) if costs else Sentence(())
+
+
+def _hands(analysis: Analysis[Implement], words: Words) -> Sentence:
+    spots, effect = analysis.sweet_spots, analysis.grip_effect
+    size = Slot(effect, "share", 1, sign=True) if abs(effect) >= SMALL else say("less than 0.1 %")
+    return in_words(
+        "The hands feel least vibration from a hit {quiet} from the {tip} (nodes of the first and second bending mode: "
+        "{first} and {second}), and no jolt from one at the centre of percussion, {percussion}. How the {implement} is "
+        "held hardly matters to the {ball}: typical hands change its speed by {size}.", words,
+        quiet=from_tip(analysis, spots.min_sting), first=from_tip(analysis, spots.node_1).bare,
+        second=from_tip(analysis, spots.node_2), percussion=from_tip(analysis, spots.center_of_percussion), size=size,
+    )  # fmt: skip
+
+
+def _wall(analysis: Analysis[Implement]) -> Sentence:
+    """Return what a hollow barrel's wall does; how much, not only its frequency, says how lively it is."""
+    hoops = analysis.modes.of_family("hoop")
+    if not hoops:
+        return Sentence(())
+    energy = analysis.best.energy
+    return say(
+        "It is hollow: its wall gives way and springs back, and rings at {frequency} (lowest hoop mode). Of the energy "
+        "of its best hit {left} stay in the wall's ringing.",
+        frequency=Slot(float(analysis.modes.frequency[hoops].min()), "frequency"),
+        left=Slot(energy.hoop / energy.incoming if energy.incoming else 0.0, "share", 1),
+    )  # fmt: skip
+
+
+def _assumed(analysis: Analysis[Implement]) -> Sentence:
+    """Return which of the conditions are soft defaults of the sport, marked as they are everywhere."""
+    stroke, conditions = sport(analysis.bat.sport).stroke, analysis.conditions
+    used = ((stroke.swing_speed, conditions.swing.bat_speed), (stroke.ball_speed, conditions.pitch.speed))
+    soft = [
+        say("{name} {speed} {mark}", name=one.name, speed=Slot(value, "speed", round=True), mark=ASSUMED_MARK)
+        for one, value in used
+        if one.kind == "assumed" and one.value == value
+    ]
+    return say("Soft defaults: {soft}.", soft=joined(soft, "; ")) if soft else Sentence(())

@@ -13,9 +13,10 @@ from sweetspot.analysis.certification.simulated_test import CLAMP, OLD_BALL_SPEE
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
+from sweetspot.report.bat.json import bat_json
 from sweetspot.report.certification.numbers import check_json, measured_json, simulated_json
 from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Marked, Paragraph, Table
-from sweetspot.report.json_shapes import as_columns, bat_json, cleaned
+from sweetspot.report.json_shapes import as_columns, cleaned
 from sweetspot.report.sentences import Sentence, Slot, Words, joined, say
 
 SCALES = {"m": ("length", 3), "m/s": ("speed", 1), "kg m^2": ("moi", None), "in - oz": ("ratio", 2)}

@@ -12,9 +12,11 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.report.bat.json import bat_json
 from sweetspot.report.comparison.words import INTERVAL_MEANS, assumptions, cork_verdict, verdict
 from sweetspot.report.document import Cell, Column, Document, Paragraph, Picture, Table
-from sweetspot.report.json_shapes import as_columns, bat_json, cleaned, conditions_json
+from sweetspot.report.hit.json import conditions_json
+from sweetspot.report.json_shapes import as_columns, cleaned
 from sweetspot.report.quantities import Reader, reader
 from sweetspot.report.sentences import Words, read, within
 

@@ -17,7 +17,7 @@ from sweetspot.catalog.sports import sport
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.pictures import ruler
-from sweetspot.report.pictures.conditions_line import Told
+from sweetspot.report.pictures.ruler import from_the_tip
 from sweetspot.report.pictures.style import (
     GRID,
     HUGE,
@@ -111,7 +111,7 @@ def _outlines(axes: Axes, compared: Sequence[Compared[Implement]], length: float
 
 
 def _curves(axes: Axes, compared: Sequence[Compared[Implement]], length: float, reading: Reader) -> None:
-    ruler.show_from_tip(axes, length, _telling(compared, reading), labels=False)
+    ruler.show_from_tip(axes, length, reading, labels=False)
     axes.yaxis.set_major_locator(MaxNLocator(nbins=6))
     light_grid(axes)
     heading(axes, "Exit speed", f"how fast the ball leaves, {reading.unit('speed')}")
@@ -131,7 +131,7 @@ def _curves(axes: Axes, compared: Sequence[Compared[Implement]], length: float, 
 
 def _differences(axes: Axes, compared: Sequence[Compared[Implement]], length: float, reading: Reader) -> None:
     """Draw by how much the ball leaves faster than from the first one, equally far from the tip."""
-    ruler.show_from_tip(axes, length, _telling(compared, reading), labels=False)
+    ruler.show_from_tip(axes, length, reading, labels=False)
     light_grid(axes)
     heading(
         axes, "Difference from the first", f"equally far from the tip, {reading.unit('speed_change')}; above 0: faster"
@@ -159,17 +159,10 @@ def _places(compared: Compared[Implement]) -> Array:
     return np.linspace(0.0, compared.analysis.bat.length, POINTS)
 
 
-def _telling(compared: Sequence[Compared[Implement]], reading: Reader) -> Told:
-    """Return the sport's words with the reader's units."""
-    words = sport(compared[0].analysis.bat.sport).words
-    return Told(words.replaced(place_unit=reading.unit("place"), speed_unit=reading.unit("speed")))
-
-
 def _zones(axes: Axes, compared: Sequence[Compared[Implement]], length: float, reading: Reader) -> None:
     """Draw a row per bat: name, sweet zone on the common axis, exit speed, and the change with its interval."""
-    telling = _telling(compared, reading)
-    ruler.show_from_tip(axes, length, telling)
-    axes.set_xlabel(f"{telling.place_long} from the {telling.words.tip}", labelpad=2)
+    ruler.show_from_tip(axes, length, reading)
+    axes.set_xlabel(from_the_tip(compared[0].analysis.bat, reading), labelpad=2)
     axes.set_yticks([])
     axes.spines["left"].set_visible(False)
     axes.set_ylim(-len(compared) + 0.3, 0.7)

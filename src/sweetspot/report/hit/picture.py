@@ -9,33 +9,24 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
 
 from sweetspot.collision.impact import Impact
+from sweetspot.equipment.sport import Words
+from sweetspot.report.hit.ledger import ENERGY_NAMES
 from sweetspot.report.pictures.style import INK, MUTED, NORMAL, axes_in_inches, halo, heading, light_grid, styled
-from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY
+from sweetspot.report.quantities import RED
 from sweetspot.units import INCH, POUND_FORCE
 
-ENERGY_NAMES = {
-    "ball": ("ball, flying back", RED),
-    "heat": ("heat in the ball", MUTED),
-    "translation": ("bat, pushed back", BLUE),
-    "rotation": ("bat, turned", SKY),
-    "bending": ("bat, bending vibration", PURPLE),
-    "hoop": ("bat, barrel vibration", ORANGE),
-    "face": ("face, vibration", ORANGE),
-    "damping": ("heat in bat and hands", GREEN),
-}
-"""Field of `EnergyLedger`: (what the picture calls it, colour)."""
-
+BASEBALL = Words()
 WIDTH, HEIGHT = 8.5, 4.75
 """Inches of paper."""
 
 
 @styled
-def hit_figure(impact: Impact) -> Figure:
+def hit_figure(impact: Impact, words: Words = BASEBALL) -> Figure:
     """Return force against time, force against compression, and the energy ledger of one hit."""
     figure = Figure(figsize=(WIDTH, HEIGHT))
     force_in_time(axes_in_inches(figure, left=0.8, top=0.35, width=3.55, height=1.85), impact)
     force_loop(axes_in_inches(figure, left=5.35, top=0.35, width=2.35, height=1.85), impact)
-    energy_ledger(axes_in_inches(figure, left=2.3, top=2.95, width=5.4, height=1.65), impact)
+    energy_ledger(axes_in_inches(figure, left=2.3, top=2.95, width=5.4, height=1.65), impact, words)
     return figure
 
 
@@ -91,26 +82,27 @@ def force_loop(axes: Axes, impact: Impact) -> None:
         textcoords="offset points", ha="right", weight="bold",
     )  # fmt: skip
     axes.text(
-        0.68 * float(squeeze.max()), 0.24 * float(force.max()), f"{impact.energy.heat:.0f} J\nto heat",
+        0.68 * float(squeeze.max()), 0.24 * float(force.max()), f"{_joules(impact.energy.heat)}\nto heat",
         ha="center", va="center", size=NORMAL,
     )  # fmt: skip
 
 
 @styled
-def energy_ledger(axes: Axes, impact: Impact) -> None:
+def energy_ledger(axes: Axes, impact: Impact, words: Words) -> None:
     """Draw where the incoming energy went as a waterfall, with J and per cent on every step."""
     energy = impact.energy
     parts = [(name, getattr(energy, name)) for name in ENERGY_NAMES if getattr(energy, name) > 0]
-    heading(axes, "Where the energy goes", f"{energy.incoming:.0f} J come in")
-    reached = 0.0
+    heading(axes, "Where the energy goes", f"{_joules(energy.incoming)} come in")
+    reached, digits = 0.0, 1 if energy.incoming > 20 else 3
     for row, (name, joules) in enumerate(parts):
-        words, colour = ENERGY_NAMES[name]
+        called, colour = ENERGY_NAMES[name]
+        called = called.format(**words.model_dump())
         axes.barh(-row, joules, left=reached, height=0.62, color=colour)
         if row:
             axes.plot([reached, reached], [-row - 0.31, -row + 1.31], color=MUTED, linewidth=0.6)
         reached += joules
-        axes.text(-0.015 * energy.incoming, -row, words, ha="right", va="center_baseline", clip_on=False)
-        label = f"{joules:.1f} J   {100 * joules / energy.incoming:.1f} %"
+        axes.text(-0.015 * energy.incoming, -row, called, ha="right", va="center_baseline", clip_on=False)
+        label = f"{joules:.{digits}f} J   {100 * joules / energy.incoming:.1f} %"
         fits = reached < 0.76 * energy.incoming
         place = reached + 0.012 * energy.incoming if fits else reached - joules - 0.012 * energy.incoming
         axes.text(
@@ -130,3 +122,7 @@ def _to_pounds(force: ArrayLike) -> ArrayLike:
 
 def _from_pounds(force: ArrayLike) -> ArrayLike:
     return np.asarray(force) * POUND_FORCE
+
+
+def _joules(energy: float) -> str:
+    return f"{energy:.0f} J" if energy >= 10 else f"{energy:.2g} J"

@@ -10,19 +10,12 @@ from matplotlib.axes import Axes
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
-from sweetspot.report.pictures.conditions_line import told
-from sweetspot.report.pictures.style import INK, MUTED, NORMAL, PAPER, SMALL, SPOT_COLOURS, ZONE_INK
-from sweetspot.units import INCH
-
-SPOT_LABELS = {
-    "max_exit_speed": "fastest ball",
-    "max_collision_efficiency": "greatest efficiency q",
-    "min_sting": "least sting",
-    "node_1": "node of mode 1",
-    "node_2": "node of mode 2",
-    "center_of_percussion": "centre of percussion",
-}
-"""What a label on the drawing calls each field of `SweetSpots`."""
+from sweetspot.report.pictures.ruler import from_the_tip
+from sweetspot.report.pictures.style import INK, MUTED, NORMAL, PAPER, SMALL, ZONE_INK
+from sweetspot.report.quantities import Reader
+from sweetspot.report.sentences import Slot
+from sweetspot.report.sport_words import words_of
+from sweetspot.report.sweet_spots import SPOTS
 
 ROW, GAP, NUMBER = 0.175, 0.14, 0.42
 """Inches of paper: from label to label, from the bat to the lowest one, and for the number in a label."""
@@ -43,19 +36,13 @@ def ladder(analysis: Analysis[Implement]) -> tuple[list[Mark], list[Mark]]:
     crosses another, however close the places are.
     """
     spots = analysis.sweet_spots
-    marks = sorted((Mark(field, getattr(spots, field)) for field in SPOT_LABELS), key=lambda mark: mark.place)
+    marks = sorted((Mark(field, getattr(spots, field)) for field in SPOTS), key=lambda mark: mark.place)
     middle = analysis.bat.length / 2
     left = [mark for mark in reversed(marks) if mark.place < middle]
     return left, [mark for mark in marks if mark.place >= middle]
 
 
-def from_the_tip(analysis: Analysis[Implement]) -> str:
-    """Return what the numbers beside the marks count: "inches from the tip"."""
-    telling = told(analysis.bat)
-    return f"{telling.place_long} from the {telling.words.tip}"
-
-
-def draw_marks(axes: Axes, analysis: Analysis[Implement], scale: float, *, top: float) -> None:
+def draw_marks(axes: Axes, analysis: Analysis[Implement], reading: Reader, scale: float, *, top: float) -> None:
     """Draw a dot on the bat for every sweet spot, and lead each to its label.
 
     Parameters
@@ -70,7 +57,7 @@ def draw_marks(axes: Axes, analysis: Analysis[Implement], scale: float, *, top: 
         level = top - (len(marks) - number - 0.5 + 1) * ROW * scale
         radius = float(analysis.bat.width_at(mark.place)) / 2
         dot = radius * (0.72 - 1.44 * number / (len(marks) - 1))
-        colour = SPOT_COLOURS[mark.field]
+        colour = SPOTS[mark.field].colour
         ahead = mark in right
         start = column if ahead else mark.place + GAP * scale
         axes.plot(
@@ -80,21 +67,19 @@ def draw_marks(axes: Axes, analysis: Analysis[Implement], scale: float, *, top: 
         axes.plot(
             mark.place, dot, "o", color=colour, markersize=5.2, markeredgecolor=PAPER, markeredgewidth=0.8, zorder=4
         )
-        _label(axes, analysis, mark, (start, level), scale, ahead=ahead)
+        distance = reading.number(analysis.bat.length - mark.place, "place")
+        _label(axes, distance, mark, (start, level), scale, ahead=ahead)
     if right:
         axes.text(
-            column - 0.06 * scale, top - 0.5 * ROW * scale, from_the_tip(analysis), ha="right", va="center_baseline",
-            color=MUTED, size=SMALL,
+            column - 0.06 * scale, top - 0.5 * ROW * scale, from_the_tip(analysis.bat, reading), ha="right",
+            va="center_baseline", color=MUTED, size=SMALL,
         )  # fmt: skip
 
 
-def _label(
-    axes: Axes, analysis: Analysis[Implement], mark: Mark, at: tuple[float, float], scale: float, *, ahead: bool
-) -> None:
-    distance = f"{(analysis.bat.length - mark.place) / told(analysis.bat).place_size:.1f}"
+def _label(axes: Axes, distance: str, mark: Mark, at: tuple[float, float], scale: float, *, ahead: bool) -> None:
     place, level = at
     best = mark.field == "max_exit_speed"
-    name, step = SPOT_LABELS[mark.field], 0.06 * scale
+    name, step = SPOTS[mark.field].label, 0.06 * scale
     look: dict[str, Any] = {"va": "center_baseline", "color": INK, "size": NORMAL, "zorder": 5}
     weight = "bold" if best else "normal"
     if ahead:
@@ -105,7 +90,7 @@ def _label(
         axes.text(place + step + NUMBER * scale, level, name, ha="left", weight=weight, **look)
 
 
-def draw_notes(axes: Axes, analysis: Analysis[Implement], scale: float, *, bottom: float) -> None:
+def draw_notes(axes: Axes, analysis: Analysis[Implement], reading: Reader, scale: float, *, bottom: float) -> None:
     """Draw what is below the bat: zone and its width, balance point, hands, and what was drilled.
 
     Parameters
@@ -115,11 +100,10 @@ def draw_notes(axes: Axes, analysis: Analysis[Implement], scale: float, *, botto
     """
     bat, body = analysis.bat, analysis.body
     upper, lower = bottom + 0.42 * scale, bottom + 0.16 * scale
-    _zone(axes, analysis, upper, lower)
+    _zone(axes, analysis, reading, upper, lower)
     below = -float(bat.width_at(body.balance_point)) / 2 - 0.08 * scale
     axes.plot(body.balance_point, below, "^", color=INK, markersize=6, zorder=4, clip_on=False)
-    telling = told(bat)
-    balance = f"balance {telling.place(body.balance_point)} from the {telling.words.butt}"
+    balance = f"balance {reading.shown(body.balance_point, 'place')} from the {words_of(bat).butt}"
     axes.text(
         body.balance_point - 0.12 * scale, upper, balance, ha="right", va="center_baseline", color=MUTED, size=SMALL
     )
@@ -128,43 +112,47 @@ def draw_notes(axes: Axes, analysis: Analysis[Implement], scale: float, *, botto
         reach = float(bat.width_at(place)) / 2 + 0.05 * scale
         axes.plot([place, place], [-reach, reach], color=MUTED, linewidth=1.2, linestyle=(0, (1.5, 1.5)), zorder=3)
     axes.text(sum(hands) / 2, upper, "hands", ha="center", va="center_baseline", color=MUTED, size=SMALL)
-    note = _inside_note(analysis)
+    note = _inside_note(analysis, reading)
     if note:
         axes.text(
             body.balance_point - 0.12 * scale, lower, note, ha="right", va="center_baseline", color=MUTED, size=SMALL
         )
 
 
-def _zone(axes: Axes, analysis: Analysis[Implement], upper: float, lower: float) -> None:
-    zone, length = analysis.sweet_spots.zone, analysis.bat.length
+def _zone(axes: Axes, analysis: Analysis[Implement], reading: Reader, upper: float, lower: float) -> None:
+    zone, length, words = analysis.sweet_spots.zone, analysis.bat.length, words_of(analysis.bat)
     look: dict[str, Any] = {"ha": "center", "va": "center_baseline", "size": NORMAL, "zorder": 5}
     if zone is None:
-        axes.text(0.8 * length, lower, f"no {told(analysis.bat).words.zone}", color=MUTED, **look)
+        axes.text(0.8 * length, lower, f"no {words.zone}", color=MUTED, **look)
         return
     axes.annotate(
         "", (zone[0], upper), (zone[1], upper),
         arrowprops={"arrowstyle": "<->", "color": ZONE_INK, "linewidth": 1.0, "shrinkA": 0, "shrinkB": 0,
                     "mutation_scale": 8},
     )  # fmt: skip
-    telling = told(analysis.bat)
-    width = telling.place(zone[1] - zone[0])
+    width = reading.shown(zone[1] - zone[0], "place")
     axes.text(
-        (zone[0] + zone[1]) / 2, lower, f"{telling.words.zone} {width}", color=ZONE_INK, weight="bold", **look,
+        (zone[0] + zone[1]) / 2, lower, f"{words.zone} {width}", color=ZONE_INK, weight="bold", **look,
     )  # fmt: skip
 
 
-def _inside_note(analysis: Analysis[Implement]) -> str:
+def _inside_note(analysis: Analysis[Implement], reading: Reader) -> str:
     """Say what the section shows."""
     bat = analysis.bat
     if not isinstance(bat, Bat):
         return ""
+
+    def size(value: float) -> str:
+        return Slot(value, "length").read(reading)
+
     notes = []
     for bore in bat.bores:
         fill = f"filled with {bore.fill.name}" if bore.fill else "empty"
-        notes.append(f"hole {bore.diameter / INCH:.2g} in wide, {bore.depth / INCH:.3g} in deep, {fill}")
+        notes.append(f"hole {size(bore.diameter)} wide, {size(bore.depth)} deep, {fill}")
     if bat.cup is not None:
-        notes.append(f"cup {bat.cup.diameter / INCH:.2g} in wide, {bat.cup.depth / INCH:.2g} in deep")
+        notes.append(f"cup {size(bat.cup.diameter)} wide, {size(bat.cup.depth)} deep")
     if bat.shell is not None:
-        walls = [1e3 * wall for _, wall in bat.shell.wall]
-        notes.append(f"{bat.material.name}, wall {min(walls):.1f} to {max(walls):.1f} mm")
+        walls = [wall for _, wall in bat.shell.wall]
+        least = reading.number(min(walls), "compression")
+        notes.append(f"{bat.material.name}, wall {least} to {reading.shown(max(walls), 'compression')}")
     return "; ".join(notes)

@@ -6,12 +6,16 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.markers import TICKDOWN
 
-from sweetspot.report.pictures.conditions_line import Told
+from sweetspot.equipment.implement import Implement
 from sweetspot.report.pictures.style import MUTED
+from sweetspot.report.quantities import Reader
+from sweetspot.report.sport_words import words_of
 
 MARGIN = 0.02
 """Empty part of the bat's length at either end of the axis."""
 CENTIMETRE_STEP = 10
+TICKS = {"in": ("inches", 3), "cm": ("centimetres", 10)}
+"""By the unit of places: its name in full, and how many of them lie between ticks."""
 
 
 def set_limits(axes: Axes, length: float) -> None:
@@ -24,10 +28,11 @@ def metres_per_inch_of_paper(length: float, width: float) -> float:
     return (1 + 2 * MARGIN) * length / width
 
 
-def show_from_tip(axes: Axes, length: float, telling: Told, *, labels: bool = True) -> None:
+def show_from_tip(axes: Axes, length: float, reading: Reader, *, labels: bool = True) -> None:
     """Put ticks every few inches or centimetres from the tip, as people count."""
-    size = telling.place_size
-    counts = np.arange(0, length / size + 1e-6, telling.tick_step)
+    unit = reading.units["place"]
+    size = unit.size
+    counts = np.arange(0, length / size + 1e-6, TICKS[unit.name][1])
     names = [f"{value:.0f}" for value in counts] if labels else [""] * len(counts)
     axes.set_xticks(length - counts * size, names)
     if labels:  # a mark for every unit, as one line: matplotlib's own minor ticks take a tenth of a second
@@ -36,6 +41,11 @@ def show_from_tip(axes: Axes, length: float, telling: Told, *, labels: bool = Tr
             places, np.zeros_like(places), linestyle="", marker=TICKDOWN, markersize=1.8, markeredgewidth=0.5,
             color=MUTED, transform=axes.get_xaxis_transform(), clip_on=False, scalex=False, scaley=False,
         )  # fmt: skip
+
+
+def from_the_tip(implement: Implement, reading: Reader) -> str:
+    """Return what the numbers along an implement count: "inches from the tip"."""
+    return f"{TICKS[reading.unit('place')][0]} from the {words_of(implement).tip}"
 
 
 def show_centimetres(axes: Axes, length: float, *, offset: float, butt: str = "knob end") -> Axes:

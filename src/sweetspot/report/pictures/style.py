@@ -25,16 +25,6 @@ Result = TypeVar("Result")
 INK, MUTED, GRID, PAPER = "#1d232a", "#59636e", "#dfe3e7", "#ffffff"
 ZONE, ZONE_EDGE, ZONE_INK = "#e2f1e7", "#86b99a", "#2b6645"
 
-SPOT_COLOURS = {
-    "max_exit_speed": RED,
-    "max_collision_efficiency": ORANGE,
-    "min_sting": PURPLE,
-    "node_1": SKY,
-    "node_2": BLUE,
-    "center_of_percussion": GREEN,
-}
-"""One colour per field of `SweetSpots`, the same in every picture."""
-
 PAGE_COLOURS = {
     INK: "ink", MUTED: "muted", GRID: "grid", PAPER: "paper", ZONE: "zone", ZONE_EDGE: "zone-edge",
     ZONE_INK: "zone-ink", BLUE: "blue", SKY: "sky", GREEN: "green", ORANGE: "orange", RED: "red", PURPLE: "purple",

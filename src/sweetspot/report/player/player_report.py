@@ -16,8 +16,9 @@ from sweetspot.player.goal import Goal
 from sweetspot.player.posterior import Learned, Posterior
 from sweetspot.player.prior import PARAMETERS
 from sweetspot.player.swings import Swings
+from sweetspot.report.bat.json import bat_json
 from sweetspot.report.bat.table import names_table
-from sweetspot.report.json_shapes import bat_json, cleaned
+from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.player.units import scale
 from sweetspot.report.player.words import answers, facts, findings, notes, shown
 from sweetspot.units import MPH, OUNCE, OUNCE_INCH_SQUARED

@@ -20,7 +20,8 @@ from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.motion.ball_motion import BallMotion
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_path import SwingPath
-from sweetspot.report.json_shapes import bat_json, conditions_json
+from sweetspot.report.bat.json import bat_json
+from sweetspot.report.hit.json import conditions_json
 from sweetspot.units import INCH
 from sweetspot.web.bat_outline import outline
 from sweetspot.web.bats import ball_of, conditions_of, reduced

@@ -18,7 +18,8 @@ from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.motion.swing import Conditions, Hands
 from sweetspot.numerics.arrays import Array
-from sweetspot.report.json_shapes import bat_json, conditions_json
+from sweetspot.report.bat.json import bat_json
+from sweetspot.report.hit.json import conditions_json
 from sweetspot.units import INCH
 from sweetspot.web.bat_outline import outline
 from sweetspot.web.bats import ball_of, conditions_of, reduced

@@ -17,7 +17,7 @@ from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.tap import tapped
 from sweetspot.motion.swing import Hands
 from sweetspot.numerics.arrays import Array
-from sweetspot.report.json_shapes import bat_json
+from sweetspot.report.bat.json import bat_json
 from sweetspot.units import INCH
 from sweetspot.web.bat_outline import outline
 from sweetspot.web.bats import ball_of, conditions_of, reduced

@@ -21,7 +21,9 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.paper import formulas as paper
 from sweetspot.paper.chain import PARTS, Choices, can_be_drilled, corked_analysis, metal_wall_point
 from sweetspot.paper.formulas import Row
-from sweetspot.report.json_shapes import bat_json, cleaned, conditions_json
+from sweetspot.report.bat.json import bat_json
+from sweetspot.report.hit.json import conditions_json
+from sweetspot.report.json_shapes import cleaned
 from sweetspot.units import INCH
 from sweetspot.web.bat_outline import outline
 from sweetspot.web.bats import ball_of, conditions_of, reduced

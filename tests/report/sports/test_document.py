@@ -14,10 +14,11 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.implement import Implement
+from sweetspot.report.bat.document import report_document
 from sweetspot.report.bat.figure import report_figure
-from sweetspot.report.bat.html import write_report
+from sweetspot.report.files import write_document
+from sweetspot.report.html import page
 from sweetspot.report.pictures.files import svg_bytes
-from sweetspot.report.sports.html import sport_page
 
 Run = Callable[..., tuple[int, str, str]]
 
@@ -29,13 +30,14 @@ def racket() -> Analysis[Implement]:
 
 
 def test_the_page_speaks_the_sports_language(racket: Analysis[Implement], tmp_path: Path) -> None:
-    written = write_report(racket, tmp_path)
-    page = (tmp_path / "report.html").read_text(encoding="utf-8")
-    assert [path.name for path in written] == ["report.html", "report.png", "report.svg", "report.json"]
-    visible = re.sub(r"<style>.*?</style>|<svg.*?</svg>|<[^>]+>", " ", page, flags=re.DOTALL)
-    visible = visible[: visible.index("Where the constants come from")]
+    document = report_document(racket)
+    written = write_document(document, tmp_path, reader=document.reader)
+    text = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert [path.name for path in written] == ["report.html", "report.json", "report.png", "report.svg"]
+    visible = re.sub(r"<style>.*?</style>|<svg.*?</svg>|<[^>]+>", " ", text, flags=re.DOTALL)
+    visible = visible[: visible.index("Beside published values")]
     assert "This racket hits best" in visible and "All over the face" in visible and "power zone" in visible
-    assert "320 kg cm^2" in visible and "m/s" in visible
+    assert "320 kg cm²" in visible and "m/s" in visible
     assert " mph" not in visible and " bat " not in visible and "from the knob" not in visible
 
 
@@ -51,11 +53,11 @@ def test_the_pictures_axis_counts_in_centimetres(racket: Analysis[Implement]) ->
 @pytest.mark.parametrize("name", ["golf-driver", "table-tennis-racket", "cricket-bat", "hockey-stick"])
 def test_every_sport_has_a_page(name: str) -> None:
     found: Implement = catalog.implement(name)
-    done = analyse(found, standard_conditions(found))
-    page = sport_page(done, overview=b"<svg></svg>", hit=b"<svg></svg>")
-    assert "nan" not in re.sub(r"<[^>]+>", " ", page).split()
-    assert ("smash factor" in page) == (name == "golf-driver")
-    assert ("inverted rubber on sponge" in page) == (name == "table-tennis-racket")
+    document = report_document(analyse(found, standard_conditions(found)))
+    text = page(document, document.reader)
+    assert "nan" not in re.sub(r"<[^>]+>", " ", text).split()
+    assert ("smash factor" in text) == (name == "golf-driver")
+    assert ("inverted rubber on sponge" in text) == (name == "table-tennis-racket")
 
 
 def test_json_has_the_map_and_the_swing_weight(run: Run) -> None:

@@ -1,0 +1,57 @@
+"""`sweetspot pendulum`: a hanging bat's period and its moment of inertia."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from cyclopts import Parameter
+
+from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
+from sweetspot.errors import InputError
+
+
+def pendulum(
+    *,
+    mass: Annotated[str, Parameter(help="Weight of the bat, for example 31oz.")],
+    balance_point: Annotated[str, Parameter(help="Balance point from the knob end, for example 22.4in.")],
+    period: Annotated[str | None, Parameter(help="Time of one full swing to and fro, for example 1.57s.")] = None,
+    moi: Annotated[str | None, Parameter(help="Moment of inertia about --pivot; gives the period instead.")] = None,
+    pivot: Annotated[str, Parameter(help="Where the bat hangs, from the knob end.")] = "6in",
+    output: OutputOptions = DEFAULT_OUTPUT,
+) -> int:
+    """Turn the period of a hanging bat into its moment of inertia, or back, as laboratories measure it."""
+    from sweetspot.cli.output import present
+    from sweetspot.dynamics import rigid
+    from sweetspot.report.document import Cell, Column, Document, Table
+    from sweetspot.report.sentences import Slot, say
+    from sweetspot.units import OUNCE_INCH_SQUARED, parse
+
+    if (period is None) == (moi is None):
+        raise InputError("give either --period or --moi, and only one of them")
+    weight, balance = parse(mass, "mass", "--mass"), parse(balance_point, "length", "--balance-point")
+    axis = parse(pivot, "length", "--pivot")
+    if not weight > 0:
+        raise InputError(f"--mass was given as {mass}; allowed is a weight above zero")
+    if moi is not None:
+        inertia = parse(moi, "moi", "--moi")
+        seconds = rigid.pendulum_period(inertia, mass=weight, balance_point=balance, pivot=axis)
+    else:
+        assert period is not None  # one of the two was given
+        seconds = parse(period, "time", "--period")
+        inertia = rigid.moi_from_pendulum(seconds, mass=weight, balance_point=balance, pivot=axis)
+    percussion = axis + inertia / (weight * (balance - axis))
+    about = say("moment of inertia about {pivot}", pivot=Slot(axis, "place", round=True))
+    rows: list[tuple[Cell, Cell]] = [
+        ("period", Slot(seconds, "time", 4)),
+        (about, Slot(inertia, "moi")),
+        ("centre of percussion, from the knob end", Slot(percussion, "length")),
+    ]
+    data = {
+        "period_s": seconds, "moi_kg_m2": inertia, "moi_oz_in2": inertia / OUNCE_INCH_SQUARED, "pivot_m": axis,
+        "center_of_percussion_m": percussion,
+    }  # fmt: skip
+    document = Document(
+        name="pendulum", title="Pendulum", blocks=[Table("", [Column(""), Column("value", right=True)], rows)],
+        data=data, rows={name: [value] for name, value in data.items()},
+    )  # fmt: skip
+    return present(document, output)

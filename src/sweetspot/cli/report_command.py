@@ -1,0 +1,47 @@
+"""`sweetspot report`: where a bat hits best, and why."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from cyclopts import Parameter
+
+from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
+from sweetspot.cli.options.swing import SwingOptions
+from sweetspot.cli.options.uncertainty import Uncertainty, with_doubt_of
+
+DEFAULT_SWING = SwingOptions()
+
+
+def report(
+    bat: Annotated[str, Parameter(help="Name in the catalogue (see `sweetspot bats`) or a TOML file.")] = "r161-ash",
+    /,
+    *,
+    appendix: Annotated[
+        bool, Parameter(negative="", help="Print tables, constants and sources after the one page of --out.")
+    ] = False,
+    uncertainty: Uncertainty = False,
+    swing: SwingOptions = DEFAULT_SWING,
+    output: OutputOptions = DEFAULT_OUTPUT,
+) -> int:
+    """Say where a bat hits best, why there and not at the end, and what each inch of miss costs."""
+    from sweetspot import catalog
+    from sweetspot.analysis.bat_analysis import analyse
+    from sweetspot.cli.options.swing import conditions_for
+    from sweetspot.cli.output import patience, present
+    from sweetspot.report.bat.document import report_document
+
+    if output.out is not None:
+        from sweetspot.report.files import check_folder, files_of
+
+        check_folder(output.out, files_of("report"))
+    implement = catalog.load_implement(bat)
+    with patience():
+        analysis = analyse(implement, conditions_for(implement, swing))
+        document = report_document(analysis)
+        if uncertainty:
+            document = with_doubt_of(
+                document, bat, line=analysis.line, conditions=analysis.conditions, length=implement.length,
+                at=analysis.sweet_spots.max_exit_speed, along=True,
+            )  # fmt: skip
+    return present(document, output, long=appendix)

@@ -1,0 +1,143 @@
+"""The report of an implement of any sport as a document: one sheet with the answer, then tables, limits and sources."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+from typing import Any
+
+from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
+from sweetspot.analysis.face_maps import face_map
+from sweetspot.catalog.sports import sport
+from sweetspot.equipment.implement import Implement
+from sweetspot.report.bat.appendix import assumptions_section, constants_section
+from sweetspot.report.bat.beside_published import chosen, published_section
+from sweetspot.report.bat.json import report_json
+from sweetspot.report.bat.provenance import sources_of, used_records
+from sweetspot.report.bat.tables import (
+    along_table,
+    conditions_table,
+    mass_table,
+    misses_table,
+    modes_table,
+    spots_table,
+)
+from sweetspot.report.bat.words import WHY_TWO, Miss, answer, from_tip, misses_of
+from sweetspot.report.document import Block, Cards, Document, Paragraph, Picture, Section, Sources
+from sweetspot.report.hit.document import BattedHit, hit_picture, hit_table
+from sweetspot.report.quantities import Reader
+from sweetspot.report.sentences import Sentence, Slot, Words, joined, say
+from sweetspot.report.sport_words import in_words, reader_of, words_of
+
+COLUMNS, ROWS = 120, 90
+"""Places of the maps of a face: enough for the eye."""
+
+
+def report_document(analysis: Analysis[Implement]) -> Document:
+    """Return the report of an analysis as a document."""
+    bat, misses, data = analysis.bat, misses_of(analysis), report_json(analysis)
+    overview = _overview(analysis)
+    return Document(
+        name="report", title=bat.name, subtitle=_sizes(analysis), kind=f"{sport(bat.sport).name}: sweet spot report",
+        blocks=[_cards(analysis, misses), *(Paragraph(words) for words in answer(analysis, misses)), overview],
+        details=_details(analysis), appendix=_appendix(analysis, misses), data=data, rows=data["scan"],
+        reader=reader_of(bat), drawing=overview,
+    )  # fmt: skip
+
+
+def _sizes(analysis: Analysis[Implement]) -> Sentence:
+    bat, body = analysis.bat, analysis.body
+    return in_words(
+        "{length} long, {mass}, {made_of}, balance {balance} from the {butt}", words_of(bat),
+        length=Slot(bat.length, "length"), mass=Slot(body.mass, "mass"), made_of=bat.made_of,
+        balance=Slot(body.balance_point, "place"),
+    )  # fmt: skip
+
+
+def _cards(analysis: Analysis[Implement], misses: Sequence[Miss]) -> Cards:
+    """Return the few numbers that everybody asks for."""
+    spots, words = analysis.sweet_spots, words_of(analysis.bat)
+    width: Words | Slot = "none" if spots.zone is None else Slot(spots.zone[1] - spots.zone[0], "place")
+    cards: list[tuple[Words | Slot, Words]] = [
+        (from_tip(analysis, spots.max_exit_speed), in_words("from the {tip}: where it hits best", words)),
+        (Slot(exit_speed_of(analysis.best, analysis.conditions), "speed"), f"{words.exit_speed} of the best hit"),
+        (width, in_words("wide: the {zone}, fast and quiet", words)),
+    ]
+    if len(misses) > 1:
+        miss = misses[1]
+        worse = miss.inside if miss.outside.value != miss.outside.value else max(miss.inside, miss.outside)
+        low, high = Slot(worse.low, "speed").bare, Slot(worse.high, "speed").bare
+        missed = Slot(miss.distance, "place", round=True)
+        told = say("for missing it by {missed} ({low} to {high})", missed=missed, low=low, high=high)
+        cards.append((Slot(-worse.value, "speed"), told))
+    return Cards([(joined([number]), words) for number, words in cards])
+
+
+def _overview(analysis: Analysis[Implement]) -> Picture:
+    words = words_of(analysis.bat)
+    label = in_words(
+        "{name} drawn to scale, its sweet spots marked. Below it curves of exit speed, collision efficiency, jolt at "
+        "the hand, sting and bending modes along it. {exit_speed} is greatest, {speed}, {place} from the {tip}.", words,
+        name=analysis.bat.name, speed=Slot(exit_speed_of(analysis.best, analysis.conditions), "speed"),
+        place=from_tip(analysis, analysis.sweet_spots.max_exit_speed),
+    )  # fmt: skip
+    caption = in_words(
+        "The {implement} to scale and, place for place, what a hit there does. Shaded: the {zone}.", words
+    )
+    return Picture("overview", partial(_drawn_overview, analysis), label, caption)
+
+
+def _drawn_overview(analysis: Analysis[Implement], reading: Reader) -> Any:
+    from sweetspot.report.bat.figure import report_figure
+
+    return report_figure(analysis, reading)
+
+
+def _details(analysis: Analysis[Implement]) -> list[Block]:
+    """Return the tables, which terminals show too."""
+    words = words_of(analysis.bat)
+    best = BattedHit(analysis.bat, analysis.body, analysis.conditions, analysis.best)
+    caption = in_words(
+        "Left: the force between {ball} and {implement}. Right: the same force against the {ball}'s compression; the "
+        "area inside the loop is heat. Below: the energy as a laboratory counts it that fires the {ball} at a "
+        "{implement} at rest, where a {ball} that flies back slowly has little energy left.", words,
+    )  # fmt: skip
+    where = in_words("The best hit, {place} from the {tip}", words, place=from_tip(analysis, analysis.best.position))
+    return [
+        Section("sweet-spots", "Every sweet spot", [spots_table(analysis)]),
+        Section("along", f"Along the {words.implement}", [along_table(analysis)]),
+        Section("mass", "Weight and balance", [mass_table(analysis)]),
+        Section("modes", "How it rings", [modes_table(analysis)]),
+        Section("best-hit", where, [hit_table(best), hit_picture(analysis.best, words, caption)]),
+        Section("conditions", "Conditions", [conditions_table(analysis)]),
+    ]
+
+
+def _appendix(analysis: Analysis[Implement], misses: Sequence[Miss]) -> list[Block]:
+    """Return what only an opened page shows: maps, misses, limits, published numbers, constants, sources."""
+    face, published = analysis.bat.face, chosen(analysis.bat.sport)
+    keys = sources_of(used_records(analysis)) + [result.source for result in published]
+    return [
+        *([] if face is None else [Section("face-map", "All over the face", [_face_picture(analysis)])]),
+        *([Section("misses", "What a miss costs", [misses_table(misses, analysis.bat), Paragraph(WHY_TWO)])]
+          if misses else []),
+        assumptions_section(analysis), *published_section(published), constants_section(analysis),
+        Section("sources", "Sources", [Sources(sorted(set(keys)))]),
+    ]  # fmt: skip
+
+
+def _face_picture(analysis: Analysis[Implement]) -> Picture:
+    caption = in_words(
+        "Hits all over the face, handle to the left: {exit_speed}, efficiency and vibration at the hand. The dot is "
+        "the best place. A hit beside the line also turns the face, which sends the {ball} off at an angle: that is "
+        "not in these maps.", words_of(analysis.bat),
+    )  # fmt: skip
+    label = f"Three maps of the face of {analysis.bat.name}: exit speed, efficiency and sting."
+    return Picture("face", partial(_drawn_face, analysis), label, caption)
+
+
+def _drawn_face(analysis: Analysis[Implement], reading: Reader) -> Any:
+    from sweetspot.report.bat.face_picture import face_figure
+
+    hits = face_map(analysis.reduced, analysis.conditions, columns=COLUMNS, rows=ROWS)
+    return face_figure(hits, analysis.bat, reading)

@@ -1,0 +1,56 @@
+"""The catalogue as a document: bats, and what other sports hit with."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sweetspot import catalog
+from sweetspot.catalog.sports import sport, sport_names
+from sweetspot.catalog.swing_weights import swing_weight
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.outline_doubt import moi_doubt
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.report.bat.json import bat_json
+from sweetspot.report.document import Cell, Column, Document, Table
+from sweetspot.report.json_shapes import as_columns
+from sweetspot.report.sentences import Slot, with_doubt
+from sweetspot.report.sport_words import reader_of
+
+
+def catalogue_document() -> Document:
+    """Return the catalogue's bats with weight, balance and swing weight, and a short table of every other implement."""
+    bats = [(key, catalog.bat(key)) for key in catalog.bat_names()]
+    rows: list[dict[str, Any]] = []
+    for key, bat in bats:
+        body = rigid_body(beam_model(bat))
+        doubt = {"moi_6in_doubt_kg_m2": moi_doubt(bat, body, STANDARD_AXIS)}
+        rows.append({"key": key, **bat_json(bat.name, bat.length, body), **doubt})
+    columns = [
+        Column("name"), Column("what"), Column("length", "length", 1), Column("mass", "mass"),
+        Column("balance point", "length"), Column("moment of inertia about 6 in", right=True),
+    ]  # fmt: skip
+    keys = ("key", "name", "length_m", "mass_kg", "balance_point_m")
+    cells: list[list[Cell]] = [
+        [*(row[key] for key in keys), with_doubt(row["moi_6in_kg_m2"], row["moi_6in_doubt_kg_m2"], "moi")]
+        for row in rows
+    ]
+    return Document(
+        name="bats", title="Bats of the catalogue", kind="Catalogue",
+        blocks=[Table("", columns, cells), _others({key for key, _ in bats})], data={"bats": rows},
+        rows=as_columns(rows), reader=reader_of(bats[0][1]),
+    )  # fmt: skip
+
+
+def _others(bats: set[str]) -> Table:
+    """Return what other sports hit with, each in the words of its sport."""
+    columns = [Column("name"), Column("what"), Column("sport"), Column("length", right=True),
+               Column("mass", right=True), Column("swing weight", right=True)]  # fmt: skip
+    rows: list[list[Cell]] = []
+    for key in (key for name in sport_names() for key in sport(name).implements if key not in bats):
+        implement = catalog.implement(key)
+        body = rigid_body(beam_model(implement))
+        convention = swing_weight(implement.sport)
+        rows.append([key, implement.name, implement.sport, Slot(implement.length, "place"), Slot(body.mass, "mass"),
+                     convention.shown(body)])  # fmt: skip
+    return Table("Of other sports", columns, rows)

@@ -1,0 +1,167 @@
+"""The tables of a report, for any sport: spots, hits along it, weight, vibration, conditions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from sweetspot.analysis.bat_analysis import Analysis
+from sweetspot.analysis.sweet_spot import ZONE_LOSS, ZONE_STING
+from sweetspot.catalog.swing_weights import swing_weight
+from sweetspot.dynamics.modes import Family
+from sweetspot.dynamics.outline_doubt import moi_doubt
+from sweetspot.dynamics.swing_weight import SwingWeight
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.report.bat.words import Miss, cost, from_tip
+from sweetspot.report.document import Cell, Column, Marked, Table
+from sweetspot.report.sentences import Slot, UnitName, joined, say, with_doubt
+from sweetspot.report.sport_words import in_words, weight, words_of
+from sweetspot.report.sweet_spots import SPOTS
+from sweetspot.units import INCH, MPH
+
+MOST_STATIONS = 18
+"""Places shown along an implement."""
+STEPS = {"in": (INCH,), "cm": (0.01, 0.02, 0.05, 0.1)}
+"""m between them, by the unit in which a sport's people read places."""
+SHOWN_MODES: dict[Family, int] = {"bending": 5, "hoop": 3, "face": 2}
+"""By family."""
+
+
+def spots_table(analysis: Analysis[Implement]) -> Table:
+    """Return every meaning of "sweet spot" with its place."""
+    words, spots, length = words_of(analysis.bat), analysis.sweet_spots, analysis.bat.length
+    ends = [(words.tip, length), (words.butt, 0.0)]
+    heads = [Column(say("{unit} from the {end}", unit=UnitName("place"), end=end), right=True) for end, _ in ends]
+    rows: list[list[Cell]] = []
+    for field, spot in SPOTS.items():
+        place = getattr(spots, field)
+        numbers = [Slot(abs(place - end), "place").bare for _, end in ends]
+        rows.append([Marked(spot.named(words), field), *numbers, spot.explained(words)])
+    measure = say(
+        "within {loss} of the best, and less than {sting} of the mean sting", loss=Slot(ZONE_LOSS, "speed", round=True),
+        sting=Slot(ZONE_STING, "share"),
+    )  # fmt: skip
+    if spots.zone is None:
+        rows.append([Marked(words.zone, "zone"), "none", "none", say("no place is {measure}", measure=measure)])
+    else:
+        reaches = [joined((Slot(abs(place - end), "place").bare for place in order), " to ")
+                   for (_, end), order in zip(ends, (spots.zone[::-1], spots.zone), strict=True)]  # fmt: skip
+        rows.append([Marked(words.zone, "zone"), *reaches, measure])
+    return Table("", [Column("sweet spot"), *heads, Column("what it means")], rows, name="spots")
+
+
+def along_table(analysis: Analysis[Implement]) -> Table:
+    """Return what a hit does at even places from the tip."""
+    scan, words, length = analysis.scan, words_of(analysis.bat), analysis.bat.length
+    first, last = length - float(scan.position[-1]), length - float(scan.position[0])
+    steps = STEPS[words.place_unit]
+    step = next((step for step in steps if (last - first) / step <= MOST_STATIONS), steps[-1])
+    stations = step * np.arange(np.ceil(first / step - 1e-9), np.floor(last / step + 1e-9) + 1)
+
+    def at(values: Array, place: float) -> float:
+        return float(np.interp(length - place, scan.position, values))
+
+    columns = [
+        Column(say("{unit} from the {tip}", unit=UnitName("place"), tip=words.tip), right=True),
+        Column(words.exit_speed, "speed"), Column("if it were rigid", "speed"), Column("q", "ratio"),
+        *([Column("BBCOR at this speed", "ratio")] if analysis.bat.face is None else []),
+        Column("jolt", "impulse", sign=True), Column("vibration", "vibration"),
+    ]  # fmt: skip
+    curves = [scan.exit_speed, scan.rigid_exit_speed, scan.collision_efficiency,
+              *([scan.bbcor] if analysis.bat.face is None else []), scan.hand_impulse, scan.sting]  # fmt: skip
+    rows: list[list[Cell]] = [
+        [Slot(float(place), "place", round=True).bare, *(at(curve, float(place)) for curve in curves)]
+        for place in stations[:MOST_STATIONS]
+    ]
+    return Table("", columns, rows)
+
+
+def misses_table(misses: Sequence[Miss], implement: Implement) -> Table:
+    """Return what hitting beside the best place costs, either way."""
+    words = words_of(implement)
+    off = f"off the {words.implement}"
+    rows: list[list[Cell]] = [
+        [
+            Slot(one.distance, "place", round=True),
+            cost(one.inside),
+            off if np.isnan(one.outside.value) else cost(one.outside),
+        ]
+        for one in misses
+    ]
+    columns = [
+        Column("miss by"),
+        Column("towards the hands", right=True),
+        Column(f"towards the {words.tip}", right=True),
+    ]
+    return Table("", columns, rows)
+
+
+def mass_table(analysis: Analysis[Implement]) -> Table:
+    """Return weight, balance, how the sport weighs a swing, and moments of inertia."""
+    body, bat, words = analysis.body, analysis.bat, words_of(analysis.bat)
+    convention = swing_weight(bat.sport)
+    standard = in_words("{axis} from the {butt}", words, axis=Slot(STANDARD_AXIS, "place", round=True))
+    axes = ((standard, STANDARD_AXIS), (f"{words.butt} end", 0.0), ("balance point", body.balance_point))
+    rows: list[tuple[Cell, Cell]] = [
+        ("length", Slot(bat.length, "length")),
+        ("mass", Slot(body.mass, "mass", 2 if words.place_unit == "in" else 1)),
+        (f"balance point, from the {words.butt}", Slot(body.balance_point, "length")),
+        *([] if isinstance(bat, Bat) else [_swing_weight(analysis, convention)]),
+        *((say("moment of inertia, {axis}", axis=axis),
+           with_doubt(body.moi(place), moi_doubt(bat, body, place), "moi")) for axis, place in axes),
+        ("moment of inertia, about its own axis", Slot(body.roll_moi, "moi", 1)),
+    ]  # fmt: skip
+    return Table("", [Column(""), Column("value", right=True)], rows)
+
+
+def _swing_weight(analysis: Analysis[Implement], convention: SwingWeight) -> tuple[Cell, Cell]:
+    """Return how a sport weighs a swing; its number is written as its people write it, in any system of units."""
+    name = in_words(
+        "{name}, about {axis} from the {butt}", words_of(analysis.bat), name=convention.name,
+        axis=Slot(convention.axis, "place"),
+    )  # fmt: skip
+    return name, convention.shown(analysis.body).replace("^2", "²")
+
+
+def modes_table(analysis: Analysis[Implement]) -> Table:
+    """Return the lowest vibrations with their damping and nodes."""
+    modes, words = analysis.modes, words_of(analysis.bat)
+    shown = [index for family, most in SHOWN_MODES.items() for index in modes.of_family(family)[:most]]
+    rows: list[list[Cell]] = []
+    for index in shown:
+        nodes = joined((from_tip(analysis, float(node)).bare for node in modes.nodes(index)[::-1]), ", ")
+        name = f"{modes.families[index]} {modes.harmonics[index]}"
+        rows.append([name, float(modes.frequency[index]), float(modes.damping_ratio[index]), nodes])
+    columns = [
+        Column("mode"), Column("frequency", "frequency"), Column("damping", "share", 2),
+        Column(say("nodes, {unit} from the {tip}", unit=UnitName("place"), tip=words.tip)),
+    ]  # fmt: skip
+    return Table("", columns, rows)
+
+
+def conditions_table(analysis: Analysis[Implement]) -> Table:
+    """Return pitch, swing, hands and ball."""
+    conditions, words = analysis.conditions, words_of(analysis.bat)
+    swing, hands, ball = conditions.swing, conditions.hands, conditions.ball
+    law = ball.restitution
+    bounce = say(
+        "{e} at {speed}, {slope} per {step} faster", e=Slot(law.reference, "ratio"),
+        speed=Slot(law.reference_speed, "speed", round=True), slope=Slot(-10 * MPH * law.slope, "ratio", 4),
+        step=Slot(10 * MPH, "speed", round=True),
+    )  # fmt: skip
+    held = any((hands.mass, hands.stiffness, hands.damping))
+    rows: list[tuple[Cell, Cell]] = [
+        (f"{words.incoming} comes at", Slot(conditions.pitch.speed, "speed")),
+        (in_words("{implement} speed, {place} from the {tip}", words, place=from_tip(analysis, swing.measured_at)),
+         Slot(swing.bat_speed, "speed")),
+        (f"turns about, from the {words.butt}", Slot(swing.pivot, "place")),
+        (f"top hand, from the {words.butt}", Slot(hands.position, "place")),
+        (words.ball, say("{name}, {mass}", name=ball.name, mass=weight(ball.mass))),
+        ("its restitution on a wall", bounce),
+        ("hands in the collision", "mass, spring and damper each" if held else f"none, the {words.implement} is free"),
+    ]  # fmt: skip
+    return Table("", [Column(""), Column("value", right=True)], rows)

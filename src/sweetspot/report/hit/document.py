@@ -1,0 +1,151 @@
+"""A hit as a document: what came out, where the energy went, and what it did to the bat."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from sweetspot.analysis.bat_analysis import exit_speed_of
+from sweetspot.analysis.strain import Damage
+from sweetspot.collision.closed_form import bbcor
+from sweetspot.collision.impact import Impact
+from sweetspot.dynamics.rigid import RigidBody
+from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.sport import Words
+from sweetspot.motion.swing import Conditions
+from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Picture, Table
+from sweetspot.report.hit.json import damage_json, hit_json, impact_json
+from sweetspot.report.hit.ledger import ENERGY_NAMES
+from sweetspot.report.sentences import Sentence, Slot, say
+from sweetspot.report.sport_words import in_words, reader_of, weight, words_of
+
+Rows = list[tuple[Cell, Cell]]
+FEW_JOULES, FEW_NEWTONS = 20.0, 5e3
+"""Below these a number is shown with more digits."""
+
+
+@dataclass(frozen=True)
+class BattedHit:
+    """A collision with everything that was put in; ``damage`` is known of bats only."""
+
+    implement: Implement
+    body: RigidBody
+    conditions: Conditions
+    impact: Impact
+    damage: Damage | None = None
+
+
+def hit_document(hit: BattedHit) -> Document:
+    """Return a hit as a document."""
+    words, impact = words_of(hit.implement), hit.impact
+    from_tip = Slot(hit.implement.length - impact.position, "place")
+    picture = hit_picture(impact, words)
+    data = hit_json(impact, body=hit.body, conditions=hit.conditions)
+    if hit.damage is not None:
+        data["damage"] = damage_json(hit.damage)
+    return Document(
+        name="hit", title=hit.implement.name, kind="Hit",
+        subtitle=in_words("hit {place} from the {tip}", words, place=from_tip),
+        blocks=[hit_table(hit), *_damage_blocks(hit.damage, words), picture], data=data, rows=data["history"],
+        reader=reader_of(hit.implement), drawing=picture,
+    )  # fmt: skip
+
+
+def impact_document(impact: Impact) -> Document:
+    """Return a collision alone as a document: nobody says here whose it is, or how fast the bat was swung."""
+    data, words = impact_json(impact), Words()
+    picture = hit_picture(impact, words)
+    rows: Rows = [
+        ("closing speed", Slot(impact.closing_speed, "speed")),
+        ("collision efficiency q", Slot(impact.collision_efficiency, "ratio", 4)),
+        *_contact_rows(impact, words), *_energy_rows(impact, words),
+    ]  # fmt: skip
+    title = say("Hit {place} from the end of the grip", place=Slot(impact.position, "place"))
+    return Document(
+        name="hit", title=title, kind="Hit", blocks=[_two_columns(rows), picture], data=data, rows=data["history"],
+        drawing=picture,
+    )  # fmt: skip
+
+
+def hit_table(hit: BattedHit, title: str | Sentence = "") -> Table:
+    """Return one hit in the words of its sport."""
+    impact, conditions, words = hit.impact, hit.conditions, words_of(hit.implement)
+    leaves, swung = exit_speed_of(impact, conditions), conditions.swing.speed_at(impact.position)
+    restitution = bbcor(impact.collision_efficiency, body=hit.body, ball=conditions.ball, position=impact.position)
+    rows: Rows = [
+        ("outcome", impact.outcome.sentence.replace(" bat ", f" {words.implement} ")),
+        (f"{words.implement} speed there", Slot(swung, "speed")),
+        (words.exit_speed, Slot(leaves, "speed")),
+        (words.efficiency, Slot(impact.collision_efficiency, "ratio", 4)),
+    ]
+    if words.smash_factor and swung:
+        rows.append((words.smash_factor, Slot(leaves / swung, "ratio")))
+    if hit.implement.face is None:
+        rows.append(("BBCOR at this speed", Slot(restitution, "ratio")))
+    rows += [*_contact_rows(impact, words), *_energy_rows(impact, words)]
+    masses = in_words(
+        "{implement} {tool}, {ball} {thrown}", words, tool=Slot(hit.body.mass, "mass"),
+        thrown=weight(conditions.ball.mass),
+    )  # fmt: skip
+    return _two_columns([*rows, ("masses", masses)], title)
+
+
+def hit_picture(impact: Impact, words: Words, caption: str | Sentence = "") -> Picture:
+    """Return force and energy of a hit, drawn."""
+    heat = impact.energy.heat / impact.energy.incoming if impact.energy.incoming else 0.0
+    label = in_words(
+        "Force of the hit: it rises to {force} and lasts {time}. Of the energy, {heat} become heat in the {ball}.",
+        words, force=_force(impact.peak_force), time=Slot(impact.contact_time, "contact", 2), heat=Slot(heat, "share"),
+    )  # fmt: skip
+    return Picture("hit", lambda _: _drawn(impact, words), label, caption)
+
+
+def _drawn(impact: Impact, words: Words) -> Any:
+    from sweetspot.report.hit.picture import hit_figure
+
+    return hit_figure(impact, words)
+
+
+def _contact_rows(impact: Impact, words: Words) -> Rows:
+    return [
+        ("contact, force above 1 % of its peak", Slot(impact.contact_time, "contact")),
+        ("peak force", _force(impact.peak_force)),
+        (in_words("peak compression of the {ball}", words), Slot(impact.peak_compression, "compression")),
+    ]
+
+
+def _energy_rows(impact: Impact, words: Words) -> Rows:
+    """Return the ledger; a part that the implement does not have is left out."""
+    energy = impact.energy
+    digits = 1 if energy.incoming > FEW_JOULES else 3
+    rows: Rows = []
+    for field, (name, _) in ENERGY_NAMES.items():
+        joules = getattr(energy, field)
+        if not joules and field in ("face", "hoop"):
+            continue
+        part = Slot(joules / energy.incoming if energy.incoming else 0.0, "share", 1)
+        size = say("{joules}, {part}", joules=Slot(joules, "energy", digits), part=part)
+        rows.append((in_words(f"energy: {name}", words), size))
+    return [*rows, ("energy: what the sum misses", f"{energy.imbalance:+.1e} of it")]
+
+
+def _damage_blocks(damage: Damage | None, words: Words) -> list[Block]:
+    """Return the strains of one hit in words, with a warning for each limit that is passed."""
+    if damage is None:
+        return []
+    text = in_words(
+        "Greatest bending strain of the handle {strain}, {place} from the {butt}", words,
+        strain=Slot(damage.handle_strain, "strain"), place=Slot(damage.handle_position, "place"),
+    )  # fmt: skip
+    if damage.wall_strain is not None:
+        text += say("; of the barrel's wall {strain}", strain=Slot(damage.wall_strain, "strain"))
+    return [Paragraph(text + "."), *(Paragraph(f"Warning: {words}", "warning") for words in damage.warnings)]
+
+
+def _force(force: float) -> Slot:
+    return Slot(force, "force", 1 if force > FEW_NEWTONS else 3)
+
+
+def _two_columns(rows: Sequence[tuple[Cell, Cell]], title: str | Sentence = "") -> Table:
+    return Table(title, [Column(""), Column("value", right=True)], rows)

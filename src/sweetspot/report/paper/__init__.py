@@ -1,0 +1,1 @@
+"""The implemented paper for people."""

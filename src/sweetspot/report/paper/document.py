@@ -1,0 +1,40 @@
+"""The paper's chain as a document: each statement, the paper's number, ours, and the full model's."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import asdict
+from typing import Any
+
+from sweetspot.paper.formulas import Row, Value
+from sweetspot.report.document import Cell, Column, Document, Table
+from sweetspot.report.json_shapes import as_columns, cleaned
+
+
+def paper_document(rows: Sequence[Row]) -> Document:
+    """Return the paper's chain as a document."""
+    data = paper_json(rows)
+    return Document(
+        name="paper", title="The paper's chain", kind="Paper", blocks=[paper_table(rows)], data=data,
+        rows=as_columns(data["rows"]),
+    )  # fmt: skip
+
+
+def paper_json(rows: Sequence[Row]) -> dict[str, Any]:
+    """Return the paper's chain for other programs."""
+    return cleaned({"rows": [asdict(row) for row in rows]})
+
+
+def paper_table(rows: Sequence[Row], title: str = "") -> Table:
+    """Return the paper's chain, each statement with its comment below it; units are those of the paper."""
+    columns = [Column(name) for name in ("eq.", "statement", "paper", "computed", "full model", "unit")]
+    return Table(title, columns, [_cells(row) for row in rows], name="paper")
+
+
+def _cells(row: Row) -> list[Cell]:
+    numbers = [_shown(value) for value in (row.paper, row.computed, row.full_model)]
+    return [row.equation, f"{row.quantity}\n{row.comment}\n", *numbers, row.unit]
+
+
+def _shown(value: Value) -> Cell:
+    return value if value is None or isinstance(value, str) else f"{value:.5g}"

@@ -1,0 +1,43 @@
+"""What the people of an implement's sport call things, and who reads about it: data of the catalogue, for any sport."""
+
+from __future__ import annotations
+
+from sweetspot.catalog.sports import sport
+from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.sport import Words
+from sweetspot.report.quantities import Reader, reader
+from sweetspot.report.sentences import Part, Sentence, Slot, say
+
+LIGHT = 0.02
+"""kg below which a mass is shown to a tenth of a gram."""
+
+
+def words_of(implement: Implement) -> Words:
+    """Return what the people of an implement's sport call things."""
+    return sport(implement.sport).words
+
+
+def reader_of(implement: Implement) -> Reader:
+    """Return who reads about an implement unless somebody says otherwise: the people of its sport."""
+    return reader(None, words_of(implement))
+
+
+def in_words(template: str, words: Words, **slots: Part | float | Sentence) -> Sentence:
+    """Return a template's words, its slots filled with a sport's words too.
+
+    >>> in_words("from the {tip} of the {implement}", Words(tip="toe")).read(reader(None, Words()))
+    'from the toe of the bat'
+    """
+    return say(template, **(words.model_dump() | slots))
+
+
+def arriving(words: Words, speed: float) -> Sentence:
+    """Return what comes in: "a pitch at 90 mph", "a ball at rest"."""
+    if not speed > 0:
+        return in_words("a {incoming} at rest", words)
+    return in_words("a {incoming} at {speed}", words, speed=Slot(speed, "speed", round=True))
+
+
+def weight(mass: float) -> Slot:
+    """Return a mass (kg), with a digit more where it is that of a small ball."""
+    return Slot(mass, "mass", 1 if mass < LIGHT else None)

@@ -1,0 +1,53 @@
+"""The meanings of "sweet spot": what tables and pictures call each, what it means, and its colour."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from sweetspot.equipment.sport import Words
+from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY
+
+
+@dataclass(frozen=True)
+class Spot:
+    """One meaning, told with a sport's words.
+
+    Parameters
+    ----------
+    name : in tables; a sport may have its own name for the place of the greatest efficiency.
+    label : in pictures, where there is little room.
+    meaning : in one line.
+    """
+
+    name: str
+    label: str
+    meaning: str
+    colour: str
+
+    def named(self, words: Words) -> str:
+        """Return the name as a sport's people have it."""
+        own = words.strongest if "{efficiency}" in self.name else ""
+        return own or self.name.format(**words.model_dump())
+
+    def explained(self, words: Words) -> str:
+        """Return the meaning as a sport's people have it."""
+        return self.meaning.format(**words.model_dump())
+
+
+SPOTS: Mapping[str, Spot] = {
+    "max_exit_speed": Spot(
+        "greatest {exit_speed}", "fastest ball", "where the ball leaves fastest for this swing", RED
+    ),
+    "max_collision_efficiency": Spot(
+        "greatest {efficiency}", "greatest efficiency q", "where a {implement} at rest throws a ball back fastest",
+        ORANGE
+    ),
+    "min_sting": Spot("least vibration", "least sting", "where the hands feel least sting", PURPLE),
+    "node_1": Spot("node of mode 1", "node of mode 1", "a hit here does not excite the first bending mode", SKY),
+    "node_2": Spot("node of mode 2", "node of mode 2", "a hit here does not excite the second bending mode", BLUE),
+    "center_of_percussion": Spot(
+        "centre of percussion", "centre of percussion", "a hit here does not jolt the top hand", GREEN
+    ),
+}  # fmt: skip
+"""By field of `SweetSpots`."""
