@@ -29,7 +29,6 @@ def write_document(document: Document, folder: Path, *, reader: Reader, long: bo
     InputError
         when the folder cannot be made or written; it is then as it was.
     """
-    check_folder(folder, files_of(document.name))
     contents = {".html": page(document, reader, long=long).encode(), ".json": as_json(document)}
     if document.drawing is not None:
         figure = document.drawing.draw(reader)
