@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import unicodedata
+from collections.abc import Sequence
+from difflib import get_close_matches
 from typing import Annotated, Any, Self, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, ValidationError
+from pydantic_core import ErrorDetails
 
 from sweetspot.errors import InputError
 
@@ -46,7 +49,7 @@ class Validated(BaseModel):
         try:
             super().__init__(**values)
         except ValidationError as error:
-            raise InputError(explain(error, type(self).__name__)) from None
+            raise InputError(explain(error, type(self).__name__, known=tuple(type(self).model_fields))) from None
 
     def replaced(self, **changes: Any) -> Self:
         """Return a copy with some fields changed, validated like a new one."""
@@ -54,28 +57,41 @@ class Validated(BaseModel):
         return type(self)(**{**kept, **changes})
 
 
-def explain(error: ValidationError, name: str) -> str:
-    """Say in one line per fault what was given and what is allowed.
+def explain(error: ValidationError, name: str, *, known: Sequence[str] = ()) -> str:
+    """Say in one line per fault what was given, what is allowed and what to do.
 
     Parameters
     ----------
     error : the validation error.
     name : what was being made, for the beginning of the message.
+    known : the names that it has, for what is spelt wrong.
     """
-    lines = []
-    faults = error.errors(include_url=False)
-    for fault in faults[:MOST_FAULTS]:
-        place = ".".join(str(part) for part in fault["loc"])
-        text = fault["msg"].removeprefix("Value error, ")
-        if fault["type"] == "extra_forbidden":
-            lines.append(f"unknown key {place[:LONGEST_INPUT]!r}")
-        elif fault["type"] == "missing":
-            lines.append(f"{place} is missing")
-        elif fault["type"] == "value_error":
-            lines.append(f"{place}: {text}" if place else text)
-        else:
-            text = text[0].lower() + text[1:]
-            lines.append(f"{place} was given as {repr(fault['input'])[:LONGEST_INPUT]}: {text}")
+    faults = [fault for fault in error.errors(include_url=False) if not _is_other_branch(fault)]
+    lines = list(dict.fromkeys(_fault(fault, known) for fault in faults[:MOST_FAULTS]))
     if len(faults) > MOST_FAULTS:
         lines.append(f"and {len(faults) - MOST_FAULTS} more")
     return f"{name.lower()}: " + "; ".join(lines)
+
+
+def _is_other_branch(fault: ErrorDetails) -> bool:
+    """Return whether a fault says only that a table is no text: then the table's own faults say more."""
+    return fault["loc"][-1:] == ("str",) and isinstance(fault["input"], dict)
+
+
+def _fault(fault: ErrorDetails, known: Sequence[str]) -> str:
+    parts = [str(part) for part in fault["loc"] if not (isinstance(part, str) and part.endswith("Table"))]
+    place, text = ".".join(parts), fault["msg"].removeprefix("Value error, ")
+    given = repr(fault["input"])[:LONGEST_INPUT]
+    match fault["type"]:
+        case "extra_forbidden":
+            close = get_close_matches(parts[-1][:LONGEST_INPUT], known, n=1)
+            return f"unknown key {place[:LONGEST_INPUT]!r}" + (f": did you mean {close[0]!r}?" if close else "")
+        case "missing":
+            return f"{place} is missing"
+        case "value_error":
+            return f"{place}: {text}" if place else text
+        case "string_type" if isinstance(fault["input"], (int, float)):
+            text += ": write the unit too, and quotes"
+        case "tuple_type" if isinstance(fault["input"], str):
+            text += f': write pairs of position and size, as in [["0 in", {given}], ...]'
+    return f"{place} was given as {given}: {text[0].lower()}{text[1:]}"

@@ -13,7 +13,7 @@ from typing import Any, Literal
 
 from sweetspot.errors import InputError
 from sweetspot.units.sizes import INCH
-from sweetspot.units.usual import check_usual
+from sweetspot.units.usual import check_usual, example_of
 
 Kind = Literal[
     "length", "mass", "speed", "moi", "density", "pressure", "force", "time", "angle", "angular speed",
@@ -66,6 +66,8 @@ LONGEST_TEXT = 100
 LARGEST_NUMBER = sys.float_info.max
 POWER_OF_NUMBER = re.compile(r"[\d.)]\s*(\*\*|\^|[⁰¹²³⁴⁵⁶⁷⁸⁹])")
 """`pint` calculates, and 9**9**9 would keep it busy for good."""
+DIFFERENCE = re.compile(r"(?:[a-df-z]|(?<![\d.])e)\s*[-+]\s*\d", re.IGNORECASE)
+"""A range in a person's eyes; `pint` would take the difference."""
 DECIMAL_COMMA = re.compile(r"\d,|,\d")
 """`pint` would drop what follows the comma."""
 NUMBER = re.compile(r"^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*$")
@@ -107,7 +109,7 @@ def parse(text: str | float, kind: Kind, what: str = "value") -> float:
     >>> round(parse("33 1/2 in", "length"), 6), round(parse("2 ft 9.5 in", "length"), 6)
     (0.8509, 0.8509)
     """
-    example = SI[kind][1]
+    example = example_of(what) or SI[kind][1]
     if isinstance(text, (int, float)) and not isinstance(text, bool):
         text = "inf" if abs(text) > LARGEST_NUMBER else repr(float(text))
     if not isinstance(text, str):
@@ -116,6 +118,8 @@ def parse(text: str | float, kind: Kind, what: str = "value") -> float:
         raise InputError(f"{what} was given as {text[:LONGEST_TEXT]!r}; write a number and its unit, as in {example}")
     if NOT_FINITE.match(text):
         raise InputError(f"{what} was given as {text!r}; allowed is a finite number, for example {example}")
+    if DIFFERENCE.search(text):
+        raise InputError(f"{what} was given as {text!r}; write one number and its unit, as in {example}")
     if DECIMAL_COMMA.search(text):
         raise InputError(f"{what} was given as {text!r}; write the decimals after a point, as in {example}")
     if NUMBER.match(text) and kind != "ratio":
@@ -193,5 +197,7 @@ def parse_position(text: str, *, length: float, what: str = "position") -> float
     for ending, from_tip in (("-from-tip", True), ("-from-knob", False)):
         if text.strip().endswith(ending):
             distance = parse(text.strip().removesuffix(ending), "length", what)
+            if from_tip and distance > length * (1 + 1e-9):
+                raise InputError(f"{what} was given as {text.strip()}; that is off the bat, {shown(length)} long")
             return length - distance if from_tip else distance
     return parse(text, "length", what)

@@ -94,14 +94,30 @@ USUAL: dict[str, Usual] = {
     "height": Usual(0, 40, "ft", FOOT, above=0),
     "forward": Usual(-10, 10, "ft", FOOT),
     "offset": Usual(-3, 3, "in", INCH, "ball and barrel touch up to about 2.7 in"),
-    "ball_cor": Usual(0.2, 0.9, "", above=0, below=1),
+    "ball_cor": Usual(0.2, 0.9, "", above=0),
     "mass": Usual(2, 80, "oz", OUNCE, above=0),
     "balance_point": Usual(4, 60, "in", INCH, "it counts from the knob end", above=0),
     "period": Usual(0.5, 3, "s", 1.0, "one swing is there and back; give the time of one, not of ten", above=0),
+    "greatest_diameter": Usual(1.6, 5, "in", INCH, "a profile has diameters, not radii", above=1.1),
+    "middle_of_the_outline": Usual(0.42, 0.95, "of the length", 1, "positions count from the knob end"),
+    "thinnest_wall": Usual(0.8, 20, "mm", 1e-3, "walls of metal bats are 2 to 5 mm"),
     "bore_diameter": Usual(0, 3, "in", INCH),
     "bore_depth": Usual(0, 40, "in", INCH),
 }
 """By the name of the quantity, as options and columns have it. [The widths of these bounds are our choice.]"""
+
+
+def example_of(what: str) -> str:
+    """Return a quantity as it might be written, for messages; "" for one that is not in `USUAL`.
+
+    >>> example_of("--pressure"), example_of("--ball")
+    ('30 inHg', '')
+    """
+    usual = USUAL.get(what.removeprefix("--").replace("-", "_"))
+    if usual is None:
+        return ""
+    middle = usual.low + (usual.high - usual.low) * 0.6
+    return f"{float(f'{middle:.1g}' if middle > 1 else f'{middle:.2g}'):g} {usual.unit}".strip()
 
 
 def check_usual(value: float, what: str, given: object) -> None:
@@ -120,7 +136,7 @@ def check_usual(value: float, what: str, given: object) -> None:
     sweetspot.errors.InputError: --exit-speed was given as 1000mph; usual is 5 to 250 mph. Check the unit and the \
 decimal point, or add --force if it is meant
     """
-    usual = USUAL.get(what.removeprefix("--").replace("-", "_"))
+    usual = USUAL.get(what.removeprefix("--").replace("-", "_").replace(" ", "_"))
     if usual is None or _insisted.get() or usual.holds(value):
         return
     hint = f"; {usual.hint}" if usual.hint else ""

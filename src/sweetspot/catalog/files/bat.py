@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 import tomllib
 from pathlib import Path
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import Field
+import numpy as np
+from pydantic import BeforeValidator, Field
 
 from sweetspot.catalog.files.tables import FileTable
 from sweetspot.catalog.files.turned import turned_profile
@@ -20,7 +21,7 @@ from sweetspot.equipment.material import Material
 from sweetspot.equipment.shell import InnerWall, Shell, check_count
 from sweetspot.errors import InputError
 from sweetspot.numerics.text_files import read_text
-from sweetspot.units import parse
+from sweetspot.units import check_usual, parse, shown
 
 Text = str
 Pairs = tuple[tuple[Text, Text], ...]
@@ -67,7 +68,7 @@ class InnerWallTable(FileTable):
 class ShellTable(FileTable):
     """[shell]: a hollow bat."""
 
-    wall: Pairs = Field(description="pairs of position from the knob end and wall thickness")
+    wall: Pairs | Text = Field(description="one thickness, or pairs of position from the knob end and thickness")
     laminate: tuple[PlyTable, ...] | None = Field(None, description="plies from the inside outwards")
     inner_wall: InnerWallTable | None = None
     handle_material: str | None = Field(None, description="of a two-piece bat; name in the catalogue")
@@ -116,6 +117,11 @@ class CalibrationTable(FileTable):
     )
 
 
+def _listed(value: Any) -> Any:
+    """Return one table as a list of one: [bore] is as good as [[bore]]."""
+    return (value,) if isinstance(value, dict) else value
+
+
 class BatFile(FileTable):
     """A bat as written in a TOML file; every size, weight and modulus is a text with its unit."""
 
@@ -134,10 +140,10 @@ class BatFile(FileTable):
     balance_point: Text | None = Field(None, description="measured, from the knob end")
     moi: Text | None = Field(None, description="measured moment of inertia about moi_axis")
     moi_axis: Text = Field("6 in", description="axis of moi, from the knob end")
-    bore: tuple[BoreTable, ...] = ()
+    bore: Annotated[tuple[BoreTable, ...], BeforeValidator(_listed)] = ()
     cup: CupTable | None = None
     shell: ShellTable | None = None
-    point_mass: tuple[PointMassTable, ...] = ()
+    point_mass: Annotated[tuple[PointMassTable, ...], BeforeValidator(_listed)] = ()
     choke: Text = Field("0 in", description="how far the grip is moved up from the knob")
     original: BatFile | None = Field(None, description="the bat as it was measured, when this one is that bat changed")
     calibration: CalibrationTable | None = None
@@ -180,10 +186,25 @@ def bat_from_table(table: dict[str, Any], where: str) -> Bat:
             "has a wall, an end cap or a joint: put it into a [shell] table that has a wall"
         )
     try:
-        return _bat(BatFile(**{key: unwrapped(value) for key, value in table.items()}))
+        return _checked_drawing(_bat(BatFile(**{key: unwrapped(value) for key, value in table.items()})))
     except InputError as error:
         message = re.sub(r"\b\w*table: ", "", str(error).removeprefix("batfile: ").removeprefix("bat: "))
         raise InputError(f"{where}: {message}") from None
+
+
+def _checked_drawing(bat: Bat) -> Bat:
+    """Return a bat whose drawing is drawn as drawings are: from the knob end, in diameters, a wall of millimetres."""
+    if bat.profile is not None:
+        greatest = max(diameter for _, diameter in bat.profile)
+        check_usual(greatest, "greatest diameter", shown(greatest))
+        places = np.linspace(0, bat.length, 200)
+        areas = np.asarray(bat.diameter_at(places)) ** 2
+        middle = float(areas @ places / areas.sum()) / bat.length
+        check_usual(middle, "middle of the outline", f"{middle:.2f} of the length")
+    if bat.shell is not None:
+        thinnest = min(thickness for _, thickness in bat.shell.wall)
+        check_usual(thinnest, "thinnest wall", f"{1e3 * thinnest:.3g} mm")
+    return bat
 
 
 def _bat(file: BatFile) -> Bat:
@@ -207,7 +228,7 @@ def _bat(file: BatFile) -> Bat:
         density_gradient=file.density_gradient,
         bores=tuple(_bore(bore) for bore in file.bore),
         cup=None if file.cup is None else Cup(**_lengths(file.cup, "cup")),
-        shell=None if file.shell is None else _shell(file.shell, own),
+        shell=None if file.shell is None else _shell(file.shell, own, length=file.length),
         point_masses=tuple(
             PointMass(
                 position=parse(weight.position, "length", "point_mass.position"),
@@ -241,10 +262,11 @@ def _bore(table: BoreTable) -> Bore:
     return Bore(fill=None if table.fill is None else material(table.fill), **sizes)
 
 
-def _shell(table: ShellTable, own: Material) -> Shell:
+def _shell(table: ShellTable, own: Material, *, length: Text) -> Shell:
+    wall = (("0 in", table.wall), (length, table.wall)) if isinstance(table.wall, str) else table.wall
     masses = ("joint_mass", "end_cap_mass", "knob_mass")
     return Shell(
-        wall=_pairs(table.wall, "shell.wall"),
+        wall=_pairs(wall, "shell.wall"),
         laminate=laminate_of(table.laminate, "shell.laminate"),
         inner_wall=None if table.inner_wall is None else _inner_wall(table.inner_wall, own),
         handle_material=None if table.handle_material is None else material(table.handle_material),

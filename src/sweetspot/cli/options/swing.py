@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 Format = Literal["table", "json", "csv"]
 
 
-@Parameter(name="*")
+@Parameter(name="*", allow_leading_hyphen=True)
 @dataclass(frozen=True)
 class SwingOptions:
     """Pitch, swing, hands and ball; every quantity takes a unit. Defaults are baseball's, or of the racket's sport."""
