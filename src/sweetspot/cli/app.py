@@ -14,6 +14,7 @@ from sweetspot.cli.fit_player_command import fit_player
 from sweetspot.cli.fly_command import fly
 from sweetspot.cli.hit_command import hit
 from sweetspot.cli.optimum_command import optimum
+from sweetspot.cli.outline_command import outline
 from sweetspot.cli.page_command import app as page
 from sweetspot.cli.paper_command import paper
 from sweetspot.cli.parks_command import parks
@@ -26,7 +27,7 @@ from sweetspot.cli.tap_command import tap
 from sweetspot.cli.validate_command import validate
 
 COMMANDS = (
-    report, hit, play, fly, compare, certify, optimum, fit_player, tap, calibrate, drop, pendulum, paper, sports, parks,
+    report, hit, play, fly, compare, certify, optimum, fit_player, outline, tap, calibrate, drop, pendulum, paper, sports, parks,
     bats, schema, validate,
 )  # fmt: skip
 

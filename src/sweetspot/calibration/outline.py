@@ -1,0 +1,134 @@
+"""A bat's outline from a table of stations: caliper or tape at every inch, in any unit, from either end."""
+
+from __future__ import annotations
+
+import csv
+import math
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from sweetspot.catalog.files.turned import TIP
+from sweetspot.equipment.shell import Stations
+from sweetspot.errors import InputError
+from sweetspot.units import INCH
+
+UNITS = {"in": INCH, "inch": INCH, "inches": INCH, "mm": 1e-3, "cm": 1e-2, "m": 1.0}
+SIZES = {"diameter": 1.0, "dia": 1.0, "circumference": 1 / math.pi, "girth": 1 / math.pi, "radius": 2.0}
+"""What is measured across, and the diameter per unit of it."""
+PLACES = ("position", "station", "place", "x", "from", "tip", "knob")
+MOST_STATIONS = 2000
+FEWEST_STATIONS = 5
+NEAR_END = 1.6 * INCH
+"""m from an end within which the nearest station must lie."""
+
+
+@dataclass(frozen=True)
+class Outline:
+    """An outline as it was measured.
+
+    Parameters
+    ----------
+    profile : (position, diameter) stations from 0 to the bat's length, m.
+    assumed : positions in m of the stations that no one measured, at the ends.
+    """
+
+    profile: Stations
+    assumed: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class _Column:
+    index: int
+    size: float
+    from_tip: bool = False
+
+
+def read_outline(path: Path, *, length: float | None = None) -> Outline:
+    """Return the outline that a CSV file of stations describes.
+
+    One column says where: its heading has a unit, and ``tip`` where it counts from the tip (``in_from_tip``,
+    ``position_mm``). Another says how thick: ``diameter``, ``circumference`` or ``radius`` with its unit. Where no
+    station is at an end, the tip is rounded as turned bats usually are, and the knob goes on as thick as it was.
+
+    Parameters
+    ----------
+    length : m; needed where the places count from the tip, or where the last station is not the tip.
+
+    Raises
+    ------
+    InputError
+        when the file has no such columns, a value that is no number, or stations off the bat.
+    """
+    try:
+        with path.open(encoding="utf-8-sig", newline="") as file:
+            rows = [row for row in csv.reader(file) if any(cell.strip() for cell in row)]
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {(error.strerror or str(error)).lower()}") from None
+    except (UnicodeDecodeError, csv.Error) as error:
+        raise InputError(f"{path} is not a CSV file in UTF-8: {error}") from None
+    if len(rows) < FEWEST_STATIONS + 1 or len(rows) > MOST_STATIONS:
+        raise InputError(
+            f"{path} has {len(rows)} lines; allowed are a heading and {FEWEST_STATIONS} to {MOST_STATIONS} stations"
+        )
+    where, across = _columns(rows[0], path)
+    stations = sorted((_number(row, where, number, path), _number(row, across, number, path))
+                      for number, row in enumerate(rows[1:], start=2))  # fmt: skip
+    if where.from_tip:
+        if length is None:
+            raise InputError(f"{path} counts from the tip; say how long the bat is with --length")
+        stations = sorted((length - place, size) for place, size in stations)
+    return _closed(stations, length or stations[-1][0], path)
+
+
+def _columns(heading: list[str], path: Path) -> tuple[_Column, _Column]:
+    """Return the columns that say where and how thick."""
+    where = across = None
+    for index, text in enumerate(heading):
+        words = re.findall(r"[a-z]+", text.lower())
+        unit = next((UNITS[word] for word in words if word in UNITS), None)
+        size = next((SIZES[word] for word in words if word in SIZES), None)
+        if size is not None and unit is not None:
+            across = across or _Column(index, size * unit)
+        elif unit is not None and any(word in PLACES for word in words):
+            where = where or _Column(index, unit, "tip" in words)
+    if where is None or across is None:
+        raise InputError(
+            f"{path} begins with {', '.join(heading)!r}; name one column like in_from_tip or position_mm and one like "
+            "diameter_mm, circumference_in or radius_cm"
+        )
+    return where, across
+
+
+def _number(row: list[str], column: _Column, line: int, path: Path) -> float:
+    text = row[column.index].strip() if column.index < len(row) else ""
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value) or value < 0:
+        raise InputError(f"{path}, line {line}: {text!r} was given; allowed is a number from 0 up, without its unit")
+    return value * column.size
+
+
+def _closed(stations: list[tuple[float, float]], length: float, path: Path) -> Outline:
+    """Return the outline with a station at either end."""
+    if stations[0][0] < 0 or stations[-1][0] > length * (1 + 1e-6):
+        raise InputError(f"{path} has stations off the bat, which is {length:.4g} m long; check --length and the units")
+    if stations[0][0] > NEAR_END or length - stations[-1][0] > NEAR_END:
+        raise InputError(
+            f"{path} reaches from {stations[0][0]:.4g} m to {stations[-1][0]:.4g} m of a bat of {length:.4g} m; "
+            "measure to within an inch and a half of both ends, and check --length"
+        )
+    assumed = []
+    if stations[0][0] > 0:
+        stations = [(0.0, stations[0][1]), *stations]
+        assumed.append(0.0)
+    last, thick = stations[-1]
+    if length - last > 1e-6 * length:
+        round_end = [
+            (length - inches * INCH, part * thick) for inches, part in TIP if length - inches * INCH > last + 1e-6
+        ]
+        stations = [*stations, *round_end]
+        assumed += [place for place, _ in round_end]
+    return Outline(tuple(stations), tuple(assumed))

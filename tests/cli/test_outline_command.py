@@ -1,0 +1,31 @@
+"""`sweetspot outline`: a table of diameters becomes a bat file that reports can read."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sweetspot import beam_model, catalog, rigid_body
+
+
+def test_a_bat_there_and_back(
+    run: Callable[..., tuple[int, str, str]], run_json: Callable[..., Any], tmp_path: Path
+) -> None:
+    own = catalog.bat("mlb-a")
+    assert own.profile is not None
+    table, file = tmp_path / "mine.csv", tmp_path / "mine.toml"
+    lines = [f"{1e3 * place!r},{1e3 * size!r}" for place, size in own.profile]
+    table.write_text("\n".join(["position_mm,diameter_mm", *lines]), encoding="utf-8")
+    found = run_json("outline", str(table), "--material", "sugar maple", "--out", str(file))
+    bat = catalog.load_bat(str(file))
+    assert bat.name == "mine"
+    assert bat.profile is not None
+    for read, drawn in zip(bat.profile, own.profile, strict=True):
+        assert read == pytest.approx(drawn)
+    assert found["mass_kg"] == pytest.approx(rigid_body(beam_model(bat)).mass)
+    code, out, _ = run("outline", str(table))
+    assert code == 0
+    assert "stations: handle" in out
