@@ -27,8 +27,8 @@ from sweetspot.cli.tap_command import tap
 from sweetspot.cli.validate_command import validate
 
 COMMANDS = (
-    report, hit, play, fly, compare, certify, optimum, fit_player, outline, tap, calibrate, drop, pendulum, paper, sports,
-    parks, bats, schema, validate,
+    report, hit, play, fly, compare, certify, optimum, fit_player, outline, tap, calibrate, drop, pendulum, paper,
+    sports, parks, bats, schema, validate,
 )  # fmt: skip
 
 app = App(
