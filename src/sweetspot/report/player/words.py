@@ -131,7 +131,7 @@ def _which(advice: Advice) -> str:
     lead = "Best of those tried" if sure else "None is surely better; the likeliest gain is with"
     return (
         f"{own} {lead}: {best.candidate.label} ({size}), {shown(best.change, unit, sign='+')}, "
-        f"better in {100 * best.chance:.0f} % of what the data allow."
+        f"better in {100 * best.chance:.0f} % of what {_speaker(advice)}."
         f"{'' if advice.posterior.learned['exponent'].told else USUAL_EXPONENT}"
     )
 
@@ -142,6 +142,21 @@ def _sizes(option: Option) -> str:
     return (
         f"{bat.length / INCH:.1f} in, {body.mass / OUNCE:.1f} oz, MOI {moi:,.0f} oz in² about 6 in above the grip's end"
     )
+
+
+def _speaker(advice: Advice) -> str:
+    """Return who says how fast another bat is swung: the data, or a law."""
+    told_by_data = advice.posterior.learned["exponent"].told
+    return (
+        "the data allow" if told_by_data else "the average player's swing law allows, these swings saying nothing of it"
+    )
+
+
+def _by_law(advice: Advice) -> str:
+    """Return that an answer is the law's, where these swings do not know how another bat would be swung."""
+    if advice.posterior.learned["exponent"].told:
+        return ""
+    return " by the average player's swing law (these swings do not know it)"
 
 
 def _family(advice: Advice, family: str, nothing: str) -> str:
@@ -155,7 +170,7 @@ def _family(advice: Advice, family: str, nothing: str) -> str:
     )
     best = options[0]
     if _verdict(best.change) > 0:
-        return f"{best.candidate.label[0].upper()}{best.candidate.label[1:]} is best. {listed}."
+        return f"{best.candidate.label[0].upper()}{best.candidate.label[1:]} is best{_by_law(advice)}. {listed}."
     return f"{nothing} {listed}."
 
 
@@ -163,7 +178,8 @@ def _end_loaded(advice: Advice) -> str:
     gain = shown(advice.end_loaded, scale(advice.goal), sign="+")
     against = f"the same ounce at the tip instead of at the knob changes {told(advice.goal)} by {gain}"
     words = {1: "End-loaded", -1: "Balanced", 0: "These swings cannot tell"}
-    return f"{words[_verdict(advice.end_loaded)]}: {against}."
+    verdict = _verdict(advice.end_loaded)
+    return f"{words[verdict]}{_by_law(advice) if verdict else ''}: {against}."
 
 
 def _choke(advice: Advice) -> str:
