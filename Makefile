@@ -5,7 +5,7 @@ UV := $(BIN)/uv
 BAT := r161-ash
 OUT := report
 
-.PHONY: report app browser test lint types docs mutants bench bench-quick format lock clean
+.PHONY: report app browser test lint types docs mutants bench bench-quick format lock fuzz clean
 
 report: $(VENV)/.run  ## where does this bat hit best? BAT=name or file, OUT=folder
 	$(BIN)/sweetspot report $(BAT) --out $(OUT)
@@ -39,6 +39,9 @@ docs: $(VENV)/.dev  ## the documentation, warnings are errors
 
 mutants: $(VENV)/.dev  ## deliberate mistakes in physics and catalogue that the tests must notice; goes on where it stopped
 	$(BIN)/python tools/mutants.py
+
+fuzz: $(VENV)/.dev  ## a million generated inputs; goes on where it stopped, keeps what breaks something
+	$(BIN)/python tools/fuzz.py
 
 bench: $(VENV)/.dev  ## measured figures, beside rivals
 	$(BIN)/python -m pytest benchmarks -q -p no:xdist --benchmark-only

@@ -21,6 +21,7 @@ from sweetspot.equipment.shell import Shell, Stations, between, check_order
 from sweetspot.numerics.arrays import Array
 
 LENGTH_RANGE = (0.3, 1.3)
+MOST_COEFFICIENTS = 10
 DIAMETER_RANGE = (0.005, 0.12)
 IMPLAUSIBLE = "give it in the file's own unit, for example '2.5 in' or '64 mm'"
 
@@ -117,6 +118,10 @@ class Bat(OfMaterial):
         return self
 
     def _check_linear_density(self) -> None:
+        if not 1 <= len(self.linear_density or ()) <= MOST_COEFFICIENTS:
+            raise ValueError(
+                f"linear_density has {len(self.linear_density or ())} coefficients; give 1 to {MOST_COEFFICIENTS}"
+            )
         if self.shell or self.bores or self.cup:
             raise ValueError("a linear_density describes a solid bat; shell, bore and cup need a profile")
         places = np.linspace(0, self.length, 401)
@@ -195,7 +200,7 @@ class Bat(OfMaterial):
             return np.asarray(np.interp(np.asarray(position, float), stations, diameters))
         assert self.linear_density is not None  # one of the two is given
         mass_per_length = polynomial.polyval(np.asarray(position, float), self.linear_density)
-        with np.errstate(invalid="ignore"):
+        with np.errstate(invalid="ignore", over="ignore"):
             return np.asarray(np.sqrt(4 * mass_per_length / (math.pi * self.material.density)))
 
     def width_at(self, position: ArrayLike) -> Array:

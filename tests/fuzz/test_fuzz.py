@@ -1,0 +1,47 @@
+"""Generated inputs: an answer in finite numbers or a refusal, at once; and every input that once broke something."""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parents[2]))
+
+from sweetspot.errors import InputError
+from tests.fuzz.generators import KINDS, text_of
+
+CORPUS = Path(__file__).parent / "corpus"
+COUNTS = {"quantity": 300, "bat": 250, "implement": 150, "toml": 2000, "swings": 250, "shots": 400}
+"""`make fuzz` goes on from here."""
+SLOWEST = 10.0
+"""s of the processor for one input."""
+MESSAGE = 1500
+
+
+def check(kind: str, text: str) -> None:
+    start = time.process_time()
+    try:
+        KINDS[kind].take(text)
+    except InputError as error:
+        assert 0 < len(str(error)) < MESSAGE
+    assert time.process_time() - start < SLOWEST
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_generated_inputs(kind: str) -> None:
+    for number in range(COUNTS[kind]):
+        try:
+            check(kind, text_of(kind, number))
+        except Exception as error:
+            error.add_note(f"{kind} {number}: {text_of(kind, number)[:500]}")
+            raise
+
+
+@pytest.mark.parametrize("path", sorted(CORPUS.glob("*.json")), ids=lambda path: path.stem)
+def test_what_once_broke_something(path: Path) -> None:
+    kept = json.loads(path.read_text(encoding="utf-8"))
+    check(kept["kind"], kept["text"])
