@@ -76,6 +76,7 @@ $(UV):
 $(VENV)/.run: requirements.txt pyproject.toml | $(UV)
 	$(UV) pip install -q --compile-bytecode -r requirements.txt
 	$(UV) pip install -q --no-deps -e .
+	$(BIN)/sweetspot prepare
 	@touch $@
 
 $(VENV)/.dev: requirements-dev.txt pyproject.toml | $(UV)

@@ -246,3 +246,31 @@ def test_a_fault_of_the_program_is_told_as_json(monkeypatch: pytest.MonkeyPatch)
     response = asyncio.run(asked())
     assert response.status_code == 500
     assert "report it" in response.json()["error"]["message"]
+
+
+HOSTILE = ('baseball" if not __import__("os").system("id") else "', "$(id)", "`id`", "a; id", "x' + str(1) + '", "\nid")
+
+
+@pytest.mark.parametrize("text", HOSTILE)
+@pytest.mark.parametrize(
+    ("name", "field"),
+    [
+        (name, field)
+        for name in VIEWS
+        for field in ("bat", "ball", "bore_fill", "hole_fill", "league", "park", "swing_law")
+    ],
+)
+def test_a_name_that_is_in_no_catalogue_has_no_lines(client: httpx.Client, name: str, field: str, text: str) -> None:
+    """Lines are for people to copy and run, and a state may come from anybody's link."""
+    if field not in VIEWS[name].state.model_fields:
+        return
+    state = {field: text, "bore_diameter_in": 1.0, "question": "corking", "start": "swing"}
+    known = {key: value for key, value in state.items() if key in VIEWS[name].state.model_fields}
+    response = client.post(f"/api/v1/{name}/recipe", json=known)
+    assert response.status_code == 422, response.text
+
+
+def test_the_other_bats_of_a_comparison_are_names_of_the_catalogue_too(client: httpx.Client) -> None:
+    response = client.post("/api/v1/compare/recipe", json={"others": [{"bat": "$(id)"}]})
+    assert response.status_code == 422
+    assert response.json()["error"]["field"] == "others.0.bat"

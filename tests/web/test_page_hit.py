@@ -41,7 +41,7 @@ def barrel(page: Page) -> str:
 
 
 def moment(page: Page) -> float:
-    return float(page.inner_text("output.moment").removesuffix(" ms").replace("\N{MINUS SIGN}", "-"))
+    return float(page.inner_text(".moment").removesuffix(" ms").replace("\N{MINUS SIGN}", "-"))
 
 
 def scrub(page: Page, milliseconds: float) -> None:
@@ -76,7 +76,7 @@ def test_scrubbing_bends_the_bat_and_moves_the_energy(
     assert picture(still, SIDE) != before and still.inner_text(".ledger") != ledger
     assert "moment_ms=2.5" in still.url
     still.go_back()
-    until(still, "document.querySelector('output.moment').textContent === '0.60 ms'")
+    until(still, "document.querySelector('.moment').textContent === '0.60 ms'")
 
 
 def test_an_address_opens_at_its_moment(still: Page, server: str, answered: Answered) -> None:
@@ -101,7 +101,7 @@ def test_play_goes_on_and_pause_stops(still: Page, server: str, answered: Answer
     still.goto(f"{server}/hit?slowness=3000")
     answered(still)
     still.click("#play")
-    until(still, "parseFloat(document.querySelector('output.moment').textContent) > 0.65")
+    until(still, "parseFloat(document.querySelector('.moment').textContent) > 0.65")
     assert still.inner_text("#play") == "Pause"
     still.click("#play")
     rested = moment(still)
@@ -175,7 +175,7 @@ def test_what_is_wrong_stands_beside_its_control(still: Page, server: str, answe
     answered(still)
     still.get_by_label("Ball meets bat, from the tip, in").fill("35")
     still.keyboard.press("Enter")
-    until(still, "document.querySelector('[data-field=impact_from_tip_in] .fault').textContent.includes('hands')")
+    until(still, "document.querySelector('[data-field=impact_from_tip_in] .fault').textContent.includes('Allowed is')")
 
 
 def test_exports(still: Page, server: str, answered: Answered, tmp_path: Path) -> None:

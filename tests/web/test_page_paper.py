@@ -48,7 +48,7 @@ def test_the_questions_come_one_after_the_other(opened: Page, answered: Answered
 
 
 def shown(page: Page) -> tuple[str, ...]:
-    return page.locator(".formulas").inner_text(), page.locator("#view tbody").inner_text(), picture(page)
+    return page.locator(".formulas").inner_text(), page.locator("#view .scroll tbody").inner_text(), picture(page)
 
 
 def test_numbers_move_formula_picture_and_statements(opened: Page, answered: Answered) -> None:

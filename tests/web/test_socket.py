@@ -135,6 +135,7 @@ def test_an_answer_that_takes_too_long_is_given_up(monkeypatch: pytest.MonkeyPat
     monkeypatch.setitem(VIEWS, "slow", View("slow", "Slow", ViewState, slow))
     monkeypatch.setattr(answers, "TIME_LIMIT", 0.05)
     found = answers.Answers()
+    found.prepared = True
     with ThreadPoolExecutor(1) as apart, pytest.raises(FieldError, match="longer than"):
         apart.submit(
             lambda: asyncio.run(found.json("slow", ViewState()))

@@ -27,7 +27,7 @@ def asked(**controls: Any) -> dict[str, Any]:
 def test_it_is_the_librarys_comparison() -> None:
     bats = [catalog.bat("r161-ash"), catalog.bat("russell-b6")]
     expected = compare(bats, conditions=standard_conditions(bats[0]), law=catalog.swing_law())
-    found = asked(bats=[{}, {"bat": "russell-b6"}])
+    found = asked(others=[{"bat": "russell-b6"}])
     assert found["verdict"] == [str(sentence) for sentence in verdict(expected)]
     for row, one in zip(found["bats"], expected.compared, strict=True):
         for end in ("value", "low", "high"):
@@ -45,7 +45,7 @@ def test_corking_is_answered_in_both_systems() -> None:
 
 
 def test_a_thinner_wall_takes_more_energy() -> None:
-    found = asked(what_if="wall", bats=[{"bat": "russell-b6"}], wall_times=0.85)
+    found = asked(what_if="wall", bat="russell-b6", wall_times=0.85)
     own, thin = (row["wall"] for row in found["bats"])
     assert thin["thickness_m"] == pytest.approx(0.85 * own["thickness_m"], rel=0.02)  # best places differ a little
     assert thin["energy_share"] > own["energy_share"] and thin["hoop_frequency_hz"] < own["hoop_frequency_hz"]
@@ -53,26 +53,26 @@ def test_a_thinner_wall_takes_more_energy() -> None:
 
 
 def test_rules_are_held_against_every_bat() -> None:
-    found = asked(bats=[{}, {"bat": "russell-b6"}], league="ncaa")
+    found = asked(others=[{"bat": "russell-b6"}], league="ncaa")
     first, metal = ({check["quantity"]: check["verdict"] for check in row["checks"]} for row in found["certification"])
     assert first["bbcor"] == "pass" and metal["bbcor"] == "fail"
-    leagues = {check["league"] for check in asked(bats=[{}], league="all")["certification"][0]["checks"]}
+    leagues = {check["league"] for check in asked(others=[], league="all")["certification"][0]["checks"]}
     assert {"mlb", "ncaa", "usssa", "softball"} <= leagues
 
 
 def test_one_bat_alone_is_no_fault() -> None:
-    found = asked(bats=[{}])
+    found = asked(others=[])
     assert len(found["bats"]) == 1 and "Choose another bat" in found["verdict"][0]
 
 
 def test_the_same_bat_twice_has_two_names() -> None:
-    assert [row["label"] for row in asked(bats=[{}, {}])["bats"]] == ["R161, white ash", "R161, white ash (2)"]
+    assert [row["label"] for row in asked(others=[{}])["bats"]] == ["R161, white ash", "R161, white ash (2)"]
 
 
 @pytest.mark.parametrize(
     ("controls", "field", "words"),
     [
-        ({"bats": [{}, {"bat": "rosewood"}]}, "bats.1.bat", "bat 2: bat 'rosewood' is not in the catalogue"),
+        ({"others": [{"bat": "rosewood"}]}, "others.0.bat", "bat 2: bat 'rosewood' is not in the catalogue"),
         ({"what_if": "wall"}, "what_if", "is solid and has no wall"),
         ({"what_if": "cork", "hole_diameter_in": 2, "hole_depth_in": 20}, "hole_diameter_in", "make it narrower"),
         ({"league": "sandlot"}, "league", "not in the catalogue"),
@@ -88,9 +88,9 @@ def test_faults_name_their_control(controls: dict[str, Any], field: str, words: 
 @pytest.mark.parametrize(
     "controls",
     [
-        {"bats": [{}, {"bat": "youth-30", "choke_up_in": 1.0}], "bat_speed_mph": 66.0},
+        {"others": [{"bat": "youth-30", "choke_up_in": 1.0}], "bat_speed_mph": 66.0},
         {"what_if": "cork", "hole_depth_in": 1.5, "same": "speed"},
-        {"what_if": "wall", "bats": [{"bat": "russell-b6"}]},
+        {"what_if": "wall", "bat": "russell-b6"},
     ],
 )
 def test_python_lines_give_the_same_numbers(

@@ -86,7 +86,7 @@ def test_faults_name_their_control(controls: dict[str, Any], field: str, words: 
 
 @pytest.mark.parametrize(
     "controls",
-    [{"wind_speed_mph": 8.0, "wind_direction_deg": -30.0}, {"start": "swing", "offset_in": 0.6, "bats": "left"}],
+    [{"wind_speed_mph": 8.0, "wind_direction_deg": -30.0}, {"start": "swing", "offset_in": 0.6, "batter": "left"}],
 )
 def test_python_lines_give_the_same_numbers(controls: dict[str, Any]) -> None:
     state = FlightState.model_validate(controls)

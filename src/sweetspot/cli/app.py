@@ -16,6 +16,7 @@ from sweetspot.cli.hit_command import hit
 from sweetspot.cli.optimum_command import optimum
 from sweetspot.cli.outline_command import outline
 from sweetspot.cli.page_command import app as page
+from sweetspot.cli.page_command import prepare
 from sweetspot.cli.paper_command import paper
 from sweetspot.cli.parks_command import parks
 from sweetspot.cli.pendulum_command import pendulum
@@ -28,7 +29,7 @@ from sweetspot.cli.validate_command import validate
 
 COMMANDS = (
     report, hit, play, fly, compare, certify, optimum, fit_player, outline, tap, calibrate, drop, pendulum, paper,
-    sports, parks, bats, schema, validate,
+    sports, parks, bats, schema, validate, prepare,
 )  # fmt: skip
 
 app = App(

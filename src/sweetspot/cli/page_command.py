@@ -1,4 +1,4 @@
-"""`sweetspot app`: the page, served from this machine."""
+"""`sweetspot app`: the page, served from this machine; `sweetspot prepare`: nothing waits for it later."""
 
 from __future__ import annotations
 
@@ -33,3 +33,11 @@ def app(
     if host not in ("127.0.0.1", "localhost", "::1"):
         print("sweetspot: everyone who reaches this machine can use the page", file=sys.stderr)
     serve(sockets, names=allow_host, open_page=address if browser else None)
+
+
+def prepare() -> None:
+    """Compile the solver for this machine and work out the page's first pictures, once, so that nothing waits later."""
+    from sweetspot.web.answers import answer_json
+    from sweetspot.web.first_answers import prepare as prepare_all
+
+    prepare_all(answer_json, lambda words: print(f"sweetspot: {words}", file=sys.stderr))

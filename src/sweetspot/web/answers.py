@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import logging
 import os
 from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache
@@ -12,6 +13,7 @@ import pydantic_core
 from pydantic import ValidationError
 
 from sweetspot.web.errors import FieldError, fault
+from sweetspot.web.first_answers import kept_answer, work_out
 from sweetspot.web.states import ViewState
 from sweetspot.web.views import VIEWS
 
@@ -22,20 +24,46 @@ KEPT = 512
 WORKERS = max(2, os.cpu_count() or 1)
 
 
-class Answers:
-    """A pool of threads that answers; the collision kernel works without the interpreter's lock."""
+class TooSlowError(FieldError):
+    """An answer took longer than its limit; it is still worked out, so that asking again later finds it."""
 
     def __init__(self) -> None:
+        super().__init__("", f"this takes longer than {TIME_LIMIT:g} s")
+
+
+class Answers:
+    """A pool of threads that answers; the collision kernel works without the interpreter's lock.
+
+    The first answers are kept on disk or worked out at the start, which also loads or compiles the kernels. Until that
+    is done, ``prepared`` is False and an answer may take as long as it takes.
+    """
+
+    def __init__(self) -> None:
+        self.prepared = False
         self._pool = ThreadPoolExecutor(WORKERS, thread_name_prefix="answer")
 
     async def json(self, name: str, state: ViewState) -> bytes:
-        """Return a view's answer as JSON text; raises `FieldError` for bad input and where the time limit is passed."""
+        """Return a view's answer as JSON text; raises `FieldError` for bad input, `TooSlowError` after the limit."""
+        kept = kept_answer(name, state)
+        if kept is not None:
+            return kept
         loop = asyncio.get_running_loop()
         try:
-            async with asyncio.timeout(TIME_LIMIT):
+            async with asyncio.timeout(TIME_LIMIT if self.prepared else None):
                 return await loop.run_in_executor(self._pool, answer_json, name, state)
         except TimeoutError:
-            raise FieldError("", f"this took longer than {TIME_LIMIT:g} s and was given up; ask for less") from None
+            raise TooSlowError from None
+
+    def prepare(self) -> None:
+        """Load every kernel, or compile it, and keep the first answers."""
+        try:
+            for name, view in VIEWS.items():
+                answer_json(name, view.state())  # loads the kernels, also where the answer is kept
+            work_out(answer_json, tuple(VIEWS))
+        except Exception:
+            logging.getLogger("sweetspot.web").exception("preparing the first answers")
+        finally:
+            self.prepared = True
 
     def close(self) -> None:
         """Stop taking work."""
@@ -62,4 +90,4 @@ def state_of(name: str, table: Any) -> ViewState:
         return view.state.model_validate(table)
     except ValidationError as error:
         found = fault(error)
-        raise FieldError(found["field"], found["message"]) from None
+        raise FieldError(found["field"], found["message"], tuple(found.get("more", ()))) from None

@@ -94,6 +94,12 @@ def _values(value: Any, depth: int) -> Iterator[tuple[int, Any]]:
             yield from _values(item, depth + 1)
 
 
+def plain(state: BatState) -> Bat:
+    """Return a state's bat with its outline, before weight, holes, wall and grip are changed."""
+    chosen = {name: getattr(state, name) for name in ("bat", "bat_toml", "profile_in")}
+    return _changed(BatState.model_construct(**{**dict(_FIRST), **chosen}))
+
+
 def _unheld(state: BatState) -> BatState:
     """Return the bat's controls alone, without how it is held, as the key under which it is kept."""
     kept = {name: getattr(state, name) for name in BatState.model_fields}
@@ -106,6 +112,7 @@ def _make(ball: Ball) -> Ball:
 
 
 _ANY_RESTITUTION = catalog.ball().restitution
+_FIRST = BatState()
 
 
 @lru_cache(maxsize=KEPT)

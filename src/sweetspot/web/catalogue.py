@@ -26,9 +26,9 @@ def catalogue_routes(api: APIRouter) -> None:
         return list(_bats())
 
     @api.get("/balls", tags=["catalogue"])
-    def balls() -> list[str]:
-        """Return the names of the catalogue's balls."""
-        return catalog.ball_names()
+    def balls() -> list[Choice]:
+        """Return the catalogue's balls."""
+        return [Choice(key=name, name=catalog.ball(name).name) for name in catalog.ball_names()]
 
     @api.get("/materials", tags=["catalogue"])
     def materials() -> list[str]:

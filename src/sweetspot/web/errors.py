@@ -11,6 +11,7 @@ from pydantic import ValidationError
 
 from sweetspot.errors import InputError, SweetspotError
 
+MOST_FAULTS = 20
 LONGEST_MESSAGE = 500
 """Letters of a message; what was given may be long and is cut."""
 
@@ -18,9 +19,9 @@ LONGEST_MESSAGE = 500
 class FieldError(InputError):
     """An input error that knows which control it belongs to; an empty field is the whole message."""
 
-    def __init__(self, field: str, message: str) -> None:
+    def __init__(self, field: str, message: str, more: tuple[dict[str, Any], ...] = ()) -> None:
         super().__init__(message)
-        self.field = field
+        self.field, self.more = field, more
 
 
 @contextmanager
@@ -34,13 +35,14 @@ def about(field: str) -> Iterator[None]:
         raise FieldError(field, str(error)) from None
 
 
-def fault(error: SweetspotError | ValidationError | RequestValidationError) -> dict[str, str]:
-    """Return {"field", "message"} of an error, short enough to show."""
+def fault(error: SweetspotError | ValidationError | RequestValidationError) -> dict[str, Any]:
+    """Return {"field", "message"} of an error, short enough to show; where there are several, the rest as "more"."""
     if isinstance(error, ValidationError):
-        return _first(error.errors(include_url=False)[0])
-    if isinstance(error, RequestValidationError):
-        found = error.errors()[0]
-        return _first({**found, "loc": found["loc"][1:]})  # the first part says that it stood in the body
+        return _together([_one(found) for found in error.errors(include_url=False)])
+    if isinstance(error, RequestValidationError):  # the first part of a place says that it stood in the body
+        return _together([_one({**found, "loc": found["loc"][1:]}) for found in error.errors()])
+    if isinstance(error, FieldError) and error.more:
+        return _together([{"field": error.field, "message": str(error)}, *error.more])
     field = error.field if isinstance(error, FieldError) else ""
     return {"field": field, "message": shortened(str(error))}
 
@@ -51,9 +53,14 @@ def shortened(message: str) -> str:
     return words if len(words) <= LONGEST_MESSAGE else words[: LONGEST_MESSAGE - 1] + "…"
 
 
-def _first(found: Any) -> dict[str, str]:
-    names = [part for part in found["loc"] if isinstance(part, str)]
-    field = names[0] if names else ""
+def _together(faults: list[dict[str, Any]]) -> dict[str, Any]:
+    first, *rest = faults[:MOST_FAULTS]
+    return {**first, "more": rest} if rest else first
+
+
+def _one(found: Any) -> dict[str, Any]:
+    place = found["loc"] if found["loc"][:1] == ("others",) else found["loc"][:1]  # whose items have controls
+    field = ".".join(str(part) for part in place)
     if found["type"] in ("model_attributes_type", "model_type", "dict_type", "missing") and not field:
         return {"field": "", "message": "the message must be one JSON object, sent as application/json"}
     return {"field": field, "message": shortened(_sentence(found))}

@@ -10,6 +10,7 @@ from functools import cache
 from pathlib import Path
 
 from sweetspot import __version__
+from sweetspot.web.states import CARRIED
 from sweetspot.web.views import VIEWS
 
 FOLDER = Path(__file__).with_name("static")
@@ -52,7 +53,7 @@ def shell(template: File) -> File:
     views = [
         {"name": view.name, "title": view.title, "schema": view.state.model_json_schema()} for view in VIEWS.values()
     ]
-    facts = json.dumps({"version": __version__, "views": views}).replace("<", "\\u003c")
+    facts = json.dumps({"version": __version__, "views": views, "carried": CARRIED}).replace("<", "\\u003c")
     return _file(template.content.replace(b"@facts@", facts.encode()), ".html")
 
 

@@ -1,9 +1,12 @@
 """The lines that give a view's numbers without the page: command line, Python, and the bat's file.
 
-A bat of the catalogue is named; any other is read from the file that goes with the lines.
+A bat of the catalogue is named; any other is read from the file that goes with the lines. Names are quoted: lines are
+for people to copy and run, and a state may come from anybody's link.
 """
 
 from __future__ import annotations
+
+from shlex import quote
 
 from sweetspot.catalog.files.write import bat_toml
 from sweetspot.web.bats import described
@@ -15,7 +18,7 @@ _FIRST = BatState()
 
 def bat_name(state: BatState) -> str:
     """Return what the command line calls the bat: its catalogue name, or the file."""
-    return state.bat if is_catalogued(state) else BAT_FILE
+    return quote(state.bat) if is_catalogued(state) else BAT_FILE
 
 
 def is_catalogued(state: BatState) -> bool:
@@ -39,7 +42,7 @@ def swing_options(state: SwungState) -> str:
         "--pitch-speed": pitch if state.pitch_speed_mph != first.pitch_speed_mph else None,
         "--bat-speed": _unless(state.bat_speed_mph, first.bat_speed_mph, "mph"),
         "--hands": _unless(state.hands_in + state.choke_up_in, first.hands_in + state.choke_up_in, "in"),
-        "--ball": state.ball if state.ball != first.ball else None,
+        "--ball": quote(state.ball) if state.ball != first.ball else None,
         "--ball-cor": _unless(state.ball_cor, None, ""),
         "--ball-humidity": _unless(state.ball_humidity, None, ""),
         "--ball-temperature": _unless(state.ball_temperature_degf, None, "degF"),
@@ -49,8 +52,8 @@ def swing_options(state: SwungState) -> str:
 
 def conditions_lines(state: SwungState) -> str:
     """Return Python lines that make ``bat`` and ``conditions``."""
-    source = f'catalog.bat("{state.bat}")' if is_catalogued(state) else f'catalog.load_bat("{BAT_FILE}")'
-    ball = f'catalog.ball("{state.ball}")'
+    source = f"catalog.bat({state.bat!r})" if is_catalogued(state) else f'catalog.load_bat("{BAT_FILE}")'
+    ball = f"catalog.ball({state.ball!r})"
     if state.ball_cor is not None:
         ball += f".with_restitution({state.ball_cor!r})"
     if state.ball_humidity is not None or state.ball_temperature_degf is not None:

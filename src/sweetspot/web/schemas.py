@@ -12,6 +12,7 @@ class Fault(BaseModel):
 
     field: str
     message: str
+    more: list[dict[str, str]] = Field([], description="what else is wrong, where several controls are")
 
 
 class Refusal(BaseModel):

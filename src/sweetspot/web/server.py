@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import logging
 import threading
 from collections.abc import AsyncIterator, Callable, Iterable
 from contextlib import asynccontextmanager
@@ -43,7 +42,7 @@ def create_app(*, names: Iterable[str] = ()) -> FastAPI:
 
     @asynccontextmanager
     async def life(_: FastAPI) -> AsyncIterator[None]:
-        threading.Thread(target=_warm, daemon=True, name="warm").start()
+        threading.Thread(target=answers.prepare, daemon=True, name="prepare").start()
         yield
         answers.close()
 
@@ -90,6 +89,7 @@ def _view_route(api: APIRouter, view: View, answers: Answers) -> None:
     recipe = view.recipe
 
     def lines(state: Any) -> dict[str, str]:
+        answer_json(view.name, state)  # what has no answer, such as a name that is in no catalogue, has no lines
         return recipe(state)
 
     lines.__annotations__["state"] = view.state
@@ -140,15 +140,3 @@ async def _wrong(_: Request, error: Exception) -> JSONResponse:
 
 async def _broken(_: Request, error: Exception) -> JSONResponse:  # noqa: ARG001 - the server logs it
     return JSONResponse({"error": {"field": "", "message": _BROKEN}}, 500)
-
-
-def _warm() -> None:
-    """Compile or load what the first answer needs, before anyone asks."""
-    try:
-        for view in VIEWS.values():
-            answer_json(view.name, view.state())
-        for view in VIEWS.values():
-            for state in view.slow:
-                answer_json(view.name, state)
-    except Exception:
-        logging.getLogger("sweetspot.web").exception("warming up")

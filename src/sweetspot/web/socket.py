@@ -11,7 +11,7 @@ from fastapi import WebSocket, WebSocketDisconnect
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from sweetspot.errors import SweetspotError
-from sweetspot.web.answers import Answers, state_of
+from sweetspot.web.answers import Answers, TooSlowError, state_of
 from sweetspot.web.errors import FieldError, fault
 from sweetspot.web.limits import LARGEST_BODY, MESSAGES_AT_ONCE, MESSAGES_PER_SECOND, MOST_SOCKETS, Bucket
 
@@ -96,17 +96,19 @@ class _Conversation:
                 self._arrived.clear()
 
     async def _reply(self, question: Question) -> None:
+        head = {"id": question.id, "view": question.view}
+        if not self._answers.prepared:
+            await self._say({**head, "status": "preparing"})
         try:
             found = await self._answers.json(question.view, state_of(question.view, question.state))
         except SweetspotError as error:
-            await self._say({"id": question.id, "view": question.view, "error": fault(error)})
+            await self._say({**head, "error": fault(error), "again": isinstance(error, TooSlowError)})
         except Exception:  # a fault of ours must not end the conversation
             _log_fault(question.view)
             message = "this could not be computed; the fault is the program's. Other settings should work"
-            await self._say({"id": question.id, "view": question.view, "error": {"field": "", "message": message}})
+            await self._say({**head, "error": {"field": "", "message": message}})
         else:
-            head = f'{{"id":{question.id},"view":"{question.view}","answer":'
-            await self._socket.send_text(f"{head}{found.decode()}}}")
+            await self._socket.send_text(f'{json.dumps(head)[:-1]}, "answer": {found.decode()}}}')
 
     async def _say(self, table: dict[str, Any]) -> None:
         await self._socket.send_text(json.dumps(table))

@@ -66,8 +66,23 @@ class SwungState(SwingState, BatState):
     """The bat, the swing and the ball."""
 
 
-class HitState(SwungState):
-    """The bat, the swing, the ball, and where they meet."""
+class PlacedState(SwungState):
+    """The bat, the swing, the ball, and where along the bat they meet."""
 
     impact_from_tip_in: float = Field(6.0, ge=0, le=40, description="where the ball meets the bat")
+
+
+class HitState(PlacedState):
+    """The bat, the swing, the ball, and where they meet."""
+
     offset_in: float = Field(0.0, ge=-2.5, le=2.5, description="ball's centre above the bat's axis at impact")
+
+
+class HeldState(ViewState):
+    """Who holds the bat."""
+
+    held: bool = Field(False, description="typical hands hold the bat: a mass behind a spring and a damper each")
+
+
+CARRIED = (*HitState.model_fields, *HeldState.model_fields)
+"""Fields that mean the same in every view that has them, so that a bat and its hit go along from view to view."""

@@ -1,8 +1,10 @@
-// Controls: a label, what is chosen, its unit, and what is wrong with it beside it. Bounds come from the schema.
+// Controls: a label, what is chosen, its unit, and what is wrong with it beside it. Bounds come from the schema,
+// narrowed by those of the answer (app.bounds).
 //
 //   slider(app, "pitch_speed_mph", { label: "Pitch speed", step: 0.5 })   a range and a number field
 //   slider(app, "ball_cor", { label: "Ball COR", step: 0.005, empty: 0.55 })   may be empty (null): shows 0.55 until moved;
-//                                                      empty may be a function, asked again after every answer
+//                                                      empty may be a function, asked again after every answer; so may
+//                                                      label, asked again after a change of units
 //   choice(app, "ball", { label: "Ball", options: [["baseball", "Baseball"]] })
 //   toggle(app, "fixed", { label: "Held fast" })
 //   group("Swing", [slider(...), ...], { open: true })   controls under a heading that folds
@@ -14,8 +16,9 @@ import { fromShown, toShown, unitOf } from "./units.js";
 let count = 0;
 
 export function slider(app, field, { label, step, empty = null, note = "", onInput = null }) {
-  const bounds = boundsOf(app.schema[field]);
-  const { box, fault, id } = frame(field, label, note);
+  const limits = () => narrowed(boundsOf(app.schema[field]), app.bounds?.(field));
+  let bounds = limits();
+  const { box, fault, id, name } = frame(field, label, note);
   const range = input("range", id);
   const number = input("number", `${id}-number`);
   const unit = document.createElement("span");
@@ -24,13 +27,17 @@ export function slider(app, field, { label, step, empty = null, note = "", onInp
   range.setAttribute("aria-describedby", `${id}-fault`);
   number.setAttribute("aria-describedby", `${id}-fault`);
   box.querySelector(".entry").append(range, number, unit);
-  let system = null;
+  let scaled = null;
   const shown = (value) => toShown(field, value, app.units);
   const stepShown = () => niceStep(Math.abs(shown(step) - shown(0)), app.units === "us" ? 0 : 1);
 
   function scale() {
-    if (system === app.units) return;
-    system = app.units;
+    bounds = limits();
+    const now = `${app.units} ${bounds.least} ${bounds.most}`;
+    if (scaled === now) return;
+    scaled = now;
+    const words = typeof label === "function" ? label() : label;
+    name.textContent = words;
     for (const one of [range, number]) {
       const fine = stepShown();
       one.min = String(round(shown(bounds.least), fine, Math.ceil));
@@ -38,7 +45,7 @@ export function slider(app, field, { label, step, empty = null, note = "", onInp
       one.step = one === range ? String(fine) : "any";
     }
     unit.textContent = unitOf(field, app.units);
-    number.setAttribute("aria-label", `${label}${unit.textContent ? `, ${unit.textContent}` : ""}`);
+    number.setAttribute("aria-label", `${words}${unit.textContent ? `, ${unit.textContent}` : ""}`);
   }
 
   function take(text, commit) {
@@ -57,12 +64,15 @@ export function slider(app, field, { label, step, empty = null, note = "", onInp
     onInput?.(inside);
   }
 
+  let byKey = false; // key presses on a slider are undone together, a drag is one step
+  range.addEventListener("keydown", () => (byKey = true));
+  range.addEventListener("pointerdown", () => (byKey = false));
   range.addEventListener("input", () => take(range.value, false));
-  range.addEventListener("change", () => app.commit());
+  range.addEventListener("change", () => app.commit({ merge: byKey ? `keys ${id}` : null }));
   number.addEventListener("change", () => take(number.value, true));
   const control = {
     field,
-    follows: typeof empty === "function",
+    follows: true,
     sync(state) {
       scale();
       const value = state[field] ?? (typeof empty === "function" ? empty() : empty);
@@ -80,7 +90,8 @@ export function slider(app, field, { label, step, empty = null, note = "", onInp
   return box;
 }
 
-export function choice(app, field, { label, options, note = "", onChange = null }) {
+// shown: what of the state is chosen, take: what a choice does, where these are not the field alone.
+export function choice(app, field, { label, options, note = "", shown = (state) => state[field], take = null }) {
   const { box, fault, id } = frame(field, label, note);
   const select = document.createElement("select");
   select.id = id;
@@ -91,19 +102,19 @@ export function choice(app, field, { label, options, note = "", onChange = null 
   };
   box.querySelector(".entry").append(select);
   select.addEventListener("change", () => {
-    app.setState({ [field]: select.value });
-    onChange?.(select.value);
+    if (take) take(select.value);
+    else app.setState({ [field]: select.value });
   });
   const control = {
     field,
     sync(state) {
-      const value = String(state[field] ?? "");
+      const value = String(shown(state) ?? "");
       if (![...select.options].some((option) => option.value === value)) select.append(new Option(value, value));
       select.value = value;
     },
     fault: faultSetter(fault, [select]),
   };
-  if (options instanceof Promise) options.then(fill);
+  if (options instanceof Promise) options.then(fill, () => {}); // without the list the present choice stands there alone
   else fill(options);
   app.control(control);
   return box;
@@ -142,23 +153,38 @@ function frame(field, label, note) {
   const box = document.createElement("div");
   box.className = "control";
   box.dataset.field = field;
-  const name = Object.assign(document.createElement("label"), { htmlFor: id, textContent: label });
+  const name = Object.assign(document.createElement("label"), { htmlFor: id, textContent: typeof label === "function" ? label() : label });
   const entry = Object.assign(document.createElement("div"), { className: "entry" });
   const fault = Object.assign(document.createElement("p"), { className: "fault", id: `${id}-fault`, hidden: true });
   box.append(name, entry, fault);
   if (note) box.append(Object.assign(document.createElement("p"), { className: "note", textContent: note }));
-  return { box, fault, id };
+  return { box, fault, id, name };
 }
 
 function faultSetter(place, inputs) {
   return (message) => {
     place.textContent = message;
     place.hidden = message === "";
+    if (message) reveal(place);
     for (const one of inputs) {
       if (message) one.setAttribute("aria-invalid", "true");
       else one.removeAttribute("aria-invalid");
     }
   };
+}
+
+// Open and show everything that a place lies in.
+export function reveal(place) {
+  for (let box = place; box && box.id !== "view"; box = box.parentElement) {
+    box.hidden = false;
+    if (box.tagName === "DETAILS") box.open = true;
+  }
+}
+
+function narrowed({ least, most }, known) {
+  if (!known) return { least, most };
+  const [low, high] = [Math.max(least, known[0]), Math.min(most, known[1])];
+  return low < high ? { least: low, most: high } : { least, most };
 }
 
 function input(type, id) {

@@ -156,7 +156,7 @@ function save(app, ending, type, content) {
   download(`sweetspot-${app.name}.${ending}`, type, content);
 }
 
-function download(name, type, content) {
+export function download(name, type, content) {
   downloadBlob(name, new Blob([content], { type }));
 }
 

@@ -4,7 +4,7 @@
 //
 //   export const view = {
 //     name: "modes",                  // as in web/views/__init__.py, which also gives title, fields, bounds, defaults
-//     defaults: {},                   // optional: first values that differ from those of the Python state
+//     guide: [[title, words]],        // the steps of the guide
 //     mount(root, app) {},            // build the elements once; no answer is there yet
 //     update(answer, state) {},       // a new answer, or the same one again after a change of units, theme or size: draw
 //     unmount() {},                   // stop what runs; the shell empties root
@@ -26,10 +26,13 @@
 //   app.announce(text)  says something to a screen reader, at most twice a second
 //   app.ask(view, state)     a promise of another answer, over the API
 //   app.lists()    a promise of { bats, balls, materials, leagues, parks }
+//   app.bounds(field)        [least, most] that the bat of the last answer allows, undefined where it sets none
+//   app.signal     an AbortSignal that ends when the view goes: give it to listeners on what outlives the view
 //   app.control(control)     registers a control made by controls.js; those made with (app, field, ...) do it themselves
 //   app.calm       true where people asked their system for less motion: do not start animations by yourself
 
 import { addressOf, stateIn } from "./address.js";
+import { Chip } from "./chip.js";
 import { exportButton } from "./exports.js";
 import { guide, welcome } from "./guide.js";
 import { posted } from "./post.js";
@@ -42,11 +45,15 @@ const element = (id) => document.getElementById(id);
 
 class App {
   constructor() {
-    this.views = new Map(facts.views.map((entry) => [entry.name, { ...entry, schema: fieldsOf(entry.schema) }]));
+    this.views = new Map(facts.views.map(({ name, title, schema }) => [
+      name, { name, title, schema: fieldsOf(schema), bat: Object.keys(schema.$defs?.BatState?.properties ?? {}) }]));
     this.units = localStorage.getItem("units") === "si" ? "si" : "us";
     this.calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.controls = new Map();
     this.frames = new Set();
+    this.carried = {}; // what goes along from view to view: the bat, how it is swung, where the ball meets it
+    this.left = new Map(); // view -> its own controls as they were left
+    this.turn = 0;
     this.answer = null;
     this.version = facts.version;
   }
@@ -59,22 +66,36 @@ class App {
     return text(name, value, this.units, digits);
   }
 
-  setState(partial, { commit = true } = {}) {
-    this.state = { ...this.state, ...partial };
-    this.line.ask(this.name, this.state);
-    for (const control of this.controls.values()) control.sync(this.state);
-    if (commit) this.commit();
+  bounds(field) {
+    return this.answer?.bat?.bounds?.[field];
+  }
+
+  // A merge is a name: steps of the same one after the other, such as key presses on a slider, are undone together.
+  setState(partial, { commit = true, merge = null } = {}) {
+    this.take({ ...this.state, ...partial });
+    if (commit) this.commit({ merge });
     else this.dragged = true;
   }
 
+  take(state) {
+    this.state = state;
+    for (const field of facts.carried) if (Object.hasOwn(this.schema, field)) this.carried[field] = state[field];
+    this.left.set(this.name, state);
+    this.line.ask(this.name, state);
+    for (const control of this.controls.values()) control.sync(state);
+    this.chip.sync();
+  }
+
   // Put the state into the address as a step that the back button undoes.
-  commit() {
+  commit({ merge = null } = {}) {
     this.dragged = false;
+    const step = merge !== null && merge === this.merging ? "replaceState" : "pushState";
+    this.merging = merge;
     const address = addressOf(this.name, this.state, this.defaults);
     if (address.length > LONGEST_ADDRESS) { // the browser keeps the rest, so that back and reload still work
       const short = addressOf(this.name, { ...this.state, bat_toml: null }, this.defaults);
-      history.pushState({ view: this.name, state: this.state }, "", short);
-    } else if (address !== location.pathname + location.search || history.state) history.pushState(null, "", address);
+      history[step]({ view: this.name, state: this.state }, "", short);
+    } else if (address !== location.pathname + location.search || history.state) history[step](null, "", address);
     this.links();
   }
 
@@ -105,7 +126,11 @@ class App {
 
   lists() {
     this.known ??= Promise.all(["bats", "balls", "materials", "leagues", "parks"].map((name) => fetch(`/api/v1/${name}`).then((r) => r.json())))
-      .then(([bats, balls, materials, leagues, parks]) => ({ bats, balls, materials, leagues, parks }));
+      .then(([bats, balls, materials, leagues, parks]) => ({ bats, balls, materials, leagues, parks }))
+      .catch((error) => {
+        this.known = null; // so that the next who asks tries again
+        throw error;
+      });
     return this.known;
   }
 
@@ -113,26 +138,40 @@ class App {
     if (this.answer && this.view) this.view.update(this.answer, this.answered);
   }
 
-  // Show the view that the address names.
+  // Show the view that the address names; without its files, when the connection is back.
   async go() {
+    this.turn += 1;
+    const turn = this.turn;
     const name = location.pathname.slice(1) || "explorer";
     const entry = this.views.get(name) ?? this.views.values().next().value;
-    if (entry.name !== this.name || !this.view) await this.show(entry);
+    if (entry.name !== this.name || !this.view) {
+      let view;
+      try {
+        ({ view } = await fetched(entry.name));
+      } catch {
+        this.missing = true;
+        showStatus("lost");
+        return;
+      }
+      if (turn !== this.turn) return; // someone has gone elsewhere meanwhile
+      this.show(entry, view);
+    }
+    this.merging = null;
     const kept = history.state?.view === this.name ? history.state.state : null;
-    this.state = kept ?? stateIn(location.search, this.schema, this.defaults);
-    for (const control of this.controls.values()) control.sync(this.state);
-    this.line.ask(this.name, this.state);
+    this.take(kept ?? stateIn(location.search, this.schema, this.defaults));
     this.links();
   }
 
-  async show(entry) {
-    const { view } = await import(`./views/${entry.name}.js`);
+  show(entry, view) {
     this.view?.unmount();
+    this.mounted?.abort();
+    this.mounted = new AbortController();
+    this.signal = this.mounted.signal;
     this.controls.clear();
     this.frames.clear();
     this.answer = null;
     this.name = entry.name;
-    this.defaults = { ...defaultsOf(entry.schema), ...view.defaults };
+    this.defaults = defaultsOf(entry.schema);
     this.state = { ...this.defaults };
     this.view = view;
     const root = element("view");
@@ -144,40 +183,68 @@ class App {
     view.mount(root, this);
   }
 
-  // The other views' links carry the fields that they share with this one: the same bat, the same swing.
+  // Where a view's link leads: its own controls as they were left, with the bat and the hit that go along.
+  addressFor(name) {
+    const { schema } = this.views.get(name);
+    const first = defaultsOf(schema);
+    const along = Object.entries(this.carried).filter(([field]) => Object.hasOwn(schema, field));
+    return addressOf(name, { ...first, ...this.left.get(name), ...Object.fromEntries(along) }, first);
+  }
+
   links() {
     for (const link of document.querySelectorAll("#views a")) {
-      const { name, schema } = this.views.get(link.dataset.name);
-      const first = defaultsOf(schema);
-      const shared = Object.entries(this.state ?? {}).filter(([field]) => Object.hasOwn(schema, field));
-      const same = name === this.name;
-      link.href = addressOf(name, same ? this.state : { ...first, ...Object.fromEntries(shared) }, same ? this.defaults : first);
-      if (same) link.setAttribute("aria-current", "page");
+      link.href = this.addressFor(link.dataset.name);
+      if (link.dataset.name === this.name) link.setAttribute("aria-current", "page");
       else link.removeAttribute("aria-current");
     }
   }
 
+  // What an overtaken question, or the first picture, gives is drawn; what is wrong with the present one stays said.
   answers(answer, state) {
+    const first = this.answer === null;
     this.answer = answer;
     this.answered = state;
-    clearFault();
-    for (const control of this.controls.values()) {
-      control.fault("");
-      if (control.follows) control.sync(this.state);
-    }
+    if (state === this.state) this.faults([]);
+    for (const control of this.controls.values()) if (control.follows) control.sync(this.state);
     this.view.update(answer, state);
+    this.chip.sync();
     element("view").dataset.answered = String(Number(element("view").dataset.answered ?? 0) + 1);
+    if (!first) return;
+    welcome(this);
+    fetchOthers(this.views.keys()); // so that the other views are there at once, even without a server
   }
 
-  faulted(fault) {
-    for (const control of this.controls.values()) control.fault("");
-    const control = this.controls.get(fault.field);
-    clearFault();
-    if (control) control.fault(fault.message);
-    else {
-      element("fault").textContent = fault.message;
-      element("fault").hidden = false;
+  // Say beside each control what is wrong with it, and on top what belongs to none; without any picture, draw the first.
+  faulted(fault, state) {
+    if (state !== this.state) return;
+    this.faults([fault, ...(fault.more ?? [])]);
+    if (this.answer === null) this.line.ask(this.name, this.defaults);
+  }
+
+  faults(faults) {
+    for (const control of this.controls.values()) control.fault?.("");
+    const homeless = faults.filter(({ field, message }) => {
+      const control = this.controlOf(field);
+      control?.fault(message);
+      return !control;
+    });
+    element("fault").querySelector("span").textContent = homeless.map(({ field, message }) => (field ? `${field}: ${message}` : message)).join("; ");
+    element("fault").hidden = homeless.length === 0;
+  }
+
+  // "profile_in.3.1" belongs to the control of profile_in.
+  controlOf(field) {
+    const parts = field.split(".");
+    for (let length = parts.length; length > 0; length -= 1) {
+      const control = this.controls.get(parts.slice(0, length).join("."));
+      if (control?.fault) return control;
     }
+    return undefined;
+  }
+
+  // Every control of this view as it is in the first picture.
+  reset() {
+    this.setState(this.defaults);
   }
 
   start() {
@@ -193,10 +260,18 @@ class App {
     this.readColors();
     element("tools").append(switchOf("units", ["us", "US"], ["si", "SI"], this.units, (units) => this.setUnits(units)));
     element("tools").append(themeButton(() => this.readColors(true)), exportButton(this), guide(this));
+    this.chip = new Chip(this);
+    element("chip").append(this.chip.element);
+    element("fault").querySelector("button").addEventListener("click", () => this.reset());
     this.line = new Line({
       onAnswer: (view, answer, state) => view === this.name && this.answers(answer, state),
-      onFault: (view, fault) => view === this.name && this.faulted(fault),
-      onStatus: showStatus,
+      onFault: (view, fault, state) => view === this.name && this.faulted(fault, state),
+      onStatus: (status) => {
+        showStatus(status);
+        if (status !== "open" || !this.missing) return;
+        this.missing = false;
+        this.go();
+      },
     });
     addEventListener("popstate", () => this.go());
     addEventListener("pointerup", () => this.dragged && this.commit());
@@ -209,8 +284,14 @@ class App {
     const link = event.target.closest("a");
     if (!link || event.ctrlKey || event.metaKey || event.shiftKey) return;
     event.preventDefault();
-    history.pushState(null, "", link.href);
-    this.go().then(() => element("view").focus());
+    this.visit(link.href);
+  }
+
+  async visit(address) {
+    history.pushState(null, "", address);
+    await this.go();
+    element("view").focus({ preventScroll: true });
+    scrollTo(0, 0);
   }
 
   setUnits(units) {
@@ -238,14 +319,34 @@ function defaultsOf(schema) {
   return Object.fromEntries(Object.entries(schema).map(([field, property]) => [field, property.default ?? null]));
 }
 
+// A view's module. A failed import is remembered by the browser under its address, so another try needs another one.
+const modules = new Map();
+let tries = 0;
+
+function fetched(name) {
+  if (!modules.has(name)) {
+    const again = tries ? `?try=${tries}` : "";
+    modules.set(name, import(`./views/${name}.js${again}`).catch((error) => {
+      modules.delete(name);
+      tries += 1;
+      throw error;
+    }));
+  }
+  return modules.get(name);
+}
+
+function fetchOthers(names) {
+  for (const name of names) fetched(name).catch(() => {}); // who goes there asks again
+}
+
 function clearFault() {
   element("fault").hidden = true;
-  element("fault").textContent = "";
 }
 
 function showStatus(status) {
   const words = {
     open: "",
+    preparing: "First start: the solver is being compiled for this machine. That takes about half a minute, once; the picture then comes by itself.",
     lost: "The connection to the server is lost. Trying again; the page then goes on by itself.",
     slow: "The server is taking its time with this answer.",
   }[status];
@@ -282,5 +383,4 @@ function themeButton(onChange) {
   return button;
 }
 
-const app = new App();
-app.start().then(() => welcome(app));
+new App().start();

@@ -71,15 +71,20 @@ function decimalsFor(kind, value, app) {
   return size === 0 ? 1 : Math.min(4, Math.max(0, 3 - Math.floor(Math.log10(size))));
 }
 
-// An app for the controls of one item of a list in the state: scoped(app, "bats", 1, schema, defaults).
+// An app for the controls of one item of a list of bats in the state: scoped(app, "others", 1, bounds).
 // The list keeps only what differs from the defaults, so that addresses stay short.
-export function scoped(app, list, index, schema, defaults) {
+export function scoped(app, list, index, bounds) {
+  const { schema } = app;
+  const defaults = Object.fromEntries(app.views.get(app.name).bat.map((field) => [field, schema[field].default ?? null]));
   return {
     schema,
+    bounds,
+    lists: () => app.lists(),
+    text: (...all) => app.text(...all),
     get units() { return app.units; },
     get state() { return { ...defaults, ...app.state[list][index] }; },
     setState(partial, options) {
-      const items = app.state[list].map((item, i) => (i === index ? slim({ ...defaults, ...item, ...partial }, defaults) : item));
+      const items = app.state[list].map((item, i) => slim({ ...defaults, ...item, ...(i === index ? partial : {}) }, defaults));
       app.setState({ [list]: items }, options);
     },
     commit: () => app.commit(),

@@ -1,10 +1,11 @@
 // The line to the server: the latest question of each view wins, and a lost connection is shown and comes back.
 
 const SLOW = 4000; // ms after which a missing answer is said to be slow
+const AGAIN = 1000; // ms until a question that took too long is asked again
 const FIRST_WAIT = 250, LONGEST_WAIT = 4000;
 
 export class Line {
-  // onAnswer(view, answer, state), onFault(view, {field, message}, state), onStatus("open" | "lost" | "slow")
+  // onAnswer(view, answer, state), onFault(view, {field, message}, state), onStatus("open" | "lost" | "slow" | "preparing")
   constructor({ onAnswer, onFault, onStatus }) {
     this.handlers = { onAnswer, onFault, onStatus };
     this.asked = new Map(); // view -> {id, state} under way
@@ -59,10 +60,18 @@ export class Line {
     const found = [...this.asked].find(([, asked]) => message.id === null || asked.id === message.id);
     if (!found) return;
     const [view, { state }] = found;
+    if (message.status) {
+      this.handlers.onStatus(message.status);
+      clearTimeout(this.slow);
+      return;
+    }
     this.asked.delete(view);
     clearTimeout(this.slow);
     this.handlers.onStatus("open");
-    if (message.error) this.handlers.onFault(view, message.error, state);
+    if (message.again) { // it is still being worked out, and there when asked for again
+      this.handlers.onStatus("slow");
+      setTimeout(() => this.last?.state === state && this.ask(view, state), AGAIN);
+    } else if (message.error) this.handlers.onFault(view, message.error, state);
     else this.handlers.onAnswer(view, message.answer, state);
     this.flush();
   }

@@ -25,10 +25,14 @@ export class Transport {
       this.show(Number(this.range.value) / 1000);
     });
     this.range.addEventListener("change", () => this.rest());
-    this.words = Object.assign(document.createElement("output"), { htmlFor: "moment", className: "moment" });
+    this.words = Object.assign(document.createElement("span"), { className: "moment", ariaHidden: "true" }); // the slider says it
     this.element = Object.assign(document.createElement("div"), { className: "transport" });
-    this.element.append(this.toggle, back, this.range, on, this.words);
-    app.control({ field, sync: (state) => this.sync(state), fault: () => {} });
+    this.wrong = Object.assign(document.createElement("p"), { className: "fault", hidden: true });
+    this.element.append(this.toggle, back, this.range, on, this.words, this.wrong);
+    app.control({ field, sync: (state) => this.sync(state), fault: (message) => {
+      this.wrong.textContent = message;
+      this.wrong.hidden = message === "";
+    } });
   }
 
   set({ from, to, frames, slowness }) {

@@ -24,23 +24,24 @@ from sweetspot.report.comparison.document import comparison_json
 from sweetspot.report.comparison.words import assumptions, cork_verdict, verdict, wall_verdict
 from sweetspot.report.quantities import SI, US
 from sweetspot.report.sentences import Sentence, say
-from sweetspot.web.bat_outline import outline
+from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.drawings import ball_picture, bat_picture, outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, is_catalogued, swing_options
-from sweetspot.web.states import BatState, HitState, Name, SwingState
+from sweetspot.web.states import BatState, Name, SwungState
 from sweetspot.web.view import View
 
 ALL = "all"
 NOTHING = "nothing"
 
 
-class CompareState(SwingState):
-    """The bats, the swing of the first one, and what is asked of them."""
+class CompareState(SwungState):
+    """The bat, its swing, the others beside it, and what is asked of them."""
 
-    bats: Annotated[tuple[BatState, ...], Field(min_length=1, max_length=4)] = Field(
-        (BatState(), BatState(bat="corked-r161"), BatState(bat="russell-b6")),
-        description="the first is the reference; the swing is known with it",
+    others: Annotated[tuple[BatState, ...], Field(max_length=3)] = Field(
+        (BatState(bat="corked-r161"), BatState(bat="russell-b6")),
+        description="bats 2 to 4; bat 1 is the reference, and the swing is known with it",
     )
     same: Literal["effort", "speed"] = Field("effort", description="how the others are swung")
     swing_law: Name = Field("baseball", description="how bat speed depends on the bat")
@@ -71,6 +72,9 @@ def answer(state: CompareState) -> dict[str, Any]:
         row["wall"] = _wall(one) if state.what_if == "wall" else None
     return {
         **table,
+        "bat": bat_picture(state, reductions[0]),
+        "others_bounds": [bounds(*pair) for pair in _others(state, reductions)],
+        "ball": ball_picture(state, ball),
         "assumptions": assumed.read(US),
         "si": {"verdict": [sentence.read(SI) for sentence in words], "assumptions": assumed.read(SI)},
         "certification": _certification(state, found),
@@ -87,26 +91,33 @@ def _words(state: CompareState, comparison: Comparison) -> list[Sentence]:
 
 def _bats(state: CompareState, ball: Ball) -> tuple[list[ReducedBat], list[str]]:
     """Return the bats with their labels; those of a what-if are made of the first."""
-    first = _reduced(state.bats[0], ball, 1)
+    first = reduced(state, ball)
     if state.what_if == "cork":
         made = [_made(_holed(state, fill), ball, "hole_diameter_in") for fill in (NOTHING, *FILLS.values())]
         return [first, *made], list(LABELS)
     if state.what_if == "wall":
         if first.bat.shell is None:
             raise FieldError("what_if", f"{first.bat.name} is solid and has no wall; choose a hollow bat as bat 1")
-        thickness = state.bats[0].wall_factor * state.wall_times
+        thickness = state.wall_factor * state.wall_times
         other = _made(_changed(state, wall_factor=thickness), ball, "wall_times")
         return [first, other], ["wall as it is", f"wall x {state.wall_times:.3g}"]
-    found = [first, *(_reduced(bat, ball, number) for number, bat in enumerate(state.bats[1:], start=2))]
+    found = [first, *(_other(bat, ball, number) for number, bat in enumerate(state.others, start=2))]
     return found, _distinct([one.bat.name for one in found])
 
 
-def _reduced(bat: BatState, ball: Ball, number: int) -> ReducedBat:
+def _others(state: CompareState, reductions: list[ReducedBat]) -> list[tuple[BatState, Bat]]:
+    """Return the controls of bats 2 to 4 with the bats; a what-if has none."""
+    if state.what_if != "none":
+        return []
+    return [(own, found.bat) for own, found in zip(state.others, reductions[1:], strict=True)]
+
+
+def _other(bat: BatState, ball: Ball, number: int) -> ReducedBat:
     """Return one bat; what is wrong with it is said of the bats, with its number."""
     try:
         return reduced(bat, ball)
     except FieldError as error:
-        raise FieldError(f"bats.{number - 1}.{error.field}", f"bat {number}: {error}") from None
+        raise FieldError(f"others.{number - 2}.{error.field}", f"bat {number}: {error}") from None
 
 
 def _made(bat: BatState, ball: Ball, control: str) -> ReducedBat:
@@ -122,7 +133,8 @@ def _holed(state: CompareState, fill: str) -> BatState:
 
 
 def _changed(state: CompareState, **changes: Any) -> BatState:
-    return state.bats[0].model_copy(update=changes)
+    """Return the first bat's own controls with changes."""
+    return BatState.model_construct(**{**{name: getattr(state, name) for name in BatState.model_fields}, **changes})
 
 
 def _distinct(names: list[str]) -> list[str]:
@@ -170,21 +182,18 @@ def _certified(bat: Bat, ball: str) -> Certification:
 
 def recipe(state: CompareState) -> dict[str, str]:
     """Return command line, Python lines and bat files that give the same numbers."""
-    first, files = state.bats[0], {}
-    names = [bat_name(first)]
-    others = state.bats[1:] if state.what_if == "none" else ()
+    files = {}
+    names = [bat_name(state)]
+    others = state.others if state.what_if == "none" else ()
     if state.what_if == "wall":
-        others = (_changed(state, wall_factor=first.wall_factor * state.wall_times),)
+        others = (_changed(state, wall_factor=state.wall_factor * state.wall_times),)
     for number, bat in enumerate(others, start=2):
         if is_catalogued(bat):
-            names.append(bat.bat)
+            names.append(quote(bat.bat))
         else:
             names.append(f"bat-{number}.toml")
             files[names[-1]] = bat_text(bat)
-    swing = HitState.model_construct(
-        **{**dict(first), **{name: getattr(state, name) for name in SwingState.model_fields}}
-    )
-    options = swing_options(swing)
+    options = swing_options(state)
     if state.same == "speed":
         options += " --same-speed"
     if state.swing_law != CompareState.model_fields["swing_law"].default:
@@ -193,7 +202,7 @@ def recipe(state: CompareState) -> dict[str, str]:
     if state.what_if == "cork":
         options += f" --what-if cork --bore-diameter {state.hole_diameter_in:.12g}in"
         options += f" --bore-depth {state.hole_depth_in:.12g}in --plug {plug:.12g}in"
-    made = [f'catalog.load_bat("{name}")' for name in names[1:]]
+    made = [f"catalog.load_bat({name!r})" for name in names[1:]]
     if state.what_if == "cork":
         hole = f"diameter={state.hole_diameter_in!r} * INCH, depth={state.hole_depth_in!r} * INCH"
         made = [f"bat.drilled({hole})"]
@@ -201,7 +210,7 @@ def recipe(state: CompareState) -> dict[str, str]:
             f'bat.corked({hole}, plug={plug!r} * INCH, fill=catalog.material("{fill}"))' for fill in FILLS.values()
         ]
     law = f"catalog.swing_law({state.swing_law!r})" if state.same == "effort" else "None"
-    python = conditions_lines(swing) + (
+    python = conditions_lines(state) + (
         "\nfrom sweetspot import compare\n\n"
         f"bats = [{', '.join(['bat', *made])}]\n"
         f"found = compare(bats, conditions=conditions, law={law})\n"
@@ -210,7 +219,7 @@ def recipe(state: CompareState) -> dict[str, str]:
     )
     lines = [f"sweetspot compare {' '.join(names)}{options}"]
     lines += [f"sweetspot certify {name} --league {quote(state.league)}" for name in names]
-    return {"command": "\n".join(lines), "python": python, "toml": bat_text(first), **files}
+    return {"command": "\n".join(lines), "python": python, "toml": bat_text(state), **files}
 
 
 VIEW = View("compare", "Compare", CompareState, answer, recipe)

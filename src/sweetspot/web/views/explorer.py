@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import check_conditions
 from sweetspot.analysis.position_scan import scan
 from sweetspot.analysis.sweet_spot import sweet_spots
@@ -20,11 +19,10 @@ from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.motion.ball_motion import BallMotion
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_path import SwingPath
-from sweetspot.report.bat.json import bat_json
 from sweetspot.report.hit.json import conditions_json
 from sweetspot.units import INCH
-from sweetspot.web.bat_outline import outline
 from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.drawings import ball_picture, bat_picture
 from sweetspot.web.errors import FieldError
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, swing_options
 from sweetspot.web.states import HitState
@@ -45,7 +43,7 @@ def answer(state: ExplorerState) -> dict[str, Any]:
     best = float(np.nanmax(along.exit_speed))
     hit = _hit(state, found, conditions)
     return {
-        "bat": {**bat_json(found.bat.name, found.bat.length, found.body), **outline(found.bat)},
+        "bat": bat_picture(state, found),
         "hands_m": conditions.hands.places,
         "sweet_spots": {
             **{f"{name}_m": place for name, place in asdict(spots).items() if name != "zone"},
@@ -63,7 +61,7 @@ def answer(state: ExplorerState) -> dict[str, Any]:
         "hit": hit,
         "best_exit_speed_m_s": best,
         "lost_m_s": None if hit["exit_speed_m_s"] is None else best - hit["exit_speed_m_s"],
-        "ball": _ball(state, conditions),
+        "ball": ball_picture(state, conditions.ball),
         "conditions": conditions_json(conditions),
     }
 
@@ -82,17 +80,6 @@ def recipe(state: ExplorerState) -> dict[str, str]:
             "conditions=conditions)\n"
         )
     return {"command": command, "python": python, "toml": bat_text(state)}
-
-
-def _ball(state: ExplorerState, conditions: Conditions) -> dict[str, Any]:
-    """Return the ball's size, and what its controls stand at where nobody has moved them."""
-    own = catalog.ball(state.ball)
-    return {
-        "radius_m": conditions.ball.radius,
-        "cor": own.restitution.reference,
-        "humidity": own.reference_humidity,
-        "temperature_degf": own.reference_temperature * 1.8 + 32,
-    }
 
 
 def _hit(state: ExplorerState, found: ReducedBat, conditions: Conditions) -> dict[str, Any]:

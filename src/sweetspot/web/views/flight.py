@@ -20,8 +20,8 @@ from sweetspot.flight.park import FOUL_LINE, Park, fence_at
 from sweetspot.motion.ball_motion import BallMotion, launched
 from sweetspot.motion.swing_path import SwingPath
 from sweetspot.units import FOOT, INCH, MPH, RPM
-from sweetspot.web.bat_outline import outline
 from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.drawings import bat_picture
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.view import View
 from sweetspot.web.views.flight_recipe import flight_lines
@@ -52,13 +52,13 @@ def answer(state: FlightState) -> dict[str, Any]:
     struck = _struck(state, ball) if state.start == "swing" else None
     ball_motion = launched_by(state) if struck is None else struck["motion"]
     if ball_motion is None:
-        return {"start": state.start, "missed": True, "swing": _plain(struck), "park": _park(park), "parks": []}
+        return {"start": state.start, "missed": True, **_swung(struck), "park": _park(park), "parks": []}
     flown = _flown(ball_motion, ball=ball, weather=weather)
     end = landing(flown.positions[0], park)
     return {
         "start": state.start,
         "missed": False,
-        "swing": _plain(struck),
+        **_swung(struck),
         "launch": _launch(ball_motion),
         "flight": _flight(flown, 0),
         "without_air": _flight(flown, 1),
@@ -119,7 +119,7 @@ def _struck(state: FlightState, ball: Ball) -> dict[str, Any]:
             attack_angle=math.radians(state.attack_angle_deg),
             attack_direction=math.radians(state.attack_direction_deg),
             tilt=math.radians(state.tilt_deg),
-            bats=state.bats,
+            bats=state.batter,
         )
     place = bat.length - state.impact_from_tip_in * INCH
     if place < conditions.hands.position:
@@ -148,15 +148,19 @@ def _struck(state: FlightState, ball: Ball) -> dict[str, Any]:
     hit = bool(np.isfinite(done.velocity).all())
     return {
         "motion": BallMotion(pitch.position, done.velocity[0], done.spin[0]) if hit else None,
-        "bat": outline(bat),
+        "bat": bat_picture(state, found),
         "position_m": place,
         "bat_speed_m_s": bat_speed,
         "collision_efficiency": float(done.collision_efficiency[0]),
     }
 
 
-def _plain(struck: dict[str, Any] | None) -> dict[str, Any] | None:
-    return None if struck is None else {name: value for name, value in struck.items() if name != "motion"}
+def _swung(struck: dict[str, Any] | None) -> dict[str, Any]:
+    """Return the swing's part of the answer, and its bat; nothing for a ball that starts with its own numbers."""
+    if struck is None:
+        return {"swing": None}
+    swing = {name: value for name, value in struck.items() if name not in ("motion", "bat")}
+    return {"swing": swing, "bat": struck["bat"]}
 
 
 def _flown(motion: BallMotion, *, ball: Ball, weather: Weather) -> Flights:

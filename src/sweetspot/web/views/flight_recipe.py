@@ -41,7 +41,7 @@ def _swing_options(state: FlightState) -> str:
         attack_angle=f"{state.attack_angle_deg:.12g}deg",
         attack_direction=f"{state.attack_direction_deg:.12g}deg",
         tilt=f"{state.tilt_deg:.12g}deg",
-        bats=state.bats,
+        bats=state.batter,
         approach_angle=f"{state.pitch_angle_deg:.12g}deg",
         pitch_backspin=f"{state.pitch_backspin_rpm:.12g}rpm",
         height=f"{state.height_ft:.12g}ft",
@@ -108,7 +108,7 @@ def _swing_python(state: FlightState) -> str:
         "from sweetspot.motion.swing_path import SwingPath\n"
         "from sweetspot.units import FOOT, RPM\n\n"
         f"path = SwingPath(attack_angle=radians({state.attack_angle_deg!r}), tilt=radians({state.tilt_deg!r}),\n"
-        f'                 attack_direction=radians({state.attack_direction_deg!r}), bats="{state.bats}")\n'
+        f'                 attack_direction=radians({state.attack_direction_deg!r}), bats="{state.batter}")\n'
         f"pitch = launched(speed=conditions.pitch.speed, launch_angle=radians({state.pitch_angle_deg!r}), spray=pi,\n"
         f"                 backspin={state.pitch_backspin_rpm!r} * RPM, height={state.height_ft!r} * FOOT,\n"
         "                 forward=2 * FOOT)\n"

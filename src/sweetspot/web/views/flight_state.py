@@ -12,6 +12,7 @@ from sweetspot.web.states import HitState, Name
 class FlightState(HitState):
     """How the ball leaves, from numbers or from a swing; the park, the air and the wind."""
 
+    offset_in: float = Field(0.75, ge=-2.5, le=2.5, description="ball's centre above the bat's axis at impact")
     start: Literal["ball", "swing"] = Field("ball", description="from the ball's own numbers, or from pitch and swing")
     exit_speed_mph: float = Field(98.0, ge=20, le=125)
     launch_angle_deg: float = Field(28.0, ge=-30, le=80)
@@ -22,7 +23,7 @@ class FlightState(HitState):
     attack_angle_deg: float = Field(9.0, ge=-20, le=35, description="of the barrel's path above the level")
     attack_direction_deg: float = Field(0.0, ge=-45, le=45, description="from centre field, negative to the pull side")
     tilt_deg: float = Field(32.0, ge=0, le=75, description="of the swing's plane; at least the attack angle")
-    bats: Literal["right", "left"] = "right"
+    batter: Literal["right", "left"] = "right"
     pitch_angle_deg: float = Field(-6.0, ge=-20, le=5, description="of the pitch at the plate, negative falls")
     pitch_backspin_rpm: float = Field(2000.0, ge=-3500, le=3500, description="positive for a fastball")
     park: Name = Field("fenway-park", description="name, team or its letters")

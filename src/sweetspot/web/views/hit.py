@@ -18,25 +18,22 @@ from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.motion.swing import Conditions, Hands
 from sweetspot.numerics.arrays import Array
-from sweetspot.report.bat.json import bat_json
 from sweetspot.report.hit.json import conditions_json
 from sweetspot.units import INCH
-from sweetspot.web.bat_outline import outline
 from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.drawings import ball_picture, bat_picture
 from sweetspot.web.errors import FieldError
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, modes_line, swing_options
-from sweetspot.web.states import SwungState
+from sweetspot.web.states import HeldState, PlacedState
 from sweetspot.web.view import View
 
 PLACES = 61
 """Places along the bat at which a drawing needs its shapes."""
 
 
-class HitFilmState(SwungState):
+class HitFilmState(PlacedState, HeldState):
     """The bat, the swing, where they meet, and how the film is shown."""
 
-    impact_from_tip_in: float = Field(6.0, ge=0, le=40, description="where the ball meets the bat")
-    held: bool = Field(False, description="typical hands hold the bat: a mass behind a spring and a damper each")
     duration_ms: float = Field(4.0, ge=1.5, le=20, description="how long the film goes on after first touch")
     moment_ms: float = Field(0.6, ge=-0.5, le=20, description="moment that is shown; the answer does not depend on it")
     exaggeration: float = Field(2.0, ge=1, le=20, description="how many times larger the bat's motion is drawn")
@@ -72,8 +69,8 @@ def _answer(state: HitFilmState) -> dict[str, Any]:
     impact = hit_at(place, modes=modes, conditions=conditions)
     scene = history_of(impact, modes=modes, ball=conditions.ball, duration=state.duration_ms * 1e-3)
     return {
-        "bat": {**bat_json(found.bat.name, found.bat.length, found.body), **outline(found.bat)},
-        "ball": {"radius_m": conditions.ball.radius, "mass_kg": conditions.ball.mass},
+        "bat": bat_picture(state, found),
+        "ball": ball_picture(state, conditions.ball),
         "hands_m": conditions.hands.places,
         "hit": _hit(impact, conditions),
         "film": {

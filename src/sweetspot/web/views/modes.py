@@ -17,13 +17,12 @@ from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.tap import tapped
 from sweetspot.motion.swing import Hands
 from sweetspot.numerics.arrays import Array
-from sweetspot.report.bat.json import bat_json
 from sweetspot.units import INCH
-from sweetspot.web.bat_outline import outline
 from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.drawings import bat_picture
 from sweetspot.web.errors import FieldError
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, modes_line, swing_options
-from sweetspot.web.states import SwungState
+from sweetspot.web.states import HeldState, SwungState
 from sweetspot.web.view import View
 
 PLACES = 101
@@ -34,10 +33,9 @@ STILL = 1e-3
 """Part of the greatest shape below which a stretch of a hoop mode counts as still all along."""
 
 
-class ModesState(SwungState):
+class ModesState(SwungState, HeldState):
     """The bat, who holds it, which motion is shown, and where it is tapped."""
 
-    held: bool = Field(False, description="typical hands hold the bat: a mass behind a spring and a damper each")
     family: Literal["rigid", "bending", "hoop", "hand"] = Field("bending", description="kind of motion that is shown")
     number: int = Field(1, ge=1, le=40, description="which of that kind, from the lowest")
     tap_from_tip_in: float = Field(2.0, ge=0, le=52, description="where the bat is tapped")
@@ -82,7 +80,7 @@ def _held(state: ModesState) -> _Held:
     order = np.argsort(modes.frequency, kind="stable")
     listed = [int(index) for index in order if modes.frequency[index] < HIGHEST]
     table = {
-        "bat": {**bat_json(bat.name, bat.length, found.body), **outline(bat)},
+        "bat": bat_picture(state, found),
         "hands_m": hands.places,
         "nodes": {f"node_{n}_m": barrel_node(found.modes, harmonic=n) for n in (1, 2)},
         "place_m": np.round(places, 5),

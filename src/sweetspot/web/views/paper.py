@@ -21,15 +21,14 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.paper import formulas as paper
 from sweetspot.paper.chain import PARTS, Choices, can_be_drilled, corked_analysis, metal_wall_point
 from sweetspot.paper.formulas import Row
-from sweetspot.report.bat.json import bat_json
 from sweetspot.report.hit.json import conditions_json
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.units import INCH
-from sweetspot.web.bat_outline import outline
 from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.drawings import ball_picture, bat_picture, outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, swing_options
-from sweetspot.web.states import BatState, HitState, Name, SwingState
+from sweetspot.web.states import Name, SwungState
 from sweetspot.web.view import View
 
 Question = Literal["end", "percussion", "corking", "drop", "energy", "verdict"]
@@ -42,7 +41,7 @@ WALLS = (1.2, 1.0, 0.95, 0.9, 0.85, 0.7)
 """Factors on the wall of the catalogue's aluminium bat in the picture of the energy."""
 
 
-class PaperState(SwingState, BatState):
+class PaperState(SwungState):
     """The question, what the paper leaves open, and the bat and swing of the full model."""
 
     question: Question = Field("end", description="which of the paper's questions")
@@ -76,7 +75,8 @@ def answer(state: PaperState) -> dict[str, Any]:
         "question": state.question,
         "rows": [asdict(row) for row in rows],
         "picture": cleaned(picture),
-        "bat": {**bat_json(found.bat.name, found.bat.length, found.body), **outline(found.bat)},
+        "ball": ball_picture(state, analysis.conditions.ball),
+        "bat": bat_picture(state, found),
         "conditions": conditions_json(analysis.conditions),
     }
 
@@ -235,9 +235,6 @@ PICTURES: dict[str, Callable[[Analysis, Choices, list[Row]], dict[str, Any]]] = 
 
 def recipe(state: PaperState) -> dict[str, str]:
     """Return command line, Python lines and the bat's file that give the same numbers."""
-    swing = HitState.model_construct(
-        **{name: getattr(state, name) for name in HitState.model_fields if hasattr(state, name)}
-    )
     texts = {
         "entry_angle": f"{state.entry_angle_deg:.12g}deg",
         "rod_hands": f"{state.rod_hands_in:.12g}in",
@@ -251,7 +248,7 @@ def recipe(state: PaperState) -> dict[str, str]:
         **{name: f"{getattr(state, name):.12g}" for name in RATIOS},
     }
     options = "".join(f" --{name.replace('_', '-')} {text}" for name, text in texts.items())
-    python = conditions_lines(swing) + (
+    python = conditions_lines(state) + (
         "\nfrom math import radians\nfrom sweetspot.paper.chain import PARTS, Choices\n\n"
         "choices = Choices(\n"
         f"    entry_angle=radians({state.entry_angle_deg!r}), rod_hands={state.rod_hands_in!r} * INCH,\n"
@@ -265,7 +262,7 @@ def recipe(state: PaperState) -> dict[str, str]:
         "    print(row.equation, row.quantity, row.paper, row.computed, row.full_model)\n"
     )
     return {
-        "command": f"sweetspot paper {bat_name(state)}{options}{swing_options(swing)}",
+        "command": f"sweetspot paper {bat_name(state)}{options}{swing_options(state)}",
         "python": python,
         "toml": bat_text(state),
     }

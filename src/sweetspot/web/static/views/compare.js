@@ -1,8 +1,9 @@
 // Compare: up to four bats in the same hands, or what a hole or another wall makes of one; curves, verdict, rules.
 
 import { Chart } from "../chart.js";
+import { Bench, ballGroup, swingGroup } from "../bench.js";
 import { choice, group, slider } from "../controls.js";
-import { inUnits, make, paragraphs, tableOf } from "../parts.js";
+import { make, paragraphs, tableOf } from "../parts.js";
 import { ChangePicture, LINES, RowsPicture } from "./compare_pictures.js";
 import { Slots } from "./compare_slots.js";
 
@@ -13,16 +14,23 @@ const KINDS = { m: "x_m", "m/s": "x_m_s", "kg m^2": "x_kg_m2" };
 
 export const view = {
   name: "compare",
-  defaults: { bats: [{}, { bat: "corked-r161" }, { bat: "russell-b6" }] },
+  guide: [
+    ["Which bat hits harder", "Up to four bats in the same player's hands, or one bat against itself with a hole or another wall. " +
+      "The verdict says what changes and how sure that is."],
+    ["Read the curves", "One curve for each bat, tips aligned: how fast the ball leaves from each place. The table below " +
+      "gives weight, swing weight, speeds, and the swing that would make up for the difference."],
+    ["Change the question", "Choose the bats, the same effort or the same bat speed, and whose rules they are held against. "],
+  ],
 
   mount(root, app) {
     Object.assign(this, { app, root });
+    this.bench = new Bench(app);
     this.slots = new Slots(app);
     this.hole = make("div", {},
       slider(app, "hole_diameter_in", { label: "Hole, width", step: 0.05 }),
       slider(app, "hole_depth_in", { label: "Hole, depth from the tip", step: 0.25 }));
     this.wall = slider(app, "wall_times", { label: "Wall, times bat 1's own", step: 0.01 });
-    app.control({ field: "parts of what_if", fault() {}, sync: ({ what_if: asked }) => {
+    app.control({ field: "parts of what_if", sync: ({ what_if: asked }) => {
       this.hole.hidden = asked !== "cork";
       this.wall.hidden = asked !== "wall";
     } });
@@ -34,7 +42,7 @@ export const view = {
         choice(app, "same", { label: "Swung with", options: [["effort", "the same effort"], ["speed", "the same bat speed"]] }),
         choice(app, "swing_law", { label: "Players", options: [["baseball", "baseball"], ["slow-pitch", "slow-pitch softball"]] }),
       ]),
-      this.slots.element, ...swingControls(app),
+      this.bench.element, this.slots.element, swingGroup(app, { title: "Swing of bat 1, and pitch" }), ballGroup(app),
     );
     this.words = make("div", { className: "words", id: "verdict" });
     this.chart = new Chart(app, { label: "", panels: [], axis: { kind: "position_m", from: () => this.longest, label: "from the tip" } });
@@ -55,10 +63,11 @@ export const view = {
   update(answer, state) {
     const { bats } = answer;
     this.longest = Math.max(...bats.map(({ bat }) => bat.length_m));
+    this.bench.update(answer);
     this.slots.update(answer, state);
     const words = this.app.units === "si" ? answer.si : answer;
-    paragraphs(this.words, words.verdict.map((text) => inUnits(text, this.app.units)));
-    this.assumed.textContent = inUnits(words.assumptions, this.app.units);
+    paragraphs(this.words, words.verdict);
+    this.assumed.textContent = words.assumptions;
     this.app.announce(words.verdict[0]);
     this.rows.draw(bats, this.longest);
     this.change.draw(bats);
@@ -150,21 +159,5 @@ export const view = {
     return columns;
   },
 };
-
-function swingControls(app) {
-  return [
-    group("Swing of bat 1, and pitch", [
-      slider(app, "pitch_speed_mph", { label: "Pitch speed", step: 0.5 }),
-      slider(app, "bat_speed_mph", { label: "Bat speed, 6 in from the tip", step: 0.5 }),
-      slider(app, "hands_in", { label: "Top hand above the grip's end", step: 0.1 }),
-    ]),
-    group("Ball", [
-      choice(app, "ball", { label: "Ball", options: app.lists().then(({ balls }) => balls.map((name) => [name, name])) }),
-      slider(app, "ball_cor", { label: "Restitution (COR)", step: 0.005, empty: 0.55 }),
-      slider(app, "ball_humidity", { label: "Stored at humidity", step: 0.01, empty: 0.5 }),
-      slider(app, "ball_temperature_degf", { label: "Temperature", step: 1, empty: 70 }),
-    ], { open: false }),
-  ];
-}
 
 const leagues = (app) => app.lists().then((lists) => [["all", "all leagues"], ...(lists.leagues ?? []).map(({ key, name }) => [key, name])]);

@@ -1,91 +1,69 @@
-// The bats of the comparison: each chosen from the catalogue or a file, each changed as a workshop would.
+// The bats beside the first one: each chosen from the catalogue or a file, each changed as a workshop would.
 
-import { button, choice, slider } from "../controls.js";
+import { batChoice, unchanged, workshop } from "../bench.js";
+import { button } from "../controls.js";
 import { make, scoped } from "../parts.js";
 import { posted } from "../post.js";
 
-const MOST = 4;
+const MOST = 3;
 const LONGEST_TOML = 20000;
-const FILLS = [["nothing", "nothing"], ["cork", "cork"], ["rubber", "rubber"], ["polyurethane-foam", "polyurethane foam"]];
-const FIRST_CHOICES = ["r161-ash", "russell-b6", "youth-30", "composite"];
+const FIRST_CHOICES = ["corked-r161", "russell-b6", "youth-30", "composite"];
 
 export class Slots {
   constructor(app) {
     this.app = app;
-    this.schema = app.views.get("explorer").schema;
-    const kept = ["bat", "bat_toml", "profile_in", "mass_oz", "wall_factor", "bore_diameter_in", "bore_depth_in", "bore_fill",
-      "cup_diameter_in", "cup_depth_in", "weight_oz", "weight_from_tip_in", "choke_up_in"];
-    this.defaults = Object.fromEntries(kept.map((field) => [field, this.schema[field].default ?? null]));
-    this.names = app.lists().then(({ bats }) => bats.map((bat) => [bat.key, bat.name]));
     this.slots = Array.from({ length: MOST }, (_, index) => this.slot(index));
     this.more = button("Add a bat", () => this.add());
     this.fault = make("p", { className: "fault", hidden: true });
-    app.control({ field: "bats", sync: (state) => this.sync(state), fault: (message) => {
+    this.element = make("details", { className: "group", open: true }, make("summary", { textContent: "Compared with" }),
+      ...this.slots.map(({ element }) => element), this.more, this.fault);
+    app.control({ field: "others", sync: (state) => this.sync(state), fault: (message) => {
       this.fault.textContent = message;
       this.fault.hidden = message === "";
     } });
-    this.element = make("details", { className: "group", open: true }, make("summary", { textContent: "Bats" }),
-      ...this.slots.map(({ element }) => element), this.more, this.fault);
   }
 
   slot(index) {
-    const one = scoped(this.app, "bats", index, this.schema, this.defaults);
-    const title = index === 0 ? "Bat 1, the reference" : `Bat ${index + 1}`;
-    const own = make("span", { className: "note", hidden: true, textContent: "From your file; choosing a name above takes that bat instead." });
+    const one = scoped(this.app, "others", index, (field) => this.app.answer?.others_bounds?.[index]?.[field]);
+    const title = `Bat ${index + 2}`;
     const file = make("input", { type: "file", accept: ".toml,text/plain", ariaLabel: `${title}: your own bat file (TOML)` });
     file.addEventListener("change", () => this.read(file, one, index));
-    const wall = slider(one, "wall_factor", { label: "Wall thickness, times", step: 0.01 });
-    const hole = make("div", {},
-      slider(one, "bore_diameter_in", { label: "Hole in the barrel, width", step: 0.05 }),
-      slider(one, "bore_depth_in", { label: "Hole, depth from the tip", step: 0.25 }),
-      choice(one, "bore_fill", { label: "Hole filled with", options: FILLS }));
-    const change = make("details", {}, make("summary", { textContent: "Change it" }),
-      slider(one, "mass_oz", { label: "Weight of the bat", step: 0.1, empty: 31 }), wall, hole,
-      slider(one, "choke_up_in", { label: "Choke up", step: 0.1 }),
+    const { controls, show } = workshop(one, () => this.app.answer?.bats[index + 1]?.bat.mass_kg);
+    const change = make("details", {}, make("summary", { textContent: "Change it" }), ...controls,
       make("label", { className: "note" }, "Your own bat file ", file));
-    const row = make("div", { className: "row" });
-    if (index > 0) {
-      const remove = button("Remove", () => this.remove(index));
-      remove.setAttribute("aria-label", `Remove ${title}`);
-      row.append(remove);
-    }
-    const pick = choice(one, "bat", { label: title, options: this.names, onChange: () => one.setState({ bat_toml: null, mass_oz: null }) });
-    const element = make("fieldset", { className: "slot" }, make("legend", { className: "unseen", textContent: title }), pick, own, change, row);
-    return { element, own, wall, hole };
+    const remove = button("Remove", () => this.remove(index));
+    remove.setAttribute("aria-label", `Remove ${title}`);
+    const element = make("fieldset", { className: "slot" }, make("legend", { className: "unseen", textContent: title }),
+      batChoice(one, title), change, make("div", { className: "row" }, remove));
+    return { element, show };
   }
 
   // A what-if is about bat 1 alone; the others keep their places in the state until it is over.
-  sync({ bats, what_if: asked }) {
-    this.slots.forEach(({ element, own }, i) => {
-      element.hidden = i >= (asked === "none" ? bats.length : 1);
-      own.hidden = !bats[i]?.bat_toml;
-    });
-    this.more.hidden = bats.length >= MOST || asked !== "none";
+  sync({ others, what_if: asked }) {
+    this.slots.forEach(({ element }, i) => (element.hidden = i >= others.length || asked !== "none"));
+    this.more.hidden = others.length >= MOST || asked !== "none";
+    this.element.hidden = asked !== "none";
   }
 
   update({ bats }, { what_if: asked }) {
-    const shown = asked === "none" ? bats : bats.slice(0, 1);
-    shown.forEach(({ shape }, i) => {
-      this.slots[i].wall.hidden = !shape.hollow;
-      this.slots[i].hole.hidden = shape.hollow;
-    });
+    if (asked === "none") bats.slice(1).forEach(({ shape }, i) => this.slots[i].show(shape));
   }
 
   add() {
-    const taken = this.app.state.bats.map(({ bat = this.defaults.bat }) => bat);
-    const next = FIRST_CHOICES.find((name) => !taken.includes(name)) ?? this.defaults.bat;
-    this.app.setState({ bats: [...this.app.state.bats, { bat: next }] });
+    const taken = [this.app.state.bat, ...this.app.state.others.map(({ bat }) => bat)];
+    const next = FIRST_CHOICES.find((name) => !taken.includes(name)) ?? FIRST_CHOICES[0];
+    this.app.setState({ others: [...this.app.state.others, { bat: next }] });
   }
 
   remove(index) {
-    this.app.setState({ bats: this.app.state.bats.filter((_, i) => i !== index) });
+    this.app.setState({ others: this.app.state.others.filter((_, i) => i !== index) });
     this.more.focus();
   }
 
   async read(input, one, index) {
     const file = input.files[0];
     if (!file) return;
-    const say = (message) => this.app.controls.get(`bats.${index}.bat`).fault(message);
+    const say = (message) => this.app.controls.get(`others.${index}.bat`).fault(message);
     if (file.size > LONGEST_TOML) {
       say(`${file.name} has ${file.size} bytes; a bat file has a few lines, at most ${LONGEST_TOML}.`);
       return;
@@ -98,6 +76,6 @@ export class Slots {
       say(fault.message);
       return;
     }
-    one.setState({ ...this.defaults, bat_toml: text });
+    one.setState({ ...unchanged(one), bat_toml: text });
   }
 }

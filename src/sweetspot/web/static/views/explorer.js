@@ -2,8 +2,8 @@
 
 import { BatView } from "../batview.js";
 import { Chart } from "../chart.js";
-import { button, choice, group, slider } from "../controls.js";
-import { Bench } from "./explorer_bench.js";
+import { Bench, ballGroup, swingGroup } from "../bench.js";
+import { group, slider } from "../controls.js";
 
 const INCH = 0.0254;
 const PANELS = [
@@ -30,6 +30,14 @@ const FACTS = [
 
 export const view = {
   name: "explorer",
+  guide: [
+    ["A bat, and where it hits best", "The bat is drawn to scale. Coloured marks are its sweet spots: there are several, " +
+      "for each answers another question. The green zone is where a hit costs little speed and stings little."],
+    ["Drag the ball", "Drag the ball along the bat, or anywhere on the curves. The curves say what a hit at each place " +
+      "gives; the numbers below are those of the ball's place. With the keyboard: arrow keys on the picture."],
+    ["Change everything", "Move a slider and all follows at once: pitch, swing, hands, ball. Choose another bat, drop a bat " +
+      "file on the page, or drill, cork and cup this one. "],
+  ],
 
   mount(root, app) {
     Object.assign(this, { app, root });
@@ -42,9 +50,9 @@ export const view = {
       axis: { kind: "position_m", from: () => app.answer?.bat.length_m ?? 0.84, label: "from the tip" },
       onPick: (position, { last }) => this.moveBall(position, last),
     });
-    this.bench = new Bench(app, this.picture, root);
+    this.bench = new Bench(app, { picture: this.picture });
     const side = Object.assign(document.createElement("div"), { className: "side" });
-    side.append(this.bench.element, ...controls(app));
+    side.append(this.bench.element, swingGroup(app), impact(app), ballGroup(app));
     this.words = Object.assign(document.createElement("p"), { className: "verdict wide", id: "verdict" });
     this.facts = Object.assign(document.createElement("dl"), { className: "facts" });
     this.values = FACTS.map(([name]) => this.fact(name));
@@ -68,12 +76,11 @@ export const view = {
     const canvas = this.picture.element;
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "slider");
-    canvas.setAttribute("aria-valuemin", "0");
     canvas.addEventListener("keydown", (event) => {
-      const step = { ArrowLeft: 0.1, ArrowRight: -0.1, PageUp: -1, PageDown: 1 }[event.key];
-      if (step === undefined) return;
+      const step = { ArrowLeft: 0.1, ArrowDown: 0.1, ArrowRight: -0.1, ArrowUp: -0.1, PageUp: -1, PageDown: 1, Home: 99, End: -99 }[event.key];
+      if (step === undefined || !this.app.answer) return;
       event.preventDefault();
-      this.app.setState({ impact_from_tip_in: this.within(this.app.state.impact_from_tip_in + step) });
+      this.app.setState({ impact_from_tip_in: this.within(this.app.state.impact_from_tip_in + step) }, { merge: "keys on the picture" });
     });
   },
 
@@ -104,7 +111,7 @@ export const view = {
       this.values[i].textContent = this.app.text(name, number);
     });
     this.say(answer);
-    this.bench.update(answer, state);
+    this.bench.update(answer);
   },
 
   say({ bat, sweet_spots: spots, hit, best_exit_speed_m_s: best }) {
@@ -116,14 +123,14 @@ export const view = {
     this.app.announce(words);
     this.picture.label(`Ball along the bat. ${words}`);
     const canvas = this.picture.element;
-    canvas.setAttribute("aria-valuemax", String(this.within(99)));
-    canvas.setAttribute("aria-valuenow", String(this.app.state.impact_from_tip_in));
+    const inches = (place) => (place / INCH).toFixed(2);
+    canvas.setAttribute("aria-valuemin", inches(this.app.answer.hands_m[0]));
+    canvas.setAttribute("aria-valuemax", inches(bat.length_m));
+    canvas.setAttribute("aria-valuenow", inches(hit.position_m)); // from the knob, so that right is more
     canvas.setAttribute("aria-valuetext", `${show("from_m", bat.length_m - hit.position_m, 1)} from the tip`);
   },
 
-  unmount() {
-    this.root.classList.remove("drop");
-  },
+  unmount() {},
 
   figures() {
     return [this.picture.figure("bat"), this.chart.figure("curves")];
@@ -138,24 +145,9 @@ export const view = {
   },
 };
 
-function controls(app) {
-  return [
-    group("Swing and pitch", [
-      slider(app, "pitch_speed_mph", { label: "Pitch speed", step: 0.5 }),
-      slider(app, "bat_speed_mph", { label: "Bat speed, 6 in from the tip", step: 0.5 }),
-      slider(app, "choke_up_in", { label: "Choke up", step: 0.1 }),
-      slider(app, "hands_in", { label: "Top hand above the grip's end", step: 0.1 }),
-    ]),
-    group("Impact", [
-      slider(app, "impact_from_tip_in", { label: "From the tip", step: 0.1 }),
-      slider(app, "offset_in", { label: "Ball above the bat's axis", step: 0.05 }),
-    ]),
-    group("Ball", [
-      choice(app, "ball", { label: "Ball", options: app.lists().then(({ balls }) => balls.map((name) => [name, name])) }),
-      slider(app, "ball_cor", { label: "Restitution (COR) as bought", step: 0.005, empty: () => app.answer?.ball.cor ?? 0.55 }),
-      slider(app, "ball_humidity", { label: "Stored at humidity", step: 0.01, empty: () => app.answer?.ball.humidity ?? 0.5 }),
-      slider(app, "ball_temperature_degf", { label: "Temperature", step: 1, empty: () => app.answer?.ball.temperature_degf ?? 70 }),
-      button("As it came", () => app.setState({ ball_cor: null, ball_humidity: null, ball_temperature_degf: null })),
-    ], { open: false }),
-  ];
+function impact(app) {
+  return group("Impact", [
+    slider(app, "impact_from_tip_in", { label: "From the tip", step: 0.1 }),
+    slider(app, "offset_in", { label: "Ball above the bat's axis", step: 0.05 }),
+  ]);
 }

@@ -1,5 +1,6 @@
 // Flight: the path from the side and from above over a park, in its air and wind; over which fences the ball goes.
 
+import { Bench, ballGroup, swingGroup } from "../bench.js";
 import { choice, group, slider, toggle } from "../controls.js";
 import { make, tableOf } from "../parts.js";
 import { toShown } from "../units.js";
@@ -18,13 +19,20 @@ const FACTS = [
 
 export const view = {
   name: "flight",
-  defaults: { offset_in: 0.75 },
+  guide: [
+    ["Where the ball goes", "The ball's path from the side and from above, through the air of a park, and over which fences it goes. " +
+      "The dashed line is the path that it would take without air."],
+    ["Launch it", "Move the sliders for speed, angle and spin, or drag on the field to turn the ball. Or let it start " +
+      "from a pitch and a swing."],
+    ["Change the weather", "Choose the park, turn the wind, heat the air. The table says what this ball does in every park. "],
+  ],
 
   mount(root, app) {
     Object.assign(this, { app });
     const own = ballControls(app);
-    const swung = swingControls(app);
-    app.control({ field: "parts of start", fault() {}, sync: ({ start }) => {
+    this.bench = new Bench(app, { open: false });
+    const swung = make("div", { className: "side" }, ...swingControls(app), this.bench.element, ballGroup(app));
+    app.control({ field: "parts of start", sync: ({ start }) => {
       own.hidden = start !== "ball";
       swung.hidden = start === "ball";
       if (this.hint) this.hint.hidden = start !== "ball";
@@ -52,7 +60,7 @@ export const view = {
     const parks = app.lists().then((lists) => lists.parks.map(({ key, name }) => [key, name]));
     this.elevation = slider(app, "elevation_ft", { label: "Elevation", step: 50, empty: 0, note: "The park's, until moved." });
     return group("Park and weather", [
-      choice(app, "park", { label: "Park", options: parks, onChange: () => app.setState({ elevation_ft: null }) }),
+      choice(app, "park", { label: "Park", options: parks, take: (park) => app.setState({ park, elevation_ft: null }) }),
       slider(app, "wind_speed_mph", { label: "Wind", step: 0.5 }),
       slider(app, "wind_direction_deg", { label: "Wind blows to: 0 out, ±180 in", step: 5 }),
       slider(app, "temperature_degf", { label: "Temperature", step: 1 }),
@@ -80,6 +88,7 @@ export const view = {
   },
 
   update(answer, state) {
+    this.bench.update(answer);
     this.showElevation(answer, state);
     const words = answer.missed ? "The bat misses the ball, or the ball does not come off it. Move the ball nearer to the bat's axis." : this.headline(answer);
     this.words.textContent = words;
@@ -153,22 +162,19 @@ function ballControls(app) {
 }
 
 function swingControls(app) {
-  const bats = app.lists().then((lists) => lists.bats.map((bat) => [bat.key, bat.name]));
-  const box = make("div", { className: "side" },
-    group("Bat and swing", [
-      choice(app, "bat", { label: "Bat", options: bats, onChange: () => app.setState({ bat_toml: null, profile_in: null, mass_oz: null }) }),
-      slider(app, "bat_speed_mph", { label: "Bat speed, 6 in from the tip", step: 0.5 }),
+  return [
+    group("Swing", [
       slider(app, "impact_from_tip_in", { label: "Met from the tip", step: 0.1 }),
       slider(app, "offset_in", { label: "Ball above the bat's axis", step: 0.05 }),
       slider(app, "attack_angle_deg", { label: "Attack angle, up", step: 0.5 }),
       slider(app, "attack_direction_deg", { label: "Attack direction, − pulled", step: 0.5 }),
       slider(app, "tilt_deg", { label: "Tilt of the swing's plane", step: 0.5 }),
-      choice(app, "bats", { label: "Batter", options: [["right", "right-handed"], ["left", "left-handed"]] }),
+      choice(app, "batter", { label: "Batter", options: [["right", "right-handed"], ["left", "left-handed"]] }),
     ]),
+    swingGroup(app),
     group("Pitch at the plate", [
-      slider(app, "pitch_speed_mph", { label: "Speed", step: 0.5 }),
       slider(app, "pitch_angle_deg", { label: "Angle, − falls", step: 0.5 }),
       slider(app, "pitch_backspin_rpm", { label: "Backspin", step: 50 }),
-    ]));
-  return box;
+    ]),
+  ];
 }

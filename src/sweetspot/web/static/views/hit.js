@@ -1,7 +1,8 @@
 // The hit in slow motion: ball, bat and wall at one moment, and force, hands and energy over time.
 
 import { Chart } from "../chart.js";
-import { choice, group, slider, toggle } from "../controls.js";
+import { Bench, ballGroup, swingGroup } from "../bench.js";
+import { group, slider, toggle } from "../controls.js";
 import { Film, LEAD } from "../film.js";
 import { paintEnd, paintSide, sideHeight } from "../filmscene.js";
 import { Ledger } from "../ledger.js";
@@ -24,6 +25,14 @@ const FACTS = [
 
 export const view = {
   name: "hit",
+  guide: [
+    ["A hit, slowed down", "Ball and bat meet for about a thousandth of a second. Here it is a film: the ball is pressed in, " +
+      "the bat bends, and a wave runs from the ball to the hands."],
+    ["Move through time", "Play and pause, or drag anywhere on the curves to see that moment: the force on the ball, the bat " +
+      "under the hands, and below them where the energy is."],
+    ["Change the hit", "Meet the ball nearer to the tip or to the hands, choose another bat, make the film slower or the " +
+      "bat's motion larger. "],
+  ],
 
   mount(root, app) {
     Object.assign(this, { app, film: null, started: false });
@@ -62,15 +71,10 @@ export const view = {
   controls() {
     const { app } = this;
     const side = Object.assign(document.createElement("div"), { className: "side" });
-    this.wall = slider(app, "wall_factor", { label: "Wall, times", step: 0.05 });
-    const bats = app.lists().then((lists) => lists.bats.map((bat) => [bat.key, bat.name]));
+    this.bench = new Bench(app, { open: false });
     side.append(
       group("Hit", [
-        choice(app, "bat", { label: "Bat", options: bats }),
         slider(app, "impact_from_tip_in", { label: "Ball meets bat, from the tip", step: 0.1 }),
-        slider(app, "pitch_speed_mph", { label: "Pitch speed", step: 0.5 }),
-        slider(app, "bat_speed_mph", { label: "Bat speed, 6 in from the tip", step: 0.5 }),
-        this.wall,
         toggle(app, "held", { label: "Typical hands hold the bat", note: "Their grip changes the handle's motion, not the ball's." }),
       ]),
       group("Film", [
@@ -79,6 +83,7 @@ export const view = {
         slider(app, "duration_ms", { label: "Lasts, after first touch", step: 0.5 }),
         toggle(app, "recoil", { label: "Show the whole motion", note: "Without: the bending alone, the bat's push back and turn left out." }),
       ]),
+      swingGroup(app), this.bench.element, ballGroup(app),
     );
     return side;
   },
@@ -92,7 +97,7 @@ export const view = {
     FACTS.forEach(([, value], i) => (this.values[i].textContent = this.app.text(...value(answer))));
     this.ledger.set(this.film, this.series);
     this.transport.set({ from: -LEAD, to: this.film.end, frames: this.film.times, slowness: state.slowness });
-    this.wall.hidden = !answer.bat.hollow && state.wall_factor === 1;
+    this.bench.update(answer);
     this.say(answer);
     this.paint();
     if (!this.started && !this.app.calm && !new URLSearchParams(location.search).has("moment_ms")) {

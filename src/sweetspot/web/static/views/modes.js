@@ -1,6 +1,7 @@
 // Modes: how a bat moves and rings, where each motion stands still, and what a tap excites.
 
-import { button, choice, group, slider, toggle } from "../controls.js";
+import { Bench } from "../bench.js";
+import { button, group, slider, toggle } from "../controls.js";
 import { Stage, paintMotion } from "../modescene.js";
 import { Surface } from "../surface.js";
 import { strike } from "../tapsound.js";
@@ -11,6 +12,14 @@ const MOST_ROWS = 14;
 
 export const view = {
   name: "modes",
+  guide: [
+    ["How a bat rings", "A bat that is struck bends to and fro in several ways at once, its modes. One of them is shown, " +
+      "slowed down and drawn larger than it is."],
+    ["Tap it", "Press or drag along the bat to tap it there. A tap where a mode stands still does not excite it. " +
+      "Listen to the tap, and choose the mode to look at from the table."],
+    ["Change the tap", "A short, hard tap excites the high notes, a long, soft one only the low. Hold the bat with hands, or let " +
+      "it hang free. "],
+  ],
 
   mount(root, app) {
     Object.assign(this, { app, answer: null, phase: 1, stop: null, begun: false });
@@ -41,16 +50,12 @@ export const view = {
   controls() {
     const { app } = this;
     const side = Object.assign(document.createElement("div"), { className: "side" });
-    this.wall = slider(app, "wall_factor", { label: "Wall, times", step: 0.05 });
-    const bats = app.lists().then((lists) => lists.bats.map((bat) => [bat.key, bat.name]));
+    this.bench = new Bench(app);
     const held = { label: "Typical hands hold the bat", note: "Without hands it hangs free, as in a laboratory." };
     side.append(
-      group("Bat", [
-        choice(app, "bat", { label: "Bat", options: bats }),
-        this.wall,
-        toggle(app, "held", held),
-      ]),
+      this.bench.element,
       group("Tap", [
+        toggle(app, "held", held),
         slider(app, "tap_from_tip_in", { label: "Where, from the tip", step: 0.1 }),
         slider(app, "tap_ms", { label: "How long", step: 0.05, note: "A ball about 1 ms, a knuckle 2, a steel ball 0.1." }),
       ]),
@@ -81,7 +86,7 @@ export const view = {
 
   update(answer, state) {
     Object.assign(this, { answer, state });
-    this.wall.hidden = !answer.bat.hollow && state.wall_factor === 1;
+    this.bench.update(answer);
     this.list();
     this.say();
     this.aside.textContent = state.held

@@ -1,6 +1,7 @@
 // The paper: one question after the other, its claim and formula with numbers that can be moved, and the full model.
 
-import { choice, button, group, slider } from "../controls.js";
+import { Bench, ballGroup, swingGroup } from "../bench.js";
+import { button, group } from "../controls.js";
 import { mathOf } from "../formula.js";
 import { inReadersUnit, inUnits, make, tableOf } from "../parts.js";
 import { PICTURES } from "./paper_pictures.js";
@@ -8,6 +9,13 @@ import { STEPS } from "./paper_steps.js";
 
 export const view = {
   name: "paper",
+  guide: [
+    ["A paper on the sweet spot", "It asks why the sweet spot is not at the end of the bat. One question after the other: " +
+      "what the paper says, and its formulas."],
+    ["Move its numbers", "Move a slider under a question and its formula follows, and so does the picture."],
+    ["Hold it against the full model", "Below stands every statement three times: the paper's number, its formula worked out " +
+      "here, and the full model with the bat and the swing of your choice. "],
+  ],
 
   mount(root, app) {
     Object.assign(this, { app, shown: null });
@@ -21,7 +29,8 @@ export const view = {
     this.own = Object.fromEntries(STEPS.map((step) => [step.key, make("div", {}, ...step.controls(app))]));
     this.sliders = group("Move it", Object.values(this.own));
     this.sliders.classList.add("across");
-    app.control({ field: "question", sync: ({ question }) => this.choose(question), fault() {} });
+    app.control({ field: "question", sync: ({ question }) => this.choose(question) });
+    this.bench = new Bench(app, { open: false });
     this.said = make("div", { className: "claim" });
     this.formulas = make("div", { className: "formulas" });
     this.slips = make("details", { className: "slips" });
@@ -33,7 +42,7 @@ export const view = {
     const section = (title, ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
     this.title = make("h1");
     root.append(
-      make("div", { className: "side" }, nav, ...model(app)),
+      make("div", { className: "side" }, nav, this.bench.element, swingGroup(app, { open: false }), ballGroup(app)),
       make("div", { className: "stack" }, this.title, section("The paper says", this.said, this.formulas, this.slips),
         this.sliders, section("What the full model says", this.truth, this.picture),
         section("Statement by statement", this.rows), this.turn));
@@ -58,6 +67,7 @@ export const view = {
 
   update(answer, state) {
     const step = STEPS.find(({ key }) => key === answer.question);
+    this.bench.update(answer);
     if (this.shown !== step.key) this.show(step);
     this.formulas.replaceChildren(
       ...step.formulas.map(([number, source, words]) => formulaRow(number, source, words)),
@@ -111,21 +121,4 @@ export const view = {
 function formulaRow(number, source, words) {
   return make("div", { className: "formula" }, make("span", { className: "number", textContent: number === "now" ? "now" : number ? `(${number})` : "" }),
     mathOf(source), make("span", { className: "note", textContent: words }));
-}
-
-function model(app) {
-  const bats = app.lists().then((lists) => lists.bats.map((bat) => [bat.key, bat.name]));
-  return [
-    group("The full model's bat and swing", [
-      choice(app, "bat", { label: "Bat", options: bats, onChange: () => app.setState({ bat_toml: null, profile_in: null, mass_oz: null }) }),
-      slider(app, "pitch_speed_mph", { label: "Pitch speed", step: 0.5 }),
-      slider(app, "bat_speed_mph", { label: "Bat speed, 6 in from the tip", step: 0.5 }),
-      slider(app, "hands_in", { label: "Top hand above the grip's end", step: 0.1 }),
-    ], { open: false }),
-    group("Ball", [
-      choice(app, "ball", { label: "Ball", options: app.lists().then(({ balls }) => balls.map((name) => [name, name])) }),
-      slider(app, "ball_humidity", { label: "Stored at humidity", step: 0.01, empty: 0.5 }),
-      slider(app, "ball_temperature_degf", { label: "Temperature", step: 1, empty: 70 }),
-    ], { open: false }),
-  ];
 }

@@ -1,4 +1,4 @@
-"""A bat's shape as numbers for a drawing."""
+"""A bat and a ball as numbers for a drawing and for their controls."""
 
 from __future__ import annotations
 
@@ -6,10 +6,37 @@ from typing import Any
 
 import numpy as np
 
+from sweetspot import catalog
+from sweetspot.dynamics.reduction import ReducedBat
+from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
+from sweetspot.report.bat.json import bat_json
+from sweetspot.web.bat_bounds import bounds
+from sweetspot.web.states import BatState, SwingState
 
 POINTS = 120
 """Places along a bat whose outline is a formula."""
+
+
+def bat_picture(state: BatState, found: ReducedBat) -> dict[str, Any]:
+    """Return a state's bat: its facts, its outline, and how far the controls that depend on it may go."""
+    return {
+        **bat_json(found.bat.name, found.bat.length, found.body),
+        **outline(found.bat),
+        "bounds": bounds(state, found.bat),
+    }
+
+
+def ball_picture(state: SwingState, ball: Ball) -> dict[str, float]:
+    """Return the ball's size, and what its controls stand at where nobody has moved them."""
+    own = catalog.ball(state.ball)
+    return {
+        "radius_m": ball.radius,
+        "mass_kg": ball.mass,
+        "cor": own.restitution.reference,
+        "humidity": own.reference_humidity,
+        "temperature_degf": own.reference_temperature * 1.8 + 32,
+    }
 
 
 def outline(bat: Bat) -> dict[str, Any]:

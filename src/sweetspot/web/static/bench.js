@@ -1,42 +1,91 @@
-// The bat's part of the explorer: choose it, bring your own, draw it, or change it as a workshop would.
+// The bench: one bat for every view. Choose it, bring your own, draw it, or change it as a workshop would; how it is swung.
+//
+//   this.bench = new Bench(app, { picture });   // picture: a BatView whose outline can be dragged; may be left out
+//   side.append(this.bench.element, swingGroup(app), ballGroup(app));
+//   this.bench.update(answer);                  // after every answer that has a bat
 
-import { button, choice, group, slider } from "../controls.js";
-import { posted } from "../post.js";
+import { button, choice, group, reveal, slider } from "./controls.js";
+import { posted } from "./post.js";
 
 const INCH = 0.0254, OUNCE = 0.028349523125;
 const LONGEST_TOML = 20000;
-const UNCHANGED = ["bat_toml", "profile_in", "mass_oz", "wall_factor", "bore_diameter_in", "cup_diameter_in", "weight_oz"];
+const OWN = "own file";
+export const UNCHANGED = ["bat_toml", "profile_in", "mass_oz", "wall_factor", "bore_diameter_in", "cup_diameter_in", "weight_oz", "choke_up_in"];
 const FILLS = [["nothing", "nothing"], ["cork", "cork"], ["rubber", "rubber"], ["polyurethane-foam", "polyurethane foam"]];
 
+// The fields of a bat as it was before anything was done to it; another bat starts with them.
+export function unchanged(app) {
+  return Object.fromEntries(UNCHANGED.map((field) => [field, app.schema[field].default ?? null]));
+}
+
+// The list of the catalogue's bats; a bat of one's own stands in it too, so that it never names another bat.
+export function batChoice(app, label = "Bat") {
+  return choice(app, "bat", {
+    label,
+    options: app.lists().then(({ bats }) => bats.map(({ key, name }) => [key, name])),
+    shown: (state) => (state.bat_toml === null || state.bat_toml === undefined ? state.bat : OWN),
+    take: (bat) => bat !== OWN && app.setState({ ...unchanged(app), bat }),
+  });
+}
+
+// What a workshop does to a bat; parts that a bat cannot have are hidden by what `show` is told.
+export function workshop(app, mass) {
+  const wall = slider(app, "wall_factor", { label: "Wall thickness, times", step: 0.01 });
+  const holes = document.createElement("div");
+  holes.append(
+    slider(app, "bore_diameter_in", { label: "Hole in the barrel, width", step: 0.05 }),
+    slider(app, "bore_depth_in", { label: "Hole, depth from the tip", step: 0.25 }),
+    choice(app, "bore_fill", { label: "Hole filled with", options: FILLS }),
+    slider(app, "cup_diameter_in", { label: "Cupped end, width", step: 0.05 }),
+    slider(app, "cup_depth_in", { label: "Cupped end, depth", step: 0.05 }),
+  );
+  const show = ({ hollow }) => {
+    wall.hidden = !hollow;
+    holes.hidden = hollow;
+  };
+  const controls = [
+    slider(app, "mass_oz", { label: "Weight of the bat", step: 0.1, empty: () => (mass() ?? 0.88) / OUNCE }), wall, holes,
+    slider(app, "weight_oz", { label: "Added weight", step: 0.1 }),
+    slider(app, "weight_from_tip_in", { label: "Added weight, from the tip", step: 0.25 }),
+    slider(app, "choke_up_in", { label: "Choke up", step: 0.1 }),
+  ];
+  return { controls, show };
+}
+
+export function swingGroup(app, { open = true, title = "Swing and pitch" } = {}) {
+  return group(title, [
+    slider(app, "pitch_speed_mph", { label: "Pitch speed", step: 0.5 }),
+    slider(app, "bat_speed_mph", { label: () => `Bat speed, ${app.text("place", 6 * INCH, app.units === "us" ? 0 : 1)} from the tip`, step: 0.5 }),
+    slider(app, "hands_in", { label: "Top hand above the grip's end", step: 0.1 }),
+  ], { open });
+}
+
+export function ballGroup(app) {
+  const known = (name) => () => app.answer?.ball?.[name] ?? null;
+  return group("Ball", [
+    choice(app, "ball", { label: "Ball", options: app.lists().then(({ balls }) => balls.map(({ key, name }) => [key, name])) }),
+    slider(app, "ball_cor", { label: "Restitution (COR) as bought", step: 0.005, empty: known("cor") }),
+    slider(app, "ball_humidity", { label: "Stored at humidity", step: 0.01, empty: known("humidity") }),
+    slider(app, "ball_temperature_degf", { label: "Temperature", step: 1, empty: known("temperature_degf") }),
+    button("As it came", () => app.setState({ ball_cor: null, ball_humidity: null, ball_temperature_degf: null })),
+  ], { open: false });
+}
+
 export class Bench {
-  constructor(app, picture, root) {
+  constructor(app, { picture = null, open = true } = {}) {
     Object.assign(this, { app, picture, stations: [] });
-    this.own = new OwnBat(app, root);
+    this.own = new OwnBat(app);
     this.outline = new Outline(app, (stations, last) => this.reshape(stations, last), (on) => this.draw(on));
-    const bats = app.lists().then((lists) => lists.bats.map((bat) => [bat.key, bat.name]));
-    this.wall = slider(app, "wall_factor", { label: "Wall thickness, times", step: 0.01 });
-    this.holes = document.createElement("div");
-    this.holes.append(
-      slider(app, "bore_diameter_in", { label: "Hole in the barrel, width", step: 0.05 }),
-      slider(app, "bore_depth_in", { label: "Hole, depth from the tip", step: 0.25 }),
-      choice(app, "bore_fill", { label: "Hole filled with", options: FILLS }),
-      slider(app, "cup_diameter_in", { label: "Cupped end, width", step: 0.05 }),
-      slider(app, "cup_depth_in", { label: "Cupped end, depth", step: 0.05 }),
-    );
+    const { controls, show } = workshop(app, () => app.answer?.bat?.mass_kg);
+    this.show = show;
     this.element = group("Bat", [
-      choice(app, "bat", { label: "Bat", options: bats, onChange: () => app.setState({ bat_toml: null, profile_in: null, mass_oz: null }) }),
-      this.own.element, this.outline.element,
-      group("Workshop", [
-        slider(app, "mass_oz", { label: "Weight of the bat", step: 0.1, empty: () => (app.answer?.bat.mass_kg ?? 0.88) / OUNCE }),
-        this.wall, this.holes,
-        slider(app, "weight_oz", { label: "Added weight", step: 0.1 }),
-        slider(app, "weight_from_tip_in", { label: "Added weight, from the tip", step: 0.25 }),
-        button("As it was", () => app.setState(Object.fromEntries(UNCHANGED.map((field) => [field, app.defaults[field]])))),
-      ], { open: false }),
-    ]);
+      batChoice(app), this.own.element, this.outline.element,
+      group("Workshop", [...controls, button("As it was", () => app.setState(unchanged(app)))], { open: false }),
+    ], { open });
   }
 
   draw(on) {
+    if (!this.picture) return;
     this.picture.drawing = on;
     this.app.redraw();
   }
@@ -46,18 +95,19 @@ export class Bench {
     this.app.setState({ profile_in: profile }, { commit: last });
   }
 
-  update(answer, state) {
-    this.wall.hidden = !answer.bat.hollow;
-    this.holes.hidden = answer.bat.hollow;
-    this.own.update(answer, state);
-    this.outline.update(answer.bat.stations);
+  update({ bat }) {
+    if (!bat) return;
+    this.show(bat);
+    this.outline.update(bat.stations);
   }
 }
 
 // A bat file: chosen, dropped anywhere on the page, or written as text.
 class OwnBat {
-  constructor(app, root) {
+  constructor(app) {
     this.app = app;
+    const root = document.getElementById("view");
+    const { signal } = app;
     this.element = Object.assign(document.createElement("details"), { className: "own" });
     this.element.innerHTML = "<summary>Your own bat (file or text)</summary>" +
       "<p class=\"note\">Drop a bat file anywhere on this page, choose it, or change the text.</p>" +
@@ -75,22 +125,23 @@ class OwnBat {
       event.target.value = ""; // so that the same file can be chosen again once it is mended
     });
     this.element.addEventListener("toggle", () => this.element.open && !this.text.value && this.show());
-    root.addEventListener("dragover", (event) => (event.preventDefault(), root.classList.add("drop")));
-    root.addEventListener("dragleave", () => root.classList.remove("drop"));
+    root.addEventListener("dragover", (event) => (event.preventDefault(), root.classList.add("drop")), { signal });
+    root.addEventListener("dragleave", () => root.classList.remove("drop"), { signal });
+    signal.addEventListener("abort", () => root.classList.remove("drop"));
     root.addEventListener("drop", (event) => {
       event.preventDefault();
       root.classList.remove("drop");
       this.element.open = true;
       this.read(event.dataTransfer.files[0]);
-    });
-    app.control({ field: "bat_toml", sync() {}, fault: (message) => this.fault(message) });
+    }, { signal });
+    app.control({ field: "bat_toml", sync: (state) => this.sync(state), fault: (message) => this.fault(message) });
   }
 
   fault(message) {
     this.words.textContent = message;
     this.words.hidden = message === "";
     this.text.toggleAttribute("aria-invalid", message !== "");
-    if (message) this.element.open = true;
+    if (message) reveal(this.element);
   }
 
   async read(file) {
@@ -111,16 +162,19 @@ class OwnBat {
       return;
     }
     this.fault("");
-    this.app.setState({ ...Object.fromEntries(UNCHANGED.map((field) => [field, this.app.defaults[field]])), bat_toml: text });
+    this.app.setState({ ...unchanged(this.app), bat_toml: text });
   }
 
   async show() {
-    const { toml } = await posted("/api/v1/explorer/recipe", this.app.state);
-    this.text.value = toml;
+    try {
+      this.text.value = await batText(this.app);
+    } catch (fault) {
+      this.fault(fault.message);
+    }
   }
 
-  update(answer, state) {
-    if (state.bat_toml !== null && document.activeElement !== this.text && !this.text.value) this.text.value = state.bat_toml;
+  sync({ bat_toml: text }) {
+    if (text && document.activeElement !== this.text && !this.text.value) this.text.value = text;
   }
 }
 
@@ -142,6 +196,7 @@ class Outline {
   fault(message) {
     this.words.textContent = message;
     this.words.hidden = message === "";
+    if (message) reveal(this.element);
   }
 
   update(stations) {
@@ -194,6 +249,13 @@ function cellOf(...parts) {
   const cell = document.createElement("td");
   cell.append(...parts);
   return cell;
+}
+
+// The bat as it stands, as the text of a bat file; a refusal is thrown.
+export async function batText(app) {
+  const { toml } = await posted("/api/v1/explorer/recipe", Object.fromEntries(
+    Object.entries(app.carried).filter(([field]) => Object.hasOwn(app.views.get("explorer").schema, field))));
+  return toml;
 }
 
 const rounded = (value) => Math.round(1e4 * value) / 1e4;

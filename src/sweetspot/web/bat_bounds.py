@@ -1,0 +1,65 @@
+"""How far the controls of a bat may go: bounds that come with an answer, so that no slider has dead travel."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.bat import Bat
+from sweetspot.units import INCH, OUNCE
+from sweetspot.web.bats import plain
+from sweetspot.web.states import BatState, SwungState
+
+Range = tuple[float, float]
+STEP = 0.05
+"""in; bounds are rounded inwards to it, for a hole must be narrower than the wood."""
+
+
+def bounds(state: BatState, bat: Bat) -> dict[str, Range]:
+    """Return least and most of a state's controls, by field, in the units of the controls.
+
+    Those of the schema hold besides; a control that is not named has no others.
+    """
+    tip = (0.0, _inside(bat.length / INCH))
+    limits = {"weight_from_tip_in": tip, "tap_from_tip_in": tip, "mass_oz": _masses(plain(state))}
+    if isinstance(state, SwungState):
+        limits["impact_from_tip_in"] = (0.0, _inside((bat.length - bat.choke) / INCH - state.hands_in))
+    limits["choke_up_in"] = (0.0, _inside(bat.length / 3 / INCH))
+    if bat.shell is None and bat.profile is not None:
+        edges = np.asarray(bat.breakpoints())
+        widths = bat.diameter_at(edges) / INCH
+        depth = state.bore_depth_in * INCH
+        reached = widths[edges >= bat.length - depth]
+        limits["bore_diameter_in"] = (0.0, _inside(float(min(reached.min(), _width_at(bat, bat.length - depth)))))
+        limits["cup_diameter_in"] = (0.0, _inside(_width_at(bat, bat.length)))
+        if state.bore_diameter_in:
+            narrow = edges[widths <= state.bore_diameter_in]
+            deepest = bat.length - (float(narrow.max()) if len(narrow) else 0.0)
+            limits["bore_depth_in"] = (0.5, _inside(deepest / INCH))
+    return limits
+
+
+def _masses(bat: Bat) -> Range:
+    """Return the weights that a bat can have: by other wood, or by a weight in a hollow bat's end cap."""
+    line = beam_model(bat)
+    mass = rigid_body(line).mass / OUNCE
+    if bat.shell is not None:
+        return (math.ceil(10 * (mass - bat.shell.end_cap_mass / OUNCE)) / 10, 60.0)
+    known = bat.material.density_range
+    if known is None:
+        return (10.0, 60.0)
+    others = sum(lump.mass for lump in line.point_masses) / OUNCE
+    wood = (mass - others) / (bat.material.density * line.density_factor)
+    return (math.ceil(10 * (others + wood * known[0])) / 10, math.floor(10 * (others + wood * known[1])) / 10)
+
+
+def _width_at(bat: Bat, position: float) -> float:
+    return float(bat.diameter_at(max(0.0, position))) / INCH
+
+
+def _inside(most: float) -> float:
+    """Return the last step below a limit."""
+    return round(max(0.0, math.ceil(most / STEP - 1e-6) - 1) * STEP, 6)

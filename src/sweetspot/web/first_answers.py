@@ -1,0 +1,99 @@
+"""The first picture of every view, worked out once for this installation and kept beside its compiled kernels.
+
+Working one out compiles every kernel that its view needs, so that afterwards nothing waits. What is kept belongs to
+this very state of the package: another version, or a changed file, finds nothing.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import multiprocessing
+import tempfile
+from collections.abc import Callable, Iterator
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from contextlib import suppress
+from functools import cache
+from pathlib import Path
+
+from sweetspot.numerics.kernel_cache import PACKAGE, kernel_folder
+from sweetspot.web.states import ViewState
+from sweetspot.web.views import VIEWS
+
+Answer = Callable[[str, ViewState], bytes]
+"""From a view's name and state to its answer as JSON."""
+APART = "flight"
+"""The one view whose kernel no other needs: compiled in a process of its own, beside the others."""
+
+
+def first_states() -> Iterator[tuple[str, ViewState]]:
+    """Yield the states that are kept: every view's first, and those whose answers take long."""
+    for name, view in VIEWS.items():
+        yield from ((name, state) for state in (view.state(), *view.slow))
+
+
+def kept_answer(name: str, state: ViewState) -> bytes | None:
+    """Return an answer that was kept for a state; None where there is none."""
+    path = _path(name, state)
+    if path is None:
+        return None
+    with suppress(OSError):
+        return path.read_bytes()
+    return None
+
+
+def keep(name: str, state: ViewState, answer: bytes) -> None:
+    """Keep an answer; where nothing can be written the next start works it out again."""
+    path = _path(name, state)
+    if path is None:
+        return
+    with suppress(OSError):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as file:
+            file.write(answer)
+        Path(file.name).replace(path)
+        for other in path.parent.glob(f"{path.name.rpartition('-')[0]}-*"):
+            if other != path:
+                other.unlink(missing_ok=True)
+
+
+def prepare(answer: Answer, say: Callable[[str], None]) -> None:
+    """Compile every kernel and keep every first answer, in two processes; ``say`` hears how far it is."""
+    missing = [name for name, state in first_states() if kept_answer(name, state) is None]
+    shares = [share for share in ({APART} & {*missing}, {*missing} - {APART}) if share]
+    if not shares:
+        say("the solver is ready")
+        return
+    say("preparing the solver for this machine, about half a minute, once")
+    with ProcessPoolExecutor(len(shares), mp_context=multiprocessing.get_context("spawn")) as pool:
+        for done in as_completed([pool.submit(work_out, answer, tuple(sorted(share))) for share in shares]):
+            say(f"ready: {', '.join(VIEWS[name].title for name in done.result())}")
+
+
+def work_out(answer: Answer, names: tuple[str, ...]) -> tuple[str, ...]:
+    """Work out and keep the first answers of some views; return their names."""
+    for name, state in first_states():
+        if name in names and kept_answer(name, state) is None:
+            keep(name, state, answer(name, state))
+    return names
+
+
+def _path(name: str, state: ViewState) -> Path | None:
+    """Return the file of a state's answer; states that are not among the first ones have none."""
+    number = _numbers().get((name, state))
+    folder = kernel_folder()
+    return None if folder is None or number is None else folder / f"{name}-{number}-{_package_digest()}.json"
+
+
+@cache
+def _numbers() -> dict[tuple[str, ViewState], int]:
+    return {key: number for number, key in enumerate(first_states())}
+
+
+@cache
+def _package_digest() -> str:
+    """Return a hash of everything in the package that an answer may depend on."""
+    digest = hashlib.blake2b(digest_size=16)
+    for path in sorted((*PACKAGE.rglob("*.py"), *PACKAGE.rglob("*.toml"))):
+        content = path.read_bytes()
+        digest.update(f"{path.relative_to(PACKAGE)} {len(content)} ".encode() + content)
+    return digest.hexdigest()

@@ -1,0 +1,162 @@
+"""From every view to every other: the bat goes along, no page ends blank, and each fault stands beside its control."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from urllib.parse import quote
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from sweetspot import catalog
+from sweetspot.catalog.files.write import bat_toml
+from sweetspot.web.first_answers import first_states, keep, kept_answer
+from sweetspot.web.states import CARRIED
+from sweetspot.web.views import VIEWS
+
+Answered = Callable[..., int]
+
+OWN = bat_toml(catalog.bat("youth-30").replaced(name="Somebody's own"))
+STARTS = {
+    "explorer": f"bat_toml={quote(OWN)}&offset_in=1.2&impact_from_tip_in=5",
+    "hit": "bat=single-wall&wall_factor=0.9&exaggeration=8&held=true",
+    "modes": "bat=composite&exaggeration=3&family=hoop&tap_from_tip_in=4",
+    "compare": "bat=r161-ash&bore_diameter_in=1&others=" + quote(json.dumps([{"bat": "youth-30"}])),
+    "flight": "start=swing&batter=left&bat=youth-30&choke_up_in=1",
+    "paper": "question=corking&mass_oz=31.5",
+}
+"""An address of each view with what used to break the next one."""
+
+
+def test_carried_fields_mean_the_same_in_every_view() -> None:
+    for field in CARRIED:
+        own = [view.state.model_json_schema()["properties"].get(field) for view in VIEWS.values()]
+        known = [{**one, "default": None} for one in own if one is not None]
+        assert known and all(one == known[0] for one in known), field
+
+
+@pytest.mark.parametrize("start", STARTS)
+def test_no_way_to_another_view_ends_blank(page: Page, server: str, answered: Answered, start: str) -> None:
+    page.goto(f"{server}/{start}?{STARTS[start]}")
+    answered(page)
+    name = page.locator("#bench-chip").get_attribute("aria-label")
+    for other in VIEWS:
+        if other == start:
+            continue
+        page.get_by_role("link", name=VIEWS[other].title, exact=True).click()
+        expect(page.locator("#view")).to_have_attribute("data-view", other)
+        answered(page)
+        expect(page.locator("#fault")).to_be_hidden()
+        expect(page.locator("#bench-chip")).to_have_attribute("aria-label", name or "")
+        assert page.evaluate("scrollY") == 0
+        page.go_back()
+        expect(page.locator("#view")).to_have_attribute("data-view", start)
+        answered(page)
+        expect(page.locator("#fault")).to_be_hidden()
+
+
+def test_a_wrong_address_shows_the_first_picture_and_each_fault_beside_its_control(
+    page: Page, server: str, answered: Answered
+) -> None:
+    page.goto(f"{server}/explorer?pitch_speed_mph=999&bore_diameter_in=7")
+    answered(page)
+    expect(page.locator("[data-field=pitch_speed_mph] .fault")).to_contain_text("110")
+    expect(page.locator("[data-field=bore_diameter_in] .fault")).to_be_visible()  # its fold has opened
+
+
+@pytest.mark.parametrize(
+    "address",
+    [
+        "hit?moment_ms=abc",
+        "paper?question=zzz",
+        "explorer?mass_oz=[]",
+        "explorer?profile_in=[[0,1]]",
+        "compare?others=5",
+    ],
+)
+def test_no_fault_is_hidden(page: Page, server: str, answered: Answered, address: str) -> None:
+    page.goto(f"{server}/{address}")
+    answered(page)
+    expect(page.locator("#fault:visible, #view .fault:visible").first).to_be_visible()
+
+
+def test_the_list_never_names_another_bat(page: Page, server: str, answered: Answered) -> None:
+    page.goto(f"{server}/modes?bat_toml={quote(OWN)}")
+    count = answered(page)
+    chosen = page.locator("[data-field=bat] select")
+    expect(chosen).to_have_value("own file")
+    chosen.select_option("composite")
+    answered(page, count)
+    expect(page.locator("#verdict")).to_be_visible()
+    expect(page.locator("#bench-chip")).to_contain_text("Composite")
+    assert "bat_toml" not in page.url
+
+
+def test_another_bat_starts_unchanged(page: Page, server: str, answered: Answered) -> None:
+    page.goto(f"{server}/explorer?bore_diameter_in=1")
+    count = answered(page)
+    expect(page.locator("#bench-chip")).to_contain_text("hole 1.00 in wide")
+    page.locator("[data-field=bat] select").select_option("composite")
+    answered(page, count)
+    expect(page.locator("#verdict")).to_contain_text("Composite")
+    expect(page.locator("#bench-chip small")).to_be_empty()
+
+
+def test_key_presses_on_a_slider_are_one_step_back(page: Page, server: str, answered: Answered) -> None:
+    page.goto(f"{server}/explorer")
+    answered(page)
+    slider = page.get_by_role("slider", name="Pitch speed")
+    slider.focus()
+    for _ in range(6):
+        slider.press("ArrowRight")
+    expect(page).to_have_url(f"{server}/explorer?pitch_speed_mph=93")
+    page.go_back()
+    expect(page).to_have_url(f"{server}/explorer")
+
+
+def test_sliders_end_where_the_bat_does(page: Page, server: str, answered: Answered) -> None:
+    page.goto(f"{server}/explorer?bat=youth-30")
+    answered(page)
+    weight = page.locator("[data-field=weight_from_tip_in] input[type=range]")
+    assert float(weight.get_attribute("max") or 0) == pytest.approx(30, abs=0.3)
+
+
+def test_nothing_is_left_of_views_that_were_left(page: Page, server: str, answered: Answered) -> None:
+    """A dropped file is read once, however many views came before."""
+    page.goto(f"{server}/explorer")
+    answered(page)
+    for title in ("Modes", "Explorer", "Compare", "Explorer"):
+        page.get_by_role("link", name=title, exact=True).click()
+        answered(page)
+    posted: list[str] = []
+    page.on("request", lambda request: posted.append(request.url) if request.url.endswith("/api/v1/bat") else None)
+    page.evaluate(
+        """text => {
+          const data = new DataTransfer();
+          data.items.add(new File([text], "own.toml"));
+          document.getElementById("view").dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true }));
+        }""",
+        OWN,
+    )
+    expect(page.locator("#bench-chip")).to_contain_text("Somebody's own")
+    assert len(posted) <= 2  # once to check it, once for its name
+
+
+def test_first_answers_are_kept_for_this_state_of_the_package_only(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from sweetspot.web import first_answers
+
+    monkeypatch.setattr(first_answers, "kernel_folder", lambda: tmp_path)
+    name, state = next(first_states())
+    assert kept_answer(name, state) is None
+    keep(name, state, b"{}")
+    assert kept_answer(name, state) == b"{}"
+    assert kept_answer(name, state.model_copy(update={"pitch_speed_mph": 80.0})) is None
+    monkeypatch.setattr(first_answers, "_package_digest", lambda: "another")
+    assert kept_answer(name, state) is None
+    keep(name, state, b"{1}")
+    monkeypatch.undo()
+    assert len([*tmp_path.iterdir()]) == 1
