@@ -149,7 +149,7 @@ def _tap(recording: Recording, sound: Recording, start: float, end: float, band:
     if ratio.value > held and ratio.low > held / 2:
         return rejected(
             f"not free: at {lowest.frequency.value:.0f} Hz the damping is {100 * ratio.value:.1f} %, a freely hung one "
-            f"has less than {100 * held:g} %; hang it from rubber bands and keep hands away",
+            f"has less than {100 * held:g} %; hang it from rubber bands and keep hands away, or set --most-damping",
             fit,
         )
     return Tap(recording.name, start, None, fit)

@@ -29,6 +29,9 @@ def tap(
     ] = None,
     mass: Annotated[str | None, Parameter(help="Weight of the bar: 71.3g, or 71.3g±0.1g.")] = None,
     band: Annotated[str, Parameter(help="Frequencies looked at.")] = "60Hz:5kHz",
+    most_damping: Annotated[
+        str, Parameter(help="Damping ratio of the lowest loud tone above which the implement counts as held.")
+    ] = "2%",
     out: Annotated[
         Path | None, Parameter(help="Folder for tap.png, tap.svg, tap.json; with --synthesise the sound file.")
     ] = None,
@@ -65,6 +68,7 @@ def tap(
         positions=[] if described is None else tap_places(described, at or []),
         bar=tapped_bar,
         band=_band(band),
+        held=parse(most_damping, "ratio", "--most-damping"),
     )
     if format == "json":
         print_json(tap_json(test))

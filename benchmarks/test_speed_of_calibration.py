@@ -1,0 +1,43 @@
+"""One bat measured: a tap taken apart, a bat fitted, and how sure a report is."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from typing import Any
+
+from benchmarks.cases import duration, measured
+from sweetspot import all_modes, beam_model, catalog, standard_conditions
+from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.measurements import Measurement, of_tones
+from sweetspot.calibration.posterior import calibrate
+from sweetspot.calibration.synthetic import synthesised
+from sweetspot.calibration.tap_analysis import tap_test
+from sweetspot.calibration.uncertainty import DRAWS, doubt
+from sweetspot.calibration.unknowns import described, unknowns_of
+
+
+def test_a_tap_and_a_calibration(benchmark: Any, record: Callable[..., None]) -> None:
+    bat = catalog.bat()
+    modes = all_modes(beam_model(bat), catalog.ball())
+    sound = synthesised(modes, position=bat.length - 0.025, listened=bat.length - 0.04, taps=1)
+    places = [bat.length - 0.025]
+    seconds = measured(benchmark, lambda: tap_test([sound], modes=modes, positions=places))
+    record("one tap to named tones", duration(seconds), goal="1 s")
+    tones = of_tones(tap_test([sound], modes=modes, positions=places).tones)
+    line, unknowns = described(bat), unknowns_of(bat)
+    weighed = [Measurement("mass", Measured(0.8788, 0.001)), *tones]
+    start = time.perf_counter()
+    calibrate(line, unknowns, weighed)
+    record("weight and tones to a calibrated bat", duration(time.perf_counter() - start), goal="1 s")
+
+
+def test_how_sure_a_report_is(benchmark: Any, record: Callable[..., None]) -> None:
+    bat = catalog.bat()
+    line, conditions = beam_model(bat), standard_conditions(bat)
+
+    def draws() -> Any:
+        return doubt(line, conditions).draws("exit_speed")
+
+    seconds = measured(benchmark, draws)
+    record(f"{DRAWS:,} draws of a report's exit speeds", duration(seconds), goal="2 s")
