@@ -93,3 +93,19 @@ def test_json_has_no_infinities(capsys: pytest.CaptureFixture[str]) -> None:
     capsys.readouterr()
     print_json({"value": 1.5})
     assert json.loads(capsys.readouterr().out) == {"value": 1.5}
+
+
+@pytest.mark.parametrize("command", [["play"], ["fly", "--exit-speed", "100mph"], ["compare", "mlb-a", "mlb-b"]])
+def test_a_folder_that_cannot_be_is_refused_before_anything_is_computed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], command: list[str]
+) -> None:
+    def computed(*arguments: object, **options: object) -> None:
+        raise AssertionError("computed first")
+
+    for name in ("sweetspot.cli.output.present", "sweetspot.catalog.load_bat", "sweetspot.catalog.ball"):
+        monkeypatch.setattr(name, computed)
+    (tmp_path / "file").write_text("in the way")
+    with pytest.raises(SystemExit) as stopped:
+        main([*command, "--out", str(tmp_path / "file" / "folder")])
+    assert stopped.value.code == 2
+    assert "is not a folder; choose another place" in capsys.readouterr().err

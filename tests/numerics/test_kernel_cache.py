@@ -208,3 +208,17 @@ def test_files_belong_to_one_signature(folder: Path) -> None:
     function = compiled()(scale)
     assert (function(3.0), function(3)) == (6.0, 6.0)
     assert len(list(folder.glob(f"{_KernelFiles(scale).name}-*.kernel"))) == 2
+
+
+def test_after_an_upgrade_nothing_old_answers(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Files that an earlier program left: a kernel of other constants goes, numba's own and torn ones are not read."""
+    with monkeypatch.context() as earlier:
+        earlier.setitem(globals(), "FACTOR", 5.0)
+        assert compiled()(scale)(3.0) == 15.0
+    (old,) = folder.glob("*.kernel")
+    (folder / "scale-32.py311.nbi").write_bytes(b"numba's own index of 0.1")
+    torn = folder / old.name.replace(old.name[-12:-7], "00000")
+    torn.write_bytes(old.read_bytes()[:100])
+    assert compiled()(scale)(3.0) == 6.0
+    (new,) = folder.glob("*.kernel")
+    assert new.name not in {old.name, torn.name}

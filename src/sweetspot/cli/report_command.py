@@ -32,7 +32,8 @@ def report(
     from sweetspot.report.bat.document import report_document
 
     if output.out is not None:
-        from sweetspot.report.files import check_folder, files_of
+        from sweetspot.report.file_set import check_folder
+        from sweetspot.report.files import files_of
 
         check_folder(output.out, files_of("report"))
     implement = catalog.load_implement(bat)

@@ -6,7 +6,7 @@ import os
 import shutil
 import tempfile
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
@@ -141,3 +141,21 @@ def _sync(folder: Path) -> None:
             os.fsync(handle)
         finally:
             os.close(handle)
+
+
+def check_folder(folder: Path, names: Sequence[str]) -> None:
+    """Refuse a folder that a report of files with these names could not be written to, without touching anything.
+
+    Raises
+    ------
+    InputError
+        when it is a file, lies below one, cannot be written, or has a folder where a report's file would go.
+    """
+    existing = next(path for path in (folder, *folder.absolute().parents) if os.path.lexists(path))
+    if not existing.is_dir():
+        raise InputError(f"{folder} cannot be a report's folder: {existing} is not a folder; choose another place")
+    if not os.access(existing, os.W_OK | os.X_OK):
+        raise InputError(f"{folder} cannot be written: no permission to write in {existing}; choose another folder")
+    for name in names:
+        if (folder / name).is_dir():
+            raise InputError(f"{folder / name} is a folder where a file of the report would go; choose another folder")

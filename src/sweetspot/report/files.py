@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import os
-from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 from pydantic_core import to_json
 
-from sweetspot.errors import InputError
 from sweetspot.report.document import Document
 from sweetspot.report.file_set import write_folder
 from sweetspot.report.html import page
@@ -39,24 +36,6 @@ def write_document(document: Document, folder: Path, *, reader: Reader, long: bo
 def as_json(document: Document) -> bytes:
     """Return the numbers of a document as JSON text; what is not finite is null there, as JSON has neither."""
     return to_json(document.data, indent=1, inf_nan_mode="null", fallback=np.ndarray.tolist) + b"\n"
-
-
-def check_folder(folder: Path, names: Sequence[str]) -> None:
-    """Refuse a folder that a report of files with these names could not be written to, without touching anything.
-
-    Raises
-    ------
-    InputError
-        when it is a file, lies below one, cannot be written, or has a folder where a report's file would go.
-    """
-    existing = next(path for path in (folder, *folder.absolute().parents) if os.path.lexists(path))
-    if not existing.is_dir():
-        raise InputError(f"{folder} cannot be a report's folder: {existing} is not a folder; choose another place")
-    if not os.access(existing, os.W_OK | os.X_OK):
-        raise InputError(f"{folder} cannot be written: no permission to write in {existing}; choose another folder")
-    for name in names:
-        if (folder / name).is_dir():
-            raise InputError(f"{folder / name} is a folder where a file of the report would go; choose another folder")
 
 
 def files_of(name: str) -> tuple[str, ...]:

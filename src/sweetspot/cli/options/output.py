@@ -24,5 +24,12 @@ class OutputOptions:
         Path | None, Parameter(help="Folder for the answer as a page to print, pictures and JSON, made if need be.")
     ] = None
 
+    def __post_init__(self) -> None:
+        """Refuse a folder that cannot be written before anything is computed."""
+        if self.out is not None:
+            from sweetspot.report.file_set import check_folder
+
+            check_folder(self.out, ())
+
 
 DEFAULT_OUTPUT = OutputOptions()

@@ -10,8 +10,7 @@ from sweetspot.player.advice import Advice
 from sweetspot.player.goal import told
 from sweetspot.player.posterior import Posterior
 from sweetspot.player.swings import Swings
-from sweetspot.report.file_set import write_folder
-from sweetspot.report.files import check_folder
+from sweetspot.report.file_set import check_folder, write_folder
 from sweetspot.report.markup import Html, bullets, paragraphs, picture, section, table, text
 from sweetspot.report.pictures.files import png_bytes, svg_bytes
 from sweetspot.report.player.player_report import bat_rows, means, player_json
