@@ -57,6 +57,7 @@ def test_bombs_are_refused_at_once(tmp_path: Path, bomb: str) -> None:
         (gzip.compress(b"turned over" * 500)[:20] + b"\xff" * 40, "is damaged|cannot be read"),
         (gzip.compress(b"\xff\xfe"), "not a text file in UTF-8"),
     ],
+    ids=("no gzip", "cut off", "overwritten", "no text"),
 )
 def test_damaged_files(tmp_path: Path, content: bytes, said: str) -> None:
     path = tmp_path / "damaged.csv.gz"

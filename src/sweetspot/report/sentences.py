@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import string
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
@@ -56,7 +57,24 @@ class UnitName:
         return reader.unit(self.scale)
 
 
-Part = str | Slot | UnitName
+@dataclass(frozen=True)
+class Doubtful:
+    """A number and its standard deviation, SI: two digits of that, and no more of the number."""
+
+    value: float
+    doubt: float
+    scale: str
+
+    def read(self, reader: Reader) -> str:
+        """Return both as a reader sees them."""
+        unit = reader.units[self.scale]
+        places = 1 - math.floor(math.log10(self.doubt / unit.size))
+        value, doubt = (round(number / unit.size, places) for number in (self.value, self.doubt))
+        digits = max(places, 0)
+        return f"{value:,.{digits}f} ± {doubt:,.{digits}f}{reader.behind(self.scale)}"
+
+
+Part = str | Slot | UnitName | Doubtful
 
 
 @dataclass(frozen=True)
@@ -107,7 +125,7 @@ def say(template: str, **slots: Part | float | Sentence) -> Sentence:
             parts += (
                 slot.parts
                 if isinstance(slot, Sentence)
-                else [slot if isinstance(slot, (Slot, UnitName)) else str(slot)]
+                else [slot if isinstance(slot, (Slot, UnitName, Doubtful)) else str(slot)]
             )
     return Sentence(tuple(parts))
 
@@ -139,7 +157,9 @@ def within(
 
 
 def with_doubt(value: float, doubt: float, scale: str) -> Sentence:
-    """Return a value with its standard deviation, "10297 ± 618 oz in²"; alone where there is none."""
-    if not doubt > 0:
-        return Sentence((Slot(value, scale),))
-    return say("{value} ± {doubt}", value=Slot(value, scale).bare, doubt=Slot(doubt, scale))
+    """Return a value with its standard deviation, with no more digits than are known; alone where there is none.
+
+    >>> with_doubt(1.88354e-1, 1.13e-2, "moi").read(US)
+    '10,300 ± 620 oz in²'
+    """
+    return Sentence((Doubtful(value, doubt, scale) if doubt > 0 else Slot(value, scale),))
