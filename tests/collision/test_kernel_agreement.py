@@ -1,4 +1,7 @@
-"""The fast kernel is the readable collision: hit by hit, in any company."""
+"""The fast kernel is the readable collision, hit by hit, in any company.
+
+It shares an approach between ball and surface by one step of Halley's method a kick: 1e-8 of the force at most.
+"""
 
 from __future__ import annotations
 
@@ -56,11 +59,11 @@ def test_kernel_is_the_readable_version(modes: Modes, place: float, closing: flo
     for name in NUMBERS:
         expected = getattr(one, name)
         scale = 1.0 if name == "collision_efficiency" else abs(expected)
-        assert getattr(many, name)[0] == pytest.approx(expected, rel=0, abs=1e-10 * scale, nan_ok=True), name
+        assert getattr(many, name)[0] == pytest.approx(expected, rel=0, abs=1e-8 * scale, nan_ok=True), name
     for name in ("displacement", "velocity"):
         expected = getattr(one, name)
         scale = np.abs(expected).max()
-        assert getattr(many, name)[0] == pytest.approx(expected, rel=0, abs=1e-10 * scale), name
+        assert getattr(many, name)[0] == pytest.approx(expected, rel=0, abs=1e-8 * scale), name
 
 
 def crowd(count: int) -> dict[str, Any]:

@@ -10,6 +10,8 @@ from scipy.optimize import brentq
 
 from sweetspot.equipment.ball import Ball
 
+NEWTON_STEPS, NEWTON_ERROR = 60, 1e-13
+
 
 class ContactLaw(Protocol):
     """Anything that turns compression into force; collisions ask nothing else of a ball.
@@ -47,6 +49,33 @@ def unloading_exponent(ball: Ball, peak: float) -> float:
     """
     restitution = ball.restitution.at(equivalent_wall_speed(ball, peak))
     return (ball.exponent + 1) / restitution**2 - 1
+
+
+def compression_in_series(
+    law: ContactLaw, *, approach: float, compliance: float, rate: float, turned_at: float | None
+) -> float:
+    """Return the ball's compression u where ball and surface have approached by w: u + C F(u) = w, by Newton's method.
+
+    The surface under the ball gives way at once by C F: a spring without mass in series with the ball. What it
+    stores it gives back.
+
+    Parameters
+    ----------
+    approach : w in m, > 0.
+    compliance : C in m/N, >= 0.
+    rate : of the approach, m/s.
+    """
+    compression = approach
+    if compliance == 0:
+        return compression
+    for _ in range(NEWTON_STEPS):
+        force = law.force(compression, rate, turned_at)
+        steepness = 1 + compliance * law.slope(compression, rate, turned_at)
+        step = (approach - compression - compliance * force) / steepness
+        compression = max(compression + step, compression / 4)
+        if abs(step) < NEWTON_ERROR * approach:
+            break
+    return compression
 
 
 @dataclass(frozen=True)

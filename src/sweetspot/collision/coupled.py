@@ -9,19 +9,28 @@ H + h^2 (T V''/(6 mu) - V'^2/(24 mu)), mu the mass that ball and bat together sh
   fourth order (Takahashi and Imada's device [takahashi1984]);
 * the peak compression, which decides how much the ball gives back, is lowered by h^2 F / (12 mu).
 
-The kink of the force at its peak leaves about third order. Release is the root of the compression between kicks.
+The kink of the force at its peak leaves about third order. Release is the root of the approach between kicks.
+
+What gives way at once under the ball (`Modes.compliance_at`) is a spring without mass between ball and modes: the
+approach w of ball and modes is shared between the ball's compression u and the surface, u + C F(u) = w. The potential
+is then one of w alone, and all of the above holds with F(w).
+
+After the ball has left, a vibrating or turning bat may catch up with it: the hit goes on until that cannot happen any
+more. A ball that is hit again presses along its loading curve, as a new one.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
-from sweetspot.collision.contact_law import ContactLaw, Hysteretic
+from sweetspot.collision.contact_law import ContactLaw, Hysteretic, compression_in_series
 from sweetspot.collision.impact import CONTACT_FORCE, EnergyLedger, Impact, Outcome, bat_energy
 from sweetspot.collision.modal_propagator import dashed, dashpot_factors, modal_propagator_of
+from sweetspot.collision.time_step import contact_step
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
@@ -31,6 +40,8 @@ from sweetspot.units import check_place
 
 STEP = 4e-6
 """s; exit speeds are then well within 1e-4 of the converged ones (the docs have the curve)."""
+SLOW = 2 * math.pi * 50.0
+"""rad/s; slower motions go straight on while one asks whether the bat catches up with the ball."""
 TIME_LIMIT = 20e-3
 """s; a ball that touches a bat at 0.1 m/s is free again after about 5 ms."""
 
@@ -42,12 +53,12 @@ def hit(
     position: float,
     closing_speed: float,
     lateral: float = 0.0,
-    step: float = STEP,
+    step: float | None = None,
     law: ContactLaw | None = None,
 ) -> Impact:
     """Return one collision of a ball with a bat given by its modes.
 
-    m y'' = -F(u), q_i'' + c_i q_i' + omega_i^2 q_i = s_i(x) F(u), u = y - sum_i s_i(x) q_i.
+    m y'' = -F(u), q_i'' + c_i q_i' + omega_i^2 q_i = s_i(x) F(u), u + C(x) F(u) = y - sum_i s_i(x) q_i.
 
     Parameters
     ----------
@@ -56,7 +67,7 @@ def hit(
     position : m from the knob end.
     closing_speed : m/s; not above zero is no contact, an outcome and not an error.
     lateral : m across the face from the bat's line.
-    step : s, > 0; the error falls with its square.
+    step : s, > 0; the error falls with its square. None: `STEP`, or less where a light face needs it (`contact_step`).
     law : another contact law than the ball's own `Hysteretic` one.
 
     Raises
@@ -64,11 +75,13 @@ def hit(
     InputError
         for a step that is not above zero, or a place that is none in metres.
     """
+    step = contact_step(modes, ball, longest=STEP) if step is None else step
     check_step(step)
     check_place(position, "position")
     if not closing_speed > 0:
         return _no_contact(modes, position, closing_speed)
-    done = _integrated(modes, ball, modes.shape_at(position, lateral), closing_speed, step, law or Hysteretic(ball))
+    struck = _Struck(modes.shape_at(position, lateral), float(modes.compliance_at(position)))
+    done = _integrated(modes, ball, struck, closing_speed, step, law or Hysteretic(ball))
     translation, rotation, bending, hoop, face = map(float, bat_energy(modes, done.displacement, done.velocity))
     separated = done.outcome is Outcome.SEPARATED
     return Impact(
@@ -117,53 +130,121 @@ class _Contact:
     impulses: list[float]
 
 
-def _integrated(modes: Modes, ball: Ball, shape: Array, closing_speed: float, step: float, law: ContactLaw) -> _Contact:
-    """Step ball and modes from first touch to release, or to the time limit."""
-    drift, half_dash = modal_propagator_of(modes, step), dashpot_factors(modes, step / 2)
-    correction = step**2 / 12 * (1 / ball.mass + float(shape @ shape))
-    stiffness = modes.angular_frequency**2
+class _Motion(NamedTuple):
+    """Ball and bat between two kicks, seen from the undisturbed bat: m and m/s, sqrt(kg) m and sqrt(kg) m/s, J."""
 
-    ball_position, ball_speed = closing_speed * step / 2, closing_speed
-    displacement, velocity = np.zeros(len(modes)), np.zeros(len(modes))
-    peak, damping = 0.0, 0.0
+    ball_position: float
+    ball_speed: float
+    displacement: Array
+    velocity: Array
+    damping: float = 0.0
+
+
+def _integrated(
+    modes: Modes, ball: Ball, struck: _Struck, closing_speed: float, step: float, law: ContactLaw
+) -> _Contact:
+    """Step ball and modes from first touch until the ball is gone for good, or to the time limit."""
+    shape, correction = struck.shape, step**2 / 12 * (1 / ball.mass + float(struck.shape @ struck.shape))
+    flow = _Flow(modes, step)
+    still = np.zeros(len(modes))
+    motion = _Motion(closing_speed * step / 2, closing_speed, still, still)
+    peak, greatest = 0.0, 0.0
     turned_at: float | None = None
-    compressions, forces, impulses = [0.0], [0.0], [0.0]
+    approaches, compressions, forces, impulses = [0.0], [0.0], [0.0], [0.0]
     outcome, release = Outcome.STILL_IN_CONTACT, math.nan
-    for kick in range(round(TIME_LIMIT / step)):
-        compression = ball_position - float(shape @ displacement)
-        if compression <= 0:
+    while len(forces) <= round(TIME_LIMIT / step):
+        approach = motion.ball_position - float(shape @ motion.displacement)
+        if approach <= 0:
             outcome = Outcome.SEPARATED
-            release = (kick - 0.5) * step
-            release += step * _crossing(compressions, compression)
-            break
-        rate = ball_speed - float(shape @ velocity)
-        if compression >= peak:
-            peak, turned_at = compression, None
+            release = (len(forces) - 1.5 + _crossing(approaches, approach)) * step
+            again = flow.overtaken(motion, shape, kicks=round(TIME_LIMIT / step) - len(forces))
+            if again is None:
+                break
+            apart, motion = again
+            outcome, peak, turned_at = Outcome.STILL_IN_CONTACT, 0.0, None
+            for history in (compressions, forces, impulses):
+                history.extend([0.0] * apart)
+            approaches = [0.0]
+            continue
+        rate = motion.ball_speed - float(shape @ motion.velocity)
+        if approach >= peak:
+            peak, turned_at = approach, None
         elif turned_at is None:
-            peak = max(peak, _vertex(compressions, compression))
-            peak -= correction * law.force(peak, 0.0, None)
-            turned_at = peak
-        force = law.force(compression, rate, turned_at)
-        impulse = force * (1 - correction * law.slope(compression, rate, turned_at)) * step
+            peak = max(peak, _vertex(approaches, approach))
+            peak -= correction * law.force(struck.compression(law, peak, 0.0, None), 0.0, None)
+            turned_at = struck.compression(law, peak, 0.0, None)
+            greatest = max(greatest, turned_at)
+        compression = struck.compression(law, approach, rate, turned_at)
+        force, slope = law.force(compression, rate, turned_at), law.slope(compression, rate, turned_at)
+        impulse = force * (1 - correction * slope / (1 + struck.compliance * slope)) * step
+        approaches.append(approach)
         compressions.append(compression)
         forces.append(force)
         impulses.append(impulse)
-
-        ball_speed -= impulse / ball.mass
-        velocity = velocity + shape * impulse
-        before = _energy(stiffness, displacement, velocity)
-        velocity = dashed(modes, half_dash, velocity)
-        ball_position += ball_speed * step
-        displacement, velocity = (
-            drift[:, 0, 0] * displacement + drift[:, 0, 1] * velocity,
-            drift[:, 1, 0] * displacement + drift[:, 1, 1] * velocity,
+        motion = flow.drifted(
+            motion._replace(
+                ball_speed=motion.ball_speed - impulse / ball.mass, velocity=motion.velocity + shape * impulse
+            )
         )
-        velocity = dashed(modes, half_dash, velocity)
-        damping += before - _energy(stiffness, displacement, velocity)
-
     return _Contact(
-        outcome, release, ball_speed, displacement, velocity, peak, damping, forces, compressions, impulses
+        outcome, release, motion.ball_speed, motion.displacement, motion.velocity, greatest or max(compressions),
+        motion.damping, forces, compressions, impulses,
     )  # fmt: skip
+
+
+class _Struck(NamedTuple):
+    """The place that is hit: shapes of the modes there, 1/sqrt(kg), and what gives way at once, m/N."""
+
+    shape: Array
+    compliance: float
+
+    def compression(self, law: ContactLaw, approach: float, rate: float, turned_at: float | None) -> float:
+        """Return what the ball is pressed in, m, of an approach that it shares with the surface."""
+        return compression_in_series(law, approach=approach, compliance=self.compliance, rate=rate, turned_at=turned_at)
+
+
+class _Flow:
+    """Ball and bat between kicks: the ball flies straight on, the modes move freely, exactly."""
+
+    def __init__(self, modes: Modes, step: float) -> None:
+        self.modes, self.step = modes, step
+        self.drift, self.half_dash = modal_propagator_of(modes, step), dashpot_factors(modes, step / 2)
+        self.stiffness = modes.angular_frequency**2
+
+    def drifted(self, motion: _Motion) -> _Motion:
+        """Return the motion one step later."""
+        velocity = dashed(self.modes, self.half_dash, motion.velocity)
+        displacement, velocity = (
+            self.drift[:, 0, 0] * motion.displacement + self.drift[:, 0, 1] * velocity,
+            self.drift[:, 1, 0] * motion.displacement + self.drift[:, 1, 1] * velocity,
+        )
+        velocity = dashed(self.modes, self.half_dash, velocity)
+        lost = self._energy(motion.displacement, motion.velocity) - self._energy(displacement, velocity)
+        place = motion.ball_position + motion.ball_speed * self.step
+        return _Motion(place, motion.ball_speed, displacement, velocity, motion.damping + lost)
+
+    def overtaken(self, motion: _Motion, shape: Array, *, kicks: int) -> tuple[int, _Motion] | None:
+        """Return after how many kicks the bat catches up with a ball that has just left it, and the motion then.
+
+        None: it never does, or not within ``kicks``. Without its vibrations the struck place moves evenly; the ball is
+        gone for good when it is further from there than all vibrations together can reach.
+        """
+        slow = self.modes.angular_frequency < SLOW
+        speed = float(shape[slow] @ motion.velocity[slow]) - motion.ball_speed
+        distance = float(shape[slow] @ motion.displacement[slow]) - motion.ball_position
+        fast = ~slow
+        amplitude = np.hypot(motion.displacement[fast], motion.velocity[fast] / self.modes.angular_frequency[fast])
+        reach = float(np.abs(shape[fast]) @ amplitude)
+        for kick in range(kicks):
+            if speed > 0 and distance + kick * self.step * speed > reach:
+                return None
+            if motion.ball_position > float(shape @ motion.displacement):
+                return kick, motion
+            motion = self.drifted(motion)
+        return None
+
+    def _energy(self, displacement: Array, velocity: Array) -> float:
+        return float(velocity @ velocity + displacement @ (self.stiffness * displacement)) / 2
 
 
 def check_step(step: float) -> None:
@@ -172,15 +253,11 @@ def check_step(step: float) -> None:
         raise InputError(f"step is {step:g} s; allowed is a number above zero, for example 4e-6")
 
 
-def _energy(stiffness: Array, displacement: Array, velocity: Array) -> float:
-    return float(velocity @ velocity + displacement @ (stiffness * displacement)) / 2
-
-
-def _vertex(compressions: list[float], latest: float) -> float:
-    """Return the top of the parabola through the last three compressions, the middle one being the highest."""
-    if len(compressions) < 3:
-        return compressions[-1]
-    first, middle = compressions[-2:]
+def _vertex(approaches: list[float], latest: float) -> float:
+    """Return the top of the parabola through the last three kicks, the middle one being the highest."""
+    if len(approaches) < 3:
+        return approaches[-1]
+    first, middle = approaches[-2:]
     return vertex(first, middle, latest)[1]
 
 
@@ -193,12 +270,12 @@ def _contact_time(forces: list[float], step: float) -> float:
     return float((last - 0.5 + part) * step)
 
 
-def _crossing(compressions: list[float], latest: float) -> float:
+def _crossing(approaches: list[float], latest: float) -> float:
     """Return where the parabola through the last three kicks crosses zero, in steps after the last but one."""
-    start = compressions[-1]
-    if len(compressions) < 3:
+    start = approaches[-1]
+    if len(approaches) < 3:
         return start / (start - latest)
-    earlier = compressions[-2]
+    earlier = approaches[-2]
     slope, bend = (latest - earlier) / 2, (earlier - 2 * start + latest) / 2
     return 2 * start / (math.sqrt(slope**2 - 4 * bend * start) - slope)
 

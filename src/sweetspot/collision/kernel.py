@@ -12,9 +12,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sweetspot.collision.coupled import TIME_LIMIT, check_step
+from sweetspot.collision.contact_law import NEWTON_STEPS
+from sweetspot.collision.coupled import SLOW, TIME_LIMIT, check_step
 from sweetspot.collision.impact import CONTACT_FORCE, Impacts, Outcome
 from sweetspot.collision.modal_propagator import dashpot_factors, modal_propagator_of
+from sweetspot.collision.time_step import contact_step
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import COR_FLOOR, Ball
 from sweetspot.numerics.arrays import Array, IntArray
@@ -27,6 +29,9 @@ LANES = 64
 """Most hits side by side; fewer hits than that take only the lanes they need, in fours."""
 STEP = 14e-6
 """s; exit speeds are within 1e-4 of the converged ones for hits at game speed (`make bench` prints the curve)."""
+NEARLY = 1e-6
+QUIET = -230.0
+"""Logarithm of a force that moves nothing, far above the numbers that make processors slow."""
 CHUNK = 8192
 """Hits per task handed to a thread."""
 
@@ -42,7 +47,7 @@ def hits(
     position: ArrayLike,
     closing_speed: ArrayLike,
     lateral: ArrayLike = 0.0,
-    step: float = STEP,
+    step: float | None = None,
     keep_motion: bool = True,
     threads: int | None = None,
 ) -> Impacts:
@@ -52,10 +57,11 @@ def hits(
     ----------
     position, closing_speed, lateral : m from the knob end, m/s and m across the face from the bat's line, broadcast
         together to shape (hits,).
-    step : s, > 0.
+    step : s, > 0; None: `STEP`, or less where a light face needs it (`contact_step`).
     keep_motion : whether to return the bat's modal motion at release (224 bytes per hit).
     threads : workers; None: one per core, and one only for small batches.
     """
+    step = contact_step(modes, ball, longest=STEP) if step is None else step
     check_step(step)
     check_place(position, "position")
     given = (np.asarray(values, float) for values in (position, lateral, closing_speed))
@@ -71,22 +77,46 @@ def hits(
         [ball.mass, ball.stiffness, ball.exponent, law.reference, law.slope, law.reference_speed, COR_FLOOR]
     )
 
+    omega = modes.angular_frequency
+
     def work(part: slice) -> None:
         shapes = np.ascontiguousarray(modes.shape_at(places[part], across[part]))
+        give = np.ascontiguousarray(modes.compliance_at(places[part]))
         kept = motion[:, part] if keep_motion else motion
         lanes = min(LANES, 4 * math.ceil(len(shapes) / 4))
         output = Output(outcome[part], results[:, part], kept)
         limit = float(round(TIME_LIMIT / step))
-        solve(lanes, speeds[part], shapes, drift, modes.dashpots, half_dash, constants, step, limit, output)
+        bat = Bat(shapes, give, omega, drift, modes.dashpots, half_dash)
+        solve(lanes, speeds[part], bat, constants, step, limit, output)
 
     in_parts(work, count, size=CHUNK, threads=threads)
     return Impacts(outcome, *results, *motion)
 
 
 # rows of the lanes' state
-CLOSING, BALL_POSITION, BALL_SPEED, SURFACE, COMPRESSION, BEFORE, EARLIER = range(7)
+CLOSING, BALL_POSITION, BALL_SPEED, SURFACE, APPROACH, BEFORE, EARLIER = range(7)
 PEAK, RISING, OFFSET, POWER, IMPULSE, LARGEST, KICKS, INVERSE_MASS, FORCE, CONTACT = range(7, 17)
-STATE_ROWS = 17
+GIVE, FORMER, PRESSED, STEEPNESS, DEEPEST, UNTIL = range(17, 23)
+STATE_ROWS = 23
+
+
+class Bat(NamedTuple):
+    """What is struck.
+
+    Parameters
+    ----------
+    shapes, give : (n, modes) 1/sqrt(kg) and (n,) m/N at the point of impact of each hit.
+    omega : (modes,) angular frequency in rad/s.
+    drift : (modes, 2, 2), the free motion over one step.
+    dashpots, half_dash : (k, modes) and (k,), dampers that couple modes and what they do in half a step.
+    """
+
+    shapes: Array
+    give: Array
+    omega: Array
+    drift: Array
+    dashpots: Array
+    half_dash: Array
 
 
 class Lanes(NamedTuple):
@@ -108,20 +138,19 @@ class Output(NamedTuple):
 
 
 @compiled()
-def _unloading(peak: float, constants: Array) -> tuple[float, float]:
-    """Return (a, b) of the unloading curve F = exp(a + b log u) from a peak compression."""
-    mass, stiffness, exponent, reference, slope, reference_speed, floor = constants
-    stored = stiffness * peak ** (exponent + 1) / (exponent + 1)
-    wall_speed = math.sqrt(2 * stored / mass)
+def _unloading(peak: float, force: float, constants: Array) -> tuple[float, float]:
+    """Return (a, b) of the unloading curve F = exp(a + b log u) from a peak compression and the force there."""
+    mass, _, exponent, reference, slope, reference_speed, floor = constants
+    wall_speed = math.sqrt(2 * force * peak / (exponent + 1) / mass)
     restitution = min(1.0, max(floor, reference - slope * (wall_speed - reference_speed)))
     power = (exponent + 1) / restitution**2 - 1
-    return math.log(stiffness) + (exponent - power) * math.log(peak), power
+    return math.log(force) - power * math.log(peak), power
 
 
 @compiled()
-def _crossing(earlier: float, start: float, latest: float, kicks: float) -> float:
+def _crossing(earlier: float, start: float, latest: float) -> float:
     """Return where the parabola through the last three kicks crosses zero, in steps after the last but one."""
-    if kicks < 4:
+    if earlier <= 0:
         return start / (start - latest)
     slope, bend = (latest - earlier) / 2, (earlier - 2 * start + latest) / 2
     return 2 * start / (math.sqrt(slope**2 - 4 * bend * start) - slope)
@@ -129,32 +158,25 @@ def _crossing(earlier: float, start: float, latest: float, kicks: float) -> floa
 
 @compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
 def solve(
-    lane_count: int,
-    closing_speed: Array,
-    shapes: Array,
-    drift: Array,
-    dashpots: Array,
-    half_dash: Array,
-    constants: Array,
-    step: float,
-    limit: float,
-    output: Output,
+    lane_count: int, closing_speed: Array, bat: Bat, constants: Array, step: float, limit: float, output: Output
 ) -> None:
     """Fill ``output`` for n hits.
 
     Every lane carries one hit; when it ends, the lane takes the next hit, so that no lane waits for another.
     One long function on purpose: with its last loops in a function of their own it is a tenth slower.
 
+    The force at approach w solves u + C F(u) = w. The forces of the last two kicks foretell u to about (h / T)^2; from
+    there one step of Halley's method along the curve leaves less than 1e-8 of the force, for one power per kick.
+
     Parameters
     ----------
     lane_count : hits side by side.
-    closing_speed, shapes : (n,) m/s and (n, modes) 1/sqrt(kg) at the point of impact.
-    drift : (modes, 2, 2), the free motion over one step.
-    dashpots, half_dash : (k, modes) and (k,), dampers that couple modes and what they do in half a step.
+    closing_speed : (n,) m/s.
     constants : ball mass, k, n, restitution law (reference, slope, speed) and its floor.
     step, limit : s, and the number of steps after which a hit is given up.
     """
-    size = shapes.shape[1]
+    drift, dashpots, half_dash = bat.drift, bat.dashpots, bat.half_dash
+    size = bat.shapes.shape[1]
     mass = constants[0]
     lanes = Lanes(
         np.zeros((STATE_ROWS, lane_count)),
@@ -166,45 +188,77 @@ def solve(
     state = lanes.state
     following, busy = 0, 0
     for lane in range(lane_count):
-        following = _start(lane, following, closing_speed, shapes, constants, step, lanes, output)
+        following = _start(lane, following, closing_speed, bat, constants, step, lanes, output)
         busy += lanes.hit_of[lane] >= 0
     ball_position, ball_speed, surface = state[BALL_POSITION], state[BALL_SPEED], state[SURFACE]
-    compression, before, earlier = state[COMPRESSION], state[BEFORE], state[EARLIER]
+    approach, before, earlier = state[APPROACH], state[BEFORE], state[EARLIER]
     peak, rising, kicks = state[PEAK], state[RISING], state[KICKS]
     offset, power, impulse, largest = state[OFFSET], state[POWER], state[IMPULSE], state[LARGEST]
-    force, contact = state[FORCE], state[CONTACT]
+    force, former, contact = state[FORCE], state[FORMER], state[CONTACT]
+    give, pressed, steepness, until = state[GIVE], state[PRESSED], state[STEEPNESS], state[UNTIL]
     inverse_mass, event, rate = state[INVERSE_MASS], np.zeros(lane_count), np.zeros(lane_count)
+    missing, bend, softened = np.zeros((3, lane_count))
+    approach[:] = 0.0  # before first touch
     # Many short loops: the compiler turns a loop into vector instructions only when it touches few arrays.
     while busy > 0:
         any_event = 0.0
         for lane in range(lane_count):
             earlier[lane] = before[lane]
-            before[lane] = compression[lane]
+            before[lane] = approach[lane]
         for lane in range(lane_count):
-            compression[lane] = ball_position[lane] - surface[lane]
+            approach[lane] = ball_position[lane] - surface[lane]
             surface[lane] = 0.0
             kicks[lane] += 1.0
         for lane in range(lane_count):
-            up = 1.0 if compression[lane] >= peak[lane] else 0.0
-            gone = 1.0 if compression[lane] <= 0.0 else 0.0
+            up = 1.0 if approach[lane] >= peak[lane] else 0.0
+            gone = 1.0 if approach[lane] <= 0.0 else 0.0
             late = 1.0 if kicks[lane] > limit else 0.0
             event[lane] = max(abs(up - rising[lane]), max(gone, late))  # noqa: PLW3301 - numba takes two at a time
         for lane in range(lane_count):
             any_event = max(any_event, event[lane])
-            peak[lane] = max(peak[lane], compression[lane])
+            peak[lane] = max(peak[lane], approach[lane])
         if any_event > 0.0:
             for lane in range(lane_count):
                 if event[lane] == 0.0:
                     continue
-                if compression[lane] <= 0 or kicks[lane] > limit:
-                    _finish(lane, step, lanes, output)
-                    following = _start(lane, following, closing_speed, shapes, constants, step, lanes, output)
-                    kicks[lane] += 1.0
-                    busy -= lanes.hit_of[lane] < 0
+                if approach[lane] <= 0 or kicks[lane] > limit:
+                    if until[lane] == 0.0:
+                        _finish(lane, constants, step, lanes, output)
+                        until[lane] = min(limit, kicks[lane] + _kicks_within_reach(lane, bat.omega, step, limit, lanes))
+                        offset[lane] = QUIET
+                    if kicks[lane] >= until[lane]:
+                        following = _start(lane, following, closing_speed, bat, constants, step, lanes, output)
+                        kicks[lane] += 1.0
+                        busy -= lanes.hit_of[lane] < 0
+                    else:  # the bat may catch up: go on without a force; any touch is an event
+                        approach[lane], peak[lane], rising[lane] = 1.0, 0.0, 0.0
+                elif until[lane] > 0.0:
+                    _touch(lane, constants, state)
                 else:
                     _turn(lane, constants, step, state)
         for lane in range(lane_count):
-            impulse[lane] = exp(offset[lane] + power[lane] * log(compression[lane]))
+            guess = approach[lane] - give[lane] * (2.0 * force[lane] - former[lane])
+            pressed[lane] = max(guess, 0.25 * approach[lane])
+        for lane in range(lane_count):
+            impulse[lane] = exp(offset[lane] + power[lane] * log(pressed[lane]))
+        for lane in range(lane_count):
+            missing[lane] = approach[lane] - pressed[lane] - give[lane] * impulse[lane]
+        for lane in range(lane_count):
+            pressed[lane] = 1.0 / pressed[lane]
+        for lane in range(lane_count):
+            steepness[lane] = power[lane] * impulse[lane] * pressed[lane]
+        for lane in range(lane_count):
+            bend[lane] = (0.5 * power[lane] - 0.5) * steepness[lane] * pressed[lane]
+        for lane in range(lane_count):
+            softened[lane] = 1.0 / (1.0 + give[lane] * steepness[lane])
+        for lane in range(lane_count):
+            missing[lane] *= softened[lane]
+        for lane in range(lane_count):
+            missing[lane] *= 1.0 - give[lane] * bend[lane] * missing[lane] * softened[lane]
+        for lane in range(lane_count):
+            impulse[lane] += missing[lane] * (steepness[lane] + bend[lane] * missing[lane])
+        for lane in range(lane_count):
+            steepness[lane] = (steepness[lane] + 2.0 * bend[lane] * missing[lane] * softened[lane]) * softened[lane]
         for lane in range(lane_count):
             largest[lane] = max(largest[lane], impulse[lane])
         for lane in range(lane_count):
@@ -213,10 +267,10 @@ def solve(
             part = (force[lane] - threshold) / (force[lane] - impulse[lane])
             contact[lane] = kicks[lane] + part if ebbing else contact[lane]
         for lane in range(lane_count):
+            former[lane] = force[lane]
             force[lane] = impulse[lane]
         for lane in range(lane_count):
-            slope = power[lane] * impulse[lane] / compression[lane]
-            impulse[lane] *= step * (1.0 - step**2 / 12 * inverse_mass[lane] * slope)
+            impulse[lane] *= step * (1.0 - step**2 / 12 * inverse_mass[lane] * steepness[lane])
         for lane in range(lane_count):
             ball_speed[lane] -= impulse[lane] / mass
             ball_position[lane] += ball_speed[lane] * step
@@ -257,27 +311,27 @@ def _start(
     lane: int,
     following: int,
     closing_speed: Array,
-    shapes: Array,
+    bat: Bat,
     constants: Array,
     step: float,
     lanes: Lanes,
     output: Output,
 ) -> int:
     """Put the next hit that makes contact into a lane, or leave the lane idle; return the hit after it."""
-    count, size = shapes.shape
+    count, size = bat.shapes.shape
     while following < count and not closing_speed[following] > 0:
         output.outcome[following] = NO_CONTACT
         output.results[:, following] = np.nan
         if output.motion.shape[1]:
             output.motion[:, following] = 0.0
         following += 1
-    mass, stiffness, exponent = constants[0], constants[1], constants[2]
+    mass = constants[0]
     idle = following >= count
     lanes.hit_of[lane] = -1 if idle else following
     speed = 0.0 if idle else closing_speed[following]
     inverse_mass = 1 / mass
     for i in range(size):
-        lanes.shape[i, lane] = 0.0 if idle else shapes[following, i]
+        lanes.shape[i, lane] = 0.0 if idle else bat.shapes[following, i]
         inverse_mass += lanes.shape[i, lane] ** 2
         lanes.displacement[i, lane] = 0.0
         lanes.velocity[i, lane] = 0.0
@@ -286,44 +340,106 @@ def _start(
     state[CLOSING, lane] = speed
     state[BALL_SPEED, lane] = speed
     state[BALL_POSITION, lane] = 1.0 if idle else speed * step / 2
-    state[COMPRESSION, lane] = state[BALL_POSITION, lane]
-    state[PEAK, lane] = 2.0 if idle else state[BALL_POSITION, lane]  # an idle lane never turns, ends or pushes
-    state[RISING, lane] = 0.0 if idle else 1.0
-    state[OFFSET, lane] = -1e9 if idle else math.log(stiffness)
-    state[POWER, lane] = exponent
-    state[KICKS, lane] = -np.inf if idle else 0.0
     state[INVERSE_MASS, lane] = inverse_mass
+    state[GIVE, lane] = 0.0 if idle else bat.give[following]
+    state[APPROACH, lane] = state[BALL_POSITION, lane]
+    _touch(lane, constants, state)
+    if idle:  # never turns, ends or pushes
+        state[PEAK, lane], state[RISING, lane], state[OFFSET, lane], state[KICKS, lane] = 2.0, 0.0, QUIET, -np.inf
     return following + 1
+
+
+@compiled()
+def _touch(lane: int, constants: Array, state: Array) -> None:
+    """Begin a contact: the ball is where it is, nothing presses yet, and loading comes first."""
+    state[PEAK, lane] = state[APPROACH, lane]
+    state[BEFORE, lane] = state[EARLIER, lane] = 0.0
+    state[RISING, lane] = 1.0
+    state[OFFSET, lane], state[POWER, lane] = math.log(constants[1]), constants[2]
+    state[FORCE, lane] = state[FORMER, lane] = state[UNTIL, lane] = 0.0
 
 
 @compiled()
 def _turn(lane: int, constants: Array, step: float, state: Array) -> None:
     """Change a lane from loading to unloading, at the top of the parabola through three kicks, or back."""
-    latest, peak = state[COMPRESSION, lane], state[PEAK, lane]
+    latest, peak, give = state[APPROACH, lane], state[PEAK, lane], state[GIVE, lane]
     if latest >= peak and state[RISING, lane] == 0.0:
         state[RISING, lane] = 1.0
         state[OFFSET, lane], state[POWER, lane] = math.log(constants[1]), constants[2]
     elif latest < peak and state[RISING, lane] == 1.0:
         state[RISING, lane] = 0.0
-        if state[KICKS, lane] > 2:
+        if state[EARLIER, lane] > 0:
             first, middle = state[EARLIER, lane], state[BEFORE, lane]
             peak = max(peak, middle - (latest - first) ** 2 / (8 * (first - 2 * middle + latest)))
-        peak -= step**2 / 12 * state[INVERSE_MASS, lane] * constants[1] * peak ** constants[2]
-        state[PEAK, lane] = peak
-        state[OFFSET, lane], state[POWER, lane] = _unloading(peak, constants)
+        deepest, force = _loaded(peak, give, state[FORCE, lane], constants)
+        lowered = step**2 / 12 * state[INVERSE_MASS, lane] * force
+        state[PEAK, lane] = peak - lowered
+        deepest, force = _loaded(peak - lowered, give, force, constants)
+        state[DEEPEST, lane] = max(state[DEEPEST, lane], deepest)
+        state[OFFSET, lane], state[POWER, lane] = _unloading(deepest, force, constants)
 
 
 @compiled()
-def _finish(lane: int, step: float, lanes: Lanes, output: Output) -> None:
+def _loaded(approach: float, give: float, force: float, constants: Array) -> tuple[float, float]:
+    """Return the ball's compression u and its force on the loading curve: u + C k u^n = w, by Newton's method.
+
+    ``force`` is about the one expected.
+    """
+    stiffness, exponent = constants[1], constants[2]
+    compression = approach - give * force
+    for _ in range(NEWTON_STEPS):
+        force = stiffness * compression**exponent
+        change = (approach - compression - give * force) / (1 + give * exponent * force / compression)
+        compression += change
+        if abs(change) < NEARLY * approach:  # the next change is about the square of this one
+            break
+    return compression, force * (1 + exponent * change / compression)
+
+
+@compiled()
+def _kicks_within_reach(lane: int, omega: Array, step: float, limit: float, lanes: Lanes) -> float:
+    """Return after how many kicks a ball that has just left is beyond all that vibrations together can reach.
+
+    See `_Flow.overtaken` in `coupled`.
+    """
+    state = lanes.state
+    speed, fastest = -state[BALL_SPEED, lane], 0.0
+    for i in range(len(omega)):
+        shape, p = lanes.shape[i, lane], lanes.velocity[i, lane]
+        if omega[i] < SLOW:
+            speed += shape * p
+        else:
+            fastest += abs(shape) * math.sqrt(p * p + (omega[i] * lanes.displacement[i, lane]) ** 2)
+    if speed > fastest:
+        return 0.0
+    if speed <= 0:
+        return limit
+    distance, reach = -state[BALL_POSITION, lane], 0.0
+    for i in range(len(omega)):
+        shape, q, p = lanes.shape[i, lane], lanes.displacement[i, lane], lanes.velocity[i, lane]
+        if omega[i] < SLOW:
+            distance += shape * q
+        else:
+            reach += abs(shape) * math.sqrt(q * q + (p / omega[i]) ** 2)
+    return max(0.0, (reach - distance) / (speed * step))
+
+
+@compiled()
+def _finish(lane: int, constants: Array, step: float, lanes: Lanes, output: Output) -> None:
     """Write the results of a lane whose ball has left, or whose time is up."""
     state, results, row = lanes.state, output.results, lanes.hit_of[lane]
-    separated = state[COMPRESSION, lane] <= 0
+    separated = state[APPROACH, lane] <= 0
     output.outcome[row] = SEPARATED if separated else STILL_IN_CONTACT
     results[:3, row] = np.nan
     results[3, row] = state[LARGEST, lane]
-    results[4, row] = state[PEAK, lane]
+    if state[DEEPEST, lane] == 0:
+        state[DEEPEST, lane], _ = _loaded(state[PEAK, lane], state[GIVE, lane], state[FORCE, lane], constants)
+    results[4, row] = state[DEEPEST, lane]
     if separated:
-        crossing = _crossing(state[EARLIER, lane], state[BEFORE, lane], state[COMPRESSION, lane], state[KICKS, lane])
+        threshold = CONTACT_FORCE * state[LARGEST, lane]
+        if state[FORCE, lane] >= threshold:
+            state[CONTACT, lane] = state[KICKS, lane] + 1 - threshold / state[FORCE, lane]
+        crossing = _crossing(state[EARLIER, lane], state[BEFORE, lane], state[APPROACH, lane])
         results[0, row] = -state[BALL_SPEED, lane] / state[CLOSING, lane]
         results[1, row] = (state[CONTACT, lane] - 1.5) * step
         results[2, row] = (state[KICKS, lane] - 1.5 + crossing) * step

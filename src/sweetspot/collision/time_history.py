@@ -35,6 +35,7 @@ class Energies(NamedTuple):
     stored : elastic energy in the ball: what it would give back if it sprang back from here.
     heat : lost in the ball: the rest of the work done on it.
     translation, rotation, bending, hoop, damping, face : of the bat, as in `EnergyLedger`.
+    dent : what the surface under the ball holds that gives way at once, C F^2 / 2.
     """
 
     ball: Array
@@ -46,6 +47,7 @@ class Energies(NamedTuple):
     hoop: Array
     damping: Array
     face: Array
+    dent: Array
 
 
 @dataclass(frozen=True)
@@ -144,6 +146,7 @@ def history_of(
             hoop=hoop,
             damping=bat.damping,
             face=face,
+            dent=whole(float(modes.compliance_at(impact.position)) * force**2 / 2, 0.0),
         ),
     )
 
@@ -181,7 +184,17 @@ def _ball_motion(impact: Impact, ball: Ball, times: Array) -> tuple[Array, Array
 def _inside_ball(ball: Ball, force: Array, compression: Array) -> tuple[Array, Array]:
     """Return the energies stored and lost in the ball at the kicks and at the end, J."""
     work = np.concatenate([[0.0], np.cumsum(np.diff(compression) * (force[1:] + force[:-1]) / 2)])
-    deepest = np.maximum.accumulate(compression)
+    deepest = _deepest_yet(compression)
     powers = np.array([unloading_exponent(ball, float(peak)) if peak > 0 else ball.exponent for peak in deepest])
     stored = force * compression / (powers + 1)
     return stored, work - stored
+
+
+def _deepest_yet(compression: Array) -> Array:
+    """Return the greatest compression so far of the contact under way, m; a ball that was free begins anew."""
+    contact = np.cumsum((compression > 0) & (np.append(0.0, compression[:-1]) == 0))
+    deepest = np.zeros_like(compression)
+    for number in range(1, int(contact[-1]) + 1):
+        during = contact == number
+        deepest[during] = np.maximum.accumulate(compression[during])
+    return deepest

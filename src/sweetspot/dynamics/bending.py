@@ -17,6 +17,7 @@ from skfem import Basis, ElementLinePp, MeshLine
 
 from sweetspot.dynamics.beam import BeamModel, moments, section
 from sweetspot.dynamics.modes import Family, Modes
+from sweetspot.dynamics.static_compliance import left_out
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.eigen import lowest
 
@@ -48,13 +49,14 @@ def bending_modes(line: BeamModel, *, count: int = MODES, elements: int = ELEMEN
     Damping is the material's free-free ratio, the same for every mode. Holds for transverse waves longer than
     the barrel is thick, that is up to about 10 kHz for a wood bat.
     """
-    edges, deflection, squares, vectors = _solved(line, count, elements)
+    edges, deflection, squares, vectors, stiffening = _solved(line, count, elements)
+    omega = np.sqrt(squares)
     bending = _as_polynomials(deflection, vectors[: deflection.N])
     bending *= np.sign(bending[:, -1, :].sum(axis=0))  # positive at the tip (local coordinate 1 of the last element)
     coefficients = np.concatenate([_rigid_polynomials(line, edges), bending], axis=2)
     widths = np.diff(edges)
     coefficients /= widths[None, :, None] ** np.arange(DEGREE, -1, -1)[:, None, None]
-    omega = np.sqrt(squares)
+    elastic = PPoly.construct_fast(np.ascontiguousarray(coefficients[..., 2:]), edges)
     frequency = np.concatenate([[0.0, 0.0], omega / (2 * np.pi)])
     damping_rate = np.concatenate([[0.0, 0.0], 2 * line.bat.damping_ratio * omega])
     bending_families: list[Family] = ["bending"] * count
@@ -66,25 +68,30 @@ def bending_modes(line: BeamModel, *, count: int = MODES, elements: int = ELEMEN
         shapes=PPoly.construct_fast(coefficients, edges),
         rigid_part=np.eye(2, count + 2),
         dashpots=np.zeros((0, count + 2)),
+        compliances=(left_out(line, shapes=elastic, omega=omega, softening=1 / stiffening),),
     )
 
 
 def bending_frequencies(line: BeamModel, *, count: int, elements: int = ELEMENTS) -> Array:
     """Return the frequencies in Hz of the lowest ``count`` bending modes alone; see `bending_modes`."""
-    _, _, squares, _ = _solved(line, count, elements)
+    _, _, squares, _, _ = _solved(line, count, elements)
     return np.asarray(np.sqrt(squares) / (2 * np.pi))
 
 
-def _solved(line: BeamModel, count: int, elements: int) -> tuple[Array, Any, Array, Array]:
-    """Return element ends, the deflection's basis, squared angular frequencies and mass-normalised vectors."""
+def _solved(line: BeamModel, count: int, elements: int) -> tuple[Array, Any, Array, Array, float]:
+    """Return element ends, the deflection's basis, squared angular frequencies, mass-normalised vectors.
+
+    Last comes the factor by which a measured frequency scales the stiffness.
+    """
     ends = {*line.bat.breakpoints(), *(weight.position for weight in line.point_masses)}
     edges = _element_edges(_apart(sorted(ends)), line.bat.length / elements)
     deflection, rotation = _bases(edges)
     stiffness, inertia = _matrices(line, deflection, rotation)
     squares, vectors = lowest(stiffness, inertia, first=2, last=count + 1)
+    stiffening = 1.0
     if line.bat.frequency is not None:  # stiffness known up to a factor, which does not change the shapes
-        squares *= (2 * np.pi * line.bat.frequency) ** 2 / squares[0]
-    return edges, deflection, squares, vectors
+        stiffening = float((2 * np.pi * line.bat.frequency) ** 2 / squares[0])
+    return edges, deflection, stiffening * squares, vectors, stiffening
 
 
 def _apart(ends: list[float]) -> tuple[float, ...]:

@@ -47,6 +47,7 @@ def gripped(modes: Modes, hands: Hands) -> Modes:
         rigid_part=modes.rigid_part @ vectors[:count],
         dashpots=turn.T @ dashpots,
         surface=None if modes.surface is None else modes.surface.mixed(vectors[:count]),
+        compliances=modes.compliances,
     )
 
 

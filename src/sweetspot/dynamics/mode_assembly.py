@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.dent import dent_compliance
 from sweetspot.dynamics.modes import Modes, joined
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
@@ -13,16 +16,20 @@ def all_modes(line: BeamModel, ball: Ball) -> Modes:
     """Return rigid motions and bending modes of a bat, and what its striking face or hollow barrel adds.
 
     A face adds roll and its own mode, damped as it damps this ball; a hollow barrel its hoop modes, which are felt
-    through the ball's contact patch. A solid or drilled wood barrel has none that matter: its hoop frequencies lie far
-    above those a ball can excite.
+    through the ball's contact patch. A solid or drilled wood barrel has none that a ball could excite: it is dented,
+    and gives way at once.
     """
     bending = bending_modes(line)
     if line.bat.face is not None:
         from sweetspot.dynamics.face_vibration import face_modes
 
         return joined(bending, face_modes(line, ball))
-    if not isinstance(line.bat, Bat) or line.bat.shell is None:
+    if not isinstance(line.bat, Bat):
         return bending
     from sweetspot.dynamics.hoop import contact_patch, hoop_modes
+
+    if line.bat.shell is None:
+        dent = dent_compliance(line, patch=contact_patch(ball))
+        return replace(bending, compliances=(*bending.compliances, dent))
 
     return joined(bending, hoop_modes(line, patch=contact_patch(ball)))

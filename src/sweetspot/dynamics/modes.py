@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Literal
 
@@ -57,6 +57,8 @@ class Modes:
     rigid_part : how much of each mode is translation (row 0), rotation (row 1) and, with a face, roll (row 2) of the
         free bat, shape (2, n) or (3, n).
     surface : what depends on the place across the face; None: nothing does.
+    compliances : what gives way at once under the ball, without a motion of its own, m/N by position: waves too fast to
+        be modes here, and the dent that the ball presses into the surface. They add up.
     """
 
     families: tuple[Family, ...]
@@ -67,6 +69,7 @@ class Modes:
     rigid_part: Array
     dashpots: Array
     surface: Surface | None = None
+    compliances: tuple[PPoly, ...] = field(default=(), repr=False)
 
     def __len__(self) -> int:
         return len(self.families)
@@ -95,6 +98,12 @@ class Modes:
             return along
         across = np.broadcast_to(np.asarray(lateral, float), places.shape)
         return along + self.surface.basis(places, across) @ self.surface.weights
+
+    def compliance_at(self, position: ArrayLike) -> Array:
+        """Return how far the surface gives way at once, m/N at positions in m, of their shape; never below zero."""
+        places = np.asarray(position, float)
+        each = (np.asarray(compliance(places)) for compliance in self.compliances)
+        return np.maximum(sum(each, np.zeros_like(places)), 0.0)
 
     def slope_at(self, position: ArrayLike) -> Array:
         """Return how the shapes of the line change along it, 1/(sqrt(kg) m): shape (..., n) for positions (...)."""
@@ -126,7 +135,7 @@ class Modes:
         return [index for index, name in enumerate(self.families) if name == family]
 
     def kept(self, indices: list[int]) -> Modes:
-        """Return only some of the modes, for example the rigid motions alone."""
+        """Return only some of the modes, for example the rigid motions alone; nothing gives way at once any more."""
         return Modes(
             tuple(self.families[index] for index in indices),
             tuple(self.harmonics[index] for index in indices),
@@ -154,6 +163,7 @@ def joined(first: Modes, second: Modes) -> Modes:
         rigid_part=_side_by_side(first.rigid_part, second.rigid_part),
         dashpots=np.block([[first.dashpots, zeros[0]], [zeros[1], second.dashpots]]),
         surface=_joined_surface(first, second),
+        compliances=first.compliances + second.compliances,
     )
 
 

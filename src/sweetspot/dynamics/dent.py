@@ -1,0 +1,192 @@
+"""How far a solid round barrel gives way under the ball beyond what its beam does: by a three-dimensional elastic body.
+
+A beam's section keeps its shape. In truth the wood under the ball is dented, the section is squeezed, and the load
+spreads into the barrel over a length. A long round body of radius R, isotropic across its axis, is solved exactly along
+the axis and around it (one Fourier harmonic cos(n theta) cos(k z) at a time) and by finite elements along the radius.
+With the pressure of a Hertz patch of radius a, whose transform is P = 3 (sin s - s cos s) / s^3 at s = a hypot(n/R, k),
+the mean displacement under the patch per newton is
+
+    c = (1/pi) int_0^inf (sum_n h_n(k) - P(0, k)^2 (1/(EI k^4) + 1/(S k^2))) dk - K,
+
+where h_n is the work of harmonic n, the subtracted term is the same body as a beam, S its shear stiffness for slow
+waves, and K what a beam gives way more under a push at one point, as its modes have it, than under the patch.
+
+All wood is taken as alike across the grain. What fills a hole is left out: it is a hundred times softer than wood.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+from numpy.polynomial.legendre import leggauss
+from scipy.interpolate import CubicSpline, PPoly
+
+from sweetspot.dynamics.beam import BeamModel
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.laminate_theory import DEFAULT_POISSON
+from sweetspot.equipment.material import Material
+from sweetspot.numerics.arrays import Array
+
+ACROSS_POISSON = 0.4
+"""Poisson's ratio of wood across its grain; 0.3 to 0.6 in its two directions: 6 % of the dent [recalled]."""
+ACROSS_RATIO = 0.085
+"""Modulus across the grain over that along it, for a wood that states none: 0.05 to 0.12 [recalled]."""
+HARMONICS = 13
+SLOWEST, FASTEST = 0.12, 14.0
+"""k R: below it the body is a beam; above it a patch of half the barrel's radius or more no longer pushes."""
+PATCHES = np.linspace(0.45, 1.25, 9)
+"""a / R between which the dent is interpolated; smaller and larger patches are taken as the nearest of them."""
+ELEMENTS, DEGREE = 5, 4
+PLACES = 81
+
+
+def dent_compliance(line: BeamModel, *, patch: float) -> PPoly:
+    """Return the dent of a solid or drilled round bat in m/N by position in m.
+
+    Parameters
+    ----------
+    line : a bat without a shell.
+    patch : radius in m of the ball's contact, > 0.
+    """
+    bat = line.bat
+    assert isinstance(bat, Bat) and bat.shell is None
+    places = np.linspace(0.0, bat.length, PLACES)
+    radius = bat.diameter_at(places) / 2
+    compliance = round_compliance(bat.material, patch / radius, void=0.0) / radius
+    for bore in bat.bores:
+        within = (places > bat.length - bore.depth) & (places <= bat.length - bore.plug)
+        void = round(bore.diameter / 2 / float(radius[within].max(initial=bore.diameter)), 2)
+        hollow = round_compliance(bat.material, patch / radius, void=void) / radius
+        compliance = np.where(within, np.maximum(compliance, hollow), compliance)
+    return CubicSpline(places, compliance)
+
+
+def round_compliance(material: Material, patch_ratio: Array, *, void: float) -> Array:
+    """Return c R in m^2/N of a long round body at ratios a / R of the patch's radius to its own.
+
+    Parameters
+    ----------
+    void : radius of a hole along its axis over its own, 0 to 0.9.
+    """
+    along, shear = material.longitudinal_modulus, material.shear
+    poisson = DEFAULT_POISSON if material.poisson_ratio is None else material.poisson_ratio
+    wood = material.family == "wood"
+    across = material.transverse_modulus or (ACROSS_RATIO * along if wood else along)
+    across_poisson = ACROSS_POISSON if wood else poisson
+    table = _table(along, across, shear, poisson, across_poisson, void)
+    return np.asarray(CubicSpline(PATCHES, table)(np.clip(patch_ratio, PATCHES[0], PATCHES[-1])))
+
+
+@cache
+def _table(along: float, across: float, shear: float, poisson: float, across_poisson: float, void: float) -> Array:
+    """Return c of a body of radius 1 for every one of `PATCHES`; moduli in Pa."""
+    stiffness = _stiffness(along, across, shear, poisson, across_poisson)
+    nodes, weights = leggauss(8)
+    edges = np.array([SLOWEST, 0.5, 1.0, 2.0, 3.5, 5.5, 8.0, FASTEST])
+    half, middle = np.diff(edges) / 2, (edges[1:] + edges[:-1]) / 2
+    waves = np.concatenate([[SLOWEST], (middle[:, None] + half[:, None] * nodes).ravel()])
+    weights = np.concatenate([[SLOWEST], (half[:, None] * weights).ravel()])  # even and smooth: constant below SLOWEST
+    give = _surface_compliance(stiffness, waves, void)
+    bending = 4 / (np.pi * along * (1 - void**4))
+    point = _work(give, waves, 0.0)[1]
+    shearing = float((point[0] - bending / SLOWEST**4) * SLOWEST**2)
+    beam = bending / waves**4 + shearing / waves**2
+    totals = []
+    for patch in PATCHES:
+        work = _work(give, waves, patch).sum(axis=0) - _transform(patch * waves) ** 2 * beam
+        totals.append(work @ weights / np.pi - _blunting(patch, bending=bending, shearing=shearing))
+    return np.array(totals)
+
+
+def _stiffness(along: float, across: float, shear: float, poisson: float, across_poisson: float) -> Array:
+    """Return the stiffness matrix for strains (r, theta, z, r-theta, r-z, theta-z) in Pa."""
+    give = np.zeros((6, 6))
+    give[:3, :3] = np.array([
+        [1 / across, -across_poisson / across, -poisson / along],
+        [-across_poisson / across, 1 / across, -poisson / along],
+        [-poisson / along, -poisson / along, 1 / along],
+    ])  # fmt: skip
+    give[3, 3] = 2 * (1 + across_poisson) / across
+    give[4, 4] = give[5, 5] = 1 / shear
+    return np.linalg.inv(give)
+
+
+def _surface_compliance(stiffness: Array, waves: Array, void: float) -> Array:
+    """Return outward and sideways motion of the surface per unit of traction, shape (harmonics, waves, 2, 2).
+
+    The motion is u_r = W cos(n theta) cos(k z), u_theta = V sin(n theta) cos(k z), u_z = U cos(n theta) sin(k z).
+    """
+    size = ELEMENTS * DEGREE + 1
+    parts = _radial_parts(stiffness, void)  # of K = sum over powers n^i k^j
+    harmonics = np.arange(HARMONICS)[:, None, None, None]
+    wave = waves[None, :, None, None]
+    whole = sum(harmonics**i * wave**j * part for (i, j), part in parts.items())
+    surface = np.array([size - 1, 2 * size - 1])
+    push = np.zeros((3 * size, 2))
+    push[surface, [0, 1]] = 1.0
+    motion = np.zeros((HARMONICS, len(waves), 2, 2))
+    motion[1:] = np.linalg.solve(whole[1:], push)[:, :, surface, :]
+    no_twist = np.r_[:size, 2 * size : 3 * size]  # harmonic 0 turns the body about its axis without strain
+    motion[0, :, 0, 0] = np.linalg.solve(whole[0][:, no_twist[:, None], no_twist], push[no_twist, :1])[:, size - 1, 0]
+    return motion
+
+
+def _radial_parts(stiffness: Array, void: float) -> dict[tuple[int, int], Array]:
+    """Return the parts of the stiffness matrix that go with n^i k^j; unknowns are W, V and U along the radius."""
+    size = ELEMENTS * DEGREE + 1
+    fine = void + (1 - void) * (1 - (1 - np.linspace(0, 1, ELEMENTS + 1)) ** 2)
+    gauss, weights = leggauss(DEGREE + 3)
+    own = -np.cos(np.pi * np.arange(DEGREE + 1) / DEGREE)
+    powers = np.linalg.inv(np.vander(own, increasing=True))
+    values = (np.vander(gauss, DEGREE + 1, increasing=True) @ powers).T
+    slopes = (np.vander(gauss, DEGREE, increasing=True) * np.arange(1, DEGREE + 1) @ powers[1:]).T
+    parts = {(i, j): np.zeros((3 * size, 3 * size)) for i in range(3) for j in range(3) if i + j <= 2}
+    w, v, u = (slice(i * (DEGREE + 1), (i + 1) * (DEGREE + 1)) for i in range(3))
+    for number, (left, right) in enumerate(pairwise(fine)):
+        radius = (left + right) / 2 + (right - left) / 2 * gauss
+        slope, over = 2 / (right - left) * slopes, values / radius
+        strains = np.zeros((3, 6, 3 * (DEGREE + 1), len(gauss)))  # without n or k, with n, with k
+        strains[0, 0, w], strains[0, 1, w], strains[0, 3, v], strains[0, 4, u] = slope, over, slope - over, slope
+        strains[1, 1, v], strains[1, 3, w], strains[1, 5, u] = over, -over, -over
+        strains[2, 2, u], strains[2, 4, w], strains[2, 5, v] = values, -values, -values
+        area = weights * (right - left) / 2 * radius
+        at = np.concatenate([number * DEGREE + np.arange(DEGREE + 1) + i * size for i in range(3)])
+        for first, (i, j) in enumerate([(0, 0), (1, 0), (0, 1)]):
+            for second, (k, m) in enumerate([(0, 0), (1, 0), (0, 1)]):
+                local = np.einsum("aiq,ab,bjq,q->ij", strains[first], stiffness, strains[second], area)
+                parts[i + k, j + m][np.ix_(at, at)] += local
+    return parts
+
+
+def _work(give: Array, waves: Array, patch: float) -> Array:
+    """Return h_n(k) of a push by the ball, along its path all over the patch, shape (harmonics, waves)."""
+    number = np.arange(-1, HARMONICS + 1)[:, None]
+    pressure = _transform(patch * np.hypot(number, waves)) / (2 * np.pi)
+    before, after = pressure[:-2], pressure[2:]
+    outward, sideways = before + after, after - before
+    outward[0] /= 2
+    push = np.stack([outward, sideways], axis=-1)
+    work = np.pi * np.einsum("nki,nkij,nkj->nk", push, give, push)
+    work[0] *= 2
+    return np.asarray(work)
+
+
+def _transform(phase: Array) -> Array:
+    """Return 3 (sin s - s cos s) / s^3, the transform of a Hertz pressure."""
+    safe = np.maximum(phase, 1e-2)
+    exact = 3 * (np.sin(safe) - safe * np.cos(safe)) / safe**3
+    return np.asarray(np.where(phase < 1e-2, 1 - phase**2 / 10, exact))
+
+
+def _blunting(patch: float, *, bending: float, shearing: float) -> float:
+    """Return how much less a beam gives way under a patch than under a push at one point, m/N.
+
+    Beside the point its deflection is less by S |x| / 2 - B |x|^3 / 12 (shear and bending compliances S and B); this is
+    the mean over pairs of places with weights 1 - (x/a)^2.
+    """
+    nodes, weights = leggauss(64)
+    weights = weights * (1 - nodes**2)
+    apart = patch * np.abs(nodes[:, None] - nodes)
+    return float(weights @ (shearing * apart / 2 - bending * apart**3 / 12) @ weights / weights.sum() ** 2)
