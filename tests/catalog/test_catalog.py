@@ -54,7 +54,7 @@ def test_balls(name: str) -> None:
 def test_the_baseball_is_the_rule_books() -> None:
     ball = catalog.ball()
     assert ball.mass == pytest.approx(5.125 * OUNCE)
-    assert ball.restitution.at(85 * 0.3048) == pytest.approx(0.546)
+    assert ball.restitution.at(85 * 0.3048) == pytest.approx(0.537)  # on a rigid wall; 0.546 on ash
 
 
 @pytest.mark.parametrize("name", catalog.bat_names())

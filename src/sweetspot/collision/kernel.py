@@ -421,7 +421,7 @@ def _kicks_within_reach(lane: int, omega: Array, step: float, limit: float, lane
             distance += shape * q
         else:
             reach += abs(shape) * math.sqrt(q * q + (p / omega[i]) ** 2)
-    return max(0.0, (reach - distance) / (speed * step))
+    return float(max(0.0, (reach - distance) / (speed * step)))
 
 
 @compiled()

@@ -110,7 +110,7 @@ def _stiffness(along: float, across: float, shear: float, poisson: float, across
     ])  # fmt: skip
     give[3, 3] = 2 * (1 + across_poisson) / across
     give[4, 4] = give[5, 5] = 1 / shear
-    return np.linalg.inv(give)
+    return np.asarray(np.linalg.inv(give), dtype=np.float64)
 
 
 def _surface_compliance(stiffness: Array, waves: Array, void: float) -> Array:
@@ -122,7 +122,9 @@ def _surface_compliance(stiffness: Array, waves: Array, void: float) -> Array:
     parts = _radial_parts(stiffness, void)  # of K = sum over powers n^i k^j
     harmonics = np.arange(HARMONICS)[:, None, None, None]
     wave = waves[None, :, None, None]
-    whole = sum(harmonics**i * wave**j * part for (i, j), part in parts.items())
+    whole = np.zeros((HARMONICS, len(waves), 3 * size, 3 * size))
+    for (i, j), part in parts.items():
+        whole += harmonics**i * wave**j * part
     surface = np.array([size - 1, 2 * size - 1])
     push = np.zeros((3 * size, 2))
     push[surface, [0, 1]] = 1.0

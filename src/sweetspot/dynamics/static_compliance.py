@@ -44,7 +44,7 @@ def static_compliance(line: BeamModel, position: Array, *, cells: int = CELLS) -
     def before(per_slice: Array, of_lumps: Array) -> Array:
         """Return the integral from the knob to the middle of each slice, with the point masses passed."""
         whole = per_slice * width
-        return np.cumsum(whole) - whole / 2 + (lumps[:, 0] <= middle[:, None]) @ of_lumps
+        return np.asarray(np.cumsum(whole) - whole / 2 + (lumps[:, 0] <= middle[:, None]) @ of_lumps)
 
     arm, lump_arm = middle - centre, lumps[:, 0] - centre
     inertia = before(at.mass, lumps[:, 1])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -10,9 +11,12 @@ from scipy.optimize import brentq
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of, hit_at
-from sweetspot.collision.closed_form import restitution_from_efficiency
+from sweetspot.analysis.drop_test import fire
+from sweetspot.collision.closed_form import exit_speed, restitution_from_efficiency
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact
+from sweetspot.collision.kernel import hits
+from sweetspot.dynamics.block import Block
 from sweetspot.dynamics.hands import gripped
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion, effective_mass
@@ -24,6 +28,12 @@ from sweetspot.validation.computations import shared
 def wall_restitution(*, speed: float) -> float:
     """Return the rebound ratio of the catalogue's baseball from a wall that cannot move, by the coupled collision."""
     return hit(rigid_wall(), ball=catalog.ball(), position=0.0, closing_speed=speed).collision_efficiency
+
+
+def ash_wall_restitution(*, speed: float, wall: float) -> float:
+    """Return the rebound ratio of the catalogue's baseball from white ash of thickness ``wall`` on a rigid back."""
+    block = Block(material=catalog.material("white ash"), thickness=wall, length=0.3, width=0.3, floor_modulus=None)
+    return fire(block, ball=catalog.ball(), speed=speed).restitution
 
 
 def wall_restitution_change(*, speed: float, other_speed: float) -> float:
@@ -139,11 +149,18 @@ def flexible_loss_aside(*, bat: str, distance: float) -> float:
 
 
 def _flexible_over_rigid(bat: str) -> tuple[Array, Array]:
-    """Return places beyond the balance point and flexible over rigid exit speed there, less one."""
+    """Return places beyond the balance point and flexible over rigid exit speed there, less one.
+
+    The rigid bat is dented by the ball as the flexible one is: what counts here is the bending.
+    """
     analysis = shared.standard(bat)
-    scan = analysis.scan
+    scan, modes, conditions = analysis.scan, analysis.modes, analysis.conditions
     barrel = scan.position > analysis.body.balance_point
-    return scan.position[barrel], scan.exit_speed[barrel] / scan.rigid_exit_speed[barrel] - 1
+    places, closing, bat_speed = scan.position[barrel], scan.closing_speed[barrel], scan.bat_speed[barrel]
+    rigid = replace(modes.kept(modes.of_family("rigid")), compliances=modes.compliances)
+    efficiency = hits(rigid, ball=conditions.ball, position=places, closing_speed=closing).collision_efficiency
+    alone = exit_speed(efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed)
+    return places, scan.exit_speed[barrel] / alone - 1
 
 
 def best_from_tip(*, bat: str) -> float:
@@ -227,7 +244,7 @@ def _exit(bat: str, *, pitch: float = 0.0, swing: float = 0.0) -> float:
 
 
 COMPUTATIONS = (
-    wall_restitution,
+    ash_wall_restitution,
     wall_restitution_change,
     held_rod_turning,
     held_rod_hand_force,

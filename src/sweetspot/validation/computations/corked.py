@@ -10,7 +10,7 @@ from sweetspot import catalog
 from sweetspot.collision.closed_form import bbcor
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.units import INCH
@@ -58,7 +58,7 @@ def _body(bat: Bat) -> RigidBody:
 def _best(bat: Bat, closing_speed: float) -> tuple[float, float]:
     """Return the greatest q and the greatest BBCOR along the barrel for one closing speed."""
     ball, body, places = catalog.ball(), _body(bat), bat.length - PLACES
-    done = hits(bending_modes(beam_model(bat)), ball=ball, position=places, closing_speed=closing_speed)
+    done = hits(all_modes(beam_model(bat), ball), ball=ball, position=places, closing_speed=closing_speed)
     efficiency = done.collision_efficiency
     return float(efficiency.max()), float(bbcor(efficiency, body=body, ball=ball, position=places).max())
 

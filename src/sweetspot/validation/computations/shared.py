@@ -8,7 +8,7 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import BeamModel, beam_model
-from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
 
@@ -27,8 +27,8 @@ def body(bat: str) -> RigidBody:
 
 @cache
 def free_modes(bat: str) -> Modes:
-    """Return the motions of a catalogue bat hung freely."""
-    return bending_modes(line(bat))
+    """Return the motions of a catalogue bat hung freely, as the catalogue's baseball meets them."""
+    return all_modes(line(bat), catalog.ball())
 
 
 @cache
