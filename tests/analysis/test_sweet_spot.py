@@ -44,7 +44,9 @@ def test_best_hit_is_the_top_of_the_scan(analysis: Analysis) -> None:
 def test_real_bat_never_beats_the_rigid_one_on_the_barrel(analysis: Analysis) -> None:
     """Nathan 2000: vibration only takes; what the dent of the wood gives back is not in his model."""
     barrel = analysis.scan.position > 0.6
-    assert np.all(analysis.scan.exit_speed[barrel] <= analysis.scan.rigid_exit_speed[barrel] + 1.0)  # the dent gives back up to 2 mph
+    assert np.all(
+        analysis.scan.exit_speed[barrel] <= analysis.scan.rigid_exit_speed[barrel] + 1.0
+    )  # the dent gives back up to 2 mph
 
 
 def test_hand_impulse_changes_sign_at_the_percussion_centre(analysis: Analysis) -> None:

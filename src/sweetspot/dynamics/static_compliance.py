@@ -16,7 +16,7 @@ from itertools import pairwise
 import numpy as np
 from scipy.interpolate import CubicSpline, PPoly
 
-from sweetspot.dynamics.beam import BeamModel, moments, section
+from sweetspot.dynamics.beam import BeamModel, section
 from sweetspot.numerics.arrays import Array
 
 CELLS = 960
@@ -36,10 +36,10 @@ def static_compliance(line: BeamModel, position: Array, *, cells: int = CELLS) -
     edges = np.union1d(_edges(line.bat.breakpoints(), line.bat.length / cells), given)
     middle, width = (edges[1:] + edges[:-1]) / 2, np.diff(edges)
     at = section(line, middle)
-    mass, first, second = moments(line)
-    centre = first / mass
-    moi = second - first * centre
     lumps = np.array([(lump.position, lump.mass, lump.moi) for lump in line.point_masses]).reshape(-1, 3)
+    # of the sections themselves, so that push and inertia balance exactly
+    mass = float(at.mass @ width + lumps[:, 1].sum())
+    centre = float((at.mass * middle) @ width + lumps[:, 0] @ lumps[:, 1]) / mass
 
     def before(per_slice: Array, of_lumps: Array) -> Array:
         """Return the integral from the knob to the middle of each slice, with the point masses passed."""
@@ -49,9 +49,10 @@ def static_compliance(line: BeamModel, position: Array, *, cells: int = CELLS) -
     arm, lump_arm = middle - centre, lumps[:, 0] - centre
     inertia = before(at.mass, lumps[:, 1])
     moment = before(at.mass * arm, lumps[:, 1] * lump_arm)
-    turning = before(
-        at.mass * arm**2 + at.rotary_inertia + at.mass * width**2 / 12, lumps[:, 1] * lump_arm**2 + lumps[:, 2]
-    )
+    spread, lump_spread = (
+        at.mass * (arm**2 + width**2 / 12) + at.rotary_inertia, lumps[:, 1] * lump_arm**2 + lumps[:, 2],
+    )  # fmt: skip
+    turning, moi = before(spread, lump_spread), float(spread @ width + lump_spread.sum())
     places = given[:, None]
     beyond = places < middle
     turn = (places - centre) / moi
