@@ -17,7 +17,7 @@ from skfem import Basis, ElementLinePp, MeshLine
 
 from sweetspot.dynamics.beam import BeamModel, moments, section
 from sweetspot.dynamics.modes import Family, Modes
-from sweetspot.dynamics.static_compliance import left_out
+from sweetspot.dynamics.residual_flexibility import left_out
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.eigen import lowest
 

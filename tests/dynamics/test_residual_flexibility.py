@@ -9,7 +9,7 @@ from sweetspot import catalog
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.dent import round_compliance
-from sweetspot.dynamics.static_compliance import static_compliance
+from sweetspot.dynamics.residual_flexibility import static_compliance
 from sweetspot.equipment.material import Material
 
 PLACES = np.linspace(0.45, 0.8, 7)
