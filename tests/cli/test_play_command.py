@@ -11,6 +11,7 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.analysis.full_play import play
+from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.flight.air import Air
 from sweetspot.motion.ball_motion import launched
@@ -96,3 +97,25 @@ def test_bad_input_is_one_message(run: Run, arguments: tuple[str, ...], words: s
     code, _, err = run("play", *arguments)
     assert code == 2
     assert words in err.lower() and "Traceback" not in err
+
+
+def test_a_softball_flies_by_a_softballs_drag(run_json: Callable[..., Any]) -> None:
+    """The bat decides which ball, the ball by which law it flies; another ball can be asked for."""
+    bat, arguments = catalog.bat("slow-pitch"), ("--at", "6in-from-tip", "--offset", "0.9in")
+    usual = run_json("play", "slow-pitch", *arguments)
+    asked = run_json("play", "slow-pitch", *arguments, "--ball", "softball-12in-fast")
+    conditions = standard_conditions(bat)
+    ball = conditions.ball
+    flown = {}
+    for law in ("softball", "baseball"):
+        played = play(
+            reduced_bat(bat, ball=ball), ball=ball, swing=conditions.swing,
+            path=SwingPath(attack_angle=9 * DEGREE, tilt=32 * DEGREE),
+            pitch=launched(speed=conditions.pitch.speed, launch_angle=-6 * DEGREE, spray=math.pi, backspin=2200 * RPM,
+                           height=3 * FOOT, forward=2 * FOOT),
+            position=bat.length - 6 * INCH, offset=0.9 * INCH, aerodynamics=catalog.aerodynamics(law), air=Air(),
+        )  # fmt: skip
+        assert played.flight is not None
+        flown[law] = played.flight.carry
+    assert usual["flight"]["carry_m"] == asked["flight"]["carry_m"] == pytest.approx(flown["softball"], rel=1e-3)
+    assert abs(flown["baseball"] / flown["softball"] - 1) > 0.01

@@ -20,14 +20,15 @@ from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import Conditions, Hands
+from sweetspot.numerics.notebook_display import ShownInNotebooks
 from sweetspot.units import shown
 
 TYPICAL_HAND = {"mass": 0.35, "stiffness": 20e3, "damping": 100.0}
 """kg, N/m, N s/m per hand; soft defaults, recalled and not read, used only to show that grip hardly matters."""
 
 
-@dataclass(frozen=True)
-class Analysis(Generic[Tool_co]):
+@dataclass(frozen=True, repr=False)
+class Analysis(ShownInNotebooks, Generic[Tool_co]):
     """Everything computed about one bat under one set of conditions.
 
     Parameters
@@ -44,6 +45,11 @@ class Analysis(Generic[Tool_co]):
     free: Modes
     scan: Scan
     sweet_spots: SweetSpots
+
+    def __repr__(self) -> str:
+        return (
+            f"<Analysis of {self.bat.name}: best hit {shown(self.sweet_spots.max_exit_speed)} from the end of the grip>"
+        )
 
     @property
     def reduced(self) -> ReducedBat[Tool_co]:

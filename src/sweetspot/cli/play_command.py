@@ -99,10 +99,11 @@ def play(
         pitch = arriving(arrival, conditions.pitch.speed)
     else:
         pitch = pitched(arrival.pitch, arrival.release_speed, ball=conditions.ball, air=weather, wind=wind).plate
+    thrown = swing.ball or catalog.sport(described.sport).balls[0]
     with patience():
         played = follow(
             model, ball=conditions.ball, swing=conditions.swing, path=swung, pitch=pitch, position=position,
-            offset=under, aerodynamics=catalog.aerodynamics("baseball"), air=weather, wind=wind,
+            offset=under, aerodynamics=catalog.aerodynamics_of_ball(thrown), air=weather, wind=wind,
         )  # fmt: skip
     result = PlayedPitch(
         play=played, bat=described, ball=conditions.ball, position=position, offset=under, path=swung, pitch=pitch,

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from sweetspot.dynamics.modes import Modes
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.notebook_display import ShownInNotebooks
 
 CONTACT_FORCE = 0.01
 """Part of the peak force at which contact counts as over; a ball that is nearly free presses hardly at all."""
@@ -68,8 +69,8 @@ class EnergyLedger:
         return sum(parts) / self.incoming - 1 if self.incoming else 0.0
 
 
-@dataclass(frozen=True)
-class Impact:
+@dataclass(frozen=True, repr=False)
+class Impact(ShownInNotebooks):
     """One hit.
 
     Parameters
@@ -105,6 +106,12 @@ class Impact:
     compression: Array
     impulse: Array
     lateral: float = 0.0
+
+    def __repr__(self) -> str:
+        return (
+            f"<Impact at {self.position:.4f} m: {self.outcome.name.lower()}, q = {self.collision_efficiency:.4f}, "
+            f"contact {1e3 * self.contact_time:.3f} ms, peak force {self.peak_force:.0f} N>"
+        )
 
 
 @dataclass(frozen=True)

@@ -19,6 +19,7 @@ from sweetspot.equipment.section import Section
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.numerics.notebook_display import ShownInNotebooks
 from sweetspot.units import shown
 
 Look = Literal["wood", "metal", "filler", "laminate"]
@@ -47,7 +48,7 @@ class DensityRange(NamedTuple):
     heaviest: float
 
 
-class Implement(Validated, ABC):
+class Implement(ShownInNotebooks, Validated, ABC):
     """A bat, racket, club or stick: a line with sections, perhaps with a face of its own.
 
     Parameters

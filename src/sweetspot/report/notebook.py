@@ -33,11 +33,19 @@ def document_of(answer: Any) -> Document:
 
 def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     """Return every kind of answer with what makes its document."""
+    from sweetspot.analysis.bat_analysis import Analysis
     from sweetspot.analysis.certification.simulated_test import Certification
     from sweetspot.analysis.comparison import Comparison
+    from sweetspot.collision.impact import Impact
+    from sweetspot.equipment.implement import Implement
     from sweetspot.flight.trajectory import Flight
+    from sweetspot.report.bat.document import described_document, report_document
     from sweetspot.report.certification.document import certification_document
     from sweetspot.report.comparison.document import comparison_document
     from sweetspot.report.flight.document import flight_document
+    from sweetspot.report.hit.document import impact_document
 
-    return ((Flight, flight_document), (Comparison, comparison_document), (Certification, certification_document))
+    return (
+        (Flight, flight_document), (Comparison, comparison_document), (Certification, certification_document),
+        (Analysis, report_document), (Impact, impact_document), (Implement, described_document),
+    )  # fmt: skip

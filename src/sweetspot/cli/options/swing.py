@@ -19,13 +19,15 @@ Format = Literal["table", "json", "csv"]
 @Parameter(name="*", allow_leading_hyphen=True)
 @dataclass(frozen=True)
 class SwingOptions:
-    """Pitch, swing, hands and ball; every quantity takes a unit. Defaults are baseball's, or of the racket's sport."""
+    """Pitch, swing, hands and ball; every quantity takes a unit. Defaults are the usual stroke of the bat's sport."""
 
     pitch_speed: Annotated[
-        str | None, Parameter(help="Speed of the ball as it arrives: 90mph, 40m/s, or tee; default: 90mph for a bat.")
+        str | None,
+        Parameter(help="Speed of the ball as it arrives: 90mph, 40m/s, or tee; default: its sport's."),
     ] = None
     bat_speed: Annotated[
-        str | None, Parameter(help="Speed of the bat before impact at --bat-speed-at; default: 70mph for a bat.")
+        str | None,
+        Parameter(help="Speed of the bat before impact at --bat-speed-at; default: its sport's."),
     ] = None
     bat_speed_at: Annotated[
         str | None, Parameter(help="Where the bat speed is measured; default: 6in-from-tip for a bat.")
@@ -37,7 +39,7 @@ class SwingOptions:
         str | None,
         Parameter(help="Centre of the top hand, from the knob end; default: 6in above the bottom of the grip."),
     ] = None
-    ball: Annotated[str | None, Parameter(help="Ball of the catalogue; default: baseball for a bat.")] = None
+    ball: Annotated[str | None, Parameter(help="Ball of the catalogue; default: the first of its sport.")] = None
     ball_cor: Annotated[
         str | None,
         Parameter(help="Restitution of the ball as bought, at its law's speed, in place of the catalogue's."),
@@ -90,9 +92,10 @@ def say_if_of_another_sport(bat: Implement, ball_name: str) -> None:
     import sys
 
     from sweetspot.catalog import ball_sport, sport
+    from sweetspot.catalog.records import canonical
 
     its, theirs = ball_sport(ball_name), sport(bat.sport).name.lower()
-    if sport(its).key != sport(bat.sport).key:
+    if sport(its).key != sport(bat.sport).key and canonical(ball_name) not in sport(bat.sport).balls:
         print(f"sweetspot: {ball_name} is a ball of {its}, {bat.name} is made for {theirs}; computed all the same",
               file=sys.stderr)  # fmt: skip
 

@@ -9,10 +9,12 @@ from typing import Any
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
 from sweetspot.analysis.face_maps import face_map
 from sweetspot.catalog.sports import sport
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.implement import Implement
 from sweetspot.report.bat.appendix import assumptions_section, constants_section
 from sweetspot.report.bat.beside_published import chosen, published_section
-from sweetspot.report.bat.json import report_json
+from sweetspot.report.bat.json import bat_json, report_json
 from sweetspot.report.bat.provenance import sources_of, used_records
 from sweetspot.report.bat.tables import (
     along_table,
@@ -42,6 +44,17 @@ def report_document(analysis: Analysis[Implement]) -> Document:
         blocks=[_cards(analysis, misses), *(Paragraph(words) for words in answer(analysis, misses)), overview],
         details=_details(analysis), appendix=_appendix(analysis, misses), data=data, rows=data["scan"],
         reader=reader_of(bat), drawing=overview,
+    )  # fmt: skip
+
+
+def described_document(bat: Implement) -> Document:
+    """Return an implement alone, as nobody swings it, as a document: its size, weight and balance."""
+    body = rigid_body(beam_model(bat))
+    data = bat_json(bat.name, bat.length, body)
+    return Document(
+        name="bat", title=bat.name, subtitle=bat.made_of, kind=f"{sport(bat.sport).name}: {words_of(bat).implement}",
+        blocks=[mass_table(bat, body)], data=data, rows={name: [value] for name, value in data.items()},
+        reader=reader_of(bat),
     )  # fmt: skip
 
 
@@ -106,7 +119,7 @@ def _details(analysis: Analysis[Implement]) -> list[Block]:
     return [
         Section("sweet-spots", "Every sweet spot", [spots_table(analysis)]),
         Section("along", f"Along the {words.implement}", [along_table(analysis)]),
-        Section("mass", "Weight and balance", [mass_table(analysis)]),
+        Section("mass", "Weight and balance", [mass_table(analysis.bat, analysis.body)]),
         Section("modes", "How it rings", [modes_table(analysis)]),
         Section("best-hit", where, [hit_table(best), hit_picture(analysis.best, words, caption)]),
         Section("conditions", "Conditions", [conditions_table(analysis)]),

@@ -11,6 +11,7 @@ from sweetspot.analysis.sweet_spot import ZONE_LOSS, ZONE_STING
 from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.dynamics.modes import Family
 from sweetspot.dynamics.outline_doubt import moi_doubt
+from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.dynamics.swing_weight import SwingWeight
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
@@ -100,9 +101,9 @@ def misses_table(misses: Sequence[Miss], implement: Implement) -> Table:
     return Table("", columns, rows)
 
 
-def mass_table(analysis: Analysis[Implement]) -> Table:
+def mass_table(bat: Implement, body: RigidBody) -> Table:
     """Return weight, balance, how the sport weighs a swing, and moments of inertia."""
-    body, bat, words = analysis.body, analysis.bat, words_of(analysis.bat)
+    words = words_of(bat)
     convention = swing_weight(bat.sport)
     standard = in_words("{axis} from the {butt}", words, axis=Slot(STANDARD_AXIS, "place", round=True))
     axes = ((standard, STANDARD_AXIS), (f"{words.butt} end", 0.0), ("balance point", body.balance_point))
@@ -110,7 +111,7 @@ def mass_table(analysis: Analysis[Implement]) -> Table:
         ("length", Slot(bat.length, "length")),
         ("mass", Slot(body.mass, "mass", 2 if words.place_unit == "in" else 1)),
         (f"balance point, from the {words.butt}", Slot(body.balance_point, "length")),
-        *([] if isinstance(bat, Bat) else [_swing_weight(analysis, convention)]),
+        *([] if isinstance(bat, Bat) else [_swing_weight(bat, body, convention)]),
         *((say("moment of inertia, {axis}", axis=axis),
            with_doubt(body.moi(place), moi_doubt(bat, body, place), "moi")) for axis, place in axes),
         ("moment of inertia, about its own axis", Slot(body.roll_moi, "moi", 1)),
@@ -118,13 +119,13 @@ def mass_table(analysis: Analysis[Implement]) -> Table:
     return Table("", [Column(""), Column("value", right=True)], rows)
 
 
-def _swing_weight(analysis: Analysis[Implement], convention: SwingWeight) -> tuple[Cell, Cell]:
+def _swing_weight(bat: Implement, body: RigidBody, convention: SwingWeight) -> tuple[Cell, Cell]:
     """Return how a sport weighs a swing; its number is written as its people write it, in any system of units."""
     name = in_words(
-        "{name}, about {axis} from the {butt}", words_of(analysis.bat), name=convention.name,
+        "{name}, about {axis} from the {butt}", words_of(bat), name=convention.name,
         axis=Slot(convention.axis, "place"),
     )  # fmt: skip
-    return name, convention.shown(analysis.body).replace("^2", "²")
+    return name, convention.shown(body).replace("^2", "²")
 
 
 def modes_table(analysis: Analysis[Implement]) -> Table:

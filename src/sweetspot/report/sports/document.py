@@ -18,8 +18,8 @@ from sweetspot.report.sentences import Sentence, Slot, say
 def sports_document() -> Document:
     """Return all sports in short; a mark stands behind a speed that no source was read for."""
     rows = [_summary(sport(name)) for name in sport_names()]
-    columns = [Column("sport"), Column("ball"), Column("implements", right=True), Column("swing", right=True),
-               Column("ball comes at", right=True), *(Column(kind, right=True) for kind in CERTAINTIES)]  # fmt: skip
+    columns = [Column("sport"), Column("ball"), Column("tools", right=True), Column("swing", right=True),
+               Column("comes at", right=True), *(Column(kind, right=True) for kind in CERTAINTIES)]  # fmt: skip
     cells: list[list[Cell]] = [
         [row["key"], row["balls"][0], str(len(row["implements"])),
          *(_speed(row[f"{what}_speed_m_s"], row[f"{what}_speed_kind"]) for what in ("swing", "ball")),
