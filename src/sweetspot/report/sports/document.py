@@ -11,7 +11,7 @@ from sweetspot.paper.formulas import Row
 from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Section, Table
 from sweetspot.report.json_shapes import as_columns
 from sweetspot.report.paper.document import paper_json, paper_table
-from sweetspot.report.quantities import reader
+from sweetspot.report.quantities import SI, reader
 from sweetspot.report.sentences import Sentence, Slot, say
 
 
@@ -31,7 +31,7 @@ def sports_document() -> Document:
     return Document(
         name="sports", title="Sports, and how many of their numbers rest on what", kind="Catalogue",
         blocks=[Table("", columns, cells), Paragraph(note, "note")], data={"sports": rows},
-        rows=as_columns(flat),
+        rows=as_columns(flat), reader=SI,
     )  # fmt: skip
 
 
