@@ -55,7 +55,7 @@ export function workshop(app, mass) {
 export function swingGroup(app, { open = true, title = "Swing and pitch" } = {}) {
   return group(title, [
     slider(app, "pitch_speed_mph", { label: "Pitch speed", step: 0.5 }),
-    slider(app, "bat_speed_mph", { label: () => `Bat speed, ${app.text("place", 6 * INCH, app.units === "us" ? 0 : 1)} from the tip`, step: 0.5 }),
+    slider(app, "bat_speed_mph", { label: () => `Bat speed, ${app.text("from_m", 6 * INCH, app.units === "us" ? 0 : 1)} from the tip`, step: 0.5 }),
     slider(app, "hands_in", { label: "Top hand above the grip's end", step: 0.1 }),
   ], { open });
 }

@@ -44,6 +44,7 @@ export class Chip {
     const changes = this.made().map(([, words]) => words);
     this.changes.textContent = [text ? "your own file" : "", ...changes].filter(Boolean).join(", ");
     const key = text ?? bat;
+    this.name.textContent ||= bat; // until its name is known
     if (!this.names.has(key)) this.names.set(key, this.look(bat, text));
     const name = await this.names.get(key);
     const now = this.bat.bat_toml ?? this.bat.bat;
