@@ -91,6 +91,28 @@ def test_fences_are_those_of_the_source_at_every_degree(key: str) -> None:
     assert np.abs(high / FOOT - column(source, "fence_height")).max() <= 0.6
 
 
+FORMER = read_table("former_parks.toml")
+
+
+@pytest.mark.parametrize("key", FORMER)
+def test_fences_of_parks_that_were_left_are_those_of_the_source(key: str) -> None:
+    entry, park = FORMER[key], catalog.park(key)
+    source = [row for row in rows("mlb_fences_1deg_distance_height.csv.gz") if row["venue_name_short"] == park.name]
+    assert len(source) == 91 and entry["from"] <= entry["until"] and entry["fence"]["source"] == "jso8910_fences"
+    assert all(entry[fact]["source"] in references.keys() for fact in ("roof", "elevation"))
+    far, high = fence_at(park, np.radians([float(row["angle"]) for row in source]))
+    assert np.abs(far / FOOT - column(source, "fence_distance")).max() <= 2.5
+    assert np.abs(high / FOOT - column(source, "fence_height")).max() <= 0.65
+
+
+def test_a_club_means_the_park_of_the_season() -> None:
+    assert catalog.park("OAK").name == catalog.park("ATH", 2023).name == "Oakland Coliseum"
+    assert catalog.park("ATH").name == "Sutter Health Park"
+    assert catalog.park("TB", 2024).name == "Tropicana Field" != catalog.park("TB", 2025).name
+    assert catalog.park("TEX", 2019).name == "Globe Life Park in Arlington" != catalog.park("TEX", 2020).name
+    assert catalog.park("fenway", 2016) == catalog.park("fenway")
+
+
 OTHER_NAMES = {
     "daikin-park": "Minute Maid Park", "great-american-ball-park": "Great American Ballpark",
     "loandepot-park": "LoanDepot Park", "petco-park": "PETCO Park", "rate-field": "Guaranteed Rate Field",
