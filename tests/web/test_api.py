@@ -274,3 +274,11 @@ def test_the_other_bats_of_a_comparison_are_names_of_the_catalogue_too(client: h
     response = client.post("/api/v1/compare/recipe", json={"others": [{"bat": "$(id)"}]})
     assert response.status_code == 422
     assert response.json()["error"]["field"] == "others.0.bat"
+
+
+@pytest.mark.parametrize("path", ["/", "/explorer", "/static/page.css"])
+def test_heads_of_pages_are_answered(client: httpx.Client, path: str) -> None:
+    """As link checkers and monitors ask."""
+    head, whole = client.head(path), client.get(path)
+    assert head.status_code == whole.status_code
+    assert head.content == b""

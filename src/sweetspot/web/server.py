@@ -103,7 +103,7 @@ def _page_routes(app: FastAPI) -> None:
     pages["docs"] = files["docs.html"]
 
     def hand_out(path: str, find: Callable[[str], File | None]) -> None:
-        @app.get(path, include_in_schema=False)
+        @app.api_route(path, methods=["GET", "HEAD"], include_in_schema=False)
         async def handed(request: Request) -> Response:
             return _handed(find(request.path_params.get("name", "")), request)
 
