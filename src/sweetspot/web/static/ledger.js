@@ -12,6 +12,7 @@ export const PARTS = [
   ["rotation", "bat turned", "sky"],
   ["bending", "bat bending", "purple"],
   ["hoop", "barrel wall", "orange"],
+  ["dent", "surface pressed in", "wood"],
   ["damping", "heat in bat and hands", "green"],
 ];
 
