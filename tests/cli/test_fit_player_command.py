@@ -44,7 +44,8 @@ def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_answers_for_people_and_a_page(run: Run, file: Path, tmp_path: Path) -> None:
     out = tmp_path / "report"
-    code, text, said = run("fit-player", str(file), "--pitch-speed", "60mph", "--out", str(out))
+    given = ("--pitch-speed", "60mph", "--for", "Ann <Example>", "--out", str(out))
+    code, text, said = run("fit-player", str(file), *given)
     assert code == 0, said
     words = re.sub(r"\s+", " ", text)
     assert "Balanced or end-loaded?" in words and "What is one inch worth?" in words
@@ -52,9 +53,19 @@ def test_answers_for_people_and_a_page(run: Run, file: Path, tmp_path: Path) -> 
     assert "1 row is not used: row 10: exit speed is 400.0 mph" in words
     assert sorted(path.name for path in out.iterdir()) == ["player.html", "player.json", "player.png", "player.svg"]
     page = (out / "player.html").read_text(encoding="utf-8")
-    assert "<h1>R161, white ash</h1>" in page and "http" not in re.sub(r'xmlns\S*="[^"]*"', "", page)
+    assert "<h1>R161, white ash</h1>" in page and "Ann &lt;Example&gt;; for exit speed" in page
+    assert "http" not in re.sub(r'xmlns\S*="[^"]*"', "", page)
     assert (out / "player.png").read_bytes().startswith(b"\x89PNG")
     assert "wrote" in said
+
+
+def test_units_are_the_readers_and_a_softball_flies_by_its_own_law(run: Run, file: Path) -> None:
+    given = ("--pitch-speed", "60mph", "--ball", "softball-12in", "--goal", "carry", "--units", "si")
+    code, text, said = run("fit-player", str(file), *given)
+    words = re.sub(r"\s+", " ", text)
+    assert code == 0, said
+    assert re.search(r"Bat speed is \d\d\.\d m/s", words) and re.search(r"cm \([^)]*\) from the tip", words)
+    assert "mph" not in words.replace("one mph", "") and " ft" not in words
 
 
 def test_json_and_csv_for_programs(run: Run, run_json: Callable[..., Any], file: Path) -> None:

@@ -75,7 +75,7 @@ def test_blast_and_hittrax(tmp_path: Path) -> None:
 
 def test_units_missing_are_refused_with_what_to_do(tmp_path: Path) -> None:
     path = written(tmp_path, "bat_speed,exit_speed", "70,95")
-    with pytest.raises(InputError, match=r"no unit.*bat_speed_mph.*--units us"):
+    with pytest.raises(InputError, match=r"no unit.*bat_speed_mph.*--file-units us"):
         read(path)
     assert read(path, units="us").swings[0].bat_speed == pytest.approx(70 * MPH)
     with pytest.raises(InputError, match="unknown unit"):

@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import replace
+from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
 
-from sweetspot.cli.options.swing import Format
+from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.weather import AirOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
     from sweetspot.player.model import PlayerModel
-    from sweetspot.player.posterior import Progress
     from sweetspot.player.swings import Swings
 
 DEFAULT_AIR = AirOptions()
@@ -36,7 +33,9 @@ def fit_player(
         list[str] | None, Parameter(name="--try", help="Another bat to try on the player; may be given again.")
     ] = None,
     pitch_speed: Annotated[str | None, Parameter(help="At the plate, for rows without one: 82mph, or tee.")] = None,
-    units: Annotated[Literal["us", "metric"] | None, Parameter(help="Of columns whose heading names no unit.")] = None,
+    file_units: Annotated[
+        Literal["us", "metric"] | None, Parameter(help="Of the file's columns whose heading names no unit.")
+    ] = None,
     batter: Annotated[str | None, Parameter(help="Whose rows to use, where the file has several batters.")] = None,
     bat_speed_at: Annotated[str, Parameter(help="Where the player's bat speed is measured.")] = "6in-from-tip",
     ball: Annotated[str, Parameter(help="Ball of the catalogue.")] = "baseball",
@@ -46,47 +45,35 @@ def fit_player(
         Parameter(help="draws: weighted ones, in about a second; walkers: an ensemble that walks, ten times longer."),
     ] = "draws",
     seed: Annotated[int, Parameter(help="Of the random numbers; the same seed gives the same answers.")] = 1,
-    out: Annotated[Path | None, Parameter(help="Folder for player.html, player.png, player.svg, player.json.")] = None,
-    format: Annotated[Format, Parameter(name="--format", help="table for people, json or csv for programs.")] = "table",
-) -> None:
+    title: Annotated[str, Parameter(help="Heading of the report; default: the bat's name.")] = "",
+    player: Annotated[str, Parameter(name="--for", help="The player's name, for the report.")] = "",
+    output: OutputOptions = DEFAULT_OUTPUT,
+) -> int:
     """Learn a player's bat speed and scatter from measured swings, and say which bat and contact point serve."""
     from sweetspot import catalog
-    from sweetspot.catalog.aerodynamic_laws import aerodynamics
     from sweetspot.cli.options.weather import air_of
-    from sweetspot.cli.output import print_json, print_rows_csv, print_table
+    from sweetspot.cli.output import present, progress
     from sweetspot.player.advice import advise
     from sweetspot.player.goal import Goal
     from sweetspot.player.posterior import fit_player as fitted
-    from sweetspot.report.player.player_report import option_rows, player_json, player_table
+    from sweetspot.report.player.document import player_document
     from sweetspot.units import parse
 
     if seed < 0:
         raise InputError(f"--seed was given as {seed}; allowed is a whole number from 0 up")
     wanted = Goal(goal, None if line is None else parse(line, "length", "--line"))
-    if out is not None:
-        from sweetspot.report.player.html import check_player_folder
-
-        check_player_folder(out)
+    if output.out is not None and output.out.exists() and not output.out.is_dir():
+        raise InputError(f"{output.out} is not a folder; choose another name for --out")
+    law = catalog.aerodynamics_of_ball(ball)
     others = [catalog.load_bat(name) for name in try_bat or []]
     weather = air_of(air)
-    swings, model = _read(file, bat, pitch_speed, units, batter, bat_speed_at, ball)
-    with _progress("reading the swings") as report:
+    swings, model = _read(file, bat, pitch_speed, file_units, batter, bat_speed_at, ball)
+    with progress("reading the swings") as report:
         posterior = fitted(model, method=sampler, seed=seed, progress=report)
-    with _progress("trying bats") as report:
-        advice = advise(
-            posterior, goal=wanted, aerodynamics=aerodynamics(ball), air=weather, others=others, progress=report
-        )
-    if format == "json":
-        print_json(player_json(posterior, advice, swings))
-    elif format == "csv":
-        print_rows_csv(option_rows(advice))
-    else:
-        print_table(player_table(posterior, advice, swings))
-    if out is not None:
-        from sweetspot.report.player.html import write_player
-
-        written = ", ".join(str(path) for path in write_player(posterior, advice, swings, out))
-        print(f"sweetspot: wrote {written}", file=sys.stderr)
+    with progress("trying bats") as report:
+        advice = advise(posterior, goal=wanted, aerodynamics=law, air=weather, others=others, progress=report)
+    document = player_document(posterior, advice, swings, title=title, player=player, made=date.today())
+    return present(document, output)
 
 
 def _read(
@@ -124,25 +111,3 @@ def _read(
 
 MAX_PITCH = 110 * 0.44704
 """m/s."""
-
-
-@contextmanager
-def _progress(what: str) -> Iterator[Progress]:
-    """Yield a function that shows on stderr how far the work is: a bar on a terminal, elsewhere a line at the start."""
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
-
-    console = Console(stderr=True)
-    if not console.is_terminal:
-        print(f"sweetspot: {what}", file=sys.stderr)
-        yield lambda _done, _total: None
-        return
-    columns = (
-        TextColumn("{task.description}"),
-        BarColumn(),
-        TextColumn("{task.percentage:>3.0f} %"),
-        TimeRemainingColumn(),
-    )
-    with Progress(*columns, console=console, transient=True) as bar:
-        task = bar.add_task(what)
-        yield lambda done, total: bar.update(task, completed=done, total=total)

@@ -233,7 +233,7 @@ def _column(
             example = f"{alias}_{next(iter(UNITS[named]))}"
             raise InputError(
                 f"{file_name}: column {heading} has no unit; write it into the heading, for example {example}, or say "
-                "--units us (mph, degrees, inches from the tip) or --units metric (m/s, degrees, cm from the tip)"
+                "--file-units us (mph, degrees, inches from the tip) or metric (m/s, degrees, cm from the tip)"
             )
         unit = (US_UNITS if units == "us" else METRIC_UNITS)[named]
     if unit not in UNITS[named]:

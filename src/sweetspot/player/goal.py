@@ -128,14 +128,3 @@ def _bracket(grid: Array, value: Array) -> tuple[np.ndarray, Array]:
     at = np.clip((value - grid[0]) / (grid[1] - grid[0]), 0.0, len(grid) - 1.000001)
     low = at.astype(np.int64)
     return low, at - low
-
-
-def told(goal: Goal) -> str:
-    """Return what a goal is in words.
-
-    >>> told(Goal("line", line=91.44))
-    'hits beyond 300 ft'
-    """
-    if goal.line is not None:
-        return f"hits beyond {goal.line / FOOT:.0f} ft"
-    return {"exit-speed": "exit speed", "carry": "carry"}[goal.name]

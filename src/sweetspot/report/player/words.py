@@ -2,55 +2,74 @@
 
 from __future__ import annotations
 
-import math
-from typing import Any
-
 from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.player.advice import Advice, Option
-from sweetspot.player.goal import told
+from sweetspot.player.goal import Goal
 from sweetspot.player.posterior import Learned, Posterior
 from sweetspot.player.swings import Swings
-from sweetspot.report.player.units import scale
-from sweetspot.units import INCH, MPH, OUNCE, OUNCE_INCH_SQUARED
+from sweetspot.report.sentences import Sentence, Slot, Words, joined, say, within
+from sweetspot.units import INCH, MPH, OUNCE
 
-PARAMETERS: dict[str, tuple[str, float, int, str]] = {
-    "bat_speed": ("mean bat speed", MPH, 1, "mph"),
-    "bat_speed_spread": ("bat speed, swing to swing", MPH, 1, "mph"),
-    "exponent": ("what a heavier bat costs in speed: exponent n", 1.0, 2, ""),
-    "position": ("mean contact, from the tip", INCH, 1, "in"),
-    "position_spread": ("scatter of contact along the bat", INCH, 1, "in"),
-    "offset": ("mean height of the ball over the bat's axis", INCH, 2, "in"),
-    "offset_spread": ("scatter of that height", INCH, 2, "in"),
-    "attack_angle": ("mean attack angle", math.pi / 180, 1, "deg"),
-    "efficiency_shift": ("ball and bat livelier than the model: change of q", 1.0, 3, ""),
-    "exit_noise": ("exit speed beyond the model", MPH, 1, "mph"),
+PARAMETERS: dict[str, tuple[str, str, int | None]] = {
+    "bat_speed": ("mean bat speed", "speed", None),
+    "bat_speed_spread": ("bat speed, swing to swing", "speed", None),
+    "exponent": ("what a heavier bat costs in speed: exponent n", "ratio", 2),
+    "position": ("mean contact, from the tip", "place", None),
+    "position_spread": ("scatter of contact along the bat", "place", None),
+    "offset": ("mean height of the ball over the bat's axis", "offset", None),
+    "offset_spread": ("scatter of that height", "offset", None),
+    "attack_angle": ("mean attack angle", "angle", None),
+    "efficiency_shift": ("ball and bat livelier than the model: change of q", "ratio", None),
+    "exit_noise": ("exit speed beyond the model", "speed", None),
 }
-"""Of every parameter: its name in words, the size of its unit, digits, the unit."""
+"""Of every parameter: its name in words, its scale, and digits where others than usual."""
+GOALS: dict[str, tuple[str, int | None]] = {
+    "exit-speed": ("speed_change", None), "carry": ("distance", 1), "line": ("share", 1),
+}  # fmt: skip
+"""Scale and digits of every goal."""
 BADLY_MIXED = (
     "The draws have not mixed well: the intervals may be too narrow. Ask for more steps, or look for rows in the file "
     "that do not belong together."
 )
+USUAL_EXPONENT = (
+    "How much slower this player swings a heavier bat is not known from these swings: every answer about another bat "
+    "rests on what is usual for players, and its interval with it."
+)
+ROWS_SHOWN = 8
+"""Rows not used that are listed; the JSON has all."""
+NOTHING = 1e-9
 
 
-def shown(interval: Interval, unit: tuple[float, int, str], *, sign: str = "") -> str:
-    """Return a value with its interval: ``+1.2 mph (+0.4 to +2.0)``."""
-    size, digits, name = unit
-    value, low, high = (f"{end / size:{sign}z.{digits}f}" for end in (interval.value, interval.low, interval.high))
-    return f"{value} {name} ({low} to {high})".replace("  ", " ")
+def goal_words(goal: Goal) -> Sentence:
+    """Return what a goal is in words.
+
+    >>> from sweetspot.report.quantities import US
+    >>> goal_words(Goal("line", line=91.44)).read(US)
+    'hits beyond 300 ft'
+    """
+    if goal.line is not None:
+        return say("hits beyond {line}", line=Slot(goal.line, "distance"))
+    return say({"exit-speed": "exit speed", "carry": "carry"}[goal.name])
 
 
-def parameter_shown(one: Learned | str, interval: Interval) -> str:
-    """Return a parameter's interval in the unit that people use for it."""
-    _, size, digits, unit = PARAMETERS[one if isinstance(one, str) else one.name]
-    return shown(interval, (size, digits, unit))
+def goal_shown(interval: Interval, goal: Goal, *, sign: bool = False) -> Sentence:
+    """Return a value of the goal, or a change of it, with its interval."""
+    scale, digits = GOALS[goal.name]
+    return within(interval, scale, digits=digits, sign=sign)
 
 
-def findings(posterior: Posterior, swings: Swings) -> list[str]:
+def parameter_shown(name: str, interval: Interval) -> Sentence:
+    """Return a parameter's value with its interval."""
+    _, scale, digits = PARAMETERS[name]
+    return within(interval, scale, digits=digits)
+
+
+def findings(posterior: Posterior, swings: Swings) -> list[Words]:
     """Return what the swings say about the player, and what they cannot tell."""
-    found = posterior.learned
-    words = [_data(posterior, swings), _speed(found), _contact(found)]
-    unknown = [PARAMETERS[name][0] for name, one in found.items() if not one.told]
+    learned = posterior.learned
+    words: list[Words] = [_data(posterior, swings), _speed(posterior), _contact(learned)]
+    unknown = [PARAMETERS[name][0] for name, one in learned.items() if not one.told]
     if unknown:
         words.append(
             f"The data cannot tell: {'; '.join(unknown)}. What is shown for these is what is usual for players."
@@ -60,18 +79,18 @@ def findings(posterior: Posterior, swings: Swings) -> list[str]:
     return words
 
 
-def answers(advice: Advice) -> list[tuple[str, str]]:
+def answers(advice: Advice) -> list[tuple[str, Sentence]]:
     """Return questions that players ask, each with its answer and interval."""
-    goal = told(advice.goal)
+    no_weight = say("No other weight tried is surely better for {goal}.", goal=goal_words(advice.goal))
     return [
         ("Which bat?", _which(advice)),
-        ("Heavier or lighter?", _family(advice, "weight", f"No other weight tried is surely better for {goal}.")),
+        ("Heavier or lighter?", _family(advice, "weight", no_weight)),
         ("Balanced or end-loaded?", _end_loaded(advice)),
         ("Longer or shorter?", _family(advice, "length", "Neither an inch more nor an inch less is surely better.")),
         ("Choke up?", _choke(advice)),
         ("Where should the ball meet the bat?", _place(advice)),
         ("What is one inch worth?", _inch(advice)),
-        ("What is one mph of bat speed worth?", _worth(advice, "bat_speed", "One mph of bat speed")),
+        ("What is one mph of bat speed worth?", _worth(advice, "bat_speed")),
     ]
 
 
@@ -90,30 +109,38 @@ def _data(posterior: Posterior, swings: Swings) -> str:
     )
 
 
-def _speed(found: dict[str, Learned]) -> str:
-    mean = parameter_shown("bat_speed", found["bat_speed"].interval)
-    spread = parameter_shown("bat_speed_spread", found["bat_speed_spread"].interval)
-    text = f"Bat speed is {mean} on average and varies by {spread} from swing to swing."
-    exponent = found["exponent"]
-    if exponent.told:
-        return f"{text} A bat with 10 % more moment of inertia is swung {_slower(exponent.interval)} slower."
-    return f"{text} How much a heavier bat would slow this player is not known from these swings: they need two bats."
-
-
-def _slower(exponent: Interval) -> str:
-    ends = [100 * (1 - 1.1**-value) for value in (exponent.value, exponent.low, exponent.high)]
-    return f"{ends[0]:.1f} % ({ends[1]:.1f} to {ends[2]:.1f})"
-
-
-def _contact(found: dict[str, Learned]) -> str:
-    position, spread = found["position"], found["position_spread"]
-    text = (
-        f"The ball is met {parameter_shown('position', position.interval)} from the tip on average, with a scatter of "
-        f"{parameter_shown('position_spread', spread.interval)} along the bat"
+def _speed(posterior: Posterior) -> Sentence:
+    learned = posterior.learned
+    text = say(
+        "Bat speed is {mean} on average and varies by {spread} from swing to swing.",
+        mean=parameter_shown("bat_speed", learned["bat_speed"].interval),
+        spread=parameter_shown("bat_speed_spread", learned["bat_speed_spread"].interval),
     )
-    if found["offset_spread"].told:
-        text += f" and of {parameter_shown('offset_spread', found['offset_spread'].interval)} over and under it"
-    return f"{text}."
+    exponent = learned["exponent"]
+    if exponent.told:
+        slower = _slower(exponent.interval)
+        return text + say(" A bat with 10 % more moment of inertia is swung {slower} slower.", slower=slower)
+    unknown = " How much a heavier bat would slow this player is not known from these swings: "
+    if len(posterior.model.bats) > 1:
+        return text + unknown + "the bats are too much alike for it, or too few swings were made with each."
+    return text + unknown + "they need two bats."
+
+
+def _slower(exponent: Interval) -> Sentence:
+    parts = [1 - 1.1**-value for value in (exponent.value, exponent.low, exponent.high)]
+    return within(Interval(*parts), "share", digits=1)
+
+
+def _contact(learned: dict[str, Learned]) -> Sentence:
+    text = say(
+        "The ball is met {place} from the tip on average, with a scatter of {spread} along the bat",
+        place=parameter_shown("position", learned["position"].interval),
+        spread=parameter_shown("position_spread", learned["position_spread"].interval),
+    )
+    if learned["offset_spread"].told:
+        spread = parameter_shown("offset_spread", learned["offset_spread"].interval)
+        text += say(" and of {spread} over and under it", spread=spread)
+    return text + "."
 
 
 def _verdict(interval: Interval) -> int:
@@ -121,27 +148,28 @@ def _verdict(interval: Interval) -> int:
     return 1 if interval.low > NOTHING else -1 if interval.high < -NOTHING else 0
 
 
-def _which(advice: Advice) -> str:
-    best, unit = advice.options[0] if advice.options else None, scale(advice.goal)
-    own = f"Expected {told(advice.goal)} with the bat now: {shown(advice.now, unit)}."
+def _which(advice: Advice) -> Sentence:
+    goal, best = advice.goal, advice.options[0] if advice.options else None
+    own = say("Expected {goal} with the bat now: {now}.", goal=goal_words(goal), now=goal_shown(advice.now, goal))
     if best is None or best.change.value <= 0:
-        return f"{own} None of the bats tried is better."
-    size = _sizes(best)
+        return joined([own, "None of the bats tried is better."])
     sure = _verdict(best.change) > 0
-    lead = "Best of those tried" if sure else "None is surely better; the likeliest gain is with"
-    return (
-        f"{own} {lead}: {best.candidate.label} ({size}), {shown(best.change, unit, sign='+')}, "
-        f"better in {100 * best.chance:.0f} % of what {_speaker(advice)}."
-        f"{'' if advice.posterior.learned['exponent'].told else USUAL_EXPONENT}"
-    )
+    answer = say(
+        "{lead}: {label} ({size}), {change}, better in {chance} of what {speaker}.",
+        lead="Best of those tried" if sure else "None is surely better; the likeliest gain is with",
+        label=best.candidate.label, size=_sizes(best), change=goal_shown(best.change, goal, sign=True),
+        chance=Slot(best.chance, "share"), speaker=_speaker(advice),
+    )  # fmt: skip
+    return joined([own, answer, "" if advice.posterior.learned["exponent"].told else USUAL_EXPONENT])
 
 
-def _sizes(option: Option) -> str:
+def _sizes(option: Option) -> Sentence:
     bat, body = option.candidate.bat, option.candidate.body
-    moi = body.moi(bat.choke + STANDARD_AXIS) / OUNCE_INCH_SQUARED
-    return (
-        f"{bat.length / INCH:.1f} in, {body.mass / OUNCE:.1f} oz, MOI {moi:,.0f} oz in² about 6 in above the grip's end"
-    )
+    return say(
+        "{length}, {mass}, MOI {moi} about {axis} above the grip's end", length=Slot(bat.length, "place"),
+        mass=Slot(body.mass, "mass"), moi=Slot(body.moi(bat.choke + STANDARD_AXIS), "moi"),
+        axis=Slot(STANDARD_AXIS, "place", 0),
+    )  # fmt: skip
 
 
 def _speaker(advice: Advice) -> str:
@@ -159,66 +187,87 @@ def _by_law(advice: Advice) -> str:
     return " by the average player's swing law (these swings do not know it)"
 
 
-def _family(advice: Advice, family: str, nothing: str) -> str:
+def _family(advice: Advice, family: str, nothing: Words) -> Sentence:
     options = [option for option in advice.options if option.candidate.family == family]
     if not options:
-        return "None could be tried."
-    unit = scale(advice.goal)
-    listed = "; ".join(
-        f"{option.candidate.label} {shown(option.change, unit, sign='+')}"
-        for option in sorted(options, key=lambda option: option.candidate.body.moi(0.0))
-    )
+        return say("None could be tried.")
+    listed = joined(
+        [
+            say("{label} {change}", label=option.candidate.label,
+                change=goal_shown(option.change, advice.goal, sign=True))
+            for option in sorted(options, key=lambda option: option.candidate.body.moi(0.0))
+        ],
+        "; ",
+    )  # fmt: skip
     best = options[0]
     if _verdict(best.change) > 0:
-        return f"{best.candidate.label[0].upper()}{best.candidate.label[1:]} is best{_by_law(advice)}. {listed}."
-    return f"{nothing} {listed}."
+        label = best.candidate.label
+        return joined([f"{label[0].upper()}{label[1:]} is best{_by_law(advice)}.", listed + "."])
+    return joined([nothing, listed + "."])
 
 
-def _end_loaded(advice: Advice) -> str:
-    gain = shown(advice.end_loaded, scale(advice.goal), sign="+")
-    against = f"the same ounce at the tip instead of at the knob changes {told(advice.goal)} by {gain}"
+def _end_loaded(advice: Advice) -> Sentence:
     words = {1: "End-loaded", -1: "Balanced", 0: "These swings cannot tell"}
     verdict = _verdict(advice.end_loaded)
-    return f"{words[verdict]}{_by_law(advice) if verdict else ''}: {against}."
+    return say(
+        "{answer}{law}: the same weight of {mass} at the tip instead of at the knob changes {goal} by {gain}.",
+        answer=words[verdict], law=_by_law(advice) if verdict else "", mass=Slot(OUNCE, "mass"), goal=goal_words(advice.goal),
+        gain=goal_shown(advice.end_loaded, advice.goal, sign=True),
+    )  # fmt: skip
 
 
-def _choke(advice: Advice) -> str:
+def _choke(advice: Advice) -> Sentence:
     option = next((one for one in advice.options if one.candidate.key == "choke1in"), None)
     if option is None:
-        return "Could not be tried."
-    speed, gain = shown(option.bat_speed, (MPH, 1, "mph")), shown(option.change, scale(advice.goal), sign="+")
-    words = {1: "Yes", -1: "No", 0: "These swings cannot tell"}[_verdict(option.change)]
-    return (
-        f"{words}, as far as {told(advice.goal)} goes: held 1 in further up, bat speed is {speed} and the change "
-        f"{gain}. Better control, if there is any, is not counted; compare it with what an inch is worth."
+        return say("Could not be tried.")
+    return say(
+        "{answer}, as far as {goal} goes: held {inch} further up, bat speed is {speed} and the change {gain}. Better "
+        "control, if there is any, is not counted; compare it with what an inch is worth.",
+        answer={1: "Yes", -1: "No", 0: "These swings cannot tell"}[_verdict(option.change)],
+        goal=goal_words(advice.goal), inch=Slot(INCH, "place"), speed=within(option.bat_speed, "speed"),
+        gain=goal_shown(option.change, advice.goal, sign=True),
+    )  # fmt: skip
+
+
+def _place(advice: Advice) -> Sentence:
+    text = say(
+        "On average {place} from the tip; against where it is met now that is worth {gain}.",
+        place=within(advice.contact_point, "place"),
+        gain=goal_shown(advice.contact_gain, advice.goal, sign=True),
+    )
+    if advice.goal.name == "exit-speed":
+        return text
+    return text + say(
+        " And with the ball's centre {high} above the bat's axis on average, worth {more}.",
+        high=within(advice.height_point, "place"),
+        more=goal_shown(advice.height_gain, advice.goal, sign=True),
     )
 
 
-def _place(advice: Advice) -> str:
-    place = shown(advice.contact_point, (INCH, 1, "in"))
-    gain = shown(advice.contact_gain, scale(advice.goal), sign="+")
-    text = f"On average {place} from the tip; against where it is met now that is worth {gain}."
-    if advice.goal.name != "exit-speed":
-        high = shown(advice.height_point, (INCH, 1, "in"))
-        more = shown(advice.height_gain, scale(advice.goal), sign="+")
-        text += f" And with the ball's centre {high} above the bat's axis on average, worth {more}."
-    return text
-
-
-def _inch(advice: Advice) -> str:
-    unit, worth = scale(advice.goal), advice.worth
-    parts = {
-        "an inch less scatter along the bat": "position_spread",
-        "a mean contact one inch nearer the tip": "towards_tip",
-        "one inch nearer the hands": "towards_hands",
-        "a quarter of an inch less scatter over and under the ball": "offset_spread",
+def changes() -> dict[str, Sentence]:
+    """Return the single changes of a player whose worth is told, in words, by key of `Advice.worth`."""
+    inch, quarter = Slot(INCH, "place"), Slot(INCH / 4, "offset")
+    return {
+        "bat_speed": say("{speed} more bat speed", speed=Slot(MPH, "speed_change")),
+        "position_spread": say("{inch} less scatter along the bat", inch=inch),
+        "offset_spread": say("{quarter} less scatter over and under", quarter=quarter),
+        "towards_tip": say("contact {inch} nearer the tip", inch=inch),
+        "towards_hands": say("contact {inch} nearer the hands", inch=inch),
     }
-    told_parts = "; ".join(f"{words} {shown(worth[key].gain, unit, sign='+')}" for words, key in parts.items())
-    return f"{told_parts[0].upper()}{told_parts[1:]}."
 
 
-def _worth(advice: Advice, key: str, what: str) -> str:
-    return f"{what}: {shown(advice.worth[key].gain, scale(advice.goal), sign='+')} of {told(advice.goal)}."
+def _inch(advice: Advice) -> Sentence:
+    parts = [
+        say("{change}: {gain}", change=words, gain=goal_shown(advice.worth[key].gain, advice.goal, sign=True))
+        for key, words in changes().items()
+        if key != "bat_speed"
+    ]
+    return joined(parts, "; ") + "."
+
+
+def _worth(advice: Advice, key: str) -> Sentence:
+    gain = goal_shown(advice.worth[key].gain, advice.goal, sign=True)
+    return say("{change}: {gain} of {goal}.", change=changes()[key], gain=gain, goal=goal_words(advice.goal))
 
 
 def notes(swings: Swings) -> list[str]:
@@ -232,26 +281,3 @@ def notes(swings: Swings) -> list[str]:
     if swings.without_swing:
         words.append(f"{swings.without_swing} rows have neither bat speed nor exit speed and are no swings.")
     return words
-
-
-ROWS_SHOWN = 8
-"""Rows not used that are listed; the JSON has all."""
-NOTHING = 1e-9
-USUAL_EXPONENT = (
-    " How much slower this player swings a heavier bat is not known from these swings: every answer about another bat "
-    "rests on what is usual for players, and its interval with it."
-)
-
-
-def facts(posterior: Posterior) -> list[dict[str, Any]]:
-    """Return a row per parameter for a table: value, interval, what was known before, whether the data told."""
-    return [
-        {
-            "parameter": PARAMETERS[name][0],
-            "value (95 %)": parameter_shown(one, one.interval),
-            "before the data": parameter_shown(one, one.before),
-            "width ratio": f"{one.width_ratio:.2f}",
-            "learned": "yes" if one.told else "data cannot tell",
-        }
-        for name, one in posterior.learned.items()
-    ]

@@ -1,27 +1,20 @@
-"""A player's fit as JSON, as rows and as tables for a terminal."""
+"""A player's fit as JSON and as rows."""
 
 from __future__ import annotations
 
 from dataclasses import asdict
 from typing import Any
 
-from rich.console import Group, RenderableType
-from rich.padding import Padding
-from rich.text import Text
-
 from sweetspot.motion.swing_law import Interval
-from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.player.advice import PLACES, Advice, Option
-from sweetspot.player.goal import Goal
 from sweetspot.player.posterior import Learned, Posterior
 from sweetspot.player.prior import PARAMETERS
 from sweetspot.player.swings import Swings
 from sweetspot.report.bat.json import bat_json
-from sweetspot.report.bat.table import names_table
 from sweetspot.report.json_shapes import cleaned
-from sweetspot.report.player.units import scale
-from sweetspot.report.player.words import answers, facts, findings, notes, shown
-from sweetspot.units import MPH, OUNCE, OUNCE_INCH_SQUARED
+from sweetspot.report.player.words import answers, findings
+from sweetspot.report.quantities import US
+from sweetspot.report.sentences import read
 
 UNITS = {"speed": "_m_s", "length": "_m", "angle": "_rad", "ratio": ""}
 GOAL_UNITS = {"exit-speed": "_m_s", "carry": "_m", "line": "_ratio"}
@@ -60,8 +53,8 @@ def player_json(posterior: Posterior, advice: Advice, swings: Swings) -> dict[st
                 key: {"change": _change(asdict(worth.change)), f"gain{unit}": asdict(worth.gain)}
                 for key, worth in advice.worth.items()
             },
-            "findings": findings(posterior, swings),
-            "answers": [{"question": question, "answer": answer} for question, answer in answers(advice)],
+            "findings": [read(words, US) for words in findings(posterior, swings)],
+            "answers": [{"question": question, "answer": read(words, US)} for question, words in answers(advice)],
         }
     )  # fmt: skip
 
@@ -83,54 +76,6 @@ def option_rows(advice: Advice) -> list[dict[str, Any]]:
             }
         rows.append(cleaned(row | {"chance_better": option.chance}))
     return rows
-
-
-def player_table(posterior: Posterior, advice: Advice, swings: Swings) -> Group:
-    """Return the fit for a terminal: what the swings say, answers, bats, parameters, notes."""
-    words = [Padding(Text(paragraph), (0, 0, 1, 0)) for paragraph in findings(posterior, swings)]
-    asked: list[RenderableType] = []
-    for question, answer in answers(advice):
-        asked += [Text(question, style="bold"), Padding(Text(answer), (0, 0, 1, 2))]
-    untried = [f"Could not be tried: {fault}." for fault in advice.faults]
-    quiet = [Text(note, style="dim") for note in (*notes(swings), *untried)]
-    return Group(
-        *words, *asked, names_table(bat_rows(advice), "Bats, the best first"), Text(),
-        names_table(facts(posterior), "The player"), Text(), *quiet, Text(means(advice.goal), style="dim"),
-    )  # fmt: skip
-
-
-def bat_rows(advice: Advice) -> list[dict[str, Any]]:
-    """Return a row per bat in words, the player's own first."""
-    unit = scale(advice.goal)
-    own = advice.posterior.model.bats[0].bat
-    rows = [{"bat": f"{own.name} (now)", "oz": "", "MOI oz in²": "", "bat speed mph": "",
-             "expected": shown(advice.now, unit), "change": "", "better": ""}]  # fmt: skip
-    for option in advice.options:
-        bat, body = option.candidate.bat, option.candidate.body
-        rows.append(
-            {
-                "bat": option.candidate.label,
-                "oz": f"{body.mass / OUNCE:.1f}",
-                "MOI oz in²": f"{body.moi(bat.choke + STANDARD_AXIS) / OUNCE_INCH_SQUARED:.0f}",
-                "bat speed mph": f"{option.bat_speed.value / MPH:.1f}",
-                "expected": shown(option.goal, unit),
-                "change": shown(option.change, unit, sign="+"),
-                "better": f"{100 * option.chance:.0f} %",
-            }
-        )
-    return rows
-
-
-def means(goal: Goal) -> str:
-    """Return what the numbers mean."""
-    fast = goal.name == "exit-speed"
-    missed = "misses and balls just grazed are not in it" if fast else "misses and balls just grazed bring nothing"
-    extra = "" if fast else " Carry is to the first touch of the ground, in still air."
-    return (
-        "In brackets: 95 % intervals over what the data allow. Expected: the mean over this player's scatter of "
-        f"swings; {missed}.{extra} With another bat the player is taken to meet the ball equally far from the tip. "
-        "Better: the part of what the data allow in which the bat is better."
-    )
 
 
 def _learned(one: Learned) -> dict[str, Any]:
