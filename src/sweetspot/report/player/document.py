@@ -70,6 +70,8 @@ def player_document(
         blocks=[
             _cards(posterior, advice), *map(Paragraph, findings(posterior, swings)),
             Section("answers", "Questions and answers", [Question(*one) for one in answers(advice)]), picture,
+        ],
+        details=[
             Section("bats", "Bats tried, the best first", [_bats(advice)]),
             Section("numbers", "The player in numbers", [_facts(posterior)]),
             Section("file", "About the file", [Bullets([*notes(swings), *untried, _means(advice.goal)])]),
