@@ -211,8 +211,8 @@ def _end_loaded(advice: Advice) -> Sentence:
     verdict = _verdict(advice.end_loaded)
     return say(
         "{answer}{law}: the same weight of {mass} at the tip instead of at the knob changes {goal} by {gain}.",
-        answer=words[verdict], law=_by_law(advice) if verdict else "", mass=Slot(OUNCE, "mass"), goal=goal_words(advice.goal),
-        gain=goal_shown(advice.end_loaded, advice.goal, sign=True),
+        answer=words[verdict], law=_by_law(advice) if verdict else "", mass=Slot(OUNCE, "mass"),
+        goal=goal_words(advice.goal), gain=goal_shown(advice.end_loaded, advice.goal, sign=True),
     )  # fmt: skip
 
 
