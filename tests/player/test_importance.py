@@ -30,7 +30,7 @@ def test_a_slanted_normal_comes_back() -> None:
     mean, inverse = np.array([0.5, -1.0, 0.2]), np.linalg.inv(covariance)
 
     def density(rows: Array) -> Array:
-        return -0.5 * np.einsum("ri,ij,rj->r", rows - mean, inverse, rows - mean)
+        return np.asarray(-0.5 * np.einsum("ri,ij,rj->r", rows - mean, inverse, rows - mean))
 
     found = importance_draws(density, other_side=lambda place: -place, size=3, seed=4)
     assert found.weights.sum() == pytest.approx(1.0) and found.effective > 500
