@@ -107,7 +107,7 @@ ADDITIONS = {
         "assert next(check for check in checks if check.rule.quantity == 'balance').verdict.value == 'pass'\n",
         (("analysis/certification/rules.py", '    "moi": ("moment of inertia about 6 in", "kg m^2"),',
           '    "balance": ("balance point", "m"),\n'),
-         ("analysis/certification/rules.py", '        "moi": Finding(body.moi(STANDARD_AXIS)),',
+         ("analysis/certification/rules.py", '        "moi": Finding(moi, interval=',
           '        "balance": Finding(body.balance_point),\n')),
     ),
     "a sport with a known kind of implement": Addition(

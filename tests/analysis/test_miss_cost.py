@@ -55,11 +55,12 @@ def test_from_a_bat_that_bends_they_differ_by_more_than_ten_mph_far_off(analysis
 
 
 def test_one_damper_for_all_speeds_is_not_a_baseball(baseball: Ball) -> None:
-    """[kagan2004] 0.546 at 58 mph and [ncaa_bbcor] 0.50 off wood at 136 mph: lost is nearly the same part."""
+    """A rigid wall's 0.537 at 58 mph (0.546 on ash [kagan2004]) and [ncaa_bbcor] 0.50 off wood at 136 mph: lost is
+    nearly the same part."""
     law = HuntCrossley.for_speed(baseball, 58 * MPH)
     found = [
         hit(rigid_wall(), ball=baseball, position=0.0, closing_speed=speed * MPH, law=law).collision_efficiency
         for speed in (58, 136)
     ]
-    assert found[0] == pytest.approx(0.546, abs=1e-3)
+    assert found[0] == pytest.approx(baseball.restitution.reference, abs=1e-3)
     assert found[1] < 0.35

@@ -208,8 +208,8 @@ def _check_density(line: BeamModel, known: DensityRange) -> None:
         own = ((bat.mass or 0.0) - others) / density
         raise InputError(
             f"{bat.name} weighs {bat.mass:.4g} kg, which this outline has only at a density of "
-            f"{density:.0f} kg/m^3; {bat.made_of} can be {low:.0f} to {high:.0f} kg/m^3, and the bat then weigh "
-            f"{others + own * low:.4g} to {others + own * high:.4g} kg. "
+            f"{density:.0f} kg/m^3; {bat.made_of} can be {low:.0f} to {high:.0f} kg/m^3, and the nearest that the bat "
+            f"can weigh is {others + own * low:.4g} to {others + own * high:.4g} kg. "
             "Check the weight, the diameters and the material"
         )
 

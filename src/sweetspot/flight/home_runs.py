@@ -134,7 +134,7 @@ def home_run_chances(
 def _weights(density: float, nodes: Array) -> list[float]:
     """Return the weights of Lagrange's parabola through the nodes (or of the only one).
 
-    >>> [round(weight, 6) for weight in _weights(1.1, np.array([1.0, 1.1, 1.2]))]
-    [0.0, 1.0, 0.0]
+    >>> [round(weight, 6) + 0.0 for weight in _weights(1.05, np.array([1.0, 1.1, 1.2]))]
+    [0.375, 0.75, -0.125]
     """
-    return [math.prod((density - other) / (node - other) for other in nodes if other != node) for node in nodes]
+    return [float(math.prod((density - other) / (node - other) for other in nodes if other != node)) for node in nodes]

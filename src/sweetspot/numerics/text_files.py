@@ -36,6 +36,9 @@ def read_text(path: Path, *, most: int, advice: str) -> str:
             content = file.read(most + 1)
     except (EOFError, zlib.error) as error:
         raise InputError(f"{path} is damaged: {error}") from None
+    except FileNotFoundError as error:
+        reason = (error.strerror or str(error)).lower()
+        raise InputError(f"{str(path)[:LONGEST_NAME]} is not a file; it cannot be read: {reason}") from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise InputError(f"{str(path)[:LONGEST_NAME]} cannot be read: {reason.lower()}") from None

@@ -153,7 +153,7 @@ def check_folder(folder: Path, names: Sequence[str]) -> None:
     """
     existing = next(path for path in (folder, *folder.absolute().parents) if os.path.lexists(path))
     if not existing.is_dir():
-        raise InputError(f"{folder} cannot be a report's folder: {existing} is not a folder; choose another place")
+        raise InputError(f"{folder} cannot be made a report's folder: {existing} is not a folder; choose another place")
     if not os.access(existing, os.W_OK | os.X_OK):
         raise InputError(f"{folder} cannot be written: no permission to write in {existing}; choose another folder")
     for name in names:

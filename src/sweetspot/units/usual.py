@@ -16,8 +16,8 @@ from typing import Any
 from sweetspot.errors import InputError
 from sweetspot.units.sizes import DEGREE, FOOT, INCH, MPH, OUNCE, RPM
 
-LONGEST_IMPLEMENT = 2.0
-"""m; nothing that is swung at a ball is longer."""
+LONGEST_IMPLEMENT = 5.0
+"""m; nothing that is swung at a ball is nearly as long, and in inches every bat is longer."""
 
 _insisted: ContextVar[bool] = ContextVar("insisted", default=False)
 

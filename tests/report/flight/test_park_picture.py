@@ -8,14 +8,15 @@ import pytest
 from sweetspot import catalog
 from sweetspot.report.flight.park_picture import outline, parks_figure
 from sweetspot.report.pictures.files import png_bytes
+from sweetspot.units import FOOT
 
 
 def test_the_outline_stands_in_the_fields_frame() -> None:
     place, height = outline(catalog.park("fenway"))
     assert place.shape == (91, 2) and height.shape == (91,)
-    assert place[0] == pytest.approx([-309 / 2**0.5, 309 / 2**0.5], abs=0.01)  # left is negative
-    assert place[45] == pytest.approx([0.0, 388.0], abs=0.01)
-    assert height[0] == pytest.approx(37.3)
+    assert place[0] == pytest.approx(np.array([-309, 309]) / 2**0.5 * FOOT, abs=0.003)  # left is negative
+    assert place[45] == pytest.approx([0.0, 388.0 * FOOT], abs=0.003)
+    assert height[0] == pytest.approx(37.3 * FOOT)
 
 
 def test_all_fences_and_the_named_ones() -> None:
