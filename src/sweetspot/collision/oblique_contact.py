@@ -171,7 +171,7 @@ def contact_impulses(
     gripped = size <= friction * normal
     toward = along / np.where(size > 0, size, 1.0)
     normal = np.where(gripped, normal, before / (1 - friction * raised * toward))
-    part = np.where(gripped, 1.0, friction * normal / np.where(size > 0, size, 1.0))
+    part = np.where(gripped, 1.0, friction * normal / np.where(gripped, 1.0, size))
     return Impulses(normal, around * part, along * part, gripped)
 
 

@@ -24,8 +24,8 @@ class Aerodynamics(Validated):
     With the spin factor S = R w_perp / v, w_perp the part of the spin across the path, w the whole spin and v the
     speed through the air,
 
-        Cd = drag + drag_per_spin w + drag_per_active_spin w_perp + drag_per_spin_factor S
-             + drag_per_inverse_reynolds (Re_0 / Re - 1)
+        Cd = drag + drag_per_spin w + drag_per_active_spin w_perp + drag_per_spin_factor S + Cd_Re
+        Cd_Re = drag_per_inverse_reynolds (Re_0 / Re - 1)
         Cl = lift_scale S^n / (lift_offset + lift_slope S^n)
         dw/dt = -(v / spin_decay_speed) w / spin_decay_time
 
