@@ -105,7 +105,7 @@ def test_beside_pybaseball(benchmark: Any, record: Record) -> None:
     ours = flights(
         np.array([hit.position for hit in hits]), np.array([hit.velocity for hit in hits]),
         np.array([hit.spin for hit in hits]), ball=catalog.ball(), air=AIR,
-        aerodynamics=catalog.aerodynamics("baseball").replaced(spin_decay_time=None),
+        aerodynamics=catalog.aerodynamics("trajectory-calculator").replaced(spin_decay_time=None),
     )  # fmt: skip
     assert np.abs(ours.carry / FOOT - theirs(0.01)).max() < 1.0
     many = measured(benchmark, lambda: flown(20_000), 5) / 20_000
