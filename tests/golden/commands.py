@@ -6,10 +6,13 @@ import contextlib
 import io
 import json
 import math
+import os
 import shlex
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the command line does; sums in another order round otherwise
 
 from sweetspot import catalog
 from sweetspot.cli import main

@@ -11,8 +11,9 @@ import pytest
 
 from tests.golden.commands import FOLDER, Answer, answer, commands, differences, file_of
 
-TOLERANCE = 1e-6
-"""Of each value. Other processors round otherwise; on one machine `make golden-check` compares at 1e-9."""
+TOLERANCE = 2e-3
+"""Of each value. Other processors and libraries round otherwise, and where a light implement touches the ball twice
+that grows to several 1e-4; on one machine `make golden-check` compares at 1e-9."""
 
 
 @pytest.mark.parametrize("command", commands())
