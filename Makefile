@@ -43,10 +43,10 @@ mutants: $(VENV)/.dev  ## deliberate mistakes in physics and catalogue that the 
 fuzz: $(VENV)/.dev  ## a million generated inputs; goes on where it stopped, keeps what breaks something
 	$(BIN)/python tools/fuzz.py
 
-bench: $(VENV)/.dev  ## measured figures, beside rivals
+bench: $(VENV)/.dev browser  ## measured figures, beside rivals
 	$(BIN)/python -m pytest benchmarks -q -p no:xdist --benchmark-only
 
-bench-quick: $(VENV)/.dev
+bench-quick: $(VENV)/.dev browser
 	SWEETSPOT_BENCH_QUICK=1 $(BIN)/python -m pytest benchmarks -q -p no:xdist --benchmark-only
 
 golden: $(VENV)/.dev  ## keep the numbers that every command answers now; say why in the changelog

@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 import html
 import io
+import logging
 import re
 from typing import Any
 
@@ -17,6 +18,8 @@ from docutils import nodes
 from docutils.parsers.rst import Directive
 from matplotlib.figure import Figure
 from sphinx.application import Sphinx
+
+logging.getLogger("matplotlib.mathtext").setLevel(logging.WARNING)  # a sign from another font is no news
 
 FONT_SIZE = 13
 PADDING = 2.0
