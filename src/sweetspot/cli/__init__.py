@@ -38,6 +38,9 @@ def main(arguments: list[str] | None = None) -> None:
     except (SweetspotError, CycloptsError, OutputError) as error:
         _complain(_one_line(error))
         sys.exit(EXIT_BAD_INPUT)
+    except MemoryError:
+        _complain("there is not enough memory for this; nothing was written. Ask for less at once, or close other programs")
+        sys.exit(EXIT_BAD_INPUT)
     except KeyboardInterrupt:
         _complain("interrupted; nothing was written")
         sys.exit(EXIT_INTERRUPTED)

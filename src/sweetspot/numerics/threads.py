@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import suppress
 
 
 def in_parts(work: Callable[[slice], None], count: int, *, size: int, threads: int | None = None) -> None:
-    """Do ``work`` on every part of 0 to ``count``, side by side where that pays.
+    """Do ``work`` on every part of 0 to ``count``, side by side where that pays and the system has threads to give.
 
     Parameters
     ----------
@@ -23,9 +24,12 @@ def in_parts(work: Callable[[slice], None], count: int, *, size: int, threads: i
     """
     parts = [slice(first, min(first + size, count)) for first in range(0, count, size)]
     workers = min(threads or os.cpu_count() or 1, len(parts))
+    running: list[Future[None]] = []
     if workers > 1:
-        with ThreadPoolExecutor(workers) as pool:
-            list(pool.map(work, parts))
-    else:
-        for part in parts:
-            work(part)
+        with ThreadPoolExecutor(workers) as pool, suppress(RuntimeError):  # the system may refuse another thread
+            while len(running) < len(parts):
+                running.append(pool.submit(work, parts[len(running)]))
+        for job in running:
+            job.result()
+    for part in parts[len(running) :]:
+        work(part)

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,6 +14,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.motion.swing_law import GREATEST_EXPONENT, SwingLaw
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.threads import in_parts
 from sweetspot.player.contact_tables import OFFSETS, RATIOS, ContactTable, contact_table, farthest_offset
 from sweetspot.player.likelihood import FAR_POINTS, NEAR_POINTS, Table, log_likelihoods
 from sweetspot.player.prior import NAMES, fixed, log_prior, natural, priors
@@ -26,6 +25,8 @@ SPEED_FROM_TIP = 6 * INCH
 """m from the tip where bat speed is measured, as Statcast does [statcast]."""
 STEEPEST = 2.0
 """How many times the slope at the middle the change of offset with angle may be."""
+THREADS = 2
+"""More do not make a likelihood of a few hundred swings faster."""
 NAN = float("nan")
 
 
@@ -79,19 +80,11 @@ class PlayerModel:
         parameters = natural(np.atleast_2d(standard))
         speeds = self.bat_speeds(parameters)
         found = np.empty(len(parameters))
-        workers = min(os.cpu_count() or 1, 2, len(parameters))
-        parts = np.array_split(np.arange(len(parameters)), workers)
 
-        def work(part: np.ndarray) -> None:
-            if len(part):
-                first, last = part[0], part[-1] + 1
-                log_likelihoods(parameters[first:last], speeds[first:last], self.table, found[first:last])
+        def work(part: slice) -> None:
+            log_likelihoods(parameters[part], speeds[part], self.table, found[part])
 
-        if workers == 1:
-            work(parts[0])
-        else:
-            with ThreadPoolExecutor(workers) as pool:
-                list(pool.map(work, parts))
+        in_parts(work, len(parameters), size=max(1, -(-len(parameters) // THREADS)), threads=THREADS)
         return found
 
     def log_posterior(self, standard: Array) -> Array:

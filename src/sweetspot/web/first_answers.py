@@ -11,6 +11,7 @@ import multiprocessing
 import tempfile
 from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures.process import BrokenProcessPool
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
@@ -64,9 +65,13 @@ def prepare(answer: Answer, say: Callable[[str], None]) -> None:
         say("the solver is ready")
         return
     say("preparing the solver for this machine, about half a minute, once")
-    with ProcessPoolExecutor(len(shares), mp_context=multiprocessing.get_context("spawn")) as pool:
-        for done in as_completed([pool.submit(work_out, answer, tuple(sorted(share))) for share in shares]):
-            say(f"ready: {', '.join(VIEWS[name].title for name in done.result())}")
+    try:
+        with ProcessPoolExecutor(len(shares), mp_context=multiprocessing.get_context("spawn")) as pool:
+            for done in as_completed([pool.submit(work_out, answer, tuple(sorted(share))) for share in shares]):
+                say(f"ready: {', '.join(VIEWS[name].title for name in done.result())}")
+    except (OSError, BrokenProcessPool):  # no other process to be had, or one was killed
+        say("preparing in this process alone, which takes longer")
+        work_out(answer, tuple(missing))
 
 
 def work_out(answer: Answer, names: tuple[str, ...]) -> tuple[str, ...]:
