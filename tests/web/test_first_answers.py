@@ -12,12 +12,11 @@ from sweetspot.web.states import ViewState
 
 
 def test_without_another_process_this_one_does_the_work(monkeypatch: pytest.MonkeyPatch) -> None:
-    class NoProcess:
-        def __init__(self, *given: Any, **options: Any) -> None:
-            raise OSError(errno.EAGAIN, "Resource temporarily unavailable")
+    def no_process(*_: Any, **__: Any) -> None:
+        raise OSError(errno.EAGAIN, "Resource temporarily unavailable")
 
     kept: dict[tuple[str, ViewState], bytes] = {}
-    monkeypatch.setattr(first_answers, "ProcessPoolExecutor", NoProcess)
+    monkeypatch.setattr(first_answers, "ProcessPoolExecutor", no_process)
     monkeypatch.setattr(first_answers, "kept_answer", lambda name, state: kept.get((name, state)))
     monkeypatch.setattr(first_answers, "keep", lambda name, state, answer: kept.update({(name, state): answer}))
     words: list[str] = []

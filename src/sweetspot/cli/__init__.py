@@ -39,7 +39,7 @@ def main(arguments: list[str] | None = None) -> None:
         _complain(_one_line(error))
         sys.exit(EXIT_BAD_INPUT)
     except MemoryError:
-        _complain("there is not enough memory for this; nothing was written. Ask for less at once, or close other programs")
+        _complain("there is not enough memory for this; nothing was written. Ask for less at once")
         sys.exit(EXIT_BAD_INPUT)
     except KeyboardInterrupt:
         _complain("interrupted; nothing was written")
