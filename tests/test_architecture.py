@@ -48,6 +48,8 @@ HOMES = {
     "tomllib": ("catalog/", "validation/", "references.py"),
     "skfem": ("dynamics/",),
     "emcee": ("player/",),
+    "ezdxf": ("report/drawing/", "calibration/outline/"),
+    "fontTools": ("calibration/outline/",),
 }
 """Third parties and the places that may import them."""
 

@@ -29,3 +29,32 @@ def test_a_bat_there_and_back(
     code, out, _ = run("outline", str(table))
     assert code == 0
     assert "stations: handle" in out
+
+
+def test_drawings_from_the_catalogue_and_back(run: Callable[..., tuple[int, str, str]], tmp_path: Path) -> None:
+    names = [tmp_path / f"bat{ending}" for ending in (".csv", ".svg", ".dxf", ".stl", ".toml")]
+    code, out, told = run("outline", "r161-ash", *(word for path in names for word in ("--out", str(path))))
+    assert code == 0
+    assert "it weighs" in out
+    assert all(path.stat().st_size > 300 for path in names)
+    assert told.count("bat.") == len(names)
+    for path in names[:3]:
+        code, out, _ = run("outline", str(path), "--units", "si")
+        assert code == 0
+        assert "length 83.8 cm" in out
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["mlb-a", "--out", "bat.step"], ".stl"),
+        (["mlb-a", "--length", "34in"], "leave it out"),
+        (["none.svg"], "no such file"),
+        (["tennis-racket", "--out", "bat.dxf"], "tennis"),
+    ],
+)
+def test_bad_questions(run: Callable[..., tuple[int, str, str]], words: list[str], message: str) -> None:
+    code, out, told = run("outline", *words)
+    assert (code, out) == (2, "")
+    assert message in told
+    assert told.count("\n") == 1

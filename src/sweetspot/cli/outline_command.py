@@ -1,52 +1,102 @@
-"""The command `outline`: a bat file from a table of diameters."""
+"""The command `outline`: a bat file from a table of diameters or a drawing, and drawings from a bat."""
 
 from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import Format
+from sweetspot.errors import InputError
+
+if TYPE_CHECKING:
+    from sweetspot.calibration.outline.measured_outline import Outline
+    from sweetspot.equipment.bat import Bat
+    from sweetspot.report.quantities import Reader
+
+BAT_FILE = ".toml"
 
 
 def outline(
-    file: Annotated[Path, Parameter(help="CSV with a column like in_from_tip and one like diameter_mm.")],
+    source: Annotated[
+        str,
+        Parameter(
+            help="What holds the outline: a CSV with columns like in_from_tip and diameter_mm, a drawing (SVG, DXF), "
+            "or, to draw it, a bat file or a name of the catalogue."
+        ),
+    ],
     /,
     *,
-    length: Annotated[str | None, Parameter(help="Of the bat: 34in; needed where places count from the tip.")] = None,
+    length: Annotated[
+        str | None,
+        Parameter(help="Of the bat: 34in; needed where places count from the tip or nothing else has units."),
+    ] = None,
     material: Annotated[str, Parameter(help="Material of the catalogue.")] = "white-ash",
     name: Annotated[str | None, Parameter(help="What to call the bat; default: the file's name.")] = None,
-    out: Annotated[Path | None, Parameter(help="Bat file to write.")] = None,
+    out: Annotated[
+        list[Path] | None,
+        Parameter(
+            help="Bat file (.toml), stations (.csv), drawing 1:1 (.svg, .dxf) or solid (.stl); may be given again."
+        ),
+    ] = None,
+    units: Annotated[
+        Literal["us", "si"] | None, Parameter(help="Units of the answer and of a written table or drawing.")
+    ] = None,
     format: Annotated[Format, Parameter(name="--format", help="table for people, json or csv for programs.")] = "table",
-) -> None:
-    """Turn a table of diameters or circumferences, measured from either end in any unit, into a bat file."""
-    from sweetspot import catalog
-    from sweetspot.calibration.outline import read_outline
-    from sweetspot.catalog.files.write import bat_toml
-    from sweetspot.cli.output import print_csv, print_json, print_table
+) -> int:
+    """Turn diameters measured from either end in any unit, or a drawing, into a bat file, and bats into drawings."""
+    from sweetspot.cli.options.output import OutputOptions
+    from sweetspot.cli.output import present
     from sweetspot.dynamics.beam import beam_model
     from sweetspot.dynamics.rigid import rigid_body
-    from sweetspot.equipment.bat import Bat
-    from sweetspot.report.calibration.outline_report import outline_json, outline_words
-    from sweetspot.units import parse
+    from sweetspot.report.calibration.outline_report import outline_document
 
-    given = None if length is None else parse(length, "length", "--length")
-    found = read_outline(file, length=given)
-    bat = Bat(
-        name=name or file.stem, length=found.profile[-1][0], material=catalog.material(material), profile=found.profile
-    )
-    body = rigid_body(beam_model(bat))
-    answer = outline_json(found, body)
-    if format == "json":
-        print_json(answer)
-    elif format == "csv":
-        print_csv({key: answer["profile"][key] for key in ("position_m", "diameter_m")})
-    else:
-        print_table(str(outline_words(found, bat, body)))
-    if out is not None:
+    measured, bat = _measured(source, length=length, material=material, name=name)
+    document = outline_document(measured, bat, rigid_body(beam_model(bat)))
+    contents = {path: _content(path, bat, document.reader_of(units)) for path in out or []}
+    if contents:
         from sweetspot.report.file_set import write_all
 
-        write_all({out: bat_toml(bat).encode()})
-        print(f"sweetspot: wrote {out}", file=sys.stderr)
+        for path, content in contents.items():
+            write_all({path: content})
+        print(f"sweetspot: wrote {', '.join(map(str, contents))}", file=sys.stderr)
+    return present(document, OutputOptions(format=format, units=units))
+
+
+def _measured(source: str, *, length: str | None, material: str, name: str | None) -> tuple[Outline, Bat]:
+    """Return the outline and its bat: of a table or drawing, of a bat file, or of the catalogue."""
+    from sweetspot import catalog
+    from sweetspot.calibration.outline.measured_outline import Outline
+    from sweetspot.calibration.outline.outline_file import ENDINGS, read_outline
+    from sweetspot.equipment.bat import Bat
+    from sweetspot.units import parse
+
+    if Path(source).suffix.lower() in ENDINGS:
+        given = None if length is None else parse(length, "length", "--length")
+        measured = read_outline(Path(source), length=given)
+        bat = Bat(
+            name=name or Path(source).stem, length=measured.profile[-1][0], material=catalog.material(material),
+            profile=measured.profile,
+        )  # fmt: skip
+        return measured, bat
+    if length is not None:
+        raise InputError(f"--length was given, but {source} is a bat and has its own; leave it out")
+    from sweetspot.report.drawing.contour import outline_stations
+
+    bat = catalog.load_bat(source)
+    bat = bat if name is None else bat.replaced(name=name)
+    return Outline(tuple((float(place), float(size)) for place, size in outline_stations(bat))), bat
+
+
+def _content(path: Path, bat: Bat, reading: Reader) -> bytes:
+    """Return what a file of this name holds."""
+    from sweetspot.catalog.files.write import bat_toml
+    from sweetspot.report.drawing.drawing_files import ENDINGS, drawing_bytes
+
+    if path.suffix.lower() == BAT_FILE:
+        return bat_toml(bat).encode()
+    if path.suffix.lower() not in ENDINGS:
+        raise InputError(f"--out was given as {path}; write to a name that ends in {', '.join((BAT_FILE, *ENDINGS))}")
+    return drawing_bytes(bat, path, reading=reading)

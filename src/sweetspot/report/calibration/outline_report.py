@@ -4,29 +4,46 @@ from __future__ import annotations
 
 from typing import Any
 
-from sweetspot.calibration.outline import Outline
+from sweetspot.calibration.outline.measured_outline import Outline
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.bat import Bat
+from sweetspot.report.document import Document, Paragraph
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.sentences import Sentence, Slot, joined, say
 
 
-def outline_json(outline: Outline, body: RigidBody) -> dict[str, Any]:
-    """Return stations, those that were assumed, and what the bat would weigh at the catalogue's density; SI."""
+def outline_document(outline: Outline, bat: Bat, body: RigidBody) -> Document:
+    """Return an outline as an answer: how thick the bat is, what it would weigh, what was not measured."""
+    data = outline_json(outline, bat, body)
+    rows = {name: data["profile"][name] for name in ("position_m", "diameter_m")}
+    notes = [Paragraph(words, "note") for words in outline.notes]
+    blocks = [Paragraph(outline_words(outline, bat, body)), *notes]
+    return Document(name="outline", title=bat.name, blocks=blocks, data=data, rows=rows)
+
+
+def outline_json(outline: Outline, bat: Bat, body: RigidBody) -> dict[str, Any]:
+    """Return stations, those that were assumed, and what the bat weighs, or would at the catalogue's density; SI."""
     positions, diameters = zip(*outline.profile, strict=True)
     return cleaned(
         {
             "profile": {"position_m": positions, "diameter_m": diameters},
             "assumed_position_m": outline.assumed,
+            "length_m": bat.length,
             "mass_kg": body.mass,
             "balance_point_m": body.balance_point,
+            "notes": outline.notes,
         }
     )
 
 
 def outline_words(outline: Outline, bat: Bat, body: RigidBody) -> Sentence:
-    """Return in words how thick the bat is and what it would weigh."""
+    """Return in words how thick the bat is and what it weighs, or would."""
     beyond_knob = [size for place, size in outline.profile if place > 0.15 * bat.length]
+    weighs = (
+        "In {wood} of the catalogue's density it would weigh {mass} and balance {balance} from the knob."
+        if bat.mass is None
+        else "Of {wood}, it weighs {mass} and balances {balance} from the knob."
+    )
     words = [
         say(
             "{count} stations: handle {thin}, barrel {thick}, length {length}.", count=len(outline.profile),
@@ -34,8 +51,7 @@ def outline_words(outline: Outline, bat: Bat, body: RigidBody) -> Sentence:
             length=Slot(bat.length, "length"),
         ),
         say(
-            "In {wood} of the catalogue's density it would weigh {mass} and balance {balance} from the knob.",
-            wood=bat.material.name, mass=Slot(body.mass, "mass"), balance=Slot(body.balance_point, "length"),
+            weighs, wood=bat.material.name, mass=Slot(body.mass, "mass"), balance=Slot(body.balance_point, "length"),
         ),
     ]  # fmt: skip
     if outline.assumed:

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
-from sweetspot.calibration.outline import read_outline
+from sweetspot.calibration.outline.outline_file import read_outline
 from sweetspot.errors import InputError
 
-CALIPER = Path(__file__).parents[3] / "shared" / "data" / "caliper_bat.csv"
+CALIPER = Path(__file__).parents[4] / "shared" / "data" / "caliper_bat.csv"
 INCHES = np.arange(0, 34.01, 0.5)
 
 

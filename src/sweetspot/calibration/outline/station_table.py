@@ -8,8 +8,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from sweetspot.catalog.files.turned import TIP
-from sweetspot.equipment.shell import Stations
+from sweetspot.calibration.outline.measured_outline import Outline, closed
 from sweetspot.errors import InputError
 from sweetspot.units import INCH
 
@@ -19,22 +18,6 @@ SIZES = {"diameter": 1.0, "dia": 1.0, "circumference": 1 / math.pi, "girth": 1 /
 PLACES = ("position", "station", "place", "x", "from", "tip", "knob")
 MOST_STATIONS = 2000
 FEWEST_STATIONS = 5
-NEAR_END = 1.6 * INCH
-"""m from an end within which the nearest station must lie."""
-
-
-@dataclass(frozen=True)
-class Outline:
-    """An outline as it was measured.
-
-    Parameters
-    ----------
-    profile : (position, diameter) stations from 0 to the bat's length, m.
-    assumed : positions in m of the stations that no one measured, at the ends.
-    """
-
-    profile: Stations
-    assumed: tuple[float, ...]
 
 
 @dataclass(frozen=True)
@@ -44,7 +27,7 @@ class _Column:
     from_tip: bool = False
 
 
-def read_outline(path: Path, *, length: float | None = None) -> Outline:
+def read_stations(path: Path, *, length: float | None = None) -> Outline:
     """Return the outline that a CSV file of stations describes.
 
     One column says where: its heading has a unit, and ``tip`` where it counts from the tip (``in_from_tip``,
@@ -78,7 +61,7 @@ def read_outline(path: Path, *, length: float | None = None) -> Outline:
         if length is None:
             raise InputError(f"{path} counts from the tip; say how long the bat is with --length")
         stations = sorted((length - place, size) for place, size in stations)
-    return _closed(stations, length or stations[-1][0], path)
+    return closed(stations, length or stations[-1][0], str(path))
 
 
 def _columns(heading: list[str], path: Path) -> tuple[_Column, _Column]:
@@ -109,26 +92,3 @@ def _number(row: list[str], column: _Column, line: int, path: Path) -> float:
     if not math.isfinite(value) or value < 0:
         raise InputError(f"{path}, line {line}: {text!r} was given; allowed is a number from 0 up, without its unit")
     return value * column.size
-
-
-def _closed(stations: list[tuple[float, float]], length: float, path: Path) -> Outline:
-    """Return the outline with a station at either end."""
-    if stations[0][0] < 0 or stations[-1][0] > length * (1 + 1e-6):
-        raise InputError(f"{path} has stations off the bat, which is {length:.4g} m long; check --length and the units")
-    if stations[0][0] > NEAR_END or length - stations[-1][0] > NEAR_END:
-        raise InputError(
-            f"{path} reaches from {stations[0][0]:.4g} m to {stations[-1][0]:.4g} m of a bat of {length:.4g} m; "
-            "measure to within an inch and a half of both ends, and check --length"
-        )
-    assumed = []
-    if stations[0][0] > 0:
-        stations = [(0.0, stations[0][1]), *stations]
-        assumed.append(0.0)
-    last, thick = stations[-1]
-    if length - last > 1e-6 * length:
-        round_end = [
-            (length - inches * INCH, part * thick) for inches, part in TIP if length - inches * INCH > last + 1e-6
-        ]
-        stations = [*stations, *round_end]
-        assumed += [place for place, _ in round_end]
-    return Outline(tuple(stations), tuple(assumed))

@@ -1,0 +1,103 @@
+"""An outline as it was measured, closed at both ends, knob end first."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from sweetspot.catalog.files.turned import TIP
+from sweetspot.equipment.shell import Stations
+from sweetspot.errors import InputError
+from sweetspot.numerics.arrays import Array
+from sweetspot.units import INCH
+
+NEAR_END = 1.6 * INCH
+"""m from an end within which the nearest station must lie."""
+USUAL_LENGTH = (0.3, 1.3)
+"""m; a drawing without units whose size is not this long has no scale."""
+
+
+@dataclass(frozen=True)
+class Outline:
+    """An outline as it was measured.
+
+    Parameters
+    ----------
+    profile : (position, diameter) stations from 0 to the bat's length, m.
+    assumed : positions in m of the stations that no one measured, at the ends.
+    notes : what the reader of the file should tell about it.
+    """
+
+    profile: Stations
+    assumed: tuple[float, ...] = ()
+    notes: tuple[str, ...] = ()
+
+
+def closed(stations: Sequence[tuple[float, float]], length: float, what: str) -> Outline:
+    """Return the outline with a station at either end; the tip is rounded as turned bats are.
+
+    Parameters
+    ----------
+    stations : (position, diameter) from the knob end on, m.
+    what : where they come from, for messages.
+
+    Raises
+    ------
+    InputError
+        when stations lie off the bat, or end too far from its ends.
+    """
+    stations = list(stations)
+    if stations[0][0] < 0 or stations[-1][0] > length * (1 + 1e-6):
+        raise InputError(f"{what} has stations off the bat, which is {length:.4g} m long; check --length and the units")
+    if stations[0][0] > NEAR_END or length - stations[-1][0] > NEAR_END:
+        raise InputError(
+            f"{what} reaches from {stations[0][0]:.4g} m to {stations[-1][0]:.4g} m of a bat of {length:.4g} m; "
+            "measure to within an inch and a half of both ends, and check --length"
+        )
+    assumed = []
+    if stations[0][0] > 0:
+        stations = [(0.0, stations[0][1]), *stations]
+        assumed.append(0.0)
+    last, thick = stations[-1]
+    if length - last > 1e-6 * length:
+        round_end = [
+            (length - inches * INCH, part * thick) for inches, part in TIP if length - inches * INCH > last + 1e-6
+        ]
+        stations = [*stations, *round_end]
+        assumed += [place for place, _ in round_end]
+    return Outline(tuple(stations), tuple(assumed))
+
+
+def knob_first(place: Array, diameter: Array) -> tuple[Array, Array]:
+    """Return stations so that the thicker half, the barrel, comes last."""
+    middle = (place[0] + place[-1]) / 2
+    near, far = diameter[place < middle].mean(), diameter[place > middle].mean()
+    return (place, diameter) if near <= far else ((place[0] + place[-1] - place)[::-1], diameter[::-1])
+
+
+def simplified(place: Array, diameter: Array, tolerance: float) -> Stations:
+    """Return the fewest stations from which no diameter on the way is farther off than ``tolerance`` (Douglas-Peucker).
+
+    Parameters
+    ----------
+    place, diameter : m, shape (n,), places increasing.
+    tolerance : m.
+    """
+    kept = np.zeros(len(place), bool)
+    kept[[0, -1]] = True
+    open_pieces = [(0, len(place) - 1)]
+    while open_pieces:
+        first, last = open_pieces.pop()
+        inside = np.arange(first + 1, last)
+        if not len(inside):
+            continue
+        straight = np.interp(place[inside], place[[first, last]], diameter[[first, last]])
+        off = np.abs(diameter[inside] - straight)
+        farthest = int(np.argmax(off))
+        if off[farthest] > tolerance:
+            middle = int(inside[farthest])
+            kept[middle] = True
+            open_pieces += [(first, middle), (middle, last)]
+    return tuple(zip(place[kept].tolist(), diameter[kept].tolist(), strict=True))

@@ -1,0 +1,36 @@
+"""The outline in any file that holds one, by the ending of its name."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from sweetspot.calibration.outline.curves import outline_of_curves
+from sweetspot.calibration.outline.dxf_file import dxf_curves
+from sweetspot.calibration.outline.measured_outline import Outline
+from sweetspot.calibration.outline.station_table import read_stations
+from sweetspot.calibration.outline.svg_file import svg_curves
+from sweetspot.errors import InputError
+
+TABLES, DRAWINGS = (".csv", ".txt", ".tsv"), (".svg", ".dxf")
+ENDINGS = TABLES + DRAWINGS
+
+
+def read_outline(path: Path, *, length: float | None = None) -> Outline:
+    """Return the outline that a file holds: a table of stations (CSV) or a drawing (SVG, DXF).
+
+    Parameters
+    ----------
+    length : m of the bat; needed where places count from the tip, and where a drawing has no units.
+
+    Raises
+    ------
+    InputError
+        for another ending, and when the file holds no outline.
+    """
+    ending = path.suffix.lower()
+    if ending in TABLES:
+        return read_stations(path, length=length)
+    if ending in DRAWINGS:
+        curves, unit = svg_curves(path) if ending == ".svg" else dxf_curves(path)
+        return outline_of_curves(curves, str(path), unit=unit, length=length, axis=ending == ".dxf")
+    raise InputError(f"{path} has no ending that is understood; allowed are {', '.join(ENDINGS)}")

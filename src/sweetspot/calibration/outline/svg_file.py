@@ -1,0 +1,155 @@
+"""The curves of an SVG drawing in millimetres: paths, lines and polygons, with all transformations."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import numpy as np
+
+from sweetspot.errors import InputError
+from sweetspot.numerics.arrays import Array
+from sweetspot.units import INCH
+
+UNITS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "in": INCH, "pt": INCH / 72, "pc": INCH / 6, "px": INCH / 96, "": INCH / 96}
+"""m; CSS has 96 px to the inch."""
+SIZE = re.compile(r"^\s*([0-9.eE+-]+)\s*([a-z]*)\s*$")
+TRANSFORM = re.compile(r"(matrix|translate|scale|rotate|skewX|skewY)\s*\(([^)]*)\)")
+NUMBERS = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+UNSEEN = {"defs", "clipPath", "symbol", "mask", "marker", "pattern", "text", "metadata", "style"}
+PIECES = 40
+"""Straight pieces of a curved segment."""
+NAMED = ("outline", "profile", "contour")
+"""Of an element that is the bat's outline; where there is one, all others are left out."""
+LARGEST = 50_000_000
+"""Bytes of a drawing."""
+IDENTITY = np.eye(3)
+
+
+def svg_curves(path: Path) -> tuple[list[Array], float | None]:
+    """Return the curves of an SVG file and its unit in m; None where width and height have none.
+
+    Raises
+    ------
+    InputError
+        when the file is no SVG.
+    """
+    try:
+        content = path.read_bytes()
+        if len(content) > LARGEST:
+            raise InputError(f"{path} has {len(content) / 1e6:.0f} MB; allowed are {LARGEST / 1e6:.0f} MB")
+        root = ElementTree.fromstring(content)
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {(error.strerror or str(error)).lower()}") from None
+    except (ElementTree.ParseError, ValueError, LookupError) as error:
+        raise InputError(f"{path} is not an SVG drawing: {error}") from None
+    if _tag(root) != "svg":
+        raise InputError(f"{path} is not an SVG drawing: it begins with <{_tag(root)}>")
+    try:
+        elements = list(_shapes(root, IDENTITY))
+        named = [entry for entry in elements if str(entry[0].get("id", "")).lower() in NAMED]
+        curves = [curve for element, matrix in named or elements for curve in _curves(element, matrix)]
+    except (ValueError, IndexError, TypeError, AssertionError, NotImplementedError) as error:
+        raise InputError(f"{path} has a curve that cannot be understood: {error}") from None
+    return curves, _unit(root)
+
+
+def _tag(element: ElementTree.Element) -> str:
+    return element.tag.rpartition("}")[2] if isinstance(element.tag, str) else ""
+
+
+def _unit(root: ElementTree.Element) -> float | None:
+    """Return m per user unit; None without a width that has a unit of length."""
+    size = SIZE.match(root.get("width", ""))
+    if size is None or size[2] not in UNITS or size[2] in ("", "px"):
+        return None
+    width = float(size[1]) * UNITS[size[2]]
+    box = NUMBERS.findall(root.get("viewBox", ""))
+    return width / float(box[2]) if len(box) == 4 and float(box[2]) > 0 else UNITS["px"]
+
+
+def _shapes(element: ElementTree.Element, matrix: Array) -> Iterator[tuple[ElementTree.Element, Array]]:
+    """Yield what is drawn, with its transformation."""
+    hidden = "display:none" in element.get("style", "").replace(" ", "") or element.get("display") == "none"
+    if hidden or _tag(element) in UNSEEN:
+        return
+    matrix = matrix @ _transformation(element.get("transform", ""))
+    if _tag(element) in ("path", "line", "polyline", "polygon"):
+        yield element, matrix
+    for child in element:
+        yield from _shapes(child, matrix)
+
+
+def _transformation(text: str) -> Array:
+    matrix = IDENTITY
+    for name, inside in TRANSFORM.findall(text):
+        matrix = matrix @ _one_transformation(name, [float(number) for number in NUMBERS.findall(inside)])
+    return matrix
+
+
+def _one_transformation(name: str, given: list[float]) -> Array:
+    if name == "matrix":
+        a, b, c, d, e, f = given
+        return np.array([[a, c, e], [b, d, f], [0, 0, 1]])
+    if name == "translate":
+        return np.array([[1, 0, given[0]], [0, 1, given[1] if len(given) > 1 else 0.0], [0, 0, 1]])
+    if name == "scale":
+        return np.diag([given[0], given[-1], 1.0])
+    turn = math.radians(given[0])
+    if name != "rotate":
+        x, y = (math.tan(turn), 0.0) if name == "skewX" else (0.0, math.tan(turn))
+        return np.array([[1, x, 0], [y, 1, 0], [0, 0, 1]])
+    cosine, sine = math.cos(turn), math.sin(turn)
+    rotation = np.array([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1.0]])
+    given = [*given[:3], 0.0, 0.0][:3]  # without a centre it is the origin
+    there, back = np.eye(3), np.eye(3)
+    there[:2, 2], back[:2, 2] = given[1:3], [-given[1], -given[2]]
+    return np.asarray(there @ rotation @ back)
+
+
+def _curves(element: ElementTree.Element, matrix: Array) -> Iterator[Array]:
+    """Yield an element's curves as polylines."""
+    if _tag(element) == "path":
+        lines = _path(element.get("d", ""))
+    elif _tag(element) == "line":
+        ends = [float(NUMBERS.findall(element.get(name, "0"))[0]) for name in ("x1", "y1", "x2", "y2")]
+        lines = [np.array(ends).reshape(2, 2)]
+    else:
+        points = np.array([float(number) for number in NUMBERS.findall(element.get("points", ""))]).reshape(-1, 2)
+        lines = [np.vstack([points, points[:1]]) if _tag(element) == "polygon" else points]
+    for line in lines:
+        if len(line) > 1:
+            yield (np.column_stack([line, np.ones(len(line))]) @ matrix.T)[:, :2]
+
+
+def _path(text: str) -> list[Array]:
+    """Return the polylines of a path's commands, its curves in `PIECES` straight pieces."""
+    from fontTools.pens.recordingPen import RecordingPen
+    from fontTools.svgLib.path import parse_path
+
+    pen = RecordingPen()
+    parse_path(text, pen)
+    lines: list[list[Any]] = []
+    along = np.linspace(0, 1, PIECES + 1)[1:, None]
+    for command, given in pen.value:
+        points = [np.array(point, float) for point in given if point is not None]
+        if command == "moveTo":
+            lines.append([points[0]])
+        elif command == "lineTo":
+            lines[-1].append(points[0])
+        elif command == "curveTo":
+            p0, (p1, p2, p3) = lines[-1][-1], points
+            lines[-1] += list(
+                (1 - along) ** 3 * p0 + 3 * (1 - along) ** 2 * along * p1 + 3 * (1 - along) * along**2 * p2
+                + along**3 * p3
+            )  # fmt: skip
+        elif command == "qCurveTo":
+            p0, (p1, p2) = lines[-1][-1], points
+            lines[-1] += list((1 - along) ** 2 * p0 + 2 * (1 - along) * along * p1 + along**2 * p2)
+        elif command == "closePath":
+            lines[-1].append(lines[-1][0])
+    return [np.array(line) for line in lines]
