@@ -101,6 +101,10 @@ USUAL: dict[str, Usual] = {
     "greatest_diameter": Usual(1.6, 5, "in", INCH, "a profile has diameters, not radii", above=1.1),
     "middle_of_the_outline": Usual(0.42, 0.95, "of the length", 1, "positions count from the knob end"),
     "thinnest_wall": Usual(0.8, 20, "mm", 1e-3, "walls of metal bats are 2 to 5 mm"),
+    "thickest_wall": Usual(0.8, 12, "mm", 1e-3, "walls of metal bats are 2 to 5 mm"),
+    "end_of_the_taper": Usual(0.55, 1, "of the length", 1, "it counts from the knob end"),
+    "joint": Usual(0.25, 0.75, "of the length", 1, "it counts from the knob end"),
+    "blade": Usual(3, 11, "mm in all", 1e-3, "plies are 0.2 to 4 mm thick"),
     "bore_diameter": Usual(0, 3, "in", INCH),
     "bore_depth": Usual(0, 40, "in", INCH),
 }
@@ -137,7 +141,20 @@ def check_usual(value: float, what: str, given: object) -> None:
 decimal point, or add --force if it is meant
     """
     usual = USUAL.get(what.removeprefix("--").replace("-", "_").replace(" ", "_"))
-    if usual is None or _insisted.get() or usual.holds(value):
+    if usual is not None:
+        refuse_unusual(usual, value, what, given)
+
+
+def refuse_unusual(usual: Usual, value: float, what: str, given: object) -> None:
+    """Refuse a value outside what is usual, unless it is insisted on.
+
+    Parameters
+    ----------
+    value : SI.
+    what : name of the quantity, for the message.
+    given : as it was written, for the message.
+    """
+    if _insisted.get() or usual.holds(value):
         return
     hint = f"; {usual.hint}" if usual.hint else ""
     unit = f" {usual.unit}" if usual.unit else ""

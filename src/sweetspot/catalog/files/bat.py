@@ -10,7 +10,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import BeforeValidator, Field
 
-from sweetspot.catalog.files.tables import FileTable
+from sweetspot.catalog.files.tables import FileTable, parsed
 from sweetspot.catalog.files.turned import turned_profile
 from sweetspot.catalog.materials import material
 from sweetspot.catalog.records import unwrapped
@@ -202,8 +202,13 @@ def _checked_drawing(bat: Bat) -> Bat:
         middle = float(areas @ places / areas.sum()) / bat.length
         check_usual(middle, "middle of the outline", f"{middle:.2f} of the length")
     if bat.shell is not None:
-        thinnest = min(thickness for _, thickness in bat.shell.wall)
-        check_usual(thinnest, "thinnest wall", f"{1e3 * thinnest:.3g} mm")
+        walls = [thickness for _, thickness in bat.shell.wall]
+        walls += [] if bat.shell.inner_wall is None else [thickness for _, thickness in bat.shell.inner_wall.wall]
+        for what, wall in (("thinnest wall", min(walls)), ("thickest wall", max(walls))):
+            check_usual(wall, what, f"{1e3 * wall:.3g} mm")
+        if bat.shell.joint is not None:
+            joint = bat.shell.joint / bat.length
+            check_usual(joint, "joint", f"{joint:.2f} of the length")
     return bat
 
 
@@ -216,7 +221,11 @@ def _bat(file: BatFile) -> Bat:
         raise InputError(f"the outline is given as {given}; give exactly one of profile, turned, linear_density")
     profile = _pairs(file.profile, "profile") if file.profile is not None else None
     if file.turned is not None:
-        sizes = {name: parse(text, "length", f"turned.{name}") for name, text in file.turned.model_dump().items()}
+        sizes = {
+            name: parsed(text, "length", f"turned.{name}", "bat") for name, text in file.turned.model_dump().items()
+        }
+        end = sizes["taper_end"] / length
+        check_usual(end, "end of the taper", f"{file.turned.taper_end}, {end:.2f} of the length")
         profile = turned_profile(length=length, **sizes)
     return Bat(
         name=file.name,
@@ -232,7 +241,7 @@ def _bat(file: BatFile) -> Bat:
         point_masses=tuple(
             PointMass(
                 position=parse(weight.position, "length", "point_mass.position"),
-                mass=parse(weight.mass, "mass", "point_mass.mass"),
+                mass=parsed(weight.mass, "mass", "point_mass.mass", "bat"),
             )
             for weight in file.point_mass
         ),
@@ -267,11 +276,11 @@ def _shell(table: ShellTable, own: Material, *, length: Text) -> Shell:
     masses = ("joint_mass", "end_cap_mass", "knob_mass")
     return Shell(
         wall=_pairs(wall, "shell.wall"),
-        laminate=laminate_of(table.laminate, "shell.laminate"),
+        laminate=None if table.laminate is None else laminate_of(table.laminate, "shell.laminate"),
         inner_wall=None if table.inner_wall is None else _inner_wall(table.inner_wall, own),
         handle_material=None if table.handle_material is None else material(table.handle_material),
         joint=None if table.joint is None else parse(table.joint, "length", "shell.joint"),
-        **{name: parse(getattr(table, name), "mass", f"shell.{name}") for name in masses},
+        **{name: parsed(getattr(table, name), "mass", f"shell.{name}", "bat") for name in masses},
     )
 
 
@@ -279,15 +288,13 @@ def _inner_wall(table: InnerWallTable, own: Material) -> InnerWall:
     return InnerWall(
         wall=_pairs(table.wall, "shell.inner_wall"),
         material=own if table.material is None else material(table.material),
-        laminate=laminate_of(table.laminate, "shell.inner_wall.laminate"),
+        laminate=None if table.laminate is None else laminate_of(table.laminate, "shell.inner_wall.laminate"),
         gap=parse(table.gap, "length", "shell.inner_wall.gap"),
         bonded=table.bonded,
     )
 
 
-def laminate_of(plies: tuple[PlyTable, ...] | None, what: str) -> Laminate | None:
-    if plies is None:
-        return None
+def laminate_of(plies: tuple[PlyTable, ...], what: str) -> Laminate:
     return Laminate(
         plies=tuple(
             Ply(

@@ -38,6 +38,7 @@ from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.string_bed import StringBed
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
 from sweetspot.errors import InputError, nearest_names
+from sweetspot.units import check_usual
 
 
 class CommonTable(FileTable):
@@ -190,15 +191,17 @@ def _unwrapped(value: Any) -> Any:
 
 
 def _common(file: CommonTable) -> dict[str, Any]:
-    return {name: value for name, value in in_si(file).items() if name not in ("kind", "note")}
+    return {name: value for name, value in in_si(file, implement=file.kind).items() if name not in ("kind", "note")}
 
 
 def _racket(file: RacketFile) -> Racket:
     given = _common(file)
-    size = in_si(file.head, "head")
+    size = in_si(file.head, "head", implement=file.kind)
     end = given["length"] - size["rim"]
     given["head"] = Outline(start=end - size["length"], end=end, width=size["width"])
-    given["strings"] = None if file.strings is None else StringBed(**in_si(file.strings, "strings"))
+    given["strings"] = (
+        None if file.strings is None else StringBed(**in_si(file.strings, "strings", implement=file.kind))
+    )
     return Racket(**given)
 
 
@@ -212,7 +215,7 @@ def _hockey_stick(file: HockeyStickFile) -> HockeyStick:
 
 
 def _golf_club(file: GolfClubFile) -> GolfClub:
-    head = in_si(file.head, "head")
+    head = in_si(file.head, "head", implement=file.kind)
     face = Face(
         stiffness=head.pop("face_stiffness"),
         moving_mass=head.pop("face_mass"),
@@ -224,7 +227,10 @@ def _golf_club(file: GolfClubFile) -> GolfClub:
 
 def _table_tennis_racket(file: TableTennisRacketFile) -> TableTennisRacket:
     sides = {side: rubber(name) for side, name in (("front", file.front), ("back", file.back)) if name is not None}
-    made_of = {"blade": laminate_of(file.blade, "blade"), "handle_material": material(file.handle_material)}
+    blade = laminate_of(file.blade, "blade")
+    thickness = sum(ply.thickness for ply in blade.plies)
+    check_usual(thickness, "blade", f"{1e3 * thickness:.3g} mm")
+    made_of = {"blade": blade, "handle_material": material(file.handle_material)}
     return TableTennisRacket(**{**_common(file), **made_of, **sides})
 
 

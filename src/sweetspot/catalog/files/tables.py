@@ -7,6 +7,7 @@ from typing import Annotated, Any
 
 from pydantic import ConfigDict
 
+from sweetspot.catalog.usual_sizes import check_size
 from sweetspot.equipment.base import Validated
 from sweetspot.equipment.shell import check_count
 from sweetspot.units import Kind, parse
@@ -43,25 +44,36 @@ class FileTable(Validated):
     model_config = ConfigDict(frozen=True, extra="forbid", strict=False)
 
 
-def in_si(table: FileTable, what: str = "") -> dict[str, Any]:
+def parsed(text: str, kind: Kind, what: str, implement: str) -> float:
+    """Return a quantity of a file in SI; one far from usual for this kind of implement is refused."""
+    value = parse(text, kind, what)
+    check_size(implement, what, value, text)
+    return value
+
+
+def in_si(table: FileTable, what: str = "", *, implement: str) -> dict[str, Any]:
     """Return the fields of a table with every text that is a quantity as a number in SI; None where there is none.
 
     Parameters
     ----------
     table : its fields are annotated with `Of` or `PairsOf`; others, tables among them, are left as they are.
     what : the table's name in its file, for messages.
+    implement : its kind, whose sizes are known to be usual or not.
     """
     found: dict[str, Any] = {}
     for name, field in type(table).model_fields.items():
         value, label = getattr(table, name), f"{what}.{name}" if what else name
         for meaning in field.metadata:
             if value is not None and isinstance(meaning, Of):
-                value = parse(value, meaning.kind, label)
+                value = parsed(value, meaning.kind, label, implement)
             elif value is not None and isinstance(meaning, PairsOf):
                 check_count(value, label)
-                value = tuple(
+                pairs = [
                     (parse(first, meaning.first, f"{label} position"), parse(second, meaning.second, f"{label} size"))
                     for first, second in value
-                )
+                ]
+                for (_, size), (_, text) in zip(pairs, value, strict=True):
+                    check_size(implement, label, size, text)
+                value = tuple(pairs)
         found[name] = value
     return found
