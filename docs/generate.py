@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
+import licences
 import modules
 import sport_tables
 import tables
@@ -72,6 +73,7 @@ def pages() -> dict[str, Callable[[], str]]:
         "pitches_table": tables.pitches_table,
         "catalogue": tables.catalogue_page,
         "sources": tables.sources_page,
+        "licences": licences.licences_table,
         "validation": tables.validation_page,
         "validation_summary": tables.validation_summary,
         **sport_tables.pages(),

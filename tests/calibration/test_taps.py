@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -24,8 +23,8 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.section import poisson_of, shear_coefficient
 from sweetspot.errors import InputError
+from tests.real_data import real_file
 
-STEEL = Path(__file__).parents[3] / "shared" / "data" / "steel_bar_tap.wav"
 STEEL_BAR = Bar(Measured(0.11436, 1e-5), Measured(0.02544, 1e-5), Measured(0.00312, 1e-5), Measured(0.0713, 1e-4))
 
 
@@ -163,10 +162,9 @@ def test_astm_formula_for_a_bar() -> None:
     assert sum(modulus.budget.values()) == pytest.approx(1.0)
 
 
-@pytest.mark.skipif(not STEEL.exists(), reason="the shared recording of a steel bar is not here")
 def test_the_tapped_steel_bar() -> None:
     """Published: 1281 Hz, about 215 GPa; the file begins within the tap."""
-    test = tap_test([read_recording(STEEL)], bar=STEEL_BAR)
+    test = tap_test([read_recording(real_file("steel_bar_tap.wav"))], bar=STEEL_BAR)
     first = next(one.tone.frequency for one in test.tones if one.name == ModeName("bending", 1))
     assert first.low < 1281 < first.high
     assert test.bar is not None

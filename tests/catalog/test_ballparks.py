@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import gzip
 import math
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,17 +15,15 @@ from sweetspot.catalog.records import all_records, read_table
 from sweetspot.errors import InputError
 from sweetspot.flight.park import fence_at
 from sweetspot.units import FOOT
+from tests.real_data import real_file
 
-DATA = Path(__file__).parents[3] / "shared" / "data"
 TABLE = read_table("parks.toml")
 FENCE_KEYS = {"source", "where", "year", "kind", "direction_deg", "distance_ft", "height_ft"}
 SPREAD_KEYS = {"spread_ft", "most_ft", "at_deg"}
 
 
 def rows(name: str) -> list[dict[str, str]]:
-    path = DATA / name
-    if not path.exists():
-        pytest.skip(f"the public file {name} is not here; it is no part of the project")
+    path = real_file(name)
     text = gzip.decompress(path.read_bytes()).decode() if path.suffix == ".gz" else path.read_text(encoding="utf-8")
     return list(csv.DictReader(text.splitlines()))
 

@@ -7,7 +7,6 @@ import gzip
 import math
 from functools import cache
 from itertools import pairwise
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -23,8 +22,8 @@ from sweetspot.flight.home_runs import home_run_chances
 from sweetspot.flight.kernel import flights
 from sweetspot.motion.ball_motion import spin_axes
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
+from tests.real_data import real_file
 
-DATA = Path(__file__).parents[3] / "shared" / "data"
 BALL, LAW = catalog.ball(), catalog.aerodynamics("trajectory-calculator")
 POUNDS = 0.06242796
 """lb/ft^3 in a kg/m^3; the sheet has 0.06261."""
@@ -33,9 +32,7 @@ SHEET_POUNDS, SHEET_DENSITY = 0.06261, 0.0747421
 
 
 def table(name: str) -> list[dict[str, str]]:
-    if not (DATA / name).exists():
-        pytest.skip(f"the public file {name} is not here; it is no part of the project")
-    with gzip.open(DATA / name, "rt", encoding="utf-8", newline="") as file:
+    with gzip.open(real_file(name), "rt", encoding="utf-8", newline="") as file:
         return list(csv.DictReader(file))
 
 

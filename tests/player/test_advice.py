@@ -6,7 +6,6 @@ import json
 import math
 import re
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -36,10 +35,10 @@ from sweetspot.player.swings import PlayerSwing, Swings, read_swings
 from sweetspot.report.player.numbers import option_rows, player_json
 from sweetspot.report.player.words import answers, findings, notes
 from sweetspot.units import FOOT, INCH, MPH
+from tests.real_data import real_file
 
 BALL, OWN = catalog.ball(), catalog.bat("r161-ash")
 PITCH = 82 * MPH
-DATA = Path(__file__).parents[3] / "shared" / "data"
 AIR, DRAG = Air(), aerodynamics()
 
 
@@ -207,13 +206,12 @@ def test_json_is_plain_and_rows_are_equal(advice: Advice, posterior: Posterior, 
     assert len({tuple(row) for row in rows}) == 1 and len(rows) == len(advice.options)
 
 
-@pytest.mark.skipif(not DATA.is_dir(), reason="needs the real files beside the project, ../shared/data")
 def test_real_swings_give_sensible_numbers() -> None:
     """A hundred tracked major-league swings: near the whole table, 71.5 mph and 8.6 degrees [sure2026].
 
     Many batters are taken for one, so the scatter of the offset may be wide: 27 degrees are more than an inch.
     """
-    path = DATA / "cmu36sure2026_battedballs_battracking.csv.gz"
+    path = real_file("cmu36sure2026_battedballs_battracking.csv.gz")
     found = read_swings(path, length=OWN.length, pitch_speed=PITCH)
     some: tuple[PlayerSwing, ...] = found.swings[::200]
     posterior = walked(player_model(some, bat=catalog.bat("mlb-a"), ball=BALL), steps=200, warm_up=200)

@@ -14,9 +14,9 @@ from sweetspot.errors import InputError
 from sweetspot.player.columns import columns_of, simplified
 from sweetspot.player.swings import PLATE_OVER_RELEASE, PlayerSwing, Swings, evenly, read_swings
 from sweetspot.units import INCH, MPH
+from tests.real_data import real_file
 
 LENGTH = 33 * INCH
-DATA = Path(__file__).parents[3] / "shared" / "data"
 BLAST = "Date,Equipment,Plane Score,On Plane Efficiency (%),Attack Angle (deg),Bat Speed (mph),Exit Velocity (mph)"
 
 
@@ -155,16 +155,15 @@ def test_names_are_simplified_and_systems_recognised() -> None:
     assert columns_of(["bat_speed", "launch_speed", "launch_angle"], units=None, file_name="f").system == "Statcast"
 
 
-@pytest.mark.skipif(not DATA.is_dir(), reason="needs the real files beside the project, ../shared/data")
 def test_real_statcast_files() -> None:
     """The files as published, 118 columns and 14: every row is used, empty or listed with a reason."""
-    game = DATA / "savant_2024-07-25_cease_nohitter_full118col.csv.gz"
+    game = real_file("savant_2024-07-25_cease_nohitter_full118col.csv.gz")
     with pytest.raises(InputError, match="9 batters"):
         read(game, None)
     found = read(game, None, batter="545121")
     assert len(found.swings) == 10
     assert found.first_day == date(2024, 7, 25)
-    table = DATA / "cmu36sure2026_battedballs_battracking.csv.gz"
+    table = real_file("cmu36sure2026_battedballs_battracking.csv.gz")
     with gzip.open(table, "rt", encoding="utf-8") as file:
         count = sum(1 for _ in csv.reader(file)) - 1
     many = read(table)

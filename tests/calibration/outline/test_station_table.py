@@ -12,8 +12,8 @@ import pytest
 from sweetspot import catalog
 from sweetspot.calibration.outline.outline_file import read_outline
 from sweetspot.errors import InputError
+from tests.real_data import real_file
 
-CALIPER = Path(__file__).parents[4] / "shared" / "data" / "caliper_bat.csv"
 INCHES = np.arange(0, 34.01, 0.5)
 
 
@@ -44,10 +44,9 @@ def test_units_ends_and_girths(
     np.testing.assert_allclose(found[:, 1], bat.diameter_at(places), rtol=1e-9)
 
 
-@pytest.mark.skipif(not CALIPER.exists(), reason="the shared caliper readings are not here")
 def test_a_real_bat_by_caliper() -> None:
     """33 readings of a 34-in bat from the tip; the ends are assumed, and it weighs what bats weigh."""
-    outline = read_outline(CALIPER, length=34 * 0.0254)
+    outline = read_outline(real_file("caliper_bat.csv"), length=34 * 0.0254)
     sizes = dict(outline.profile)
     assert len(outline.profile) == 33 + len(outline.assumed)
     assert max(sizes.values()) == pytest.approx(63.1e-3)

@@ -6,7 +6,6 @@ import csv
 import gzip
 import math
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -34,6 +33,7 @@ from sweetspot.flight.pitch import (
 from sweetspot.flight.trajectory import fly
 from sweetspot.motion.ball_motion import BallMotion
 from sweetspot.units import FOOT, MPH, RPM
+from tests.real_data import real_file
 
 Array = NDArray[np.float64]
 DAY = "savant_2020-09-03_allpitches.csv.gz"
@@ -48,10 +48,7 @@ AIR = Air(temperature=24.0, elevation=290 * FOOT)
 @cache
 def read(name: str) -> dict[str, Any]:
     """Return the rows that have all nine parameters, as columns in the file's units."""
-    path = Path(__file__).parents[4] / "shared" / "data" / name
-    if not path.exists():
-        pytest.skip(f"the public file {name} is not here; it is no part of the project")
-    rows = list(csv.DictReader(gzip.decompress(path.read_bytes()).decode().splitlines()))
+    rows = list(csv.DictReader(gzip.decompress(real_file(name).read_bytes()).decode().splitlines()))
     rows = [row for row in rows if all(row[field] for field in (*FIELDS, "release_spin_rate"))]
     columns: dict[str, Any] = {field: np.array([float(row[field]) for row in rows]) for field in FIELDS}
     words = [field for field in ("pitch_type", "spin_axis") if field in rows[0]]
