@@ -23,10 +23,7 @@ def test_error_against_rate(
     few = slice(0, count)
 
     def run(step: float, rows: slice = slice(None)) -> Any:
-        return hits(
-            modes(), ball=ball(), position=places[rows], closing_speed=closing[rows], step=step, keep_motion=False,
-            threads=2,
-        )  # fmt: skip
+        return hits(modes(), ball=ball(), position=places[rows], closing_speed=closing[rows], step=step, threads=2)
 
     def exit_speeds(step: float) -> Any:
         return exit_speed(run(step, few).collision_efficiency, closing[few])

@@ -15,9 +15,10 @@ from benchmarks.cases import QUICK, best, measured
 from sweetspot import catalog
 from sweetspot.flight import kernel
 from sweetspot.flight.air import Air
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.flight.trajectory import fly
-from sweetspot.motion.ball_motion import BallMotion, launched
+from sweetspot.motion.ball_motion import BallMotion, BallMotions, launched
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
 
 Record = Callable[..., None]
@@ -45,9 +46,11 @@ def game_flights(count: int) -> tuple[Array, Array]:
 def flown(count: int, step: float = kernel.STEP, threads: int = 2) -> Flights:
     velocity, spin = game_flights(count)
     return flights(
-        START, velocity, spin, ball=catalog.ball(), aerodynamics=catalog.aerodynamics("baseball"), air=AIR, step=step,
+        BallMotions(velocity=velocity, spin=spin, position=START),
+        FlightConditions(ball=catalog.ball(), aerodynamics=catalog.aerodynamics("baseball"), air=AIR),
+        step=step,
         threads=threads,
-    )  # fmt: skip
+    )
 
 
 def test_many_flights(benchmark: Any, record: Record) -> None:
@@ -76,7 +79,7 @@ def test_one_flight(benchmark: Any, record: Record) -> None:
     velocity, spin = (column[0] for column in game_flights(1))
     motion = BallMotion(position=np.array(START), velocity=velocity, spin=spin)
     law, ball = catalog.aerodynamics("baseball"), catalog.ball()
-    seconds = measured(benchmark, lambda: fly(motion, ball=ball, aerodynamics=law, air=AIR))
+    seconds = measured(benchmark, lambda: fly(motion, FlightConditions(ball=ball, aerodynamics=law, air=AIR)))
     in_kernel = best(lambda: flown(1), 50)
     record("one flight, readable", f"{1e3 * seconds:.1f} ms")
     record("one flight, kernel", f"{1e6 * in_kernel:.0f} us")
@@ -97,16 +100,23 @@ def test_beside_pybaseball(benchmark: Any, record: Record) -> None:
 
     hits = [
         launched(
-            speed=speed * MPH, launch_angle=angle * DEGREE, spray=spray * DEGREE, backspin=spin * RPM, height=3 * FOOT,
-            forward=2 * FOOT,
+            speed=speed * MPH, launch_angle=angle * DEGREE, spray=spray * DEGREE, backspin=spin * RPM,
+            position=(0.0, 2 * FOOT, 3 * FOOT),
         )
         for speed, angle, spray, spin in asked.tolist()
     ]  # fmt: skip
     ours = flights(
-        np.array([hit.position for hit in hits]), np.array([hit.velocity for hit in hits]),
-        np.array([hit.spin for hit in hits]), ball=catalog.ball(), air=AIR,
-        aerodynamics=catalog.aerodynamics("trajectory-calculator").replaced(spin_decay_time=None),
-    )  # fmt: skip
+        BallMotions(
+            velocity=np.array([hit.velocity for hit in hits]),
+            spin=np.array([hit.spin for hit in hits]),
+            position=np.array([hit.position for hit in hits]),
+        ),
+        FlightConditions(
+            ball=catalog.ball(),
+            aerodynamics=catalog.aerodynamics("trajectory-calculator").replaced(spin_decay_time=None),
+            air=AIR,
+        ),
+    )
     assert np.abs(ours.carry / FOOT - theirs(0.01)).max() < 1.0
     many = measured(benchmark, lambda: flown(20_000), 5) / 20_000
     for step, name in ((0.01, "its usual step"), (0.5, "its step 0.5 s")):

@@ -65,9 +65,7 @@ def test_many_hits(benchmark: Any, record: Record) -> None:
     places, closing = game_hits(cases.MANY)
 
     def run(threads: int) -> Callable[[], object]:
-        return lambda: hits(
-            modes(), ball=ball(), position=places, closing_speed=closing, keep_motion=False, threads=threads
-        )
+        return lambda: hits(modes(), ball=ball(), position=places, closing_speed=closing, threads=threads)
 
     both = measured(benchmark, run(2), 3 if QUICK else 5)
     one = best(run(1), 2 if QUICK else 3)
@@ -84,9 +82,7 @@ def test_many_hits_beside_numpy(benchmark: Any, record: Record) -> None:
         return numpy_hits.efficiencies(bare, ball=ball(), position=places, closing=closing, step=kernel.STEP)
 
     def ours() -> Any:
-        return hits(
-            bare, ball=ball(), position=places, closing_speed=closing, step=kernel.STEP, keep_motion=False, threads=1
-        )
+        return hits(bare, ball=ball(), position=places, closing_speed=closing, step=kernel.STEP, threads=1)
 
     seconds, rival_seconds = measured(benchmark, ours), best(rival, 3)
     apart = float(np.abs(ours().collision_efficiency - rival()).max())
@@ -103,7 +99,7 @@ def test_how_near_the_machine_s_limit(benchmark: Any, record: Record) -> None:
     places, closing = game_hits(count)
 
     def ours() -> Any:
-        return hits(modes(), ball=ball(), position=places, closing_speed=closing, keep_motion=False, threads=1)
+        return hits(modes(), ball=ball(), position=places, closing_speed=closing, threads=1)
 
     seconds = measured(benchmark, ours, 3 if QUICK else 10)
     steps = float(np.mean(ours().release_time)) / kernel.STEP + 1

@@ -12,15 +12,17 @@ import numpy as np
 from benchmarks.cases import QUICK, ball, duration, measured
 from sweetspot import catalog
 from sweetspot.analysis.full_play import Plays, plays
+from sweetspot.collision.hit_in_space import Contact
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.equipment.bat import Bat
 from sweetspot.flight.air import Air
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.motion.ball_motion import launched
-from sweetspot.motion.swing_path import path_axes, steep_enough
+from sweetspot.motion.swing_path import Swings, path_axes, steep_enough
 from sweetspot.units import DEGREE, INCH, MPH, RPM
 
 COUNT = 2_000 if QUICK else 100_000
-PITCH = launched(speed=82 * MPH, launch_angle=-6 * DEGREE, spray=math.pi, backspin=2200 * RPM)
+PITCH = launched(speed=82 * MPH, launch_angle=-6 * DEGREE, spray=math.pi, backspin=2200 * RPM, position=(0.0, 0.6, 0.9))
 
 
 @cache
@@ -35,10 +37,12 @@ def played(count: int) -> Plays:
     attack, tilt = draw.normal(9, 8, count) * DEGREE, draw.normal(32, 7, count) * DEGREE
     axes = path_axes(attack, 0.0, tilt=steep_enough(tilt, attack), left=False)
     return plays(
-        model(), ball=ball(), bat_speed=draw.normal(71, 5, count) * MPH, axes=axes, pitch_velocity=PITCH.velocity,
-        pitch_spin=PITCH.spin, position=model().bat.length - draw.uniform(4, 9, count) * INCH,
-        offset=draw.normal(0.2, 0.9, count) * INCH, aerodynamics=catalog.aerodynamics("baseball"), air=Air(),
-    )  # fmt: skip
+        model(),
+        FlightConditions(ball=ball(), aerodynamics=catalog.aerodynamics("baseball"), air=Air()),
+        swings=Swings(draw.normal(71, 5, count) * MPH, axes),
+        pitches=PITCH,
+        contact=Contact(model().bat.length - draw.uniform(4, 9, count) * INCH, draw.normal(0.2, 0.9, count) * INCH),
+    )
 
 
 def test_one_play(benchmark: Any, record: Callable[..., None]) -> None:

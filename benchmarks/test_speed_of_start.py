@@ -61,8 +61,7 @@ def test_report(benchmark: Any, record: Record, tmp_path: Path) -> None:
         (
             f"{MANY:,} hits",
             BAT + "import numpy as np; m = bending_modes(beam_model(b)); "
-            f"hits(m, ball=catalog.ball(), position=np.linspace(.6, .8, {MANY}), closing_speed=70.0, "
-            "keep_motion=False); ",
+            f"hits(m, ball=catalog.ball(), position=np.linspace(.6, .8, {MANY}), closing_speed=70.0); ",
         ),
     ],
     ids=["analysis", "hits"],

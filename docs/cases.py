@@ -8,8 +8,10 @@ from typing import Any
 from sweetspot import analyse, catalog, standard_conditions
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.optimum import BestSwing, best_swing
+from sweetspot.analysis.optimum.swing import Held
 from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.flight.air import Air
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.units import INCH
 from sweetspot.validation.computations.pitching import flown
 
@@ -34,10 +36,8 @@ def best_contact(pitch: str, attack_angle: float | None = None) -> BestSwing:
     bat, ball = catalog.bat(FLAGSHIP), catalog.ball()
     return best_swing(
         reduced_bat(bat, ball=ball),
-        ball=ball,
+        FlightConditions(ball=ball, aerodynamics=catalog.aerodynamics(), air=Air()),
         swing=standard_conditions(bat).swing,
         pitch=flown(pitch, "pitched-baseball").plate,
-        aerodynamics=catalog.aerodynamics(),
-        air=Air(),
-        attack_angle=attack_angle,
+        held=Held(attack_angle=attack_angle),
     )

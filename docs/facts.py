@@ -194,16 +194,16 @@ def _collision(analysis: Analysis) -> dict[str, str]:
         return f"{100 * joules / of:.0f}"
 
     travels = {}
-    for contact in ("smooth", "grip"):
+    for rubbing in ("smooth", "grip"):
         found = oblique(
             best,
             ball=conditions.ball,
             body=analysis.body,
             ball_speed=conditions.pitch.speed,
             angle=np.radians(10),
-            contact=contact,
+            rubbing=rubbing,
         )
-        travels[f"travel_{contact}"] = f"{1e3 * found.travel:.0f}"
+        travels[f"travel_{rubbing}"] = f"{1e3 * found.travel:.0f}"
     return {
         "q_best": f"{best.collision_efficiency:.3f}",
         "peak_force": f"{best.peak_force / 1e3:.0f}",

@@ -16,6 +16,7 @@ from sweetspot.analysis.optimum import EasiestHomeRun, best_launch, easiest_home
 from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.records import Record, all_records, read_table
 from sweetspot.flight.air import Air
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.paper.chain import paper_rows
 from sweetspot.units import FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, RPM
 from sweetspot.validation.computations.pitching import flown
@@ -279,14 +280,18 @@ def optimum_table() -> str:
     return table(head, [list(row(name)) for name in catalog.delivery_names()])
 
 
+def _in_air(air: Air) -> FlightConditions:
+    """Return what a baseball flies through."""
+    return FlightConditions(ball=catalog.ball(), aerodynamics=catalog.aerodynamics(), air=air)
+
+
 def launch_table() -> str:
     """Return the best launch angle for some exit speeds and spins."""
 
     def row(speed: int) -> Iterator[str]:
         yield str(speed)
         for rate in (1500, 2200, 3000):
-            law = {"ball": catalog.ball(), "aerodynamics": catalog.aerodynamics(), "air": Air()}
-            best = best_launch(speed * MPH, backspin=rate * RPM, **law)
+            best = best_launch(speed * MPH, _in_air(Air()), backspin=rate * RPM)
             yield f"{math.degrees(best.launch_angle):.1f}"
             yield f"{best.carry / FOOT:.0f}"
 
@@ -296,8 +301,7 @@ def launch_table() -> str:
 
 def home_runs_table() -> str:
     """Return the slowest home run of each park, slowest first."""
-    law = {"backspin": 2200 * RPM, "ball": catalog.ball(), "aerodynamics": catalog.aerodynamics()}
-    found = [easiest_home_run(park, air=own_air(Air(), park), **law) for park in catalog.parks()]
+    found = [easiest_home_run(park, _in_air(own_air(Air(), park)), backspin=2200 * RPM) for park in catalog.parks()]
 
     def row(best: EasiestHomeRun) -> Iterator[str]:
         yield best.park.name

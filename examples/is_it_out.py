@@ -5,8 +5,7 @@ Run: python examples/is_it_out.py
 
 from math import pi
 
-from sweetspot import Air, Swing, SwingPath, catalog, landings_everywhere, launched
-from sweetspot.analysis.full_play import play
+from sweetspot import Air, Contact, FlightConditions, Swing, SwingPath, catalog, landings_everywhere, launched, play
 from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, RPM
 
@@ -14,24 +13,20 @@ bat, ball, wings = catalog.bat("r161-ash"), catalog.ball(), catalog.aerodynamics
 model = reduced_bat(bat, ball=ball)
 place = bat.length - 6 * INCH
 fastball = launched(
-    speed=85 * MPH, launch_angle=-6 * DEGREE, spray=pi, backspin=2200 * RPM, height=3 * FOOT, forward=2 * FOOT
+    speed=85 * MPH, launch_angle=-6 * DEGREE, spray=pi, backspin=2200 * RPM, position=(0.0, 2 * FOOT, 3 * FOOT)
 )
 swing = Swing(bat_speed=74 * MPH, measured_at=place)
 path = SwingPath(attack_angle=9 * DEGREE, attack_direction=-12 * DEGREE, tilt=32 * DEGREE)
+usual = FlightConditions(ball=ball, aerodynamics=wings, air=Air())
 parks = [catalog.park(name) for name in catalog.park_names()]
 best = (0, 0.0, 0.0)
 for tenths in range(2, 13, 2):
     offset = tenths / 10 * INCH
-    found = play(
-        model, ball=ball, swing=swing, path=path, pitch=fastball, position=place, offset=offset,
-        aerodynamics=wings, air=Air(),
-    )  # fmt: skip
-    hit = found.strike.launched
-    ends = landings_everywhere(
-        hit.position, hit.velocity, hit.spin, parks=parks, ball=ball, aerodynamics=wings, air=Air()
-    )
+    played = play(model, usual, swing=swing, path=path, pitch=fastball, contact=Contact(place, offset))
+    hit = played.strike.launched
+    ends = landings_everywhere(hit, usual, parks=parks)
     out = sum(int(end.out.sum()) for end in ends)
-    carry = found.flight.carry / FOOT
+    carry = played.flight.carry / FOOT
     up = hit.launch_angle / DEGREE
     print(f"{offset / INCH:.1f} in below: {hit.speed / MPH:5.1f} mph, {up:4.1f} deg up, {carry:3.0f} ft, out in {out}")
     best = max(best, (out, carry, offset / INCH))

@@ -155,6 +155,56 @@ def test_no_module_is_named_like_its_function() -> None:
     assert not wrong, "\n".join(wrong)
 
 
+MOST_PARAMETERS = 7
+OPTIONS, KERNELS = "cli/", {"compiled", "njit"}
+"""Commands take their options one by one, compiled kernels their arrays; both show them in groups elsewhere."""
+
+
+def public_functions(tree: ast.AST) -> Iterator[ast.FunctionDef]:
+    """Yield the public functions of a file and the public methods of its public classes."""
+    for node in ast.iter_child_nodes(tree):
+        if isinstance(node, ast.FunctionDef) and not node.name.startswith("_"):
+            yield node
+        elif isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
+            yield from public_functions(node)
+
+
+def parameters(function: ast.FunctionDef) -> int:
+    """Return how many parameters a function has; ``self`` and ``cls`` are none."""
+    given = function.args
+    names = [one.arg for one in (*given.posonlyargs, *given.args, *given.kwonlyargs)]
+    return len([name for name in names if name not in {"self", "cls"}])
+
+
+def long_trains(source: str) -> list[str]:
+    """Return the public functions of a source text that take more than `MOST_PARAMETERS`; kernels may."""
+    trains = []
+    for function in public_functions(ast.parse(source)):
+        marks = {ast.unparse(mark).split("(")[0] for mark in function.decorator_list}
+        if not marks & KERNELS and parameters(function) > MOST_PARAMETERS:
+            trains.append(f"{function.name} takes {parameters(function)}")
+    return trains
+
+
+def test_nothing_public_takes_a_train_of_arguments() -> None:
+    """Values (`Contact`, `FlightConditions`, ...) take their place."""
+    wrong = [
+        f"{path.relative_to(ROOT)}: {train}"
+        for path in files()
+        if not path.relative_to(ROOT).as_posix().startswith(OPTIONS)
+        for train in long_trains(path.read_text(encoding="utf-8"))
+    ]
+    assert not wrong, "\n".join(wrong)
+
+
+def test_planted_trains_are_seen() -> None:
+    eight = ", ".join("abcdefgh")
+    assert long_trains(f"class A:\n    def f(self, {eight}): ...\ndef g(*, {eight}): ...") == [
+        "f takes 8", "g takes 8",
+    ]  # fmt: skip
+    assert not long_trains(f"def _f({eight}): ...\n@compiled()\ndef g({eight}): ...\ndef h({eight[:-3]}): ...")
+
+
 def test_the_house_has_few_rooms() -> None:
     names = {path.name for path in ROOT.iterdir() if not path.name.startswith((".", "__pycache__"))}
     assert len(names - {"py.typed", "references.bib", "__init__.pyi"}) <= 20, sorted(names)

@@ -27,10 +27,11 @@ from sweetspot.flight.aerodynamics import REFERENCE_REYNOLDS, VISCOSITY, Aerodyn
 from sweetspot.flight.air import Air
 from sweetspot.flight.batted_spin import batted_ball_spin
 from sweetspot.flight.bearing import bearing_of_place, launched_to
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.home_runs import home_run_chances
 from sweetspot.flight.kernel import Flights
 from sweetspot.flight.pitch import PLATE, nine_parameters, spin_from_movement
-from sweetspot.motion.ball_motion import spin_axes
+from sweetspot.motion.ball_motion import BallMotions, spin_axes
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
 
 Array = NDArray[np.float64]
@@ -267,19 +268,26 @@ def scatter(hits: Hits, law: Aerodynamics) -> None:
 def home_runs(hits: Hits, law: Aerodynamics) -> None:
     """Print how many home runs the balls should have been in their own parks, and were, by chance."""
     spray, _ = launched_to(
-        hits.bearing, exit_speed=hits.exit_speed, launch_angle=hits.launch_angle, ball=catalog.ball(), aerodynamics=law,
-        air=hits.density, bats=hits.bats,
-    )  # fmt: skip
+        hits.bearing,
+        exit_speed=hits.exit_speed,
+        launch_angle=hits.launch_angle,
+        bats=hits.bats,
+        conditions=FlightConditions(ball=catalog.ball(), aerodynamics=law, air=hits.density),
+    )
     axes = spin_axes(hits.launch_angle, spray)
     backspin, sidespin = batted_ball_spin(hits.launch_angle, spray, bats=hits.bats)
     chance = np.zeros(len(spray))
     for team in np.unique(hits.home):
         here = hits.home == team
         chance[here] = home_run_chances(
-            [0.0, 2 * FOOT, 3 * FOOT], (hits.exit_speed[:, None] * axes[2])[here],
-            (backspin[:, None] * axes[0] + sidespin[:, None] * axes[1])[here],
-            parks=[catalog.park(team, 2022)], ball=catalog.ball(), aerodynamics=law, air=Air(temperature=TEMPERATURE),
-        ).chance[:, 0]  # fmt: skip
+            BallMotions(
+                velocity=(hits.exit_speed[:, None] * axes[2])[here],
+                spin=(backspin[:, None] * axes[0] + sidespin[:, None] * axes[1])[here],
+                position=[0.0, 2 * FOOT, 3 * FOOT],
+            ),
+            FlightConditions(ball=catalog.ball(), aerodynamics=law, air=Air(temperature=TEMPERATURE)),
+            parks=[catalog.park(team, 2022)],
+        ).chance[:, 0]
     for name, rows in (("roof", hits.roof), ("open", ~hits.roof), ("all", chance >= 0)):
         brier = np.mean((chance - hits.home_run)[rows] ** 2)
         print(

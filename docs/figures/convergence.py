@@ -116,7 +116,7 @@ def mode_count_convergence() -> Figure:
 
 
 def _exit_speeds(modes: Modes, places: Array, step: float) -> Array:
-    done = hits(modes, ball=catalog.ball(), position=places, closing_speed=CLOSING, step=step, keep_motion=False)
+    done = hits(modes, ball=catalog.ball(), position=places, closing_speed=CLOSING, step=step)
     q = done.collision_efficiency
     return q * PITCH + (1 + q) * (CLOSING - PITCH)
 

@@ -10,10 +10,11 @@ from matplotlib.figure import Figure
 from figures.style import BLUE, GREEN, GREY, INK, RED, new_figure
 from sweetspot import catalog
 from sweetspot.flight.air import VACUUM, Air
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import STEP, Flights, flights
 from sweetspot.flight.sweep import BattedBall
 from sweetspot.flight.trajectory import fly
-from sweetspot.motion.ball_motion import spin_axes
+from sweetspot.motion.ball_motion import BallMotions, spin_axes
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
 
 HIT = BattedBall(exit_speed=100 * MPH, launch_angle=28 * DEGREE, temperature=70 / 1.8 - 32 / 1.8)
@@ -29,8 +30,12 @@ def flight_figure() -> Figure:
         ("sea level, calm", HIT, None, INK),
         ("wind 10 mph in", replace(HIT, wind_speed=10 * MPH, wind_direction=np.pi), None, BLUE),
     ):
-        flight = fly(hit.motion, ball=catalog.ball(), aerodynamics=catalog.aerodynamics("baseball"),
-                     air=air or hit.air, wind=hit.wind)  # fmt: skip
+        flight = fly(
+            hit.motion,
+            FlightConditions(
+                ball=catalog.ball(), aerodynamics=catalog.aerodynamics("baseball"), air=air or hit.air, wind=hit.wind
+            ),
+        )
         over_ground = np.hypot(flight.positions[:, 0], flight.positions[:, 1]) / FOOT
         paths.plot(over_ground, flight.positions[:, 2] / FOOT, color=color, label=f"{label}: {over_ground[-1]:.0f} ft")
     paths.set(xlabel="distance over the ground, ft", ylabel="height, ft (stretched)", ylim=(0, 150))
@@ -48,9 +53,12 @@ def carried(speed: float, backspin: np.ndarray, step: float = STEP) -> Flights:
     """Return flights of `HIT` at another speed (m/s), without sidespin, for many rates of backspin (rad/s)."""
     axes = spin_axes(HIT.launch_angle, 0.0)
     return flights(
-        HIT.motion.position, speed * axes[2], backspin[:, None] * axes[0], ball=catalog.ball(),
-        aerodynamics=catalog.aerodynamics("baseball"), air=Air(temperature=HIT.temperature), step=step,
-    )  # fmt: skip
+        BallMotions(velocity=speed * axes[2], spin=backspin[:, None] * axes[0], position=HIT.motion.position),
+        FlightConditions(
+            ball=catalog.ball(), aerodynamics=catalog.aerodynamics("baseball"), air=Air(temperature=HIT.temperature)
+        ),
+        step=step,
+    )
 
 
 def flight_convergence() -> Figure:

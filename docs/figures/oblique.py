@@ -9,9 +9,9 @@ from cases import analysed
 from matplotlib.figure import Figure
 
 from figures.style import BLUE, GREY, RED, new_figure
-from sweetspot.collision.hit_in_space import Strikes, strikes
+from sweetspot.collision.hit_in_space import Contact, Strikes, strikes
 from sweetspot.motion.ball_motion import launch_angles, launched
-from sweetspot.motion.swing_path import SwingPath
+from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.units import DEGREE, INCH, MPH, RPM
 
 OFFSETS = np.linspace(-1.0, 1.75, 56) * INCH
@@ -49,10 +49,7 @@ def _swept(path: SwingPath) -> Strikes:
     return strikes(
         analysis.reduced,
         ball=analysis.conditions.ball,
-        bat_speed=np.full(len(OFFSETS), BAT_SPEED),
-        axes=path.axes,
-        pitch_velocity=pitch.velocity,
-        pitch_spin=pitch.spin,
-        position=np.full(len(OFFSETS), place),
-        offset=OFFSETS,
+        swings=Swings(np.full(len(OFFSETS), BAT_SPEED), path.axes),
+        pitches=pitch,
+        contact=Contact(np.full(len(OFFSETS), place), OFFSETS),
     )

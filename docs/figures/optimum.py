@@ -11,9 +11,12 @@ from figures.style import INK, RED, new_figure
 from sweetspot import catalog, standard_conditions
 from sweetspot.analysis.full_play import plays
 from sweetspot.analysis.optimum import best_swing
+from sweetspot.collision.hit_in_space import Contact
 from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.flight.air import Air
-from sweetspot.motion.swing_path import path_axes
+from sweetspot.flight.conditions import FlightConditions
+from sweetspot.motion.ball_motion import BallMotions
+from sweetspot.motion.swing_path import Swings, path_axes
 from sweetspot.units import FOOT, INCH
 from sweetspot.validation.computations.pitching import flown
 
@@ -28,15 +31,18 @@ def optimum_figure() -> Figure:
     bat, ball = catalog.bat(), catalog.ball()
     model, swing = reduced_bat(bat, ball=ball), standard_conditions(bat).swing
     pitch = flown("four-seam", "pitched-baseball").plate
-    conditions = {"ball": ball, "aerodynamics": catalog.aerodynamics(), "air": Air()}
-    best = best_swing(model, swing=swing, pitch=pitch, **conditions)
+    conditions = FlightConditions(ball=ball, aerodynamics=catalog.aerodynamics(), air=Air())
+    best = best_swing(model, conditions, swing=swing, pitch=pitch)
     angle, offset = np.meshgrid(ANGLES, OFFSETS)
     place = np.full(angle.size, best.position)
+    axes = path_axes(angle.ravel(), 0.0, tilt=np.abs(angle.ravel()), left=False)
     found = plays(
-        model, bat_speed=swing.speed_at(best.position) * np.ones(angle.size),
-        axes=path_axes(angle.ravel(), 0.0, tilt=np.abs(angle.ravel()), left=False), pitch_velocity=pitch.velocity,
-        pitch_spin=pitch.spin, position=place, offset=offset.ravel(), **conditions,
-    )  # fmt: skip
+        model,
+        conditions,
+        swings=Swings(swing.speed_at(best.position) * np.ones(angle.size), axes),
+        pitches=BallMotions(velocity=pitch.velocity, spin=pitch.spin),
+        contact=Contact(place, offset.ravel()),
+    )
     velocity = found.strikes.velocity
     launch = np.degrees(np.arctan2(velocity[:, 2], np.hypot(velocity[:, 0], velocity[:, 1]))).reshape(angle.shape)
     carry = found.flights.carry.reshape(angle.shape) / FOOT

@@ -7,9 +7,10 @@ from .analysis.comparison import Comparison, compare
 from .analysis.full_play import play, plays
 from .catalog.standard_hit import standard_conditions
 from .collision.coupled import hit
-from .collision.hit_in_space import strike, strikes
+from .collision.hit_in_space import Contact, strike, strikes
 from .collision.impact import Impact
-from .collision.kernel import hits
+from .collision.kernel import hits, hits_with_motion
+from .collision.oblique_contact import Friction
 from .dynamics.beam import BeamModel, beam_model
 from .dynamics.bending import bending_modes
 from .dynamics.hands import gripped
@@ -23,11 +24,12 @@ from .equipment.material import Material
 from .errors import InputError, SweetspotError
 from .flight.air import Air, Wind
 from .flight.all_parks import landings_everywhere
+from .flight.conditions import FlightConditions
 from .flight.kernel import flights
 from .flight.trajectory import Flight, fly
-from .motion.ball_motion import BallMotion, launched
+from .motion.ball_motion import BallMotion, BallMotions, launched
 from .motion.swing import Conditions, Hands, Pitch, Swing
-from .motion.swing_path import SwingPath
+from .motion.swing_path import SwingPath, Swings
 from .paper.chain import paper_rows
 
 __version__: str
@@ -37,12 +39,16 @@ __all__ = [
     "Analysis",
     "Ball",
     "BallMotion",
+    "BallMotions",
     "Bat",
     "BeamModel",
     "Certification",
     "Comparison",
     "Conditions",
+    "Contact",
     "Flight",
+    "FlightConditions",
+    "Friction",
     "Hands",
     "Impact",
     "InputError",
@@ -54,6 +60,7 @@ __all__ = [
     "SweetspotError",
     "Swing",
     "SwingPath",
+    "Swings",
     "Wind",
     "all_modes",
     "analyse",
@@ -71,6 +78,7 @@ __all__ = [
     "hit",
     "hit_at",
     "hits",
+    "hits_with_motion",
     "hoop_modes",
     "landings_everywhere",
     "launched",

@@ -10,19 +10,21 @@ import pytest
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.full_play import Play, play, plays
+from sweetspot.collision.hit_in_space import Contact
 from sweetspot.collision.impact import Outcome
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.bat import Bat
 from sweetspot.flight.air import VACUUM, Air
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.trajectory import fly
-from sweetspot.motion.ball_motion import BallMotion, launched
+from sweetspot.motion.ball_motion import BallMotion, BallMotions, launched
 from sweetspot.motion.swing import Swing
-from sweetspot.motion.swing_path import SwingPath
+from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, RPM
 
 BALL = catalog.ball()
 PITCH = launched(
-    speed=82 * MPH, launch_angle=-6.5 * DEGREE, spray=math.pi, backspin=2300 * RPM, height=0.9, forward=0.6
+    speed=82 * MPH, launch_angle=-6.5 * DEGREE, spray=math.pi, backspin=2300 * RPM, position=(0.0, 0.6, 0.9)
 )
 PATH = SwingPath(attack_angle=9 * DEGREE, tilt=32 * DEGREE)
 AERODYNAMICS = catalog.aerodynamics("baseball")
@@ -36,15 +38,19 @@ def model(analysis: Analysis) -> ReducedBat[Bat]:
 def played(model: ReducedBat[Bat], *, offset: float = 0.6 * INCH, air: Air = Air(), pitch: BallMotion = PITCH) -> Play:  # noqa: B008
     place = model.bat.length - 6 * INCH
     return play(
-        model, ball=BALL, swing=Swing(bat_speed=72 * MPH, measured_at=place), path=PATH, pitch=pitch, position=place,
-        offset=offset, aerodynamics=AERODYNAMICS, air=air,
-    )  # fmt: skip
+        model,
+        FlightConditions(ball=BALL, aerodynamics=AERODYNAMICS, air=air),
+        swing=Swing(bat_speed=72 * MPH, measured_at=place),
+        path=PATH,
+        pitch=pitch,
+        contact=Contact(place, offset),
+    )
 
 
 def test_the_whole_is_its_parts(model: ReducedBat[Bat]) -> None:
     found = played(model)
     assert found.strike.launched is not None and found.flight is not None
-    alone = fly(found.strike.launched, ball=BALL, aerodynamics=AERODYNAMICS, air=Air())
+    alone = fly(found.strike.launched, FlightConditions(ball=BALL, aerodynamics=AERODYNAMICS, air=Air()))
     assert found.flight.carry == alone.carry
     assert found.flight.launch.position == pytest.approx(PITCH.position)
 
@@ -73,10 +79,12 @@ def test_one_and_many_agree(model: ReducedBat[Bat]) -> None:
     place = model.bat.length - 6 * INCH
     offsets = np.array([0.2, 0.6, 1.0, 9.0]) * INCH
     many = plays(
-        model, ball=BALL, bat_speed=np.full(4, 72 * MPH), axes=PATH.axes, pitch_velocity=PITCH.velocity,
-        pitch_spin=PITCH.spin, position=np.full(4, place), offset=offsets, start=PITCH.position,
-        aerodynamics=AERODYNAMICS, air=Air(),
-    )  # fmt: skip
+        model,
+        FlightConditions(ball=BALL, aerodynamics=AERODYNAMICS, air=Air()),
+        swings=Swings(np.full(4, 72 * MPH), PATH.axes),
+        pitches=BallMotions(velocity=PITCH.velocity, spin=PITCH.spin, position=PITCH.position),
+        contact=Contact(np.full(4, place), offsets),
+    )
     for row, offset in enumerate(offsets[:3]):
         one = played(model, offset=offset).flight
         assert one is not None

@@ -13,6 +13,7 @@ import pytest
 from sweetspot import catalog
 from sweetspot.analysis.optimum import best_launch
 from sweetspot.flight.air import Air
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.units import FOOT, MPH, RPM
 
 Run = Callable[..., tuple[int, str, str]]
@@ -60,9 +61,10 @@ def test_files_and_units(run: Run, tmp_path: Path) -> None:
 def test_the_ball_that_was_asked_for_is_flown(run_json: Callable[..., Any]) -> None:
     arguments = ("--show", "launch", "--exit-speed", "90mph", "--ball", "softball-12in")
     best = best_launch(
-        90 * MPH, backspin=2200 * RPM, ball=catalog.ball("softball-12in"),
-        aerodynamics=catalog.aerodynamics("softball"), air=Air(),
-    )  # fmt: skip
+        90 * MPH,
+        FlightConditions(ball=catalog.ball("softball-12in"), aerodynamics=catalog.aerodynamics("softball"), air=Air()),
+        backspin=2200 * RPM,
+    )
     assert run_json("optimum", *arguments)["launches"][0]["carry_m"] == pytest.approx(best.carry, rel=1e-3)
 
 

@@ -12,8 +12,10 @@ import pytest
 from sweetspot import catalog
 from sweetspot.analysis.full_play import play
 from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.collision.hit_in_space import Contact
 from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.flight.air import Air
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.motion.ball_motion import launched
 from sweetspot.motion.swing import Swing
 from sweetspot.motion.swing_path import SwingPath
@@ -28,13 +30,23 @@ def test_the_command_gives_the_librarys_numbers(run_json: Callable[..., Any]) ->
                      "--elevation", "0ft", "--pressure", "1013.25hPa")  # fmt: skip
     bat, ball = catalog.bat("r161-ash"), catalog.ball()
     expected = play(
-        reduced_bat(bat, ball=ball), ball=ball, swing=Swing(bat_speed=74 * MPH, measured_at=bat.length - 6 * INCH),
+        reduced_bat(bat, ball=ball),
+        FlightConditions(
+            ball=ball,
+            aerodynamics=catalog.aerodynamics("baseball"),
+            air=Air(temperature=10.0, pressure=101325.0, humidity=0.5),
+        ),
+        swing=Swing(bat_speed=74 * MPH, measured_at=bat.length - 6 * INCH),
         path=SwingPath(attack_angle=11 * DEGREE, tilt=32 * DEGREE, bats="left"),
-        pitch=launched(speed=84 * MPH, launch_angle=-6 * DEGREE, spray=math.pi, backspin=2200 * RPM, height=3 * FOOT,
-                       forward=2 * FOOT),
-        position=bat.length - 5 * INCH, offset=0.5 * INCH, aerodynamics=catalog.aerodynamics("baseball"),
-        air=Air(temperature=10.0, pressure=101325.0, humidity=0.5),
-    )  # fmt: skip
+        pitch=launched(
+            speed=84 * MPH,
+            launch_angle=-6 * DEGREE,
+            spray=math.pi,
+            backspin=2200 * RPM,
+            position=(0.0, 2 * FOOT, 3 * FOOT),
+        ),
+        contact=Contact(bat.length - 5 * INCH, 0.5 * INCH),
+    )
     assert expected.strike.launched is not None and expected.flight is not None
     assert found["exit_speed_m_s"] == pytest.approx(expected.strike.launched.speed, rel=1e-9)
     assert found["spray_rad"] == pytest.approx(expected.strike.launched.spray, rel=1e-9)
@@ -109,12 +121,19 @@ def test_a_softball_flies_by_a_softballs_drag(run_json: Callable[..., Any]) -> N
     flown = {}
     for law in ("softball", "baseball"):
         played = play(
-            reduced_bat(bat, ball=ball), ball=ball, swing=conditions.swing,
+            reduced_bat(bat, ball=ball),
+            FlightConditions(ball=ball, aerodynamics=catalog.aerodynamics(law), air=Air()),
+            swing=conditions.swing,
             path=SwingPath(attack_angle=9 * DEGREE, tilt=32 * DEGREE),
-            pitch=launched(speed=conditions.pitch.speed, launch_angle=-6 * DEGREE, spray=math.pi, backspin=2200 * RPM,
-                           height=3 * FOOT, forward=2 * FOOT),
-            position=bat.length - 6 * INCH, offset=0.9 * INCH, aerodynamics=catalog.aerodynamics(law), air=Air(),
-        )  # fmt: skip
+            pitch=launched(
+                speed=conditions.pitch.speed,
+                launch_angle=-6 * DEGREE,
+                spray=math.pi,
+                backspin=2200 * RPM,
+                position=(0.0, 2 * FOOT, 3 * FOOT),
+            ),
+            contact=Contact(bat.length - 6 * INCH, 0.9 * INCH),
+        )
         assert played.flight is not None
         flown[law] = played.flight.carry
     assert usual["flight"]["carry_m"] == asked["flight"]["carry_m"] == pytest.approx(flown["softball"], rel=1e-3)

@@ -14,14 +14,22 @@ from scipy.integrate import solve_ivp
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis
-from sweetspot.collision.hit_in_space import Strike, strike, strikes
-from sweetspot.collision.oblique_contact import SPHERE, ContactFrame, Give, contact_impulses, turning_surface
+from sweetspot.collision.hit_in_space import Contact, Strike, strike, strikes
+from sweetspot.collision.oblique_contact import (
+    SPHERE,
+    USUAL_FRICTION,
+    ContactFrame,
+    Friction,
+    Give,
+    contact_impulses,
+    turning_surface,
+)
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.ball import RestitutionLaw
 from sweetspot.equipment.bat import Bat
-from sweetspot.motion.ball_motion import BallMotion
+from sweetspot.motion.ball_motion import BallMotion, BallMotions
 from sweetspot.motion.swing import Swing
-from sweetspot.motion.swing_path import SwingPath
+from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.units import INCH, MPH
 
 ELASTIC = catalog.ball().replaced(restitution=RestitutionLaw(reference=1.0, reference_speed=25.0, slope=0.0))
@@ -38,12 +46,13 @@ def rigid(analysis: Analysis) -> ReducedBat[Bat]:
     return replace(analysis.reduced, modes=modes.kept(modes.of_family("rigid")))
 
 
-def met(model: ReducedBat[Bat], position: float, offset: float, spin: Vector, **more: float) -> Strike:
+def met(
+    model: ReducedBat[Bat], position: float, offset: float, spin: Vector, friction: Friction = USUAL_FRICTION
+) -> Strike:
     pitch = BallMotion(np.zeros(3), np.array([1.0, -37.0, -4.0]), np.array(spin))
     swing = Swing(bat_speed=31.0, measured_at=position)
-    return strike(
-        model, ball=ELASTIC, swing=swing, path=PATH, pitch=pitch, position=position, offset=offset, **more
-    )  # fmt: skip
+    contact = Contact(position, offset)
+    return strike(model, ball=ELASTIC, swing=swing, path=PATH, pitch=pitch, contact=contact, friction=friction)
 
 
 def integrated(
@@ -95,7 +104,7 @@ def test_gripping_contact_is_that_of_two_rigid_bodies(
     the exit speed of the case near the tip changes by another 0.03 %.
     """
     place = rigid.bat.length - from_tip * INCH
-    ours = met(rigid, place, offset, spin, tangential_restitution=0.0, friction=0.06).launched
+    ours = met(rigid, place, offset, spin, Friction(0.06, 0.0)).launched
     velocity, turning = integrated(rigid, place, offset, spin, friction=0.06)
     assert ours is not None
     assert ours.velocity == pytest.approx(velocity, abs=0.015)
@@ -105,7 +114,7 @@ def test_gripping_contact_is_that_of_two_rigid_bodies(
 def test_sliding_contact_is_that_of_two_rigid_bodies(rigid: ReducedBat[Bat]) -> None:
     """Coulomb's law all the way: the direction of friction turns a little, which in step with the push it does not."""
     place, spin = rigid.bat.length - 3 * INCH, (0.0, 0.0, 300.0)
-    found = met(rigid, place, 0.03, spin, tangential_restitution=0.0, friction=0.05)
+    found = met(rigid, place, 0.03, spin, Friction(0.05, 0.0))
     velocity, turning = integrated(rigid, place, 0.03, spin, friction=0.05)
     assert found.launched is not None and found.gripped is False
     assert found.launched.velocity == pytest.approx(velocity, abs=0.05)
@@ -124,9 +133,13 @@ def test_friction_never_exceeds_its_share_of_the_coupled_push() -> None:
     rng = np.random.default_rng(7)
     around, along = rng.normal(0, 40, (2, 200))
     found = contact_impulses(
-        around, along, give=Give(2.0, 3.0, 1.2, rng.uniform(-0.3, 0.3, 200)), ball_mass=0.145, normal_impulse=12.0,
-        friction=0.2,
-    )  # fmt: skip
+        around,
+        along,
+        give=Give(2.0, 3.0, 1.2, rng.uniform(-0.3, 0.3, 200)),
+        ball_mass=0.145,
+        normal_impulse=12.0,
+        friction=Friction(coefficient=0.2),
+    )
     assert 0 < found.gripped.sum() < 200
     size = np.hypot(found.around, found.along)
     assert np.all(size <= 0.2 * found.normal * (1 + 1e-12))
@@ -141,9 +154,14 @@ def test_the_front_of_a_turning_bat_moves_towards_the_hands(analysis: Analysis) 
 
     def along(friction: float) -> float:
         found = strike(
-            model, ball=analysis.conditions.ball, swing=swing, path=SwingPath(), pitch=pitch, position=place,
-            friction=friction,
-        ).launched  # fmt: skip
+            model,
+            ball=analysis.conditions.ball,
+            swing=swing,
+            path=SwingPath(),
+            pitch=pitch,
+            contact=Contact(place),
+            friction=Friction(coefficient=friction),
+        ).launched
         assert found is not None
         return float(found.velocity[0])  # a level bat of a right-hander points to the right
 
@@ -160,13 +178,20 @@ def test_an_axis_nearer_to_the_barrel_turns_the_bat_faster(analysis: Analysis) -
     spins = []
     for pivot in (0.0, 0.2):
         one = strike(
-            model, ball=catalog.ball(), swing=Swing(bat_speed=31.0, measured_at=place, pivot=pivot), path=PATH,
-            pitch=BallMotion(np.zeros(3), np.array([0, -37.0, -4.0]), np.zeros(3)), position=place, offset=0.01,
-        ).launched  # fmt: skip
+            model,
+            ball=catalog.ball(),
+            swing=Swing(bat_speed=31.0, measured_at=place, pivot=pivot),
+            path=PATH,
+            pitch=BallMotion(np.zeros(3), np.array([0, -37.0, -4.0]), np.zeros(3)),
+            contact=Contact(place, 0.01),
+        ).launched
         many = strikes(
-            model, ball=catalog.ball(), bat_speed=[31.0], axes=PATH.axes, pitch_velocity=[0, -37.0, -4.0],
-            pitch_spin=[0, 0, 0], position=[place], offset=[0.01], pivot=pivot,
-        )  # fmt: skip
+            model,
+            ball=catalog.ball(),
+            swings=Swings([31.0], PATH.axes, pivot),
+            pitches=BallMotions(velocity=[0, -37.0, -4.0], spin=[0, 0, 0]),
+            contact=Contact([place], [0.01]),
+        )
         assert one is not None
         assert many.spin[0] == pytest.approx(one.spin, rel=1e-3, abs=1.0)  # the kernel steps more coarsely
         spins.append(one.spin)

@@ -11,15 +11,15 @@ from hypothesis import strategies as st
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of, hit_at
-from sweetspot.collision.hit_in_space import Strike, Strikes, strike, strikes
+from sweetspot.collision.hit_in_space import Contact, Strike, Strikes, strike, strikes
 from sweetspot.collision.impact import Outcome
-from sweetspot.collision.oblique_contact import SPHERE
+from sweetspot.collision.oblique_contact import NO_FRICTION, SPHERE, Friction
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
-from sweetspot.motion.ball_motion import BallMotion
+from sweetspot.motion.ball_motion import BallMotion, BallMotions
 from sweetspot.motion.swing import Swing
-from sweetspot.motion.swing_path import SwingPath
+from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.units import INCH, MPH
 
 BALL = catalog.ball()
@@ -36,13 +36,13 @@ def pitched(speed: float = 82 * MPH, *, drop: float = 0.0, spin: tuple[float, fl
     return BallMotion(np.zeros(3), speed * np.array([0, -np.cos(drop), -np.sin(drop)]), np.array(spin, float))
 
 
-def struck(model: ReducedBat[Bat], **changes: object) -> Strike:
+def struck(model: ReducedBat[Bat], *, position: float | None = None, offset: float = 0.0, **changes: object) -> Strike:
     x = model.bat.length - 6 * INCH
-    given_ = {
+    usual = {
         "ball": BALL, "swing": Swing(bat_speed=72 * MPH, measured_at=x), "path": SwingPath(), "pitch": pitched(),
-        "position": x,
+        "contact": Contact(x if position is None else position, offset),
     }  # fmt: skip
-    return strike(model, **{**given_, **changes})  # type: ignore[arg-type]
+    return strike(model, **{**usual, **changes})  # type: ignore[arg-type]
 
 
 def test_head_on_is_the_main_job(model: ReducedBat[Bat], analysis: Analysis) -> None:
@@ -54,7 +54,11 @@ def test_head_on_is_the_main_job(model: ReducedBat[Bat], analysis: Analysis) -> 
     expected = exit_speed_of(hit_at(place, modes=analysis.modes, conditions=conditions), conditions)
     for friction, within in ((0.0, 1e-12), (0.2, 0.1)):
         found = struck(
-            model, swing=conditions.swing, position=place, pitch=pitched(conditions.pitch.speed), friction=friction
+            model,
+            swing=conditions.swing,
+            position=place,
+            pitch=pitched(conditions.pitch.speed),
+            friction=Friction(friction),
         )
         assert found.launched is not None
         assert found.launched.velocity == pytest.approx([0, expected, 0], rel=1e-12, abs=within)
@@ -67,7 +71,11 @@ def test_head_on_is_the_main_job(model: ReducedBat[Bat], analysis: Analysis) -> 
 def test_without_friction_the_spin_stays(model: ReducedBat[Bat], offset: float, attack: float, drop: float) -> None:
     spin = (-240.0, 30.0, 50.0)
     found = struck(
-        model, offset=offset, path=SwingPath(attack_angle=attack), pitch=pitched(drop=drop, spin=spin), friction=0.0
+        model,
+        offset=offset,
+        path=SwingPath(attack_angle=attack),
+        pitch=pitched(drop=drop, spin=spin),
+        friction=NO_FRICTION,
     )
     assert found.launched is not None
     assert found.launched.spin == pytest.approx(spin, abs=1e-12)
@@ -83,7 +91,14 @@ def batch(model: ReducedBat[Bat], seed: int, count: int = 60) -> tuple[Strikes, 
         "pitch_spin": rng.normal(0, 200, (count, 3)),
     }
     axes = SwingPath(attack_angle=0.15, attack_direction=-0.1, tilt=0.55).axes
-    return strikes(model, ball=BALL, axes=axes, **inputs), inputs  # type: ignore[arg-type]
+    many = strikes(
+        model,
+        ball=BALL,
+        swings=Swings(inputs["bat_speed"], axes),
+        pitches=BallMotions(velocity=inputs["pitch_velocity"], spin=inputs["pitch_spin"]),
+        contact=Contact(inputs["position"], inputs["offset"]),
+    )
+    return many, inputs
 
 
 def test_angular_momentum_about_the_contact_is_kept(model: ReducedBat[Bat]) -> None:
@@ -113,9 +128,12 @@ def test_one_and_many_agree(model: ReducedBat[Bat]) -> None:
     for place, offset in ((x, 0.01), (x + 0.04, -0.02), (x - 0.06, 0.03)):
         one = struck(model, swing=swing, path=path, position=place, offset=offset)
         many = strikes(
-            model, ball=BALL, bat_speed=[one.bat_speed], axes=path.axes, pitch_velocity=pitched().velocity,
-            pitch_spin=pitched().spin, position=[place], offset=[offset],
-        )  # fmt: skip
+            model,
+            ball=BALL,
+            swings=Swings([one.bat_speed], path.axes),
+            pitches=BallMotions(velocity=pitched().velocity, spin=pitched().spin),
+            contact=Contact([place], [offset]),
+        )
         assert one.launched is not None
         assert many.velocity[0] == pytest.approx(one.launched.velocity, rel=2e-4, abs=8e-3)
         assert many.spin[0] == pytest.approx(one.launched.spin, rel=1e-3, abs=0.8)
@@ -149,9 +167,12 @@ def test_a_miss_is_an_outcome(model: ReducedBat[Bat]) -> None:
         struck(model, pitch=BallMotion(np.zeros(3), np.array([0, 60.0, 0]), np.zeros(3))).outcome is Outcome.NO_CONTACT
     )
     found = strikes(
-        model, ball=BALL, bat_speed=[30.0, 30.0], axes=SwingPath().axes, pitch_velocity=[0, -30, 0],
-        pitch_spin=[0, 0, 0], position=[0.7, 0.7], offset=[0.2, 0.0],
-    )  # fmt: skip
+        model,
+        ball=BALL,
+        swings=Swings([30.0, 30.0], SwingPath().axes),
+        pitches=BallMotions(velocity=[0, -30, 0], spin=[0, 0, 0]),
+        contact=Contact([0.7, 0.7], [0.2, 0.0]),
+    )
     assert found.outcome.tolist() == [Outcome.MISS, Outcome.SEPARATED]
     assert np.isnan(found.exit_speed[0]) and found.exit_speed[1] > 30
 
@@ -159,9 +180,12 @@ def test_a_miss_is_an_outcome(model: ReducedBat[Bat]) -> None:
 def test_off_the_bat_is_refused(model: ReducedBat[Bat]) -> None:
     with pytest.raises(InputError, match="on the bat"):
         strikes(
-            model, ball=BALL, bat_speed=[30.0], axes=SwingPath().axes, pitch_velocity=[0, -30, 0], pitch_spin=[0, 0, 0],
-            position=[0.9],
-        )  # fmt: skip
+            model,
+            ball=BALL,
+            swings=Swings([30.0], SwingPath().axes),
+            pitches=BallMotions(velocity=[0, -30, 0], spin=[0, 0, 0]),
+            contact=Contact([0.9]),
+        )
 
 
 def test_grazing_contact_slides(model: ReducedBat[Bat]) -> None:

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from sweetspot import catalog
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impacts, Outcome
-from sweetspot.collision.kernel import CHUNK, hits
+from sweetspot.collision.kernel import CHUNK, hits_with_motion
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.hands import gripped
@@ -54,7 +54,7 @@ BATS = st.one_of(
 )
 def test_kernel_is_the_readable_version(modes: Modes, place: float, closing: float, step: float) -> None:
     one = hit(modes, ball=BALL, position=place, closing_speed=closing, step=step)
-    many = hits(modes, ball=BALL, position=place, closing_speed=closing, step=step)
+    many = hits_with_motion(modes, ball=BALL, position=place, closing_speed=closing, step=step)
     assert many.outcome[0] == one.outcome
     for name in NUMBERS:
         expected = getattr(one, name)
@@ -84,21 +84,23 @@ def rows(done: Impacts, which: Any) -> Impacts:
 def test_order_of_hits_does_not_matter() -> None:
     hits_ = crowd(1000)
     shuffled = np.random.default_rng(8).permutation(1000)
-    straight = hits(MODES, ball=BALL, **hits_)
-    mixed = hits(MODES, ball=BALL, **{name: values[shuffled] for name, values in hits_.items()})
+    straight = hits_with_motion(MODES, ball=BALL, **hits_)
+    mixed = hits_with_motion(MODES, ball=BALL, **{name: values[shuffled] for name, values in hits_.items()})
     assert_same(rows(straight, shuffled), mixed)
 
 
 def test_threads_do_not_matter() -> None:
     hits_ = crowd(2 * CHUNK + 123)
-    assert_same(hits(MODES, ball=BALL, threads=1, **hits_), hits(MODES, ball=BALL, threads=3, **hits_))
+    assert_same(
+        hits_with_motion(MODES, ball=BALL, threads=1, **hits_), hits_with_motion(MODES, ball=BALL, threads=3, **hits_)
+    )
 
 
 def test_company_does_not_matter() -> None:
     hits_ = crowd(1000)
-    together = hits(MODES, ball=BALL, **hits_)
+    together = hits_with_motion(MODES, ball=BALL, **hits_)
     for row in range(0, 1000, 97):
-        alone = hits(MODES, ball=BALL, **{name: values[row] for name, values in hits_.items()})
+        alone = hits_with_motion(MODES, ball=BALL, **{name: values[row] for name, values in hits_.items()})
         for name in (*NUMBERS, "displacement", "velocity"):
             expected = getattr(together, name)[row]
             scale = np.abs(expected).max()
@@ -108,13 +110,13 @@ def test_company_does_not_matter() -> None:
 @pytest.mark.parametrize("count", [1, 5, 70, 1000])
 def test_rows_without_contact_say_so_and_the_others_go_on(count: int) -> None:
     hits_ = crowd(count)
-    expected = hits(MODES, ball=BALL, **hits_)
+    expected = hits_with_motion(MODES, ball=BALL, **hits_)
     missing = [np.nan, 0.0, -0.0, -70.0, -np.inf]
     speeds = np.empty((count, 2))
     speeds[:, 0] = hits_["closing_speed"]
     speeds[:, 1] = np.resize(missing, count)
     places = np.repeat(hits_["position"], 2)
-    done = hits(MODES, ball=BALL, position=places, closing_speed=speeds.ravel())
+    done = hits_with_motion(MODES, ball=BALL, position=places, closing_speed=speeds.ravel())
     lost, kept = rows(done, slice(1, None, 2)), rows(done, slice(0, None, 2))
     assert np.all(lost.outcome == Outcome.NO_CONTACT)
     for name in NUMBERS:

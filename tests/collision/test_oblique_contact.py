@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sweetspot.analysis.bat_analysis import Analysis
-from sweetspot.collision.oblique_contact import ObliqueImpact, decompose, oblique
+from sweetspot.collision.oblique_contact import Friction, ObliqueImpact, decompose, oblique
 from sweetspot.errors import InputError
 
 
@@ -32,19 +32,19 @@ def test_decomposition_is_pythagoras(speed: float, angle: float) -> None:
 
 
 def test_elastic_limit_is_speed_times_time(analysis: Analysis) -> None:
-    found = slanted(analysis, 0.2, contact="smooth")
+    found = slanted(analysis, 0.2, rubbing="smooth")
     assert found.travel == pytest.approx(40 * math.sin(0.2) * analysis.best.release_time, rel=1e-12)
     assert found.along_speed_after == found.along_speed and found.spin == 0.0 and not found.gripped
 
 
 def test_plastic_limit_is_no_travel(analysis: Analysis) -> None:
-    found = slanted(analysis, 0.2, contact="cling")
+    found = slanted(analysis, 0.2, rubbing="cling")
     assert (found.travel, found.along_speed_after) == (0.0, 0.0)
 
 
 @given(st.floats(-0.6, 0.6))
 def test_real_contact_lies_between(analysis: Analysis, angle: float) -> None:
-    smooth, real = slanted(analysis, angle, contact="smooth"), slanted(analysis, angle)
+    smooth, real = slanted(analysis, angle, rubbing="smooth"), slanted(analysis, angle)
     assert abs(real.travel) <= abs(smooth.travel) + 1e-15
     assert real.travel * angle >= 0
     assert abs(real.along_speed_after) <= abs(real.along_speed)
@@ -55,14 +55,19 @@ def test_a_rolling_ball_keeps_five_sevenths(analysis: Analysis) -> None:
     heavy = analysis.body.__class__(1e12, analysis.body.balance_point, 1e12, 1.0)
     ball = analysis.conditions.ball
     found = oblique(
-        analysis.best, ball=ball, body=heavy, ball_speed=40.0, angle=0.1, friction=10.0, tangential_restitution=0.0
+        analysis.best,
+        ball=ball,
+        body=heavy,
+        ball_speed=40.0,
+        angle=0.1,
+        friction=Friction(coefficient=10.0, tangential_restitution=0.0),
     )
     assert found.along_speed_after == pytest.approx(5 / 7 * found.along_speed)
     assert found.spin * ball.radius == pytest.approx(found.along_speed_after)
 
 
 def test_little_friction_slides(analysis: Analysis) -> None:
-    found = slanted(analysis, 0.6, friction=0.01)
+    found = slanted(analysis, 0.6, friction=Friction(0.01))
     ball = analysis.conditions.ball
     impulse = ball.mass * analysis.best.closing_speed * (1 + analysis.best.collision_efficiency)
     assert not found.gripped

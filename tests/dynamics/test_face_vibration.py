@@ -14,7 +14,7 @@ from scipy.interpolate import PPoly
 
 from sweetspot import catalog
 from sweetspot.collision.coupled import hit
-from sweetspot.collision.kernel import hits
+from sweetspot.collision.kernel import hits, hits_with_motion
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.face_vibration import face_modes, give
 from sweetspot.dynamics.hands import gripped
@@ -101,7 +101,7 @@ def test_the_ledger_closes_at_second_order(racket: Racket, tennis: Ball) -> None
 def test_the_kernel_agrees_beside_the_line(racket: Racket, tennis: Ball, lateral: float) -> None:
     modes = all_modes(beam_model(racket), tennis)
     one = hit(modes, ball=tennis, position=0.48, lateral=lateral, closing_speed=25.0, step=8e-6)
-    many = hits(modes, ball=tennis, position=0.48, lateral=lateral, closing_speed=[25.0, 25.0], step=8e-6)
+    many = hits_with_motion(modes, ball=tennis, position=0.48, lateral=lateral, closing_speed=[25.0, 25.0], step=8e-6)
     assert many.collision_efficiency == pytest.approx([one.collision_efficiency] * 2, rel=1e-9)
     assert many.velocity[1] == pytest.approx(one.velocity, rel=1e-6, abs=1e-9)
 

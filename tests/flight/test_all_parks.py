@@ -11,9 +11,10 @@ from sweetspot import catalog
 from sweetspot.catalog.aerodynamic_laws import aerodynamics
 from sweetspot.flight.air import Air
 from sweetspot.flight.all_parks import landings_everywhere
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence import landing
 from sweetspot.flight.trajectory import fly
-from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.ball_motion import BallMotions, launched
 from sweetspot.units import FOOT, MPH
 
 BALL, LAW, AIR = catalog.ball(), aerodynamics(), Air(temperature=22.0)
@@ -23,13 +24,12 @@ PARKS = catalog.parks()
 def test_as_the_readable_flight_has_it() -> None:
     """2 cm of clearance: chords of two samplings of a path, and steep fences seen from slightly different points."""
     motion = launched(
-        speed=103 * MPH, launch_angle=math.radians(28), spray=-0.5, backspin=240.0, height=1.0, forward=0.6
+        speed=103 * MPH, launch_angle=math.radians(28), spray=-0.5, backspin=240.0, position=(0.0, 0.6, 1.0)
     )
     same = landings_everywhere(
-        motion.position, motion.velocity, motion.spin, parks=PARKS, ball=BALL, aerodynamics=LAW, air=AIR,
-        own_elevation=False,
-    )  # fmt: skip
-    path = fly(motion, ball=BALL, aerodynamics=LAW, air=AIR, step=0.01).positions
+        motion, FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR), parks=PARKS, own_elevation=False
+    )
+    path = fly(motion, FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR), step=0.01).positions
     outcomes = set()
     for park, found in zip(PARKS, same, strict=True):
         alone = landing(path, park)
@@ -48,13 +48,9 @@ def test_thin_air_carries_further_and_never_takes_a_home_run_away() -> None:
     high = [park for park in PARKS if park.elevation > 300 * FOOT]
     own, sea = (
         landings_everywhere(
-            [0.0, 0.6, 1.0],
-            102 * MPH * ahead,
-            spin,
+            BallMotions(velocity=102 * MPH * ahead, spin=spin, position=[0.0, 0.6, 1.0]),
+            FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR),
             parks=high,
-            ball=BALL,
-            aerodynamics=LAW,
-            air=AIR,
             own_elevation=own,
         )
         for own in (True, False)

@@ -13,6 +13,7 @@ from sweetspot import catalog
 from sweetspot.errors import InputError
 from sweetspot.flight.air import Air, Wind
 from sweetspot.flight.bearing import bearing_of_place, launched_to
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence import landing
 from sweetspot.flight.kernel import flights
 from sweetspot.flight.sweep import BattedBall, directed
@@ -33,11 +34,14 @@ def test_the_ball_comes_down_where_it_was_seen(
     """Exact: flown again with the direction that was found, by the readable solver, it lands at the bearing."""
     wind = Wind(speed=abs(across), direction=math.copysign(math.pi / 2, across))
     spray, _ = launched_to(
-        bearing * DEGREE, exit_speed=speed * MPH, launch_angle=up * DEGREE, bats=bats, ball=BALL, aerodynamics=LAW,
-        air=AIR, wind=wind,
-    )  # fmt: skip
+        bearing * DEGREE,
+        exit_speed=speed * MPH,
+        launch_angle=up * DEGREE,
+        bats=bats,
+        conditions=FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR, wind=wind),
+    )
     hit = BattedBall(exit_speed=speed * MPH, launch_angle=up * DEGREE, spray=float(spray[0]), bats=bats)  # type: ignore[arg-type]
-    flight = fly(hit.motion, ball=BALL, aerodynamics=LAW, air=AIR, wind=wind)
+    flight = fly(hit.motion, FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR, wind=wind))
     assert flight.bearing == pytest.approx(bearing * DEGREE, abs=2e-5)
 
 
@@ -48,12 +52,9 @@ def test_without_side_forces_both_are_one() -> None:
         bearing,
         exit_speed=45.0,
         launch_angle=0.5,
-        backspin=200.0,
-        sidespin=0.0,
-        forward=0.0,
-        ball=BALL,
-        aerodynamics=LAW,
-        air=AIR,
+        conditions=FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR),
+        spins=(200.0, 0.0),
+        position=(0.0, 0.0, 0.0),
     )
     assert spray == pytest.approx(bearing, abs=1e-6)
 
@@ -61,10 +62,14 @@ def test_without_side_forces_both_are_one() -> None:
 def test_left_handed_hits_are_mirror_images() -> None:
     right, left = (
         launched_to(
-            sign * 0.3, exit_speed=44.0, launch_angle=0.5, bats=bats, ball=BALL, aerodynamics=LAW, air=AIR
+            sign * 0.3,
+            exit_speed=44.0,
+            launch_angle=0.5,
+            bats=bats,
+            conditions=FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR),
         )[0]
         for sign, bats in ((1, "right"), (-1, "left"))
-    )  # fmt: skip
+    )
     assert right == pytest.approx(-left, abs=1e-9)
 
 
@@ -75,7 +80,7 @@ def test_fair_balls_near_the_line_are_no_fouls() -> None:
     seen = -42 * DEGREE
 
     def outcome(one: BattedBall) -> str:
-        return landing(fly(one.motion, ball=BALL, aerodynamics=LAW, air=AIR).positions, park).outcome
+        return landing(fly(one.motion, FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR)).positions, park).outcome
 
     assert outcome(BattedBall(**{**vars(hit), "spray": seen})) == "foul"
     assert outcome(directed(BattedBall(**{**vars(hit), "bearing": seen}), ball=BALL, aerodynamics=LAW)) == "home run"
@@ -87,8 +92,11 @@ def test_what_comes_down_nowhere_is_refused_alone_and_nan_among_many() -> None:
             BattedBall(exit_speed=10.0, launch_angle=0.5, bearing=math.pi, wind_speed=30.0), ball=BALL, aerodynamics=LAW
         )
     spray, result = launched_to(
-        [0.1, math.nan], exit_speed=40.0, launch_angle=0.4, ball=BALL, aerodynamics=LAW, air=AIR
-    )  # fmt: skip
+        [0.1, math.nan],
+        exit_speed=40.0,
+        launch_angle=0.4,
+        conditions=FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR),
+    )
     assert np.isfinite(spray[0]) and np.isnan(spray[1]) and result.landed[0]
 
 
@@ -103,8 +111,8 @@ def test_places_on_the_map() -> None:
 
 
 def test_one_flight_and_many_say_the_same_bearing() -> None:
-    ball = launched(speed=45.0, launch_angle=0.5, spray=0.2, backspin=200.0, sidespin=-120.0, height=1.0)
-    one = fly(ball, ball=BALL, aerodynamics=LAW, air=AIR)
-    many = flights(ball.position, ball.velocity, ball.spin, ball=BALL, aerodynamics=LAW, air=AIR)
+    ball = launched(speed=45.0, launch_angle=0.5, spray=0.2, backspin=200.0, sidespin=-120.0, position=(0.0, 0.0, 1.0))
+    one = fly(ball, FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR))
+    many = flights(ball, FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR))
     assert many.bearing[0] == pytest.approx(one.bearing, abs=1e-5)
     assert one.bearing > ball.spray  # negative side spin bends to the right

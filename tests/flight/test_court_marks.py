@@ -8,6 +8,7 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.flight.air import VACUUM, Air
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.court_marks import passages
 from sweetspot.flight.trajectory import Flight, fly
 from sweetspot.motion.ball_motion import launched
@@ -21,12 +22,12 @@ def shot(
     name: str, speed: float, angle: float, *, spin: float = 0.0, height: float = 0.0, air: Air | None = None
 ) -> Flight:
     found = catalog.sport(name)
-    start = launched(speed=speed, launch_angle=math.radians(angle), backspin=spin * RPM, height=height, forward=1.3)
+    start = launched(speed=speed, launch_angle=math.radians(angle), backspin=spin * RPM, position=(0.0, 1.3, height))
     return fly(
         start,
-        ball=catalog.ball(found.balls[0]),
-        aerodynamics=catalog.aerodynamics(found.aerodynamics),
-        air=air or Air(),
+        FlightConditions(
+            ball=catalog.ball(found.balls[0]), aerodynamics=catalog.aerodynamics(found.aerodynamics), air=air or Air()
+        ),
     )
 
 

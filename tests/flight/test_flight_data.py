@@ -17,10 +17,11 @@ from sweetspot import catalog
 from sweetspot.flight.air import Air
 from sweetspot.flight.batted_spin import batted_ball_spin
 from sweetspot.flight.bearing import bearing_of_place, launched_to
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.forces import drag_and_lift
 from sweetspot.flight.home_runs import home_run_chances
 from sweetspot.flight.kernel import flights
-from sweetspot.motion.ball_motion import spin_axes
+from sweetspot.motion.ball_motion import BallMotions, spin_axes
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
 from tests.real_data import real_file
 
@@ -69,9 +70,12 @@ def test_path_of_the_sheet() -> None:
     assert len(rows) == 552
     axes = spin_axes(27.5 * DEGREE, 0.0)
     found = flights(
-        [0.0, 2 * FOOT, 3 * FOOT], 103 * MPH * axes[2], 2500 * RPM * axes[0], ball=BALL, aerodynamics=LAW,
-        air=Air(temperature=38 / 1.8, pressure=29.92 * 3386.389, elevation=15 * FOOT), path_points=2000,
-    )  # fmt: skip
+        BallMotions(velocity=103 * MPH * axes[2], spin=2500 * RPM * axes[0], position=[0.0, 2 * FOOT, 3 * FOOT]),
+        FlightConditions(
+            ball=BALL, aerodynamics=LAW, air=Air(temperature=38 / 1.8, pressure=29.92 * 3386.389, elevation=15 * FOOT)
+        ),
+        path_points=2000,
+    )
     ours = [np.interp(column(rows, "t"), found.times[0], found.positions[0, :, axis]) / FOOT for axis in range(3)]
     assert np.abs(ours[0]).max() < 1e-9
     assert np.abs(ours[1] - column(rows, "y")).max() < 1.3
@@ -98,10 +102,16 @@ def tracked_flies() -> dict[str, NDArray[Any]]:
     bearing = bearing_of_place(column(rows, "hc_x"), column(rows, "hc_y"))
     bats = np.where(np.array([row["stand"] for row in rows]) == "L", "left", "right")
     spray, flown = launched_to(
-        bearing, exit_speed=column(rows, "launch_speed") * MPH, launch_angle=column(rows, "launch_angle") * DEGREE,
-        bats=bats, ball=BALL, aerodynamics=catalog.aerodynamics(),
-        air=[Air(temperature=40 / 1.8, elevation=catalog.park(row["home_team"]).elevation).density for row in rows],
-    )  # fmt: skip
+        bearing,
+        exit_speed=column(rows, "launch_speed") * MPH,
+        launch_angle=column(rows, "launch_angle") * DEGREE,
+        bats=bats,
+        conditions=FlightConditions(
+            ball=BALL,
+            aerodynamics=catalog.aerodynamics(),
+            air=[Air(temperature=40 / 1.8, elevation=catalog.park(row["home_team"]).elevation).density for row in rows],
+        ),
+    )
     assert np.isfinite(spray).all() and flown.landed.all()
     axes = spin_axes(column(rows, "launch_angle") * DEGREE, spray)
     backspin, sidespin = batted_ball_spin(column(rows, "launch_angle") * DEGREE, spray, bats=bats)
@@ -163,9 +173,10 @@ def chances() -> tuple[NDArray[np.float64], NDArray[np.bool_], NDArray[np.bool_]
     for team in np.unique(home):
         here = home == team
         chance[here] = home_run_chances(
-            [0.0, 2 * FOOT, 3 * FOOT], velocity[here], spin[here], parks=[catalog.park(team, 2022)], ball=BALL,
-            aerodynamics=catalog.aerodynamics(), air=Air(temperature=40 / 1.8),
-        ).chance[:, 0]  # fmt: skip
+            BallMotions(velocity=velocity[here], spin=spin[here], position=[0.0, 2 * FOOT, 3 * FOOT]),
+            FlightConditions(ball=BALL, aerodynamics=catalog.aerodynamics(), air=Air(temperature=40 / 1.8)),
+            parks=[catalog.park(team, 2022)],
+        ).chance[:, 0]
     return chance, flies["home_run"], flies["roof"]
 
 

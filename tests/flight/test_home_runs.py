@@ -13,12 +13,14 @@ from sweetspot import catalog
 from sweetspot.flight.air import Air, Wind
 from sweetspot.flight.all_parks import landings_everywhere
 from sweetspot.flight.batted_spin import batted_ball_spin
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.home_runs import NONE, HomeRuns, Scatter, home_run_chances
-from sweetspot.motion.ball_motion import spin_axes
+from sweetspot.motion.ball_motion import BallMotions, spin_axes
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import FOOT, MPH
 
 BALL, LAW, AIR, PARKS = catalog.ball(), catalog.aerodynamics(), Air(temperature=22.0), catalog.parks()
+FLYING: dict[str, Any] = {"aerodynamics": LAW, "wind": Wind()}
 START = np.array([0.0, 2 * FOOT, 3 * FOOT])
 
 
@@ -35,8 +37,12 @@ def launched(count: int) -> tuple[Array, Array]:
 
 def asked(count: int, **changes: Any) -> HomeRuns:
     velocity, spin = launched(count)
-    options: dict[str, Any] = {"parks": PARKS, "ball": BALL, "aerodynamics": LAW, "air": AIR} | changes
-    return home_run_chances(START, velocity, spin, **options)
+    through = {"ball": BALL, "air": AIR} | {name: changes.pop(name, usual) for name, usual in FLYING.items()}
+    return home_run_chances(
+        BallMotions(velocity=velocity, spin=spin, position=START),
+        FlightConditions(**through),
+        **{"parks": PARKS, **changes},
+    )
 
 
 @pytest.mark.parametrize("wind", [Wind(), Wind(speed=5.0, direction=2.0)])
@@ -45,8 +51,10 @@ def test_without_scatter_it_is_the_path_judged(wind: Wind) -> None:
     velocity, spin = launched(300)
     found = asked(300, scatter=NONE, wind=wind)
     judged = landings_everywhere(
-        START, velocity, spin, parks=PARKS, ball=BALL, aerodynamics=LAW, air=AIR, wind=wind
-    )  # fmt: skip
+        BallMotions(velocity=velocity, spin=spin, position=START),
+        FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR, wind=wind),
+        parks=PARKS,
+    )
     clearance = np.stack([park.clearance for park in judged], axis=-1)
     both = np.isfinite(clearance)
     assert both.sum() > 2000 and np.isfinite(found.clearance[both]).all()
@@ -95,5 +103,9 @@ def test_what_cannot_fly_has_no_chance() -> None:
     velocity[0] = math.nan
     velocity[1] = [0.0, 40.0, -20.0]  # into the ground
     velocity[2] = [40.0, 5.0, 20.0]  # far foul
-    found = home_run_chances(START, velocity, spin, parks=PARKS, ball=BALL, aerodynamics=LAW, air=AIR)
+    found = home_run_chances(
+        BallMotions(velocity=velocity, spin=spin, position=START),
+        FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR),
+        parks=PARKS,
+    )
     assert (found.chance[:3] == 0).all() and np.isnan(found.clearance[:2]).all()

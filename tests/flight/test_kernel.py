@@ -13,31 +13,45 @@ from sweetspot import catalog
 from sweetspot.errors import InputError
 from sweetspot.flight.air import CALM, Air, Wind
 from sweetspot.flight.compiled import LANES
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.flight.trajectory import FlightOutcome, fly
-from sweetspot.motion.ball_motion import BallMotion, launched
+from sweetspot.motion.ball_motion import BallMotion, BallMotions, launched
 from sweetspot.units import FOOT, MPH, RPM
 
 BALL, LAW, AIR = catalog.ball(), catalog.aerodynamics("baseball"), Air(temperature=21.0)
+
+
+MOTION, CONDITIONS = ("position", "velocity", "spin"), ("ball", "aerodynamics", "air", "wind")
 
 
 def random_hits(count: int, seed: int = 3) -> list[BallMotion]:
     generator = np.random.default_rng(seed)
     return [
         launched(
-            speed=generator.uniform(60, 115) * MPH, launch_angle=generator.uniform(-0.2, 1.5),
-            spray=generator.uniform(-0.8, 0.8), backspin=generator.uniform(-500, 4000) * RPM,
-            sidespin=generator.uniform(-2000, 2000) * RPM, gyrospin=generator.uniform(-500, 500) * RPM,
-            height=generator.uniform(0.0, 1.5), forward=0.6,
+            speed=generator.uniform(60, 115) * MPH,
+            launch_angle=generator.uniform(-0.2, 1.5),
+            spray=generator.uniform(-0.8, 0.8),
+            backspin=generator.uniform(-500, 4000) * RPM,
+            sidespin=generator.uniform(-2000, 2000) * RPM,
+            gyrospin=generator.uniform(-500, 500) * RPM,
+            position=(0.0, 0.6, generator.uniform(0.0, 1.5)),
         )
         for _ in range(count)
-    ]  # fmt: skip
+    ]
 
 
 def many(motions: list[BallMotion], **changes: object) -> Flights:
-    columns = [np.array([getattr(one, name) for one in motions]) for name in ("position", "velocity", "spin")]
-    options: dict[str, object] = {"ball": BALL, "aerodynamics": LAW, "air": AIR, **changes}
-    return flights(*columns, **options)  # type: ignore[arg-type]
+    return asked({name: [getattr(one, name) for one in motions] for name in MOTION} | changes)
+
+
+def asked(changes: dict[str, object]) -> Flights:
+    usual = {"position": [0, 0, 1], "velocity": [0, 30, 10], "spin": [0, 0, 0],
+             "ball": BALL, "aerodynamics": LAW, "air": AIR, "wind": CALM}  # fmt: skip
+    options = usual | changes
+    motions = BallMotions(**{name: options.pop(name) for name in MOTION})  # type: ignore[arg-type]
+    conditions = FlightConditions(**{name: options.pop(name) for name in CONDITIONS})  # type: ignore[arg-type]
+    return flights(motions, conditions, **options)  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(
@@ -51,7 +65,7 @@ def test_like_the_readable_flight(wind: Wind, law: str) -> None:
     ball = BALL if law == "baseball" else catalog.ball(law)
     found = many(hits, wind=wind, aerodynamics=rules, ball=ball, step=0.1, path_points=4)
     for row, motion in enumerate(hits):
-        one = fly(motion, ball=ball, aerodynamics=rules, air=AIR, wind=wind, step=0.1)
+        one = fly(motion, FlightConditions(ball=ball, aerodynamics=rules, air=AIR, wind=wind), step=0.1)
         assert found.outcome[row] == one.outcome
         for field in ("carry", "hang_time", "apex_height", "apex_time"):
             assert getattr(found, field)[row] == pytest.approx(getattr(one, field), abs=1e-8), field
@@ -92,7 +106,11 @@ def test_odd_rows_have_outcomes_and_the_others_go_on() -> None:
     nan = math.nan
     position = np.array([[0, 0.6, 1], [0, 0, -0.1], [0, 0, 1], [0, 0, 0], [0, 0, 1], [0, 0, 1], [nan, 0, 1]])
     velocity = np.array([[0, 40, 20], [0, 40, 20], [0, nan, 20], [0, 40, -5], [0, 0, 35], [0, 30, -10], [0, 40, 20.0]])
-    found = flights(position, velocity, [250.0, 0.0, 0.0], ball=BALL, aerodynamics=LAW, air=AIR, path_points=3)
+    found = flights(
+        BallMotions(velocity=velocity, spin=[250.0, 0.0, 0.0], position=position),
+        FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR),
+        path_points=3,
+    )
     assert [FlightOutcome(value).name for value in found.outcome] == [
         "LANDED", "UNDERGROUND", "UNUSABLE", "LANDED", "LANDED", "LANDED", "UNUSABLE",
     ]  # fmt: skip
@@ -106,35 +124,46 @@ def test_odd_rows_have_outcomes_and_the_others_go_on() -> None:
 
 def test_no_flights_at_all() -> None:
     empty = np.empty((0, 3))
-    assert len(flights(empty, empty, empty, ball=BALL, aerodynamics=LAW, air=AIR)) == 0
+    assert (
+        len(
+            flights(
+                BallMotions(velocity=empty, spin=empty, position=empty),
+                FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR),
+            )
+        )
+        == 0
+    )
 
 
 def test_a_density_and_a_wind_for_every_row() -> None:
     hit = random_hits(1)[0]
     airs, winds = (AIR, AIR.replaced(elevation=1600.0)), (CALM, Wind(speed=6.0, direction=2.0))
     found = flights(
-        hit.position, hit.velocity, hit.spin, ball=BALL, aerodynamics=LAW, air=[air.density for air in airs],
-        wind=[wind.velocity[:2] for wind in winds],
-    )  # fmt: skip
+        hit,
+        FlightConditions(
+            ball=BALL, aerodynamics=LAW, air=[air.density for air in airs], wind=[wind.velocity[:2] for wind in winds]
+        ),
+    )
     for row, (air, wind) in enumerate(zip(airs, winds, strict=True)):
-        alone = fly(hit, ball=BALL, aerodynamics=LAW, air=air, wind=wind, step=0.2)
+        alone = fly(hit, FlightConditions(ball=BALL, aerodynamics=LAW, air=air, wind=wind), step=0.2)
         assert found.carry[row] == pytest.approx(alone.carry, abs=1e-8)
 
 
 def test_an_impossible_density_is_an_outcome() -> None:
-    found = flights([0, 0, 1], [0, 30, 10], [0, 0, 0], ball=BALL, aerodynamics=LAW, air=[1.2, -1.0, math.nan])
+    found = flights(
+        BallMotions(velocity=[0, 30, 10], spin=[0, 0, 0], position=[0, 0, 1]),
+        FlightConditions(ball=BALL, aerodynamics=LAW, air=[1.2, -1.0, math.nan]),
+    )
     assert list(found.outcome) == [FlightOutcome.LANDED, FlightOutcome.UNUSABLE, FlightOutcome.UNUSABLE]
 
 
 def test_absurd_numbers_end_too() -> None:
     """Faster than a meteor, and spinning faster than anything can: steps shorten, and the ball comes down."""
     found = flights(
-        [0, 0, 1],
-        [[0.0, 1e6, 1e4], [0.0, 40.0, 20.0]],
-        [[0.0, 0.0, 0.0], [1e6, 0.0, 0.0]],
-        ball=BALL,
-        aerodynamics=LAW,
-        air=AIR,
+        BallMotions(
+            velocity=[[0.0, 1e6, 1e4], [0.0, 40.0, 20.0]], spin=[[0.0, 0.0, 0.0], [1e6, 0.0, 0.0]], position=[0, 0, 1]
+        ),
+        FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR),
     )
     assert set(found.outcome) <= {FlightOutcome.LANDED, FlightOutcome.STILL_FLYING}
     assert found.outcome[0] == FlightOutcome.LANDED
@@ -151,6 +180,5 @@ def test_absurd_numbers_end_too() -> None:
     ],
 )
 def test_inputs_that_do_not_fit_are_refused(changes: dict[str, object], words: str) -> None:
-    options: dict[str, object] = {"position": [0, 0, 1], "velocity": [0, 30, 10], "spin": [0, 0, 0], "ball": BALL}
     with pytest.raises(InputError, match=words):
-        flights(**{**options, "aerodynamics": LAW, "air": AIR, **changes})  # type: ignore[arg-type]
+        asked(changes)

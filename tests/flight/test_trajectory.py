@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 from sweetspot import catalog
 from sweetspot.errors import InputError
 from sweetspot.flight.aerodynamics import Aerodynamics
-from sweetspot.flight.air import VACUUM, Air, Wind
+from sweetspot.flight.air import CALM, VACUUM, Air, Wind
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.forces import drag_from_terminal_speed
 from sweetspot.flight.trajectory import TIME_LIMIT, Flight, FlightOutcome, fly
 from sweetspot.motion.ball_motion import BallMotion, launched
@@ -25,13 +26,14 @@ G = 9.80665
 
 
 def flown(motion: BallMotion, **changes: object) -> Flight:
-    options: dict[str, object] = {"ball": BALL, "aerodynamics": LAW, "air": AIR, **changes}
-    return fly(motion, **options)  # type: ignore[arg-type]
+    options = {"ball": BALL, "aerodynamics": LAW, "air": AIR, "wind": CALM} | changes
+    conditions = FlightConditions(**{name: options.pop(name) for name in ("ball", "aerodynamics", "air", "wind")})  # type: ignore[arg-type]
+    return fly(motion, conditions, **options)  # type: ignore[arg-type]
 
 
 def hit(angle: float = 27.5, **changes: float) -> BallMotion:
-    options = {"speed": 103 * MPH, "backspin": 2500 * RPM, "height": 3 * FOOT, "forward": 2 * FOOT, **changes}
-    return launched(launch_angle=math.radians(angle), **options)
+    options = {"speed": 103 * MPH, "backspin": 2500 * RPM} | changes
+    return launched(launch_angle=math.radians(angle), **options, position=(0.0, 2 * FOOT, 3 * FOOT))
 
 
 @given(st.floats(1, 80), st.floats(-1.5, 1.5), st.floats(0, 5), st.floats(0, 500))
@@ -40,7 +42,7 @@ def hit(angle: float = 27.5, **changes: float) -> BallMotion:
 @settings(max_examples=40)
 def test_without_air_it_is_a_parabola(speed: float, angle: float, height: float, spin: float) -> None:
     """Exact: t = (v sin + sqrt(v^2 sin^2 + 2 g h)) / g, x = v cos t, top = h + v^2 sin^2 / (2 g)."""
-    found = flown(launched(speed=speed, launch_angle=angle, height=height, backspin=spin), air=VACUUM)
+    found = flown(launched(speed=speed, launch_angle=angle, backspin=spin, position=(0.0, 0.0, height)), air=VACUUM)
     climb = speed * math.sin(angle)
     time = 0.0 if height == 0 and climb <= 0 else (climb + math.sqrt(climb**2 + 2 * G * height)) / G
     assert found.outcome is FlightOutcome.LANDED
@@ -54,7 +56,11 @@ def test_a_long_fall_ends_at_terminal_speed() -> None:
     """Exact: y = (V^2 / g) ln cosh(g t / V) for a ball let go at rest in still air."""
     terminal, height = 20.0, 60.0
     drag = drag_from_terminal_speed(terminal, mass=BALL.mass, radius=BALL.radius, density=AIR.density)
-    found = flown(launched(speed=0.0, launch_angle=0.0, height=height), aerodynamics=Aerodynamics(drag=drag), step=0.01)
+    found = flown(
+        launched(speed=0.0, launch_angle=0.0, position=(0.0, 0.0, height)),
+        aerodynamics=Aerodynamics(drag=drag),
+        step=0.01,
+    )
     exact = terminal / G * math.acosh(math.exp(height * G / terminal**2))
     assert found.hang_time == pytest.approx(exact, abs=1e-8)
     assert found.landing.speed == pytest.approx(terminal * math.tanh(G * exact / terminal), abs=1e-7)
@@ -121,7 +127,7 @@ def test_a_gale_brings_it_back() -> None:
 
 
 def test_straight_up_comes_down_where_it_went_up() -> None:
-    found = flown(launched(speed=40.0, launch_angle=math.pi / 2, height=1.0, forward=0.5))
+    found = flown(launched(speed=40.0, launch_angle=math.pi / 2, position=(0.0, 0.5, 1.0)))
     assert found.carry == pytest.approx(0.5, abs=1e-9)
     assert found.landing_angle == pytest.approx(math.pi / 2)
     assert found.apex_height < 1 + 40**2 / (2 * G)
@@ -148,7 +154,7 @@ def test_a_small_hop_is_a_flight() -> None:
 
 def test_a_start_below_the_ground_is_refused() -> None:
     with pytest.raises(InputError, match=r"0.5 m below the ground; give a height of 0 m or more"):
-        flown(launched(speed=40.0, launch_angle=0.5, height=-0.5))
+        flown(launched(speed=40.0, launch_angle=0.5, position=(0.0, 0.0, -0.5)))
 
 
 @pytest.mark.parametrize("step", [0.0, -1.0, math.nan, 2.0])
@@ -164,7 +170,7 @@ def test_a_time_outside_the_flight_is_refused() -> None:
 
 def test_a_balloon_is_still_flying() -> None:
     balloon = BALL.replaced(mass=0.0001, radius=0.15)
-    found = flown(launched(speed=0.0, launch_angle=0.0, height=100.0), ball=balloon, step=0.5)
+    found = flown(launched(speed=0.0, launch_angle=0.0, position=(0.0, 0.0, 100.0)), ball=balloon, step=0.5)
     assert found.outcome is FlightOutcome.STILL_FLYING and math.isnan(found.carry)
     assert str(round(TIME_LIMIT)) in found.outcome.sentence
 

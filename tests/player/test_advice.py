@@ -20,6 +20,7 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.errors import InputError
 from sweetspot.flight.air import Air
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.trajectory import fly
 from sweetspot.motion.ball_motion import launched
 from sweetspot.player.advice import Advice, advise
@@ -99,8 +100,10 @@ def test_carry_of_a_hit_is_its_flight(posterior: Posterior) -> None:
     table = carry_table(posterior.model, pitch_speed=PITCH, aerodynamics=DRAG, air=AIR)
     speed, attack = np.array([46.0]), np.radians([9.0])
     carry = float(table.at(speed, np.array([0.7 * INCH]), attack)[0])
-    flight = fly(launched(speed=44.7, launch_angle=math.radians(27), backspin=200.0, height=0.9), ball=BALL,
-                 aerodynamics=DRAG, air=AIR)  # fmt: skip
+    flight = fly(
+        launched(speed=44.7, launch_angle=math.radians(27), backspin=200.0, position=(0.0, 0.0, 0.9)),
+        FlightConditions(ball=BALL, aerodynamics=DRAG, air=AIR),
+    )
     assert carry == pytest.approx(flight.carry, rel=0.08)
     up = table.at(np.array([30.0, 35.0, 40.0, 45.0]), np.full(4, 0.7 * INCH), np.full(4, 0.15))
     assert np.all(np.diff(up) > 0)

@@ -175,7 +175,7 @@ def best_exit_speed(modes: Modes, *, positions: Array, conditions: Conditions) -
     """Return the greatest exit speed in m/s of hits at ``positions`` (m from the knob end, increasing)."""
     bat_speed = conditions.swing.angular_speed * (positions - conditions.swing.pivot)
     closing, ball = conditions.pitch.speed + bat_speed, conditions.ball
-    done = hits(modes, ball=ball, position=positions, closing_speed=closing, keep_motion=False)
+    done = hits(modes, ball=ball, position=positions, closing_speed=closing)
     return peak(exit_speed(done.collision_efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed))
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sweetspot.collision.closed_form import bbcor, exit_speed, rigid_efficiency
-from sweetspot.collision.kernel import hits
+from sweetspot.collision.kernel import hits_with_motion
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.rigid import RigidBody, hand_impulse_ratio
 from sweetspot.equipment.implement import Implement
@@ -72,7 +72,7 @@ def scan(
     ball_speed = conditions.pitch.speed
     bat_speed = conditions.swing.angular_speed * (positions - conditions.swing.pivot)
     closing = ball_speed + bat_speed
-    done = hits(modes, ball=ball, position=positions, closing_speed=closing)
+    done = hits_with_motion(modes, ball=ball, position=positions, closing_speed=closing)
     efficiency = done.collision_efficiency
     rigid = rigid_efficiency(ball, body=body, position=positions, closing_speed=closing)
     rigid = np.where(closing > 0, rigid, np.nan)

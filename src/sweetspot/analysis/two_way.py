@@ -209,7 +209,7 @@ def _answers(
     places = np.linspace(body.balance_point, bat.length, PLACES)
     bat_speed = swung.swing.angular_speed * (places - swung.swing.pivot)
     closing = swung.pitch.speed + bat_speed
-    done = hits(gripped(free, swung.hands), ball=ball, position=places, closing_speed=closing, keep_motion=False)
+    done = hits(gripped(free, swung.hands), ball=ball, position=places, closing_speed=closing)
     efficiency = done.collision_efficiency
     return Answers(
         exit_speed=peak(exit_speed(efficiency, ball_speed=swung.pitch.speed, bat_speed=bat_speed)),

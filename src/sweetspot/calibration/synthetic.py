@@ -46,7 +46,7 @@ def tap_sound(modes: Modes, *, position: float, listened: float, duration: float
 
 def synthesised(
     modes: Modes, *, position: float, listened: float, taps: int = 3, apart: float = 1.0, noise: float = 0.002,
-    seed: int = 1, rate: float = RATE,
+    seed: int = 1,
 ) -> Recording:  # fmt: skip
     """Return a recording of several taps of different strength in white noise.
 
@@ -59,9 +59,9 @@ def synthesised(
     seed : of noise and strengths.
     """
     generator = np.random.default_rng(seed)
-    one = tap_sound(modes, position=position, listened=listened, seconds=apart, rate=rate)
+    one = tap_sound(modes, position=position, listened=listened, seconds=apart)
     one = LOUDNESS * one / np.abs(one).max()
     strength = generator.uniform(0.6, 1.0, taps)
-    quiet = np.zeros(round(0.3 * rate))
+    quiet = np.zeros(round(0.3 * RATE))
     sound = np.concatenate([quiet, *(part * one for part in strength)])
-    return Recording("synthetic", sound + noise * LOUDNESS * generator.standard_normal(len(sound)), rate)
+    return Recording("synthetic", sound + noise * LOUDNESS * generator.standard_normal(len(sound)), RATE)

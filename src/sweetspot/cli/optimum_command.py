@@ -15,7 +15,6 @@ from sweetspot.errors import InputError
 if TYPE_CHECKING:
     from sweetspot.analysis.optimum import BestSwing, EasiestHomeRun
     from sweetspot.equipment.bat import Bat
-    from sweetspot.flight.air import Air
     from sweetspot.flight.park import Park
     from sweetspot.flight.pitch import PitchFlight
     from sweetspot.report.optimum.answers import AskedLaunch
@@ -92,20 +91,21 @@ def optimum(
 def _swings(
     bat: Bat, pitches: tuple[str, ...], release_speed: str | None, contact: ContactOptions, weather: AirOptions
 ) -> list[tuple[BestSwing, PitchFlight]]:
-    from sweetspot import catalog
     from sweetspot.analysis.optimum import best_swing
+    from sweetspot.analysis.optimum.swing import Held
     from sweetspot.cli.options.pitching import pitched
     from sweetspot.cli.options.swing import conditions_for
-    from sweetspot.cli.options.weather import air_of, wind_of
+    from sweetspot.cli.options.weather import through
     from sweetspot.dynamics.reduction import reduced_bat
     from sweetspot.equipment.implement import check_position
+    from sweetspot.motion.swing_path import SwingPlane
     from sweetspot.units import parse, parse_position
 
     told = SwingOptions(
         bat_speed=contact.bat_speed, bat_speed_at=contact.bat_speed_at, pivot=contact.pivot, ball=contact.ball
     )
     conditions = conditions_for(bat, told)
-    air, wind, law = air_of(weather), wind_of(weather), catalog.aerodynamics_of_ball(contact.ball)
+    flying = replace(through(weather, contact.ball), ball=conditions.ball)
     position = None if contact.at is None else parse_position(contact.at, length=bat.length, what="--at")
     if position is not None:
         check_position(bat, position, "--at")
@@ -113,39 +113,43 @@ def _swings(
     model = reduced_bat(bat, ball=conditions.ball).held(conditions.hands)
     rows = []
     for name in pitches:
-        thrown = pitched(name, release_speed, ball=conditions.ball, air=air, wind=wind)
+        thrown = pitched(name, release_speed, flying)
         best = best_swing(
-            model, ball=conditions.ball, swing=conditions.swing, pitch=thrown.plate, aerodynamics=law, air=air,
-            wind=wind, position=position, attack_angle=steep, tilt=parse(contact.tilt, "angle", "--tilt"),
-        )  # fmt: skip
+            model,
+            flying,
+            swing=conditions.swing,
+            pitch=thrown.plate,
+            plane=SwingPlane(tilt=parse(contact.tilt, "angle", "--tilt")),
+            held=Held(position=position, attack_angle=steep),
+        )
         rows.append((best, thrown))
     return rows
 
 
 def _launches(speeds: tuple[str, ...], backspin: str, ball: str, weather: AirOptions) -> list[AskedLaunch]:
-    from sweetspot import catalog
     from sweetspot.analysis.optimum import best_launch
-    from sweetspot.cli.options.weather import air_of, wind_of
+    from sweetspot.cli.options.weather import through
     from sweetspot.report.optimum.answers import AskedLaunch
     from sweetspot.units import parse
 
     spin = parse(backspin, "angular speed", "--backspin")
-    what, law, air, wind = catalog.ball(ball), catalog.aerodynamics_of_ball(ball), air_of(weather), wind_of(weather)
+    flying = through(weather, ball)
     rows = []
     for text in speeds:
         speed = parse(text, "speed", "--exit-speed")
-        best = best_launch(speed, backspin=spin, ball=what, aerodynamics=law, air=air, wind=wind)
+        best = best_launch(speed, flying, backspin=spin)
         rows.append(AskedLaunch(speed, spin, best))
     return rows
 
 
 def _parks(backspin: str, ball: str, weather: AirOptions, everywhere: bool) -> list[EasiestHomeRun]:
     from sweetspot import catalog
-    from sweetspot.analysis.optimum import easiest_home_run
-    from sweetspot.cli.options.weather import air_of, park_of, wind_of
+    from sweetspot.analysis.optimum import easiest_home_run, own_air
+    from sweetspot.cli.options.weather import park_of, through
     from sweetspot.units import parse
 
-    if wind_of(weather).speed > 0:
+    flying = through(weather, ball)
+    if flying.one_wind.speed > 0:
         raise InputError(
             "--park was given with a wind; the slowest home run is found in still air only, so leave out --wind-speed "
             "or ask with --show swing or --show launch"
@@ -155,11 +159,7 @@ def _parks(backspin: str, ball: str, weather: AirOptions, everywhere: bool) -> l
     parks: list[Park] = list(catalog.parks()) if everywhere or named is None else [named]
     rows = []
     for park in parks:
-        here: Air = air_of(weather)
-        if everywhere and weather.elevation is None:
-            here = here.replaced(elevation=park.elevation)
-        best = easiest_home_run(
-            park, backspin=spin, ball=catalog.ball(ball), aerodynamics=catalog.aerodynamics_of_ball(ball), air=here
-        )
-        rows.append(best)
+        own = everywhere and weather.elevation is None
+        here = flying.in_air(own_air(flying.one_air, park)) if own else flying
+        rows.append(easiest_home_run(park, here, backspin=spin))
     return rows

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
@@ -76,11 +76,13 @@ def play(
     from sweetspot.analysis.full_play import play as follow
     from sweetspot.cli.options.pitching import pitched
     from sweetspot.cli.options.swing import conditions_for
-    from sweetspot.cli.options.weather import air_of, park_of, wind_of
+    from sweetspot.cli.options.weather import park_of, through
     from sweetspot.cli.output import patience, present
+    from sweetspot.collision.hit_in_space import Contact
     from sweetspot.dynamics.reduction import reduced_bat
     from sweetspot.flight.fence import landing
-    from sweetspot.report.play.document import PlayedPitch, play_document
+    from sweetspot.report.play.document import play_document
+    from sweetspot.report.play.played_pitch import PlayedPitch
     from sweetspot.units import parse, parse_position
 
     described = catalog.load_bat(bat)
@@ -89,22 +91,25 @@ def play(
     check_conditions(described, conditions, body=model.body)
     position = parse_position(at, length=described.length, what="--at")
     under, park = parse(offset, "length", "--offset"), park_of(air)
-    weather, wind = air_of(air), wind_of(air)
     if arrival.pitch is not None and swing.pitch_speed is not None:
         raise InputError("--pitch and --pitch-speed were both given; say --release-speed for a named pitch")
     if arrival.pitch is None and arrival.release_speed is not None:
         raise InputError("--release-speed is of a pitch that is thrown; name it with --pitch, or give --pitch-speed")
     swung = path_of(path)
+    flying = replace(through(air, swing.ball or catalog.sport(described.sport).balls[0]), ball=conditions.ball)
     if arrival.pitch is None:
         pitch = arriving(arrival, conditions.pitch.speed)
     else:
-        pitch = pitched(arrival.pitch, arrival.release_speed, ball=conditions.ball, air=weather, wind=wind).plate
-    thrown = swing.ball or catalog.sport(described.sport).balls[0]
+        pitch = pitched(arrival.pitch, arrival.release_speed, flying).plate
     with patience():
         played = follow(
-            model, ball=conditions.ball, swing=conditions.swing, path=swung, pitch=pitch, position=position,
-            offset=under, aerodynamics=catalog.aerodynamics_of_ball(thrown), air=weather, wind=wind,
-        )  # fmt: skip
+            model,
+            flying,
+            swing=conditions.swing,
+            path=swung,
+            pitch=pitch,
+            contact=Contact(position, under),
+        )
     result = PlayedPitch(
         play=played, bat=described, ball=conditions.ball, position=position, offset=under, path=swung, pitch=pitch,
         park=park, landing=None if park is None or played.flight is None else landing(played.flight.positions, park),
@@ -138,6 +143,5 @@ def arriving(options: ArrivalOptions, speed: float) -> BallMotion:
         spray=math.pi,
         backspin=parse(options.pitch_backspin, "angular speed", "--pitch-backspin"),
         sidespin=parse(options.pitch_sidespin, "angular speed", "--pitch-sidespin"),
-        height=parse(options.height, "length", "--height"),
-        forward=parse(options.forward, "length", "--forward"),
+        position=(0.0, parse(options.forward, "length", "--forward"), parse(options.height, "length", "--height")),
     )

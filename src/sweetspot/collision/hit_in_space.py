@@ -7,17 +7,18 @@ adds friction and spin. Head-on and without friction the result is the normal pa
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impact, Outcome
-from sweetspot.collision.kernel import hits
+from sweetspot.collision.kernel import hits_with_motion
 from sweetspot.collision.oblique_contact import (
-    FRICTION,
-    TANGENTIAL_RESTITUTION,
+    USUAL_FRICTION,
     ContactFrame,
+    Friction,
     bat_give,
     contact_frame,
     launch,
@@ -29,10 +30,24 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import check_position
 from sweetspot.errors import InputError
-from sweetspot.motion.ball_motion import BallMotion
+from sweetspot.motion.ball_motion import BallMotion, BallMotions
 from sweetspot.motion.swing import Swing
-from sweetspot.motion.swing_path import PathAxes, SwingPath
+from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.numerics.arrays import Array
+
+
+class Contact(NamedTuple):
+    """Where ball and bat meet.
+
+    Parameters
+    ----------
+    position : m from the knob end, where the line of centres meets the bat's axis; many: shape (n,).
+    offset : m by which the ball's centre lies above the bat's axis, square to the bat's path; as much as both radii
+        or more is a miss.
+    """
+
+    position: ArrayLike
+    offset: ArrayLike = 0.0
 
 
 @dataclass(frozen=True)
@@ -92,10 +107,8 @@ def strike(
     swing: Swing,
     path: SwingPath,
     pitch: BallMotion,
-    position: float,
-    offset: float = 0.0,
-    friction: float = FRICTION,
-    tangential_restitution: float = TANGENTIAL_RESTITUTION,
+    contact: Contact,
+    friction: Friction = USUAL_FRICTION,
 ) -> Strike:
     """Return how a pitched ball leaves the bat.
 
@@ -106,15 +119,14 @@ def strike(
     ----------
     swing, path : how fast the bat moves, and where to.
     pitch : the ball as it arrives.
-    position : m from the knob end, where the line of centres meets the bat's axis.
-    offset : m by which the ball's centre lies above the bat's axis, square to the bat's path; as much as both radii
-        or more is a miss.
+    contact : where they meet.
 
     Raises
     ------
     InputError
         for a position that is not on the bat.
     """
+    position, offset = (float(np.asarray(value)) for value in contact)
     check_position(reduced.bat, position, "position")
     radius = float(reduced.bat.diameter_at(np.array(position))) / 2
     reach = ball.radius + radius
@@ -133,8 +145,7 @@ def strike(
     done = launch(
         frame,
         ball=ball,
-        ball_velocity=pitch.velocity,
-        ball_spin=pitch.spin,
+        pitch=pitch,
         surface_velocity=surface,
         normal_impulse=impulse,
         give=bat_give(
@@ -142,7 +153,6 @@ def strike(
             normal_impulse=impulse,
         ),
         friction=friction,
-        tangential_restitution=tangential_restitution,
     )  # fmt: skip
     past, given = pitch.velocity - surface, done.impulses
     return Strike(
@@ -161,26 +171,19 @@ def strikes(
     reduced: ReducedBat[Bat],
     *,
     ball: Ball,
-    bat_speed: ArrayLike,
-    axes: PathAxes,
-    pitch_velocity: ArrayLike,
-    pitch_spin: ArrayLike,
-    position: ArrayLike,
-    offset: ArrayLike = 0.0,
-    pivot: float = 0.0,
-    friction: float = FRICTION,
-    tangential_restitution: float = TANGENTIAL_RESTITUTION,
+    swings: Swings,
+    pitches: BallMotion | BallMotions,
+    contact: Contact,
+    friction: Friction = USUAL_FRICTION,
     threads: int | None = None,
 ) -> Strikes:
     """Return many hits with one bat; every row ends with its own outcome.
 
     Parameters
     ----------
-    bat_speed : m/s at the point of impact (not at the place where a swing is measured), shape (n,).
-    axes : directions of the swings, `sweetspot.motion.swing_path.path_axes`, shape (n, 3) or (3,).
-    pitch_velocity, pitch_spin : m/s and rad/s, shape (n, 3) or (3,).
-    position, offset : m, as in `strike`; a position off the bat is refused, shape (n,).
-    pivot : m from the knob end, the axis that the swings turn about.
+    swings : with the bat's speed at the point of impact; their number is that of the hits, or of ``contact``.
+    pitches : the balls as they arrive.
+    contact : where they meet, shapes (n,); a position off the bat is refused.
     threads : workers of the collision kernel.
 
     Raises
@@ -188,33 +191,36 @@ def strikes(
     InputError
         for a position that is not on the bat.
     """
-    speed, place, above = np.broadcast_arrays(*(np.asarray(v, float).ravel() for v in (bat_speed, position, offset)))
+    axes = swings.axes
+    speed, place, above = np.broadcast_arrays(
+        *(np.asarray(values, float).ravel() for values in (swings.bat_speed, contact.position, contact.offset))
+    )
     if np.any((place < 0) | (place > reduced.bat.length)):
         worst = float(place[np.argmax(np.abs(place - reduced.bat.length / 2))])
         raise InputError(f"position {worst:.4g} m is not on the bat; allowed is 0 to {reduced.bat.length:.4g} m")
-    velocity, spin = (np.broadcast_to(np.asarray(v, float), (len(speed), 3)) for v in (pitch_velocity, pitch_spin))
+    velocity, spin = (
+        np.broadcast_to(np.asarray(values, float), (len(speed), 3)) for values in (pitches.velocity, pitches.spin)
+    )
     radius = reduced.bat.diameter_at(place) / 2
     reach = ball.radius + radius
     missed = np.abs(above) >= reach
     frame = contact_frame(*axes, lift=np.arcsin(np.clip(above / reach, -1.0, 1.0)))
     bat_velocity = speed[:, None] * axes.forward
     closing = np.where(missed, 0.0, np.sum((bat_velocity - velocity) * frame.normal, axis=-1))
-    done = hits(reduced.modes, ball=ball, position=place, closing_speed=closing, threads=threads)
+    done = hits_with_motion(reduced.modes, ball=ball, position=place, closing_speed=closing, threads=threads)
     impulse = ball.mass * closing * (1 + done.collision_efficiency)
     frame = ContactFrame(*(np.broadcast_to(axis, (len(speed), 3)) for axis in frame))
-    turning = np.divide(speed, place - pivot, out=np.zeros(len(speed)), where=place > pivot)
+    turning = np.divide(speed, place - swings.pivot, out=np.zeros(len(speed)), where=place > swings.pivot)
     left = launch(
         frame,
         ball=ball,
-        ball_velocity=velocity,
-        ball_spin=spin,
+        pitch=BallMotions(velocity=velocity, spin=spin),
         surface_velocity=bat_velocity + turning_surface(frame, axes, angular_speed=turning, radius=radius),
         normal_impulse=impulse,
         give=bat_give(
             reduced.modes, reduced.body, position=place, radius=radius, velocity=done.velocity, normal_impulse=impulse
         ),
         friction=friction,
-        tangential_restitution=tangential_restitution,
     )
     return Strikes(
         outcome=np.where(missed, int(Outcome.MISS), done.outcome),

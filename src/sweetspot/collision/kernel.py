@@ -48,19 +48,42 @@ def hits(
     closing_speed: ArrayLike,
     lateral: ArrayLike = 0.0,
     step: float | None = None,
-    keep_motion: bool = True,
     threads: int | None = None,
 ) -> Impacts:
     """Return many collisions with one bat; every row ends with its own outcome.
+
+    The bat's own motion afterwards is left out; see `hits_with_motion`.
 
     Parameters
     ----------
     position, closing_speed, lateral : m from the knob end, m/s and m across the face from the bat's line, broadcast
         together to shape (hits,).
     step : s, > 0; None: `STEP`, or less where a light face needs it (`contact_step`).
-    keep_motion : whether to return the bat's modal motion at release (224 bytes per hit).
     threads : workers; None: one per core, and one only for small batches.
     """
+    return _hits(modes, ball, (position, closing_speed, lateral), step, threads, keep_motion=False)
+
+
+def hits_with_motion(
+    modes: Modes,
+    *,
+    ball: Ball,
+    position: ArrayLike,
+    closing_speed: ArrayLike,
+    lateral: ArrayLike = 0.0,
+    step: float | None = None,
+    threads: int | None = None,
+) -> Impacts:
+    """Return the same as `hits` with the bat's modal motion at release (224 bytes per hit)."""
+    return _hits(modes, ball, (position, closing_speed, lateral), step, threads, keep_motion=True)
+
+
+def _hits(
+    modes: Modes, ball: Ball, where: tuple[ArrayLike, ArrayLike, ArrayLike], step: float | None, threads: int | None,
+    *, keep_motion: bool,
+) -> Impacts:  # fmt: skip
+    """Return the collisions of (position, closing speed, lateral)."""
+    position, closing_speed, lateral = where
     step = contact_step(modes, ball, longest=STEP) if step is None else step
     check_step(step)
     check_place(position, "position")

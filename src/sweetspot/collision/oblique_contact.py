@@ -19,10 +19,11 @@ from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
+from sweetspot.motion.ball_motion import BallMotion, BallMotions
 from sweetspot.motion.swing_path import PathAxes
 from sweetspot.numerics.arrays import Array
 
-Contact = Literal["smooth", "grip", "cling"]
+Rubbing = Literal["smooth", "grip", "cling"]
 
 FRICTION = 0.20
 """Ball on wood, at least 0.15 to 0.20 [kensrud2017]."""
@@ -34,6 +35,23 @@ spin, that is (1 + e_x)/(1 + r_x) = 1.085. Our exact roll inertia of a solid bat
 1.09: the same spin, and the value of the clamped cylinder, where no bat's inertia enters."""
 SPHERE = 2 / 5
 """I / (m r^2) of a uniform ball."""
+
+
+class Friction(NamedTuple):
+    """How ball and bat rub.
+
+    Parameters
+    ----------
+    coefficient : of friction, >= 0.
+    tangential_restitution : e_x, part of the slip that comes back: 0 is rolling, -1 no friction.
+    """
+
+    coefficient: float = FRICTION
+    tangential_restitution: float = TANGENTIAL_RESTITUTION
+
+
+USUAL_FRICTION = Friction()
+NO_FRICTION = Friction(coefficient=0.0)
 
 
 @dataclass(frozen=True)
@@ -137,8 +155,7 @@ def contact_impulses(
     give: Give,
     ball_mass: float,
     normal_impulse: ArrayLike,
-    friction: float = FRICTION,
-    tangential_restitution: float = TANGENTIAL_RESTITUTION,
+    friction: Friction = USUAL_FRICTION,
 ) -> Impulses:
     """Return the impulses on the ball of a contact with friction.
 
@@ -151,7 +168,7 @@ def contact_impulses(
 
     J_0 is the normal impulse without friction. The first line is (1 + e_x)/(1 + r_x) of [kensrud2017], r_x =
     K m (2/5)/(7/5). What the normal push itself slides during contact, C J_n, is stopped and not returned: no
-    measurement tells. Friction is never more than ``friction`` times the normal impulse in all; then it keeps its
+    measurement tells. Friction is never more than its coefficient times the normal impulse in all; then it keeps its
     direction, in step with the normal force. For rigid bodies this is Newton's and Euler's law with all six degrees
     of freedom of each.
 
@@ -163,15 +180,16 @@ def contact_impulses(
     before, coupling = np.asarray(normal_impulse, float), np.asarray(give.coupling, float)
     sphere = (1 + 1 / SPHERE) / ball_mass
     raised = coupling / (1 / ball_mass + np.asarray(give.normal))
-    around = (1 + tangential_restitution) * np.asarray(slip_around) / (sphere + np.asarray(give.around))
-    pulled = (1 + tangential_restitution) * np.asarray(slip_along) + coupling * before
+    limit, returned = friction.coefficient, 1 + friction.tangential_restitution
+    around = returned * np.asarray(slip_around) / (sphere + np.asarray(give.around))
+    pulled = returned * np.asarray(slip_along) + coupling * before
     along = pulled / (sphere + np.asarray(give.along) - coupling * raised)
     normal = before + raised * along
     size = np.hypot(around, along)
-    gripped = size <= friction * normal
+    gripped = size <= limit * normal
     toward = along / np.where(size > 0, size, 1.0)
-    normal = np.where(gripped, normal, before / (1 - friction * raised * toward))
-    part = np.where(gripped, 1.0, friction * normal / np.where(gripped, 1.0, size))
+    normal = np.where(gripped, normal, before / (1 - limit * raised * toward))
+    part = np.where(gripped, 1.0, limit * normal / np.where(gripped, 1.0, size))
     return Impulses(normal, around * part, along * part, gripped)
 
 
@@ -190,13 +208,11 @@ def launch(
     frame: ContactFrame,
     *,
     ball: Ball,
-    ball_velocity: Array,
-    ball_spin: Array,
+    pitch: BallMotion | BallMotions,
     surface_velocity: Array,
     normal_impulse: ArrayLike,
     give: Give,
-    friction: float = FRICTION,
-    tangential_restitution: float = TANGENTIAL_RESTITUTION,
+    friction: Friction = USUAL_FRICTION,
 ) -> Launch:
     """Return velocity and spin of a ball after an oblique hit in space.
 
@@ -206,11 +222,12 @@ def launch(
     Parameters
     ----------
     frame : directions at contact.
-    ball_velocity, ball_spin, surface_velocity : m/s and rad/s before contact, shape (..., 3), the bat's where it is
-        touched; see `turning_surface`.
+    pitch : the ball before contact.
+    surface_velocity : m/s before contact, shape (..., 3), of the bat where it is touched; see `turning_surface`.
     normal_impulse : N s without friction, m (1 + q) times the closing speed along the normal.
     """
     arm = -ball.radius * frame.normal
+    ball_velocity, ball_spin = np.asarray(pitch.velocity, float), np.asarray(pitch.spin, float)
     past = surface_velocity - ball_velocity - np.cross(ball_spin, arm)
     given = contact_impulses(
         np.sum(past * frame.around, axis=-1),
@@ -219,7 +236,6 @@ def launch(
         ball_mass=ball.mass,
         normal_impulse=normal_impulse,
         friction=friction,
-        tangential_restitution=tangential_restitution,
     )
     rubbed = given.around[..., None] * frame.around + given.along[..., None] * frame.along
     pushed = given.normal[..., None] * frame.normal
@@ -294,9 +310,8 @@ def oblique(
     body: RigidBody,
     ball_speed: float,
     angle: float,
-    contact: Contact = "grip",
-    friction: float = FRICTION,
-    tangential_restitution: float = TANGENTIAL_RESTITUTION,
+    rubbing: Rubbing = "grip",
+    friction: Friction = USUAL_FRICTION,
 ) -> ObliqueImpact:
     """Return the motion along the bat that goes with a normal impact, in the plane of bat and path.
 
@@ -308,11 +323,11 @@ def oblique(
     impact : the normal part, from a closing speed that holds v cos(angle).
     ball_speed, angle : m/s and rad of the ball before contact; the angle from the bat's normal, positive when the
         ball moves towards the tip.
-    contact : "smooth" (no friction: the paper's elastic limit, S = v sin(alpha) T), "grip" (real), or "cling" (ball
+    rubbing : "smooth" (no friction: the paper's elastic limit, S = v sin(alpha) T), "grip" (real), or "cling" (ball
         and bat move as one from first touch: the paper's plastic limit, S = 0).
     """
     normal, along = decompose(ball_speed, angle)
-    if contact == "cling":
+    if rubbing == "cling":
         return ObliqueImpact(normal, along, 0.0, 0.0, 0.0, gripped=True)
     given = contact_impulses(
         0.0,
@@ -320,8 +335,7 @@ def oblique(
         give=Give(normal=0.0, around=0.0, along=1 / body.mass),
         ball_mass=ball.mass,
         normal_impulse=float(np.trapezoid(impact.force, impact.times)),
-        friction=0.0 if contact == "smooth" else friction,
-        tangential_restitution=tangential_restitution,
+        friction=NO_FRICTION if rubbing == "smooth" else friction,
     )
     rubbed = float(given.along)
     return ObliqueImpact(
@@ -330,5 +344,5 @@ def oblique(
         along_speed_after=along + rubbed / ball.mass,
         spin=-rubbed / (SPHERE * ball.mass * ball.radius),
         travel=travel(impact, ball=ball, speed=along, impulse=rubbed),
-        gripped=contact == "grip" and bool(given.gripped),
+        gripped=rubbing == "grip" and bool(given.gripped),
     )

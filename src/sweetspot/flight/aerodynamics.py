@@ -77,6 +77,11 @@ class Aerodynamics(Validated):
         """Part of the spin lost per metre of way through the air, 1/m; 0 where the spin stays."""
         return 0.0 if self.spin_decay_time is None else 1 / (self.spin_decay_time * self.spin_decay_speed)
 
+    @property
+    def lift_power(self) -> float | None:
+        """Exponent of the lift, None for 1: kernels then need no power."""
+        return None if self.lift_exponent == 1 else self.lift_exponent
+
     def drag_coefficient(
         self, spin_factor: float, *, spin: float, active_spin: float = 0.0, reynolds: float = REFERENCE_REYNOLDS
     ) -> float:

@@ -12,12 +12,10 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sweetspot.equipment.ball import Ball
-from sweetspot.flight.aerodynamics import Aerodynamics
-from sweetspot.flight.air import CALM, Air, Wind
 from sweetspot.flight.batted_spin import batted_ball_spin
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import Flights, flights
-from sweetspot.motion.ball_motion import spin_axes
+from sweetspot.motion.ball_motion import BallMotions, spin_axes
 from sweetspot.numerics.arrays import Array
 
 ROUNDS = 30
@@ -47,15 +45,10 @@ def launched_to(
     *,
     exit_speed: ArrayLike,
     launch_angle: ArrayLike,
-    ball: Ball,
-    aerodynamics: Aerodynamics,
-    air: Air | ArrayLike,
-    wind: Wind | ArrayLike = CALM,
+    conditions: FlightConditions,
     bats: Literal["right", "left"] | ArrayLike = "right",
-    backspin: ArrayLike | None = None,
-    sidespin: ArrayLike | None = None,
-    height: float = 0.9144,
-    forward: float = 0.6096,
+    spins: tuple[ArrayLike | None, ArrayLike | None] = (None, None),
+    position: ArrayLike = (0.0, 0.6096, 0.9144),
 ) -> tuple[Array, Flights]:
     """Return the launch directions of balls that come down in given directions, and their flights.
 
@@ -66,9 +59,9 @@ def launched_to(
     bearing : rad, shape (n,) or a number, direction from the plate's tip of where the ball comes down.
     exit_speed, launch_angle : m/s and rad, of shapes that fit.
     bats : "right" or "left", or an array of these words; only the usual spin asks.
-    backspin, sidespin : rad/s; None: what balls launched so usually have, see `batted_ball_spin`.
-    height, forward : m, where the ball leaves the bat.
-    air, wind : as for `flights`.
+    conditions : as for `flights`.
+    spins : back and side spin, rad/s; None: what balls launched so usually have, see `batted_ball_spin`.
+    position : m, shape (3,), where the ball leaves the bat.
 
     Returns
     -------
@@ -79,16 +72,20 @@ def launched_to(
         *(np.atleast_1d(np.asarray(values)) for values in (bearing, exit_speed, launch_angle, bats))
     )
     given = [None if spin is None else np.broadcast_to(np.asarray(spin, float), wanted.shape)
-             for spin in (backspin, sidespin)]  # fmt: skip
+             for spin in spins]  # fmt: skip
 
     def flown(spray: Array) -> tuple[Array, Flights]:
         usual = batted_ball_spin(up, spray, bats=words)
         back, side = (own if chosen is None else chosen for own, chosen in zip(usual, given, strict=True))
         axes = spin_axes(up, spray)
         result = flights(
-            [0.0, forward, height], speed[:, None] * axes[2], back[:, None] * axes[0] + side[:, None] * axes[1],
-            ball=ball, aerodynamics=aerodynamics, air=air, wind=wind,
-        )  # fmt: skip
+            BallMotions(
+                velocity=speed[:, None] * axes[2],
+                spin=back[:, None] * axes[0] + side[:, None] * axes[1],
+                position=position,
+            ),
+            conditions,
+        )
         miss = result.bearing - wanted
         return np.arctan2(np.sin(miss), np.cos(miss)), result
 

@@ -12,14 +12,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from sweetspot.equipment.ball import Ball
-from sweetspot.flight.aerodynamics import Aerodynamics
-from sweetspot.flight.air import CALM, Air, Wind
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence_compiled import FOUL, TABLE_STEP, chances
 from sweetspot.flight.kernel import flight_constants, flight_rows
 from sweetspot.flight.park import Park, fence_at, nearest_fence
+from sweetspot.motion.ball_motion import BallMotion, BallMotions
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.threads import in_parts
 
@@ -81,15 +79,10 @@ class HomeRuns:
 
 
 def home_run_chances(
-    position: ArrayLike,
-    velocity: ArrayLike,
-    spin: ArrayLike,
+    motions: BallMotion | BallMotions,
+    conditions: FlightConditions,
     *,
     parks: Iterable[Park],
-    ball: Ball,
-    aerodynamics: Aerodynamics,
-    air: Air,
-    wind: Wind | ArrayLike = CALM,
     own_elevation: bool = True,
     scatter: Scatter = USUAL,
     threads: int | None = None,
@@ -100,12 +93,12 @@ def home_run_chances(
 
     Parameters
     ----------
-    position, velocity, spin : m, m/s and rad/s as the ball leaves the bat, shape (3,) or (n, 3), broadcast together.
+    motions : the balls as they leave the bat; shapes are broadcast together.
+    conditions : as in `landings_everywhere`, or a wind for each ball; the wind does not know of shelter here.
     parks : with their own fences; ``own_elevation`` says whether each lies at its own elevation too.
-    air, wind : as in `landings_everywhere`; the wind does not know of shelter here.
     threads : workers; None: one per core.
     """
-    everywhere = tuple(parks)
+    everywhere, air = tuple(parks), conditions.one_air
     airs = [air.replaced(elevation=park.elevation) if own_elevation else air for park in everywhere]
     density = np.array([one.density for one in airs])
     nodes = np.linspace(density.min(), density.max(), 3) if np.ptp(density) > ALIKE else density[:1]
@@ -113,11 +106,10 @@ def home_run_chances(
     fences = np.array([fence_at(park, DIRECTIONS) for park in everywhere]).transpose(1, 0, 2).copy()
     nearest = min(nearest_fence(park) for park in everywhere)
     shifts, scatters = np.array([scatter.of(park) for park in everywhere]).T.copy()
-    start = flight_rows(position, velocity, spin, air, wind)[[0, 1, 2, 3, 4, 5, 6, 7, 8, 10, 11]]
-    constants = flight_constants(ball, aerodynamics, wind)
+    start = flight_rows(motions, conditions)[[0, 1, 2, 3, 4, 5, 6, 7, 8, 10, 11]]
+    constants = flight_constants(conditions)
     shared = (*constants[1:11], constants[12])
-    power = None if aerodynamics.lift_exponent == 1 else aerodynamics.lift_exponent
-    profile = wind.exponent if isinstance(wind, Wind) and wind.exponent and wind.speed else None
+    power, profile = conditions.aerodynamics.lift_power, conditions.profile
     chance = np.empty((start.shape[1], len(everywhere)))
     clearance = np.empty_like(chance)
 

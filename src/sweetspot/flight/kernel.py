@@ -9,14 +9,13 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
-from sweetspot.flight.aerodynamics import Aerodynamics
-from sweetspot.flight.air import CALM, Air, Wind
 from sweetspot.flight.compiled import APEX_HEIGHT, APEX_TIME, HANG, INPUT_ROWS, LANDED, RESULT_ROWS, solve
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.trajectory import check_step
+from sweetspot.motion.ball_motion import BallMotion, BallMotions
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.threads import in_parts
 
@@ -75,14 +74,9 @@ class Flights:
 
 
 def flights(
-    position: ArrayLike,
-    velocity: ArrayLike,
-    spin: ArrayLike,
+    motions: BallMotion | BallMotions,
+    conditions: FlightConditions,
     *,
-    ball: Ball,
-    aerodynamics: Aerodynamics,
-    air: Air | ArrayLike,
-    wind: Wind | ArrayLike = CALM,
     path_points: int = 0,
     step: float = STEP,
     threads: int | None = None,
@@ -91,9 +85,8 @@ def flights(
 
     Parameters
     ----------
-    position, velocity, spin : m, m/s and rad/s in the frame of the field, shape (3,) or (n, 3), broadcast together.
-    air : one air for all, or the density for every row, kg/m^3, shape (n,).
-    wind : one wind for all, or a wind alike at every height for every row, m/s, shape (n, 2): to the right and out.
+    motions : the balls as they leave the bat, in the frame of the field; shapes are broadcast together.
+    conditions : ball and drag law; air and wind, for all or one for each flight.
     path_points : how many points of each path to return, evenly in time; 0: none (24 bytes each).
     step : s, > 0; the error falls with its fourth power.
     threads : workers; None: one per core, and one only for small batches.
@@ -101,14 +94,13 @@ def flights(
     check_step(step)
     if not 0 <= path_points <= MOST_PATH_POINTS or path_points == 1:
         raise InputError(f"path_points is {path_points}; allowed is 0 (no path) or 2 to {MOST_PATH_POINTS}")
-    start = flight_rows(position, velocity, spin, air, wind)
+    start = flight_rows(motions, conditions)
     count = start.shape[1]
     outcome = np.empty(count, np.int64)
     results = np.empty((RESULT_ROWS, count))
     paths = np.empty((count, path_points, 3))
-    constants = flight_constants(ball, aerodynamics, wind)
-    power = None if aerodynamics.lift_exponent == 1 else aerodynamics.lift_exponent
-    profile = wind.exponent if isinstance(wind, Wind) and wind.exponent and wind.speed else None
+    constants = flight_constants(conditions)
+    power, profile = conditions.aerodynamics.lift_power, conditions.profile
 
     def work(part: slice) -> None:
         mine = np.ascontiguousarray(start[:, part])
@@ -133,13 +125,10 @@ def flights(
     )
 
 
-def flight_rows(
-    position: ArrayLike, velocity: ArrayLike, spin: ArrayLike, air: Air | ArrayLike, wind: Wind | ArrayLike
-) -> Array:  # fmt: skip
+def flight_rows(motions: BallMotion | BallMotions, conditions: FlightConditions) -> Array:
     """Return what differs between flights, shape (12, n): position, velocity, spin, density, wind right and out."""
-    density = np.asarray(air.density) if isinstance(air, Air) else np.atleast_1d(np.asarray(air, float))
-    blowing = np.asarray(wind.velocity[:2]) if isinstance(wind, Wind) else np.asarray(wind, float)
-    columns = [np.asarray(values, float) for values in (position, velocity, spin)]
+    density, blowing = conditions.density, conditions.blowing
+    columns = [np.asarray(values, float) for values in (motions.position, motions.velocity, motions.spin)]
     for values, size, what in (*zip(columns, (3, 3, 3), ("position", "velocity", "spin"), strict=True),
                                (blowing, 2, "wind")):  # fmt: skip
         if values.ndim not in {1, 2} or values.shape[-1] != size:
@@ -160,9 +149,9 @@ def flight_rows(
     return start
 
 
-def flight_constants(ball: Ball, aerodynamics: Aerodynamics, wind: Wind | ArrayLike) -> Array:
+def flight_constants(conditions: FlightConditions) -> Array:
     """Return the numbers that every flight shares, in the order that `lanes.solve` takes them."""
-    edge, height = (wind.calm_below, wind.reference_height) if isinstance(wind, Wind) else (0.0, 1.0)
+    ball, aerodynamics, (edge, height) = conditions.ball, conditions.aerodynamics, conditions.shelter
     return np.array(
         [
             math.pi * ball.radius**2 / (2 * ball.mass), ball.radius,

@@ -15,6 +15,7 @@ from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import STANDARD_PRESSURE, Air, Wind
 from sweetspot.flight.batted_spin import batted_ball_spin, check_usual_spin
 from sweetspot.flight.bearing import launched_to
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.motion.ball_motion import BallMotion, launched
 from sweetspot.numerics.arrays import Array
@@ -82,8 +83,7 @@ class BattedBall:
             backspin=float(usual[0]) if self.backspin is None else self.backspin,
             sidespin=float(usual[1]) if self.sidespin is None else self.sidespin,
             gyrospin=self.gyrospin,
-            height=self.height,
-            forward=self.forward,
+            position=(0.0, self.forward, self.height),
         )
 
     @property
@@ -115,10 +115,14 @@ def directed(hit: BattedBall, *, ball: Ball, aerodynamics: Aerodynamics) -> Batt
     if hit.bearing is None:
         return hit
     spray, _ = launched_to(
-        hit.bearing, exit_speed=hit.exit_speed, launch_angle=hit.launch_angle, ball=ball, aerodynamics=aerodynamics,
-        air=hit.air, wind=hit.wind, bats=hit.bats, backspin=hit.backspin, sidespin=hit.sidespin, height=hit.height,
-        forward=hit.forward,
-    )  # fmt: skip
+        hit.bearing,
+        exit_speed=hit.exit_speed,
+        launch_angle=hit.launch_angle,
+        bats=hit.bats,
+        conditions=FlightConditions(ball=ball, aerodynamics=aerodynamics, air=hit.air, wind=hit.wind),
+        spins=(hit.backspin, hit.sidespin),
+        position=(0.0, hit.forward, hit.height),
+    )
     if not math.isfinite(spray[0]):
         raise InputError(
             f"no launch direction brings this ball down {math.degrees(hit.bearing):.4g} deg from centre field; give "
@@ -178,10 +182,7 @@ def flight_table(
         if motion.position[2] < 0:
             raise InputError(f"height is {one.height:g} m, below the ground; allowed is 0 m or more")
         parts.append(
-            flights(
-                motion.position, motion.velocity, motion.spin, ball=ball, aerodynamics=aerodynamics, air=one.air,
-                wind=one.wind,
-            )
+            flights(motion, FlightConditions(ball=ball, aerodynamics=aerodynamics, air=one.air, wind=one.wind))
         )  # fmt: skip
     names = [field.name for field in fields(Flights)]
     return FlightTable(

@@ -13,10 +13,8 @@ from enum import IntEnum
 
 import numpy as np
 
-from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
-from sweetspot.flight.aerodynamics import Aerodynamics
-from sweetspot.flight.air import CALM, Air, Wind
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.forces import SLOWEST, acceleration, drag_and_lift
 from sweetspot.motion.ball_motion import BallMotion
 from sweetspot.numerics.arrays import Array
@@ -113,11 +111,8 @@ class Flight:
 
 def fly(
     motion: BallMotion,
+    conditions: FlightConditions,
     *,
-    ball: Ball,
-    aerodynamics: Aerodynamics,
-    air: Air,
-    wind: Wind = CALM,
     step: float = STEP,
 ) -> Flight:
     """Return the flight of a ball to the ground.
@@ -128,6 +123,7 @@ def fly(
     Parameters
     ----------
     motion : the ball as it leaves the bat, in the frame of the field.
+    conditions : ball, drag law, and one air and one wind.
     step : s, > 0; the error falls with its fourth power.
 
     Raises
@@ -136,19 +132,20 @@ def fly(
         for a start below the ground.
 
     >>> from sweetspot.equipment.ball import RestitutionLaw
+    >>> from sweetspot.flight.aerodynamics import Aerodynamics
     >>> from sweetspot.flight.air import VACUUM
     >>> from sweetspot.motion.ball_motion import launched
     >>> law = RestitutionLaw(reference=0.5, reference_speed=30)
     >>> ball = Ball(name="any", mass=0.145, radius=0.0369, restitution=law, stiffness=1e7, exponent=1.5)
     >>> start = launched(speed=30.0, launch_angle=math.pi / 6)
-    >>> found = fly(start, ball=ball, aerodynamics=Aerodynamics(drag=0.35), air=VACUUM)
-    >>> abs(found.hang_time - 30.0 / 9.80665) < 1e-12  # exact: 2 v sin(30 deg) / g
+    >>> flight = fly(start, FlightConditions(ball=ball, aerodynamics=Aerodynamics(drag=0.35), air=VACUUM))
+    >>> abs(flight.hang_time - 30.0 / 9.80665) < 1e-12  # exact: 2 v sin(30 deg) / g
     True
     """
     check_step(step)
     if motion.position[2] < 0:
         raise InputError(f"the ball starts {-motion.position[2]:.4g} m below the ground; give a height of 0 m or more")
-    solver = _Solver(motion, ball, aerodynamics, air.density, wind)
+    solver = _Solver(motion, conditions)
     outcome = FlightOutcome.STILL_FLYING
     while solver.times[-1] < TIME_LIMIT and len(solver.times) < MOST_STEPS:
         if solver.advanced(step):
@@ -180,8 +177,9 @@ def check_step(step: float) -> None:
 class _Solver:
     """A flight on its way: every state so far (position, velocity, part of the spin left) and the highest point."""
 
-    def __init__(self, motion: BallMotion, ball: Ball, aerodynamics: Aerodynamics, density: float, wind: Wind) -> None:
-        self.ball, self.aerodynamics, self.density, self.wind = ball, aerodynamics, density, wind
+    def __init__(self, motion: BallMotion, conditions: FlightConditions) -> None:
+        self.ball, self.aerodynamics = conditions.ball, conditions.aerodynamics
+        self.density, self.wind = conditions.one_air.density, conditions.one_wind
         self.spin = motion.spin
         self.times = [0.0]
         self.states = [np.concatenate([motion.position, motion.velocity, [1.0]])]

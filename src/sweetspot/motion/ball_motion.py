@@ -77,6 +77,21 @@ class BallMotion:
         return float(self.spin @ spin_axes(self.launch_angle, self.spray)[2])
 
 
+@dataclass(frozen=True, kw_only=True)
+class BallMotions:
+    """Many balls, each at one moment; one row serves for all.
+
+    Parameters
+    ----------
+    velocity, spin : m/s and rad/s, shape (3,) or (n, 3).
+    position : m, shape (3,) or (n, 3); where balls usually are met, 2 ft in front of the plate's tip and 3 ft up.
+    """
+
+    velocity: ArrayLike
+    spin: ArrayLike
+    position: ArrayLike = (0.0, 0.6, 0.9)
+
+
 def launched(
     *,
     speed: float,
@@ -85,8 +100,7 @@ def launched(
     backspin: float = 0.0,
     sidespin: float = 0.0,
     gyrospin: float = 0.0,
-    height: float = 0.0,
-    forward: float = 0.0,
+    position: ArrayLike = (0.0, 0.0, 0.0),
 ) -> BallMotion:
     """Return the ball that starts so.
 
@@ -96,14 +110,14 @@ def launched(
     launch_angle : rad, elevation.
     spray : rad from centre field, positive to right field.
     backspin, sidespin, gyrospin : rad/s; see the properties of `BallMotion`.
-    height, forward : m above the ground and in front of the plate's tip where it starts.
+    position : m, shape (3,), where it starts: to the right, in front of the plate's tip, and above the ground.
 
     Raises
     ------
     InputError
         for an angle that is none in radians.
 
-    >>> ball = launched(speed=46.0, launch_angle=0.48, spray=-0.2, backspin=260.0, sidespin=-50.0, height=1.0)
+    >>> ball = launched(speed=46.0, launch_angle=0.48, spray=-0.2, backspin=260.0, sidespin=-50.0, position=(0, 0, 1))
     >>> round(ball.speed, 9), round(ball.spray, 9), round(ball.backspin, 9), round(ball.sidespin, 9)
     (46.0, -0.2, 260.0, -50.0)
     """
@@ -111,7 +125,7 @@ def launched(
     check_angle(spray, "spray")
     axes = spin_axes(launch_angle, spray)
     return BallMotion(
-        position=np.array([0.0, forward, height]),
+        position=np.asarray(position, float),
         velocity=speed * axes[2],
         spin=backspin * axes[0] + sidespin * axes[1] + gyrospin * axes[2],
     )

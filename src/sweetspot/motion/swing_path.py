@@ -31,6 +31,41 @@ class PathAxes(NamedTuple):
     tip: Array
 
 
+class Swings(NamedTuple):
+    """Many swings.
+
+    Parameters
+    ----------
+    bat_speed : m/s at the point of impact (not at the place where a swing is measured), shape (n,).
+    axes : their directions, see `path_axes`, shape (n, 3) or (3,).
+    pivot : m from the knob end, the axis that they turn about.
+    """
+
+    bat_speed: ArrayLike
+    axes: PathAxes
+    pivot: float = 0.0
+
+
+class SwingPlane(NamedTuple):
+    """What fixes a swing's path but for its attack angle; see `SwingPath`.
+
+    Parameters
+    ----------
+    tilt : rad, of the plane against the ground; below the attack angle it counts as that (a level bat).
+    attack_direction : rad, negative to the pull side.
+    bats : "right" or "left".
+    """
+
+    tilt: float = 0.0
+    attack_direction: float = 0.0
+    bats: Side = "right"
+
+    def axes(self, attack_angle: ArrayLike) -> PathAxes:
+        """Return the directions of swings at such attack angles, rad."""
+        tilt = steep_enough(self.tilt, attack_angle)
+        return path_axes(attack_angle, self.attack_direction, tilt=tilt, left=self.bats == "left")
+
+
 class SwingPath(Validated):
     """The direction of the swing at contact.
 

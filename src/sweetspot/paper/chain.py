@@ -16,7 +16,7 @@ from sweetspot.analysis.trampoline import WallPoint, wall_point, with_wall_facto
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.closed_form import collision_efficiency, exit_speed
 from sweetspot.collision.coupled import hit
-from sweetspot.collision.oblique_contact import decompose, oblique
+from sweetspot.collision.oblique_contact import Rubbing, decompose, oblique
 from sweetspot.dynamics.block import Block, Support
 from sweetspot.dynamics.rigid import centre_of_percussion, effective_mass, hand_impulse_ratio
 from sweetspot.equipment.bat import Bat
@@ -105,16 +105,9 @@ def _entry(analysis: Analysis, choices: Choices) -> Iterator[Row]:
     )  # fmt: skip
     yield Row("4", f"ball speed across the bat, {degrees}", "m/s", None, normal, normal, "v cos(alpha).")
 
-    def travel(contact: str) -> float:
-        found = oblique(
-            best,
-            ball=ball,
-            body=analysis.body,
-            ball_speed=speed,
-            angle=angle,
-            contact=contact,  # type: ignore[arg-type]
-        )
-        return 1e3 * found.travel
+    def travel(rubbing: Rubbing) -> float:
+        slanted = oblique(best, ball=ball, body=analysis.body, ball_speed=speed, angle=angle, rubbing=rubbing)
+        return 1e3 * slanted.travel
 
     yield Row(
         "S", "travel along the bat, plastic contact", "mm", 0.0, travel("cling"), travel("grip"),

@@ -12,13 +12,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.collision.hit_in_space import strikes
+from sweetspot.collision.hit_in_space import Contact, strikes
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
-from sweetspot.motion.swing_path import path_axes, steep_enough
+from sweetspot.motion.ball_motion import BallMotions
+from sweetspot.motion.swing_path import Swings, path_axes, steep_enough
 from sweetspot.numerics.arrays import Array
 from sweetspot.player.prior import fixed, priors
 from sweetspot.units import INCH
@@ -98,7 +99,7 @@ def contact_table(bat: Bat, *, ball: Ball, axis: float, like: ContactTable | Non
 
 def _efficiency(model: ReducedBat[Bat], ball: Ball, from_tip: Array, speed: float) -> Array:
     place = model.bat.length - np.minimum(from_tip, 0.6 * model.bat.length)
-    done = hits(model.modes, ball=ball, position=place, closing_speed=speed, keep_motion=False)
+    done = hits(model.modes, ball=ball, position=place, closing_speed=speed)
     known = np.isfinite(done.collision_efficiency)
     if known.sum() < PLACES // 2:
         raise InputError(f"{model.bat.name} does not send the ball back on most of its barrel; check its wall")
@@ -119,9 +120,12 @@ def _off_centre(model: ReducedBat[Bat], ball: Ball) -> tuple[Array, Array, Array
     above = np.tile(offset, len(RATIOS))
     pitch = np.repeat(RATIOS * BAT_SPEED, OFFSETS)[:, None] * np.array([0.0, -math.cos(descent), -math.sin(descent)])
     done = strikes(
-        model, ball=ball, bat_speed=BAT_SPEED, axes=axes, pitch_velocity=pitch, pitch_spin=np.zeros(3),
-        position=place, offset=above,
-    )  # fmt: skip
+        model,
+        ball=ball,
+        swings=Swings(BAT_SPEED, axes),
+        pitches=BallMotions(velocity=pitch, spin=np.zeros(3)),
+        contact=Contact(place, above),
+    )
     speed = done.exit_speed.reshape(len(RATIOS), OFFSETS)
     across = np.hypot(done.velocity[:, 0], done.velocity[:, 1])
     launch = np.arctan2(done.velocity[:, 2], across).reshape(speed.shape)

@@ -8,13 +8,15 @@ from typing import Literal
 
 import numpy as np
 
-from sweetspot.collision.hit_in_space import strikes
+from sweetspot.collision.hit_in_space import Contact, strikes
 from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.errors import InputError
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import Air
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import flights
-from sweetspot.motion.swing_path import path_axes, steep_enough
+from sweetspot.motion.ball_motion import BallMotions
+from sweetspot.motion.swing_path import Swings, path_axes, steep_enough
 from sweetspot.numerics.arrays import Array
 from sweetspot.player.contact_tables import BARREL, BAT_SPEED
 from sweetspot.player.model import PlayerModel
@@ -105,19 +107,25 @@ def carry_table(model: PlayerModel, *, pitch_speed: float, aerodynamics: Aerodyn
     descent = fixed("pitch_descent")
     pitch = pitch_speed * np.array([0.0, -math.cos(descent), -math.sin(descent)])
     done = strikes(
-        bat, ball=model.ball, bat_speed=BAT_SPEED,
-        axes=path_axes(attack, 0.0, tilt=steep_enough(fixed("swing_tilt"), attack), left=False),
-        pitch_velocity=pitch, pitch_spin=np.zeros(3), position=own.bat.length - BARREL, offset=above,
-    )  # fmt: skip
+        bat,
+        ball=model.ball,
+        swings=Swings(BAT_SPEED, path_axes(attack, 0.0, tilt=steep_enough(fixed("swing_tilt"), attack), left=False)),
+        pitches=BallMotions(velocity=pitch, spin=np.zeros(3)),
+        contact=Contact(own.bat.length - BARREL, above),
+    )
     efficiency = float(
         np.interp(BARREL, own.from_tip, own.efficiency + (pitch_speed + BAT_SPEED) * own.efficiency_slope)
     )
     head_on = efficiency * (pitch_speed + BAT_SPEED) + BAT_SPEED
     scale = np.repeat(SPEEDS / head_on, len(above))[:, None]
     flown = flights(
-        np.array([0.0, FORWARD, HEIGHT]), np.tile(done.velocity, (len(SPEEDS), 1)) * scale,
-        np.tile(done.spin, (len(SPEEDS), 1)) * scale, ball=model.ball, aerodynamics=aerodynamics, air=air,
-    )  # fmt: skip
+        BallMotions(
+            velocity=np.tile(done.velocity, (len(SPEEDS), 1)) * scale,
+            spin=np.tile(done.spin, (len(SPEEDS), 1)) * scale,
+            position=np.array([0.0, FORWARD, HEIGHT]),
+        ),
+        FlightConditions(ball=model.ball, aerodynamics=aerodynamics, air=air),
+    )
     forward = flown.landing_position[:, 1] > 0  # a ball that goes behind the plate is foul and carries nothing
     carry = np.where(flown.landed & forward, flown.carry, 0.0).reshape(len(SPEEDS), len(ATTACKS), OFFSET_COUNT)
     return CarryTable(SPEEDS, offset, ATTACKS, np.ascontiguousarray(carry.transpose(0, 2, 1)))

@@ -9,15 +9,17 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.analysis.optimum import best_launch, easiest_home_run, own_air
-from sweetspot.analysis.optimum.launch import CONTACT_FORWARD, CONTACT_HEIGHT
+from sweetspot.analysis.optimum.launch import CONTACT
 from sweetspot.errors import InputError
 from sweetspot.flight.air import VACUUM, Air
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence import landing
 from sweetspot.flight.park import Park
 from sweetspot.flight.trajectory import fly
 from sweetspot.motion.ball_motion import launched
 from sweetspot.units import DEGREE, MPH, RPM
 
+_, FORWARD, HEIGHT = CONTACT
 BALL, LAW, AIR = catalog.ball(), catalog.aerodynamics(), Air()
 SPIN = 2200 * RPM
 
@@ -26,7 +28,9 @@ SPIN = 2200 * RPM
 def test_best_angles_of_the_calculator(speed: float, angle: float) -> None:
     """[nathan_calculator] with 2200 rpm, by another integration of the same model, to half a degree."""
     found = best_launch(
-        speed * MPH, backspin=SPIN, ball=BALL, aerodynamics=catalog.aerodynamics("trajectory-calculator"), air=AIR
+        speed * MPH,
+        FlightConditions(ball=BALL, aerodynamics=catalog.aerodynamics("trajectory-calculator"), air=AIR),
+        backspin=SPIN,
     )
     assert found.launch_angle / DEGREE == pytest.approx(angle, abs=0.3)
 
@@ -34,20 +38,23 @@ def test_best_angles_of_the_calculator(speed: float, angle: float) -> None:
 def test_in_a_vacuum_it_is_the_parabolas() -> None:
     """Exact: from height h, tan(best) = v / sqrt(v^2 + 2 g h) and R = v sqrt(v^2 + 2 g h) / g."""
     speed, gravity = 40.0, 9.80665
-    found = best_launch(speed, backspin=SPIN, ball=BALL, aerodynamics=LAW, air=VACUUM)
-    root = math.sqrt(speed**2 + 2 * gravity * CONTACT_HEIGHT)
+    found = best_launch(speed, FlightConditions(ball=BALL, aerodynamics=LAW, air=VACUUM), backspin=SPIN)
+    root = math.sqrt(speed**2 + 2 * gravity * HEIGHT)
     assert found.launch_angle == pytest.approx(math.atan(speed / root), abs=2e-5)
-    assert found.carry == pytest.approx(CONTACT_FORWARD + speed * root / gravity, abs=1e-5)
+    assert found.carry == pytest.approx(FORWARD + speed * root / gravity, abs=1e-5)
 
 
 def test_harder_hits_want_lower_launches() -> None:
-    angles = [best_launch(v * MPH, backspin=SPIN, ball=BALL, aerodynamics=LAW, air=AIR).launch_angle for v in (80, 120)]
+    angles = [
+        best_launch(v * MPH, FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR), backspin=SPIN).launch_angle
+        for v in (80, 120)
+    ]
     assert angles[0] > angles[1] + 3 * DEGREE
 
 
 def test_no_speed_is_refused() -> None:
     with pytest.raises(InputError, match="exit_speed is 0"):
-        best_launch(0.0, backspin=SPIN, ball=BALL, aerodynamics=LAW, air=AIR)
+        best_launch(0.0, FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR), backspin=SPIN)
 
 
 @pytest.mark.parametrize("name", ["fenway", "wrigley", "oracle-park"])
@@ -55,14 +62,12 @@ def test_the_slowest_home_run_just_clears_and_a_slower_one_does_not(name: str) -
     """By the readable flight: 0.05 mph more goes out, 0.15 mph less stays in at every launch angle to 1 deg."""
     park = catalog.park(name)
     air = own_air(AIR, park)
-    found = easiest_home_run(park, backspin=SPIN, ball=BALL, aerodynamics=LAW, air=air)
+    found = easiest_home_run(park, FlightConditions(ball=BALL, aerodynamics=LAW, air=air), backspin=SPIN)
 
     def outcome(speed: float, angle: float, direction: float) -> str:
-        motion = launched(
-            speed=speed, launch_angle=angle, spray=direction, backspin=SPIN, height=CONTACT_HEIGHT, forward=0.0
-        )
-        start = CONTACT_FORWARD * np.array([math.sin(direction), math.cos(direction), 0.0])
-        path = fly(motion, ball=BALL, aerodynamics=LAW, air=air).positions + start
+        motion = launched(speed=speed, launch_angle=angle, spray=direction, backspin=SPIN, position=(0.0, 0.0, HEIGHT))
+        start = FORWARD * np.array([math.sin(direction), math.cos(direction), 0.0])
+        path = fly(motion, FlightConditions(ball=BALL, aerodynamics=LAW, air=air)).positions + start
         return landing(path, park).outcome
 
     inside = (1 - 1e-7) * found.direction  # a hair off the foul line, where rounding may call it foul
@@ -72,25 +77,25 @@ def test_the_slowest_home_run_just_clears_and_a_slower_one_does_not(name: str) -
 
 
 def test_a_higher_wall_asks_for_more_speed_and_a_higher_launch() -> None:
-    found = [
-        easiest_home_run(
-            Park(name="round", fence=tuple((math.radians(a), 110.0, wall) for a in range(-45, 46))),
-            backspin=SPIN, ball=BALL, aerodynamics=LAW, air=AIR,
-        )
-        for wall in (1.0, 12.0)
-    ]  # fmt: skip
+    parks = [
+        Park(name="round", fence=tuple((math.radians(a), 110.0, wall) for a in range(-45, 46))) for wall in (1.0, 12.0)
+    ]
+    usual = FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR)
+    found = [easiest_home_run(park, usual, backspin=SPIN) for park in parks]
     assert found[1].exit_speed > found[0].exit_speed + 0.5
     assert found[1].launch_angle > found[0].launch_angle
 
 
 def test_directions_may_be_limited() -> None:
     park = catalog.park("fenway")
-    free = easiest_home_run(park, backspin=SPIN, ball=BALL, aerodynamics=LAW, air=AIR)
-    centre = easiest_home_run(park, backspin=SPIN, ball=BALL, aerodynamics=LAW, air=AIR, directions=[0.0])
+    free = easiest_home_run(park, FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR), backspin=SPIN)
+    centre = easiest_home_run(
+        park, FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR), backspin=SPIN, directions=[0.0]
+    )
     assert centre.direction == 0.0 and centre.exit_speed > free.exit_speed + 5 * MPH
 
 
 def test_a_wall_too_high_is_refused() -> None:
     tower = Park(name="tower", fence=((-math.pi / 4, 120.0, 200.0), (math.pi / 4, 120.0, 200.0)))
     with pytest.raises(InputError, match="clears the fence of tower"):
-        easiest_home_run(tower, backspin=SPIN, ball=BALL, aerodynamics=LAW, air=AIR)
+        easiest_home_run(tower, FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR), backspin=SPIN)

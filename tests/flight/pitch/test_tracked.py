@@ -19,6 +19,7 @@ from sweetspot.catalog.aerodynamic_laws import aerodynamics
 from sweetspot.errors import InputError
 from sweetspot.flight.aerodynamics import REFERENCE_REYNOLDS, VISCOSITY
 from sweetspot.flight.air import Air
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.forces import drag_and_lift
 from sweetspot.flight.pitch import (
     PLATE,
@@ -215,7 +216,11 @@ def test_tracked_pitches_flown_again_arrive_as_they_did() -> None:
     end, last = pitches.at(PLATE)
     misses = []
     for k in range(0, len(release), 50):
-        flight = fly(BallMotion(start[k], velocity[k], spin[k]), ball=ball, aerodynamics=law, air=AIR, step=0.01)
+        flight = fly(
+            BallMotion(start[k], velocity[k], spin[k]),
+            FlightConditions(ball=ball, aerodynamics=law, air=AIR),
+            step=0.01,
+        )
         at = int(np.argmax(flight.positions[:, 1] <= PLATE))
         part = (PLATE - flight.positions[at, 1]) / (flight.positions[at - 1, 1] - flight.positions[at, 1])
         here, moving = (part * path[at - 1] + (1 - part) * path[at] for path in (flight.positions, flight.velocities))

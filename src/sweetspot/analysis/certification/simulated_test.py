@@ -171,7 +171,7 @@ def bat_test(
     if ball.mass >= body.mass:
         raise InputError(f"the ball weighs {ball.mass:.4g} kg and the bat {body.mass:.4g} kg; give a heavier bat")
     places = np.linspace(length - FAR, length - NEAR, PLACES) if positions is None else positions
-    done = hits(modes, ball=ball, position=places, closing_speed=closing_speed, keep_motion=False)
+    done = hits(modes, ball=ball, position=places, closing_speed=closing_speed)
     efficiency = done.collision_efficiency
     restitution = bbcor(efficiency, body=body, ball=ball, position=places, pivot=CLAMP)
     if not np.isfinite(restitution).any():

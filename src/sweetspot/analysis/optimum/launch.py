@@ -9,19 +9,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
-from sweetspot.flight.aerodynamics import Aerodynamics
-from sweetspot.flight.air import CALM, Air, Wind
+from sweetspot.flight.air import Air
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import flights
 from sweetspot.flight.park import Park, fence_at
-from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.ball_motion import BallMotions, launched
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import DEGREE, FOOT, MPH
 
 LAUNCH_ANGLES = (5 * DEGREE, 60 * DEGREE)
-CONTACT_HEIGHT, CONTACT_FORWARD = 3 * FOOT, 2 * FOOT
-"""m above the ground and in front of the plate's tip, where the flights start."""
+CONTACT = (0.0, 2 * FOOT, 3 * FOOT)
+"""m, where the flights start: in front of the plate's tip and above the ground."""
 SPEEDS = np.arange(60.0, 131.0, 2.0) * MPH
 ANGLES = np.arange(16.0, 56.1, 1.0) * DEGREE
 DIRECTIONS = np.arange(-45.0, 45.1, 0.5) * DEGREE
@@ -41,26 +40,24 @@ class BestLaunch:
 
 def best_launch(
     exit_speed: float,
+    conditions: FlightConditions,
     *,
     backspin: float,
     sidespin: float = 0.0,
     spray: float = 0.0,
-    ball: Ball,
-    aerodynamics: Aerodynamics,
-    air: Air,
-    wind: Wind = CALM,
 ) -> BestLaunch:
     """Return the launch angle that carries farthest at one exit speed and spin, with the carry.
 
     Parameters
     ----------
     exit_speed : m/s, > 0.
+    conditions : ball, drag law, air and wind.
     backspin, sidespin : rad/s, the same at every angle.
     spray : rad from centre field, positive to right field.
 
     >>> from sweetspot import catalog
-    >>> best = best_launch(
-    ...     44.704, backspin=230.0, ball=catalog.ball(), aerodynamics=catalog.aerodynamics(), air=Air())
+    >>> usual = FlightConditions(ball=catalog.ball(), aerodynamics=catalog.aerodynamics(), air=Air())
+    >>> best = best_launch(44.704, usual, backspin=230.0)
     >>> 29 < math.degrees(best.launch_angle) < 30  # 100 mph, 2200 rpm
     True
     """
@@ -69,13 +66,9 @@ def best_launch(
     def shortfall(angle: float) -> float:
         ball_left = launched(
             speed=exit_speed, launch_angle=angle, spray=spray, backspin=backspin, sidespin=sidespin,
-            height=CONTACT_HEIGHT, forward=CONTACT_FORWARD,
+            position=CONTACT,
         )  # fmt: skip
-        flown = flights(
-            ball_left.position, ball_left.velocity, ball_left.spin,
-            ball=ball, aerodynamics=aerodynamics, air=air, wind=wind,
-        )  # fmt: skip
-        return -float(flown.carry[0])
+        return -float(flights(ball_left, conditions).carry[0])
 
     if not (math.isfinite(exit_speed) and exit_speed > 0):
         raise InputError(f"exit_speed is {exit_speed:g} m/s; allowed is a number above zero")
@@ -104,8 +97,8 @@ class EasiestHomeRun:
 
 
 def easiest_home_run(
-    park: Park, *, backspin: float, ball: Ball, aerodynamics: Aerodynamics, air: Air, directions: ArrayLike = DIRECTIONS
-) -> EasiestHomeRun:  # fmt: skip
+    park: Park, conditions: FlightConditions, *, backspin: float, directions: ArrayLike = DIRECTIONS
+) -> EasiestHomeRun:
     """Return the slowest ball that clears a park's fence, where it does so, and at which launch angle.
 
     Without wind and side spin a path is the same in every direction, so one family of flights (speeds by launch
@@ -114,19 +107,22 @@ def easiest_home_run(
 
     Parameters
     ----------
+    conditions : ball, drag law and the park's air (`own_air` gives a park's own), without wind.
     backspin : rad/s.
-    air : of the park; `own_air` gives a park's own.
     directions : rad from centre field, that may be hit to.
 
     Raises
     ------
     InputError
-        when no ball below `SPEEDS`' greatest clears the fence.
+        when no ball below `SPEEDS`' greatest clears the fence, or for a wind.
     """
     from scipy.optimize import brentq, minimize_scalar
 
+    if conditions.one_wind.speed:
+        raise InputError("the easiest home run is searched without wind; leave the wind out")
+
     def over(speed: Array, angle: Array, far: Array) -> Array:
-        return _heights(speed, angle, far, backspin=backspin, ball=ball, aerodynamics=aerodynamics, air=air)
+        return _heights(speed, angle, far, backspin=backspin, conditions=conditions)
 
     wanted = np.atleast_1d(np.asarray(directions, float))
     distance, height = fence_at(park, wanted)
@@ -163,16 +159,12 @@ def _least_speeds(over: Callable[[Array, Array, Array], Array], distance: Array,
     return np.where(first > 0, SPEEDS[first - 1] + share * (SPEEDS[1] - SPEEDS[0]), np.inf)
 
 
-def _heights(
-    speed: Array, angle: Array, distance: Array, *, backspin: float, ball: Ball, aerodynamics: Aerodynamics, air: Air
-) -> Array:  # fmt: skip
+def _heights(speed: Array, angle: Array, distance: Array, *, backspin: float, conditions: FlightConditions) -> Array:
     """Return the heights of flights at some distances, shape (flights, distances); negative where they fell short."""
     nothing = np.zeros_like(speed)
-    flown = flights(
-        [0.0, CONTACT_FORWARD, CONTACT_HEIGHT],
-        np.stack([nothing, speed * np.cos(angle), speed * np.sin(angle)], axis=-1),
-        [backspin, 0.0, 0.0], ball=ball, aerodynamics=aerodynamics, air=air, path_points=PATH_POINTS,
-    )  # fmt: skip
+    leaving = np.stack([nothing, speed * np.cos(angle), speed * np.sin(angle)], axis=-1)
+    motions = BallMotions(velocity=leaving, spin=[backspin, 0.0, 0.0], position=CONTACT)
+    flown = flights(motions, conditions, path_points=PATH_POINTS)
     out, up = flown.positions[..., 1], flown.positions[..., 2]
     reached = np.array([np.interp(distance, way, rise) for way, rise in zip(out, up, strict=True)])
     fall = (up[:, -1] - up[:, -2]) / (out[:, -1] - out[:, -2])

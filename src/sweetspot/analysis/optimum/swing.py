@@ -8,20 +8,20 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from sweetspot.analysis.full_play import Plays, plays
-from sweetspot.collision.oblique_contact import FRICTION, TANGENTIAL_RESTITUTION, contact_frame
+from sweetspot.collision.hit_in_space import Contact
+from sweetspot.collision.oblique_contact import USUAL_FRICTION, Friction, contact_frame
 from sweetspot.dynamics.reduction import ReducedBat
-from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
-from sweetspot.flight.aerodynamics import Aerodynamics
-from sweetspot.flight.air import CALM, Air, Wind
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.motion.ball_motion import BallMotion
 from sweetspot.motion.swing import Swing
-from sweetspot.motion.swing_path import PathAxes, Side, path_axes, steep_enough
+from sweetspot.motion.swing_path import SwingPlane, Swings
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import DEGREE, INCH
 
@@ -38,6 +38,22 @@ UNITS = np.array([DEGREE, 1e-3, INCH])
 """Sizes of a small step in attack angle, offset and place."""
 SHARP, MOST_STEPS = 1e-3, 400
 """When the climb ends: steps in `UNITS` and mm of carry below a thousandth, or as many steps."""
+
+
+class Held(NamedTuple):
+    """What is given instead of searched.
+
+    Parameters
+    ----------
+    position : m from the knob end; None: the best place too is searched, 1 to 12 in from the tip.
+    attack_angle : rad; None: searched, -20 to 60 deg.
+    """
+
+    position: float | None = None
+    attack_angle: float | None = None
+
+
+NOTHING_HELD, LEVEL = Held(), SwingPlane()
 
 
 @dataclass(frozen=True)
@@ -65,20 +81,13 @@ class BestSwing:
 
 def best_swing(
     model: ReducedBat[Bat],
+    conditions: FlightConditions,
     *,
-    ball: Ball,
     swing: Swing,
     pitch: BallMotion,
-    aerodynamics: Aerodynamics,
-    air: Air,
-    wind: Wind = CALM,
-    position: float | None = None,
-    attack_angle: float | None = None,
-    tilt: float = 0.0,
-    attack_direction: float = 0.0,
-    bats: Side = "right",
-    friction: float = FRICTION,
-    tangential_restitution: float = TANGENTIAL_RESTITUTION,
+    plane: SwingPlane = LEVEL,
+    held: Held = NOTHING_HELD,
+    friction: Friction = USUAL_FRICTION,
 ) -> BestSwing:
     """Return the offset, attack angle and place on the barrel that send a pitch farthest [sawicki2003].
 
@@ -86,36 +95,34 @@ def best_swing(
 
     Parameters
     ----------
+    conditions : ball, drag law, air and wind.
     swing : how fast the bat turns.
     pitch : the ball where the bat meets it, in the field's frame.
-    position : m from the knob end; None: the best place too is searched, 1 to 12 in from the tip.
-    attack_angle : rad; None: searched, -20 to 60 deg.
-    tilt : rad, of the swing's plane against the ground; below the attack angle it counts as that (a level bat).
-    attack_direction : rad, negative to the pull side.
+    plane : what fixes the bat's path but for its attack angle.
+    held : place and attack angle that are not searched.
 
     Raises
     ------
     InputError
         for an attack angle outside these limits, or when no contact of the grid makes the ball fly.
     """
-    if attack_angle is not None and not STEEPEST[0] <= attack_angle <= STEEPEST[1]:
-        raise InputError(f"attack angle is {attack_angle / DEGREE:.4g} deg; allowed is -20 to 60 deg")
-
-    def axes(angle: Array) -> PathAxes:
-        return path_axes(angle, attack_direction, tilt=steep_enough(tilt, angle), left=bats == "left")
+    if held.attack_angle is not None and not STEEPEST[0] <= held.attack_angle <= STEEPEST[1]:
+        raise InputError(f"attack angle is {held.attack_angle / DEGREE:.4g} deg; allowed is -20 to 60 deg")
 
     def tried(angle: Array, offset: Array, place: Array) -> Plays:
         return plays(
-            model, ball=ball, bat_speed=swing.angular_speed * (place - swing.pivot), axes=axes(angle),
-            pitch_velocity=pitch.velocity, pitch_spin=pitch.spin, position=place, offset=offset, pivot=swing.pivot,
-            start=pitch.position, aerodynamics=aerodynamics, air=air, wind=wind,
-            friction=friction, tangential_restitution=tangential_restitution,
-        )  # fmt: skip
+            model,
+            conditions,
+            swings=Swings(swing.angular_speed * (place - swing.pivot), plane.axes(angle), swing.pivot),
+            pitches=pitch,
+            contact=Contact(place, offset),
+            friction=friction,
+        )
 
-    best = _climbed(tried, length=model.bat.length, position=position, attack_angle=attack_angle)
+    best = _climbed(tried, length=model.bat.length, held=held)
     done = tried(*best[:, None])
-    reach = ball.radius + float(model.bat.diameter_at(best[2])) / 2
-    normal = contact_frame(*axes(best[0]), lift=np.arcsin(best[1] / reach)).normal
+    reach = conditions.ball.radius + float(model.bat.diameter_at(best[2])) / 2
+    normal = contact_frame(*plane.axes(best[0]), lift=np.arcsin(best[1] / reach)).normal
     return BestSwing(
         attack_angle=float(best[0]),
         offset=float(best[1]),
@@ -127,10 +134,11 @@ def best_swing(
     )
 
 
-def _climbed(tried: Tried, *, length: float, position: float | None, attack_angle: float | None) -> Array:
+def _climbed(tried: Tried, *, length: float, held: Held) -> Array:
     """Return the best (attack angle, offset, place); those that are given stay."""
     from scipy.optimize import minimize
 
+    position, attack_angle = held
     angles = ATTACK_ANGLES if attack_angle is None else np.array([attack_angle])
     places = length - FROM_TIP if position is None else np.array([position])
     grid = [axis.ravel() for axis in np.meshgrid(angles, OFFSETS, places, indexing="ij")]

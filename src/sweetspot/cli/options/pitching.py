@@ -5,12 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from sweetspot.equipment.ball import Ball
-    from sweetspot.flight.air import Air, Wind
+    from sweetspot.flight.conditions import FlightConditions
     from sweetspot.flight.pitch import PitchFlight
 
 
-def pitched(name: str, release_speed: str | None, *, ball: Ball, air: Air, wind: Wind) -> PitchFlight:
+def pitched(name: str, release_speed: str | None, flying: FlightConditions) -> PitchFlight:
     """Return the catalogue's pitch of a name, over the middle of the plate; ``release_speed`` None: as is usual."""
     from sweetspot import catalog
     from sweetspot.flight.pitch import aimed
@@ -19,4 +18,5 @@ def pitched(name: str, release_speed: str | None, *, ball: Ball, air: Air, wind:
     delivery = catalog.delivery(name)
     if release_speed is not None:
         delivery = delivery.replaced(speed=parse(release_speed, "speed", "--release-speed"))
-    return aimed(delivery, ball=ball, aerodynamics=catalog.aerodynamics("pitched-baseball"), air=air, wind=wind)
+    law = catalog.aerodynamics("pitched-baseball")
+    return aimed(delivery, ball=flying.ball, aerodynamics=law, air=flying.one_air, wind=flying.one_wind)

@@ -9,6 +9,7 @@ from cyclopts import Parameter
 
 if TYPE_CHECKING:
     from sweetspot.flight.air import Air, Wind
+    from sweetspot.flight.conditions import FlightConditions
     from sweetspot.flight.park import Park
 
 
@@ -68,4 +69,17 @@ def wind_of(options: AirOptions) -> Wind:
         direction=parse(options.wind_direction, "angle", "--wind-direction"),
         exponent=parse(options.wind_profile, "ratio", "--wind-profile"),
         calm_below=parse(options.calm_below, "length", "--calm-below"),
+    )
+
+
+def through(options: AirOptions, ball: str) -> FlightConditions:
+    """Return what a ball of the catalogue flies through: its drag law, the air and the wind."""
+    from sweetspot import catalog
+    from sweetspot.flight.conditions import FlightConditions
+
+    return FlightConditions(
+        ball=catalog.ball(ball),
+        aerodynamics=catalog.aerodynamics_of_ball(ball),
+        air=air_of(options),
+        wind=wind_of(options),
     )

@@ -13,6 +13,7 @@ from sweetspot.equipment.base import Fraction, NonNegative, Positive, Validated
 from sweetspot.errors import InputError
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import CALM, Air, Wind
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.pitch.home_plate import MIDDLE, PLATE, RUBBER
 from sweetspot.flight.pitch.spin import pitch_spin
 from sweetspot.flight.pitch.tracked import approach_angles
@@ -132,7 +133,7 @@ def thrown(
     InputError
         for a pitch too slow, or aimed so, that it comes down or turns back before the plate.
     """
-    flight = fly(delivery.motion, ball=ball, aerodynamics=aerodynamics, air=air, wind=wind, step=STEP)
+    flight = fly(delivery.motion, FlightConditions(ball=ball, aerodynamics=aerodynamics, air=air, wind=wind), step=STEP)
     beyond = flight.positions[:, 1] <= PLATE
     if not beyond.any():
         raise InputError(_too_slow(delivery, flight))

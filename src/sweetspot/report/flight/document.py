@@ -11,6 +11,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.sport import Sport
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.all_parks import landings_everywhere
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence import Landing, landing
 from sweetspot.flight.home_runs import home_run_chances
 from sweetspot.flight.park import Park
@@ -73,20 +74,24 @@ def batted_flight(
     own_elevation : whether the other parks lie at their own elevation, or all where the hit says.
     """
     hit = directed(hit, ball=ball, aerodynamics=aerodynamics)
-    flight = fly(hit.motion, ball=ball, aerodynamics=aerodynamics, air=hit.air, wind=hit.wind)
+    flight = fly(hit.motion, FlightConditions(ball=ball, aerodynamics=aerodynamics, air=hit.air, wind=hit.wind))
     flown = BattedFlight(hit, flight, ball, sport)
     if park is None or flight.outcome is not FlightOutcome.LANDED:
         return flown
     motion, parks = hit.motion, catalog.parks()
     everywhere = landings_everywhere(
-        motion.position, motion.velocity, motion.spin, parks=parks, ball=ball, aerodynamics=aerodynamics, air=hit.air,
-        wind=hit.wind, own_elevation=own_elevation,
-    )  # fmt: skip
+        motion,
+        FlightConditions(ball=ball, aerodynamics=aerodynamics, air=hit.air, wind=hit.wind),
+        parks=parks,
+        own_elevation=own_elevation,
+    )
     out_in = sum(bool(one.out.all()) for one in everywhere)
     chances = home_run_chances(
-        motion.position, motion.velocity, motion.spin, parks=(park, *parks), ball=ball, aerodynamics=aerodynamics,
-        air=hit.air, wind=hit.wind, own_elevation=own_elevation,
-    ).chance[0]  # fmt: skip
+        motion,
+        FlightConditions(ball=ball, aerodynamics=aerodynamics, air=hit.air, wind=hit.wind),
+        parks=(park, *parks),
+        own_elevation=own_elevation,
+    ).chance[0]
     return replace(
         flown, park=park, landing=landing(flight.positions, park), out_in=out_in, parks=len(parks),
         chance=float(chances[0]), expected_out_in=float(chances[1:].sum()),

@@ -2,17 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
-from sweetspot.analysis.full_play import Play
 from sweetspot.catalog.sports import sport
-from sweetspot.equipment.ball import Ball
-from sweetspot.equipment.bat import Bat
-from sweetspot.flight.fence import Landing
-from sweetspot.flight.park import Park
-from sweetspot.motion.ball_motion import BallMotion
-from sweetspot.motion.swing_path import SwingPath
 from sweetspot.report.document import Document, Paragraph, Picture
 from sweetspot.report.flight.words import (
     flight_json,
@@ -23,34 +15,9 @@ from sweetspot.report.flight.words import (
     path_columns,
 )
 from sweetspot.report.json_shapes import cleaned
+from sweetspot.report.play.played_pitch import PlayedPitch
 from sweetspot.report.quantities import Reader, reader
 from sweetspot.report.sentences import Sentence, Slot, joined, say
-
-
-@dataclass(frozen=True)
-class PlayedPitch:
-    """A play with everything that was put in.
-
-    Parameters
-    ----------
-    position, offset : m, where bat and ball met.
-    park, landing : where the flight ends, if a park was asked for.
-    """
-
-    play: Play
-    bat: Bat
-    ball: Ball
-    position: float
-    offset: float
-    path: SwingPath
-    pitch: BallMotion
-    park: Park | None = None
-    landing: Landing | None = None
-
-    @property
-    def bat_radius(self) -> float:
-        """Radius of the barrel where they met, m."""
-        return float(self.bat.width_at(self.position)) / 2
 
 
 def play_document(played: PlayedPitch) -> Document:
@@ -122,7 +89,4 @@ def play_words(played: PlayedPitch) -> Sentence:
 def _drawn(played: PlayedPitch, words: Sentence, reading: Reader) -> Any:
     from sweetspot.report.play.picture import play_figure
 
-    return play_figure(
-        played.play, ball=played.ball, bat_radius=played.bat_radius, offset=played.offset, path=played.path,
-        pitch=played.pitch, park=played.park, words=words, reading=reading,
-    )  # fmt: skip
+    return play_figure(played, words, reading)

@@ -6,14 +6,10 @@ import textwrap
 
 from matplotlib.figure import Figure
 
-from sweetspot.analysis.full_play import Play
-from sweetspot.equipment.ball import Ball
-from sweetspot.flight.park import Park
-from sweetspot.motion.ball_motion import BallMotion
-from sweetspot.motion.swing_path import SwingPath
 from sweetspot.report.flight.picture import draw_above, draw_side
-from sweetspot.report.hit.contact_picture import draw_contact
 from sweetspot.report.pictures.style import NORMAL, styled
+from sweetspot.report.play.contact_picture import draw_contact
+from sweetspot.report.play.played_pitch import PlayedPitch
 from sweetspot.report.quantities import US, Reader
 from sweetspot.report.sentences import Sentence
 
@@ -22,34 +18,21 @@ LINE = 118
 
 
 @styled
-def play_figure(
-    play: Play,
-    *,
-    ball: Ball,
-    bat_radius: float,
-    offset: float,
-    path: SwingPath,
-    pitch: BallMotion,
-    park: Park | None = None,
-    words: Sentence,
-    reading: Reader = US,
-) -> Figure:
+def play_figure(played: PlayedPitch, words: Sentence, reading: Reader = US) -> Figure:
     """Return the picture of a play; a miss has no flight to draw.
 
     Parameters
     ----------
-    bat_radius, offset : m, where they meet.
     words : for the foot of the page.
     """
     figure = Figure(figsize=(9.0, 7.4), layout="constrained")
     grid = figure.add_gridspec(3, 2, height_ratios=(2.3, 1.25, 0.4), width_ratios=(1, 1.15))
     contact = figure.add_subplot(grid[0, 0])
-    draw_contact(
-        contact, play.strike, ball=ball, bat_radius=bat_radius, offset=offset, path=path, pitch=pitch, reading=reading
-    )
-    if play.flight is not None:
-        draw_above(figure.add_subplot(grid[0, 1]), play.flight, park, reading)
-        draw_side(figure.add_subplot(grid[1, :]), play.flight, park, reading)
+    draw_contact(contact, played, reading)
+    flight = played.play.flight
+    if flight is not None:
+        draw_above(figure.add_subplot(grid[0, 1]), flight, played.park, reading)
+        draw_side(figure.add_subplot(grid[1, :]), flight, played.park, reading)
     foot = figure.add_subplot(grid[2, :])
     foot.set_axis_off()
     foot.text(0, 1, textwrap.fill(words.read(reading), LINE), va="top", size=NORMAL, transform=foot.transAxes)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from sweetspot import catalog
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.forces import drag_and_lift
 from sweetspot.flight.sweep import BattedBall
 from sweetspot.flight.trajectory import Flight, fly
@@ -31,7 +32,10 @@ USUAL = BattedBall(
 
 @cache
 def _flown(hit: BattedBall, law: str) -> Flight:
-    return fly(hit.motion, ball=catalog.ball(), aerodynamics=catalog.aerodynamics(law), air=hit.air, wind=hit.wind)
+    return fly(
+        hit.motion,
+        FlightConditions(ball=catalog.ball(), aerodynamics=catalog.aerodynamics(law), air=hit.air, wind=hit.wind),
+    )
 
 
 def _hit(changes: dict[str, Any]) -> BattedBall:

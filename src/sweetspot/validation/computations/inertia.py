@@ -42,20 +42,9 @@ def listed_effective_mass(
     return effective_mass(body, length - from_tip)
 
 
-def listed_efficiency(
-    *,
-    length: float,
-    mass: float,
-    balance_point: float,
-    moi: float,
-    axis: float,
-    from_tip: float,
-    ball_mass: float,
-    restitution: float,
-) -> float:
-    """Return q of the free rigid bat there."""
-    body = listed_body(mass=mass, balance_point=balance_point, moi=moi, axis=axis)
-    return collision_efficiency(restitution, recoil=ball_mass / effective_mass(body, length - from_tip))
+def listed_efficiency(*, length: float, from_tip: float, ball_mass: float, restitution: float, **line: float) -> float:
+    """Return q of the free rigid bat of a ``line`` (see `listed_body`) there."""
+    return collision_efficiency(restitution, recoil=ball_mass / effective_mass(listed_body(**line), length - from_tip))
 
 
 def rigid_best_speed(**table: float) -> float:
@@ -69,26 +58,17 @@ def rigid_best_from_tip(**table: float) -> float:
 
 
 def _rigid_best(
-    *,
-    length: float,
-    mass: float,
-    balance_point: float,
-    moi: float,
-    axis: float,
-    ball_mass: float,
-    restitution: float,
-    ball_speed: float,
-    bat_speed: float,
-    measured_at: float,
-) -> tuple[float, float]:
-    """Return place from the tip and exit speed; the bat turns about its knob end."""
-    body = listed_body(mass=mass, balance_point=balance_point, moi=moi, axis=axis)
+    *, length: float, ball_mass: float, restitution: float, ball_speed: float, bat_speed: float, measured_at: float,
+    **line: float,
+) -> tuple[float, float]:  # fmt: skip
+    """Return place from the tip and exit speed; the bat of a ``line`` turns about its knob end."""
+    body = listed_body(**line)
 
     def speed(place: float) -> float:
         efficiency = collision_efficiency(restitution, recoil=ball_mass / effective_mass(body, place))
         return exit_speed(efficiency, ball_speed=ball_speed, bat_speed=bat_speed * place / measured_at)
 
-    found = minimize_scalar(lambda place: -speed(place), bounds=(balance_point, length), method="bounded")
+    found = minimize_scalar(lambda place: -speed(place), bounds=(body.balance_point, length), method="bounded")
     return length - float(found.x), speed(float(found.x))
 
 

@@ -9,9 +9,10 @@ from typing import Literal
 from sweetspot import catalog
 from sweetspot.analysis.optimum import BestSwing, best_launch, best_swing
 from sweetspot.catalog.standard_hit import standard_conditions
-from sweetspot.collision.oblique_contact import FRICTION, TANGENTIAL_RESTITUTION
+from sweetspot.collision.oblique_contact import FRICTION, TANGENTIAL_RESTITUTION, Friction
 from sweetspot.dynamics.reduction import reduced_bat
 from sweetspot.flight.air import Air
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.motion.ball_motion import launched
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
 
@@ -32,18 +33,19 @@ def best(pitch: str, model: Model, friction: float = FRICTION) -> BestSwing:
     bat, ball = catalog.bat(BAT), catalog.ball()
     speed, backspin, fall = PITCHES[pitch]
     arriving = launched(
-        speed=speed * MPH, launch_angle=fall * DEGREE, spray=math.pi, backspin=backspin * RPM, height=0.9, forward=0.6
+        speed=speed * MPH, launch_angle=fall * DEGREE, spray=math.pi, backspin=backspin * RPM, position=(0.0, 0.6, 0.9)
     )
     law = catalog.aerodynamics()
     return best_swing(
         reduced_bat(bat, ball=ball),
-        ball=ball,
+        FlightConditions(
+            ball=ball, aerodynamics=law if model == "measured" else law.replaced(drag_per_active_spin=0.0), air=SHEET
+        ),
         swing=standard_conditions(bat).swing,
         pitch=arriving,
-        aerodynamics=law if model == "measured" else law.replaced(drag_per_active_spin=0.0),
-        air=SHEET,
-        friction=friction,
-        tangential_restitution=TANGENTIAL_RESTITUTION if model == "measured" else 0.0,
+        friction=Friction(
+            coefficient=friction, tangential_restitution=TANGENTIAL_RESTITUTION if model == "measured" else 0.0
+        ),
     )
 
 
@@ -60,7 +62,9 @@ def best_carry_change_by_friction(*, pitch: str, friction: float) -> float:
 def best_launch_angle(*, exit_speed: float, backspin: float, law: str = "baseball") -> float:
     """Return the launch angle that carries farthest."""
     found = best_launch(
-        exit_speed, backspin=backspin, ball=catalog.ball(), aerodynamics=catalog.aerodynamics(law), air=SHEET
+        exit_speed,
+        FlightConditions(ball=catalog.ball(), aerodynamics=catalog.aerodynamics(law), air=SHEET),
+        backspin=backspin,
     )
     return found.launch_angle
 

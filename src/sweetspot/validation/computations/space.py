@@ -11,14 +11,14 @@ from scipy.special import ndtri
 
 from sweetspot import catalog
 from sweetspot.collision.closed_form import exit_speed
-from sweetspot.collision.hit_in_space import strike, strikes
+from sweetspot.collision.hit_in_space import Contact, strike, strikes
 from sweetspot.collision.kernel import hits
 from sweetspot.collision.oblique_contact import SPHERE
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.equipment.bat import Bat
-from sweetspot.motion.ball_motion import BallMotion, launch_angles
+from sweetspot.motion.ball_motion import BallMotion, BallMotions, launch_angles
 from sweetspot.motion.swing import Swing
-from sweetspot.motion.swing_path import SwingPath, path_axes, steep_enough
+from sweetspot.motion.swing_path import SwingPath, Swings, path_axes, steep_enough
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import DEGREE, INCH, MPH, RPM
 
@@ -49,7 +49,7 @@ def tee_spin(*, bat: str, bat_speed: float, launch_angle: float) -> float:
 
     def hit(offset: float) -> BallMotion:
         found = strike(
-            model, ball=catalog.ball(), swing=swing, path=SwingPath(), pitch=STILL, position=place, offset=offset
+            model, ball=catalog.ball(), swing=swing, path=SwingPath(), pitch=STILL, contact=Contact(place, offset)
         )
         assert found.launched is not None  # a tee hit off the middle of the barrel always leaves
         return found.launched
@@ -204,12 +204,12 @@ def _league(bat: str, left_handed: float = 0.4, count: int = 60_000, seed: int =
     done = strikes(
         model,
         ball=catalog.ball(),
-        bat_speed=speed * place / (model.bat.length - FROM_TIP),
-        axes=axes,
-        pitch_velocity=np.stack([0 * pitch, -pitch * np.cos(fall), -pitch * np.sin(fall)], axis=-1),
-        pitch_spin=np.stack([draw.normal(-1000, 1200, count), 0 * pitch, draw.normal(0, 900, count)], axis=-1) * RPM,
-        position=place,
-        offset=draw.normal(0.2, 0.9, count) * INCH,
+        swings=Swings(speed * place / (model.bat.length - FROM_TIP), axes),
+        pitches=BallMotions(
+            velocity=np.stack([0 * pitch, -pitch * np.cos(fall), -pitch * np.sin(fall)], axis=-1),
+            spin=np.stack([draw.normal(-1000, 1200, count), 0 * pitch, draw.normal(0, 900, count)], axis=-1) * RPM,
+        ),
+        contact=Contact(place, draw.normal(0.2, 0.9, count) * INCH),
     )
     launch, spray, (back, side, _) = launch_angles(done.velocity, done.spin)
     seen = done.exit_speed + draw.normal(0, 0.5, count) * MPH

@@ -19,6 +19,7 @@ from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion
 from sweetspot.equipment.implement import Implement
 from sweetspot.flight.air import Air
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.trajectory import Flight, fly
 from sweetspot.motion.ball_motion import launched
 from sweetspot.motion.swing import Conditions
@@ -172,7 +173,7 @@ SHEET_AIR = Air(temperature=(70 - 32) / 1.8)
 @cache
 def _flown(ball: str, air: str, speed: float, launch_angle: float, backspin: float) -> Flight:
     start = launched(speed=speed, launch_angle=launch_angle, backspin=backspin)
-    return fly(start, ball=catalog.ball(ball), aerodynamics=catalog.aerodynamics(air), air=SHEET_AIR)
+    return fly(start, FlightConditions(ball=catalog.ball(ball), aerodynamics=catalog.aerodynamics(air), air=SHEET_AIR))
 
 
 @cache

@@ -12,13 +12,13 @@ from sweetspot.analysis.bat_analysis import check_conditions
 from sweetspot.analysis.position_scan import scan
 from sweetspot.analysis.sweet_spot import sweet_spots
 from sweetspot.collision.closed_form import bbcor, exit_speed
-from sweetspot.collision.hit_in_space import Strikes, strikes
+from sweetspot.collision.hit_in_space import Contact, Strikes, strikes
 from sweetspot.collision.impact import Impacts, Outcome
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.reduction import ReducedBat
-from sweetspot.motion.ball_motion import BallMotion
+from sweetspot.motion.ball_motion import BallMotion, BallMotions
 from sweetspot.motion.swing import Conditions
-from sweetspot.motion.swing_path import SwingPath
+from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.report.hit.json import conditions_json
 from sweetspot.units import INCH
 from sweetspot.web.bats import ball_of, conditions_of, reduced
@@ -125,13 +125,9 @@ def _met(
     struck = strikes(
         found,
         ball=ball,
-        bat_speed=bat_speed,
-        axes=SwingPath().axes,
-        pitch_velocity=(0.0, -coming, 0.0),
-        pitch_spin=(0.0, 0.0, 0.0),
-        position=place,
-        offset=state.offset_in * INCH,
-        pivot=conditions.swing.pivot,
+        swings=Swings(bat_speed, SwingPath().axes, conditions.swing.pivot),
+        pitches=BallMotions(velocity=(0.0, -coming, 0.0), spin=(0.0, 0.0, 0.0)),
+        contact=Contact(place, state.offset_in * INCH),
     )
     if int(struck.outcome[0]) != Outcome.SEPARATED:
         return struck, (math.nan, math.nan, math.nan)

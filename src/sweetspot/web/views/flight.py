@@ -10,15 +10,16 @@ import numpy as np
 
 from sweetspot import catalog
 from sweetspot.catalog.aerodynamic_laws import aerodynamics
-from sweetspot.collision.hit_in_space import strikes
+from sweetspot.collision.hit_in_space import Contact, strikes
 from sweetspot.equipment.ball import Ball
 from sweetspot.flight.air import Air, Wind
 from sweetspot.flight.all_parks import PATH_POINTS, landings_everywhere
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence import landing
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.flight.park import FOUL_LINE, Park, fence_at
 from sweetspot.motion.ball_motion import BallMotion, launched
-from sweetspot.motion.swing_path import SwingPath
+from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.units import FOOT, INCH, MPH, RPM
 from sweetspot.web.bats import ball_of, conditions_of, reduced
 from sweetspot.web.drawings import bat_picture
@@ -91,8 +92,7 @@ def launched_by(state: FlightState) -> BallMotion:
         spray=math.radians(state.spray_deg),
         backspin=state.backspin_rpm * RPM,
         sidespin=state.sidespin_rpm * RPM,
-        height=state.height_ft * FOOT,
-        forward=FORWARD,
+        position=(0.0, FORWARD, state.height_ft * FOOT),
     )
 
 
@@ -129,21 +129,16 @@ def _struck(state: FlightState, ball: Ball) -> dict[str, Any]:
         launch_angle=math.radians(state.pitch_angle_deg),
         spray=math.pi,
         backspin=state.pitch_backspin_rpm * RPM,
-        height=state.height_ft * FOOT,
-        forward=FORWARD,
+        position=(0.0, FORWARD, state.height_ft * FOOT),
     )
     model = found.held(conditions.hands)
     bat_speed = conditions.swing.speed_at(place)
     done = strikes(
         model,
         ball=ball,
-        bat_speed=bat_speed,
-        axes=path.axes,
-        pitch_velocity=pitch.velocity,
-        pitch_spin=pitch.spin,
-        position=place,
-        offset=state.offset_in * INCH,
-        pivot=conditions.swing.pivot,
+        swings=Swings(bat_speed, path.axes, conditions.swing.pivot),
+        pitches=pitch,
+        contact=Contact(place, state.offset_in * INCH),
     )
     hit = bool(np.isfinite(done.velocity).all())
     return {
@@ -166,13 +161,10 @@ def _swung(struck: dict[str, Any] | None) -> dict[str, Any]:
 def _flown(motion: BallMotion, *, ball: Ball, weather: Weather) -> Flights:
     """Return the flight in this air, and in none."""
     return flights(
-        motion.position,
-        motion.velocity,
-        motion.spin,
-        ball=ball,
-        aerodynamics=aerodynamics(),
-        air=np.array([weather.air.density, 0.0]),
-        wind=weather.wind,
+        motion,
+        FlightConditions(
+            ball=ball, aerodynamics=aerodynamics(), air=np.array([weather.air.density, 0.0]), wind=weather.wind
+        ),
         path_points=PATH_POINTS,
     )
 
@@ -233,14 +225,9 @@ def _parks(motion: BallMotion, *, ball: Ball, weather: Weather, own_elevation: b
     """Return the outcome in every park, and in how many the ball is out."""
     parks = catalog.parks()
     ends = landings_everywhere(
-        motion.position,
-        motion.velocity,
-        motion.spin,
+        motion,
+        FlightConditions(ball=ball, aerodynamics=aerodynamics(), air=weather.air, wind=weather.wind),
         parks=parks,
-        ball=ball,
-        aerodynamics=aerodynamics(),
-        air=weather.air,
-        wind=weather.wind,
         own_elevation=own_elevation,
     )
     rows = [

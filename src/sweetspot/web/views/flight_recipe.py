@@ -74,14 +74,15 @@ def _field_python(state: FlightState) -> str:
         f"air = Air(temperature=({state.temperature_degf!r} - 32) / 1.8, humidity={state.relative_humidity!r},\n"
         f"          pressure={state.pressure_inhg!r} * 3386.389, elevation={elevation})\n"
         f"wind = Wind(speed={state.wind_speed_mph!r} * MPH, direction=radians({state.wind_direction_deg!r}))\n"
-        'aerodynamics = catalog.aerodynamics("baseball")\n'
+        f"through = FlightConditions(ball=catalog.ball({state.ball!r}), aerodynamics=catalog.aerodynamics(),\n"
+        "                           air=air, wind=wind)\n"
     )
 
 
 def _ball_python(state: FlightState) -> str:
     return (
         "from math import radians\n"
-        "from sweetspot import catalog\n"
+        "from sweetspot import FlightConditions, catalog\n"
         "from sweetspot.flight.air import Air, Wind\n"
         "from sweetspot.flight.fence import landing\n"
         "from sweetspot.flight.trajectory import fly\n"
@@ -89,10 +90,10 @@ def _ball_python(state: FlightState) -> str:
         "from sweetspot.units import FOOT, MPH, RPM\n\n"
         f"motion = launched(speed={state.exit_speed_mph!r} * MPH, launch_angle=radians({state.launch_angle_deg!r}),\n"
         f"                  spray=radians({state.spray_deg!r}), backspin={state.backspin_rpm!r} * RPM,\n"
-        f"                  sidespin={state.sidespin_rpm!r} * RPM, height={state.height_ft!r} * FOOT,\n"
-        "                  forward=2 * FOOT)\n"
+        f"                  sidespin={state.sidespin_rpm!r} * RPM,\n"
+        f"                  position=(0, 2 * FOOT, {state.height_ft!r} * FOOT))\n"
         f"{_field_python(state)}"
-        f"flight = fly(motion, ball=catalog.ball({state.ball!r}), aerodynamics=aerodynamics, air=air, wind=wind)\n"
+        "flight = fly(motion, through)\n"
         "print(flight.carry, flight.hang_time, landing(flight.positions, park))\n"
     )
 
@@ -100,6 +101,7 @@ def _ball_python(state: FlightState) -> str:
 def _swing_python(state: FlightState) -> str:
     return conditions_lines(state) + (
         "\nfrom math import pi, radians\n"
+        "from sweetspot import Contact, FlightConditions\n"
         "from sweetspot.flight.air import Air, Wind\n"
         "from sweetspot.dynamics.reduction import reduced_bat\n"
         "from sweetspot.flight.fence import landing\n"
@@ -110,12 +112,11 @@ def _swing_python(state: FlightState) -> str:
         f"path = SwingPath(attack_angle=radians({state.attack_angle_deg!r}), tilt=radians({state.tilt_deg!r}),\n"
         f'                 attack_direction=radians({state.attack_direction_deg!r}), bats="{state.batter}")\n'
         f"pitch = launched(speed=conditions.pitch.speed, launch_angle=radians({state.pitch_angle_deg!r}), spray=pi,\n"
-        f"                 backspin={state.pitch_backspin_rpm!r} * RPM, height={state.height_ft!r} * FOOT,\n"
-        "                 forward=2 * FOOT)\n"
+        f"                 backspin={state.pitch_backspin_rpm!r} * RPM,\n"
+        f"                 position=(0, 2 * FOOT, {state.height_ft!r} * FOOT))\n"
         f"{_field_python(state)}"
         "model = reduced_bat(bat, ball=conditions.ball).held(conditions.hands)\n"
-        "done = play(model, ball=conditions.ball, swing=conditions.swing, path=path, pitch=pitch,\n"
-        f"            position=bat.length - {state.impact_from_tip_in!r} * INCH, offset={state.offset_in!r} * INCH,\n"
-        "            aerodynamics=aerodynamics, air=air, wind=wind)\n"
-        "print(done.strike.launched, done.flight.carry, landing(done.flight.positions, park))\n"
+        f"met = Contact(bat.length - {state.impact_from_tip_in!r} * INCH, {state.offset_in!r} * INCH)\n"
+        "played = play(model, through, swing=conditions.swing, path=path, pitch=pitch, contact=met)\n"
+        "print(played.strike.launched, played.flight.carry, landing(played.flight.positions, park))\n"
     )

@@ -8,11 +8,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Circle
 
-from sweetspot.collision.hit_in_space import Strike
-from sweetspot.equipment.ball import Ball
-from sweetspot.motion.ball_motion import BallMotion
-from sweetspot.motion.swing_path import SwingPath
 from sweetspot.report.pictures.style import INK, MUTED, PAPER, SMALL, halo, heading
+from sweetspot.report.play.played_pitch import PlayedPitch
 from sweetspot.report.quantities import BLUE, GREEN, RED, US, Reader
 
 WOOD = "#ecd9b8"
@@ -20,24 +17,10 @@ ARROW = 0.0016
 """m of drawing per m/s."""
 
 
-def draw_contact(
-    axes: Axes,
-    strike: Strike,
-    *,
-    ball: Ball,
-    bat_radius: float,
-    offset: float,
-    path: SwingPath,
-    pitch: BallMotion,
-    reading: Reader = US,
-) -> None:
-    """Draw ball and barrel across the bat's axis, with the speeds before and after and the line of centres.
-
-    Parameters
-    ----------
-    bat_radius, offset : m, where they meet.
-    """
-    forward, up, _ = path.axes
+def draw_contact(axes: Axes, played: PlayedPitch, reading: Reader = US) -> None:
+    """Draw ball and barrel across the bat's axis, with the speeds before and after and the line of centres."""
+    strike, ball, bat_radius, offset = played.play.strike, played.ball, played.bat_radius, played.offset
+    forward, up, _ = played.path.axes
     reach = ball.radius + bat_radius
     lift = math.asin(max(-1.0, min(1.0, offset / reach)))
     tilt = math.atan2(forward[2], math.hypot(forward[0], forward[1]))
@@ -58,8 +41,8 @@ def draw_contact(
     ends = np.array([[0, 0], centre]) * 1.0
     axes.plot(*ends.T, color=MUTED, linewidth=0.8, linestyle=(0, (4, 3)))
     _arrow(axes, np.zeros(2), strike.bat_speed * turned(forward), RED, f"bat {speed(strike.bat_speed)}")
-    arriving = turned(pitch.velocity)
-    _arrow(axes, centre - ARROW * arriving, arriving, BLUE, f"pitch {speed(pitch.speed)}", at_tail=True)
+    arriving = turned(played.pitch.velocity)
+    _arrow(axes, centre - ARROW * arriving, arriving, BLUE, f"pitch {speed(played.pitch.speed)}", at_tail=True)
     if strike.launched is not None:
         leaving = turned(strike.launched.velocity)
         rising = reading.shown(strike.launched.launch_angle, "angle", digits=0)
