@@ -134,3 +134,17 @@ def test_answer_of_the_flagship(analysis: Analysis) -> None:
     assert scan.exit_speed[-1] < 0.65 * scan.rigid_exit_speed[-1]  # and falling sharply outside it
     assert abs(analysis.grip_effect) < 0.01
     assert exit_speed_of(analysis.best, analysis.conditions) / MPH == pytest.approx(103.4, abs=2.0)
+
+
+def test_a_peak_too_narrow_to_hit_is_no_sweet_spot(analysis: Analysis) -> None:
+    """A second push may give a spike of a few millimetres; one that half an inch holds counts."""
+    scan = analysis.scan
+    at = int(np.searchsorted(scan.position, 0.45))
+    spike, hump = scan.exit_speed.copy(), scan.exit_speed.copy()
+    spike[at] += 40.0
+    hump[at - 3 : at + 4] += 40.0
+    narrow, wide = (dataclasses.replace(scan, exit_speed=speed) for speed in (spike, hump))
+    assert max_exit_speed(narrow) == max_exit_speed(scan)
+    assert sweet_zone(narrow) == sweet_zone(scan)
+    assert miss_cost(narrow, 0.02) == miss_cost(scan, 0.02)
+    assert abs(max_exit_speed(wide) - scan.position[at]) < 0.02

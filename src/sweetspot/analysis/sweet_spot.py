@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.ndimage import grey_opening
 
 from sweetspot.analysis.position_scan import Scan
 from sweetspot.dynamics.modes import Modes
@@ -17,10 +18,12 @@ from sweetspot.errors import InputError
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.parabola import top
-from sweetspot.units import MPH
+from sweetspot.units import INCH, MPH
 
 ZONE_LOSS = 3 * MPH
 """m/s of exit speed that the sweet zone may lose against the best point."""
+NARROWEST = 0.5 * INCH
+"""m; what a place must hold over to count as a place to hit: a batter meets the ball no better than that."""
 ZONE_STING = 0.5
 """Part of the mean vibration at the hands that the sweet zone must stay below."""
 
@@ -66,7 +69,24 @@ def max_collision_efficiency(scan: Scan) -> float:
 
 def max_exit_speed(scan: Scan) -> float:
     """Return where the ball leaves fastest for this swing: further out than greatest q, for the tip moves faster."""
-    return _top(scan.position, scan.exit_speed)
+    return _top(scan.position, held_exit_speed(scan))
+
+
+def held_exit_speed(scan: Scan) -> Array:
+    """Return exit speeds in m/s, shape (positions,), without peaks too narrow to hit.
+
+    Where a whippy bat swings back and pushes the ball a second time, the curve has spikes of a few millimetres. A speed
+    counts as far as it lies at most `ZONE_LOSS` above what half an inch of bat around it holds.
+
+    >>> from sweetspot import analyse, catalog, standard_conditions
+    >>> scan = analyse(catalog.bat(), standard_conditions(catalog.bat())).scan
+    >>> bool((held_exit_speed(scan) == scan.exit_speed).all())
+    True
+    """
+    step = scan.position[1] - scan.position[0]
+    window = max(3, 2 * round(NARROWEST / step / 2) + 1)
+    known = np.where(np.isnan(scan.exit_speed), -np.inf, scan.exit_speed)
+    return np.minimum(scan.exit_speed, grey_opening(known, size=window, mode="nearest") + ZONE_LOSS)
 
 
 def min_sting(scan: Scan, *, body: RigidBody) -> float:
@@ -84,9 +104,10 @@ def sweet_zone(scan: Scan, *, loss: float = ZONE_LOSS, sting: float = ZONE_STING
     sting : part of the scan's mean sting that must not be reached.
     """
     places = np.linspace(scan.position[0], scan.position[-1], 20 * len(scan.position))
-    speed = np.interp(places, scan.position, scan.exit_speed)
+    held = held_exit_speed(scan)
+    speed = np.interp(places, scan.position, held)
     felt = np.interp(places, scan.position, scan.sting)
-    good = (speed >= np.nanmax(scan.exit_speed) - loss) & (felt < sting * np.nanmean(scan.sting))
+    good = (speed >= np.nanmax(held) - loss) & (felt < sting * np.nanmean(scan.sting))
     edges = np.flatnonzero(np.diff(np.concatenate([[False], good, [False]]).astype(int)))
     if len(edges) == 0:
         return None
@@ -100,10 +121,10 @@ def miss_cost(scan: Scan, distance: float) -> tuple[float, float]:
 
     Beyond the tip there is no bat, and beyond a face nothing to hit with: the value is then nan.
     """
-    best = max_exit_speed(scan)
-    top = float(np.interp(best, scan.position, scan.exit_speed))
-    inside = float(np.interp(best - distance, scan.position, scan.exit_speed, left=np.nan))
-    outside = float(np.interp(best + distance, scan.position, scan.exit_speed, right=np.nan))
+    best, held = max_exit_speed(scan), held_exit_speed(scan)
+    top = float(np.interp(best, scan.position, held))
+    inside = float(np.interp(best - distance, scan.position, held, left=np.nan))
+    outside = float(np.interp(best + distance, scan.position, held, right=np.nan))
     return top - inside, top - outside
 
 
