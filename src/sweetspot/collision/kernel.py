@@ -95,11 +95,7 @@ def _hits(
     results = np.empty((5, count))
     motion = np.empty((2, count if keep_motion else 0, size))
     drift, half_dash = modal_propagator_of(modes, step), dashpot_factors(modes, step / 2)
-    law = ball.restitution
-    constants = np.array(
-        [ball.mass, ball.stiffness, ball.exponent, law.reference, law.slope, law.reference_speed, COR_FLOOR]
-    )
-
+    constants = constants_of(ball)
     omega = modes.angular_frequency
 
     def work(part: slice) -> None:
@@ -114,6 +110,14 @@ def _hits(
 
     in_parts(work, count, size=CHUNK, threads=threads)
     return Impacts(outcome, *results, *motion)
+
+
+def constants_of(ball: Ball) -> Array:
+    """Return what the kernel knows of a ball: mass, k, n, its law (reference, slope, speed) and that law's floor."""
+    law = ball.restitution
+    return np.array(
+        [ball.mass, ball.stiffness, ball.exponent, law.reference, law.slope, law.reference_speed, COR_FLOOR]
+    )
 
 
 # rows of the lanes' state

@@ -9,21 +9,30 @@ from sweetspot.numerics.arrays import Array
 
 
 def modal_propagator_of(modes: Modes, step: float) -> Array:
-    """Return the matrices that take (q, q') of each mode over ``step`` seconds, shape (n, 2, 2).
+    """Return the matrices that take (q, q') of each mode over ``step`` seconds, shape (n, 2, 2)."""
+    return free_steps(modes.angular_frequency, modes.damping_rate, step)
+
+
+def free_steps(angular_frequency: Array, damping_rate: Array, step: float) -> Array:
+    """Return the matrices that take (q, q') of oscillators over ``step`` seconds, shape (..., 2, 2).
 
     Solves q'' + 2 g q' + omega^2 q = 0 exactly, below, at and above critical damping; rigid motions drift.
+
+    Parameters
+    ----------
+    angular_frequency, damping_rate : omega in rad/s and 2 g in 1/s, shape (...).
     """
-    rate = modes.damping_rate / 2
-    root = np.sqrt((modes.angular_frequency**2 - rate**2).astype(complex))
+    rate = damping_rate / 2
+    root = np.sqrt((angular_frequency**2 - rate**2).astype(complex))
     cosine = np.cos(root * step).real
     small = np.abs(root * step) < 1e-8
     sine = np.where(small, step, (np.sin(root * step) / np.where(small, 1, root)).real)
     decay = np.exp(-rate * step)
-    matrices = np.empty((len(modes), 2, 2))
-    matrices[:, 0, 0] = decay * (cosine + rate * sine)
-    matrices[:, 0, 1] = decay * sine
-    matrices[:, 1, 0] = -decay * modes.angular_frequency**2 * sine
-    matrices[:, 1, 1] = decay * (cosine - rate * sine)
+    matrices = np.empty((*rate.shape, 2, 2))
+    matrices[..., 0, 0] = decay * (cosine + rate * sine)
+    matrices[..., 0, 1] = decay * sine
+    matrices[..., 1, 0] = -decay * angular_frequency**2 * sine
+    matrices[..., 1, 1] = decay * (cosine - rate * sine)
     return matrices
 
 

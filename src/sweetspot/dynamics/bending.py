@@ -20,6 +20,7 @@ from sweetspot.dynamics.modes import Family, Modes
 from sweetspot.dynamics.residual_flexibility import left_out
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.eigen import lowest
+from sweetspot.numerics.gauss_legendre import quadrature
 
 ELEMENTS = 16
 """Elements at least; every bat of the catalogue then has twelve modes converged to 4e-4 and the first five to 1e-4."""
@@ -27,6 +28,10 @@ MODES = 12
 CLOSEST = 1e-6
 """m; ends nearer to each other than this are one: an element between them would only hold rounding."""
 DEGREE = 4
+SHIFT = 0.1
+"""Part of an even beam's first eigenvalue by which the problem is shifted; the answers do not depend on it."""
+EVEN_BEAM = 500.0
+"""omega^2 M L^2 (L / EI) of an even free beam: (beta L)^4 = 500.6 (4.7300^4), rounded."""
 
 
 def bending_modes(line: BeamModel, *, count: int = MODES, elements: int = ELEMENTS) -> Modes:
@@ -83,18 +88,36 @@ def _solved(line: BeamModel, count: int, elements: int) -> tuple[Array, Any, Arr
 
     Last comes the factor by which a measured frequency scales the stiffness.
     """
-    ends = {*line.bat.breakpoints(), *(weight.position for weight in line.point_masses)}
-    edges = _element_edges(_apart(sorted(ends)), line.bat.length / elements)
-    deflection, rotation = _bases(edges)
+    edges, deflection, rotation = _mesh(line, elements)
     stiffness, inertia = _matrices(line, deflection, rotation)
-    squares, vectors = lowest(stiffness, inertia, first=2, last=count + 1)
+    squares, vectors = lowest(stiffness, inertia, first=2, last=count + 1, shift=SHIFT * _first_square(line))
     stiffening = 1.0
     if line.bat.frequency is not None:  # stiffness known up to a factor, which does not change the shapes
         stiffening = float((2 * np.pi * line.bat.frequency) ** 2 / squares[0])
     return edges, deflection, stiffening * squares, vectors, stiffening
 
 
-def _apart(ends: list[float]) -> tuple[float, ...]:
+def mesh_matrices(line: BeamModel, *, elements: int = ELEMENTS) -> tuple[Array, Array, float]:
+    """Return dense stiffness and mass matrices, and the shift in (rad/s)^2 with which they are solved."""
+    _, deflection, rotation = _mesh(line, elements)
+    return *_matrices(line, deflection, rotation), SHIFT * _first_square(line)
+
+
+def _mesh(line: BeamModel, elements: int) -> tuple[Array, Any, Any]:
+    """Return element ends, and the bases of deflection and rotation on them."""
+    ends = {*line.bat.breakpoints(), *(weight.position for weight in line.point_masses)}
+    edges = _element_edges(apart(sorted(ends)), line.bat.length / elements)
+    return edges, *_bases(edges)
+
+
+def _first_square(line: BeamModel) -> float:
+    """Return about the square of the first angular frequency, (rad/s)^2: that of an even beam as flexible."""
+    places, weights = quadrature(line.bat.breakpoints())
+    flexible = float(np.sum(weights / section(line, places).bending_stiffness))
+    return EVEN_BEAM / (flexible * moments(line)[0] * line.bat.length**2)
+
+
+def apart(ends: list[float]) -> tuple[float, ...]:
     """Return increasing ends without those that are as good as the one before; the first and the last stay."""
     kept = [ends[0]]
     kept += [end for before, end in pairwise(ends[:-1]) if end - before > CLOSEST and ends[-1] - end > CLOSEST]

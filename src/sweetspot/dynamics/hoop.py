@@ -13,6 +13,7 @@ The slope of the taper is left out, as is rotary inertia of the wall.
 from __future__ import annotations
 
 import logging
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -93,19 +94,30 @@ def hoop_modes(
     """
     start, end = barrel_range(line)
     mesh = MeshLine(np.linspace(start, end, elements + 1))
-    found = [_one_harmonic(line, mesh, n, axial_modes, capped=_capped(line)) for n in harmonics]
+    found = [_one_harmonic(line, mesh, n, axial_modes, capped=is_capped(line)) for n in harmonics]
+    return felt_by_ball(line, found, patch=patch, harmonics=harmonics)
+
+
+def felt_by_ball(
+    line: BeamModel, found: list[tuple[Array, CubicHermiteSpline]], *, patch: float, harmonics: tuple[int, ...]
+) -> Modes:
+    """Return modes of the wall as the ball feels them through its patch, in rising order.
+
+    Parameters
+    ----------
+    found : for every harmonic omega^2 (count,) and the mass-normalised outward shapes W(x), one column per mode.
+    """
+    start, end = barrel_range(line)
     omega = np.sqrt(np.concatenate([squares for squares, _ in found]))
     grid = np.linspace(start, end, GRID)
-    shapes = np.hstack(
-        [
-            _felt(grid, shape, patch) * patch_mean_around(line, harmonic=n, patch=patch)
-            for n, (_, shape) in zip(harmonics, found, strict=True)
-        ]
-    )
+    together = np.concatenate([shape.c for _, shape in found], axis=2)
+    radius, counts = _barrel_radius(line), [len(squares) for squares, _ in found]
+    felt_around = np.repeat([patch_mean(n / radius, patch) for n in harmonics], counts)
+    shapes = _felt(grid, PPoly.construct_fast(together, found[0][1].x), patch) * felt_around
     count = len(omega)
     order = np.argsort(omega)
     families: list[Family] = ["hoop"] * count
-    numbers = np.repeat(harmonics, axial_modes)[order]
+    numbers = np.repeat(harmonics, counts)[order]
     return Modes(
         families=tuple(families),
         harmonics=tuple(int(number) for number in numbers),
@@ -131,7 +143,8 @@ def _barrel_radius(line: BeamModel) -> float:
     return float(np.max(bat.diameter_at(np.linspace(bat.length / 2, bat.length, 401)))) / 2
 
 
-def _capped(line: BeamModel) -> bool:
+def is_capped(line: BeamModel) -> bool:
+    """Return whether an end cap holds the tip round."""
     shell = line_of_bat(line).shell
     return shell is not None and shell.end_cap_mass > 0
 
@@ -205,9 +218,15 @@ def _free_dofs(plane: Any, outward: Any, *, capped: bool) -> Any:
     return np.setdiff1d(np.arange(2 * plane.N + outward.N), np.concatenate(held))
 
 
-def _felt(grid: Array, shape: CubicHermiteSpline, patch: float) -> Array:
-    """Return shapes averaged along the bat over the patch, with weight 1 - (s / a)^2, cut off at the tip."""
+@cache
+def _felt_rule() -> tuple[Array, Array]:
     nodes, weights = np.polynomial.legendre.leggauss(8)
+    return nodes, weights
+
+
+def _felt(grid: Array, shape: PPoly, patch: float) -> Array:
+    """Return shapes averaged along the bat over the patch, with weight 1 - (s / a)^2, cut off at the tip."""
+    nodes, weights = _felt_rule()
     weights = weights * (1 - nodes**2)
     places = np.clip(grid[:, None] + patch * nodes, grid[0], grid[-1])
     return np.asarray(np.einsum("gnm,n->gm", shape(places), weights / weights.sum()))

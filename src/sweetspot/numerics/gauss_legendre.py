@@ -14,13 +14,14 @@ GAUSS_POINTS = 6
 
 def quadrature(edges: tuple[float, ...]) -> tuple[Array, Array]:
     """Return Gauss-Legendre positions and weights on every piece between ``edges``, one after the other."""
-    nodes, weights = _rule()
+    nodes, weights = rule()
     left, width = np.array(edges[:-1]), np.diff(edges)
     places = left[:, None] + width[:, None] * (nodes + 1) / 2
     return places.ravel(), (width[:, None] * weights / 2).ravel()
 
 
 @cache
-def _rule() -> tuple[Array, Array]:
+def rule() -> tuple[Array, Array]:
+    """Return nodes between -1 and 1, and weights, of one piece."""
     nodes, weights = np.polynomial.legendre.leggauss(GAUSS_POINTS)
     return nodes, weights

@@ -1,0 +1,58 @@
+"""The coupled collision for many bats at once: every bat at its own places, by the same kernel as one bat's hits."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from sweetspot.collision.coupled import TIME_LIMIT
+from sweetspot.collision.impact import Impacts
+from sweetspot.collision.kernel import LANES, STEP, Bat, Output, constants_of, solve
+from sweetspot.collision.modal_propagator import free_steps
+from sweetspot.dynamics.batch.reduction import ReducedBats
+from sweetspot.equipment.ball import Ball
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.threads import in_parts
+
+BATS = 8
+"""Per task handed to a thread."""
+
+
+def struck(
+    bats: ReducedBats,
+    *,
+    ball: Ball,
+    position: Array,
+    closing_speed: Array,
+    step: float = STEP,
+    keep_motion: bool = False,
+    threads: int | None = None,
+) -> Impacts:
+    """Return hits with many free bats, every array shaped (bats, places); motions (bats, places, n).
+
+    Parameters
+    ----------
+    position, closing_speed : m from the knob end and m/s, shape (bats, places).
+    step : s; round bats do not need shorter ones than `STEP` (see `contact_step`).
+    keep_motion : whether to return the bats' modal motion at release.
+    threads : workers; None: one per core.
+    """
+    shapes, give = bats.shapes_at(position), bats.compliance_at(position)
+    omega, drift = bats.angular_frequency, free_steps(bats.angular_frequency, bats.damping_rate, step)
+    count, places, size = shapes.shape
+    outcome = np.empty((count, places), np.int64)
+    results = np.empty((5, count, places))
+    motion = np.empty((2, count, places if keep_motion else 0, size))
+    constants, limit = constants_of(ball), float(round(TIME_LIMIT / step))
+    lanes = min(LANES, 4 * math.ceil(places / 4))
+    nothing, none = np.zeros((0, size)), np.zeros(0)
+    speeds = np.ascontiguousarray(closing_speed)
+
+    def work(part: slice) -> None:
+        for i in range(part.start, part.stop):
+            bat = Bat(shapes[i], give[i], omega[i], drift[i], nothing, none)
+            solve(lanes, speeds[i], bat, constants, step, limit, Output(outcome[i], results[:, i], motion[:, i]))
+
+    in_parts(work, count, size=BATS, threads=threads)
+    return Impacts(outcome, *results, *motion)

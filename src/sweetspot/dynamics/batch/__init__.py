@@ -1,0 +1,1 @@
+"""Many bats reduced at once: the same beams, modes and walls as one at a time, in compiled kernels."""

@@ -1,0 +1,252 @@
+"""The bending modes of many beams: mass properties, twelve modes each, and what those leave out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from scipy.interpolate import CubicSpline, PPoly
+
+from sweetspot.dynamics.batch.beams import Beams, Lumps
+from sweetspot.dynamics.batch.bending_kernel import Elements, Points, bend, give_slowly, merged, shapes_at
+from sweetspot.dynamics.batch.mesh import Mesh
+from sweetspot.dynamics.bending import ELEMENTS, MODES
+from sweetspot.dynamics.modes import Family, Modes
+from sweetspot.dynamics.residual_flexibility import CELLS, PLACES
+from sweetspot.dynamics.rigid import RigidBody
+from sweetspot.equipment.section import Section
+from sweetspot.errors import InputError
+from sweetspot.numerics.arrays import Array, IntArray
+from sweetspot.numerics.gauss_legendre import GAUSS_POINTS, rule
+from sweetspot.numerics.threads import in_parts
+
+CHUNK = 16
+"""Beams worked on together, so that their sections stay near the processor."""
+SLACK = 1e-9
+
+
+@dataclass(frozen=True)
+class BendingBatch:
+    """Many beams with their motions.
+
+    Parameters
+    ----------
+    length, mass, balance_point, moi_cm, roll_moi : m, kg, m from the knob end, kg m^2 across and about the line; all of
+        shape (beams,).
+    omega : rad/s of the bending modes, shape (beams, count).
+    damping_ratio : shape (beams,).
+    mesh : the elements' ends.
+    coefficients : the elastic shapes on every element, of t^4 ... t^0 with t = 0..1, shape (elements, 5, count).
+    left_out : m/N that the modes leave out, at `PLACES` even places along every beam, shape (beams, places).
+    """
+
+    length: Array
+    mass: Array
+    balance_point: Array
+    moi_cm: Array
+    roll_moi: Array
+    omega: Array
+    damping_ratio: Array
+    mesh: Mesh
+    coefficients: Array
+    left_out: Array
+
+    def __len__(self) -> int:
+        return len(self.length)
+
+    @property
+    def frequency(self) -> Array:
+        """Frequencies in Hz, shape (beams, count)."""
+        return self.omega / (2 * np.pi)
+
+    def moi(self, axis: Array | float) -> Array:
+        """Return moments of inertia in kg m^2 about axes across the beams, m from the knob end, shape (beams,)."""
+        return np.asarray(self.moi_cm + self.mass * (axis - self.balance_point) ** 2)
+
+    def body(self, number: int) -> RigidBody:
+        """Return one beam as a rigid body."""
+        parts = (self.mass, self.balance_point, self.moi_cm, self.roll_moi)
+        return RigidBody(*(float(part[number]) for part in parts))
+
+    def shapes_at(self, position: Array) -> Array:
+        """Return rigid motions and modes at places (beams, places) in m, shape (beams, places, count + 2)."""
+        count = self.omega.shape[1]
+        elastic = np.empty((*position.shape, count))
+        shapes_at(self.mesh.first_piece, self._left, self._width, self.coefficients, position, elastic)
+        shift = (1 / np.sqrt(self.mass))[:, None, None]
+        turn = (position - self.balance_point[:, None]) / np.sqrt(self.moi_cm)[:, None]
+        return np.concatenate([np.broadcast_to(shift, (*position.shape, 1)), turn[..., None], elastic], axis=2)
+
+    def left_out_at(self, position: Array) -> Array:
+        """Return what the modes leave out at places (beams, places) in m, m/N; see `left_out`."""
+        return on_even_splines(self._spline, position / self.length[:, None])
+
+    def modes(self, number: int) -> Modes:
+        """Return one beam's motions as everybody else takes them."""
+        first = self.mesh.first_piece
+        inside = slice(first[number], first[number + 1])
+        edges = self.mesh.ends[self.mesh.first[number] : self.mesh.first[number + 1]]
+        count = self.omega.shape[1]
+        rigid = np.zeros((5, len(edges) - 1, 2))
+        rigid[-1, :, 0] = 1 / np.sqrt(self.mass[number])
+        rigid[-1, :, 1] = (edges[:-1] - self.balance_point[number]) / np.sqrt(self.moi_cm[number])
+        rigid[-2, :, 1] = np.diff(edges) / np.sqrt(self.moi_cm[number])
+        coefficients = np.concatenate([rigid, self.coefficients[inside].transpose(1, 0, 2)], axis=2)
+        coefficients /= np.diff(edges)[None, :, None] ** np.arange(4, -1, -1)[:, None, None]
+        omega = np.concatenate([[0.0, 0.0], self.omega[number]])
+        bending: list[Family] = ["bending"] * count
+        places = np.linspace(0.0, self.length[number], PLACES)
+        return Modes(
+            families=("rigid", "rigid", *bending),
+            harmonics=(0, 0, *range(1, count + 1)),
+            frequency=omega / (2 * np.pi),
+            damping_rate=2 * self.damping_ratio[number] * omega,
+            shapes=PPoly.construct_fast(np.ascontiguousarray(coefficients), edges),
+            rigid_part=np.eye(2, count + 2),
+            dashpots=np.zeros((0, count + 2)),
+            compliances=(CubicSpline(places, self.left_out[number]),),
+        )
+
+    @cached_property
+    def _left(self) -> Array:
+        return self.mesh.left
+
+    @cached_property
+    def _width(self) -> Array:
+        return self.mesh.width
+
+    @cached_property
+    def _spline(self) -> Array:
+        return even_splines(self.left_out)
+
+
+def bending_batch(beams: Beams, *, count: int = MODES, threads: int | None = None) -> BendingBatch:
+    """Return mass properties and the lowest ``count`` bending modes of many free beams.
+
+    The same elements, quadrature and slices as `rigid_body`, `bending_modes` and `left_out`: the results are theirs to
+    1e-9 at worst, and most of that is rounding in the dense solver.
+
+    Parameters
+    ----------
+    beams : outlines side by side (`SolidBats`), or any implements (`BeamRow`).
+    count : number of bending modes, >= 1.
+    threads : workers; None: one per core.
+
+    Raises
+    ------
+    InputError
+        when a beam has no modes: a mass or stiffness that is not above zero.
+    """
+    parts: dict[int, BendingBatch] = {}
+
+    def work(which: slice) -> None:
+        parts[which.start] = _some(beams.part(which), count, which.start)
+
+    in_parts(work, len(beams), size=CHUNK, threads=threads)
+    return joined_batches([parts[start] for start in sorted(parts)])
+
+
+def joined_batches(parts: list[BendingBatch]) -> BendingBatch:
+    """Return batches one after the other."""
+    if len(parts) == 1:
+        return parts[0]
+    meshes = [part.mesh for part in parts]
+    offsets = np.cumsum([0, *(len(mesh.ends) for mesh in meshes)])
+    firsts = [mesh.first[:-1] + offset for mesh, offset in zip(meshes, offsets[:-1], strict=True)]
+    mesh = Mesh(np.concatenate([mesh.ends for mesh in meshes]), np.concatenate([*firsts, offsets[-1:]]))
+    names = [name for name in BendingBatch.__dataclass_fields__ if name != "mesh"]
+    return BendingBatch(**{name: np.concatenate([getattr(part, name) for part in parts]) for name in names}, mesh=mesh)
+
+
+def _some(beams: Beams, count: int, start: int) -> BendingBatch:
+    whole, plain = beams.ends()
+    length = plain.ends[plain.first[1:] - 1]
+    mesh, slices = whole.divided(length / ELEMENTS, slack=SLACK), plain.divided(length / CELLS)
+    lumps = beams.lumps
+    left, width, owner, first = mesh.left, mesh.width, mesh.owner, mesh.first_piece
+    nodes, weights = rule()
+    places = left[:, None] + width[:, None] * (nodes + 1) / 2
+    at = beams.section_at(places.ravel(), np.repeat(owner, GAUSS_POINTS))
+    body = _bodies(at, places, width[:, None] * weights / 2, first, lumps, beams.unplaced, start)
+    mass, first_moment, moi_cm, roll = body
+    points = Points(lumps.mass, lumps.moi, lumps.position, _nodes(mesh, lumps))
+    sections = (
+        part.reshape(places.shape) for part in (at.mass, at.rotary_inertia, at.bending_stiffness, at.shear_stiffness)
+    )
+    squares, coefficients = np.empty((len(beams), count)), np.empty((len(left), 5, count))
+    failed = bend(Elements(first, width, *sections), left, points, mass, squares, coefficients)
+    if failed >= 0:
+        raise InputError(f"bat {start + failed} has no bending modes; its mass and stiffness must be above zero")
+    stiffening = np.where(np.isnan(beams.frequency), 1.0, (2 * np.pi * beams.frequency) ** 2 / squares[:, 0])
+    squares *= stiffening[:, None]
+    even = length[:, None] * np.linspace(0.0, 1.0, PLACES)
+    kept = np.empty((*even.shape, count))
+    shapes_at(first, left, width, coefficients, even, kept)
+    slow = _slowly(beams, slices, points, even) / stiffening[:, None]
+    left_out = slow - np.einsum("bpm,bm->bp", kept**2, 1 / squares)
+    return BendingBatch(
+        length=length, mass=mass, balance_point=first_moment / mass, moi_cm=moi_cm, roll_moi=roll,
+        omega=np.sqrt(squares), damping_ratio=beams.damping_ratio, mesh=mesh, coefficients=coefficients,
+        left_out=left_out,
+    )  # fmt: skip
+
+
+def _bodies(
+    at: Section, places: Array, weights: Array, first: IntArray, lumps: Lumps, unplaced: Array, start: int
+) -> tuple[Array, Array, Array, Array]:
+    """Return mass, first moment, moment about the balance point and roll of every beam."""
+
+    def summed(density: Array) -> Array:
+        return np.add.reduceat((density.reshape(places.shape) * weights).sum(axis=1), first[:-1])
+
+    x = places.ravel()
+    mass = summed(at.mass) + lumps.mass.sum(axis=1)
+    if not mass.min() > 0:
+        raise InputError(f"bat {start + int(np.argmin(mass))} weighs {mass.min():.4g} kg; allowed is more than 0")
+    moment = summed(at.mass * x) + (lumps.mass * lumps.position).sum(axis=1) + unplaced[:, 0]
+    second = summed(at.mass * x**2 + at.rotary_inertia) + unplaced[:, 1]
+    second = second + (lumps.mass * lumps.position**2 + lumps.moi).sum(axis=1)
+    roll = summed(at.roll_inertia) + lumps.roll_moi.sum(axis=1)
+    return mass, moment, second - moment * (moment / mass), roll
+
+
+def _nodes(mesh: Mesh, lumps: Lumps) -> IntArray:
+    """Return the element end nearest to every point mass, counted from each beam's first."""
+    found = np.zeros(lumps.mass.shape, np.int64)
+    for beam, column in zip(*np.nonzero(lumps.mass != 0), strict=True):
+        ends = mesh.ends[mesh.first[beam] : mesh.first[beam + 1]]
+        found[beam, column] = np.argmin(np.abs(ends - lumps.position[beam, column]))
+    return found
+
+
+def _slowly(beams: Beams, slices: Mesh, points: Points, even: Array) -> Array:
+    """Return the compliance under a slow push at even places, m/N, shape (beams, places)."""
+    most = int(np.diff(slices.first).max()) + even.shape[1]
+    cells, counts = np.zeros((len(beams), most)), np.empty(len(beams), np.int64)
+    merged(slices.first, slices.ends, even, cells, counts)
+    used = np.arange(most) < counts[:, None]
+    both = used[:, 1:]
+    middle, width = ((cells[:, 1:] + cells[:, :-1]) / 2)[both], np.diff(cells, axis=1)[both]
+    owner = np.repeat(np.arange(len(beams)), counts - 1)
+    at = beams.section_at(middle, owner)
+    first = np.concatenate([[0], np.cumsum(counts - 1)])
+    found = np.empty_like(even)
+    parts = (width, at.mass, at.rotary_inertia, at.bending_stiffness, at.shear_stiffness)
+    give_slowly(first, middle, parts, points, even, found)
+    return found
+
+
+def even_splines(values: Array) -> Array:
+    """Return cubic splines through values at even places from 0 to 1, shape (beams, places); see `CubicSpline`."""
+    return np.asarray(CubicSpline(np.linspace(0.0, 1.0, values.shape[1]), values, axis=1).c)
+
+
+def on_even_splines(coefficients: Array, part: Array) -> Array:
+    """Return splines (4, pieces, beams) at parts 0..1 of their range, (beams, places) to the same shape."""
+    pieces = coefficients.shape[1]
+    piece = np.clip((part * pieces).astype(np.int64), 0, pieces - 1)
+    t = part - piece / pieces
+    beam = np.arange(len(part))[:, None]
+    c = coefficients[:, piece, beam]
+    return np.asarray(((c[0] * t + c[1]) * t + c[2]) * t + c[3])

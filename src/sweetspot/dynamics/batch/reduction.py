@@ -1,0 +1,139 @@
+"""Many bats reduced to what a collision needs of them: rigid body, modes, and how far the surface gives way at once."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from sweetspot.dynamics.batch.beams import BeamRow, SolidBats
+from sweetspot.dynamics.batch.bending import BendingBatch, bending_batch, even_splines, on_even_splines
+from sweetspot.dynamics.batch.hoop import fast_hoop_modes
+from sweetspot.dynamics.beam import BeamModel
+from sweetspot.dynamics.dent import PLACES, dent_compliance, round_compliance
+from sweetspot.dynamics.face_vibration import face_modes
+from sweetspot.dynamics.hoop import contact_patch
+from sweetspot.dynamics.modes import Modes, joined
+from sweetspot.dynamics.reduction import ReducedBat
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.bat import Bat
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.threads import in_parts
+
+
+@dataclass(frozen=True)
+class ReducedBats:
+    """Many bats, ready to be hit.
+
+    Parameters
+    ----------
+    bending : mass properties and bending modes.
+    dent : m/N that round wood is dented, at `PLACES` even places along every bat, shape (bats, places); 0 for others.
+    walls : what a hollow barrel or a striking face adds, one per bat; None: nothing.
+    """
+
+    bending: BendingBatch
+    dent: Array
+    walls: tuple[Modes | None, ...]
+
+    def __len__(self) -> int:
+        return len(self.bending)
+
+    @cached_property
+    def angular_frequency(self) -> Array:
+        """Of rigid motions (0), bending and hoop modes, rad/s, shape (bats, n); 0 too where a bat has fewer."""
+        return self._padded(np.pad(self.bending.omega, ((0, 0), (2, 0))), "angular_frequency")
+
+    @cached_property
+    def damping_rate(self) -> Array:
+        """2 zeta omega in 1/s, shape (bats, n)."""
+        rate = 2 * self.bending.damping_ratio[:, None] * self.bending.omega
+        return self._padded(np.pad(rate, ((0, 0), (2, 0))), "damping_rate")
+
+    def shapes_at(self, position: Array) -> Array:
+        """Return the shapes at places (bats, places) in m, shape (bats, places, n), 1/sqrt(kg)."""
+        beams = self.bending.shapes_at(position)
+        if self._most == 0:
+            return beams
+        walls = np.zeros((*position.shape, self._most))
+        for row, wall in enumerate(self.walls):
+            if wall is not None:
+                walls[row, :, : len(wall)] = wall.shape_at(position[row])
+        return np.concatenate([beams, walls], axis=2)
+
+    def compliance_at(self, position: Array) -> Array:
+        """Return how far the surface gives way at once, m/N at places (bats, places) in m; never below zero."""
+        give = self.bending.left_out_at(position)
+        give = give + on_even_splines(self._dents, position / self.bending.length[:, None])
+        return np.asarray(np.maximum(give, 0.0))
+
+    def modes(self, number: int) -> Modes:
+        """Return one bat's motions as everybody else takes them."""
+        modes, wall = self.bending.modes(number), self.walls[number]
+        if wall is not None:
+            return joined(modes, wall)
+        if not self.dent[number].any():
+            return modes
+        places = np.linspace(0.0, self.bending.length[number], PLACES)
+        return replace(modes, compliances=(*modes.compliances, CubicSpline(places, self.dent[number])))
+
+    @cached_property
+    def _dents(self) -> Array:
+        return even_splines(self.dent)
+
+    @cached_property
+    def _most(self) -> int:
+        return max((len(wall) for wall in self.walls if wall is not None), default=0)
+
+    def _padded(self, beams: Array, name: str) -> Array:
+        walls = np.zeros((len(self), self._most))
+        for row, wall in enumerate(self.walls):
+            if wall is not None:
+                walls[row, : len(wall)] = getattr(wall, name)
+        return np.concatenate([beams, walls], axis=1)
+
+
+def reduced_outlines(bats: SolidBats, *, ball: Ball, threads: int | None = None) -> ReducedBats:
+    """Return solid bats, their outlines side by side, with their motions under the patch that this ball presses."""
+    length = bats.length[:, None]
+    rows = np.arange(len(bats))[:, None] * np.ones(PLACES)
+    stations = bats.position / length + 2 * np.arange(len(bats))[:, None]
+    places = np.linspace(0.0, 1.0, PLACES) + 2 * rows
+    radius = np.interp(places, stations.ravel(), bats.diameter.ravel()) / 2
+    dent = round_compliance(bats.material, contact_patch(ball) / radius, void=0.0) / radius
+    dent = dent / bats.stiffness_factor[:, None]
+    return ReducedBats(bending_batch(bats, threads=threads), dent, (None,) * len(bats))
+
+
+def reduced_lines(lines: Sequence[BeamModel], *, ball: Ball, threads: int | None = None) -> ReducedBats:
+    """Return any implements, reduced to beams, with their motions under the patch that this ball presses.
+
+    See `all_modes`: a face adds roll and its own mode, a hollow barrel its hoop modes; a solid bat is dented.
+    """
+    patch = contact_patch(ball)
+    dent, walls = np.zeros((len(lines), PLACES)), dict[int, Modes]()
+
+    def work(part: slice) -> None:
+        for number in range(part.start, part.stop):
+            line = lines[number]
+            if line.bat.face is not None:
+                walls[number] = face_modes(line, ball)
+            elif isinstance(line.bat, Bat) and line.bat.shell is not None:
+                walls[number] = fast_hoop_modes(line, patch=patch)
+            elif isinstance(line.bat, Bat):
+                spline = dent_compliance(line, patch=patch)
+                dent[number] = spline(np.linspace(0.0, line.bat.length, PLACES))
+
+    in_parts(work, len(lines), size=4, threads=threads)
+    return ReducedBats(
+        bending_batch(BeamRow(lines), threads=threads), dent, tuple(walls.get(i) for i in range(len(lines)))
+    )
+
+
+def fast_reduced_bat(line: BeamModel, *, ball: Ball) -> ReducedBat:
+    """Return one bat reduced by the compiled kernels; see `reduced_bat`, which it is to 1e-9."""
+    found = reduced_lines([line], ball=ball, threads=1)
+    return ReducedBat(line.bat, line, found.bending.body(0), found.modes(0))  # type: ignore[arg-type]

@@ -1,0 +1,60 @@
+"""Bats with all that a collision needs of them: compiled, and one by one."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from sweetspot import catalog
+from sweetspot.collision.hits_of_bats import struck
+from sweetspot.collision.kernel import STEP, hits
+from sweetspot.dynamics.batch.reduction import ReducedBats, fast_reduced_bat, reduced_lines
+from sweetspot.dynamics.beam import BeamModel, beam_model
+from sweetspot.dynamics.mode_assembly import all_modes
+
+NAMES = ("single-wall", "composite", "r161-ash", "corked-r161", "cricket-bat")
+
+
+@pytest.fixture(scope="module")
+def lines() -> list[BeamModel]:
+    return [beam_model(catalog.load_implement(name)) for name in NAMES]
+
+
+@pytest.fixture(scope="module")
+def bats(lines: list[BeamModel]) -> ReducedBats:
+    return reduced_lines(lines, ball=catalog.ball())
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_motions_are_those_of_the_readable_chain(name: str, lines: list[BeamModel], bats: ReducedBats) -> None:
+    number, line = NAMES.index(name), lines[NAMES.index(name)]
+    modes, ours = all_modes(line, catalog.ball()), bats.modes(number)
+    place = np.linspace(0.4, 1.0, 17) * line.bat.length
+    assert ours.families == modes.families
+    assert np.allclose(ours.frequency, modes.frequency, rtol=1e-9, atol=1e-9)
+    theirs, mine = modes.shape_at(place), ours.shape_at(place)
+    mine = mine * np.sign(np.sum(mine * theirs, axis=0))  # the sign of a wall's mode is free
+    assert np.abs(mine - theirs).max() < 1e-9 * np.abs(theirs).max()
+    vibrating = modes.frequency > 0
+    slow = np.sum(theirs[:, vibrating] ** 2 / modes.angular_frequency[vibrating] ** 2, axis=1).max()
+    every = np.tile(place, (len(lines), 1))
+    assert np.abs(bats.compliance_at(every)[number] - modes.compliance_at(place)).max() < 1e-9 * slow
+
+
+def test_hits_of_many_bats_are_those_of_each(lines: list[BeamModel], bats: ReducedBats) -> None:
+    ball = catalog.ball()
+    place = np.array([line.bat.length for line in lines])[:, None] - np.linspace(0.08, 0.25, 9)
+    done = struck(bats, ball=ball, position=place, closing_speed=np.full(place.shape, 60.0), keep_motion=True)
+    for number in range(len(lines)):
+        modes = bats.modes(number)
+        one = hits(modes, ball=ball, position=place[number], closing_speed=60.0, step=STEP)
+        assert np.allclose(done.collision_efficiency[number], one.collision_efficiency, rtol=1e-9)
+        assert np.allclose(done.velocity[number, :, : len(modes)], one.velocity, atol=1e-9)
+
+
+def test_one_bat_for_everybody_who_takes_a_reduced_bat() -> None:
+    line, ball = beam_model(catalog.bat("r161-ash")), catalog.ball()
+    reduced = fast_reduced_bat(line, ball=ball)
+    assert reduced.bat is line.bat
+    assert reduced.body.mass == pytest.approx(31 * 0.028349523125, rel=1e-9)
+    assert np.allclose(reduced.modes.frequency, all_modes(line, ball).frequency, rtol=1e-9, atol=0)
