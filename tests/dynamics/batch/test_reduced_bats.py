@@ -7,7 +7,7 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.collision.hits_of_bats import struck
-from sweetspot.collision.kernel import STEP, hits
+from sweetspot.collision.kernel import STEP, hits_with_motion
 from sweetspot.dynamics.batch.reduction import ReducedBats, fast_reduced_bat, reduced_lines
 from sweetspot.dynamics.beam import BeamModel, beam_model
 from sweetspot.dynamics.mode_assembly import all_modes
@@ -47,7 +47,7 @@ def test_hits_of_many_bats_are_those_of_each(lines: list[BeamModel], bats: Reduc
     done = struck(bats, ball=ball, position=place, closing_speed=np.full(place.shape, 60.0), keep_motion=True)
     for number in range(len(lines)):
         modes = bats.modes(number)
-        one = hits(modes, ball=ball, position=place[number], closing_speed=60.0, step=STEP)
+        one = hits_with_motion(modes, ball=ball, position=place[number], closing_speed=60.0, step=STEP)
         assert np.allclose(done.collision_efficiency[number], one.collision_efficiency, rtol=1e-9)
         assert np.allclose(done.velocity[number, :, : len(modes)], one.velocity, atol=1e-9)
 
