@@ -9,6 +9,7 @@ from __future__ import annotations
 import gzip
 import json
 import math
+import os
 import random
 import tempfile
 from collections.abc import Callable, Iterator
@@ -140,8 +141,8 @@ def _finite(*values: float) -> None:
 
 
 def _file(text: str, ending: str) -> Path:
-    """Write a text where the next one replaces it; packed, a letter in a hundred files is damaged."""
-    path = Path(tempfile.gettempdir()) / f"sweetspot-fuzz{ending}"
+    """Write a text where the next one of this process replaces it; packed, a letter in a hundred files is damaged."""
+    path = Path(tempfile.gettempdir()) / f"sweetspot-fuzz-{os.getpid()}{ending}"
     content = text.encode("utf-8", "surrogateescape")
     if ending.endswith(".gz"):
         packed = bytearray(gzip.compress(content))

@@ -15,7 +15,7 @@ from sweetspot.errors import InputError
 from tests.fuzz.generators import KINDS, text_of
 
 CORPUS = Path(__file__).parent / "corpus"
-COUNTS = {"quantity": 300, "bat": 250, "implement": 150, "toml": 2000, "swings": 250, "shots": 400}
+COUNTS = {"quantity": 1000, "bat": 400, "implement": 400, "toml": 2000, "swings": 2000, "shots": 2000}
 """`make fuzz` goes on from here."""
 SLOWEST = 10.0
 """s of the processor for one input."""
