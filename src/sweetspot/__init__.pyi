@@ -5,6 +5,8 @@ from .analysis.bat_analysis import Analysis, analyse, exit_speed_of, hit_at
 from .analysis.certification.simulated_test import Certification, certify
 from .analysis.comparison import Comparison, compare
 from .analysis.full_play import play, plays
+from .catalog.bats import bat
+from .catalog.implements import implement
 from .catalog.standard_hit import standard_conditions
 from .collision.coupled import hit
 from .collision.hit_in_space import Contact, strike, strikes
@@ -64,6 +66,7 @@ __all__ = [
     "Wind",
     "all_modes",
     "analyse",
+    "bat",
     "beam_model",
     "bending_modes",
     "catalog",
@@ -80,6 +83,7 @@ __all__ = [
     "hits",
     "hits_with_motion",
     "hoop_modes",
+    "implement",
     "landings_everywhere",
     "launched",
     "paper_rows",

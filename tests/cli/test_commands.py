@@ -144,7 +144,7 @@ BAD_FILES = {
     "unknown key": (GOOD_BAT.replace("[cup]", "colour = 'red'\n[cup]").replace("colour", "wood", 1), "unknown key"),
     "no unit": (GOOD_BAT.replace('"28 oz"', '"28"'), "mass was given as 28 without a unit"),
     "wrong kind": (GOOD_BAT.replace('"28 oz"', '"28 in"'), "is not a mass"),
-    "a number": (GOOD_BAT.replace('"28 oz"', "28"), "mass was given as 28: input should be a valid string"),
+    "a number": (GOOD_BAT.replace('"28 oz"', "28"), "mass was given as 28: write the unit too"),
     "crossing": (GOOD_BAT.replace('["12 in"', '["26 in"'), "profile goes back"),
     "huge": (GOOD_BAT.replace('"2.4 in"', '"24 in"'), "allowed is 5 to 120 mm"),
     "negative": (GOOD_BAT.replace('"2.4 in"', '"-2.4 in"'), "allowed is 5 to 120 mm"),

@@ -29,10 +29,11 @@ from sweetspot.player.contact_tables import contact_table
 from sweetspot.player.expected import Change, expectation
 from sweetspot.player.goal import CarryTable, Goal, carry_table
 from sweetspot.player.model import player_model
+from sweetspot.player.player_swing import PlayerSwing
 from sweetspot.player.posterior import Posterior, walked
 from sweetspot.player.prior import NAMES, natural
 from sweetspot.player.simulate import simulated_swings
-from sweetspot.player.swings import PlayerSwing, Swings, read_swings
+from sweetspot.player.swings import Swings, read_swings
 from sweetspot.report.player.numbers import option_rows, player_json
 from sweetspot.report.player.words import answers, findings, notes
 from sweetspot.units import FOOT, INCH, MPH

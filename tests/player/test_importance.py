@@ -9,10 +9,10 @@ from sweetspot import catalog
 from sweetspot.numerics.arrays import Array
 from sweetspot.player.importance import highest, importance_draws
 from sweetspot.player.model import PlayerModel, player_model
+from sweetspot.player.player_swing import PlayerSwing
 from sweetspot.player.posterior import ENOUGH, fit_player, walked
 from sweetspot.player.prior import NAMES, natural, standardised
 from sweetspot.player.simulate import simulated_swings
-from sweetspot.player.swings import PlayerSwing
 from sweetspot.units import MPH
 
 BALL, BAT = catalog.ball(), catalog.bat("r161-ash")

@@ -15,10 +15,10 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.player.contact_tables import ContactTable, contact_table, farthest_offset
 from sweetspot.player.likelihood import combined, fill_folded, fill_weights, normal, within
 from sweetspot.player.model import PlayerModel, bats_of, player_model, speed_ratio
+from sweetspot.player.player_swing import PlayerSwing
 from sweetspot.player.posterior import Posterior, interval, split_r_hat, summarised, walked
 from sweetspot.player.prior import NAMES, log_prior, natural, prior_draws, priors, standardised
 from sweetspot.player.simulate import simulated_swings
-from sweetspot.player.swings import PlayerSwing
 from sweetspot.units import INCH, MPH
 
 BALL = catalog.ball()

@@ -12,8 +12,9 @@ import pytest
 
 from sweetspot.errors import InputError
 from sweetspot.player.columns import columns_of, simplified
-from sweetspot.player.swings import PLATE_OVER_RELEASE, PlayerSwing, Swings, evenly, read_swings
-from sweetspot.units import INCH, MPH
+from sweetspot.player.player_swing import PlayerSwing, check_enough
+from sweetspot.player.swings import PLATE_OVER_RELEASE, Swings, evenly, read_swings
+from sweetspot.units import INCH, MPH, insisting
 from tests.real_data import real_file
 
 LENGTH = 33 * INCH
@@ -184,3 +185,57 @@ def test_fouls_lend_their_bat_speed_and_bunts_nothing(tmp_path: Path) -> None:
     assert [one.foul for one in found.swings] == [False, True, True, False]
     assert found.without_swing == 2 and [one.row for one in found.bad_rows] == [6]
     assert any("2 of 4 swings are fouls" in note for note in found.notes)
+
+
+ROWS = [(66.4, 88.1), (69.0, 90.2), (64.8, 79.5), (67.2, 85.0), (65.5, 91.3), (66.0, 86.4)]
+
+
+@pytest.mark.parametrize(
+    ("separator", "comma", "encoding"),
+    [(",", False, "utf-8"), (";", True, "utf-8"), (";", False, "utf-8-sig"), ("\t", False, "utf-16")],
+)
+def test_programs_of_every_country(tmp_path: Path, separator: str, comma: bool, encoding: str) -> None:
+    """Exact: semicolons with decimal commas, tabs, and what Excel calls Unicode text, are read as the plain file is."""
+    lines = [separator.join(("bat_speed_mph", "exit_speed_mph"))]
+    lines += [separator.join(f"{value}".replace(".", "," if comma else ".") for value in row) for row in ROWS]
+    path = tmp_path / "swings.csv"
+    path.write_text("\n".join(lines), encoding=encoding)
+    assert [one.bat_speed for one in read(path).swings] == pytest.approx([bat * MPH for bat, _ in ROWS])
+
+
+def test_a_decimal_comma_between_commas_is_a_bad_row(tmp_path: Path) -> None:
+    path = written(tmp_path, "bat_speed_mph,exit_speed_mph", '"66,4",88.1', *(f"{bat},{ball}" for bat, ball in ROWS))
+    assert "'66,4', not a number" in read(path).bad_rows[0].reason
+
+
+@pytest.mark.parametrize(
+    ("headings", "rows", "message"),
+    [
+        ("exit_speed_mph,bat_speed_mph", ROWS, "swapped"),
+        ("bat_speed_mph,exit_speed_mph", [(bat * MPH, ball * MPH) for bat, ball in ROWS], "write the unit"),
+        ("bat_speed_mph,exit_speed_mph,pitch_speed_mph", [(*row, 0.6) for row in ROWS], "slower than any pitch"),
+        ("bat_speed_mph,exit_speed_mph,position_in_from_tip", [(*row, 27) for row in ROWS], "from the other end"),
+        ("Player Name,bat_speed_mph,exit_speed_mph", list(zip("aabbcc", *zip(*ROWS, strict=True), strict=True)),
+         "3 batters"),
+    ],
+)  # fmt: skip
+def test_files_that_say_something_else_than_is_meant(
+    tmp_path: Path, headings: str, rows: list[tuple[object, ...]], message: str
+) -> None:
+    with pytest.raises(InputError, match=message):
+        read(written(tmp_path, headings, *(",".join(map(str, row)) for row in rows)))
+
+
+def test_unknown_columns_are_told_with_what_may_be_meant(tmp_path: Path) -> None:
+    lines = [f"red,{ball},{bat},{ball}" for bat, ball in ROWS]
+    found = read(written(tmp_path, "colour,exit_velocty,bat_speed_mph,exit_speed_mph", *lines))
+    note = next(note for note in found.notes if note.startswith("Columns not understood"))
+    assert "'colour'" in note and "'exit_velocty' (did you mean exit_velocity?)" in note
+
+
+def test_too_few_swings_are_refused_unless_somebody_insists(tmp_path: Path) -> None:
+    swings = read(written(tmp_path, "bat_speed_mph,exit_speed_mph", "66,88", "67,90", "65,85")).swings
+    with pytest.raises(InputError, match="5 are the fewest"):
+        check_enough(swings, Path("swings.csv"))
+    with insisting():
+        check_enough(swings, Path("swings.csv"))

@@ -17,6 +17,7 @@ from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.reduction import Given, ReducedBat, Tool_co, reduced_bat
 from sweetspot.dynamics.rigid import RigidBody
+from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import MAX_SPEED, Conditions
@@ -24,6 +25,7 @@ from sweetspot.motion.swing_law import Interval, SwingLaw, turned_faster
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.notebook_display import ShownInNotebooks
 from sweetspot.numerics.parabola import peak
+from sweetspot.units import insisted
 
 ACCURACY = 1e-9
 """m/s of exit speed to which a break-even bat speed is found."""
@@ -97,8 +99,20 @@ def compare(
     InputError
         without a bat, with labels that do not go with the bats, or when a bat or its swing is refused.
     """
+    _check_alike(bats)
     reductions = [reduced_bat(bat, ball=conditions.ball) for bat in bats]
     return compare_reduced(reductions, conditions=conditions, law=law, labels=labels)
+
+
+def _check_alike(bats: Sequence[Implement]) -> None:
+    """Refuse implements of different sports, unless all are round bats, or somebody insists."""
+    strangers = [one for one in bats if type(one) is not type(bats[0]) or one.sport != bats[0].sport]
+    if strangers and not insisted() and not all(isinstance(one, Bat) for one in bats):
+        first, other = bats[0], strangers[0]
+        raise InputError(
+            f"{first.name} is of {first.sport} and {other.name} of {other.sport}; both would be hit by the ball of the "
+            "first. Compare implements of one sport, or add --force if it is meant"
+        )
 
 
 def compare_reduced(

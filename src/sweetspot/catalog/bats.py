@@ -31,9 +31,22 @@ def bat_names() -> list[str]:
     return sorted(canonical(path.stem) for path in BAT_FOLDER.glob("*.toml"))
 
 
+def bat(name: str | Path = DEFAULT_BAT) -> Bat:
+    """Return a bat of the catalogue by its name, or that of a TOML file; see `is_file` for what is a file.
+
+    Raises
+    ------
+    InputError
+        for an unknown name, with the nearest ones, and for a file that describes no bat, with what is wrong in it.
+
+    >>> bat("r161-ash").name
+    'R161, white ash'
+    """
+    return read_bat(Path(name)) if is_file(str(name)) else _catalogue_bat(str(name))
+
+
 @cache
-def bat(name: str = DEFAULT_BAT) -> Bat:
-    """Return a bat of the catalogue; raises `InputError` with the nearest names for an unknown one."""
+def _catalogue_bat(name: str) -> Bat:
     key, found = entry(bat_tables(), name, "bat")
     return bat_from_table(found, f"catalogue bat {key}")
 
@@ -43,10 +56,8 @@ def load_bat(name_or_path: str) -> Bat:
 
     A racket, club or stick is refused.
     """
-    if is_file(name_or_path):
-        return read_bat(Path(name_or_path))
     other = other_tables().get(canonical(name_or_path))
-    return bat(name_or_path) if other is None else bat_from_table(other, name_or_path)
+    return bat(name_or_path) if other is None or is_file(name_or_path) else bat_from_table(other, name_or_path)
 
 
 def is_file(name_or_path: str) -> bool:

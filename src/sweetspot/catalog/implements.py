@@ -23,13 +23,26 @@ def implement_names() -> list[str]:
     return sorted(implement_tables())
 
 
+def implement(name: str | Path) -> Implement:
+    """Return a bat, racket, club or stick by its name in the catalogue, or that of a TOML file.
+
+    Raises
+    ------
+    InputError
+        for an unknown name, with the nearest ones, and for a file that describes none, with what is wrong in it.
+
+    >>> implement("tennis-racket").sport
+    'tennis'
+    """
+    return load_implement(str(name))
+
+
 @cache
-def implement(name: str) -> Implement:
-    """Return a bat, racket, club or stick of the catalogue; raises `InputError` with the nearest names."""
+def _catalogue_implement(name: str) -> Implement:
     key, found = entry(implement_tables(), name, "bat")
     return implement_from_table(found, f"catalogue {key}")
 
 
 def load_implement(name_or_path: str) -> Implement:
     """Return the implement of a TOML file, or the catalogue's of that name; see `load_bat` for what is a file."""
-    return read_implement(Path(name_or_path)) if is_file(name_or_path) else implement(name_or_path)
+    return read_implement(Path(name_or_path)) if is_file(name_or_path) else _catalogue_implement(name_or_path)

@@ -70,4 +70,16 @@ def _complain(text: str) -> None:
 
 
 def _one_line(error: Exception) -> str:
+    from cyclopts.exceptions import UnusedCliTokensError
+
+    if isinstance(error, UnusedCliTokensError):
+        left = " ".join(map(str, error.unused_tokens or ()))
+        command = " ".join(error.command_chain or ()) or "the command"
+        several = (
+            "; several bats side by side: sweetspot compare A B" if command in ("report", "hit", "certify") else ""
+        )
+        return (
+            f"{left!r} is more than {command} takes; a name with blanks is written in quotes, and options begin with "
+            f"--: see sweetspot {command} --help{several}"
+        )
     return " ".join(str(error).split())

@@ -88,6 +88,7 @@ def _read(
     """Return the file's swings, those with unknown bats among the bad rows, and the model of the others."""
     from sweetspot import catalog
     from sweetspot.player.model import bats_of, player_model
+    from sweetspot.player.player_swing import check_enough
     from sweetspot.player.swings import MOST_SWINGS, evenly, read_swings
     from sweetspot.units import parse, parse_position
 
@@ -103,6 +104,7 @@ def _read(
     found = read_swings(file, length=own.length, units=units, pitch_speed=arriving, batter=batter)
     good, bats, bad, notes = bats_of(found.swings, load=catalog.load_bat)
     rows = tuple(sorted((*found.bad_rows, *bad), key=lambda row: row.row))
+    check_enough(good, file)
     good, thinned = evenly(good, MOST_SWINGS)
     swings = replace(found, swings=good, bad_rows=rows, notes=(*found.notes, *notes, *thinned))
     model = player_model(good, bat=own, ball=catalog.ball(ball), others=bats, speed_from_tip=place)

@@ -9,7 +9,7 @@ from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.ranges import spread
-from sweetspot.cli.options.weather import AirOptions, park_of
+from sweetspot.cli.options.weather import AirOptions, park_of, pressure_of
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
@@ -83,7 +83,7 @@ def fly(
         if ":" in text and varied is not None:
             ranges.append((varied, spread(text, KINDS[name], _option(name))))
         else:
-            values[name] = _number(name, text)
+            values[name] = pressure_of(air) if name == "pressure" else _number(name, text)
     for name, values_of in ranges:
         values[name] = values_of[0]
     hit = BattedBall(**values, bats=launch.bats)

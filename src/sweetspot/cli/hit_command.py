@@ -33,7 +33,7 @@ def hit(
     from sweetspot.dynamics.mode_assembly import all_modes
     from sweetspot.dynamics.rigid import rigid_body
     from sweetspot.equipment.bat import Bat
-    from sweetspot.equipment.implement import check_lateral, check_position
+    from sweetspot.equipment.implement import check_lateral, check_on_face, check_position
     from sweetspot.report.hit.document import BattedHit, hit_document
     from sweetspot.units import parse, parse_position
 
@@ -44,6 +44,7 @@ def hit(
     check_conditions(implement, conditions, body=body)
     position = parse_position(at, length=implement.length, what="--at")
     check_position(implement, position, "--at")
+    check_on_face(implement, position, "--at")
     modes = all_modes(line, conditions.ball)
     lateral = 0.0 if beside is None else parse(beside, "length", "--beside")
     check_lateral(implement, position, lateral)

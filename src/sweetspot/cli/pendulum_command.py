@@ -24,7 +24,7 @@ def pendulum(
     from sweetspot.dynamics import rigid
     from sweetspot.report.document import Cell, Column, Document, Table
     from sweetspot.report.sentences import Slot, say
-    from sweetspot.units import OUNCE_INCH_SQUARED, parse
+    from sweetspot.units import OUNCE_INCH_SQUARED, insisted, parse
 
     if (period is None) == (moi is None):
         raise InputError("give either --period or --moi, and only one of them")
@@ -39,6 +39,14 @@ def pendulum(
         assert period is not None  # one of the two was given
         seconds = parse(period, "time", "--period")
         inertia = rigid.moi_from_pendulum(seconds, mass=weight, balance_point=balance, pivot=axis)
+    least = weight * (balance - axis) ** 2
+    if inertia <= least and not insisted():
+        raise InputError(
+            f"--{'moi' if period is None else 'period'} was given as {moi if period is None else period}; that is a "
+            f"moment of {inertia / OUNCE_INCH_SQUARED:.0f} oz in^2, less than this weight has when all of it sits at "
+            f"its balance point, {least / OUNCE_INCH_SQUARED:.0f} oz in^2. A period is there and back: check that, the "
+            "weight and the balance point, or add --force if it is meant"
+        )
     percussion = axis + inertia / (weight * (balance - axis))
     about = say("moment of inertia about {pivot}", pivot=Slot(axis, "place", round=True))
     rows: list[tuple[Cell, Cell]] = [

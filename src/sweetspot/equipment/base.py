@@ -66,11 +66,29 @@ def explain(error: ValidationError, name: str, *, known: Sequence[str] = ()) -> 
     name : what was being made, for the beginning of the message.
     known : the names that it has, for what is spelt wrong.
     """
-    faults = [fault for fault in error.errors(include_url=False) if not _is_other_branch(fault)]
+    faults: list[ErrorDetails] = []
+    for fault in error.errors(include_url=False):
+        repeated = any((fault["type"], fault["loc"][:1]) == (one["type"], one["loc"][:1]) for one in faults)
+        if not _is_other_branch(fault) and not (repeated and fault["type"] == "string_type"):
+            faults.append(fault)
     lines = list(dict.fromkeys(_fault(fault, known) for fault in faults[:MOST_FAULTS]))
     if len(faults) > MOST_FAULTS:
         lines.append(f"and {len(faults) - MOST_FAULTS} more")
     return f"{name.lower()}: " + "; ".join(lines)
+
+
+BOUNDS = {
+    "greater_than": ("more than", "gt"),
+    "greater_than_equal": ("at least", "ge"),
+    "less_than": ("less than", "lt"),
+    "less_than_equal": ("at most", "le"),
+}
+"""By the kind of fault: how its limit is told, and what pydantic calls the limit."""
+
+
+def _allowed(fault: ErrorDetails) -> str:
+    words, key = BOUNDS[fault["type"]]
+    return f"Allowed is {words} {fault.get('ctx', {})[key]:.4g}"
 
 
 def _is_other_branch(fault: ErrorDetails) -> bool:
@@ -85,13 +103,19 @@ def _fault(fault: ErrorDetails, known: Sequence[str]) -> str:
     match fault["type"]:
         case "extra_forbidden":
             close = get_close_matches(parts[-1][:LONGEST_INPUT], known, n=1)
-            return f"unknown key {place[:LONGEST_INPUT]!r}" + (f": did you mean {close[0]!r}?" if close else "")
+            allowed = f"; known are {', '.join(known)}" if len(parts) == 1 and known else ""
+            return f"unknown key {place[:LONGEST_INPUT]!r}" + (f": did you mean {close[0]!r}?" if close else allowed)
         case "missing":
             return f"{place} is missing"
         case "value_error":
             return f"{place}: {text}" if place else text
         case "string_type" if isinstance(fault["input"], (int, float)):
-            text += ": write the unit too, and quotes"
+            unit = "oz" if parts and parts[-1].endswith("mass") else "in"
+            return f'{parts[0]} was given as {given}: write the unit too, in quotes, as in "{given} {unit}"'
+        case "greater_than" | "greater_than_equal" | "less_than" | "less_than_equal" if isinstance(
+            fault["input"], (int, float)
+        ):
+            given, text = f"{fault['input']:.4g}", _allowed(fault)
         case "tuple_type" if isinstance(fault["input"], str):
             text += f': write pairs of position and size, as in [["0 in", {given}], ...]'
     return f"{place} was given as {given}: {text[0].lower()}{text[1:]}"

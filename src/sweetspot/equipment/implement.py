@@ -20,7 +20,7 @@ from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.notebook_display import ShownInNotebooks
-from sweetspot.units import shown
+from sweetspot.units import insisted, shown
 
 Look = Literal["wood", "metal", "filler", "laminate"]
 
@@ -179,6 +179,17 @@ def check_position(bat: Implement, position: float, what: str = "position") -> N
         raise InputError(
             f"{what} is {shown(position)} from the {bat.grip_end}, off the bat; "
             f"{bat.name} reaches from 0 to {shown(bat.length)}"
+        )
+
+
+def check_on_face(bat: Implement, position: float, what: str = "position") -> None:
+    """Refuse a position (m) where the ball would meet the grip or the frame; any is allowed on a round bat."""
+    face = bat.outline
+    if face is not None and not face.start <= position <= face.end and not insisted():
+        raise InputError(
+            f"{what} is {shown(position)} from the {bat.grip_end}, off the face of {bat.name}, which reaches from "
+            f"{shown(face.start)} to {shown(face.end)}; the ball meets grip or frame there. Give a place on the face, "
+            "or add --force if it is meant"
         )
 
 

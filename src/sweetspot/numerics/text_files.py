@@ -1,9 +1,14 @@
-"""Text that people hand in as files: never more of it than is allowed, whatever the file is or claims to be."""
+"""Text and tables that people hand in as files: never more than is allowed, whatever the file is or claims to be."""
 
 from __future__ import annotations
 
+import codecs
+import csv
 import gzip
+import io
+import re
 import zlib
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 from sweetspot.errors import InputError
@@ -17,7 +22,7 @@ LONGEST_NAME = 200
 
 
 def read_text(path: Path, *, most: int, advice: str) -> str:
-    """Return a text file in UTF-8, with or without a byte order mark; one that ends in .gz is unpacked.
+    """Return a text file in UTF-8, or in UTF-16 with its byte order mark; one that ends in .gz is unpacked.
 
     Devices, pipes and packed files are read no further than the limit, so they cost no more than an honest file.
 
@@ -44,7 +49,59 @@ def read_text(path: Path, *, most: int, advice: str) -> str:
         raise InputError(f"{str(path)[:LONGEST_NAME]} cannot be read: {reason.lower()}") from None
     if len(content) > most:
         raise InputError(f"{path} is larger than {most / 1e6:g} MB; {advice}")
+    sheet = content.startswith((b"PK\x03\x04", b"\xd0\xcf\x11\xe0"))
+    if sheet:
+        raise InputError(f"{path} is a spreadsheet, no text; save it as CSV, and {advice}")
+    wide = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
     try:
-        return content.decode("utf-8-sig")
+        return content.decode("utf-16" if wide else "utf-8-sig")
     except UnicodeDecodeError:
         raise InputError(f"{path} is not a text file in UTF-8; {advice}") from None
+
+
+SEPARATORS = ",;\t"
+"""Between the cells of a table, as programs of different countries write them."""
+FIRST_LINES = 25
+"""Lines in which the headings of a table stand."""
+DECIMAL_COMMA = re.compile(r"\s*[-+]?\d+,\d+\s*")
+
+
+def table_rows(
+    text: str, path: Path, *, is_heading: Callable[[Sequence[str]], bool]
+) -> Iterator[tuple[int, list[str]]]:
+    """Yield (line, cells) of every line of a CSV text that is not blank.
+
+    Cells are separated as the line of headings is: by commas, semicolons or tabs. Where commas do not separate them, a
+    number may have a decimal comma.
+
+    Parameters
+    ----------
+    is_heading : whether a line is that of the headings.
+
+    Raises
+    ------
+    InputError
+        where the text is no CSV.
+
+    >>> heading = lambda cells: "speed" in cells
+    >>> list(table_rows("speed;angle\\n66,5;3", Path("a.csv"), is_heading=heading))
+    [(1, ['speed', 'angle']), (2, ['66.5', '3'])]
+    """
+    beginning = "\n".join(text.splitlines()[:FIRST_LINES])
+    try:
+        separator = next((one for one in SEPARATORS if any(map(is_heading, _cells(beginning, one)))), SEPARATORS[0])
+        reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
+        for cells in reader:
+            if any(cell.strip() for cell in cells):
+                yield reader.line_num, cells if separator == "," else [_pointed(cell) for cell in cells]
+    except csv.Error as error:
+        raise InputError(f"{path} cannot be read as CSV text: {error}") from None
+
+
+def _cells(text: str, separator: str) -> list[list[str]]:
+    return list(csv.reader(io.StringIO(text, newline=""), delimiter=separator))
+
+
+def _pointed(cell: str) -> str:
+    """Return a number with its decimals after a point."""
+    return cell.replace(",", ".") if DECIMAL_COMMA.fullmatch(cell) else cell

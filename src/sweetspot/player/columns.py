@@ -65,7 +65,8 @@ ALIASES: dict[str, tuple[str, ...]] = {
     "attack_angle": ("attack_angle", "attackangle"),
     "position": ("position", "impact_position", "contact_position", "impact_location"),
     "bat": ("bat", "equipment", "bat_name", "bat_used", "bat_model"),
-    "batter": ("batter", "batter_id", "player", "hitter", "user"),
+    "batter": ("batter", "batter_id", "batter_name", "player", "player_name", "player_id", "hitter", "hitter_name",
+               "user", "user_name", "athlete", "athlete_name", "name"),
     "date": ("date", "game_date", "swing_date", "time_stamp", "timestamp", "datetime", "date_time"),
     "outcome": ("outcome", "pitch_result", "pitch_outcome"),
 }  # fmt: skip
@@ -227,6 +228,10 @@ def _column(
     alias = next(known for known in sorted(ALIASES[named], key=len, reverse=True) if _starts(name, known))
     unit = name.removeprefix(alias).strip("_")
     if named in TEXTS:
+        if (
+            system is not None and named in system.names.values()
+        ):  # another's name: Statcast's player_name is a pitcher's
+            return None
         return Column(index, heading, named, 1.0, False) if not unit else None
     if not unit:
         if units is None:

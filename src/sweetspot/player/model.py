@@ -17,8 +17,8 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.threads import in_parts
 from sweetspot.player.contact_tables import OFFSETS, RATIOS, ContactTable, contact_table, farthest_offset
 from sweetspot.player.likelihood import FAR_POINTS, NEAR_POINTS, Table, log_likelihoods
+from sweetspot.player.player_swing import PlayerSwing
 from sweetspot.player.prior import NAMES, fixed, log_prior, natural, priors
-from sweetspot.player.swings import PlayerSwing
 from sweetspot.units import INCH
 
 SPEED_FROM_TIP = 6 * INCH

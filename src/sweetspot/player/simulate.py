@@ -13,8 +13,8 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
 from sweetspot.player.contact_tables import RATIOS, ContactTable, contact_table, farthest_offset
 from sweetspot.player.model import SPEED_FROM_TIP, arm_ratio, speed_ratio
+from sweetspot.player.player_swing import PlayerSwing
 from sweetspot.player.prior import NAMES, fixed
-from sweetspot.player.swings import PlayerSwing
 
 
 def simulated_swings(

@@ -2,29 +2,32 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from datetime import date
+from difflib import get_close_matches
 from pathlib import Path
-from statistics import median
 
 from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.errors import InputError, nearest_names
-from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text
-from sweetspot.player.columns import TEXTS, Column, Columns, Units, columns_of, day_of, is_heading_line
-from sweetspot.units import INCH, MPH, shown
+from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text, table_rows
+from sweetspot.player.columns import (
+    ALIASES,
+    TEXTS,
+    Column,
+    Columns,
+    Units,
+    columns_of,
+    day_of,
+    is_heading_line,
+    simplified,
+)
+from sweetspot.player.player_swing import PlayerSwing, check_speeds, fault_of, full_swings
+from sweetspot.units import INCH, MPH
 
 PLATE_OVER_RELEASE = 0.920
 """Speed of a pitch at the plate over that at release, 0.920 +- 0.007 over 2507 pitches [statcast]."""
-FASTEST_BAT, FASTEST_BALL, FASTEST_PITCH = 100 * MPH, 130 * MPH, 110 * MPH
-"""m/s; faster ones are numbers in another unit."""
-LIVELIEST = 0.45
-"""Collision efficiency beyond any bat's; a faster ball is a wrong reading. Our choice."""
-FULL_SWING = 0.6
-"""Part of the median bat speed below which a swing is a bunt or was checked. Our choice."""
 PREAMBLE = 20
 """Lines above the column names that a file may have."""
 FEW = 20
@@ -34,33 +37,6 @@ MOST_SWINGS = 400
 FOUL, BUNT = "foul", "bunt"
 """Words of an outcome, such as Statcast's description, that tell such a swing."""
 EMPTY = ("", "na", "n/a", "nan", "null", "none", "-", "--")
-
-
-@dataclass(frozen=True)
-class PlayerSwing:
-    """One swing of a player in SI; None: not measured.
-
-    Parameters
-    ----------
-    row : line of the file.
-    bat_speed : m/s at the place where the player's bat speed is measured.
-    exit_speed : m/s of the ball; None also for a miss.
-    pitch_speed : m/s of the ball at the plate; 0 on a tee.
-    launch_angle, attack_angle : rad above the horizontal, of the ball and of the bat's path.
-    position : m from the tip.
-    bat : name of the bat as the file gives it; "": the player's own.
-    foul : whether the ball went foul; only the bat speed of such a swing counts.
-    """
-
-    row: int
-    bat_speed: float | None
-    exit_speed: float | None
-    pitch_speed: float | None
-    launch_angle: float | None
-    attack_angle: float | None
-    position: float | None
-    bat: str
-    foul: bool = False
 
 
 @dataclass(frozen=True)
@@ -126,13 +102,14 @@ def read_swings(
     ]
     good = [one for one in read if isinstance(one, PlayerSwing)]
     bad = [one for one in read if isinstance(one, BadRow)]
-    good, partial = _full_swings(good)
+    good, partial = full_swings(good)
     good, unknown = _with_pitch(good, path)
     bad = sorted([*bad, *partial, *unknown], key=lambda one: one.row)
     if not good:
         reasons = "; ".join(f"row {one.row}: {one.reason}" for one in bad[:3])
         why = f": {reasons}" if bad else "; no row has a bat speed or an exit speed"
         raise InputError(f"{path} has no swing that can be used{why}")
+    check_speeds(good, path)
     days = sorted(day for _, cells in rows if (day := day_of(cells, columns)) is not None)
     return Swings(
         swings=tuple(good),
@@ -164,22 +141,16 @@ def _lines(path: Path) -> Iterator[tuple[int, list[str]]]:
     if path.is_dir():
         raise InputError(f"{path} is not a file; give a CSV file with a row per swing")
     text = read_text(path, most=MOST_TABLE_BYTES, advice="give a CSV file with the rows of one batter")
-    try:
-        reader = csv.reader(io.StringIO(text, newline=""))
-        before: list[tuple[int, list[str]]] = []
-        found = False
-        for cells in reader:
-            if not any(cell.strip() for cell in cells):
-                continue
-            found = found or is_heading_line(cells)
-            if found:
-                yield reader.line_num, cells
-            elif len(before) < PREAMBLE:
-                before.append((reader.line_num, cells))
-        if not found:
-            yield from before
-    except csv.Error as error:
-        raise InputError(f"{path} cannot be read as CSV text: {error}") from None
+    before: list[tuple[int, list[str]]] = []
+    found = False
+    for line, cells in table_rows(text, path, is_heading=is_heading_line):
+        found = found or is_heading_line(cells)
+        if found:
+            yield line, cells
+        elif len(before) < PREAMBLE:
+            before.append((line, cells))
+    if not found:
+        yield from before
 
 
 def _of_batter(
@@ -242,7 +213,7 @@ def _read(
         launch_angle=value.get("launch_angle"), attack_angle=value.get("attack_angle"), position=position,
         bat=cells[named.index].strip() if named else "", foul=FOUL in outcome,
     )  # fmt: skip
-    wrong = _fault(swing, length)
+    wrong = fault_of(swing, length)
     return BadRow(line, wrong) if wrong else swing
 
 
@@ -257,53 +228,6 @@ def _number(cell: str, column: Column) -> float | None:
     if not math.isfinite(number):
         raise ValueError(f"{column.heading} is {text}; allowed is a finite number")
     return number * column.factor
-
-
-def _fault(swing: PlayerSwing, length: float) -> str:
-    """Return why a swing cannot be true, or an empty text."""
-
-    def outside(value: float | None, low: float, high: float) -> bool:
-        return value is not None and not low <= value <= high
-
-    def mph(value: float | None) -> str:
-        return f"{(value or 0.0) / MPH:.1f} mph"
-
-    bat, ball, pitch = swing.bat_speed, swing.exit_speed, swing.pitch_speed
-    wrong = "allowed is above 0, up to"
-    faults = (
-        (outside(bat, 1e-9, FASTEST_BAT), f"bat speed is {mph(bat)}; {wrong} {mph(FASTEST_BAT)}"),
-        (outside(ball, 1e-9, FASTEST_BALL), f"exit speed is {mph(ball)}; {wrong} {mph(FASTEST_BALL)}"),
-        (outside(pitch, 0.0, FASTEST_PITCH), f"pitch speed is {mph(pitch)}; allowed is 0 to {mph(FASTEST_PITCH)}"),
-        (outside(swing.launch_angle, -math.pi / 2, math.pi / 2), "launch angle is beyond -90 to 90 degrees"),
-        (outside(swing.attack_angle, -math.pi / 3, math.pi / 3), "attack angle is beyond -60 to 60 degrees"),
-        (outside(swing.position, 0.0, length), f"position is off the bat of {shown(length)}"),
-    )
-    text = next((text for holds, text in faults if holds), "")
-    if not text and bat is not None and ball is not None and pitch is not None:
-        fastest = LIVELIEST * pitch + (1 + LIVELIEST) * bat
-        if ball > fastest:
-            text = (
-                f"exit speed {mph(ball)} is more than any bat gives at {mph(bat)} against {mph(pitch)} ({mph(fastest)})"
-            )
-    return text
-
-
-def _full_swings(swings: list[PlayerSwing]) -> tuple[list[PlayerSwing], list[BadRow]]:
-    """Return full swings, and those much slower than the median with the reason."""
-    speeds = [one.bat_speed for one in swings if one.bat_speed is not None]
-    if len(speeds) < 3:
-        return swings, []
-    middle = median(speeds)
-
-    def full(one: PlayerSwing) -> bool:
-        return one.bat_speed is None or one.bat_speed >= FULL_SWING * middle
-
-    bad = [
-        BadRow(one.row, f"bat speed is {(one.bat_speed or 0) / MPH:.1f} mph where the median is {middle / MPH:.1f} "
-                        "mph: a bunt or a checked swing")
-        for one in swings if not full(one)
-    ]  # fmt: skip
-    return [one for one in swings if full(one)], bad
 
 
 def _with_pitch(swings: list[PlayerSwing], path: Path) -> tuple[list[PlayerSwing], list[BadRow]]:
@@ -328,6 +252,8 @@ def _notes(swings: list[PlayerSwing], columns: Columns, pitch_speed: float | Non
     """Return what a reader should know about the data before trusting what comes out."""
     notes = []
     count = len(swings)
+    if columns.ignored and columns.system == "plain":
+        notes.append(f"Columns not understood, and not used: {', '.join(map(_maybe_meant, columns.ignored))}.")
     fouls = sum(one.foul for one in swings)
     if fouls:
         notes.append(f"{fouls} of {count} swings are fouls; of these only the bat speed is used.")
@@ -348,6 +274,13 @@ def _notes(swings: list[PlayerSwing], columns: Columns, pitch_speed: float | Non
     if "release_speed" in columns.found and "pitch_speed" not in columns.found:
         notes.append(f"Pitch speed at the plate is taken as {PLATE_OVER_RELEASE:.3f} of the speed at release.")
     return tuple(notes)
+
+
+def _maybe_meant(heading: str) -> str:
+    """Return the heading of a column that means nothing here, with the name that may have been meant."""
+    known = [alias for aliases in ALIASES.values() for alias in aliases]
+    close = get_close_matches(simplified(heading), known, n=1, cutoff=0.75)
+    return f"{heading!r} (did you mean {close[0]}?)" if close else repr(heading)
 
 
 def _told(quantity: str, value: float) -> str:

@@ -11,7 +11,7 @@ from sweetspot.units.sizes import (
     RPM,
 )
 from sweetspot.units.text import NUMBER, SI, Kind, parse, parse_position, shown
-from sweetspot.units.usual import USUAL, check_angle, check_place, check_usual, insisting
+from sweetspot.units.usual import USUAL, check_angle, check_place, check_usual, insisted, insisting, is_usual
 
 __all__ = [
     "DEGREE",
@@ -29,7 +29,9 @@ __all__ = [
     "check_angle",
     "check_place",
     "check_usual",
+    "insisted",
     "insisting",
+    "is_usual",
     "parse",
     "parse_position",
     "shown",

@@ -63,6 +63,7 @@ class Usual:
 INCH_OF_MERCURY = 3386.389
 MOST_BAT_SPEED = 70 / MPH
 """mph; what a swing may have at all."""
+FILE_UNITS = "write the unit that the file is in behind the heading: _mph, _m_s or _km_h"
 SPIN = "spins of balls stay below 15000 rpm; write rpm, or rad/s for radians"
 SEA_LEVEL = (
     "a barometer is reduced to sea level, and the elevation is counted on top; for a pressure that was measured at the "
@@ -74,6 +75,8 @@ USUAL: dict[str, Usual] = {
     "release_speed": Usual(15, 125, "mph", MPH, above=15),
     "exit_speed": Usual(5, 250, "mph", MPH, above=-0.001),
     "bat_speed": Usual(5, 150, "mph", MPH, above=0, below=MOST_BAT_SPEED),
+    "median_bat_speed": Usual(33, 95, "mph", MPH, FILE_UNITS),
+    "median_exit_speed": Usual(33, 118, "mph", MPH, FILE_UNITS),
     "launch_angle": Usual(-89, 89, "deg", DEGREE, "0deg is level, 90deg straight up"),
     "spray": Usual(-90, 90, "deg", DEGREE, "0deg is centre field, 45deg the right foul line"),
     "bearing": Usual(-90, 90, "deg", DEGREE, "0deg is centre field, 45deg the right foul line"),
@@ -95,7 +98,8 @@ USUAL: dict[str, Usual] = {
     "forward": Usual(-10, 10, "ft", FOOT),
     "offset": Usual(-3, 3, "in", INCH, "ball and barrel touch up to about 2.7 in"),
     "ball_cor": Usual(0.2, 0.9, "", above=0),
-    "mass": Usual(2, 80, "oz", OUNCE, above=0),
+    "mass": Usual(2, 80, "oz", OUNCE),
+    "length": Usual(5, 60, "in", INCH, "the bats of grown-ups are 30 to 34in long"),
     "balance_point": Usual(4, 60, "in", INCH, "it counts from the knob end", above=0),
     "period": Usual(0.5, 3, "s", 1.0, "one swing is there and back; give the time of one, not of ten", above=0),
     "greatest_diameter": Usual(1.6, 5, "in", INCH, "a profile has diameters, not radii", above=1.1),
@@ -107,6 +111,7 @@ USUAL: dict[str, Usual] = {
     "blade": Usual(3, 11, "mm in all", 1e-3, "plies are 0.2 to 4 mm thick"),
     "bore_diameter": Usual(0, 3, "in", INCH),
     "bore_depth": Usual(0, 40, "in", INCH),
+    "cup.depth": Usual(0, 2.5, "in", INCH, "the cup of an end is about 1in deep; deeper holes are a [[bore]]"),
 }
 """By the name of the quantity, as options and columns have it. [The widths of these bounds are our choice.]"""
 
@@ -162,6 +167,20 @@ def refuse_unusual(usual: Usual, value: float, what: str, given: object) -> None
         f"{what} was given as {given}; usual is {usual.low:g} to {usual.high:g}{unit}{hint}. Check the unit and the "
         "decimal point, or add --force if it is meant"
     )
+
+
+def insisted() -> bool:
+    """Return whether every number is to be taken as it is given."""
+    return _insisted.get()
+
+
+def is_usual(value: float, name: str) -> bool:
+    """Return whether a value (SI) is usual for a quantity of `USUAL`, or taken as it is because somebody insists.
+
+    >>> is_usual(0.27, "pitch_speed"), is_usual(40.0, "pitch_speed")
+    (False, True)
+    """
+    return _insisted.get() or USUAL[name].holds(value)
 
 
 def check_place(value: Any, what: str) -> None:

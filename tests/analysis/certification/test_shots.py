@@ -234,7 +234,7 @@ def test_every_row_is_either_used_or_listed(bad: list[bool], tmp_path: Path) -> 
         (["ball_in,ball_out_mph,position_in_from_tip", "1,1,1"], "column ball_in has no unit"),
         (["ball_in_knots,ball_out_mph,position_in_from_tip", "1,1,1"], "unknown unit"),
         (["ball_in_mph,ball_out_mph,position_in", "1,1,1"], "unknown unit"),
-        (["ball_in_mph;ball_out_mph;position_in_from_tip", "1;1;1"], "separate them with commas"),
+        (["ball_in_mph;ball_out_mph;position_in_from_tip", "136;-1,5;6"], "negative rebound"),
         ([HEADINGS], "no rows"),
         ([HEADINGS, "136,-1,6"], "negative rebound"),
         ([""], "is empty"),

@@ -6,16 +6,14 @@ ball_stiffness_lbf_in, ball_mass_oz``. Faulty rows are listed with the reason; t
 
 from __future__ import annotations
 
-import csv
-import io
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_AXIS
-from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text
+from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text, table_rows
 from sweetspot.units import FOOT, INCH, MPH, OUNCE, POUND_FORCE, shown
 
 SPEEDS = {"mph": MPH, "m_s": 1.0, "km_h": 1 / 3.6, "ft_s": FOOT}
@@ -142,21 +140,18 @@ def _rows(path: Path) -> Iterator[tuple[int, list[str]]]:
     if path.is_dir():
         raise InputError(f"{path} is not a file; give a CSV file with the columns {COLUMNS_HINT}")
     text = read_text(path, most=MOST_TABLE_BYTES, advice=f"give a CSV file with the columns {COLUMNS_HINT}")
-    try:
-        reader = csv.reader(io.StringIO(text, newline=""))
-        for cells in reader:
-            if any(cell.strip() for cell in cells):
-                yield reader.line_num, cells
-    except csv.Error as error:
-        raise InputError(f"{path} cannot be read as CSV text: {error}") from None
+    yield from table_rows(text, path, is_heading=_is_heading)
+
+
+def _is_heading(cells: Sequence[str]) -> bool:
+    names = [cell.strip().lower() for cell in cells]
+    return all(any(name.startswith(needed) for name in names) for needed in NEEDED)
 
 
 def _columns(headings: list[str], path: Path) -> tuple[dict[str, _Column], tuple[str, ...]]:
     """Return the columns that are understood by quantity, and the names of those that are not."""
     found: dict[str, _Column] = {}
     ignored = []
-    if len(headings) == 1 and any(mark in headings[0] for mark in ";\t"):
-        raise InputError(f"{path}: the columns are separated by semicolons or tabs; separate them with commas")
     for index, heading in enumerate(headings):
         name = heading.strip().lower()
         column = _column(index, name)

@@ -53,10 +53,19 @@ def air_of(options: AirOptions) -> Air:
     above_sea = 0.0 if park is None else park.elevation
     return Air(
         temperature=parse(options.temperature, "temperature", "--temperature"),
-        pressure=parse(options.pressure, "pressure", "--pressure"),
+        pressure=pressure_of(options),
         humidity=parse(options.humidity, "ratio", "--humidity"),
         elevation=above_sea if options.elevation is None else parse(options.elevation, "length", "--elevation"),
     )
+
+
+def pressure_of(options: AirOptions) -> float:
+    """Return the barometer in Pa; where the elevation is said to be 0, one that was read at a high field is allowed."""
+    from sweetspot.units import insisted, insisting, parse
+
+    at_the_field = options.elevation is not None and parse(options.elevation, "length", "--elevation") == 0
+    with insisting(insisted() or at_the_field):
+        return parse(options.pressure, "pressure", "--pressure")
 
 
 def wind_of(options: AirOptions) -> Wind:

@@ -1,0 +1,139 @@
+"""One swing of a player, and whether it, and the swings together, can be true."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from statistics import median
+
+from sweetspot.analysis.certification.shots import BadRow
+from sweetspot.errors import InputError
+from sweetspot.player.columns import NEEDED
+from sweetspot.units import INCH, MPH, check_usual, insisted, is_usual, shown
+
+FASTEST_BAT, FASTEST_BALL, FASTEST_PITCH = 100 * MPH, 130 * MPH, 110 * MPH
+"""m/s; faster ones are numbers in another unit."""
+LIVELIEST = 0.45
+"""Collision efficiency beyond any bat's; a faster ball is a wrong reading. Our choice."""
+FULL_SWING = 0.6
+"""Part of the median bat speed below which a swing is a bunt or was checked. Our choice."""
+FEWEST = 5
+"""Swings below which there is nothing of a player to be told. Our choice."""
+FROM_TIP = 6 * INCH
+"""m from the tip where bat speeds are measured, near enough to tell whether a ball can have been met at a place."""
+SWAPPED = 1.1
+"""Median bat speed over median exit speed from which the two columns must have been swapped. Our choice: a ball leaves
+slower than the bat came only when it is met badly."""
+
+
+@dataclass(frozen=True)
+class PlayerSwing:
+    """One swing of a player in SI; None: not measured.
+
+    Parameters
+    ----------
+    row : line of the file.
+    bat_speed : m/s at the place where the player's bat speed is measured.
+    exit_speed : m/s of the ball; None also for a miss.
+    pitch_speed : m/s of the ball at the plate; 0 on a tee.
+    launch_angle, attack_angle : rad above the horizontal, of the ball and of the bat's path.
+    position : m from the tip.
+    bat : name of the bat as the file gives it; "": the player's own.
+    foul : whether the ball went foul; only the bat speed of such a swing counts.
+    """
+
+    row: int
+    bat_speed: float | None
+    exit_speed: float | None
+    pitch_speed: float | None
+    launch_angle: float | None
+    attack_angle: float | None
+    position: float | None
+    bat: str
+    foul: bool = False
+
+
+def fault_of(swing: PlayerSwing, length: float) -> str:
+    """Return why a swing cannot be true, or an empty text."""
+
+    def outside(value: float | None, low: float, high: float) -> bool:
+        return value is not None and not low <= value <= high
+
+    def mph(value: float | None) -> str:
+        return f"{(value or 0.0) / MPH:.1f} mph"
+
+    bat, ball, pitch = swing.bat_speed, swing.exit_speed, swing.pitch_speed
+    wrong = "allowed is above 0, up to"
+    faults = (
+        (outside(bat, 1e-9, FASTEST_BAT), f"bat speed is {mph(bat)}; {wrong} {mph(FASTEST_BAT)}"),
+        (outside(ball, 1e-9, FASTEST_BALL), f"exit speed is {mph(ball)}; {wrong} {mph(FASTEST_BALL)}"),
+        (outside(pitch, 0.0, FASTEST_PITCH), f"pitch speed is {mph(pitch)}; allowed is 0 to {mph(FASTEST_PITCH)}"),
+        (
+            pitch is not None and not is_usual(pitch, "pitch_speed"),
+            f"pitch speed is {mph(pitch)}, slower than any pitch and no tee, which is 0; is it in another unit?",
+        ),
+        (outside(swing.launch_angle, -math.pi / 2, math.pi / 2), "launch angle is beyond -90 to 90 degrees"),
+        (outside(swing.attack_angle, -math.pi / 3, math.pi / 3), "attack angle is beyond -60 to 60 degrees"),
+        (outside(swing.position, 0.0, length), f"position is off the bat of {shown(length)}"),
+    )
+    text = next((text for holds, text in faults if holds), "")
+    if text or bat is None or ball is None or pitch is None:
+        return text
+    fastest = LIVELIEST * pitch + (1 + LIVELIEST) * bat
+    if ball > fastest:
+        return f"exit speed {mph(ball)} is more than any bat gives at {mph(bat)} against {mph(pitch)} ({mph(fastest)})"
+    if swing.position is not None and not insisted():
+        there = bat * (length - swing.position) / (length - FROM_TIP)
+        if ball > max(LIVELIEST * pitch + (1 + LIVELIEST) * there, 0.0) and swing.position > FROM_TIP:
+            return (
+                f"a ball met {swing.position / INCH:.1f} in from the tip cannot leave at {mph(ball)}; does the "
+                "position count from the other end?"
+            )
+    return ""
+
+
+def full_swings(swings: list[PlayerSwing]) -> tuple[list[PlayerSwing], list[BadRow]]:
+    """Return full swings, and those much slower than the median with the reason."""
+    speeds = [one.bat_speed for one in swings if one.bat_speed is not None]
+    if len(speeds) < 3:
+        return swings, []
+    middle = median(speeds)
+
+    def full(one: PlayerSwing) -> bool:
+        return one.bat_speed is None or one.bat_speed >= FULL_SWING * middle
+
+    bad = [
+        BadRow(one.row, f"bat speed is {(one.bat_speed or 0) / MPH:.1f} mph where the median is {middle / MPH:.1f} "
+                        "mph: a bunt or a checked swing")
+        for one in swings if not full(one)
+    ]  # fmt: skip
+    return [one for one in swings if full(one)], bad
+
+
+def check_speeds(swings: Sequence[PlayerSwing], path: Path) -> None:
+    """Refuse speeds in another unit than the heading says, and bat and ball in each other's columns."""
+    middle: dict[str, float] = {}
+    for quantity in NEEDED:
+        values = [value for one in swings if (value := getattr(one, quantity)) is not None]
+        if len(values) >= FEWEST:
+            middle[quantity] = median(values)
+            name = f"median_{quantity}"
+            check_usual(middle[quantity], name.replace("_", " "), f"{middle[quantity] / MPH:.1f} mph by {path}")
+    if len(middle) == len(NEEDED) and not insisted() and middle["bat_speed"] > SWAPPED * middle["exit_speed"]:
+        bat, ball = (f"{middle[quantity] / MPH:.1f} mph" for quantity in NEEDED)
+        raise InputError(
+            f"{path}: the bat is faster ({bat} in the median) than the ball leaves ({ball}); are the columns of bat "
+            "speed and exit speed swapped? Mend the headings, or add --force if it is meant"
+        )
+
+
+def check_enough(swings: Sequence[PlayerSwing], path: Path) -> None:
+    """Refuse so few swings that the answers would be those for anybody."""
+    if len(swings) < FEWEST and not insisted():
+        noun = "swing" if len(swings) == 1 else "swings"
+        raise InputError(
+            f"{path} has {len(swings)} {noun} that can be used; {FEWEST} are the fewest that tell anything of a "
+            "player. Swing more, or add --force for what is usual for players"
+        )
