@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import cache
 from typing import Any
 
@@ -12,7 +13,9 @@ from sweetspot.errors import InputError, nearest_names
 from sweetspot.flight.park import Park
 from sweetspot.units import FOOT
 
-FILE, FORMER = "parks.toml", "former_parks.toml"
+FILE, FORMER, FIELDS = "parks.toml", "former_parks.toml", "fields.toml"
+ARC_STEP = 5
+"""Degrees between the vertices of a field's fence."""
 
 
 def park_names() -> list[str]:
@@ -36,10 +39,15 @@ def park(name: str, year: int | None = None) -> Park:
 
     >>> park("wrigley").name, park("Minute Maid Park").name, park("yankees").team
     ('Wrigley Field', 'Daikin Park', 'New York Yankees')
+    >>> park("little league").name, round(park("little league").distance_at(0.3) / FOOT)
+    ('Little League field', 200)
     >>> park("OAK").name, park("TB").name, park("TB", 2025).name
     ('Oakland Coliseum', 'Tropicana Field', 'George M. Steinbrenner Field')
     """
     wanted = canonical(name)
+    own = next((key for key, one in read_table(FIELDS).items() if wanted in {key, *map(canonical, one["also"])}), None)
+    if own is not None:
+        return _field(own)
     left = [
         entry
         for entry in read_table(FORMER).values()
@@ -52,7 +60,7 @@ def park(name: str, year: int | None = None) -> Park:
     begun = {key for word, key in known.items() if word == wanted or word.startswith(f"{wanted}-")}
     if wanted not in known and len(begun) != 1:
         raise InputError(
-            f"park {name!r} is not in the catalogue. {nearest_names(wanted, list(known))} "
+            f"park {name!r} is not in the catalogue. {nearest_names(wanted, [*known, *read_table(FIELDS)])} "
             "A team's name or letters do too; `sweetspot parks` lists all."
         )
     return _park((read_table(FILE) | read_table(FORMER))[known.get(wanted) or begun.pop()])
@@ -80,6 +88,29 @@ def _keys() -> dict[str, str]:
 def former_park_names() -> list[str]:
     """Return the names of the parks that clubs have left."""
     return [canonical(name) for name in read_table(FORMER)]
+
+
+def field_names() -> list[str]:
+    """Return the names of the fields of other leagues, whose fences have recommended or usual distances."""
+    return [canonical(name) for name in read_table(FIELDS)]
+
+
+def _field(key: str) -> Park:
+    """Return a field whose fence is an arc of a circle through both foul poles and centre field."""
+    found = read_table(FIELDS)[key]
+    sizes = {name: quantity(found, name, "length", key) for name in ("foul_lines", "centre", "height")}
+    line, centre, high = (value for value in sizes.values() if value is not None)
+    # a circle about (0, c) of radius centre - c passes the pole at line / sqrt(2) (1, 1)
+    along = line / math.sqrt(2)
+    middle = (centre**2 - line**2) / (2 * (centre - along))
+    turns = [math.radians(turn) for turn in range(-45, 46, ARC_STEP)]
+    far = [
+        middle * math.cos(turn) + math.sqrt((centre - middle) ** 2 - (middle * math.sin(turn)) ** 2) for turn in turns
+    ]
+    return Park(
+        name=found["name"], team=found["league"], city="", elevation=0.0, roof="open",
+        fence=tuple((turn, distance, high) for turn, distance in zip(turns, far, strict=True)),
+    )  # fmt: skip
 
 
 def _park(entry: dict[str, Any]) -> Park:

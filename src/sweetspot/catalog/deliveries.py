@@ -10,7 +10,7 @@ from sweetspot.errors import InputError, nearest_names
 from sweetspot.flight.pitch import Delivery
 from sweetspot.units import Kind
 
-FILE = "pitches.toml"
+FILE, OTHERS = "pitches.toml", "other_pitches.toml"
 FIELDS: dict[str, Kind] = {
     "speed": "speed",
     "spin_rate": "angular speed",
@@ -19,13 +19,28 @@ FIELDS: dict[str, Kind] = {
     "side": "length",
     "height": "length",
     "extension": "length",
+    "distance": "length",
 }
 """What an entry says of a delivery, and the kind of quantity."""
 
 
 def delivery_names() -> list[str]:
-    """Return the names of all pitches in the catalogue."""
+    """Return the names of the tracked pitches of the major leagues."""
     return [canonical(name) for name in read_table(FILE)]
+
+
+def other_delivery_names() -> list[str]:
+    """Return the names of the pitches of other leagues: youth baseball and softball."""
+    return [canonical(name) for name in read_table(OTHERS)]
+
+
+def delivery_sport(name: str) -> str:
+    """Return the sport that a pitch is thrown in.
+
+    >>> delivery_sport("fast-pitch"), delivery_sport("FF")
+    ('softball', 'baseball')
+    """
+    return str(_entry(name).get("sport", "baseball"))
 
 
 @cache
@@ -36,7 +51,8 @@ def delivery(name: str = "fastball") -> Delivery:
     ('curve ball', 78.0)
     """
     found = _entry(name)
-    return Delivery(name=found["name"], **{field: quantity(found, field, kind, name) for field, kind in FIELDS.items()})
+    values = {field: quantity(found, field, kind, name) for field, kind in FIELDS.items()}
+    return Delivery(name=found["name"], **{field: value for field, value in values.items() if value is not None})
 
 
 def usual_height(name: str) -> float:
@@ -47,7 +63,7 @@ def usual_height(name: str) -> float:
 
 
 def _entry(name: str) -> dict[str, Any]:
-    table = read_table(FILE)
+    table = read_table(FILE) | read_table(OTHERS)
     known = {canonical(word): key for key, entry in table.items() for word in (key, *entry["also"])}
     if canonical(name) not in known:
         raise InputError(f"pitch {name!r} is not in the catalogue. {nearest_names(canonical(name), list(known))}")

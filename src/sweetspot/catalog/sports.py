@@ -62,6 +62,9 @@ def sport(name: str = DEFAULT_SPORT) -> Sport:
         facts=tuple(_known(table) for table in found.get("fact", ())),
         terms=tuple((word, meaning) for word, meaning in found.get("terms", {}).items()),
         not_covered=tuple(found["not_covered"]),
+        pitches=tuple(found.get("pitches", ())),
+        rules=found.get("rules", ""),
+        fields=tuple(found.get("fields", ())),
     )
 
 

@@ -20,13 +20,17 @@ if TYPE_CHECKING:
     from sweetspot.equipment.bat import Bat
 
 ALL = "all"
+DEFAULT_LEAGUE = "ncaa"
 
 
 def certify(
     bat: Annotated[str | None, Parameter(help="Name in the catalogue (see `sweetspot bats`) or a TOML file.")] = None,
     /,
     *,
-    league: Annotated[str, Parameter(help="League of the catalogue, or all that use the ball.")] = "ncaa",
+    league: Annotated[
+        str | None,
+        Parameter(help="League of the catalogue, or all that use the ball; default: that of the bat's sport."),
+    ] = None,
     shots: Annotated[
         Path | None, Parameter(help="CSV file of measured shots; without it the test is computed.")
     ] = None,
@@ -50,7 +54,7 @@ def certify(
     if standard_ball_cor is not None and shots is None:
         raise InputError("--standard-ball-cor normalises measured shots; give them with --shots")
     described = catalog.load_bat(bat)
-    leagues, chosen = _leagues(league, ball)
+    leagues, chosen = _leagues(league or catalog.sport(described.sport).rules or DEFAULT_LEAGUE, ball)
     body, read = rigid_body(beam_model(described)), None
     test: Certification | Measured
     if shots is None:

@@ -38,7 +38,7 @@ def fit_player(
     ] = None,
     batter: Annotated[str | None, Parameter(help="Whose rows to use, where the file has several batters.")] = None,
     bat_speed_at: Annotated[str, Parameter(help="Where the player's bat speed is measured.")] = "6in-from-tip",
-    ball: Annotated[str, Parameter(help="Ball of the catalogue.")] = "baseball",
+    ball: Annotated[str | None, Parameter(help="Ball of the catalogue; default: the first of the bat's sport.")] = None,
     air: AirOptions = DEFAULT_AIR,
     sampler: Annotated[
         Literal["draws", "walkers"],
@@ -64,6 +64,7 @@ def fit_player(
     wanted = Goal(goal, None if line is None else parse(line, "length", "--line"))
     if output.out is not None and output.out.exists() and not output.out.is_dir():
         raise InputError(f"{output.out} is not a folder; choose another name for --out")
+    ball = ball or catalog.sport(catalog.load_bat(bat).sport).balls[0]
     law = catalog.aerodynamics_of_ball(ball)
     others = [catalog.load_bat(name) for name in try_bat or []]
     weather = air_of(air)

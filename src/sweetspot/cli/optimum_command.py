@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from sweetspot.report.optimum.answers import AskedLaunch
 
 ALL = "all"
-FAST_AND_SLOW = ("fastball", "curve")
-SPEEDS = ("90mph", "100mph", "110mph")
+SPEEDS, SLOWER = ("90mph", "100mph", "110mph"), ("60mph", "70mph", "80mph")
+"""Exit speeds that are asked for: of grown-ups' baseball, and of youth and softball."""
 
 
 @Parameter(name="*")
@@ -29,8 +29,12 @@ SPEEDS = ("90mph", "100mph", "110mph")
 class ContactOptions:
     """The bat's motion and what of the contact is not searched."""
 
-    bat_speed: Annotated[str, Parameter(help="Speed of the bat before impact at --bat-speed-at.")] = "70mph"
-    bat_speed_at: Annotated[str, Parameter(help="Where the bat speed is measured.")] = "6in-from-tip"
+    bat_speed: Annotated[
+        str | None, Parameter(help="Speed of the bat before impact at --bat-speed-at; default: its sport's.")
+    ] = None
+    bat_speed_at: Annotated[str | None, Parameter(help="Where the bat speed is measured; default: 6in-from-tip.")] = (
+        None
+    )
     pivot: Annotated[
         str | None, Parameter(help="Axis the bat turns about, from the knob end; default: the bottom of the grip.")
     ] = None
@@ -39,7 +43,7 @@ class ContactOptions:
     )
     attack_angle: Annotated[str | None, Parameter(help="Swing this steeply; default: the best is searched.")] = None
     tilt: Annotated[str, Parameter(help="Of the plane of the swing; 0deg keeps the bat level.")] = "32deg"
-    ball: Annotated[str, Parameter(help="Ball of the catalogue.")] = "baseball"
+    ball: Annotated[str | None, Parameter(help="Ball of the catalogue; default: the first of the bat's sport.")] = None
 
 
 DEFAULT_CONTACT = ContactOptions()
@@ -51,13 +55,15 @@ def optimum(
     /,
     *,
     pitch: Annotated[
-        tuple[str, ...], Parameter(help="Pitches by name or letters; may be given again.", negative="")
-    ] = (FAST_AND_SLOW),
+        tuple[str, ...],
+        Parameter(help="Pitches by name or letters; may be given again; default: its sport's.", negative=""),
+    ] = (),
     release_speed: Annotated[str | None, Parameter(help="Throw them all this fast; default: as is usual.")] = None,
     contact: ContactOptions = DEFAULT_CONTACT,
     exit_speed: Annotated[
-        tuple[str, ...], Parameter(help="For the best launch angle; may be given again.", negative="")
-    ] = SPEEDS,
+        tuple[str, ...],
+        Parameter(help="For the best launch angle; may be given again; 90, 100, 110mph in baseball.", negative=""),
+    ] = (),
     backspin: Annotated[str, Parameter(help="Of the ball in the last two questions.")] = "2200rpm",
     air: AirOptions = DEFAULT_AIR,
     show: Annotated[
@@ -78,12 +84,16 @@ def optimum(
     if output.format == "csv":
         asked = asked[:1]
     described, parks = catalog.load_bat(bat), everywhere or air.park is not None
+    its = catalog.sport(described.sport)
+    ball = contact.ball or its.balls[0]
+    contact, thrown = replace(contact, ball=ball), pitch or its.pitches
+    speeds = exit_speed or (SPEEDS if its.key == "baseball" else SLOWER)
     with patience():
         optimum = Optimum(
             described,
-            swings=_swings(described, pitch, release_speed, contact, weather) if "swing" in asked else None,
-            launches=_launches(exit_speed, backspin, contact.ball, weather) if "launch" in asked else None,
-            parks=_parks(backspin, contact.ball, weather, everywhere) if "parks" in asked and parks else None,
+            swings=_swings(described, thrown, release_speed, contact, weather) if "swing" in asked else None,
+            launches=_launches(speeds, backspin, ball, weather) if "launch" in asked else None,
+            parks=_parks(backspin, ball, weather, everywhere) if "parks" in asked and parks else None,
         )
     return present(optimum_document(optimum), output)
 
@@ -105,7 +115,7 @@ def _swings(
         bat_speed=contact.bat_speed, bat_speed_at=contact.bat_speed_at, pivot=contact.pivot, ball=contact.ball
     )
     conditions = conditions_for(bat, told)
-    flying = replace(through(weather, contact.ball), ball=conditions.ball)
+    flying = replace(through(weather, str(contact.ball)), ball=conditions.ball)
     position = None if contact.at is None else parse_position(contact.at, length=bat.length, what="--at")
     if position is not None:
         check_position(bat, position, "--at")

@@ -15,11 +15,13 @@ def parks(
     *,
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
-    """List the Major League parks with elevation, roof and fence, or one park's fence all the way round."""
+    """List the Major League parks, and fields of youth and softball, or one park's fence all the way round."""
     from sweetspot import catalog
+    from sweetspot.catalog.ballparks import field_names
     from sweetspot.cli.output import present
     from sweetspot.report.parks.document import park_document, parks_document
 
     if park is not None:
         return present(park_document(catalog.park(park), catalog.parks()), output)
-    return present(parks_document({name: catalog.park(name) for name in catalog.park_names()}), output)
+    fields = {name: catalog.park(name) for name in field_names()}
+    return present(parks_document({name: catalog.park(name) for name in catalog.park_names()}, fields), output)

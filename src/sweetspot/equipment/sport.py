@@ -165,6 +165,9 @@ class Sport(Validated):
     facts : other published numbers.
     terms : (its word, what that is here).
     not_covered : what the model leaves out.
+    pitches : catalogue names of the pitches that are thrown, the usual one first; empty: none are.
+    rules : catalogue name of the league whose rules hold for its bats; "": none are known.
+    fields : catalogue names of fields with usual distances.
     """
 
     key: str
@@ -181,6 +184,9 @@ class Sport(Validated):
     facts: tuple[Known, ...] = ()
     terms: tuple[tuple[str, str], ...] = ()
     not_covered: tuple[str, ...] = ()
+    pitches: tuple[str, ...] = ()
+    rules: str = ""
+    fields: tuple[str, ...] = ()
 
     def known(self) -> tuple[Known, ...]:
         """Return every number of the sport with its certainty; those of its balls and implements are not here."""

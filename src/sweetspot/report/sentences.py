@@ -58,6 +58,26 @@ class UnitName:
 
 
 @dataclass(frozen=True)
+class Span:
+    """Two numbers, from the lower to the higher; one where a reader sees no difference.
+
+    >>> Span(3.3, 3.4, "distance").read(US), Span(2.0, 3.4, "distance").read(US)
+    ('11 ft', '7 to 11 ft')
+    """
+
+    low: float
+    high: float
+    scale: str
+    digits: int | None = None
+    unit: bool = True
+
+    def read(self, reader: Reader) -> str:
+        """Return both as a reader sees them."""
+        low, high = (reader.number(end, self.scale, digits=self.digits) for end in (self.low, self.high))
+        return (high if low == high else f"{low} to {high}") + (reader.behind(self.scale) if self.unit else "")
+
+
+@dataclass(frozen=True)
 class Doubtful:
     """A number and its standard deviation, SI: two digits of that, and no more of the number."""
 
@@ -74,7 +94,7 @@ class Doubtful:
         return f"{value:,.{digits}f} ± {doubt:,.{digits}f}{reader.behind(self.scale)}"
 
 
-Part = str | Slot | UnitName | Doubtful
+Part = str | Slot | Span | UnitName | Doubtful
 
 
 @dataclass(frozen=True)
@@ -125,7 +145,7 @@ def say(template: str, **slots: Part | float | Sentence) -> Sentence:
             parts += (
                 slot.parts
                 if isinstance(slot, Sentence)
-                else [slot if isinstance(slot, (Slot, UnitName, Doubtful)) else str(slot)]
+                else [slot if isinstance(slot, (Slot, Span, UnitName, Doubtful)) else str(slot)]
             )
     return Sentence(tuple(parts))
 

@@ -47,6 +47,7 @@ class Delivery(Validated):
     throws : "right" or "left", the pitcher's hand.
     side, height : m, right of the middle as the catcher sees it, and above the ground.
     extension : m, how far in front of the rubber the ball is let go.
+    distance : m from the rubber to the plate's tip; 60.5 ft in the major leagues.
     """
 
     name: str = "pitch"
@@ -60,6 +61,7 @@ class Delivery(Validated):
     side: float = 0.0
     height: Positive = 5.9 * FOOT
     extension: float = 6.2 * FOOT
+    distance: Positive = RUBBER
 
     @model_validator(mode="after")
     def _is_a_pitch(self) -> Delivery:
@@ -67,10 +69,10 @@ class Delivery(Validated):
             raise ValueError(
                 f"speed is {self.speed:.4g} m/s ({self.speed / MPH:.4g} mph); allowed is at most {MAX_SPEED:g} m/s"
             )
-        if not 0 <= self.extension < RUBBER - PLATE:
+        way = self.distance - PLATE
+        if not 0 <= self.extension < way:
             raise ValueError(
-                f"extension is {self.extension:.4g} m; allowed is 0 to less than {RUBBER - PLATE:.4g} m, the way to "
-                "the plate"
+                f"extension is {self.extension:.4g} m; allowed is 0 to less than {way:.4g} m, the way to the plate"
             )
         if max(abs(self.launch_angle), abs(self.turn)) >= math.pi / 2:
             raise ValueError("launch angle and turn must be less than 90 deg; the ball goes towards the plate")
@@ -82,7 +84,7 @@ class Delivery(Validated):
         level, up = math.cos(self.launch_angle), math.sin(self.launch_angle)
         ahead = np.array([level * math.sin(self.turn), -level * math.cos(self.turn), up])
         return BallMotion(
-            position=np.array([self.side, RUBBER - self.extension, self.height]),
+            position=np.array([self.side, self.distance - self.extension, self.height]),
             velocity=self.speed * ahead,
             spin=pitch_spin(
                 self.spin_rate, axis=self.spin_axis, direction=ahead, efficiency=self.efficiency, throws=self.throws
@@ -172,7 +174,7 @@ def aimed(
     InputError
         for a pitch too slow to be thrown there at any angle.
     """
-    way = RUBBER - delivery.extension - PLATE
+    way = delivery.distance - delivery.extension - PLATE
     start = _lob(delivery.speed, way=way, rise=target[1] - delivery.height)
     aim = delivery.replaced(launch_angle=start, turn=math.atan2(target[0] - delivery.side, way))
     before = (start, 0.0)

@@ -10,32 +10,47 @@ from sweetspot.flight.park import Park
 from sweetspot.report.document import Cell, Column, Document, Picture, Table
 from sweetspot.report.json_shapes import as_columns
 from sweetspot.report.quantities import Reader
-from sweetspot.report.sentences import Slot, say
+from sweetspot.report.sentences import Sentence, Span
 
 NAMED = {"left_field": -45.0, "left_center": -22.5, "center_field": 0.0, "right_center": 22.5, "right_field": 45.0}
 """Directions that people know by name, degrees from centre field."""
-ALIKE = 0.15
-"""m; a wall that varies less has one height for people."""
 ROOFS = {"open": "", "retractable": "moves", "fixed": "fixed"}
 
 
-def parks_document(parks: Mapping[str, Park]) -> Document:
-    """Return many parks as a document, by their names in the catalogue."""
+def parks_document(parks: Mapping[str, Park], fields: Mapping[str, Park] | None = None) -> Document:
+    """Return many parks as a document, by their names in the catalogue.
+
+    Parameters
+    ----------
+    fields : of leagues whose fences have recommended or usual distances.
+    """
     rows: list[list[Cell]] = []
     for name, park in parks.items():
         heights = [height for _, _, height in park.fence]
-        low, high = Slot(min(heights), "distance").bare, Slot(max(heights), "distance").bare
-        wall = low if high.value - low.value < ALIKE else say("{low} to {high}", low=low, high=high)
+        wall = Sentence((Span(min(heights), max(heights), "distance", unit=False),))
         rows.append([name, park.team, park.elevation, ROOFS[park.roof], *_distances(park), wall])
     far = [Column(name, "distance", digits=0) for name in ("LF", "LC", "CF", "RC", "RF")]
     columns = [Column("name"), Column("team"), Column("elev.", "distance", digits=0), Column("roof")]
     told = [{"key": name, **_json(park)} for name, park in parks.items()]
     picture = _picture(list(parks.values()), None)
+    blocks = [Table("Parks: elevation, fence and wall", [*columns, *far, Column("wall", "distance")], rows)]
+    if fields:
+        blocks.append(_fields(fields))
     return Document(
         name="parks", title="", kind="Ball parks",
-        blocks=[Table("Parks: elevation, fence and wall", [*columns, *far, Column("wall", "distance")], rows), picture],
+        blocks=[*blocks, picture],
         data={"parks": told}, rows=as_columns(told), drawing=picture,
     )  # fmt: skip
+
+
+def _fields(fields: Mapping[str, Park]) -> Table:
+    columns = [Column("name"), Column("of")]
+    columns += [Column(name, "distance", digits=0) for name in ("LF", "LC", "CF", "RC", "RF")]
+    rows: list[list[Cell]] = [
+        [name, field.team, *_distances(field), max(high for _, _, high in field.fence)]
+        for name, field in fields.items()
+    ]
+    return Table("Fields of other leagues, with usual distances", [*columns, Column("wall", "distance")], rows)
 
 
 def park_document(park: Park, others: Sequence[Park]) -> Document:
