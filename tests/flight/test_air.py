@@ -11,9 +11,8 @@ from hypothesis import strategies as st
 
 from sweetspot.errors import InputError
 from sweetspot.flight.air import CALM, STANDARD_PRESSURE, VACUUM, Air, Wind, air_density, vapour_pressure
-from sweetspot.units import FOOT
+from sweetspot.units import FOOT, INCH_OF_MERCURY
 
-INCH_OF_MERCURY = 3386.389
 SHEET = Air(temperature=38 / 1.8, pressure=29.92 * INCH_OF_MERCURY, humidity=0.5, elevation=15 * FOOT)
 """70 degF, 50 %, 29.92 inHg, 15 ft: the weather of the sheet's printed run."""
 

@@ -22,7 +22,7 @@ from sweetspot.flight.forces import drag_and_lift
 from sweetspot.flight.home_runs import home_run_chances
 from sweetspot.flight.kernel import flights
 from sweetspot.motion.ball_motion import BallMotions, spin_axes
-from sweetspot.units import DEGREE, FOOT, MPH, RPM
+from sweetspot.units import DEGREE, FOOT, INCH_OF_MERCURY, MPH, RPM
 from tests.real_data import real_file
 
 BALL, LAW = catalog.ball(), catalog.aerodynamics("trajectory-calculator")
@@ -72,7 +72,9 @@ def test_path_of_the_sheet() -> None:
     found = flights(
         BallMotions(velocity=103 * MPH * axes[2], spin=2500 * RPM * axes[0], position=[0.0, 2 * FOOT, 3 * FOOT]),
         FlightConditions(
-            ball=BALL, aerodynamics=LAW, air=Air(temperature=38 / 1.8, pressure=29.92 * 3386.389, elevation=15 * FOOT)
+            ball=BALL,
+            aerodynamics=LAW,
+            air=Air(temperature=38 / 1.8, pressure=29.92 * INCH_OF_MERCURY, elevation=15 * FOOT),
         ),
         path_points=2000,
     )

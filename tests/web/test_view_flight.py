@@ -96,7 +96,7 @@ def test_python_lines_give_the_same_numbers(controls: dict[str, Any]) -> None:
     names: dict[str, Any] = {}
     with redirect_stdout(said):
         exec(lines["python"], names)
-    flight = names["flight"] if "flight" in names else names["done"].flight
+    flight = names["flight"] if "flight" in names else names["played"].flight
     found = answer(state)
     assert flight.carry == pytest.approx(found["flight"]["carry_m"], rel=1e-4)  # the readable solution
     assert f"outcome='{found['end']['outcome']}'" in said.getvalue()

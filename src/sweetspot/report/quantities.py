@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from sweetspot.equipment.sport import Words
-from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, POUND_FORCE, RPM
+from sweetspot.units import DEGREE, FOOT, INCH, INCH_OF_MERCURY, MPH, OUNCE, OUNCE_INCH_SQUARED, POUND_FORCE, RPM
 
 System = Literal["us", "si"]
 NOTHING = "-"
@@ -65,7 +65,7 @@ SCALES: Mapping[str, Scale] = {
     "mass": Scale("_kg", Unit("oz", OUNCE, 1), Unit("g", 1e-3, 0)),
     "moi": Scale("_kg_m2", Unit("oz in²", OUNCE_INCH_SQUARED, 0), Unit("kg cm²", 1e-4, 0)),
     "density": _same("_kg_m3", "kg/m³", 1.0, 4),
-    "pressure": Scale("_pa", Unit("inHg", 3386.389, 2), Unit("hPa", 100.0, 0)),
+    "pressure": Scale("_pa", Unit("inHg", INCH_OF_MERCURY, 2), Unit("hPa", 100.0, 0)),
     "temperature": Scale("_degc", Unit("°F", 5 / 9, 0, zero=-160 / 9), Unit("°C", 1.0, 0)),
     "time": _same("_s", "s", 1.0, 1),
     "contact": _same("_s", "ms", 1e-3, 3),
@@ -82,7 +82,6 @@ SCALES: Mapping[str, Scale] = {
     "ratio": _same("", "", 1.0, 3),
     "count": _same("", "", 1.0, 0),
 }
-"""Inch of mercury: 3386.389 Pa at 0 °C. All others are exact."""
 
 
 @dataclass(frozen=True)
@@ -95,6 +94,7 @@ class Quantity:
 
 
 BLUE, SKY, GREEN, ORANGE, RED, PURPLE = "#0072b2", "#56b4e9", "#009e73", "#e69f00", "#d55e00", "#cc79a7"
+PALETTE = {"blue": BLUE, "sky": SKY, "green": GREEN, "orange": ORANGE, "red": RED, "purple": PURPLE}
 """Okabe and Ito's palette, which colour-blind people can tell apart."""
 
 QUANTITIES: Mapping[str, Quantity] = {

@@ -11,4 +11,6 @@ POUND_FORCE = 4.4482216152605
 FOOT = 0.3048
 RPM = math.pi / 30
 DEGREE = math.pi / 180
+INCH_OF_MERCURY = 3386.389
+"""Pa, at 0 degC; all others here are exact."""
 OUNCE_INCH_SQUARED = OUNCE * INCH**2

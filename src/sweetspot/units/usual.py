@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from sweetspot.errors import InputError
-from sweetspot.units.sizes import DEGREE, FOOT, INCH, MPH, OUNCE, RPM
+from sweetspot.units.sizes import DEGREE, FOOT, INCH, INCH_OF_MERCURY, MPH, OUNCE, RPM
 
 LONGEST_IMPLEMENT = 5.0
 """m; nothing that is swung at a ball is nearly as long, and in inches every bat is longer."""
@@ -60,7 +60,6 @@ class Usual:
         return within or not self.above * self.size < value < self.below * self.size
 
 
-INCH_OF_MERCURY = 3386.389
 MOST_BAT_SPEED = 70 / MPH
 """mph; what a swing may have at all."""
 FILE_UNITS = "write the unit that the file is in behind the heading: _mph, _m_s or _km_h"

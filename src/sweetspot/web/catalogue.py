@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import Any
 
 from fastapi import APIRouter
 
@@ -12,6 +13,7 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.report.bat.json import bat_json
+from sweetspot.report.quantity_table import quantity_data
 from sweetspot.web.bats import bat_from_text
 from sweetspot.web.errors import about
 from sweetspot.web.schemas import BatFacts, BatText, Choice
@@ -44,6 +46,11 @@ def catalogue_routes(api: APIRouter) -> None:
     def parks() -> list[Choice]:
         """Return the ball parks of the catalogue."""
         return [Choice(key=name, name=catalog.park(name).name) for name in catalog.park_names()]
+
+    @api.get("/quantities", tags=["catalogue"])
+    def quantities() -> dict[str, Any]:
+        """Return how numbers are shown: scales and endings of names in both systems, labels and colours."""
+        return quantity_data()
 
     @api.post("/bat", tags=["catalogue"])
     def bat(text: BatText) -> BatFacts:

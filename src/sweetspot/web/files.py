@@ -10,6 +10,7 @@ from functools import cache
 from pathlib import Path
 
 from sweetspot import __version__
+from sweetspot.report.quantity_table import quantity_data
 from sweetspot.web.states import CARRIED
 from sweetspot.web.views import VIEWS
 
@@ -32,9 +33,10 @@ class File:
 
 
 def static_files() -> dict[str, File]:
-    """Return every file of the page by its path below /static/."""
+    """Return every file of the page by its path below /static/; the table of quantities is one, as a module."""
     found = (path for path in sorted(FOLDER.rglob("*")) if path.suffix in TYPES)
-    return {path.relative_to(FOLDER).as_posix(): _file(path.read_bytes(), path.suffix) for path in found}
+    files = {path.relative_to(FOLDER).as_posix(): _file(path.read_bytes(), path.suffix) for path in found}
+    return files | {"quantities.js": _file(f"export default {json.dumps(quantity_data())};\n".encode(), ".js")}
 
 
 @cache

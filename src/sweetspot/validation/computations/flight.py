@@ -14,9 +14,8 @@ from sweetspot.flight.forces import drag_and_lift
 from sweetspot.flight.sweep import BattedBall
 from sweetspot.flight.trajectory import Flight, fly
 from sweetspot.motion.ball_motion import BallMotion
-from sweetspot.units import DEGREE, FOOT, MPH, RPM
+from sweetspot.units import DEGREE, FOOT, INCH_OF_MERCURY, MPH, RPM
 
-INCH_OF_MERCURY = 3386.389
 """Pa."""
 
 USUAL = BattedBall(

@@ -20,7 +20,7 @@ from sweetspot.flight.kernel import Flights, flights
 from sweetspot.flight.park import FOUL_LINE, Park, fence_at
 from sweetspot.motion.ball_motion import BallMotion, launched
 from sweetspot.motion.swing_path import SwingPath, Swings
-from sweetspot.units import FOOT, INCH, MPH, RPM
+from sweetspot.units import FOOT, INCH, INCH_OF_MERCURY, MPH, RPM
 from sweetspot.web.bats import ball_of, conditions_of, reduced
 from sweetspot.web.drawings import bat_picture
 from sweetspot.web.errors import FieldError, about
@@ -28,7 +28,6 @@ from sweetspot.web.view import View
 from sweetspot.web.views.flight_recipe import flight_lines
 from sweetspot.web.views.flight_state import FlightState
 
-INCH_OF_MERCURY = 3386.389
 """Pa."""
 FORWARD = 2 * FOOT
 """m in front of the plate's tip where ball and bat meet."""

@@ -72,7 +72,7 @@ def _field_python(state: FlightState) -> str:
     return (
         f"park = catalog.park({state.park!r})\n"
         f"air = Air(temperature=({state.temperature_degf!r} - 32) / 1.8, humidity={state.relative_humidity!r},\n"
-        f"          pressure={state.pressure_inhg!r} * 3386.389, elevation={elevation})\n"
+        f"          pressure={state.pressure_inhg!r} * INCH_OF_MERCURY, elevation={elevation})\n"
         f"wind = Wind(speed={state.wind_speed_mph!r} * MPH, direction=radians({state.wind_direction_deg!r}))\n"
         f"through = FlightConditions(ball=catalog.ball({state.ball!r}), aerodynamics=catalog.aerodynamics(),\n"
         "                           air=air, wind=wind)\n"
@@ -87,7 +87,7 @@ def _ball_python(state: FlightState) -> str:
         "from sweetspot.flight.fence import landing\n"
         "from sweetspot.flight.trajectory import fly\n"
         "from sweetspot.motion.ball_motion import launched\n"
-        "from sweetspot.units import FOOT, MPH, RPM\n\n"
+        "from sweetspot.units import FOOT, INCH_OF_MERCURY, MPH, RPM\n\n"
         f"motion = launched(speed={state.exit_speed_mph!r} * MPH, launch_angle=radians({state.launch_angle_deg!r}),\n"
         f"                  spray=radians({state.spray_deg!r}), backspin={state.backspin_rpm!r} * RPM,\n"
         f"                  sidespin={state.sidespin_rpm!r} * RPM,\n"
@@ -108,7 +108,7 @@ def _swing_python(state: FlightState) -> str:
         "from sweetspot.motion.ball_motion import launched\n"
         "from sweetspot.analysis.full_play import play\n"
         "from sweetspot.motion.swing_path import SwingPath\n"
-        "from sweetspot.units import FOOT, RPM\n\n"
+        "from sweetspot.units import FOOT, INCH_OF_MERCURY, RPM\n\n"
         f"path = SwingPath(attack_angle=radians({state.attack_angle_deg!r}), tilt=radians({state.tilt_deg!r}),\n"
         f'                 attack_direction=radians({state.attack_direction_deg!r}), bats="{state.batter}")\n'
         f"pitch = launched(speed=conditions.pitch.speed, launch_angle=radians({state.pitch_angle_deg!r}), spray=pi,\n"

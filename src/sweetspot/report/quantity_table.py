@@ -1,0 +1,76 @@
+"""The table of quantities as plain data, for programs that show numbers themselves: the page has it as a module."""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+from sweetspot.report.quantities import PALETTE, QUANTITIES, SCALES, Unit
+from sweetspot.report.sweet_spots import SPOTS
+
+Stored = Literal["us", "si", "plain"]
+ENDINGS: dict[str, tuple[str, Stored]] = {
+    "_from_tip_in": ("length", "us"),
+    "_mph": ("speed", "us"),
+    "_in": ("length", "us"),
+    "_ft": ("distance", "us"),
+    "_oz": ("mass", "us"),
+    "_degf": ("temperature", "us"),
+    "_degc": ("temperature", "si"),
+    "_deg": ("angle", "us"),
+    "_rpm": ("spin", "us"),
+    "_inhg": ("pressure", "us"),
+    "_pct": ("share", "us"),
+    "_ms": ("contact", "us"),
+    "_humidity": ("share", "plain"),
+    "_kg_m3": ("density", "plain"),
+    "_kg_m2": ("moi", "plain"),
+    "_m_s": ("speed", "plain"),
+    "_rad_s": ("spin", "plain"),
+    "_n_s": ("impulse", "plain"),
+    "_kg": ("mass", "plain"),
+    "_rad": ("angle", "plain"),
+    "_hz": ("frequency", "plain"),
+    "_j": ("energy", "plain"),
+    "_n": ("weight", "plain"),
+    "_s": ("contact", "plain"),
+    "_m": ("length", "plain"),
+}
+"""Endings of names, longer ones first: the scale they are shown on, and whether the number is stored in that scale's
+US or SI unit or in the plain unit of the International System."""
+
+
+def quantity_data() -> dict[str, Any]:
+    """Return scales, endings of names, quantities and sweet spots.
+
+    What is shown of a stored value is value * scale + offset, with ``digits`` places and ``unit`` behind it.
+    """
+    return {
+        "scales": {name: _shown(name, "plain") for name in SCALES},
+        "endings": {ending: _shown(scale, stored) for ending, (scale, stored) in ENDINGS.items()},
+        "quantities": {
+            name: {"label": one.label, "scale": one.scale, "colour": _hue(one.colour)}
+            for name, one in QUANTITIES.items()
+        },
+        "spots": {name: {"label": spot.label, "colour": _hue(spot.colour)} for name, spot in SPOTS.items()},
+        "palette": dict(PALETTE),
+    }
+
+
+def _shown(scale: str, stored: Stored) -> dict[str, dict[str, Any]]:
+    """Return how a stored number is shown in either system."""
+    units = {"us": SCALES[scale].us, "si": SCALES[scale].si}
+    kept = Unit("", 1.0, 0) if stored == "plain" else units[stored]
+    return {
+        system: {
+            "unit": unit.name,
+            "scale": kept.size / unit.size,
+            "offset": (kept.zero - unit.zero) / unit.size,
+            "digits": unit.digits,
+        }
+        for system, unit in units.items()
+    }
+
+
+def _hue(colour: str) -> str:
+    """Return a colour's name in the palette, which the page draws darker or lighter; "" for none."""
+    return next((name for name, value in PALETTE.items() if value == colour), "")
