@@ -31,7 +31,9 @@ def talking(server: str, **options: Any) -> Iterator[ClientConnection]:
 
 def asked(line: ClientConnection, number: int, **state: Any) -> dict[str, Any]:
     line.send(json.dumps({"id": number, "view": "explorer", "state": state}))
-    answer: dict[str, Any] = json.loads(line.recv(timeout=10))
+    answer: dict[str, Any] = {"status": ""}
+    while "status" in answer:  # said before the answer, while the kernels load
+        answer = json.loads(line.recv(timeout=30))
     return answer
 
 
@@ -83,6 +85,16 @@ def test_bytes_are_refused_with_a_message(server: str) -> None:
     with talking(server) as line:
         line.send(b"\x00\xff")
         assert "JSON text" in json.loads(line.recv(timeout=10))["error"]["message"]
+
+
+def test_a_text_that_is_none_ends_the_line_without_a_traceback(server: str, caplog: pytest.LogCaptureFixture) -> None:
+    with talking(server) as line, pytest.raises(ConnectionClosed) as closed:
+        with line.send_context():
+            line.protocol.send_text(b"\xff\xfe")
+        line.recv(timeout=10)
+    assert closed.value.rcvd is not None
+    assert closed.value.rcvd.code == 1007
+    assert not [record for record in caplog.records if record.exc_info]
 
 
 def test_a_message_too_large_ends_the_line_and_nothing_else(server: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import hashlib
 import importlib.util
 import json
@@ -25,9 +26,10 @@ TYPES = {
 
 @dataclass(frozen=True)
 class File:
-    """A file's content with what a browser must know of it."""
+    """A file's content, the same for those who can unpack it, and what a browser must know of it."""
 
     content: bytes
+    packed: bytes
     media_type: str
     tag: str
 
@@ -60,4 +62,5 @@ def shell(template: File) -> File:
 
 
 def _file(content: bytes, suffix: str) -> File:
-    return File(content, TYPES[suffix], f'"{hashlib.sha256(content).hexdigest()[:20]}"')
+    tag = f'"{hashlib.sha256(content).hexdigest()[:20]}"'
+    return File(content, gzip.compress(content, mtime=0), TYPES[suffix], tag)

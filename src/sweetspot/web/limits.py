@@ -12,6 +12,7 @@ from urllib.parse import urlsplit
 
 LARGEST_BODY = 64 * 1024
 """Bytes of a request or of one message on a socket."""
+TOO_LARGE = 413, f"the message is too large; allowed are {LARGEST_BODY} bytes"
 LONGEST_QUERY = 32 * 1024
 REQUESTS_PER_SECOND, REQUESTS_AT_ONCE = 100.0, 300.0
 """Of one address, after which it is told to wait."""
@@ -120,9 +121,11 @@ class Guard:
             return
         headers = {name.decode("latin-1"): value.decode("latin-1") for name, value in scope["headers"]}
         refusal = self._refusal(scope, headers)
-        if refusal is None:
-            limited = _limited(receive) if scope["type"] == "http" else receive
-            await self._app(scope, limited, _with_headers(send))
+        if refusal is None and scope["type"] == "http":
+            body = _Body(receive, _with_headers(send))
+            await self._app(scope, body.receive, body.send)
+        elif refusal is None:
+            await self._app(scope, receive, _with_headers(send))
         elif scope["type"] == "websocket":
             await send({"type": "websocket.close", "code": 1008, "reason": refusal[1]})
         else:
@@ -138,7 +141,7 @@ class Guard:
             return 414, f"the address is too long; allowed are {LONGEST_QUERY} bytes after the question mark"
         length = headers.get("content-length", "0")
         if not length.isdecimal() or int(length[:20]) > LARGEST_BODY:
-            return 413, f"the message is too large; allowed are {LARGEST_BODY} bytes"
+            return TOO_LARGE
         if not self._bucket(scope).take():
             return 429, "too many requests from one address; wait a second"
         return None
@@ -156,19 +159,28 @@ class TooLargeError(Exception):
     """A body without an honest length has grown beyond the limit."""
 
 
-def _limited(receive: Receive) -> Receive:
-    """Return a receiver that ends a body which grows beyond the limit, whatever its length was said to be."""
-    taken = 0
+class _Body:
+    """A request's body, ended where it grows beyond the limit whatever its length was said to be: that is told by 413.
 
-    async def counted() -> Message:
-        nonlocal taken
-        message = await receive()
-        taken += len(message.get("body", b""))
-        if taken > LARGEST_BODY:
+    What the application says of the body that broke off is not sent.
+    """
+
+    def __init__(self, receive: Receive, send: Send) -> None:
+        self._receive, self._send = receive, send
+        self._taken = 0
+
+    async def receive(self) -> Message:
+        message = await self._receive()
+        self._taken += len(message.get("body", b""))
+        if self._taken > LARGEST_BODY:
             raise TooLargeError
         return message
 
-    return counted
+    async def send(self, message: Message) -> None:
+        if self._taken <= LARGEST_BODY:
+            await self._send(message)
+        elif message["type"] == "http.response.start":
+            await _refuse(self._send, *TOO_LARGE)
 
 
 def _with_headers(send: Send) -> Send:

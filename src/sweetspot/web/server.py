@@ -55,6 +55,7 @@ def create_app(*, names: Iterable[str] = ()) -> FastAPI:
         openapi_url=f"{API}/openapi.json",
         lifespan=life,
     )
+    app.state.answers = answers
     app.add_middleware(Guard, names=(*LOCAL_NAMES, *names))
     app.add_exception_handler(RequestValidationError, _invalid)
     app.add_exception_handler(HTTPException, _refused)
@@ -116,9 +117,11 @@ def _page_routes(app: FastAPI) -> None:
 def _handed(file: File | None, request: Request) -> Response:
     if file is None:
         raise HTTPException(NOT_FOUND)
-    headers = {"etag": file.tag, "cache-control": "no-cache"}
+    headers = {"etag": file.tag, "cache-control": "no-cache", "vary": "accept-encoding"}
     if request.headers.get("if-none-match") == file.tag:
         return Response(status_code=304, headers=headers)
+    if "gzip" in request.headers.get("accept-encoding", ""):
+        return Response(file.packed, media_type=file.media_type, headers={**headers, "content-encoding": "gzip"})
     return Response(file.content, media_type=file.media_type, headers=headers)
 
 
