@@ -42,7 +42,6 @@ HOMES = {
     "fastapi": ("web/",),
     "starlette": ("web/",),
     "uvicorn": ("web/",),
-    "plotly": ("web/",),
     "jinja2": ("report/",),
     "pint": ("units/",),
     "tomllib": ("catalog/", "validation/", "references.py"),

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import math
 import shlex
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import httpx
+import numpy as np
 import pytest
 
 from sweetspot import catalog
@@ -65,7 +67,7 @@ def test_recipes_give_the_same_numbers(
     assert hit["exit_speed_m_s"] == pytest.approx(found["hit"]["exit_speed_m_s"], rel=2e-4)
     names: dict[str, Any] = {}
     exec(lines["python"], names)
-    assert names["result"].scan.sting == pytest.approx(found["scan"]["sting"], rel=1e-9)
+    assert names["result"].scan.sting == pytest.approx(found["scan"]["sting_m_s"], rel=1e-9)
 
 
 def test_a_ball_met_off_the_axis_is_lifted_and_slower(client: httpx.Client) -> None:
@@ -237,12 +239,6 @@ def test_half_a_request_is_not_waited_for(server: str, monkeypatch: pytest.Monke
         assert all(client.get("/static/icon.svg").status_code == 200 for _ in range(2))
 
 
-def test_plotly_comes_from_the_installed_package(client: httpx.Client) -> None:
-    response = client.get("/vendor/plotly.min.js")
-    assert response.status_code == 200
-    assert b"plotly.js v" in response.content[:300]
-
-
 def test_only_this_server_by_name_and_its_own_pages(client: httpx.Client, server: str) -> None:
     assert client.get("/", headers={"host": "evil.example"}).status_code == 421
     assert client.get("/", headers={"host": "[::1"}).status_code == 421
@@ -319,3 +315,42 @@ def test_heads_of_pages_are_answered(client: httpx.Client, path: str) -> None:
     head, whole = client.head(path), client.get(path)
     assert head.status_code == whole.status_code
     assert head.content == b""
+
+
+def test_a_ball_met_far_off_the_axis_goes_backwards(client: httpx.Client) -> None:
+    """The launch angle goes on beyond a right angle, and the curves answer to the offset as the hit does."""
+    state = {"offset_in": 2.5, "impact_from_tip_in": 6}
+    found = client.post("/api/v1/explorer", json=state).json()
+    hit, scan = found["hit"], found["scan"]
+    assert math.pi / 2 < hit["launch_angle_rad"] < math.pi
+    assert hit["backspin_rad_s"] > 0
+    for name in ("exit_speed_m_s", "launch_angle_rad", "bbcor"):
+        there = np.interp(hit["position_m"], scan["position_m"], [v if v is not None else math.nan for v in scan[name]])
+        assert there == pytest.approx(hit[name], rel=2e-3), name
+
+
+def test_where_the_energy_goes_sums_to_all_of_it(client: httpx.Client) -> None:
+    for state in ({}, {"offset_in": 0.8}, {"bat": "composite"}):
+        shares = client.post("/api/v1/explorer", json=state).json()["energy_shares"]
+        assert np.sum([*shares.values()], axis=0) == pytest.approx(1, abs=1e-4)
+
+
+def test_the_map_is_the_hit_at_every_place(client: httpx.Client) -> None:
+    power = client.post("/api/v1/explorer/map", json={}).json()
+    row, column = 16, 30
+    place, above = power["position_m"][column], power["offset_m"][row]
+    length = catalog.bat().length
+    state = {"impact_from_tip_in": (length - place) / INCH, "offset_in": above / INCH}
+    hit = client.post("/api/v1/explorer", json=state).json()["hit"]
+    assert power["exit_speed_m_s"][row][column] == pytest.approx(hit["exit_speed_m_s"], abs=1e-3)
+
+
+def test_why_here_adds_up_and_is_what_the_report_says(client: httpx.Client) -> None:
+    found = client.post("/api/v1/explorer", json={"impact_from_tip_in": 2}).json()
+    parts = found["difference_m_s"]
+    assert parts["motion"] + parts["giving"] + parts["keeping"] == pytest.approx(parts["whole"], abs=1e-12)
+    assert parts["motion"] > 0 > parts["keeping"]  # nearer to the tip it moves faster, and bends more
+    assert parts["whole"] == pytest.approx(-found["lost_m_s"], abs=0.02)
+    told = client.post("/api/v1/explorer/why", json={}).json()["sentences"]
+    assert any("Why not at the tip?" in one for one in told["us"])
+    assert any("What a miss costs" in one for one in told["si"])

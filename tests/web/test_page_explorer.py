@@ -50,7 +50,8 @@ def picture(page: Page) -> str:
 
 def test_the_first_picture_says_where_the_bat_hits_best(opened: Page) -> None:
     expect(opened.locator("#verdict")).to_contain_text("R161, white ash hits fastest 5.8 in from the tip")
-    assert opened.locator("#view canvas").count() == 2
+    assert opened.locator("#view canvas").count() == 3
+    opened.wait_for_timeout(400)  # the map is asked for apart
     assert number(opened, "Exit speed") == pytest.approx(103.3, abs=1)
     drawn = opened.evaluate(
         "[...document.querySelectorAll('#view canvas')].map((c) => new Set(c.getContext('2d')"
@@ -113,7 +114,7 @@ def test_dragging_the_ball_along_the_bat(opened: Page, answered: Answered) -> No
     level = canvas["y"] + canvas["height"] * 0.6
     opened.mouse.move(canvas["x"] + 0.8 * canvas["width"], level)
     opened.mouse.down()
-    opened.mouse.move(canvas["x"] + 0.6 * canvas["width"], level, steps=4)
+    opened.mouse.move(canvas["x"] + 0.35 * canvas["width"], level, steps=4)
     answered(opened, count + 1)
     opened.mouse.up()
     expect(opened).to_have_url(re.compile("impact_from_tip_in=1"))
@@ -194,6 +195,7 @@ def test_a_wrong_file_is_explained_beside_the_field(opened: Page, answered: Answ
 
 def test_drawing_the_outline(opened: Page, answered: Answered) -> None:
     before, count = number(opened, "Weight"), answered(opened)
+    opened.get_by_role("button", name="Whole bat").click()
     opened.locator("summary", has_text="Draw the outline").click()
     station = catalog.bat().profile[9]  # type: ignore[index]
     place = opened.evaluate(

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from sweetspot.collision.closed_form import bbcor, exit_speed, rigid_efficiency
+from sweetspot.collision.impact import Impacts, bat_energy
 from sweetspot.collision.kernel import hits_with_motion
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.rigid import RigidBody, hand_impulse_ratio
+from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions, Hands
 from sweetspot.numerics.arrays import Array
@@ -19,6 +23,26 @@ STING_BAND = (50.0, 700.0)
 """Hz; palms feel best between about 100 and 400 Hz and hardly beyond 700 Hz [griffin2012; russell2017acoustics]."""
 ABOVE_HANDS = 0.05
 """m above the top hand's centre where a scan begins; an implement with a face is hit on its face only."""
+
+
+class EnergyShares(NamedTuple):
+    """Where the incoming energy of many hits goes, as parts of it, each of the shape of the hits; nan where none ended.
+
+    Parameters
+    ----------
+    ball : of the ball leaving.
+    translation, rotation : bat pushed back and bat turned.
+    bending, hoop, face : left vibrating.
+    heat : lost in the ball, and the little that the bat's damping takes during contact.
+    """
+
+    ball: Array
+    translation: Array
+    rotation: Array
+    bending: Array
+    hoop: Array
+    face: Array
+    heat: Array
 
 
 @dataclass(frozen=True)
@@ -35,6 +59,7 @@ class Scan:
     hand_impulse : N s that the hands must give to hold their place, from the rigid motion; 0 at the percussion centre.
     sting : m/s, root mean square of the vibration at both hands right after the hit, modes within `STING_BAND`.
     contact_time, peak_force : s and N.
+    energy : where the incoming energy goes, in the frame of the undisturbed bat.
     """
 
     position: Array
@@ -49,6 +74,7 @@ class Scan:
     sting: Array
     contact_time: Array
     peak_force: Array
+    energy: EnergyShares
 
 
 def scan(
@@ -90,7 +116,22 @@ def scan(
         sting=sting(modes, hands=hands, displacement=done.displacement, velocity=done.velocity),
         contact_time=done.contact_time,
         peak_force=done.peak_force,
+        energy=energy_shares(done, modes=modes, ball=ball, closing_speed=closing),
     )
+
+
+def energy_shares(done: Impacts, *, modes: Modes, ball: Ball, closing_speed: ArrayLike) -> EnergyShares:
+    """Return where the incoming energy m v^2 / 2 of many hits goes; the parts sum to one.
+
+    Parameters
+    ----------
+    closing_speed : m/s along the line of centres, one or one for each hit.
+    """
+    incoming = ball.mass * np.asarray(closing_speed, float) ** 2 / 2
+    incoming = np.where(incoming > 0, incoming, np.nan)
+    ours = [part / incoming for part in bat_energy(modes, done.displacement, done.velocity)]
+    leaving = done.collision_efficiency**2
+    return EnergyShares(leaving, *ours, heat=1 - leaving - np.sum(ours, axis=0))
 
 
 def sting(modes: Modes, *, hands: Hands, displacement: Array, velocity: Array) -> Array:

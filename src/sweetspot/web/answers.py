@@ -42,15 +42,21 @@ class Answers:
         self.prepared = False
         self._pool = ThreadPoolExecutor(WORKERS, thread_name_prefix="answer")
 
-    async def json(self, name: str, state: ViewState) -> bytes:
-        """Return a view's answer as JSON text; raises `FieldError` for bad input, `TooSlowError` after the limit."""
-        kept = kept_answer(name, state)
+    async def json(self, name: str, state: ViewState, aside: str = "") -> bytes:
+        """Return a view's answer, or one of its asides, as JSON text.
+
+        Raises
+        ------
+        FieldError
+            for bad input; `TooSlowError` after the limit.
+        """
+        kept = None if aside else kept_answer(name, state)
         if kept is not None:
             return kept
         loop = asyncio.get_running_loop()
         try:
             async with asyncio.timeout(TIME_LIMIT if self.prepared else None):
-                return await loop.run_in_executor(self._pool, answer_json, name, state)
+                return await loop.run_in_executor(self._pool, answer_json, name, state, aside)
         except TimeoutError:
             raise TooSlowError from None
 
@@ -71,9 +77,11 @@ class Answers:
 
 
 @lru_cache(maxsize=KEPT)
-def answer_json(name: str, state: ViewState) -> bytes:
-    """Return a view's answer as JSON; numbers that are not finite become null."""
-    return pydantic_core.to_json(VIEWS[name].answer(state), inf_nan_mode="null", fallback=_plain)
+def answer_json(name: str, state: ViewState, aside: str = "") -> bytes:
+    """Return a view's answer, or one of its asides, as JSON; numbers that are not finite become null."""
+    view = VIEWS[name]
+    found = view.asides[aside](state) if aside else view.answer(state)
+    return pydantic_core.to_json(found, inf_nan_mode="null", fallback=_plain)
 
 
 def _plain(value: Any) -> Any:

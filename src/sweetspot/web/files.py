@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import gzip
 import hashlib
-import importlib.util
 import json
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
 
 from sweetspot import __version__
@@ -39,17 +37,6 @@ def static_files() -> dict[str, File]:
     found = (path for path in sorted(FOLDER.rglob("*")) if path.suffix in TYPES)
     files = {path.relative_to(FOLDER).as_posix(): _file(path.read_bytes(), path.suffix) for path in found}
     return files | {"quantities.js": _file(f"export default {json.dumps(quantity_data())};\n".encode(), ".js")}
-
-
-@cache
-def plotly() -> File | None:
-    """Return plotly.js out of the installed package, None where that is missing; the package is not imported."""
-    spec = importlib.util.find_spec("plotly")
-    for folder in (spec.submodule_search_locations or []) if spec else []:
-        path = Path(folder) / "package_data" / "plotly.min.js"
-        if path.is_file():
-            return _file(path.read_bytes(), ".js")
-    return None
 
 
 def shell(template: File) -> File:

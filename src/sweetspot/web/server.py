@@ -17,7 +17,7 @@ from sweetspot.errors import SweetspotError
 from sweetspot.web.answers import Answers, answer_json
 from sweetspot.web.catalogue import catalogue_routes
 from sweetspot.web.errors import fault
-from sweetspot.web.files import File, plotly, shell, static_files
+from sweetspot.web.files import File, shell, static_files
 from sweetspot.web.limits import Guard
 from sweetspot.web.schemas import REFUSALS
 from sweetspot.web.socket import Sockets
@@ -77,14 +77,17 @@ def create_app(*, names: Iterable[str] = ()) -> FastAPI:
 
 
 def _view_route(api: APIRouter, view: View, answers: Answers) -> None:
-    async def endpoint(state: Any) -> Response:
-        return Response(await answers.json(view.name, state), media_type="application/json")
+    def route(path: str, name: str, asked: Callable[[Any], dict[str, Any]], aside: str) -> None:
+        async def endpoint(state: Any) -> Response:
+            return Response(await answers.json(view.name, state, aside), media_type="application/json")
 
-    endpoint.__annotations__["state"] = view.state
-    endpoint.__doc__ = view.answer.__doc__
-    api.post(
-        f"/{view.name}", name=view.title, response_class=JSONResponse, response_model=dict[str, Any], tags=["views"]
-    )(endpoint)
+        endpoint.__annotations__["state"] = view.state
+        endpoint.__doc__ = asked.__doc__
+        api.post(path, name=name, response_class=JSONResponse, response_model=dict[str, Any], tags=["views"])(endpoint)
+
+    route(f"/{view.name}", view.title, view.answer, "")
+    for name, asked in view.asides.items():
+        route(f"/{view.name}/{name}", f"{view.title}: {name}", asked, name)
     if view.recipe is None:
         return
     recipe = view.recipe
@@ -110,7 +113,6 @@ def _page_routes(app: FastAPI) -> None:
 
     hand_out("/", pages.get)
     hand_out("/static/{name:path}", files.get)
-    hand_out("/vendor/plotly.min.js", lambda _: plotly())
     hand_out("/{name}", pages.get)
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 from sweetspot.web.states import ViewState
@@ -22,6 +22,7 @@ class View:
         raises `FieldError` where a control does not work.
     recipe : from its controls to the lines that give the same numbers without the page; see `web.recipes`.
     slow : states whose first answer takes long, worked out once before anyone asks.
+    asides : by name, what is asked apart once the answer is drawn, since it may take longer: POST /api/v1/VIEW/NAME.
     """
 
     name: str
@@ -30,3 +31,4 @@ class View:
     answer: Callable[[Any], dict[str, Any]]
     recipe: Callable[[Any], dict[str, str]] | None = None
     slow: tuple[ViewState, ...] = ()
+    asides: Mapping[str, Callable[[Any], dict[str, Any]]] = field(default_factory=dict)

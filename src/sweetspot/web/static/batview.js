@@ -4,13 +4,16 @@
 //   root.append(picture.element);
 //   picture.draw({ bat, sweet_spots, hands_m, ball: { position_m, radius_m } });   // bat as in web/outline.py
 //   picture.drawing = true;     // the outline's stations can be dragged
-//   paintBat(context, bat, place, colors)   // the bat alone; place = { left, scale, middle } in pixels and pixels per m
+//   paintBat in batpaint.js: the bat alone; place = { left, scale, middle } in pixels and pixels per m
 //
 // In onStations, stations are [{ position_m, diameter_m }]. Everything but drawing stations has a control of its own.
 
 import { LEFT, RIGHT } from "./chart.js";
+import { WIDEST, paintBall, paintBat, paintMeeting, radiusAt } from "./batpaint.js";
 import { FONT, Surface, haloText } from "./surface.js";
 import { text } from "./units.js";
+
+export { paintBat, radiusAt };
 
 export const SPOTS = {
   max_exit_speed_m: ["fastest ball", "red"],
@@ -22,13 +25,13 @@ export const SPOTS = {
 };
 const ROW = 17, ROOM_BELOW = 30, HANDLE = 5;
 const NARROW = 500; // pixels per m below which there is no room for words under the bat
-const WIDEST = 0.076; // m; room for the barrel and the ball is kept, so that the picture does not jump
 
 export class BatView {
-  constructor(app, { onBall = null, onStations = null, label = "The bat, drawn to scale" } = {}) {
-    Object.assign(this, { app, onBall, onStations, drawing: false, data: null, held: null });
+  constructor(app, { onBall = null, onStations = null, onGrip = null, zoom = null, label = "The bat, drawn to scale" } = {}) {
+    Object.assign(this, { app, onBall, onStations, onGrip, zoom, drawing: false, data: null, held: null, grip: null });
     this.surface = new Surface(app, { label, height: (width) => this.tall(width), paint: (...all) => this.paint(...all) });
     this.element = this.surface.element;
+    if (zoom) zoom.listen(this.surface, (x) => this.along(x));
     if (onBall) this.listen();
   }
 
@@ -39,7 +42,12 @@ export class BatView {
   figure(name) { return this.surface.figure(name); }
   label(words) { this.surface.label(words); }
 
-  scaleAt(width) { return (width - LEFT - RIGHT) / (this.data?.bat.length_m ?? 0.84); }
+  get range() { return this.zoom ? this.zoom.range : [0, this.data?.bat.length_m ?? 0.84]; }
+  scaleAt(width) { return (width - LEFT - RIGHT) / (this.range[1] - this.range[0]); }
+  along(x) {
+    const { left, scale } = this.place(this.surface.width);
+    return (x - left) / scale;
+  }
   tall(width) {
     const rows = this.data?.sweet_spots ? Object.keys(SPOTS).length * ROW + 10 : 8;
     return rows + (WIDEST + (this.data?.ball ? 2 * this.data.ball.radius_m : 0)) * this.scaleAt(width) + ROOM_BELOW;
@@ -47,7 +55,7 @@ export class BatView {
   place(width) {
     const rows = this.data.sweet_spots ? Object.keys(SPOTS).length * ROW + 10 : 8;
     const scale = this.scaleAt(width);
-    return { left: LEFT, scale, middle: rows + (WIDEST / 2) * scale };
+    return { left: LEFT - this.range[0] * scale, edge: LEFT, scale, middle: rows + (WIDEST / 2) * scale };
   }
 
   listen() {
@@ -55,12 +63,25 @@ export class BatView {
     this.surface.drags(({ x, y, first, last }) => {
       if (!this.data) return false;
       const { left, scale, middle } = this.place(this.surface.width);
-      if (first) this.held = this.drawing ? this.stationAt(x, y) : null;
+      if (first) {
+        this.held = this.drawing ? this.stationAt(x, y) : null;
+        this.grip = this.held === null ? this.gripAt(x, y) : null;
+      }
       const along = (x - left) / scale;
-      if (this.held !== null) this.dragStation(this.held, along, (2 * Math.abs(y - middle)) / scale, last);
-      else if (!this.drawing) this.onBall(Math.min(this.data.bat.length_m, Math.max(0, along)), { last });
+      const aside = Math.abs(y - middle) / scale;
+      if (this.held !== null) this.dragStation(this.held, along, 2 * aside, last);
+      else if (this.grip) this.onGrip(this.grip.take(along, aside), { last });
+      else this.onBall(Math.min(this.data.bat.length_m, Math.max(0, along)), { last });
       return true;
     });
+  }
+
+  // What is made with the hand: the end of a hole, a cup, a weight, the top hand; see grips.js.
+  gripAt(x, y) {
+    const { left, scale, middle } = this.place(this.surface.width);
+    const far = (this.data.grips ?? []).map(({ at, aside }) => Math.hypot(x - left - at * scale, Math.abs(y - middle) - aside * scale));
+    const nearest = far.indexOf(Math.min(...far));
+    return far[nearest] < 15 ? this.data.grips[nearest] : null;
   }
 
   stationAt(x, y) {
@@ -83,17 +104,36 @@ export class BatView {
   paint(context, width) {
     if (!this.data) return;
     const { colors } = this.app;
-    const { bat, sweet_spots: spots, hands_m: hands, ball } = this.data;
+    const { bat, sweet_spots: spots, hands_m: hands, ball, warm = null } = this.data;
     const place = this.place(width);
     const across = (x) => place.left + x * place.scale;
     const bottom = place.middle + (WIDEST / 2 + (ball ? 2 * ball.radius_m : 0)) * place.scale;
+    context.save();
+    context.beginPath();
+    context.rect(this.range[0] > 0 ? LEFT : 0, 0, width, bottom + ROOM_BELOW);
+    context.clip();
     if (spots?.zone_m) this.paintZone(context, spots.zone_m, across, place, bottom);
-    paintBat(context, bat, place, colors);
+    paintBat(context, bat, place, colors, warm);
     this.paintBelow(context, bat, hands, across, place);
     if (ball) paintBall(context, ball, bat, place, colors);
-    if (ball && ball.offset_m !== undefined) paintMeeting(context, ball, bat, place, colors);
-    if (spots) this.paintSpots(context, spots, bat, across, place);
     if (this.drawing) this.paintStations(context, bat, across, place);
+    else this.paintGrips(context, across, place);
+    context.restore();
+    if (spots) this.paintSpots(context, spots, bat, across, place);
+    if (ball && ball.offset_m !== undefined) paintMeeting(context, ball, bat, place, colors, "seen from the tip");
+  }
+
+  paintGrips(context, across, place) {
+    const { colors } = this.app;
+    for (const { at, aside } of this.data.grips ?? []) {
+      for (const side of aside ? [-1, 1] : [1]) {
+        Object.assign(context, { fillStyle: colors.panel, strokeStyle: colors.accent, lineWidth: 2 });
+        context.beginPath();
+        context.rect(across(at) - 4.5, place.middle + side * aside * place.scale - 4.5, 9, 9);
+        context.fill();
+        context.stroke();
+      }
+    }
   }
 
   paintZone(context, [from, to], across, place, bottom) {
@@ -153,9 +193,10 @@ export class BatView {
   // that no line crosses another.
   paintSpots(context, spots, bat, across, place) {
     const { colors } = this.app;
-    const found = Object.entries(SPOTS).map(([key, [name, color]]) => ({ name, color, at: spots[key] })).filter(({ at }) => at !== null);
+    const [least] = this.range;
+    const found = Object.entries(SPOTS).map(([key, [name, color]]) => ({ name, color, at: spots[key] })).filter(({ at }) => at !== null && at >= least);
     found.sort((a, b) => b.at - a.at);
-    const column = across(found.at(-1)?.at ?? 0) - 14;
+    const column = Math.max(across(found.at(-1)?.at ?? 0) - 14, LEFT + 150);
     context.textBaseline = "middle";
     found.forEach(({ name, color, at }, row) => {
       const [x, y] = [across(at), 12 + row * ROW];
@@ -180,7 +221,7 @@ export class BatView {
     context.font = `11px ${FONT}`;
     context.fillStyle = colors.muted;
     context.textAlign = "left";
-    context.fillText("from the tip", LEFT, 12);
+    if (column > LEFT + 230) context.fillText("from the tip", LEFT, 12);
   }
 
   paintStations(context, bat, across, place) {
@@ -197,148 +238,4 @@ export class BatView {
       }
     }
   }
-}
-
-export function paintBall(context, ball, bat, place, colors) {
-  const radius = ball.radius_m * place.scale;
-  const x = place.left + ball.position_m * place.scale;
-  const y = place.middle + radiusAt(bat, ball.position_m) * place.scale + radius;
-  context.fillStyle = colors.paper;
-  context.strokeStyle = colors.ink;
-  context.lineWidth = 1.5;
-  context.beginPath();
-  context.arc(x, y, radius, 0, 2 * Math.PI);
-  context.fill();
-  context.stroke();
-  context.strokeStyle = colors.red;
-  context.lineWidth = 1.2;
-  for (const side of [-1, 1]) {
-    context.beginPath();
-    context.arc(x + side * 1.45 * radius, y, radius, side < 0 ? -0.72 : Math.PI - 0.72, side < 0 ? 0.72 : Math.PI + 0.72);
-    context.stroke();
-  }
-}
-
-// Bat and ball as seen along the bat: how far off the axis they meet, and where the ball goes.
-function paintMeeting(context, ball, bat, place, colors) {
-  const scale = Math.min(place.scale, 500);
-  const [own, its] = [radiusAt(bat, ball.position_m) * scale, ball.radius_m * scale];
-  const x = place.left + 0.3 * bat.length_m * place.scale;
-  const y = place.middle + (WIDEST / 2) * place.scale + its + 4;
-  const up = ball.offset_m * scale;
-  const across = Math.sqrt(Math.max(0, (own + its) ** 2 - up ** 2));
-  const circle = (at, height, radius, fill, edge) => {
-    context.beginPath();
-    context.arc(at, height, radius, 0, 2 * Math.PI);
-    context.fillStyle = fill;
-    context.fill();
-    context.strokeStyle = edge;
-    context.lineWidth = 1.3;
-    context.stroke();
-  };
-  circle(x, y, own, bat.hollow ? colors.metal : colors.wood, bat.hollow ? colors.metalEdge : colors.woodEdge);
-  circle(x + across, y - up, its, colors.paper, colors.ink);
-  if (ball.launch_angle_rad !== null && ball.launch_angle_rad !== undefined) {
-    const [c, s] = [Math.cos(ball.launch_angle_rad), Math.sin(ball.launch_angle_rad)];
-    const [fromX, fromY, length] = [x + across, y - up, its + 26];
-    context.strokeStyle = colors.red;
-    context.fillStyle = colors.red;
-    context.lineWidth = 2;
-    context.beginPath();
-    context.moveTo(fromX, fromY);
-    context.lineTo(fromX + length * c, fromY - length * s);
-    context.stroke();
-    context.beginPath();
-    context.moveTo(fromX + (length + 7) * c, fromY - (length + 7) * s);
-    context.lineTo(fromX + length * c - 4 * s, fromY - length * s - 4 * c);
-    context.lineTo(fromX + length * c + 4 * s, fromY - length * s + 4 * c);
-    context.closePath();
-    context.fill();
-  }
-  if (place.scale < NARROW) return;
-  context.font = `11px ${FONT}`;
-  context.fillStyle = colors.muted;
-  context.textAlign = "right";
-  context.textBaseline = "middle";
-  context.fillText("along the bat", x - own - 8, y);
-}
-
-export function radiusAt(bat, x) {
-  const { position_m: places, diameter_m: widths } = bat.outline;
-  let i = places.findIndex((place) => place >= x);
-  if (i < 0) i = places.length - 1;
-  if (i === 0) return widths[0] / 2;
-  const part = (x - places[i - 1]) / (places[i] - places[i - 1] || 1);
-  return (widths[i - 1] + part * (widths[i] - widths[i - 1])) / 2;
-}
-
-// The bat alone, cut open: wood, wall, holes, what fills them, and the cup.
-export function paintBat(context, bat, { left, scale, middle }, colors) {
-  const { position_m: places, diameter_m: widths } = bat.outline;
-  const points = places.map((place, i) => [left + place * scale, (widths[i] / 2) * scale]);
-  context.beginPath();
-  points.forEach(([x, r]) => context.lineTo(x, middle - r));
-  [...points].reverse().forEach(([x, r]) => context.lineTo(x, middle + r));
-  context.closePath();
-  context.fillStyle = bat.hollow ? colors.metal : colors.wood;
-  context.fill();
-  if (bat.hollow) paintInside(context, bat, points, { scale, middle }, colors);
-  for (const bore of bat.bores) paintBore(context, bore, { left, scale, middle }, colors);
-  if (bat.cup) paintCup(context, bat, { left, scale, middle }, colors);
-  context.beginPath();
-  points.forEach(([x, r]) => context.lineTo(x, middle - r));
-  [...points].reverse().forEach(([x, r]) => context.lineTo(x, middle + r));
-  context.closePath();
-  context.strokeStyle = bat.hollow ? colors.metalEdge : colors.woodEdge;
-  context.lineWidth = 1.3;
-  context.lineJoin = "round";
-  context.stroke();
-  for (const weight of bat.weights) {
-    context.fillStyle = colors.ink;
-    context.beginPath();
-    context.arc(left + weight.position_m * scale, middle, 4, 0, 2 * Math.PI);
-    context.fill();
-  }
-}
-
-function paintInside(context, bat, points, { scale, middle }, colors) {
-  context.beginPath();
-  const inner = points.map(([x, r], i) => [x, Math.max(0, r - bat.wall_m[i] * scale)]);
-  inner.forEach(([x, r]) => context.lineTo(x, middle - r));
-  [...inner].reverse().forEach(([x, r]) => context.lineTo(x, middle + r));
-  context.closePath();
-  context.fillStyle = colors.hollow;
-  context.fill();
-}
-
-function paintBore(context, bore, { left, scale, middle }, colors) {
-  const [x, y] = [left + bore.start_m * scale, middle - (bore.diameter_m / 2) * scale];
-  const [width, height] = [(bore.stop_m - bore.start_m) * scale, bore.diameter_m * scale];
-  context.fillStyle = colors.hollow;
-  context.fillRect(x, y, width, height);
-  if (bore.fill) {
-    context.save();
-    context.globalAlpha = 0.5;
-    context.fillStyle = colors.orange;
-    context.fillRect(x, y, width, height);
-    context.restore();
-  }
-  context.strokeStyle = colors.woodEdge;
-  context.lineWidth = 1;
-  context.setLineDash([3, 2]);
-  context.strokeRect(x, y, width, height);
-  context.setLineDash([]);
-}
-
-function paintCup(context, bat, { left, scale, middle }, colors) {
-  const tip = left + bat.length_m * scale;
-  const [radius, depth] = [(bat.cup.diameter_m / 2) * scale, bat.cup.depth_m * scale];
-  context.beginPath();
-  context.moveTo(tip, middle - radius);
-  for (let i = -10; i <= 10; i += 1) context.lineTo(tip - depth * (1 - (i / 10) ** 2), middle + (radius * i) / 10);
-  context.closePath();
-  context.fillStyle = colors.panel;
-  context.fill();
-  context.strokeStyle = colors.woodEdge;
-  context.stroke();
 }

@@ -1,11 +1,11 @@
 // What can be taken away: pictures, numbers, the bat, and the lines that give the same numbers without the page.
 
-import { interactive } from "./interactive.js";
 import { posted } from "./post.js";
+import { FONT, wrapped } from "./surface.js";
 import { SvgContext } from "./svgcontext.js";
 
 const SHARP = 2; // pixels of a PNG per pixel of the page
-const GAP = 12;
+const GAP = 12, ROW = 20;
 
 export function exportButton(app) {
   const button = Object.assign(document.createElement("button"), { type: "button", id: "export", textContent: "Export" });
@@ -21,15 +21,6 @@ async function open(app) {
     "<form method=\"dialog\"><button>Close</button></form>";
   dialog.addEventListener("close", () => dialog.remove());
   const files = dialog.querySelector(".files");
-  if (app.answer && app.view.charts?.().length) {
-    const button = Object.assign(document.createElement("button"), { type: "button", id: "interactive", textContent: "Interactive chart" });
-    button.setAttribute("aria-haspopup", "dialog");
-    button.addEventListener("click", () => {
-      dialog.close(); // first, so that the focus goes back to where this menu was opened
-      interactive(app);
-    });
-    files.append(button);
-  }
   for (const [words, make] of choices(app)) {
     const button = Object.assign(document.createElement("button"), { type: "button", textContent: words });
     button.dataset.format = words.toLowerCase();
@@ -105,15 +96,27 @@ function block(app, words, lines, key) {
   return box;
 }
 
-// All drawings of the view, one below the other, on the theme's ground.
+// All drawings of the view, one below the other, on the theme's ground: what they show above, under which conditions,
+// by what and when below, so that a picture that travels alone still says what it is.
 function onto(app, make) {
   const figures = app.view.figures();
   const width = Math.max(...figures.map((figure) => figure.width));
-  const height = figures.reduce((sum, figure) => sum + figure.height + GAP, GAP);
+  const measure = document.createElement("canvas").getContext("2d");
+  const rows = [
+    ...wrapped(measure, `600 15px ${FONT}`, titleOf(app), width - 2 * GAP).map((words) => [words, `600 15px ${FONT}`, "ink"]),
+    ...wrapped(measure, `12px ${FONT}`, conditionsOf(app), width - 2 * GAP).map((words) => [words, `12px ${FONT}`, "muted"])];
+  const foot = wrapped(measure, `11px ${FONT}`, sourceOf(app), width - 2 * GAP);
+  const height = figures.reduce((sum, figure) => sum + figure.height + GAP, 2 * GAP) + ROW * (rows.length + foot.length);
   const context = make(width, height);
   context.fillStyle = app.colors.panel;
   context.fillRect(0, 0, width, height);
   let top = GAP;
+  const write = (words, font, color) => {
+    Object.assign(context, { font, fillStyle: app.colors[color], textAlign: "left", textBaseline: "top" });
+    context.fillText(words, GAP, top);
+    top += ROW;
+  };
+  for (const row of rows) write(...row);
   for (const figure of figures) {
     context.save();
     context.translate(0, top);
@@ -121,7 +124,24 @@ function onto(app, make) {
     context.restore();
     top += figure.height + GAP;
   }
+  for (const words of foot) write(words, `11px ${FONT}`, "muted");
   return context;
+}
+
+const titleOf = (app) => document.getElementById("verdict")?.textContent || app.views.get(app.name).title;
+
+// The conditions of the answer, in words and in the reader's units.
+function conditionsOf(app) {
+  const known = { pitch_speed_m_s: "pitch", bat_speed_m_s: "bat speed", hands_position_m: "top hand" };
+  const said = Object.entries(app.answer?.conditions ?? {}).filter(([name, value]) => known[name] && typeof value === "number")
+    .map(([name, value]) => `${known[name]} ${app.text(name, value)}`);
+  const changes = app.chip.made().map(([, words]) => words);
+  return [app.views.get(app.name).title, app.answer?.bat?.name, ...changes, ...said].filter(Boolean).join(" · ");
+}
+
+function sourceOf(app) {
+  const date = new Date().toISOString().slice(0, 10);
+  return `sweetspot ${app.version}, ${date}. Model, data and their sources: the documentation, "Sources" and "Validation". State: ${decodeURIComponent(location.pathname + location.search).slice(0, 300)}`;
 }
 
 export function svgOf(app) {
@@ -149,7 +169,7 @@ export function csvOf(table) {
 }
 
 function jsonOf(app) {
-  return `${JSON.stringify({ view: app.name, version: app.version, state: app.answered, answer: app.answer }, null, 1)}\n`;
+  return `${JSON.stringify({ view: app.name, version: app.version, date: new Date().toISOString(), title: titleOf(app), state: app.answered, answer: app.answer }, null, 1)}\n`;
 }
 
 function save(app, ending, type, content) {

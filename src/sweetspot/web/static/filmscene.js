@@ -1,7 +1,7 @@
 // Pictures of one moment of a film: the bat from the side, bending, and the barrel from its end, with the ball on it.
 
 import { radiusAt } from "./batview.js";
-import { FONT, haloText } from "./surface.js";
+import { FONT, haloText, wrapped } from "./surface.js";
 
 const PAD = 16, SIDES = 96;
 
@@ -26,7 +26,7 @@ export function paintSide(context, width, height, { film, moment, exaggeration, 
   context.font = `12px ${FONT}`;
   context.textAlign = "left";
   context.textBaseline = "alphabetic";
-  const rows = notes.flatMap((words) => wrapped(context, words, width - 2 * PAD));
+  const rows = notes.flatMap((words) => wrapped(context, context.font, words, width - 2 * PAD));
   rows.forEach((words, i) => haloText(context, words, PAD, height - 8 - 16 * (rows.length - 1 - i), colors.muted, colors.panel));
 }
 
@@ -192,16 +192,6 @@ function interpolated(places, values, x) {
   const step = places[1] - places[0];
   const i = Math.min(places.length - 2, Math.max(0, Math.floor(x / step)));
   return values[i] + ((x - places[i]) / (places[i + 1] - places[i])) * (values[i + 1] - values[i]);
-}
-
-function wrapped(context, words, width) {
-  const rows = [""];
-  for (const word of words.split(" ")) {
-    const longer = `${rows.at(-1)} ${word}`.trim();
-    if (context.measureText(longer).width <= width || rows.at(-1) === "") rows[rows.length - 1] = longer;
-    else rows.push(word);
-  }
-  return rows;
 }
 
 function unionOf(first, second) {

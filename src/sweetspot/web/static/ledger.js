@@ -28,7 +28,7 @@ class Areas extends Chart {
     context.font = `600 12px ${FONT}`;
     context.textAlign = "center";
     context.textBaseline = "middle";
-    for (const { name, middle, y } of this.names) haloText(context, name, middle, y, this.app.colors.ink, this.app.colors.panel);
+    for (const { name, middle, y } of this.names ?? []) haloText(context, name, middle, y, this.app.colors.ink, this.app.colors.panel);
   }
 
   // Where each name fits into its own area, as high as possible; names that fit nowhere stand in the list alone.

@@ -10,7 +10,6 @@
 //     unmount() {},                   // stop what runs; the shell empties root
 //     figures() { return [] },        // optional: [{ name, width, height, paint(context, width, height) }] for PNG and SVG;
 //                                     //   paint uses only what SvgContext in svgcontext.js knows of a canvas' 2d context
-//     charts() { return [] },         // optional: the Charts (chart.js) with the curves, for the interactive chart
 //     table() { return {} },          // optional: { column_name_with_unit: [numbers] } for CSV
 //   };
 //
@@ -25,6 +24,7 @@
 //   app.onFrame(step)   calls step(milliseconds) before every repaint until the returned function is called or unmount
 //   app.announce(text)  says something to a screen reader, at most twice a second
 //   app.ask(view, state)     a promise of another answer, over the API
+//   app.aside(name, but, wait, onAnswer)   asks for one of the view's asides (web/view.py) once the state has rested
 //   app.lists()    a promise of { bats, balls, materials, leagues, parks }
 //   app.bounds(field)        [least, most] that the bat of the last answer allows, undefined where it sets none
 //   app.signal     an AbortSignal that ends when the view goes: give it to listeners on what outlives the view
@@ -51,6 +51,7 @@ class App {
     this.calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.controls = new Map();
     this.frames = new Set();
+    this.asides = new Map(); // what was asked apart: about what, and the timer that waits
     this.carried = {}; // what goes along from view to view: the bat, how it is swung, where the ball meets it
     this.left = new Map(); // view -> its own controls as they were left
     this.turn = 0;
@@ -124,6 +125,24 @@ class App {
     return posted(`/api/v1/${view}`, state);
   }
 
+  // Ask apart for what takes longer, once the state has rested for a while (ms); asked again only when something changes
+  // besides the fields in `but`. onAnswer hears what is still about the present state.
+  aside(name, but, wait, onAnswer) {
+    const about = JSON.stringify(Object.entries(this.state).filter(([field]) => !but.includes(field)));
+    const last = this.asides.get(name);
+    if (last?.about === about) return;
+    clearTimeout(last?.timer);
+    const asked = { about, timer: setTimeout(async () => {
+      try {
+        const found = await this.ask(`${this.name}/${name}`, this.state);
+        if (this.asides.get(name) === asked) onAnswer(found);
+      } catch {
+        if (this.asides.get(name) === asked) this.asides.delete(name); // the next answer asks again
+      }
+    }, wait) };
+    this.asides.set(name, asked);
+  }
+
   lists() {
     this.known ??= Promise.all(["bats", "balls", "materials", "leagues", "parks"].map((name) => fetch(`/api/v1/${name}`).then((r) => r.json())))
       .then(([bats, balls, materials, leagues, parks]) => ({ bats, balls, materials, leagues, parks }))
@@ -169,6 +188,7 @@ class App {
     this.signal = this.mounted.signal;
     this.controls.clear();
     this.frames.clear();
+    this.asides.clear();
     this.answer = null;
     this.name = entry.name;
     this.defaults = defaultsOf(entry.schema);
@@ -181,6 +201,7 @@ class App {
     document.title = `${entry.title} – sweetspot`;
     clearFault();
     view.mount(root, this);
+    drawerOf(root.querySelector(":scope > .side"));
   }
 
   // Where a view's link leads: its own controls as they were left, with the bat and the hit that go along.
@@ -337,6 +358,23 @@ function fetched(name) {
 
 function fetchOthers(names) {
   for (const name of names) fetched(name).catch(() => {}); // who goes there asks again
+}
+
+// On a phone the controls are a drawer at the foot of the screen.
+function drawerOf(side) {
+  if (!side) return;
+  const toggle = Object.assign(document.createElement("button"), { type: "button", className: "drawer" });
+  const label = () => {
+    const shut = side.classList.contains("shut");
+    toggle.textContent = shut ? "▴ Controls" : "▾ Controls";
+    toggle.setAttribute("aria-expanded", String(!shut));
+  };
+  toggle.addEventListener("click", () => {
+    side.classList.toggle("shut");
+    label();
+  });
+  label();
+  side.prepend(toggle);
 }
 
 function clearFault() {

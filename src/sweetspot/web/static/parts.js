@@ -103,3 +103,18 @@ function slim(item, defaults) {
   return Object.fromEntries(kept);
 }
 
+
+// A list of numbers with names: facts as [name, (answer) => [kind, value] or text]; fill it after every answer.
+export function factList(facts, app) {
+  const values = facts.map(() => make("dd"));
+  const element = make("dl", { className: "facts" }, ...facts.map(([name], i) => make("div", {}, make("dt", { textContent: name }), values[i])));
+  return {
+    element,
+    fill(answer) {
+      facts.forEach(([, value], i) => {
+        const found = value(answer, app);
+        values[i].textContent = typeof found === "string" ? found : app.text(...found);
+      });
+    },
+  };
+}

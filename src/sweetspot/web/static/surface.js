@@ -14,6 +14,8 @@ export class Surface {
     this.width = 0;
     this.context = this.element.getContext("2d");
     new ResizeObserver(() => this.fit() && this.draw()).observe(this.element);
+    this.element.addEventListener("pointerdown", () => (this.pressed = true)); // from now on the wheel is the picture's
+    this.element.addEventListener("pointerleave", () => (this.pressed = false));
   }
 
   // What the picture shows, for people who do not see it.
@@ -54,10 +56,10 @@ export class Surface {
       return { x: event.clientX - box.left, y: event.clientY - box.top };
     };
     this.element.addEventListener("pointerdown", (event) => {
-      if (event.button !== 0) return;
+      if (event.button !== 0 || this.fingers?.size > 1) return;
       if (onMove({ ...place(event), first: true, last: false }) === false) return;
       this.element.setPointerCapture(event.pointerId);
-      const move = (moved) => onMove({ ...place(moved), first: false, last: false });
+      const move = (moved) => !(this.fingers?.size > 1) && onMove({ ...place(moved), first: false, last: false });
       const end = (ended) => {
         this.element.removeEventListener("pointermove", move);
         onMove({ ...place(ended), first: false, last: true });
@@ -67,6 +69,49 @@ export class Surface {
       this.element.addEventListener("pointercancel", end, { once: true });
     });
   }
+
+  // Call onHover({x, y}) while a pointer is over the picture and presses nothing, onHover(null) when it goes.
+  hovers(onHover) {
+    this.element.addEventListener("pointermove", (event) => {
+      if (event.buttons === 0 && event.pointerType !== "touch") onHover({ x: event.offsetX, y: event.offsetY });
+    });
+    this.element.addEventListener("pointerleave", () => onHover(null));
+  }
+
+  // Call onPinch({x, factor}) while two fingers move apart (factor above 1) or together about x.
+  pinches(onPinch) {
+    this.fingers = new Map();
+    const far = () => {
+      const [one, other] = [...this.fingers.values()];
+      return { x: (one + other) / 2, apart: Math.max(20, Math.abs(one - other)) };
+    };
+    this.element.addEventListener("pointerdown", (event) => event.pointerType === "touch" && this.fingers.set(event.pointerId, event.offsetX));
+    this.element.addEventListener("pointermove", (event) => {
+      if (!this.fingers.has(event.pointerId)) return;
+      const before = this.fingers.size === 2 ? far() : null;
+      this.fingers.set(event.pointerId, event.offsetX);
+      if (before) onPinch({ x: before.x, factor: far().apart / before.apart });
+    });
+    for (const end of ["pointerup", "pointercancel", "pointerleave"]) this.element.addEventListener(end, (event) => this.fingers.delete(event.pointerId));
+  }
+}
+
+// A way from one point to another with a head at its end.
+export function arrow(context, [fromX, fromY], [toX, toY], color, width = 2) {
+  const angle = Math.atan2(toY - fromY, toX - fromX);
+  const size = 4 + 2 * width;
+  const wing = (turn) => [toX - size * Math.cos(angle + turn), toY - size * Math.sin(angle + turn)];
+  Object.assign(context, { strokeStyle: color, fillStyle: color, lineWidth: width });
+  context.beginPath();
+  context.moveTo(fromX, fromY);
+  context.lineTo(toX - 0.6 * size * Math.cos(angle), toY - 0.6 * size * Math.sin(angle));
+  context.stroke();
+  context.beginPath();
+  context.moveTo(toX, toY);
+  context.lineTo(...wing(0.45));
+  context.lineTo(...wing(-0.45));
+  context.closePath();
+  context.fill();
 }
 
 // Ticks at 1, 2 or 5 times a power of ten, about `count` of them.
@@ -89,4 +134,16 @@ export function haloText(context, words, x, y, ink, paper) {
   context.strokeText(words, x, y);
   context.fillStyle = ink;
   context.fillText(words, x, y);
+}
+
+// Words in rows that are no wider than so many pixels.
+export function wrapped(context, font, words, width) {
+  context.font = font;
+  const rows = [""];
+  for (const word of words.split(" ")) {
+    const longer = `${rows.at(-1)} ${word}`.trim();
+    if (context.measureText(longer).width <= width || rows.at(-1) === "") rows[rows.length - 1] = longer;
+    else rows.push(word);
+  }
+  return rows.filter(Boolean);
 }

@@ -1,6 +1,7 @@
 // Units by the ending of a name, in both systems: what is shown is value * scale + offset.
 
-const MPH = 0.44704, INCH = 0.0254, OUNCE = 0.028349523125, FOOT = 0.3048, POUND = 4.4482216152605;
+export const INCH = 0.0254, OUNCE = 0.028349523125;
+const MPH = 0.44704, FOOT = 0.3048, POUND = 4.4482216152605;
 const same = (unit, scale = 1, digits = 2) => ({ us: { unit, scale, digits }, si: { unit, scale, digits } });
 
 // Longest endings first. The second half are endings of answers, which are SI.
@@ -38,6 +39,7 @@ export const KINDS = {
   seconds: same("s", 1, 2),
   sting: { us: { unit: "in/s", scale: 1 / INCH, digits: 0 }, si: { unit: "m/s", scale: 1, digits: 2 } },
   ratio: RATIO,
+  share: same("%", 100, 0),
 };
 
 // The kind of a name like pitch_speed_mph, or of a word in KINDS.

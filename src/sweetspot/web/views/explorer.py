@@ -1,32 +1,30 @@
-"""Explorer: one bat, one swing, everything along the bat, and the hit where the ball is."""
+"""Explorer: one bat, one swing, everything along the bat, the hit where the ball is, and why it is what it is."""
 
 from __future__ import annotations
 
-import math
 from dataclasses import asdict
 from typing import Any
 
 import numpy as np
 
-from sweetspot.analysis.bat_analysis import check_conditions
-from sweetspot.analysis.position_scan import scan
-from sweetspot.analysis.sweet_spot import sweet_spots
+from sweetspot.analysis.bat_analysis import analyse_reduced
 from sweetspot.collision.closed_form import bbcor, exit_speed
-from sweetspot.collision.hit_in_space import Contact, Strikes, strikes
 from sweetspot.collision.impact import Impacts, Outcome
 from sweetspot.collision.kernel import hits
-from sweetspot.dynamics.reduction import ReducedBat
-from sweetspot.motion.ball_motion import BallMotion, BallMotions
-from sweetspot.motion.swing import Conditions
-from sweetspot.motion.swing_path import SwingPath, Swings
+from sweetspot.report.bat.why_here import speed_difference, why_here
+from sweetspot.report.bat.words import answer as words_about
+from sweetspot.report.bat.words import misses_of
 from sweetspot.report.hit.json import conditions_json
+from sweetspot.report.quantities import SYSTEMS
+from sweetspot.report.sentences import Sentence
+from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH
-from sweetspot.web.bats import ball_of, conditions_of, reduced
 from sweetspot.web.drawings import ball_picture, bat_picture
 from sweetspot.web.errors import FieldError
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, swing_options
 from sweetspot.web.states import HitState
 from sweetspot.web.view import View
+from sweetspot.web.views.explorer_curves import Met, along, curves, leaving, power_map, struck
 
 
 class ExplorerState(HitState):
@@ -34,36 +32,53 @@ class ExplorerState(HitState):
 
 
 def answer(state: ExplorerState) -> dict[str, Any]:
-    """Return bat, sweet spots, curves along the bat and the hit at the chosen place."""
-    found = reduced(state, ball_of(state))
-    conditions = conditions_of(state, found.bat)
-    check_conditions(found.bat, conditions, body=found.body)
-    along = scan(found.bat, body=found.body, modes=found.modes, conditions=conditions)
-    spots = sweet_spots(along, body=found.body, modes=found.modes, conditions=conditions)
-    best = float(np.nanmax(along.exit_speed))
-    hit = _hit(state, found, conditions)
+    """Return bat, sweet spots, curves along the bat, where the energy goes, the hit at the chosen place, and why."""
+    met = along(state)
+    conditions, spots, shown = met.conditions, met.spots, curves(state)
+    hit = _hit(state, met)
+    fastest = np.nanmax(met.scan.exit_speed)
+    difference = speed_difference(met.scan, hit["position_m"], best=spots.max_exit_speed)
+    why = why_here(
+        difference, body=met.reduced.body, conditions=conditions, best=spots.max_exit_speed,
+        words=words_of(met.reduced.bat),
+    )  # fmt: skip
     return {
-        "bat": bat_picture(state, found),
+        "bat": bat_picture(state, met.reduced),
         "hands_m": conditions.hands.places,
         "sweet_spots": {
             **{f"{name}_m": place for name, place in asdict(spots).items() if name != "zone"},
             "zone_m": spots.zone,
         },
-        "scan": {
-            "position_m": along.position,
-            "exit_speed_m_s": along.exit_speed,
-            "rigid_exit_speed_m_s": along.rigid_exit_speed,
-            "collision_efficiency": along.collision_efficiency,
-            "bbcor": along.bbcor,
-            "hand_impulse_n_s": along.hand_impulse,
-            "sting": along.sting,
-        },
+        "scan": shown["curves"],
+        "energy_shares": shown["energy"],
         "hit": hit,
-        "best_exit_speed_m_s": best,
-        "lost_m_s": None if hit["exit_speed_m_s"] is None else best - hit["exit_speed_m_s"],
+        "why": _both([why]),
+        "difference_m_s": {name: getattr(difference, name) for name in ("motion", "giving", "keeping", "whole")},
+        "best_exit_speed_m_s": float(fastest),
+        "lost_m_s": None if hit["exit_speed_m_s"] is None else float(fastest) - hit["exit_speed_m_s"],
         "ball": ball_picture(state, conditions.ball),
         "conditions": conditions_json(conditions),
     }
+
+
+def why(state: ExplorerState) -> dict[str, Any]:
+    """Return what the report says of this bat and swing, and what misses cost by two laws of the ball."""
+    met = along(state)
+    analysis = analyse_reduced(met.reduced, met.conditions)
+    misses = misses_of(analysis)
+    best, top = analysis.sweet_spots.max_exit_speed, float(np.nanmax(analysis.scan.exit_speed))
+    sides = [(best + way * one.distance, loss) for one in misses for way, loss in ((-1, one.inside), (1, one.outside))]
+    points = [
+        {"position_m": place, "low_m_s": top - loss.high, "high_m_s": top - loss.low}
+        for place, loss in sorted(sides)
+        if np.isfinite(loss.value)
+    ]
+    return {"sentences": _both(words_about(analysis, misses)), "other_law": points}
+
+
+def _both(sentences: list[Sentence]) -> dict[str, list[str]]:
+    """Return sentences as readers of either system see them."""
+    return {system: [one.read(reader) for one in sentences] for system, reader in SYSTEMS.items()}
 
 
 def recipe(state: ExplorerState) -> dict[str, str]:
@@ -82,57 +97,50 @@ def recipe(state: ExplorerState) -> dict[str, str]:
     return {"command": command, "python": python, "toml": bat_text(state)}
 
 
-def _hit(state: ExplorerState, found: ReducedBat, conditions: Conditions) -> dict[str, Any]:
+def _hit(state: ExplorerState, met: Met) -> dict[str, Any]:
     """Return the collision at the chosen place; off the bat's axis by a level swing at a ball that comes level."""
-    place = found.bat.length - state.impact_from_tip_in * INCH
+    bat, conditions = met.reduced.bat, met.conditions
+    place = bat.length - state.impact_from_tip_in * INCH
     if place < conditions.hands.position:
-        most = (found.bat.length - conditions.hands.position) / INCH
+        most = (bat.length - conditions.hands.position) / INCH
         raise FieldError(
             "impact_from_tip_in", f"the ball would meet the hands; allowed is up to {most:.1f} in from the tip"
         )
-    met, leaving = _met(state, found, conditions, place)
-    outcome = Outcome(int(met.outcome[0]))
-    speed, angle, backspin = leaving if outcome is Outcome.SEPARATED else (None, None, None)
-    efficiency = float(met.collision_efficiency[0])
+    done, (speed, angle, backspin) = _met(state, met, place)
+    outcome = Outcome(int(done.outcome[0]))
+    apart = outcome is Outcome.SEPARATED
+    efficiency = float(done.collision_efficiency[0])
     return {
         "position_m": place,
         "outcome": outcome.name.lower(),
         "outcome_text": outcome.sentence,
         "bat_speed_m_s": conditions.swing.speed_at(place),
-        "exit_speed_m_s": speed,
-        "launch_angle_rad": angle,
-        "backspin_rad_s": backspin,
+        "exit_speed_m_s": speed if apart else None,
+        "launch_angle_rad": angle if apart else None,
+        "backspin_rad_s": backspin if apart else None,
         "collision_efficiency": efficiency,
-        "bbcor": bbcor(efficiency, body=found.body, ball=conditions.ball, position=place),
-        "contact_time_s": met.contact_time[0],
-        "peak_force_n": met.peak_force[0],
-        "peak_compression_m": met.peak_compression[0],
+        "bbcor": bbcor(efficiency, body=met.reduced.body, ball=conditions.ball, position=place),
+        "contact_time_s": done.contact_time[0],
+        "peak_force_n": done.peak_force[0],
+        "peak_compression_m": done.peak_compression[0],
     }
 
 
-def _met(
-    state: ExplorerState, found: ReducedBat, conditions: Conditions, place: float
-) -> tuple[Impacts | Strikes, tuple[float, float, float]]:
+def _met(state: ExplorerState, met: Met, place: float) -> tuple[Any, tuple[float, float, float]]:
     """Return the collision, and how the ball leaves: speed, launch angle and backspin.
 
     Head-on the part along the line of centres is all there is, and is found three times as fast alone.
     """
-    ball, coming, bat_speed = conditions.ball, conditions.pitch.speed, conditions.swing.speed_at(place)
+    coming, bat_speed = met.conditions.pitch.speed, met.conditions.swing.speed_at(place)
     if state.offset_in == 0:
-        done = hits(found.modes, ball=ball, position=place, closing_speed=coming + bat_speed)
-        leaving = exit_speed(float(done.collision_efficiency[0]), ball_speed=coming, bat_speed=bat_speed)
-        return done, (leaving, 0.0, 0.0)
-    struck = strikes(
-        found,
-        ball=ball,
-        swings=Swings(bat_speed, SwingPath().axes, conditions.swing.pivot),
-        pitches=BallMotions(velocity=(0.0, -coming, 0.0), spin=(0.0, 0.0, 0.0)),
-        contact=Contact(place, state.offset_in * INCH),
-    )
-    if int(struck.outcome[0]) != Outcome.SEPARATED:
-        return struck, (math.nan, math.nan, math.nan)
-    launched = BallMotion(np.zeros(3), struck.velocity[0], struck.spin[0])
-    return struck, (launched.speed, launched.launch_angle, launched.backspin)
+        done: Impacts = hits(
+            met.reduced.modes, ball=met.conditions.ball, position=place, closing_speed=coming + bat_speed
+        )
+        speed = exit_speed(float(done.collision_efficiency[0]), ball_speed=coming, bat_speed=bat_speed)
+        return done, (speed, 0.0, 0.0)
+    off = struck(met, position=[place], offset=state.offset_in * INCH)
+    speeds, angles, spins = leaving(off)
+    return off, (float(speeds[0]), float(angles[0]), float(spins[0]))
 
 
-VIEW = View("explorer", "Explorer", ExplorerState, answer, recipe)
+VIEW = View("explorer", "Explorer", ExplorerState, answer, recipe, asides={"map": power_map, "why": why})

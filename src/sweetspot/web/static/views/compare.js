@@ -146,10 +146,6 @@ export const view = {
     return [this.change.surface.figure("change"), this.rows.surface.figure("bats"), this.chart.figure("curves")];
   },
 
-  charts() {
-    return [this.chart];
-  },
-
   table() {
     const columns = { label: [], position_m: [], exit_speed_m_s: [], collision_efficiency: [], bbcor: [] };
     for (const { label, scan } of this.app.answer.bats) {

@@ -1,29 +1,37 @@
-// Explorer: the bat to scale with its sweet spots; below it, on the same axis, what a hit at each place gives.
+// Explorer: the bat to scale with its sweet spots; below it, on the same axis, what a hit at each place gives and why.
 
 import { BatView } from "../batview.js";
-import { Chart } from "../chart.js";
 import { Bench, ballGroup, swingGroup } from "../bench.js";
-import { group, slider } from "../controls.js";
+import { Chart, between } from "../chart.js";
+import { button, group, slider } from "../controls.js";
+import { gripsOf } from "../grips.js";
+import { HeatMap } from "../heatmap.js";
+import { PARTS } from "../ledger.js";
+import { factList, make, paragraphs } from "../parts.js";
+import { INCH } from "../units.js";
+import { Zoom } from "../zoom.js";
 
-const INCH = 0.0254;
+const BARREL = 18 * INCH; // shown until somebody zooms
+const ELSEWHERE = ["impact_from_tip_in", "offset_in"]; // what the map and the report do not depend on
 const PANELS = [
-  { title: "Exit speed", kind: "exit_speed_m_s", height: 120, lines: [
+  { title: "Exit speed", kind: "exit_speed_m_s", height: 130, lines: [
     { key: "exit_speed_m_s", label: "real bat", color: "red", width: 2.4 },
-    { key: "rigid_exit_speed_m_s", label: "rigid bat", color: "muted", dash: [5, 4], width: 1.6, silent: true }] },
-  { title: "Collision efficiency q", kind: "ratio", height: 80, lines: [{ key: "collision_efficiency", color: "orange" }] },
-  { title: "BBCOR", kind: "ratio", height: 80, lines: [{ key: "bbcor", color: "blue" }] },
-  { title: "Jolt at the top hand", kind: "hand_impulse_n_s", height: 80, zero: true, lines: [{ key: "hand_impulse_n_s", color: "green" }] },
-  { title: "Sting, vibration at the hands", kind: "sting", height: 80, zero: true, lines: [{ key: "sting", color: "purple" }] },
+    { key: "rigid_exit_speed_m_s", label: "rigid bat", color: "muted", dash: [5, 4], width: 1.6 }] },
+  { title: "Where the energy goes", kind: "share", height: 110, stacked: true, lines: [] },
+  { title: "Collision efficiency q", kind: "ratio", height: 70, lines: [{ key: "collision_efficiency", color: "orange" }] },
+  { title: "BBCOR", kind: "ratio", height: 70, lines: [{ key: "bbcor", color: "blue" }] },
+  { title: "Jolt at the top hand", kind: "hand_impulse_n_s", height: 70, zero: true, lines: [{ key: "hand_impulse_n_s", color: "green" }] },
+  { title: "Sting, vibration at the hands", kind: "sting", height: 70, zero: true, lines: [{ key: "sting_m_s", color: "purple" }] },
 ];
 const FACTS = [
   ["Exit speed", (a) => ["exit_speed_m_s", a.hit.exit_speed_m_s]],
+  ["Lost against the best", (a) => ["exit_speed_m_s", a.lost_m_s]],
   ["Efficiency q", (a) => ["ratio", a.hit.collision_efficiency]],
   ["BBCOR", (a) => ["ratio", a.hit.bbcor]],
-  ["Peak force", (a) => ["peak_force_n", a.hit.peak_force_n]],
-  ["Contact time", (a) => ["contact_time_s", a.hit.contact_time_s]],
-  ["Lost against the best", (a) => ["exit_speed_m_s", a.lost_m_s]],
   ["Launch angle", (a) => ["launch_angle_rad", a.hit.launch_angle_rad]],
   ["Backspin", (a) => ["backspin_rad_s", a.hit.backspin_rad_s]],
+  ["Peak force", (a) => ["peak_force_n", a.hit.peak_force_n]],
+  ["Contact time", (a) => ["contact_time_s", a.hit.contact_time_s]],
   ["Weight", (a) => ["mass_kg", a.bat.mass_kg]],
   ["Swing weight, 6 in axis", (a) => ["moi_6in_kg_m2", a.bat.moi_6in_kg_m2]],
 ];
@@ -33,47 +41,55 @@ export const view = {
   guide: [
     ["A bat, and where it hits best", "The bat is drawn to scale. Coloured marks are its sweet spots: there are several, " +
       "for each answers another question. The green zone is where a hit costs little speed and stings little."],
-    ["Drag the ball", "Drag the ball along the bat, or anywhere on the curves. The curves say what a hit at each place " +
-      "gives; the numbers below are those of the ball's place. With the keyboard: arrow keys on the picture."],
+    ["Drag the ball", "Drag the ball along the bat, or anywhere on the curves or the map. The sentence below the numbers says " +
+      "why a hit there is what it is. Small squares can be dragged too: hands, holes, weights. With the keyboard: arrow keys on the picture."],
     ["Change everything", "Move a slider and all follows at once: pitch, swing, hands, ball. Choose another bat, drop a bat " +
       "file on the page, or drill, cork and cup this one. "],
   ],
 
   mount(root, app) {
-    Object.assign(this, { app, root });
+    Object.assign(this, { app, root, map: null, told: null, warm: true });
+    this.zoom = new Zoom({ onChange: () => this.paint(), closest: 0.25 });
+    this.zoom.shared = true;
+    const onPick = (position, { last }) => this.moveBall(position, last);
     this.picture = new BatView(app, {
-      onBall: (position, { last }) => this.moveBall(position, last),
+      zoom: this.zoom, onBall: onPick,
       onStations: (stations, { last }) => this.bench.reshape(stations, last),
+      onGrip: (change, { last }) => this.app.setState(change, { commit: last }),
     });
-    this.chart = new Chart(app, {
-      label: "Curves along the bat", panels: PANELS,
-      axis: { kind: "position_m", from: () => app.answer?.bat.length_m ?? 0.84, label: "from the tip" },
-      onPick: (position, { last }) => this.moveBall(position, last),
+    const axis = { kind: "position_m", from: () => app.answer?.bat.length_m ?? 0.84, label: "from the tip" };
+    this.chart = new Chart(app, { label: "Curves along the bat", panels: PANELS, axis, onPick, zoom: this.zoom });
+    this.power = new HeatMap(app, {
+      label: "Exit speed over the barrel", title: "Exit speed, wherever the ball is met", height: 150, zoom: this.zoom, x: axis,
+      y: { kind: "offset_m", label: "ball above the axis" }, z: { kind: "exit_speed_m_s" }, onPick: (x, y, { last }) => this.moveBall(x, last, y),
     });
     this.bench = new Bench(app, { picture: this.picture });
-    const side = Object.assign(document.createElement("div"), { className: "side" });
-    side.append(this.bench.element, swingGroup(app), impact(app), ballGroup(app));
-    this.words = Object.assign(document.createElement("p"), { className: "verdict wide", id: "verdict" });
-    this.facts = Object.assign(document.createElement("dl"), { className: "facts" });
-    this.values = FACTS.map(([name]) => this.fact(name));
-    const picture = Object.assign(document.createElement("section"), { className: "picture" });
-    picture.setAttribute("aria-label", "Bat and curves");
-    picture.append(this.picture.element, this.chart.element, this.facts);
+    const side = make("div", { className: "side" }, this.bench.element, swingGroup(app), impact(app), ballGroup(app));
+    this.words = make("p", { className: "verdict wide", id: "verdict" });
+    this.why = make("p", { className: "why", id: "why" });
+    this.facts = factList(FACTS, app);
+    this.report = make("details", { className: "report", open: false }, make("summary", { textContent: "What the report says of this bat and swing" }));
+    this.told = make("div", { className: "words" });
+    this.report.append(this.told);
+    const [barrel, whole] = [["Barrel", () => this.zoom.back()], ["Whole bat", () => this.zoom.all()]].map(([words, act]) => button(words, act));
+    this.heatSwitch = button("Colours off", () => this.switchHeat());
+    const tools = make("div", { className: "row tight" }, barrel, whole, this.zoom.buttons(), this.heatSwitch);
+    const picture = make("section", { className: "picture", ariaLabel: "Bat and curves" },
+      tools, this.picture.element, this.facts.element, this.why, this.power.element, this.chart.element, this.report);
     root.append(this.words, side, picture);
     this.handle();
   },
 
-  fact(name) {
-    const [box, term, value] = ["div", "dt", "dd"].map((tag) => document.createElement(tag));
-    term.textContent = name;
-    box.append(term, value);
-    this.facts.append(box);
-    return value;
+  switchHeat() {
+    this.warm = !this.warm;
+    this.heatSwitch.textContent = this.warm ? "Colours off" : "Colours on";
+    this.paint();
   },
 
   // The picture is also a slider for those who use the keyboard.
   handle() {
     const canvas = this.picture.element;
+    canvas.classList.add("pinned");
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "slider");
     canvas.addEventListener("keydown", (event) => {
@@ -89,39 +105,74 @@ export const view = {
     return Math.round(100 * Math.min(most, Math.max(0, inches))) / 100;
   },
 
-  moveBall(position, last) {
-    if (!this.app.answer) return;
-    const inches = (this.app.answer.bat.length_m - position) / INCH;
-    this.app.setState({ impact_from_tip_in: this.within(inches) }, { commit: last });
+  moveBall(position, last, offset = null) {
+    const { answer, schema } = this.app;
+    if (!answer) return;
+    const change = { impact_from_tip_in: this.within((answer.bat.length_m - position) / INCH) };
+    if (offset !== null) {
+      const { minimum, maximum } = schema.offset_in;
+      const inches = Math.round((20 * offset) / INCH) / 20;
+      change.offset_in = Math.abs(inches) < 0.08 ? 0 : Math.min(maximum, Math.max(minimum, inches));
+    }
+    this.app.setState(change, { commit: last });
   },
 
   update(answer, state) {
-    const { bat, sweet_spots: spots, scan, hit } = answer;
-    this.picture.draw({ bat, sweet_spots: spots, hands_m: answer.hands_m, ball: {
-      position_m: hit.position_m, radius_m: answer.ball.radius_m, offset_m: state.offset_in * INCH,
-      launch_angle_rad: hit.launch_angle_rad } });
-    const zone = spots.zone_m;
-    this.chart.draw({
-      x: scan.position_m, lines: scan, range: [0, bat.length_m], cursor: hit.position_m,
-      bands: zone ? [{ from: zone[0], to: zone[1] }] : [],
-      marks: [{ at: spots.max_exit_speed_m, color: "red" }],
-    });
-    FACTS.forEach(([, value], i) => {
-      const [name, number] = value(answer);
-      this.values[i].textContent = this.app.text(name, number);
-    });
+    Object.assign(this, { answer, state });
+    const { bat, energy_shares: shares } = answer;
+    this.zoom.set([0, bat.length_m], [bat.length_m - Math.min(BARREL, bat.length_m), bat.length_m]);
+    PANELS[1].lines = PARTS.filter(([key]) => shares[key]).map(([key, name, color]) => ({ key, label: name, name, color }));
+    this.paint();
+    this.facts.fill(answer);
     this.say(answer);
     this.bench.update(answer);
+    this.app.aside("map", ELSEWHERE, 80, (map) => {
+      this.map = map;
+      this.paint();
+    });
+    this.app.aside("why", ELSEWHERE, 600, (found) => {
+      this.costs = found.other_law;
+      this.told.replaceChildren();
+      this.found = found;
+      paragraphs(this.told, found.sentences[this.app.units]);
+      this.paint();
+    });
+    if (this.found) paragraphs(this.told, this.found.sentences[this.app.units]);
   },
 
-  say({ bat, sweet_spots: spots, hit, best_exit_speed_m_s: best }) {
+  paint() {
+    const { answer, state, app } = this;
+    if (!answer) return;
+    const { bat, sweet_spots: spots, scan, hit } = answer;
+    const speeds = scan.exit_speed_m_s;
+    const most = Math.max(...speeds.filter((value) => value !== null));
+    this.picture.draw({ bat, sweet_spots: spots, hands_m: answer.hands_m, grips: gripsOf(answer, app),
+      warm: this.warm ? { position_m: scan.position_m, values: speeds, least: 0.55 * most, most } : null,
+      ball: { position_m: hit.position_m, radius_m: answer.ball.radius_m, offset_m: state.offset_in * INCH, launch_angle_rad: hit.launch_angle_rad } });
+    const zone = spots.zone_m;
+    this.chart.draw({
+      x: scan.position_m, lines: { ...scan, ...answer.energy_shares }, range: [0, bat.length_m], cursor: hit.position_m,
+      bands: zone ? [{ from: zone[0], to: zone[1] }] : [],
+      marks: [{ at: spots.max_exit_speed_m, color: "red" }],
+      points: state.offset_in === 0 && this.costs ? { exit_speed_m_s: this.costs.map(({ position_m: x, low_m_s: low, high_m_s: high }) => ({ x, low, high })) } : {},
+    });
+    if (this.map) this.power.draw({ x: this.map.position_m, y: this.map.offset_m, z: this.map.exit_speed_m_s, cross: [hit.position_m, state.offset_in * INCH] });
+  },
+
+  say({ bat, sweet_spots: spots, hit, best_exit_speed_m_s: best, why, energy_shares: shares, scan }) {
     const show = (name, value, digits) => this.app.text(name, value, digits);
     const here = hit.exit_speed_m_s === null ? hit.outcome_text : show("exit_speed_m_s", hit.exit_speed_m_s);
+    const back = hit.launch_angle_rad !== null && Math.abs(hit.launch_angle_rad) > Math.PI / 2 ? ", fouled back" : "";
     const words = `${bat.name} hits fastest ${show("from_m", bat.length_m - spots.max_exit_speed_m, 1)} from the tip: ` +
-      `${show("exit_speed_m_s", best)}. Here, ${show("from_m", bat.length_m - hit.position_m, 1)} from the tip: ${here}.`;
+      `${show("exit_speed_m_s", best)}. Here, ${show("from_m", bat.length_m - hit.position_m, 1)} from the tip: ${here}${back}.`;
     this.words.textContent = words;
+    const parts = PARTS.filter(([key]) => shares[key]).map(([key, name]) => [between(scan.position_m, shares[key], hit.position_m), name]).filter(([part]) => part > 0.004);
+    const energy = parts.length ? ` Of the energy of the meeting: ${parts.map(([part, name]) => `${name} ${show("share", part, 0)}`).join(", ")}.` : "";
+    this.why.textContent = why[this.app.units].join(" ") + energy;
     this.app.announce(words);
     this.picture.label(`Ball along the bat. ${words}`);
+    this.chart.label(`Curves along the bat. ${words} ${this.why.textContent}`);
+    this.power.label(`Exit speed over the barrel and how far off its axis the ball is met. ${words}`);
     const canvas = this.picture.element;
     const inches = (place) => (place / INCH).toFixed(2);
     canvas.setAttribute("aria-valuemin", inches(this.app.answer.hands_m[0]));
@@ -130,14 +181,12 @@ export const view = {
     canvas.setAttribute("aria-valuetext", `${show("from_m", bat.length_m - hit.position_m, 1)} from the tip`);
   },
 
-  unmount() {},
-
-  figures() {
-    return [this.picture.figure("bat"), this.chart.figure("curves")];
+  unmount() {
+    Object.assign(this, { answer: null, found: null, costs: null });
   },
 
-  charts() {
-    return [this.chart];
+  figures() {
+    return [this.picture.figure("bat"), ...(this.map ? [this.power.figure("map")] : []), this.chart.figure("curves")];
   },
 
   table() {

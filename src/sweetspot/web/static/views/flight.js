@@ -141,10 +141,6 @@ export const view = {
     return [this.side.surface.figure("side"), this.field.surface.figure("field")];
   },
 
-  charts() {
-    return this.app.answer.missed ? [] : [this.side.chart()];
-  },
-
   table() {
     const { time_s, right_m, out_m, up_m, distance_m } = this.app.answer.path ?? {};
     return { time_s, right_m, out_m, up_m, distance_m };

@@ -54,22 +54,6 @@ export class SidePicture {
     return { distance: park.distance_m[at], height: park.height_m[at] };
   }
 
-  // The same curves as a chart of distance and height, for those who want to read numbers off them.
-  chart() {
-    const { path, path_without_air: vacuum } = this.data;
-    const { distance, height } = this.fence();
-    const lines = [
-      { key: "air", label: "in this air", color: "red", width: 2.6 }, { key: "vacuum", label: "without air", color: "muted", dash: [4, 4] },
-      { key: "fence", label: "fence", color: "green", width: 5 }];
-    return {
-      app: this.app, label: "The flight from the side", panels: [{ title: "Height", kind: "distance", height: 300, zero: true, lines }],
-      axis: { kind: "distance", label: "over the ground from home plate" },
-      data: {
-        range: [0, this.reach().far], xs: { air: path.distance_m, vacuum: vacuum.distance_m, fence: [distance, distance] },
-        lines: { air: path.up_m, vacuum: vacuum.up_m, fence: [0, height] } },
-    };
-  }
-
   tall(width) {
     if (!this.data) return 200;
     const { far, high } = this.reach();

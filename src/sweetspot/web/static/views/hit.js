@@ -175,10 +175,6 @@ export const view = {
     return [this.side.figure("hit"), this.end.figure("end"), this.chart.figure("time"), this.ledger.figure("energy")];
   },
 
-  charts() {
-    return [this.chart, this.ledger.chart];
-  },
-
   table() {
     const { film, hands, hoop, energy_j: energy } = this.film.answer;
     const dents = Object.fromEntries((hoop?.harmonics ?? []).map((n, i) => [`wall_dent_harmonic_${n}_m`, hoop.dent_m[i]]));

@@ -108,10 +108,6 @@ export const view = {
     return this.drawing.figures();
   },
 
-  charts() {
-    return this.drawing.charts();
-  },
-
   table() {
     const { rows } = this.app.answer;
     return Object.fromEntries(["equation", "quantity", "unit", "paper", "computed", "full_model", "comment"].map((key) => [key, rows.map((row) => row[key])]));

@@ -1,4 +1,4 @@
-// The pictures of the paper's questions: each is { elements, draw(answer, state), figures(), charts() }.
+// The pictures of the paper's questions: each is { elements, draw(answer, state), figures() }.
 
 import { BatView } from "../batview.js";
 import { Chart } from "../chart.js";
@@ -14,7 +14,6 @@ function pictureOf(parts, fill) {
   return {
     elements: Object.values(parts).map((part) => part.element),
     draw: (answer, state) => fill(parts, answer, state),
-    charts: () => Object.values(parts).filter((part) => part instanceof Chart),
     figures: () => Object.entries(parts).map(([name, part]) => (part.surface ?? part).figure(name)),
   };
 }

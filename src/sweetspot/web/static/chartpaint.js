@@ -1,0 +1,159 @@
+// What charts are painted with: grids, lines, areas, points and axes; and their numbers in the reader's units.
+
+import { FONT, ticks } from "./surface.js";
+import { kindOf, toShown, unitOf } from "./units.js";
+
+export function shownValues({ kind }, values, units) {
+  return (values ?? []).map((value) => (value === null ? null : toShown(kind, value, units)));
+}
+
+export function shownPlace({ kind, from }, x, units) {
+  return toShown(kind, from ? from() - x : x, units);
+}
+
+function axisWords({ kind, label }, units) {
+  return [unitOf(kind, units), label].filter(Boolean).join(" ");
+}
+
+export function stack(lines) {
+  for (let i = 1; i < lines.length; i += 1) lines[i] = lines[i].map((value, j) => (value ?? 0) + (lines[i - 1][j] ?? 0));
+}
+
+// Least and most of what is shown of a panel within the range of its axis.
+export function limits({ xs, shown, bands = [], points = [], range = [-Infinity, Infinity] }, panel) {
+  let [low, high] = [Infinity, -Infinity];
+  const take = (value) => {
+    if (value !== null && value !== undefined) [low, high] = [Math.min(low, value), Math.max(high, value)];
+  };
+  const margin = 1e-9 + 0.02 * (range[1] - range[0]);
+  const seen = (x) => x >= range[0] - margin && x <= range[1] + margin;
+  shown.forEach((values, i) => {
+    for (const each of [values, ...(bands[i] ?? [])]) each.forEach((value, j) => seen(xs[i][j]) && take(value));
+    for (const point of points[i] ?? []) if (seen(point.x)) for (const value of [point.y, point.low, point.high]) take(value);
+  });
+  if (!(high >= low)) return [0, 1];
+  if (panel.zero || panel.stacked) [low, high] = [Math.min(0, low), Math.max(0, high)];
+  const room = 0.06 * (high - low || Math.abs(high) || 1);
+  return [low === 0 ? 0 : low - room, high === 0 ? 0 : high + room];
+}
+
+export function paintGrid(context, colors, box, low, high, up) {
+  Object.assign(context, { font: `11px ${FONT}`, textAlign: "right", textBaseline: "middle" });
+  for (const value of ticks(low, high, Math.max(2, (box.bottom - box.top) / 28))) {
+    const y = Math.round(up(value)) + 0.5;
+    horizontal(context, y, box, colors.grid);
+    context.fillStyle = colors.muted;
+    context.fillText(String(value).replace("-", "−"), box.left - 6, y);
+  }
+  if (low < 0 && high > 0) horizontal(context, Math.round(up(0)) + 0.5, box, colors.line);
+}
+
+// An area between two curves over the same places.
+export function paintArea(context, xs, above, below, across, up, color, alpha) {
+  const known = xs.map((_, i) => i).filter((i) => typeof above[i] === "number" && typeof below[i] === "number");
+  if (known.length < 2) return;
+  context.beginPath();
+  for (const i of known) context.lineTo(across(xs[i]), up(above[i]));
+  for (const i of [...known].reverse()) context.lineTo(across(xs[i]), up(below[i]));
+  context.closePath();
+  context.fillStyle = color;
+  context.globalAlpha = alpha;
+  context.fill();
+  context.globalAlpha = 1;
+}
+
+export function paintLine(context, line, xs, values, { across, up, colors, area }) {
+  context.beginPath();
+  let drawing = false;
+  for (let i = 0; i < values.length; i += 1) {
+    if (values[i] === null || values[i] === undefined) drawing = false;
+    else if (drawing) context.lineTo(across(xs[i]), up(values[i]));
+    else {
+      context.moveTo(across(xs[i]), up(values[i]));
+      drawing = true;
+    }
+  }
+  if (area || line.fill) {
+    for (let i = values.length - 1; i >= 0; i -= 1) context.lineTo(across(xs[i]), up(area?.below?.[i] ?? 0));
+    context.closePath();
+    context.fillStyle = colors[line.color];
+    context.globalAlpha = area ? 0.85 : 0.25;
+    context.fill();
+    context.globalAlpha = 1;
+    if (area) return;
+  }
+  Object.assign(context, { strokeStyle: colors[line.color], lineWidth: line.width ?? 2, lineJoin: "round" });
+  context.setLineDash(line.dash ?? []);
+  context.stroke();
+  context.setLineDash([]);
+}
+
+// Values that somebody measured or published, with their interval where one is known.
+export function paintPoints(context, points, across, up, color, ground) {
+  for (const { x, y, low, high } of points) {
+    Object.assign(context, { strokeStyle: color, fillStyle: ground, lineWidth: 1.6 });
+    context.beginPath();
+    if (typeof low === "number" && typeof high === "number") {
+      context.moveTo(across(x), up(low));
+      context.lineTo(across(x), up(high));
+      context.stroke();
+    }
+    if (typeof y !== "number") continue;
+    context.beginPath();
+    context.arc(across(x), up(y), 4, 0, 2 * Math.PI);
+    context.fill();
+    context.stroke();
+  }
+}
+
+export function paintAxis(context, { app: { colors, units }, axis, range }, across, top) {
+  const [least, most] = range;
+  const from = axis.from?.() ?? 0;
+  const { scale, offset = 0 } = kindOf(axis.kind)[units];
+  const real = (value) => (axis.from ? from - (value - offset) / scale : (value - offset) / scale);
+  const [low, high] = [shownPlace(axis, least, units), shownPlace(axis, most, units)].sort((a, b) => a - b);
+  Object.assign(context, { font: `11px ${FONT}`, fillStyle: colors.muted, textAlign: "center", textBaseline: "top" });
+  for (const value of ticks(low, high, (across(most) - across(least)) / 60)) {
+    const x = across(real(value));
+    Object.assign(context, { strokeStyle: colors.line, lineWidth: 1 });
+    context.beginPath();
+    context.moveTo(x, top);
+    context.lineTo(x, top + 4);
+    context.stroke();
+    context.fillText(String(value).replace("-", "−"), x, top + 6);
+  }
+  context.textAlign = "right";
+  context.fillText(axisWords(axis, units), across(most), top + 19);
+}
+
+export function vertical(context, x, box, color, width, dash) {
+  Object.assign(context, { strokeStyle: color, lineWidth: width });
+  context.setLineDash(dash);
+  context.beginPath();
+  context.moveTo(x, box.top);
+  context.lineTo(x, box.bottom);
+  context.stroke();
+  context.setLineDash([]);
+}
+
+function horizontal(context, y, box, color) {
+  Object.assign(context, { strokeStyle: color, lineWidth: 1 });
+  context.beginPath();
+  context.moveTo(box.left, y);
+  context.lineTo(box.right, y);
+  context.stroke();
+}
+
+// The value of a curve at x, straight between points; null outside.
+export function between(xs, values, x) {
+  if (!xs.length || x < xs[0] || x > xs.at(-1)) return null;
+  let [low, high] = [0, xs.length - 1];
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (xs[middle] <= x) low = middle;
+    else high = middle;
+  }
+  if (values[low] === null || values[high] === null || values[low] === undefined) return null;
+  const span = xs[high] - xs[low];
+  return span > 0 ? values[low] + ((x - xs[low]) / span) * (values[high] - values[low]) : values[low];
+}

@@ -1,0 +1,151 @@
+"""What the explorer shows of hits all along a bat: met in the middle, or so far off the bat's axis."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict, dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from sweetspot.analysis.bat_analysis import check_conditions
+from sweetspot.analysis.position_scan import Scan, energy_shares, scan, sting
+from sweetspot.analysis.sweet_spot import SweetSpots, sweet_spots
+from sweetspot.collision.closed_form import bbcor
+from sweetspot.collision.hit_in_space import Strikes, strikes
+from sweetspot.collision.kernel import hits
+from sweetspot.dynamics.reduction import ReducedBat
+from sweetspot.dynamics.rigid import hand_impulse_ratio
+from sweetspot.motion.swing import Conditions
+from sweetspot.motion.swing_path import SwingPath
+from sweetspot.numerics.arrays import Array
+from sweetspot.units import INCH
+from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.states import HitState
+
+KEPT = 128
+ALONG, ABOVE = 49, 25
+"""Places of the map along the barrel and above its axis."""
+BARREL, EDGE = 18 * INCH, 0.98
+"""m from the tip that the map shows; part of the greatest offset at which the bat still touches the ball."""
+
+
+@dataclass(frozen=True)
+class Met:
+    """A bat and its swing, hit all along by a ball in the middle."""
+
+    reduced: ReducedBat
+    conditions: Conditions
+    scan: Scan
+    spots: SweetSpots
+
+
+def along(state: HitState) -> Met:
+    """Return the hits all along a state's bat; where the ball is makes no difference."""
+    return _along(HitState.model_construct(**{**_shared(state), "impact_from_tip_in": 6.0, "offset_in": 0.0}))
+
+
+def curves(state: HitState) -> dict[str, Any]:
+    """Return the curves along the bat at a state's offset."""
+    return _curves(HitState.model_construct(**{**_shared(state), "impact_from_tip_in": 6.0}))
+
+
+def struck(met: Met, *, position: ArrayLike, offset: ArrayLike) -> Strikes:
+    """Return hits by a level swing of a ball that comes level without spin; m from the knob end and off the axis."""
+    swing, place = met.conditions.swing, np.asarray(position, float)
+    return strikes(
+        met.reduced,
+        ball=met.conditions.ball,
+        bat_speed=swing.angular_speed * (place - swing.pivot),
+        axes=SwingPath().axes,
+        pitch_velocity=(0.0, -met.conditions.pitch.speed, 0.0),
+        pitch_spin=(0.0, 0.0, 0.0),
+        position=place,
+        offset=offset,
+        pivot=swing.pivot,
+    )
+
+
+def leaving(done: Strikes) -> tuple[Array, Array, Array]:
+    """Return speed, launch angle from straight ahead (beyond a right angle: backwards) and backspin of struck balls."""
+    out, up = done.velocity[:, 1], done.velocity[:, 2]
+    angle = np.where(np.isfinite(out), np.arctan2(up, out), np.nan)
+    return done.exit_speed, angle, done.spin[:, 0]
+
+
+def power_map(state: HitState) -> dict[str, Any]:
+    """Return exit speeds over the barrel and over how far off its axis the ball is met; null: it is fouled back."""
+    return _power_map(HitState.model_construct(**{**_shared(state), "impact_from_tip_in": 6.0, "offset_in": 0.0}))
+
+
+def _shared(state: HitState) -> dict[str, Any]:
+    return {name: getattr(state, name) for name in HitState.model_fields}
+
+
+@lru_cache(maxsize=KEPT)
+def _along(state: HitState) -> Met:
+    found = reduced(state, ball_of(state))
+    conditions = conditions_of(state, found.bat)
+    check_conditions(found.bat, conditions, body=found.body)
+    scanned = scan(found.bat, body=found.body, modes=found.modes, conditions=conditions)
+    return Met(
+        found, conditions, scanned, sweet_spots(scanned, body=found.body, modes=found.modes, conditions=conditions)
+    )
+
+
+@lru_cache(maxsize=KEPT)
+def _curves(state: HitState) -> dict[str, Any]:
+    met = along(state)
+    if state.offset_in == 0:
+        return _listed(asdict(met.scan))
+    position, modes, ball = met.scan.position, met.reduced.modes, met.conditions.ball
+    done = struck(met, position=position, offset=state.offset_in * INCH)
+    closing = np.nan_to_num(done.closing_speed)
+    again = hits(modes, ball=ball, position=position, closing_speed=closing)
+    speed, angle, _ = leaving(done)
+    efficiency, body, hands = done.collision_efficiency, met.reduced.body, met.conditions.hands
+    ratio = hand_impulse_ratio(body, position, hands=hands.position)
+    return _listed(
+        {
+            **asdict(met.scan),
+            "exit_speed": speed,
+            "rigid_exit_speed": np.full(len(position), math.nan),
+            "launch_angle": angle,
+            "collision_efficiency": efficiency,
+            "bbcor": bbcor(efficiency, body=body, ball=ball, position=position),
+            "hand_impulse": ratio * ball.mass * closing * (1 + efficiency),
+            "sting": np.where(
+                np.isfinite(efficiency),
+                sting(modes, hands=hands, displacement=again.displacement, velocity=again.velocity),
+                np.nan,
+            ),
+            "energy": energy_shares(again, modes=modes, ball=ball, closing_speed=closing),
+        }
+    )
+
+
+def _listed(scanned: dict[str, Any]) -> dict[str, Any]:
+    names = {
+        "position": "position_m", "exit_speed": "exit_speed_m_s", "rigid_exit_speed": "rigid_exit_speed_m_s",
+        "launch_angle": "launch_angle_rad", "collision_efficiency": "collision_efficiency", "bbcor": "bbcor",
+        "hand_impulse": "hand_impulse_n_s", "sting": "sting_m_s",
+    }  # fmt: skip
+    shares = {name: np.round(part, 5) for name, part in scanned["energy"]._asdict().items() if np.nanmax(part) > 0}
+    found = {key: scanned[name] for name, key in names.items() if name in scanned}
+    return {"curves": found, "energy": shares}
+
+
+@lru_cache(maxsize=KEPT)
+def _power_map(state: HitState) -> dict[str, Any]:
+    met = along(state)
+    bat, ball = met.reduced.bat, met.conditions.ball
+    position = np.linspace(max(bat.length - BARREL, met.scan.position[0]), bat.length, ALONG)
+    reach = EDGE * (ball.radius + float(np.max(bat.diameter_at(position))) / 2)
+    offset = np.linspace(-reach, reach, ABOVE)
+    places, above = np.meshgrid(position, offset)
+    done = struck(met, position=places.ravel(), offset=above.ravel())
+    speed, angle, _ = leaving(done)
+    speed = np.where(np.abs(angle) < math.pi / 2, speed, np.nan).reshape(places.shape)
+    return {"position_m": position, "offset_m": offset, "exit_speed_m_s": np.round(speed, 3)}

@@ -1,0 +1,97 @@
+"""Charts that answer: values at the pointer, zoom by wheel and buttons, a table for each; and what is taken away."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from sweetspot.web.views import VIEWS
+
+Answered = Callable[..., int]
+
+CHARTS = [name for name in VIEWS if name not in ("modes", "flight")]
+"""Views with charts of curves."""
+
+
+def pixels(page: Page) -> str:
+    return str(page.evaluate("document.querySelector('.chart canvas').toDataURL()"))
+
+
+def test_the_pointer_reads_values_and_the_wheel_zooms_once_pressed(page: Page, server: str, answered: Answered) -> None:
+    page.goto(f"{server}/explorer")
+    answered(page)
+    page.locator(".chart canvas").scroll_into_view_if_needed()
+    first = pixels(page)
+    box = page.locator(".chart canvas").bounding_box()
+    assert box is not None
+    page.mouse.move(box["x"] + 0.3 * box["width"], box["y"] + 60)
+    hovered = pixels(page)
+    assert hovered != first
+    top = page.evaluate("scrollY")
+    page.mouse.wheel(0, 40)
+    page.wait_for_timeout(100)
+    assert page.evaluate("scrollY") > top  # nobody has pressed it: the wheel is the page's
+    page.locator(".chart canvas").scroll_into_view_if_needed()
+    box = page.locator(".chart canvas").bounding_box()
+    assert box is not None
+    page.mouse.click(box["x"] + 0.5 * box["width"], box["y"] + 60)
+    page.wait_for_timeout(100)
+    where = "document.querySelector('.chart canvas').getBoundingClientRect().top"
+    before, top = pixels(page), page.evaluate(where)
+    page.mouse.wheel(0, -300)
+    page.wait_for_timeout(50)
+    assert pixels(page) != before
+    assert page.evaluate(where) == pytest.approx(top, abs=2)
+    page.locator(".picture").get_by_role("button", name="Whole bat").click()
+    page.locator("summary", has_text="as a table").first.click()
+    rows = page.locator(".numbers tbody tr")
+    assert rows.count() == 24
+    assert float(re.findall(r"[\d.]+", rows.last.locator("th").inner_text())[0]) == pytest.approx(
+        0, abs=0.05
+    )  # the tip
+    assert float(rows.first.locator("th").inner_text()) == pytest.approx(33, abs=0.1)  # the knob, from the tip
+
+
+@pytest.mark.parametrize("name", CHARTS)
+def test_every_curve_has_a_table(page: Page, server: str, answered: Answered, name: str) -> None:
+    page.goto(f"{server}/{name}")
+    answered(page)
+    tables = page.locator("summary", has_text="as a table")
+    assert tables.count() >= 1
+    tables.first.click()
+    expect(page.locator(".numbers tbody td", has_text=re.compile(r"\d")).first).to_be_visible()
+
+
+def test_a_picture_says_what_it_is_when_it_travels_alone(page: Page, server: str, answered: Answered) -> None:
+    page.goto(f"{server}/explorer?bore_diameter_in=1")
+    answered(page)
+    page.get_by_role("button", name="Export").click()
+    with page.expect_download() as saved:
+        page.locator("dialog [data-format=svg]").click()
+    words = " ".join(re.findall(r">([^<]+)</text>", saved.value.path().read_text(encoding="utf-8")))
+    for part in (
+        "hits fastest",
+        "R161",
+        "hole 1.00 in wide",
+        "pitch 90.0 mph",
+        "sweetspot 0.",
+        "Sources",
+        "bore_diameter_in=1",
+    ):
+        assert part in words, part
+    assert re.search(r"20\d\d-\d\d-\d\d", words)
+
+
+def test_the_guide_speaks_of_the_view_one_is_on(browser: Browser, server: str) -> None:
+    titles = set()
+    for name in VIEWS:
+        context = browser.new_context()
+        page = context.new_page()
+        page.goto(f"{server}/{name}")
+        expect(page.locator("dialog")).to_contain_text("Step 1 of 3")
+        titles.add(page.locator("#guide-title").text_content())
+        context.close()
+    assert len(titles) == len(VIEWS)
