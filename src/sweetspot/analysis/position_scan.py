@@ -120,7 +120,7 @@ def scan(
     )
 
 
-def energy_shares(done: Impacts, *, modes: Modes, ball: Ball, closing_speed: ArrayLike) -> EnergyShares:
+def energy_shares(impacts: Impacts, *, modes: Modes, ball: Ball, closing_speed: ArrayLike) -> EnergyShares:
     """Return where the incoming energy m v^2 / 2 of many hits goes; the parts sum to one.
 
     Parameters
@@ -129,8 +129,8 @@ def energy_shares(done: Impacts, *, modes: Modes, ball: Ball, closing_speed: Arr
     """
     incoming = ball.mass * np.asarray(closing_speed, float) ** 2 / 2
     incoming = np.where(incoming > 0, incoming, np.nan)
-    ours = [part / incoming for part in bat_energy(modes, done.displacement, done.velocity)]
-    leaving = done.collision_efficiency**2
+    ours = [part / incoming for part in bat_energy(modes, impacts.displacement, impacts.velocity)]
+    leaving = impacts.collision_efficiency**2
     return EnergyShares(leaving, *ours, heat=1 - leaving - np.sum(ours, axis=0))
 
 

@@ -27,10 +27,10 @@ export function paintBall(context, ball, bat, place, colors) {
 
 // Bat and ball as seen along the bat: how far off the axis they meet, and where the ball goes.
 export function paintMeeting(context, ball, bat, place, colors, words) {
-  const scale = Math.min(place.scale, 520);
+  const scale = Math.min(0.45 * place.scale, 420);
   const [own, its] = [radiusAt(bat, ball.position_m) * scale, ball.radius_m * scale];
-  const x = place.edge + 110;
-  const y = place.middle + (WIDEST / 2) * place.scale + its + 4;
+  const x = place.edge + own + 16;
+  const y = place.middle + (WIDEST / 2) * place.scale + own + 2 * its;
   const up = ball.offset_m * scale;
   const across = Math.sqrt(Math.max(0, (own + its) ** 2 - up ** 2));
   const circle = (at, height, radius, fill, edge) => {

@@ -6,6 +6,7 @@ from functools import lru_cache
 from shlex import quote
 from typing import Annotated, Any, Literal
 
+import numpy as np
 from pydantic import Field
 
 from sweetspot import catalog
@@ -68,6 +69,7 @@ def answer(state: CompareState) -> dict[str, Any]:
         row["scan"] |= {
             "collision_efficiency": one.analysis.scan.collision_efficiency,
             "bbcor": one.analysis.scan.bbcor,
+            **_doubt(one),
         }
         row["wall"] = _wall(one) if state.what_if == "wall" else None
     return {
@@ -79,6 +81,14 @@ def answer(state: CompareState) -> dict[str, Any]:
         "si": {"verdict": [sentence.read(SI) for sentence in words], "assumptions": assumed.read(SI)},
         "certification": _certification(state, found),
     }
+
+
+def _doubt(one: Compared) -> dict[str, Any]:
+    """Return the exit speeds along a bat that is swung as slowly, or as fast, as is not known better."""
+    scan, speed = one.analysis.scan, one.bat_speed
+    more = (1 + scan.collision_efficiency) * scan.bat_speed / speed.value if speed.value else 0 * scan.bat_speed
+    ends = {"low": speed.low - speed.value, "high": speed.high - speed.value}
+    return {f"exit_speed_{name}_m_s": np.round(scan.exit_speed + by * more, 4) for name, by in ends.items()}
 
 
 def _words(state: CompareState, comparison: Comparison) -> list[Sentence]:

@@ -11,7 +11,7 @@ from sweetspot.analysis.bat_analysis import analyse_reduced
 from sweetspot.collision.closed_form import bbcor, exit_speed
 from sweetspot.collision.impact import Impacts, Outcome
 from sweetspot.collision.kernel import hits
-from sweetspot.report.bat.why_here import speed_difference, why_here
+from sweetspot.report.bat.place_words import speed_difference, why_here
 from sweetspot.report.bat.words import answer as words_about
 from sweetspot.report.bat.words import misses_of
 from sweetspot.report.hit.json import conditions_json

@@ -1,15 +1,17 @@
 // Compare: up to four bats in the same hands, or what a hole or another wall makes of one; curves, verdict, rules.
 
-import { Chart } from "../chart.js";
+import { Chart, between } from "../chart.js";
 import { Bench, ballGroup, swingGroup } from "../bench.js";
 import { choice, group, slider } from "../controls.js";
 import { make, paragraphs, tableOf } from "../parts.js";
+import { INCH } from "../units.js";
 import { ChangePicture, LINES, RowsPicture } from "./compare_pictures.js";
 import { Slots } from "./compare_slots.js";
 
 const VERDICTS = {
   pass: ["✓ pass", "good"], fail: ["✗ fail", "bad"], "not decidable": ["? not decidable", ""], "does not apply": ["– does not apply", "muted"],
 };
+const BARREL = 12 * INCH; // shown until somebody zooms
 const KINDS = { m: "x_m", "m/s": "x_m_s", "kg m^2": "x_kg_m2" };
 
 export const view = {
@@ -52,7 +54,7 @@ export const view = {
     this.rules = make("div");
     this.assumed = make("p", { className: "note" });
     const section = (title, ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
-    const legend = make("p", { className: "note", textContent: "Red dot: the ball leaves fastest there. Green bar: the sweet zone." });
+    const legend = make("p", { className: "note", textContent: "Dot: the ball leaves fastest there. Bar below the bat, and shaded stretch of the first one's in the curves: the sweet zone. Pale stretches around a curve: what is not known of that bat's speed." });
     const main = make("div", { className: "stack" },
       section("Verdict", this.words, this.change.element),
       section("The bats and where they hit", this.rows.element, legend, this.chart.element, this.bats, this.assumed),
@@ -76,23 +78,39 @@ export const view = {
     this.rules.replaceChildren(...this.rulesOf(answer.certification));
   },
 
+  // The curves with what is not known of each bat's speed, and below them how far each lies from the first one's.
   drawCurves(bats) {
-    const panel = (title, kind, height, key) => ({
-      title, kind, height, lines: bats.map(({ label }, i) => ({ key: `${key}_${i}`, ...LINES[i], label: "", name: label })),
-    });
-    this.chart.panels = [
-      panel("Exit speed", "exit_speed_m_s", 210, "exit_speed_m_s"),
-      panel("Collision efficiency q", "ratio", 110, "collision_efficiency"),
-    ];
-    const [lines, xs] = [{}, {}];
-    bats.forEach(({ scan, bat }, i) => {
-      for (const key of ["exit_speed_m_s", "collision_efficiency"]) {
-        lines[`${key}_${i}`] = scan[key];
-        xs[`${key}_${i}`] = scan.position_m.map((place) => place + this.longest - bat.length_m);
+    const lines = {}, xs = {};
+    const first = bats[0];
+    const placed = ({ scan, bat }) => scan.position_m.map((place) => place + this.longest - bat.length_m);
+    bats.forEach((one, i) => {
+      const places = placed(one);
+      for (const key of ["exit_speed_m_s", "collision_efficiency", "exit_speed_low_m_s", "exit_speed_high_m_s"]) {
+        lines[`${key}_${i}`] = one.scan[key];
+        xs[`${key}_${i}`] = places;
+      }
+      if (!i) return;
+      const against = (key) => one.scan[key].map((value, j) => {
+        const other = between(placed(first), first.scan.exit_speed_m_s, places[j]);
+        return value === null || other === null ? null : value - other;
+      });
+      for (const [name, key] of [["change", "exit_speed_m_s"], ["change_low", "exit_speed_low_m_s"], ["change_high", "exit_speed_high_m_s"]]) {
+        lines[`${name}_${i}`] = against(key);
+        xs[`${name}_${i}`] = places;
       }
     });
-    this.chart.draw({ x: [], xs, lines, range: [0, this.longest], marks: [], bands: [] });
-    this.chart.label(`Exit speed and collision efficiency along ${bats.map(({ label }) => label).join(", ")}, tips aligned.`);
+    const line = (key, label, i, band) => ({ key: `${key}_${i}`, ...LINES[i], label: "", name: label, band: band?.map((name) => `${name}_${i}`) });
+    const others = bats.slice(1);
+    this.chart.panels = [
+      { title: "Exit speed", kind: "exit_speed_m_s", height: 190, lines: bats.map(({ label }, i) => line("exit_speed_m_s", label, i, i ? ["exit_speed_low_m_s", "exit_speed_high_m_s"] : null)) },
+      ...(others.length ? [{ title: `Faster or slower than ${first.label}`, kind: "change_m_s", height: 130, zero: true,
+        lines: others.map(({ label }, i) => line("change", label, i + 1, ["change_low", "change_high"])) }] : []),
+      { title: "Collision efficiency q", kind: "ratio", height: 100, lines: bats.map(({ label }, i) => line("collision_efficiency", label, i)) },
+    ];
+    const zone = first.zone_m?.map((place) => place + this.longest - first.bat.length_m);
+    this.chart.draw({ x: [], xs, lines, range: [0, this.longest], usual: [this.longest - Math.min(BARREL, this.longest), this.longest],
+      marks: [], bands: zone ? [{ from: zone[0], to: zone[1] }] : [] });
+    this.chart.label(`Exit speed, its difference from the first bat's, and collision efficiency along ${bats.map(({ label }) => label).join(", ")}, tips aligned.`);
   },
 
   tableOfBats(bats) {
@@ -110,17 +128,25 @@ export const view = {
     ]));
   },
 
+  // Rules that say something of one of the bats; those that do not apply or cannot be decided are folded away.
   rulesOf(certification) {
     const first = certification[0].checks;
-    const rows = first.map((check, row) => [
-      { text: check.title, note: [check.league_name, this.limit(check)].filter(Boolean).join(": ") },
-      ...certification.map(({ checks }) => this.verdictOf(checks[row])),
-    ]);
+    const told = first.map((_, row) => certification.some(({ checks }) => checks[row].verdict === "pass" || checks[row].verdict === "fail"));
     const measures = certification.map(({ bbcor, besr, bpf }) => `BBCOR ${bbcor.toFixed(3)}, BESR ${besr.toFixed(3)}, BPF ${bpf.toFixed(2)}`);
-    const table = tableOf("Every rule held against every bat, from the simulated test",
-      ["Rule", ...certification.map(({ label }, i) => ({ text: label, note: measures[i] }))], rows);
-    table.classList.add("rules");
-    return [table];
+    const table = (caption, wanted) => {
+      const rows = first.map((check, row) => [
+        { text: check.title, note: [check.league_name, this.limit(check)].filter(Boolean).join(": ") },
+        ...certification.map(({ checks }) => this.verdictOf(checks[row])),
+      ]).filter((_, row) => told[row] === wanted);
+      const made = tableOf(caption, ["Rule", ...certification.map(({ label }, i) => ({ text: label, note: measures[i] }))], rows);
+      made.classList.add("rules");
+      return made;
+    };
+    const rest = told.filter((one) => !one).length;
+    const fold = make("details", { open: this.rulesOpen ?? false }, make("summary", { textContent: `${rest} more that do not apply to these bats or cannot be decided` }),
+      table("Rules without a verdict", false));
+    fold.addEventListener("toggle", () => (this.rulesOpen = fold.open));
+    return [...(rest < told.length ? [table("Every rule held against every bat, from the simulated test", true)] : []), ...(rest ? [fold] : [])];
   },
 
   limit({ least, most, unit }) {
