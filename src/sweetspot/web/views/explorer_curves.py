@@ -14,12 +14,13 @@ from sweetspot.analysis.bat_analysis import check_conditions
 from sweetspot.analysis.position_scan import Scan, energy_shares, scan, sting
 from sweetspot.analysis.sweet_spot import SweetSpots, sweet_spots
 from sweetspot.collision.closed_form import bbcor
-from sweetspot.collision.hit_in_space import Strikes, strikes
-from sweetspot.collision.kernel import hits
+from sweetspot.collision.hit_in_space import Contact, Strikes, strikes
+from sweetspot.collision.kernel import hits_with_motion
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.dynamics.rigid import hand_impulse_ratio
+from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.motion.swing import Conditions
-from sweetspot.motion.swing_path import SwingPath
+from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import INCH
 from sweetspot.web.bats import ball_of, conditions_of, reduced
@@ -58,13 +59,9 @@ def struck(met: Met, *, position: ArrayLike, offset: ArrayLike) -> Strikes:
     return strikes(
         met.reduced,
         ball=met.conditions.ball,
-        bat_speed=swing.angular_speed * (place - swing.pivot),
-        axes=SwingPath().axes,
-        pitch_velocity=(0.0, -met.conditions.pitch.speed, 0.0),
-        pitch_spin=(0.0, 0.0, 0.0),
-        position=place,
-        offset=offset,
-        pivot=swing.pivot,
+        swings=Swings(swing.angular_speed * (place - swing.pivot), SwingPath().axes, swing.pivot),
+        pitches=BallMotions(velocity=(0.0, -met.conditions.pitch.speed, 0.0), spin=(0.0, 0.0, 0.0)),
+        contact=Contact(place, offset),
     )
 
 
@@ -103,7 +100,7 @@ def _curves(state: HitState) -> dict[str, Any]:
     position, modes, ball = met.scan.position, met.reduced.modes, met.conditions.ball
     done = struck(met, position=position, offset=state.offset_in * INCH)
     closing = np.nan_to_num(done.closing_speed)
-    again = hits(modes, ball=ball, position=position, closing_speed=closing)
+    again = hits_with_motion(modes, ball=ball, position=position, closing_speed=closing)
     speed, angle, _ = leaving(done)
     efficiency, body, hands = done.collision_efficiency, met.reduced.body, met.conditions.hands
     ratio = hand_impulse_ratio(body, position, hands=hands.position)
