@@ -12,9 +12,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from sweetspot import catalog
+from sweetspot.flight.all_parks import landings_everywhere
 from sweetspot.numerics.constants import STANDARD_GRAVITY
 from sweetspot.units import FOOT, MPH
 from sweetspot.web.errors import FieldError
+from sweetspot.web.views import flight
 from sweetspot.web.views.flight import VIEW, answer
 from sweetspot.web.views.flight_state import FlightState
 
@@ -86,7 +89,11 @@ def test_faults_name_their_control(controls: dict[str, Any], field: str, words: 
 
 @pytest.mark.parametrize(
     "controls",
-    [{"wind_speed_mph": 8.0, "wind_direction_deg": -30.0}, {"start": "swing", "offset_in": 0.6, "batter": "left"}],
+    [
+        {"wind_speed_mph": 8.0, "wind_direction_deg": -30.0},
+        {"direction": "landing", "spray_deg": 12.0, "sidespin_rpm": 900.0, "ball": "softball-12in"},
+        {"start": "swing", "offset_in": 0.6, "batter": "left"},
+    ],
 )
 def test_python_lines_give_the_same_numbers(controls: dict[str, Any]) -> None:
     state = FlightState.model_validate(controls)
@@ -103,10 +110,44 @@ def test_python_lines_give_the_same_numbers(controls: dict[str, Any]) -> None:
     assert np.isfinite(flight.hang_time)
 
 
-@pytest.mark.parametrize("controls", [{"sidespin_rpm": -300.0}, {"start": "swing", "offset_in": 0.6}])
+@pytest.mark.parametrize(
+    "controls",
+    [{"sidespin_rpm": -300.0}, {"direction": "landing", "sidespin_rpm": 900.0}, {"start": "swing", "offset_in": 0.6}],
+)
 def test_the_command_line_gives_the_same_numbers(controls: dict[str, Any], run_json: Callable[..., Any]) -> None:
     state = FlightState.model_validate(controls)
     assert VIEW.recipe is not None
     found = run_json(*shlex.split(VIEW.recipe(state)["command"])[1:])
     carry = found["carry_m"] if "carry_m" in found else found["flight"]["carry_m"]
     assert carry == pytest.approx(answer(state)["flight"]["carry_m"], rel=1e-4)
+
+
+def test_every_park_is_judged_as_by_the_paths() -> None:
+    """The compiled fences, followed no further than needed, against paths of 161 points in every park's own air."""
+    for controls in ({}, {"exit_speed_mph": 104.0, "spray_deg": 20.0, "wind_speed_mph": 9.0}, {"spray_deg": 50.0}):
+        state = FlightState.model_validate(controls)
+        start = flight._start(state)
+        assert start.motion is not None
+        ends = landings_everywhere(start.motion, start.conditions, parks=catalog.parks())
+        found = answer(state)
+        for row, end in zip(found["parks"], ends, strict=True):
+            assert row["outcome"] == str(end.outcome.flat[0]), (controls, row["park"])
+            if row["clearance_m"] is not None:
+                assert row["clearance_m"] == pytest.approx(float(end.clearance.flat[0]), abs=0.005)
+        assert 0 <= found["chance"] <= 1
+        assert found["expected_out_in"] == pytest.approx(sum(row["chance"] for row in found["parks"]))
+
+
+def test_the_map_holds_the_flight_itself() -> None:
+    """Exit speed and launch angle on a point of the map's grid: the same carry."""
+    grid = flight.carry_map(FlightState())
+    row, column = 11, 14
+    speed, angle = grid["exit_speed_m_s"][column], grid["launch_angle_rad"][row]
+    found = asked(exit_speed_mph=speed / MPH, launch_angle_deg=math.degrees(angle))
+    assert grid["carry_m"][row][column] == pytest.approx(found["flight"]["carry_m"], abs=0.01)
+
+
+def test_a_direction_may_be_that_of_the_landing() -> None:
+    found = asked(direction="landing", spray_deg=10.0, sidespin_rpm=1500.0)
+    assert found["flight"]["landing_direction_rad"] == pytest.approx(math.radians(10), abs=1e-5)
+    assert found["launch"]["spray_rad"] > math.radians(12)  # the spin bends it back to the left

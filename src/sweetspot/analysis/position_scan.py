@@ -129,9 +129,12 @@ def energy_shares(impacts: Impacts, *, modes: Modes, ball: Ball, closing_speed: 
     """
     incoming = ball.mass * np.asarray(closing_speed, float) ** 2 / 2
     incoming = np.where(incoming > 0, incoming, np.nan)
-    ours = [part / incoming for part in bat_energy(modes, impacts.displacement, impacts.velocity)]
+    translation, rotation, bending, hoop, face = (
+        part / incoming for part in bat_energy(modes, impacts.displacement, impacts.velocity)
+    )
     leaving = impacts.collision_efficiency**2
-    return EnergyShares(leaving, *ours, heat=1 - leaving - np.sum(ours, axis=0))
+    heat = 1 - leaving - translation - rotation - bending - hoop - face
+    return EnergyShares(leaving, translation, rotation, bending, hoop, face, heat)
 
 
 def sting(modes: Modes, *, hands: Hands, displacement: Array, velocity: Array) -> Array:

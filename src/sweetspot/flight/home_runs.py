@@ -10,9 +10,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
+from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence_compiled import FOUL, TABLE_STEP, chances
 from sweetspot.flight.kernel import flight_constants, flight_rows
@@ -99,12 +101,8 @@ def home_run_chances(
     threads : workers; None: one per core.
     """
     everywhere, air = tuple(parks), conditions.one_air
-    airs = [air.replaced(elevation=park.elevation) if own_elevation else air for park in everywhere]
-    density = np.array([one.density for one in airs])
-    nodes = np.linspace(density.min(), density.max(), 3) if np.ptp(density) > ALIKE else density[:1]
-    weights = np.array([_weights(one, nodes) for one in density])
-    fences = np.array([fence_at(park, DIRECTIONS) for park in everywhere]).transpose(1, 0, 2).copy()
-    nearest = min(nearest_fence(park) for park in everywhere)
+    nodes, weights = _airs(everywhere, air, own_elevation)
+    fences, nearest = _fences(everywhere)
     shifts, scatters = np.array([scatter.of(park) for park in everywhere]).T.copy()
     start = flight_rows(motions, conditions)[[0, 1, 2, 3, 4, 5, 6, 7, 8, 10, 11]]
     constants = flight_constants(conditions)
@@ -121,6 +119,22 @@ def home_run_chances(
 
     in_parts(work, len(chance), size=CHUNK, threads=threads)
     return HomeRuns(chance, clearance)
+
+
+@lru_cache(maxsize=64)
+def _airs(parks: tuple[Park, ...], air: Air, own_elevation: bool) -> tuple[Array, Array]:
+    """Return densities at which a ball is flown, and how they mix to the air of each park."""
+    airs = [air.replaced(elevation=park.elevation) if own_elevation else air for park in parks]
+    density = np.array([one.density for one in airs])
+    nodes = np.linspace(density.min(), density.max(), 3) if np.ptp(density) > ALIKE else density[:1]
+    return nodes, np.array([_weights(one, nodes) for one in density])
+
+
+@lru_cache(maxsize=64)
+def _fences(parks: tuple[Park, ...]) -> tuple[Array, float]:
+    """Return distances and heights of the fences as tables, shape (2, parks, directions), and the nearest distance."""
+    fences = np.array([fence_at(park, DIRECTIONS) for park in parks]).transpose(1, 0, 2).copy()
+    return fences, min(nearest_fence(park) for park in parks)
 
 
 def _weights(density: float, nodes: Array) -> list[float]:

@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import replace
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from sweetspot import catalog
-from sweetspot.catalog.aerodynamic_laws import aerodynamics
+from sweetspot.catalog.sports import aerodynamics_of_ball
 from sweetspot.collision.hit_in_space import Contact, strikes
 from sweetspot.equipment.ball import Ball
 from sweetspot.flight.air import Air, Wind
-from sweetspot.flight.all_parks import PATH_POINTS, landings_everywhere
+from sweetspot.flight.all_parks import PATH_POINTS
+from sweetspot.flight.bearing import launched_to
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.flight.fence import landing
 from sweetspot.flight.kernel import Flights, flights
-from sweetspot.flight.park import FOUL_LINE, Park, fence_at
+from sweetspot.flight.park import Park
 from sweetspot.motion.ball_motion import BallMotion, launched
 from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.units import FOOT, INCH, INCH_OF_MERCURY, MPH, RPM
@@ -25,6 +25,7 @@ from sweetspot.web.bats import ball_of, conditions_of, reduced
 from sweetspot.web.drawings import bat_picture
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.view import View
+from sweetspot.web.views.flight_parks import carries, in_parks, outlines, park_json
 from sweetspot.web.views.flight_recipe import flight_lines
 from sweetspot.web.views.flight_state import FlightState
 
@@ -33,80 +34,97 @@ FORWARD = 2 * FOOT
 """m in front of the plate's tip where ball and bat meet."""
 SHOWN = 2
 """Every how many points of a path are handed out."""
-FENCE_POINTS = 91
-
-
-@dataclass(frozen=True)
-class Weather:
-    """What the ball flies through: the air at the chosen field, and the wind."""
-
-    air: Air
-    wind: Wind
 
 
 def answer(state: FlightState) -> dict[str, Any]:
     """Return the path, its end at the fence of the chosen park, and the outcome in every park."""
-    with about("park"):
-        park = catalog.park(state.park)
-    weather, ball = _weather(state, park), ball_of(state)
-    struck = _struck(state, ball) if state.start == "swing" else None
-    ball_motion = launched_by(state) if struck is None else struck["motion"]
-    if ball_motion is None:
-        return {"start": state.start, "missed": True, **_swung(struck), "park": _park(park), "parks": []}
-    flown = _flown(ball_motion, ball=ball, weather=weather)
-    end = landing(flown.positions[0], park)
+    start = _start(state)
+    park, conditions = start.park, start.conditions
+    if start.motion is None:
+        return {"start": state.start, "missed": True, **_swung(start.struck), "park": park_json(park), "parks": []}
+    flown = _flown(start.motion, conditions)
+    own_elevation = state.own_elevation and state.elevation_ft is None  # a chosen elevation is that of every park
     return {
         "start": state.start,
         "missed": False,
-        **_swung(struck),
-        "launch": _launch(ball_motion),
+        **_swung(start.struck),
+        "launch": _launch(start.motion),
         "flight": _flight(flown, 0),
         "without_air": _flight(flown, 1),
         "path": _path(flown, 0),
         "path_without_air": _path(flown, 1),
-        "park": _park(park),
-        "end": {
-            "outcome": end.outcome,
-            "direction_rad": end.direction,
-            "distance_m": end.distance,
-            "height_m": end.height,
-            "clearance_m": end.clearance,
-        },
-        **_parks(ball_motion, ball=ball, weather=weather, own_elevation=_own_elevation(state)),
-        "air_density_kg_m3": weather.air.density,
-        "elevation_m": weather.air.elevation,
+        "park": park_json(park),
+        **in_parks(start.motion, flown.positions[0], conditions=conditions, here=park, own_elevation=own_elevation),
+        "air_density_kg_m3": conditions.one_air.density,
+        "elevation_m": conditions.one_air.elevation,
     }
 
 
-def _own_elevation(state: FlightState) -> bool:
-    """Say whether each park counts with its own air; an elevation that was chosen is that of every park."""
-    return state.own_elevation and state.elevation_ft is None
+def carry_map(state: FlightState) -> dict[str, Any]:
+    """Return carries over exit speed and launch angle, for this ball's spin and direction in this park and weather."""
+    start = _start(state)
+    if start.motion is None:
+        raise FieldError("offset_in", "the bat misses the ball; there is nothing to map")
+    return carries(start.motion, conditions=start.conditions, park=start.park)
 
 
-def launched_by(state: FlightState) -> BallMotion:
+def fences(_: FlightState) -> dict[str, Any]:
+    """Return the fences of every park."""
+    return {"parks": outlines()}
+
+
+class _Start(NamedTuple):
+    """How the ball leaves, into what, and where; the motion is None where the bat misses it."""
+
+    park: Park
+    conditions: FlightConditions
+    struck: dict[str, Any] | None
+    motion: BallMotion | None
+
+
+def _start(state: FlightState) -> _Start:
+    with about("park"):
+        park = catalog.park(state.park)
+    ball = ball_of(state)
+    conditions = _conditions(state, park, ball)
+    struck = _struck(state, ball) if state.start == "swing" else None
+    motion = launched_by(state, conditions) if struck is None else struck["motion"]
+    return _Start(park, conditions, struck, motion)
+
+
+def launched_by(state: FlightState, conditions: FlightConditions) -> BallMotion:
     """Return the ball as the controls say that it leaves the bat."""
+    speed, up, spins = state.exit_speed_mph * MPH, math.radians(state.launch_angle_deg), _spins(state)
+    place, spray = (0.0, FORWARD, state.height_ft * FOOT), math.radians(state.spray_deg)
+    if state.direction == "landing":
+        found, _ = launched_to(
+            spray, exit_speed=speed, launch_angle=up, conditions=conditions, spins=spins, position=place
+        )
+        if not math.isfinite(found[0]):
+            raise FieldError("spray_deg", "no launch direction brings this ball down there; ask for another one")
+        spray = float(found[0])
     return launched(
-        speed=state.exit_speed_mph * MPH,
-        launch_angle=math.radians(state.launch_angle_deg),
-        spray=math.radians(state.spray_deg),
-        backspin=state.backspin_rpm * RPM,
-        sidespin=state.sidespin_rpm * RPM,
-        position=(0.0, FORWARD, state.height_ft * FOOT),
-    )
+        speed=speed, launch_angle=up, spray=spray, backspin=spins[0], sidespin=spins[1], position=place
+    )  # fmt: skip
 
 
-def _weather(state: FlightState, park: Park) -> Weather:
+def _spins(state: FlightState) -> tuple[float, float]:
+    return state.backspin_rpm * RPM, state.sidespin_rpm * RPM
+
+
+def _conditions(state: FlightState, park: Park, ball: Ball) -> FlightConditions:
     elevation = park.elevation if state.elevation_ft is None else state.elevation_ft * FOOT
     with about("pressure_inhg"):
-        return Weather(
-            Air(
-                temperature=(state.temperature_degf - 32) / 1.8,
-                pressure=state.pressure_inhg * INCH_OF_MERCURY,
-                humidity=state.relative_humidity,
-                elevation=elevation,
-            ),
-            Wind(speed=state.wind_speed_mph * MPH, direction=math.radians(state.wind_direction_deg)),
+        air = Air(
+            temperature=(state.temperature_degf - 32) / 1.8,
+            pressure=state.pressure_inhg * INCH_OF_MERCURY,
+            humidity=state.relative_humidity,
+            elevation=elevation,
         )
+    wind = Wind(speed=state.wind_speed_mph * MPH, direction=math.radians(state.wind_direction_deg))
+    with about("ball"):
+        law = aerodynamics_of_ball(state.ball)
+    return FlightConditions(ball=ball, aerodynamics=law, air=air, wind=wind)
 
 
 def _struck(state: FlightState, ball: Ball) -> dict[str, Any]:
@@ -157,15 +175,10 @@ def _swung(struck: dict[str, Any] | None) -> dict[str, Any]:
     return {"swing": swing, "bat": struck["bat"]}
 
 
-def _flown(motion: BallMotion, *, ball: Ball, weather: Weather) -> Flights:
+def _flown(motion: BallMotion, conditions: FlightConditions) -> Flights:
     """Return the flight in this air, and in none."""
-    return flights(
-        motion,
-        FlightConditions(
-            ball=ball, aerodynamics=aerodynamics(), air=np.array([weather.air.density, 0.0]), wind=weather.wind
-        ),
-        path_points=PATH_POINTS,
-    )
+    airs = replace(conditions, air=np.array([conditions.one_air.density, 0.0]))
+    return flights(motion, airs, path_points=PATH_POINTS)
 
 
 def _launch(motion: BallMotion) -> dict[str, float]:
@@ -194,52 +207,14 @@ def _flight(flown: Flights, row: int) -> dict[str, float]:
 
 def _path(flown: Flights, row: int) -> dict[str, Any]:
     place = flown.positions[row, ::SHOWN]
-    return {
+    columns = {
         "time_s": flown.times[row, ::SHOWN],
         "right_m": place[:, 0],
         "out_m": place[:, 1],
         "up_m": place[:, 2],
         "distance_m": np.hypot(place[:, 0], place[:, 1]),
     }
+    return {name: np.round(values, 4) for name, values in columns.items()}
 
 
-def _park(park: Park) -> dict[str, Any]:
-    directions = np.linspace(-FOUL_LINE, FOUL_LINE, FENCE_POINTS)
-    distance, height = fence_at(park, directions)
-    return {
-        "name": park.name,
-        "team": park.team,
-        "city": park.city,
-        "roof": park.roof,
-        "elevation_m": park.elevation,
-        "direction_rad": directions,
-        "right_m": distance * np.sin(directions),
-        "out_m": distance * np.cos(directions),
-        "distance_m": distance,
-        "height_m": height,
-    }
-
-
-def _parks(motion: BallMotion, *, ball: Ball, weather: Weather, own_elevation: bool) -> dict[str, Any]:
-    """Return the outcome in every park, and in how many the ball is out."""
-    parks = catalog.parks()
-    ends = landings_everywhere(
-        motion,
-        FlightConditions(ball=ball, aerodynamics=aerodynamics(), air=weather.air, wind=weather.wind),
-        parks=parks,
-        own_elevation=own_elevation,
-    )
-    rows = [
-        {
-            "park": park.name,
-            "team": park.team,
-            "outcome": str(end.outcome.flat[0]),
-            "clearance_m": float(end.clearance.flat[0]),
-            "distance_m": float(end.distance.flat[0]),
-        }
-        for park, end in zip(parks, ends, strict=True)
-    ]
-    return {"parks": rows, "out_in": sum(row["outcome"] == "home run" for row in rows), "of": len(rows)}
-
-
-VIEW = View("flight", "Flight", FlightState, answer, flight_lines)
+VIEW = View("flight", "Flight", FlightState, answer, flight_lines, asides={"map": carry_map, "fences": fences})

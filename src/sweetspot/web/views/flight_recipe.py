@@ -26,7 +26,7 @@ def _ball_options(state: FlightState) -> str:
     return _options(
         exit_speed=f"{state.exit_speed_mph:.12g}mph",
         launch_angle=f"{state.launch_angle_deg:.12g}deg",
-        spray=f"{state.spray_deg:.12g}deg",
+        **{"bearing" if state.direction == "landing" else "spray": f"{state.spray_deg:.12g}deg"},
         backspin=f"{state.backspin_rpm:.12g}rpm",
         sidespin=f"{state.sidespin_rpm:.12g}rpm",
         height=f"{state.height_ft:.12g}ft",
@@ -72,14 +72,24 @@ def _field_python(state: FlightState) -> str:
     return (
         f"park = catalog.park({state.park!r})\n"
         f"air = Air(temperature=({state.temperature_degf!r} - 32) / 1.8, humidity={state.relative_humidity!r},\n"
-        f"          pressure={state.pressure_inhg!r} * INCH_OF_MERCURY, elevation={elevation})\n"
+        f"          pressure={state.pressure_inhg!r} * 3386.389, elevation={elevation})\n"
         f"wind = Wind(speed={state.wind_speed_mph!r} * MPH, direction=radians({state.wind_direction_deg!r}))\n"
-        f"through = FlightConditions(ball=catalog.ball({state.ball!r}), aerodynamics=catalog.aerodynamics(),\n"
-        "                           air=air, wind=wind)\n"
+        f"through = FlightConditions(ball=catalog.ball({state.ball!r}),\n"
+        f"                           aerodynamics=catalog.aerodynamics_of_ball({state.ball!r}), air=air, wind=wind)\n"
     )
 
 
 def _ball_python(state: FlightState) -> str:
+    spray, solved = f"radians({state.spray_deg!r})", ""
+    if state.direction == "landing":
+        solved = (
+            "from sweetspot.flight.bearing import launched_to\n\n"
+            f"sprays, _ = launched_to(radians({state.spray_deg!r}), exit_speed={state.exit_speed_mph!r} * MPH,\n"
+            f"                        launch_angle=radians({state.launch_angle_deg!r}), conditions=through,\n"
+            f"                        spins=({state.backspin_rpm!r} * RPM, {state.sidespin_rpm!r} * RPM),\n"
+            f"                        position=(0, 2 * FOOT, {state.height_ft!r} * FOOT))\n"
+        )
+        spray = "float(sprays[0])"
     return (
         "from math import radians\n"
         "from sweetspot import FlightConditions, catalog\n"
@@ -87,12 +97,13 @@ def _ball_python(state: FlightState) -> str:
         "from sweetspot.flight.fence import landing\n"
         "from sweetspot.flight.trajectory import fly\n"
         "from sweetspot.motion.ball_motion import launched\n"
-        "from sweetspot.units import FOOT, INCH_OF_MERCURY, MPH, RPM\n\n"
+        "from sweetspot.units import FOOT, MPH, RPM\n\n"
+        f"{_field_python(state)}"
+        f"{solved}"
         f"motion = launched(speed={state.exit_speed_mph!r} * MPH, launch_angle=radians({state.launch_angle_deg!r}),\n"
-        f"                  spray=radians({state.spray_deg!r}), backspin={state.backspin_rpm!r} * RPM,\n"
+        f"                  spray={spray}, backspin={state.backspin_rpm!r} * RPM,\n"
         f"                  sidespin={state.sidespin_rpm!r} * RPM,\n"
         f"                  position=(0, 2 * FOOT, {state.height_ft!r} * FOOT))\n"
-        f"{_field_python(state)}"
         "flight = fly(motion, through)\n"
         "print(flight.carry, flight.hang_time, landing(flight.positions, park))\n"
     )
@@ -108,7 +119,7 @@ def _swing_python(state: FlightState) -> str:
         "from sweetspot.motion.ball_motion import launched\n"
         "from sweetspot.analysis.full_play import play\n"
         "from sweetspot.motion.swing_path import SwingPath\n"
-        "from sweetspot.units import FOOT, INCH_OF_MERCURY, RPM\n\n"
+        "from sweetspot.units import FOOT, RPM\n\n"
         f"path = SwingPath(attack_angle=radians({state.attack_angle_deg!r}), tilt=radians({state.tilt_deg!r}),\n"
         f'                 attack_direction=radians({state.attack_direction_deg!r}), bats="{state.batter}")\n'
         f"pitch = launched(speed=conditions.pitch.speed, launch_angle=radians({state.pitch_angle_deg!r}), spray=pi,\n"

@@ -17,6 +17,9 @@ class FlightState(HitState):
     exit_speed_mph: float = Field(98.0, ge=20, le=125)
     launch_angle_deg: float = Field(28.0, ge=-30, le=80)
     spray_deg: float = Field(-15.0, ge=-60, le=60, description="from centre field, positive to right field")
+    direction: Literal["launch", "landing"] = Field(
+        "launch", description="spray is that off the bat, or of the landing"
+    )
     backspin_rpm: float = Field(2200.0, ge=-5000, le=6000, description="positive lifts the ball")
     sidespin_rpm: float = Field(0.0, ge=-5000, le=5000, description="positive bends the path to the left")
     height_ft: float = Field(3.0, ge=0.5, le=7, description="of the ball at contact")

@@ -1,0 +1,130 @@
+"""What one batted ball does in every park, and balls hit harder and higher in the chosen one."""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from sweetspot import catalog
+from sweetspot.flight.conditions import FlightConditions
+from sweetspot.flight.fence import landing
+from sweetspot.flight.home_runs import NONE, home_run_chances
+from sweetspot.flight.kernel import flights
+from sweetspot.flight.park import FOUL_LINE, Park, fence_at
+from sweetspot.motion.ball_motion import BallMotion, BallMotions, spin_axes
+from sweetspot.numerics.arrays import Array
+from sweetspot.units import DEGREE, MPH
+
+FENCE_POINTS = 91
+SPEEDS = np.arange(50.0, 121.0, 3.0) * MPH
+ANGLES = np.arange(-5.0, 66.0, 3.0) * DEGREE
+"""Exit speeds and launch angles of the map."""
+
+
+def park_json(park: Park) -> dict[str, Any]:
+    """Return a park with its fence."""
+    return _park_json(park)
+
+
+@lru_cache(maxsize=64)
+def _park_json(park: Park) -> dict[str, Any]:
+    directions = np.linspace(-FOUL_LINE, FOUL_LINE, FENCE_POINTS)
+    distance, height = fence_at(park, directions)
+    return {
+        "name": park.name,
+        "team": park.team,
+        "city": park.city,
+        "roof": park.roof,
+        "elevation_m": park.elevation,
+        "direction_rad": np.round(directions, 5),
+        "right_m": np.round(distance * np.sin(directions), 2),
+        "out_m": np.round(distance * np.cos(directions), 2),
+        "distance_m": np.round(distance, 2),
+        "height_m": np.round(height, 2),
+    }
+
+
+def in_parks(
+    motion: BallMotion, path: Array, *, conditions: FlightConditions, here: Park, own_elevation: bool
+) -> dict[str, Any]:
+    """Return the outcome of one ball in every park, in how many it is out, and its chances with the scatter of flights.
+
+    Parameters
+    ----------
+    path : m, shape (points, 3), of this very flight, which says where it ends in the park ``here``.
+    """
+    parks = catalog.parks()
+    law = home_run_chances(motion, conditions, parks=parks, own_elevation=own_elevation, scatter=NONE)
+    chance = home_run_chances(motion, conditions, parks=parks, own_elevation=own_elevation)
+    end = landing(path, here)
+    foul = end.outcome == "foul"
+    down = float(np.hypot(*path[-1, :2]))
+    rows = []
+    for index, park in enumerate(parks):
+        distance, height = _fence_to(park, end.direction)
+        above = float(law.clearance[0, index])
+        over, reached = above > 0 and not foul, math.isfinite(above) and above > -height and not foul
+        rows.append(
+            {
+                "park": park.name,
+                "team": park.team,
+                "outcome": "foul" if foul else "home run" if over else "off the wall" if reached else "in play",
+                "clearance_m": above if reached else None,
+                "distance_m": distance if reached else down,
+                "chance": 0.0 if foul else float(chance.chance[0, index]),
+            }
+        )
+    own = home_run_chances(motion, conditions, parks=(here,), own_elevation=False)
+    return {
+        "parks": rows,
+        "out_in": sum(row["outcome"] == "home run" for row in rows),
+        "of": len(rows),
+        "expected_out_in": sum(row["chance"] for row in rows),
+        "chance": 0.0 if foul else float(own.chance[0, 0]),
+        "end": {
+            "outcome": end.outcome,
+            "direction_rad": end.direction,
+            "distance_m": end.distance,
+            "height_m": end.height,
+            "clearance_m": end.clearance,
+        },
+    }
+
+
+@lru_cache(maxsize=4096)
+def _fence_at(park: Park, step: int) -> tuple[float, float]:
+    distance, height = fence_at(park, step * DEGREE / 4)
+    return float(distance), float(height)
+
+
+def _fence_to(park: Park, direction: float) -> tuple[float, float]:
+    """Return distance and height of a fence in a direction, to a quarter of a degree."""
+    return _fence_at(park, round(min(FOUL_LINE, max(-FOUL_LINE, direction)) / DEGREE * 4))
+
+
+def carries(motion: BallMotion, *, conditions: FlightConditions, park: Park) -> dict[str, Any]:
+    """Return carry, and chance of a home run in a park, of balls hit harder and higher with this spin and direction."""
+    speed, angle = (axis.ravel() for axis in np.meshgrid(SPEEDS, ANGLES))
+    axes = spin_axes(angle, motion.spray)
+    many = BallMotions(
+        velocity=speed[:, None] * axes[2],
+        spin=motion.backspin * axes[0] + motion.sidespin * axes[1],
+        position=motion.position,
+    )
+    shape = (len(ANGLES), len(SPEEDS))
+    flown = flights(many, conditions)
+    chance = home_run_chances(many, conditions, parks=(park,), own_elevation=False).chance
+    return {
+        "exit_speed_m_s": SPEEDS,
+        "launch_angle_rad": ANGLES,
+        "carry_m": np.round(flown.carry.reshape(shape), 2),
+        "chance": np.round(chance.reshape(shape), 4),
+    }
+
+
+def outlines() -> list[dict[str, Any]]:
+    """Return the fences of every park as seen from above."""
+    return [{name: park_json(park)[name] for name in ("name", "right_m", "out_m")} for park in catalog.parks()]
