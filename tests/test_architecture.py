@@ -49,6 +49,7 @@ HOMES = {
     "emcee": ("player/",),
     "ezdxf": ("report/drawing/", "calibration/outline/"),
     "fontTools": ("calibration/outline/",),
+    "PIL": ("calibration/outline/photo/",),
 }
 """Third parties and the places that may import them."""
 

@@ -24,6 +24,7 @@ def outline(
         str,
         Parameter(
             help="What holds the outline: a CSV with columns like in_from_tip and diameter_mm, a drawing (SVG, DXF), "
+            "a photograph (JPEG, PNG) of the bat on a plain ground, "
             "or, to draw it, a bat file or a name of the catalogue."
         ),
     ],
@@ -32,6 +33,12 @@ def outline(
     length: Annotated[
         str | None,
         Parameter(help="Of the bat: 34in; needed where places count from the tip or nothing else has units."),
+    ] = None,
+    ruler: Annotated[
+        str | None, Parameter(help="Whole length of a straight ruler beside the bat in a photograph: 30cm.")
+    ] = None,
+    camera_distance: Annotated[
+        str | None, Parameter(help="From camera to bat: 2.5m; default: as the photograph's lens tells.")
     ] = None,
     material: Annotated[str, Parameter(help="Material of the catalogue.")] = "white-ash",
     name: Annotated[str | None, Parameter(help="What to call the bat; default: the file's name.")] = None,
@@ -46,14 +53,15 @@ def outline(
     ] = None,
     format: Annotated[Format, Parameter(name="--format", help="table for people, json or csv for programs.")] = "table",
 ) -> int:
-    """Turn diameters measured from either end in any unit, or a drawing, into a bat file, and bats into drawings."""
+    """Turn a table of diameters, a drawing or a photograph into a bat file, and bats into drawings."""
     from sweetspot.cli.options.output import OutputOptions
     from sweetspot.cli.output import present
     from sweetspot.dynamics.beam import beam_model
     from sweetspot.dynamics.rigid import rigid_body
     from sweetspot.report.calibration.outline_report import outline_document
 
-    measured, bat = _measured(source, length=length, material=material, name=name)
+    sizes = {"length": length, "ruler": ruler, "camera_distance": camera_distance}
+    measured, bat = _measured(source, sizes, material=material, name=name)
     document = outline_document(measured, bat, rigid_body(beam_model(bat)))
     contents = {path: _content(path, bat, document.reader_of(units)) for path in out or []}
     if contents:
@@ -65,8 +73,8 @@ def outline(
     return present(document, OutputOptions(format=format, units=units))
 
 
-def _measured(source: str, *, length: str | None, material: str, name: str | None) -> tuple[Outline, Bat]:
-    """Return the outline and its bat: of a table or drawing, of a bat file, or of the catalogue."""
+def _measured(source: str, sizes: dict[str, str | None], *, material: str, name: str | None) -> tuple[Outline, Bat]:
+    """Return the outline and its bat: of a table, drawing or photograph, of a bat file, or of the catalogue."""
     from sweetspot import catalog
     from sweetspot.calibration.outline.measured_outline import Outline
     from sweetspot.calibration.outline.outline_file import ENDINGS, read_outline
@@ -74,15 +82,19 @@ def _measured(source: str, *, length: str | None, material: str, name: str | Non
     from sweetspot.units import parse
 
     if Path(source).suffix.lower() in ENDINGS:
-        given = None if length is None else parse(length, "length", "--length")
-        measured = read_outline(Path(source), length=given)
+        given = {
+            what: parse(text, "length", f"--{what.replace('_', '-')}")
+            for what, text in sizes.items()
+            if text is not None
+        }
+        measured = read_outline(Path(source), **given)
         bat = Bat(
             name=name or Path(source).stem, length=measured.profile[-1][0], material=catalog.material(material),
             profile=measured.profile,
         )  # fmt: skip
         return measured, bat
-    if length is not None:
-        raise InputError(f"--length was given, but {source} is a bat and has its own; leave it out")
+    if any(sizes.values()):
+        raise InputError(f"--length or --ruler was given, but {source} is a bat and has its own; leave it out")
     from sweetspot.report.drawing.contour import outline_stations
 
     bat = catalog.load_bat(source)

@@ -7,20 +7,25 @@ from pathlib import Path
 from sweetspot.calibration.outline.curves import outline_of_curves
 from sweetspot.calibration.outline.dxf_file import dxf_curves
 from sweetspot.calibration.outline.measured_outline import Outline
+from sweetspot.calibration.outline.photo.photo_outline import read_photo
 from sweetspot.calibration.outline.station_table import read_stations
 from sweetspot.calibration.outline.svg_file import svg_curves
 from sweetspot.errors import InputError
 
 TABLES, DRAWINGS = (".csv", ".txt", ".tsv"), (".svg", ".dxf")
-ENDINGS = TABLES + DRAWINGS
+PHOTOGRAPHS = (".jpg", ".jpeg", ".png", ".tif", ".tiff", ".webp", ".bmp")
+ENDINGS = TABLES + DRAWINGS + PHOTOGRAPHS
 
 
-def read_outline(path: Path, *, length: float | None = None) -> Outline:
-    """Return the outline that a file holds: a table of stations (CSV) or a drawing (SVG, DXF).
+def read_outline(
+    path: Path, *, length: float | None = None, ruler: float | None = None, camera_distance: float | None = None
+) -> Outline:
+    """Return the outline that a file holds: a table of stations (CSV), a drawing (SVG, DXF) or a photograph.
 
     Parameters
     ----------
     length : m of the bat; needed where places count from the tip, and where a drawing has no units.
+    ruler, camera_distance : m, of photographs only; see `sweetspot.calibration.outline.photo.photo_outline.read_photo`.
 
     Raises
     ------
@@ -28,6 +33,10 @@ def read_outline(path: Path, *, length: float | None = None) -> Outline:
         for another ending, and when the file holds no outline.
     """
     ending = path.suffix.lower()
+    if ending in PHOTOGRAPHS:
+        return read_photo(path, length=length, ruler=ruler, camera_distance=camera_distance)
+    if ruler is not None or camera_distance is not None:
+        raise InputError(f"--ruler and --camera-distance are for photographs; {path} is none")
     if ending in TABLES:
         return read_stations(path, length=length)
     if ending in DRAWINGS:

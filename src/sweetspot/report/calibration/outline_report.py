@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
+from sweetspot.calibration.measured import REACH
 from sweetspot.calibration.outline.measured_outline import Outline
+from sweetspot.calibration.outline.photo.photo_outline import PhotoOutline
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.bat import Bat
-from sweetspot.report.document import Document, Paragraph
+from sweetspot.report.document import Block, Document, Paragraph
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.sentences import Sentence, Slot, joined, say
 
@@ -16,9 +18,41 @@ def outline_document(outline: Outline, bat: Bat, body: RigidBody) -> Document:
     """Return an outline as an answer: how thick the bat is, what it would weigh, what was not measured."""
     data = outline_json(outline, bat, body)
     rows = {name: data["profile"][name] for name in ("position_m", "diameter_m")}
-    notes = [Paragraph(words, "note") for words in outline.notes]
+    if isinstance(outline, PhotoOutline):
+        data |= photo_json(outline)
+    notes: list[Block] = [Paragraph(words, "note") for words in outline.notes]
+    if isinstance(outline, PhotoOutline):
+        notes.insert(0, Paragraph(photo_words(outline)))
     blocks = [Paragraph(outline_words(outline, bat, body)), *notes]
     return Document(name="outline", title=bat.name, blocks=blocks, data=data, rows=rows)
+
+
+def photo_json(outline: PhotoOutline) -> dict[str, Any]:
+    """Return how sure an outline from a photograph is, SI."""
+    return cleaned(
+        {
+            "pixel_m": outline.pixel,
+            "edge_scatter_m": outline.edge_scatter,
+            "axis_bend_m": outline.axis_bend,
+            "diameter_error_m": outline.diameter_error,
+            "place_error_m": outline.place_error,
+            "camera_distance_m": outline.camera_distance,
+        }
+    )
+
+
+def photo_words(outline: PhotoOutline) -> Sentence:
+    """Return in words how sure the diameters of a photograph are, and what its edges look like."""
+    errors = sorted(outline.diameter_error)
+    usual, most = (REACH * errors[int(part * (len(errors) - 1))] for part in (0.5, 0.9))
+    return say(
+        "From the photograph: a pixel is {pixel}; its edges scatter by {scatter} (rms) and the axis is straight to "
+        "{bend}. Half of the diameters are sure to ± {usual}, nine tenths to ± {most}, places along the bat to ± "
+        "{place}: where it is steep, these decide (90 % intervals).",
+        pixel=Slot(outline.pixel, "compression", 2), scatter=Slot(outline.edge_scatter, "compression", 2),
+        bend=Slot(outline.axis_bend, "compression", 2), usual=Slot(usual, "compression"),
+        most=Slot(most, "compression"), place=Slot(REACH * outline.place_error, "compression"),
+    )  # fmt: skip
 
 
 def outline_json(outline: Outline, bat: Bat, body: RigidBody) -> dict[str, Any]:

@@ -1,0 +1,1 @@
+"""A bat's outline from a photograph of it on a plain ground."""

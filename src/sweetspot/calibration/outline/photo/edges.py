@@ -1,0 +1,179 @@
+"""The bat's two edges in a photograph to a part of a pixel: where the colour is half way from ground to bat."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.ndimage
+import scipy.signal
+
+from sweetspot.calibration.outline.photo.silhouette import Shape
+from sweetspot.numerics.arrays import Array
+
+STEP = 0.5
+"""Pixels between samples across the bat."""
+BEYOND = 1.5
+"""Of the greatest half width, that is looked at to either side."""
+NEAR_IN, NEAR_OUT = (1.5, 3.5), (2.5, 6.0)
+"""Pixels from an edge between which the colours of bat and ground are taken."""
+REFINED = 3.0
+"""Pixels by which the colours may move an edge."""
+WINDOW = 0.01
+"""Of the length, over which edges are smoothed."""
+OUTLIER = 4.0
+"""Median deviations from the running median beyond which an edge is not believed."""
+ROUNDS = 3
+
+
+@dataclass(frozen=True)
+class Edges:
+    """A bat's edges along its axis, in pixels.
+
+    Parameters
+    ----------
+    place : from the first end, shape (n,), one pixel apart.
+    width : between the edges, smoothed, shape (n,).
+    scatter : rms of the single edges about the smooth ones.
+    bend : rms of the middle about a straight line.
+    length : from end to end.
+    start, end : ends of the axis, (column, row).
+    """
+
+    place: Array
+    width: Array
+    scatter: float
+    bend: float
+    length: float
+    start: Array
+    end: Array
+
+
+def find_edges(pixels: Array, difference: Array, bat: Shape) -> Edges:
+    """Return the edges of a bat whose shape is known coarsely.
+
+    Parameters
+    ----------
+    pixels : colours, shape (rows, columns, 3).
+    difference : from the ground without shadows, shape (rows, columns).
+    bat : its coarse shape.
+    """
+    start, end = bat.start.astype(float), bat.end.astype(float)
+    left = right = np.zeros(0)
+    for _ in range(ROUNDS):  # the axis is first known from a coarse picture
+        start, end = sharp_ends(difference, start, end, bat.width.max())
+        left, right = _flanks(pixels, difference, start, end, bat)
+        count = len(left)
+        inner = slice(count // 20, -count // 20)
+        middle = (left + right) / 2
+        slope, offset = np.polyfit(np.arange(count)[inner], middle[inner], 1)
+        across = _directions(start, end)[1]
+        start, end = start + across * offset, end + across * (offset + slope * (count - 1))
+        if abs(offset) + abs(slope * count) < 0.02:
+            break
+    window = max(7, 2 * (int(WINDOW * len(left)) // 2) + 1)
+    smooth_left, smooth_right = _smooth(left, window), _smooth(right, window)
+    scatter = float(np.sqrt(np.median((left - smooth_left) ** 2 + (right - smooth_right) ** 2) / 2) * 1.4826)
+    middle = (smooth_left + smooth_right)[inner] / 2
+    straight = np.polyval(np.polyfit(np.arange(len(middle)), middle, 1), np.arange(len(middle)))
+    return Edges(
+        place=np.arange(len(left), dtype=np.float64) + 0.5,
+        width=np.maximum(smooth_right - smooth_left, 0.0), scatter=scatter,
+        bend=float(np.std(middle - straight)), length=float(np.hypot(*(end - start))), start=start, end=end,
+    )  # fmt: skip
+
+
+def _directions(start: Array, end: Array) -> tuple[Array, Array]:
+    along = (end - start) / np.hypot(*(end - start))
+    return along, np.array([-along[1], along[0]])
+
+
+def _sampled(image: Array, places: Array) -> Array:
+    """Return an image's values at (column, row) places, linear between pixels, shape (..., channels)."""
+    coordinates = [places[..., 1], places[..., 0]]
+    channels = image[..., None] if image.ndim == 2 else image
+    values = [scipy.ndimage.map_coordinates(channels[..., k], coordinates, order=1, mode="nearest")
+              for k in range(channels.shape[-1])]  # fmt: skip
+    return np.stack(values, axis=-1)
+
+
+def sharp_ends(difference: Array, start: Array, end: Array, width: float) -> tuple[Array, Array]:
+    """Return the ends where, in the middle of the bat, the difference is half that inside."""
+    along, across = _directions(start, end)
+    reach = np.arange(-width, width, STEP)
+    found = []
+    for point, outward in ((start, -along), (end, along)):
+        side = np.linspace(-0.06, 0.06, 7) * width
+        places = point + reach[:, None, None] * outward + side[None, :, None] * across
+        values = _sampled(difference, places)[..., 0].mean(axis=1)
+        inside = np.median(values[(reach < -0.3 * width)])
+        outside = np.median(values[reach > 0.4 * width])
+        found.append(point + outward * _crossing(reach, values, (inside + outside) / 2, int(np.argmin(np.abs(reach)))))
+    return found[0], found[1]
+
+
+def _crossing(reach: Array, values: Array, level: float, near: int) -> float:
+    """Return where values, high first, fall below a level nearest to an index."""
+    falls = np.flatnonzero((values[:-1] >= level) & (values[1:] < level))
+    if not len(falls):
+        return float(reach[near])
+    index = int(falls[np.argmin(np.abs(falls - near))])
+    part = (values[index] - level) / (values[index] - values[index + 1])
+    return float(reach[index] + part * (reach[index + 1] - reach[index]))
+
+
+def _flanks(pixels: Array, difference: Array, start: Array, end: Array, bat: Shape) -> tuple[Array, Array]:
+    """Return the places of both edges across the axis, one pair per pixel of length."""
+    along, across = _directions(start, end)
+    place = np.arange(int(np.hypot(*(end - start)))) + 0.5
+    half = BEYOND * bat.width.max() / 2 + 2 * NEAR_OUT[1]
+    reach = np.arange(-half, half + STEP / 2, STEP)
+    points = start + place[:, None, None] * along + reach[None, :, None] * across
+    signal = scipy.ndimage.gaussian_filter1d(_sampled(difference, points)[..., 0], 1.0 / STEP, axis=1)
+    colours = scipy.ndimage.gaussian_filter1d(_sampled(pixels, points), 0.5 / STEP, axis=1)
+    widths = np.interp(place, np.linspace(0, len(place), len(bat.width)), bat.width)
+    edges = [
+        _one_flank(side * reach[::side], signal[:, ::side], colours[:, ::side], widths / 2) * side for side in (-1, 1)
+    ]
+    return edges[0], edges[1]
+
+
+def _one_flank(reach: Array, signal: Array, colours: Array, expected: Array) -> Array:
+    """Return where the bat ends on the side to which ``reach`` grows, one place per row."""
+    inside = np.abs(reach) < 0.3 * expected[:, None]
+    counts = np.maximum(inside.sum(axis=1), 1)
+    level_in = (signal * inside).sum(axis=1) / counts
+    outside = reach > (BEYOND - 0.25) * expected.max()
+    level = (level_in + np.median(signal[:, outside], axis=1)) / 2
+    found = np.empty(len(signal))
+    for row, (values, half) in enumerate(zip(signal, expected, strict=True)):
+        found[row] = _crossing(reach, values, level[row], int(np.argmin(np.abs(reach - half))))
+    return _refined(reach, colours, found)
+
+
+def _refined(reach: Array, colours: Array, edge: Array) -> Array:
+    """Return edges moved out to where the colour differs from the ground beside it half as much as the bat's does."""
+    distance = reach[None, :] - edge[:, None]
+    near_in = (-distance > NEAR_IN[0]) & (-distance < NEAR_IN[1])
+    near_out = (distance > NEAR_OUT[0]) & (distance < NEAR_OUT[1])
+    level_in, level_out = (
+        np.einsum("ij,ijk->ik", near, colours) / np.maximum(near.sum(axis=1), 1)[:, None]
+        for near in (near_in, near_out)
+    )
+    apart = np.sqrt(np.sum((level_in - level_out) ** 2, axis=1))
+    part = np.sqrt(np.sum((colours - level_out[:, None, :]) ** 2, axis=2)) / np.maximum(apart, 1e-6)[:, None]
+    falls = (part[:, :-1] >= 0.5) & (part[:, 1:] < 0.5) & (np.abs(distance[:, :-1]) < REFINED)
+    last = falls.shape[1] - 1 - np.argmax(falls[:, ::-1], axis=1)
+    row = np.arange(len(edge))
+    here, there = part[row, last], part[row, last + 1]
+    moved = reach[last] + (here - 0.5) / np.where(here > there, here - there, 1.0) * STEP
+    return np.asarray(np.where(falls.any(axis=1), moved, edge))
+
+
+def _smooth(edge: Array, window: int) -> Array:
+    """Return an edge without outliers, smoothed by running parabolas."""
+    running = scipy.ndimage.median_filter(edge, size=window, mode="nearest")
+    off = np.abs(edge - running)
+    limit = OUTLIER * max(float(np.median(off)), 0.1)
+    kept = np.where(off > limit, running, edge)
+    return np.asarray(scipy.signal.savgol_filter(kept, window, 2, mode="interp"))

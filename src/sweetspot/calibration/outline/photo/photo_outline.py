@@ -1,0 +1,147 @@
+"""From a photograph to an outline in metres, and how sure it is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from sweetspot.calibration.outline.measured_outline import Outline, knob_first, simplified
+from sweetspot.calibration.outline.photo.edges import Edges, find_edges, sharp_ends
+from sweetspot.calibration.outline.photo.ground import differences
+from sweetspot.calibration.outline.photo.picture import Picture, read_picture
+from sweetspot.calibration.outline.photo.silhouette import find_bat, find_ruler, find_shapes
+from sweetspot.equipment.bat import DIAMETER_RANGE
+from sweetspot.errors import InputError
+from sweetspot.numerics.arrays import Array
+
+TOLERANCE = 1e-4
+"""m of diameter, by which fewer stations may differ from the edges."""
+STATIONS = 120
+"""At most, of a bat file."""
+PIXEL = 0.5
+"""One sigma of an edge in pixels, common to all places: sharpening, bloom, the curve of the colours (assumed)."""
+LENGTH_ERROR, RULER_ERROR = 1.5e-3, 1e-3
+"""m, one sigma of a bat's length as people give it, and of a ruler's (assumed)."""
+END_HEIGHT = 0.7
+"""Of the radius near an end: how high above the axis lies what is seen of it at the outermost (assumed)."""
+FROM, NEAREST = 2.5, 0.5
+"""m from camera to bat: where it is not known (assumed), and at least."""
+
+
+@dataclass(frozen=True)
+class PhotoOutline(Outline):
+    """An outline from a photograph.
+
+    Parameters
+    ----------
+    pixel : m of a pixel.
+    edge_scatter : rms of single edges about smooth ones, m.
+    axis_bend : rms of the bat's middle about a straight line, m.
+    diameter_error : one sigma of diameters, m, shape (stations,).
+    place_error : one sigma of places along the bat, m.
+    camera_distance : m from camera to bat as the lens tells it or as given; None: not known.
+    """
+
+    pixel: float = 0.0
+    edge_scatter: float = 0.0
+    axis_bend: float = 0.0
+    diameter_error: tuple[float, ...] = ()
+    place_error: float = 0.0
+    camera_distance: float | None = None
+
+
+def read_photo(
+    path: Path, *, length: float | None = None, ruler: float | None = None, camera_distance: float | None = None
+) -> PhotoOutline:
+    """Return the outline of a bat on a plain ground, photographed from above.
+
+    Parameters
+    ----------
+    length : m of the bat; or
+    ruler : m of the whole of a straight ruler that lies beside it.
+    camera_distance : m from camera to bat, for what a near camera sees of its ends; None: as its lens tells.
+
+    Raises
+    ------
+    InputError
+        when nothing tells the scale, or the picture shows no bat or no ruler.
+    """
+    if (length is None) == (ruler is None):
+        raise InputError(f"{path} needs a scale: give the bat's --length, or the length of a --ruler beside it")
+    if camera_distance is not None and not camera_distance >= NEAREST:
+        raise InputError(f"--camera-distance was given as {camera_distance:g} m; allowed is {NEAREST:g} m or more")
+    picture = read_picture(path)
+    with_shadows, without = differences(picture)
+    shapes = [*find_shapes(without), *find_shapes(with_shadows)]
+    bat = find_bat(shapes, picture.name)
+    edges = find_edges(picture.colours if picture.opacity is None else picture.opacity[..., None], without, bat)
+    if length is not None:
+        scale, scale_error = length / edges.length, LENGTH_ERROR / length
+    else:
+        assert ruler is not None  # one of the two was given
+        seen = find_ruler(shapes, bat, picture.name)
+        reach = float(np.hypot(*np.subtract(*sharp_ends(with_shadows, seen.start, seen.end, float(seen.width.min())))))
+        scale, scale_error = ruler / reach, float(np.hypot(RULER_ERROR / ruler, 1.0 / reach))
+    lens = None if picture.focal_length is None else picture.focal_length * scale
+    away = camera_distance if camera_distance is not None else lens
+    return _measured(picture, edges, scale, scale_error, length=length, away=away, on_ground=ruler is not None)
+
+
+def _measured(
+    picture: Picture, edges: Edges, scale: float, scale_error: float, *, length: float | None, away: float | None,
+    on_ground: bool,
+) -> PhotoOutline:  # fmt: skip
+    """Return the outline in metres."""
+    notes = []
+    excess = np.array(_excess(picture, edges, scale, away or FROM))
+    if on_ground:  # the bat's axis is nearer to the camera than the ruler
+        height = scale * float(edges.width.max()) / 2
+        scale *= 1 - height / (away or FROM)
+        scale_error = float(np.hypot(scale_error, 0.0 if away else height / FROM / 2))
+    before, after = (excess if away else np.zeros(2)).tolist()
+    if length is not None:
+        scale = (length + before + after) / edges.length
+    reach = scale * edges.length - before - after
+    seen = scale * edges.place - before
+    place, width = knob_first(seen, scale * edges.width)
+    if not np.array_equal(place, seen):  # the first end is the tip
+        place = (reach - seen)[::-1]
+    inside = (place > 0) & (place < reach)
+    place, width = place[inside], np.clip(width[inside], *DIAMETER_RANGE)
+    place, width = np.concatenate([[0], place, [reach]]), np.concatenate([width[:1], width, width[-1:]])
+    tolerance = TOLERANCE
+    while len(profile := simplified(place, width, tolerance)) > STATIONS:
+        tolerance *= 1.25
+    if away is None:
+        notes.append(
+            f"How far the camera was is not known; from {FROM:g} m the ends would seem {1e3 * excess.sum():.0f} mm "
+            "farther apart than they are. Give --camera-distance."
+        )
+    at = float(np.hypot(scale, 0.3 * excess.mean() if away else excess.mean()))
+    error = _errors(place, width, scale * float(np.hypot(PIXEL, edges.scatter / 4)), scale_error, at)
+    return PhotoOutline(
+        profile=profile, notes=tuple(notes), pixel=scale, edge_scatter=scale * edges.scatter,
+        axis_bend=scale * edges.bend, diameter_error=tuple(np.interp([x for x, _ in profile], place, error).tolist()),
+        place_error=at, camera_distance=away,
+    )  # fmt: skip
+
+
+def _excess(picture: Picture, edges: Edges, scale: float, away: float) -> tuple[float, float]:
+    """Return by how many m each end seems farther out than it is: its near rim hides the rest of it."""
+    along = (edges.end - edges.start) / edges.length
+    middle = np.array([picture.shape[1] / 2, picture.shape[0] / 2])
+    foot = float((middle - edges.start) @ along)  # the axis point below the camera
+    inward = max(1, len(edges.width) // 100)
+    heights = (END_HEIGHT * scale * float(edges.width[index]) / 2 for index in (inward, -inward))
+    outs = (scale * foot, scale * (edges.length - foot))
+    return tuple(max(out, 0.0) * height / (away - height) for out, height in zip(outs, heights, strict=True))  # type: ignore[return-value]
+
+
+def _errors(place: Array, width: Array, edge: float, scale_error: float, at: float) -> Array:
+    """Return one sigma of the diameters, m: both edges, the scale, and the place where the bat is steep."""
+    steep = np.gradient(width, place)
+    return np.asarray(
+        np.sqrt(2 * edge**2 + (scale_error * width) ** 2 + np.minimum(np.abs(steep) * at, width / 4) ** 2)
+    )
