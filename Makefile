@@ -5,7 +5,7 @@ UV := $(BIN)/uv
 BAT := r161-ash
 OUT := report
 
-.PHONY: report app browser test lint types docs mutants bench bench-quick format lock fuzz clean
+.PHONY: report app browser test lint types docs pins mutants bench bench-quick format lock fuzz clean
 
 report: $(VENV)/.run  ## where does this bat hit best? BAT=name or file, OUT=folder
 	$(BIN)/sweetspot report $(BAT) --out $(OUT)
@@ -36,6 +36,9 @@ types: $(VENV)/.dev
 docs: $(VENV)/.dev  ## the documentation, warnings are errors
 	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build/html
 	@echo "open docs/_build/html/index.html"
+
+pins: $(VENV)/.dev  ## whether every promised Python and system can install the pinned versions as wheels
+	$(BIN)/python tools/pins.py
 
 mutants: $(VENV)/.dev  ## deliberate mistakes in physics and catalogue that the tests must notice; goes on where it stopped
 	$(BIN)/python tools/mutants.py

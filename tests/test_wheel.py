@@ -1,0 +1,68 @@
+"""The built wheel, installed outside the checkout, is the same program: catalogue, page, validation, documents."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+PROGRAM = """
+import json, sys
+import sweetspot
+from sweetspot import catalog
+from sweetspot.validation.cases import sources
+from sweetspot.web.files import static_files
+facts = {
+    "bats": list(catalog.bat_names()),
+    "implements": list(catalog.implement_names()),
+    "balls": list(catalog.ball_names()),
+    "parks": list(catalog.park_names()),
+    "cases": [case.source for case in sources()],
+    "page": {name: file.tag for name, file in static_files().items()},
+    "version": sweetspot.__version__,
+}
+print(json.dumps({"where": sweetspot.__file__, "facts": facts}))
+"""
+
+
+@pytest.fixture(scope="module")
+def outside(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with nothing in it but what the wheel brings."""
+    folder = tmp_path_factory.mktemp("wheel")
+    build = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(folder)]
+    subprocess.run(build, cwd=ROOT, check=True, capture_output=True)
+    (wheel,) = folder.glob("*.whl")
+    with zipfile.ZipFile(wheel) as packed:
+        packed.extractall(folder / "installed")
+    return folder / "installed"
+
+
+def answer(words: list[str], installed: Path | None) -> str:
+    """Return what a Python outside the checkout prints; None: of the package as it is here."""
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    if installed is not None:
+        environment["PYTHONPATH"] = str(installed)
+    where = (installed or ROOT).anchor
+    done = subprocess.run(
+        [sys.executable, *words], env=environment, cwd=where, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_the_wheel_is_the_same_program(outside: Path) -> None:
+    there, here = (json.loads(answer(["-c", PROGRAM], installed)) for installed in (outside, None))
+    assert Path(there["where"]).is_relative_to(outside)
+    assert Path(here["where"]).is_relative_to(ROOT)
+    assert there["facts"] == here["facts"] and len(here["facts"]["cases"]) > 10
+
+
+def test_the_wheel_answers_alike(outside: Path) -> None:
+    words = ["-m", "sweetspot", "hit", "r161-ash", "--at", "6in-from-tip", "--format", "json"]
+    assert answer(words, outside) == answer(words, None)
