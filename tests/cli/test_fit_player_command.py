@@ -49,11 +49,12 @@ def test_answers_for_people_and_a_page(run: Run, file: Path, tmp_path: Path) -> 
     assert code == 0, said
     words = re.sub(r"\s+", " ", text)
     assert "Balanced or end-loaded?" in words and "What is one inch worth?" in words
+    assert "8 swings count, 8 with bat speed and exit speed, from a file; 1 row does not (row 10: exit speed" in words
     assert "Only 8 swings are usable" in words
     assert "1 row is not used: row 10: exit speed is 400.0 mph" in words
     assert sorted(path.name for path in out.iterdir()) == ["player.html", "player.json", "player.png", "player.svg"]
     page = (out / "player.html").read_text(encoding="utf-8")
-    assert "<h1>R161, white ash</h1>" in page and "Ann &lt;Example&gt;; for exit speed" in page
+    assert "<h1>R161, white ash</h1>" in page and "<b>For Ann &lt;Example&gt;</b>" in page
     assert "http" not in re.sub(r'xmlns\S*="[^"]*"', "", page)
     assert (out / "player.png").read_bytes().startswith(b"\x89PNG")
     assert "wrote" in said

@@ -65,6 +65,7 @@ def sport(name: str = DEFAULT_SPORT) -> Sport:
         pitches=tuple(found.get("pitches", ())),
         rules=found.get("rules", ""),
         fields=tuple(found.get("fields", ())),
+        swing_law=found.get("swing_law", "baseball"),
     )
 
 

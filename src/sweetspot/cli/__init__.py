@@ -28,12 +28,14 @@ def main(arguments: list[str] | None = None) -> None:
     from cyclopts import CycloptsError
 
     from sweetspot.cli.app import app
+    from sweetspot.cli.output import ASKED
     from sweetspot.cli.standard_output import OutputError, held_output
 
     given = sys.argv[1:] if arguments is None else arguments
     try:
         with held_output(), insisting(FORCE in given), _warnings_told(FORCE in given):
             words = [word for word in given if word != FORCE]
+            ASKED.set(tuple(given))
             result = app(words, exit_on_error=False, print_error=False, result_action="return_value")
     except (SweetspotError, CycloptsError, OutputError) as error:
         _complain(_one_line(error))

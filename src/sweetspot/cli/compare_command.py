@@ -32,7 +32,9 @@ def compare(
     same_speed: Annotated[
         bool, Parameter(negative="", help="Swing every bat at the same speed instead of with the same effort.")
     ] = False,
-    swing_law: Annotated[str, Parameter(help="How bat speed depends on the bat: baseball or slow-pitch.")] = "baseball",
+    swing_law: Annotated[
+        str | None, Parameter(help="How bat speed depends on the bat: baseball or slow-pitch; default: its sport's.")
+    ] = None,
     what_if: Annotated[
         Literal["cork"] | None,
         Parameter(help="For one bat: compare it drilled, corked, and filled with rubber or foam."),
@@ -66,7 +68,7 @@ def compare(
     if not bats:
         raise InputError("no bat was given; name one or more, for example: sweetspot compare r161-ash youth-30")
     described = [catalog.load_implement(name) for name in bats]
-    law = None if same_speed else law_named(swing_law)
+    law = None if same_speed else law_named(swing_law or catalog.sport(described[0].sport).swing_law)
     if rows is not None or columns is not None:
         if len(bats) != 1 or what_if is not None or rows is None or columns is None:
             raise InputError("a what-if table takes one bat, --rows and --columns, and no --what-if")

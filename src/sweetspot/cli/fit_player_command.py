@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-from datetime import date
+from collections import Counter
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -14,102 +14,188 @@ from sweetspot.cli.options.weather import AirOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
+    from sweetspot.equipment.bat import Bat
+    from sweetspot.player.advice import Advice
+    from sweetspot.player.goal import Goal
     from sweetspot.player.model import PlayerModel
+    from sweetspot.player.posterior import Posterior
     from sweetspot.player.swings import Swings
 
 DEFAULT_AIR = AirOptions()
+ALL = "all"
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class FileOptions:
+    """What the file of swings does not say itself."""
+
+    bat: Annotated[
+        str | None,
+        Parameter(help="The player's bat, by name or TOML file; default: the one most swung in the file, or r161-ash."),
+    ] = None
+    pitch_speed: Annotated[str | None, Parameter(help="At the plate, for rows without one: 82mph, or tee.")] = None
+    file_units: Annotated[
+        Literal["us", "metric"] | None, Parameter(help="Of the file's columns whose heading names no unit.")
+    ] = None
+    batter: Annotated[
+        str | None, Parameter(help="Whose rows to use, where the file has several; all: a team sheet.")
+    ] = None
+    bat_speed_at: Annotated[str, Parameter(help="Where the player's bat speed is measured.")] = "6in-from-tip"
+    ball: Annotated[str | None, Parameter(help="Ball of the catalogue; default: the first of the bat's sport.")] = None
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class WantedOptions:
+    """What the player wants, and what else to try."""
+
+    goal: Annotated[Literal["exit-speed", "carry", "line"], Parameter(help="What the player wants more of.")] = (
+        "exit-speed"
+    )
+    line: Annotated[str | None, Parameter(help="Distance to pass, for --goal line: 300ft.")] = None
+    try_bat: Annotated[
+        list[str] | None, Parameter(name="--try", help="Another bat to try on the player; may be given again.")
+    ] = None
+    sampler: Annotated[
+        Literal["draws", "walkers"],
+        Parameter(help="draws: weighted ones, in about a second; walkers: an ensemble that walks, ten times longer."),
+    ] = "draws"
+    seed: Annotated[int, Parameter(help="Of the random numbers; the same seed gives the same answers.")] = 1
+
+
+DEFAULT_FILE, DEFAULT_WANTED = FileOptions(), WantedOptions()
 
 
 def fit_player(
     file: Annotated[Path, Parameter(help="CSV file, one row per swing: Blast, HitTrax, Statcast or plain.")],
     /,
     *,
-    bat: Annotated[str, Parameter(help="The player's bat: a name of the catalogue or a TOML file.")] = "r161-ash",
-    goal: Annotated[Literal["exit-speed", "carry", "line"], Parameter(help="What the player wants more of.")] = (
-        "exit-speed"
-    ),
-    line: Annotated[str | None, Parameter(help="Distance to pass, for --goal line: 300ft.")] = None,
-    try_bat: Annotated[
-        list[str] | None, Parameter(name="--try", help="Another bat to try on the player; may be given again.")
-    ] = None,
-    pitch_speed: Annotated[str | None, Parameter(help="At the plate, for rows without one: 82mph, or tee.")] = None,
-    file_units: Annotated[
-        Literal["us", "metric"] | None, Parameter(help="Of the file's columns whose heading names no unit.")
-    ] = None,
-    batter: Annotated[str | None, Parameter(help="Whose rows to use, where the file has several batters.")] = None,
-    bat_speed_at: Annotated[str, Parameter(help="Where the player's bat speed is measured.")] = "6in-from-tip",
-    ball: Annotated[str | None, Parameter(help="Ball of the catalogue; default: the first of the bat's sport.")] = None,
+    given: FileOptions = DEFAULT_FILE,
+    wanted: WantedOptions = DEFAULT_WANTED,
     air: AirOptions = DEFAULT_AIR,
-    sampler: Annotated[
-        Literal["draws", "walkers"],
-        Parameter(help="draws: weighted ones, in about a second; walkers: an ensemble that walks, ten times longer."),
-    ] = "draws",
-    seed: Annotated[int, Parameter(help="Of the random numbers; the same seed gives the same answers.")] = 1,
-    title: Annotated[str, Parameter(help="Heading of the report; default: the bat's name.")] = "",
-    player: Annotated[str, Parameter(name="--for", help="The player's name, for the report.")] = "",
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Learn a player's bat speed and scatter from measured swings, and say which bat and contact point serve."""
-    from sweetspot import catalog
-    from sweetspot.cli.options.weather import air_of
-    from sweetspot.cli.output import present, progress
-    from sweetspot.player.advice import advise
+    from sweetspot.cli.output import present
     from sweetspot.player.goal import Goal
-    from sweetspot.player.posterior import fit_player as fitted
     from sweetspot.report.player.document import player_document
     from sweetspot.units import parse
 
-    if seed < 0:
-        raise InputError(f"--seed was given as {seed}; allowed is a whole number from 0 up")
-    wanted = Goal(goal, None if line is None else parse(line, "length", "--line"))
+    if wanted.seed < 0:
+        raise InputError(f"--seed was given as {wanted.seed}; allowed is a whole number from 0 up")
+    goal = Goal(wanted.goal, None if wanted.line is None else parse(wanted.line, "length", "--line"))
     if output.out is not None and output.out.exists() and not output.out.is_dir():
         raise InputError(f"{output.out} is not a folder; choose another name for --out")
-    ball = ball or catalog.sport(catalog.load_bat(bat).sport).balls[0]
-    law = catalog.aerodynamics_of_ball(ball)
-    others = [catalog.load_bat(name) for name in try_bat or []]
-    weather = air_of(air)
-    swings, model = _read(file, bat, pitch_speed, file_units, batter, bat_speed_at, ball)
+    if given.batter == ALL:
+        return _team(file, given, wanted, goal, air, output)
+    swings, model = _read(file, given)
+    posterior, advice = _advised(model, wanted, goal, air, given)
+    return present(player_document(posterior, advice, swings, player=output.made_for), output)
+
+
+def _team(
+    file: Path, given: FileOptions, wanted: WantedOptions, goal: Goal, air: AirOptions, output: OutputOptions
+) -> int:
+    """Present one sheet with a row for every batter of a file."""
+    from sweetspot.cli.output import present, progress
+    from sweetspot.errors import SweetspotError
+    from sweetspot.player.swings import batters
+    from sweetspot.report.player.team import Teammate, team_document
+
+    names = batters(file, units=given.file_units)
+    members: list[Teammate] = []
+    left_out: list[str] = []
+    with progress("batters") as report:
+        for number, name in enumerate(names, start=1):
+            try:
+                _, model = _read(file, replace(given, batter=name))
+                members.append(Teammate(name, *_advised(model, wanted, goal, air, given)))
+            except SweetspotError as error:
+                left_out.append(f"{name}: {' '.join(str(error).split())}")
+            report(number, len(names))
+    if not members:
+        raise InputError(f"{file} has no batter who can be told of: {'; '.join(left_out[:3])}")
+    return present(team_document(members, left_out, goal), output)
+
+
+def _advised(
+    model: PlayerModel, wanted: WantedOptions, goal: Goal, air: AirOptions, given: FileOptions
+) -> tuple[Posterior, Advice]:
+    from sweetspot import catalog
+    from sweetspot.cli.options.weather import air_of
+    from sweetspot.cli.output import progress
+    from sweetspot.player.advice import advise
+    from sweetspot.player.posterior import fit_player as fitted
+
+    others = [catalog.load_bat(name) for name in wanted.try_bat or []]
+    law = catalog.aerodynamics_of_ball(_ball_name(given, model.bats[0].bat))
     with progress("reading the swings") as report:
-        posterior = fitted(model, method=sampler, seed=seed, progress=report)
+        posterior = fitted(model, method=wanted.sampler, seed=wanted.seed, progress=report)
     with progress("trying bats") as report:
-        advice = advise(posterior, goal=wanted, aerodynamics=law, air=weather, others=others, progress=report)
-    document = player_document(posterior, advice, swings, title=title, player=player, made=date.today())
-    return present(document, output)
+        advice = advise(posterior, goal=goal, aerodynamics=law, air=air_of(air), others=others, progress=report)
+    return posterior, advice
 
 
-def _read(
-    file: Path,
-    bat: str,
-    pitch_speed: str | None,
-    units: Literal["us", "metric"] | None,
-    batter: str | None,
-    bat_speed_at: str,
-    ball: str,
-) -> tuple[Swings, PlayerModel]:
+def _ball_name(given: FileOptions, bat: Bat) -> str:
+    from sweetspot import catalog
+
+    return given.ball or catalog.sport(bat.sport).balls[0]
+
+
+def _read(file: Path, given: FileOptions) -> tuple[Swings, PlayerModel]:
     """Return the file's swings, those with unknown bats among the bad rows, and the model of the others."""
     from sweetspot import catalog
+    from sweetspot.catalog.bats import DEFAULT_BAT
     from sweetspot.player.model import bats_of, player_model
     from sweetspot.player.player_swing import check_enough
     from sweetspot.player.swings import MOST_SWINGS, evenly, read_swings
-    from sweetspot.units import parse, parse_position
 
-    own = catalog.load_bat(bat)
-    place = own.length - parse_position(bat_speed_at, length=own.length, what="--bat-speed-at")
-    if not 0 <= place < own.length / 2:
-        raise InputError(f"--bat-speed-at was given as {bat_speed_at}; allowed is a place on the outer half of the bat")
-    arriving = None
-    if pitch_speed is not None:
-        arriving = 0.0 if pitch_speed.strip().lower() == "tee" else parse(pitch_speed, "speed", "--pitch-speed")
-        if not 0 <= arriving <= MAX_PITCH:
-            raise InputError(f"--pitch-speed was given as {pitch_speed}; allowed is tee, or up to 110mph at the plate")
-    found = read_swings(file, length=own.length, units=units, pitch_speed=arriving, batter=batter)
+    own = catalog.load_bat(given.bat or DEFAULT_BAT)
+    found = read_swings(
+        file, length=own.length, units=given.file_units, pitch_speed=_arriving(given), batter=given.batter
+    )
     good, bats, bad, notes = bats_of(found.swings, load=catalog.load_bat)
+    if given.bat is None and bats:  # the file says itself what is swung
+        most = Counter(one.bat for one in good if one.bat in bats).most_common(1)[0][0]
+        return _read(file, replace(given, bat=most))
+    place = _measured_at(own, given)
+    same = {name for name, other in bats.items() if other == own}
+    good = tuple(replace(one, bat="") if one.bat in same else one for one in good)
+    others = {name: other for name, other in bats.items() if name not in same}
     rows = tuple(sorted((*found.bad_rows, *bad), key=lambda row: row.row))
     check_enough(good, file)
     good, thinned = evenly(good, MOST_SWINGS)
-    swings = replace(found, swings=good, bad_rows=rows, notes=(*found.notes, *notes, *thinned))
-    model = player_model(good, bat=own, ball=catalog.ball(ball), others=bats, speed_from_tip=place)
-    return swings, model
+    assumed = () if given.bat else (f"No bat was named: the swings are taken as made with {own.name}; say --bat.",)
+    swings = replace(found, swings=good, bad_rows=rows, notes=(*assumed, *found.notes, *notes, *thinned))
+    ball = catalog.ball(_ball_name(given, own))
+    law = catalog.swing_law(catalog.sport(own.sport).swing_law)
+    return swings, player_model(good, bat=own, ball=ball, others=others, law=law, speed_from_tip=place)
+
+
+def _measured_at(own: Bat, given: FileOptions) -> float:
+    """Return how far in m from the tip bat speed is measured."""
+    from sweetspot.units import parse_position
+
+    place = own.length - parse_position(given.bat_speed_at, length=own.length, what="--bat-speed-at")
+    if not 0 <= place < own.length / 2:
+        raise InputError(
+            f"--bat-speed-at was given as {given.bat_speed_at}; allowed is a place on the outer half of the bat"
+        )
+    return place
+
+
+def _arriving(given: FileOptions) -> float | None:
+    """Return the speed in m/s of pitches whose row has none; None: not said."""
+    from sweetspot.units import parse
+
+    text = given.pitch_speed
+    if text is None:
+        return None
+    arriving = 0.0 if text.strip().lower() == "tee" else parse(text, "speed", "--pitch-speed")
+    if not 0 <= arriving <= MAX_PITCH:
+        raise InputError(f"--pitch-speed was given as {text}; allowed is tee, or up to 110mph at the plate")
+    return arriving
 
 
 MAX_PITCH = 110 * 0.44704

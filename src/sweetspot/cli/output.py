@@ -4,10 +4,15 @@ from __future__ import annotations
 
 import csv
 import json
+import os
+import shlex
 import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import replace
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -72,6 +77,7 @@ def present(document: Document, options: OutputOptions, *, long: bool = False) -
     long : whether a printed page goes on after its first sheet.
     """
     written: list[Path] = []
+    document = replace(document, title=options.title or document.title, made_for=options.made_for, made=_made())
     if options.out is not None:
         from sweetspot.report.files import write_document
 
@@ -87,6 +93,18 @@ def present(document: Document, options: OutputOptions, *, long: bool = False) -
     if written:
         print(f"sweetspot: wrote {', '.join(map(str, written))}", file=sys.stderr)
     return 0 if document.passed else 1
+
+
+ASKED: ContextVar[Sequence[str]] = ContextVar("ASKED", default=())
+"""The words of the command line that is being answered."""
+
+
+def _made() -> str:
+    """Return when an answer was made, and from what: the head of a page. `SOURCE_DATE_EPOCH` may fix the day."""
+    fixed = os.environ.get("SOURCE_DATE_EPOCH", "")
+    day = datetime.fromtimestamp(int(fixed), UTC) if fixed.isdigit() else datetime.now()
+    words = shlex.join(["sweetspot", *ASKED.get()]) if ASKED.get() else ""
+    return f"{day.day} {day:%B %Y}{': ' if words else ''}{words}"
 
 
 @contextmanager

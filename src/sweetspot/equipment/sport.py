@@ -168,6 +168,7 @@ class Sport(Validated):
     pitches : catalogue names of the pitches that are thrown, the usual one first; empty: none are.
     rules : catalogue name of the league whose rules hold for its bats; "": none are known.
     fields : catalogue names of fields with usual distances.
+    swing_law : catalogue name of how bat speed depends on the bat.
     """
 
     key: str
@@ -187,6 +188,7 @@ class Sport(Validated):
     pitches: tuple[str, ...] = ()
     rules: str = ""
     fields: tuple[str, ...] = ()
+    swing_law: str = "baseball"
 
     def known(self) -> tuple[Known, ...]:
         """Return every number of the sport with its certainty; those of its balls and implements are not here."""

@@ -122,7 +122,7 @@ def advise(
     Parameters
     ----------
     goal : what is wanted.
-    others : further bats to try.
+    others : further bats to try; those of the file are tried anyway.
     pitch_speed : m/s at the plate; None: the median of the swings.
     progress : called with (bats done, bats in all).
     """
@@ -135,7 +135,7 @@ def advise(
     asked = expectation(posterior, goal=goal, pitch_speed=pitch, carries=carries, seed=posterior.seed)
     own = model.bats[0]
     now = asked.of(own)
-    tried, faults = candidates(own.bat, others)
+    tried, faults = candidates(own.bat, others, swung=[table.bat for table in model.bats[1:]])
     options, by_key = [], {}
     for number, candidate in enumerate(tried, start=1):
         try:

@@ -34,7 +34,7 @@ class Candidate:
     ----------
     key : short and unique, for programs.
     label : what to call it beside the player's own.
-    family : "weight", "balance", "length", "choke" or "catalogue".
+    family : "weight", "balance", "length", "choke", "catalogue", or "swung": another bat of the file.
     bat : the bat.
     body : its mass, balance and moments of inertia.
     """
@@ -46,13 +46,16 @@ class Candidate:
     body: RigidBody
 
 
-def candidates(bat: Bat, others: Sequence[Bat] = ()) -> tuple[tuple[Candidate, ...], tuple[str, ...]]:
+def candidates(
+    bat: Bat, others: Sequence[Bat] = (), *, swung: Sequence[Bat] = ()
+) -> tuple[tuple[Candidate, ...], tuple[str, ...]]:
     """Return the bats to try, and why some could not be made.
 
     Parameters
     ----------
     bat : the player's own.
     others : whole other bats.
+    swung : the other bats of the file.
     """
     mass = rigid_body(beam_model(bat)).mass
     makers: list[tuple[str, str, str, Callable[[], Bat]]] = [
@@ -70,7 +73,9 @@ def candidates(bat: Bat, others: Sequence[Bat] = ()) -> tuple[tuple[Candidate, .
     makers += [
         (f"choke{grip:g}in", f"choked up {grip:g} in", "choke", partial(bat.choked_up, grip * INCH)) for grip in CHOKES
     ]
-    makers += [(f"bat:{other.name}", other.name, "catalogue", partial(other.replaced)) for other in others]
+    makers += [(f"bat:{other.name}", other.name, "swung", partial(other.replaced)) for other in swung]
+    strangers = [other for other in others if other not in (bat, *swung)]
+    makers += [(f"bat:{other.name}", other.name, "catalogue", partial(other.replaced)) for other in strangers]
     found, faults = [], []
     for key, label, family, make in makers:
         try:

@@ -123,6 +123,30 @@ def read_swings(
     )
 
 
+def batters(path: Path, *, units: Units | None = None) -> tuple[str, ...]:
+    """Return the names of a file's batters, in the order of the alphabet.
+
+    Raises
+    ------
+    InputError
+        when the file cannot be read, or names none.
+    """
+    lines = _lines(path)
+    headings = next(lines, None)
+    column = None if headings is None else columns_of(headings[1], units=units, file_name=str(path)).found.get("batter")
+    if column is None:
+        raise InputError(f"{path} has no column that names the batter; add one called player, or leave --batter out")
+    names = {_name(cells, column) for _, cells in lines} - {""}
+    if not names:
+        raise InputError(f"{path} names no batter in its column {column.heading}")
+    return tuple(sorted(names))
+
+
+def _name(cells: list[str], column: Column) -> str:
+    text = cells[column.index].strip() if column.index < len(cells) else ""
+    return text.removesuffix(".0")
+
+
 def evenly(swings: Sequence[PlayerSwing], most: int) -> tuple[tuple[PlayerSwing, ...], tuple[str, ...]]:
     """Return at most so many swings, taken evenly from first to last, and a note where some were left out.
 
@@ -162,22 +186,18 @@ def _of_batter(
         if batter is not None:
             raise InputError(f"--batter {batter} was given, and {path} has no column that names the batter")
         return rows
-
-    def name(cells: list[str]) -> str:
-        text = cells[column.index].strip() if column.index < len(cells) else ""
-        return text.removesuffix(".0")
-
-    names = sorted({name(cells) for _, cells in rows} - {""})
+    names = sorted({_name(cells, column) for _, cells in rows} - {""})
     if batter is None:
         if len(names) > 1:
             shown_names = ", ".join(names[:8]) + (", ..." if len(names) > 8 else "")
             raise InputError(
-                f"{path} has swings of {len(names)} batters ({shown_names}); choose one with --batter NAME"
+                f"{path} has swings of {len(names)} batters ({shown_names}); choose one with --batter NAME, "
+                "or --batter all for a team sheet"
             )
         return rows
     if batter not in names:
         raise InputError(f"batter {batter!r} is not in {path}. {nearest_names(batter, names)}")
-    return [(line, cells) for line, cells in rows if name(cells) == batter]
+    return [(line, cells) for line, cells in rows if _name(cells, column) == batter]
 
 
 def _read(

@@ -175,6 +175,8 @@ class Document(ShownInNotebooks):
     appendix : what only a page shows when it is opened.
     drawing : the picture that is written as a file of its own.
     passed : whether what was checked holds.
+    made_for : whom it is for; "": nobody said.
+    made : when, and what it was made from: the head of a page.
     """
 
     name: str
@@ -189,6 +191,8 @@ class Document(ShownInNotebooks):
     appendix: Sequence[Block] = ()
     drawing: Picture | None = None
     passed: bool = True
+    made_for: str = ""
+    made: str = ""
 
     def reader_of(self, system: System | None) -> Reader:
         """Return who reads: of a system of units, or the sport's people where none is named."""

@@ -22,6 +22,8 @@ def to_terminal(document: parts.Document, reader: Reader) -> Group:
     title = Text(read(document.title, reader), style="bold")
     if subtitle := read(document.subtitle, reader):
         title.append(f"  {subtitle}", style="dim")
+    if document.made_for:
+        title.append(f"  for {document.made_for}")
     heading = [title, Text()] if title.plain else []
     return Group(*heading, *_rendered([*document.blocks, *document.details], reader))
 

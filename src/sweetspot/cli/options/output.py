@@ -20,6 +20,8 @@ class OutputOptions:
     units: Annotated[
         Literal["us", "si"] | None, Parameter(help="Units that people are told in; default: those of the sport.")
     ] = None
+    title: Annotated[str, Parameter(help="Heading of the answer and its page.")] = ""
+    made_for: Annotated[str, Parameter(name="--for", help="Whom it is for, named at the head of the page.")] = ""
     out: Annotated[
         Path | None, Parameter(help="Folder for the answer as a page to print, pictures and JSON, made if need be.")
     ] = None

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from datetime import date
 from typing import Any
 
 from sweetspot.numerics.constants import STANDARD_AXIS
@@ -35,25 +34,15 @@ from sweetspot.report.player.words import (
     parameter_shown,
 )
 from sweetspot.report.quantities import Reader
-from sweetspot.report.sentences import Sentence, Slot, Words, joined, say
+from sweetspot.report.sentences import Sentence, Slot, Words, say
 
 
-def player_document(
-    posterior: Posterior,
-    advice: Advice,
-    swings: Swings,
-    *,
-    title: str = "",
-    player: str = "",
-    made: date | None = None,
-) -> Document:
+def player_document(posterior: Posterior, advice: Advice, swings: Swings, *, player: str = "") -> Document:
     """Return the training report as a document.
 
     Parameters
     ----------
-    title : of the page; "": the player's bat.
-    player : whom it is for.
-    made : when; None: not written.
+    player : whom it is for, named in the picture.
     """
     untried = [f"Could not be tried: {fault}." for fault in advice.faults]
     picture = Picture(
@@ -65,8 +54,8 @@ def player_document(
         caption="Lines are 95 % intervals over what the swings allow.",
     )  # fmt: skip
     return Document(
-        name="player", kind="Training report", title=title or posterior.model.bats[0].bat.name,
-        subtitle=_subtitle(advice, player, made),
+        name="player", kind="Training report", title=posterior.model.bats[0].bat.name,
+        subtitle=_subtitle(advice),
         blocks=[
             _cards(posterior, advice), *map(Paragraph, findings(posterior, swings)),
             Section("answers", "Questions and answers", [Question(*one) for one in answers(advice)]), picture,
@@ -80,12 +69,11 @@ def player_document(
     )  # fmt: skip
 
 
-def _subtitle(advice: Advice, player: str, made: date | None) -> Sentence:
-    asked = say(
+def _subtitle(advice: Advice) -> Sentence:
+    return say(
         "for {goal}, {pitch} pitch at the plate", goal=goal_words(advice.goal),
         pitch=Slot(advice.pitch_speed, "speed", 0),
     )  # fmt: skip
-    return joined([player, asked, "" if made is None else f"{made.day} {made:%B %Y}"], "; ")
 
 
 def _cards(posterior: Posterior, advice: Advice) -> Cards:

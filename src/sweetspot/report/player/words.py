@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import math
+import re
+from collections import defaultdict
+from collections.abc import Sequence
+
+from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.player.advice import Advice, Option
 from sweetspot.player.goal import Goal
 from sweetspot.player.posterior import Learned, Posterior
 from sweetspot.player.swings import Swings
+from sweetspot.player.swung import swung_bats
 from sweetspot.report.sentences import Sentence, Slot, Words, joined, say, within
 from sweetspot.units import INCH, MPH, OUNCE
 
@@ -36,6 +43,8 @@ USUAL_EXPONENT = (
     "How much slower this player swings a heavier bat is not known from these swings: every answer about another bat "
     "rests on what is usual for players, and its interval with it."
 )
+REASONS, LONGEST_REASON = 3, 90
+"""Kinds of reasons told in the first line, and letters of each."""
 ROWS_SHOWN = 8
 """Rows not used that are listed; the JSON has all."""
 NOTHING = 1e-9
@@ -69,6 +78,8 @@ def findings(posterior: Posterior, swings: Swings) -> list[Words]:
     """Return what the swings say about the player, and what they cannot tell."""
     learned = posterior.learned
     words: list[Words] = [_data(posterior, swings), _speed(posterior), _contact(learned)]
+    if side_by_side := measured(posterior):
+        words.insert(1, side_by_side)
     unknown = [PARAMETERS[name][0] for name, one in learned.items() if not one.told]
     if unknown:
         words.append(
@@ -94,19 +105,53 @@ def answers(advice: Advice) -> list[tuple[str, Sentence]]:
     ]
 
 
-def _data(posterior: Posterior, swings: Swings) -> str:
-    count = len(posterior.model.swings)
-    both = sum(one.exit_speed is not None and one.bat_speed is not None for one in posterior.model.swings)
+def _data(posterior: Posterior, swings: Swings) -> Sentence:
+    """Say how many swings counted, with which bats, and why the rest did not."""
+    model = posterior.model
+    count, bad = len(model.swings), len(swings.bad_rows)
+    both = sum(one.exit_speed is not None and one.bat_speed is not None for one in model.swings)
     kind = f"{swings.system} file" if swings.system != "plain" else "file"
     days = ""
     if swings.first_day and swings.last_day:
         same = swings.first_day == swings.last_day
         days = f" of {swings.first_day}" if same else f" from {swings.first_day} to {swings.last_day}"
-    bats = len(posterior.model.bats)
-    return (
-        f"{count} swing{'s' if count != 1 else ''} from a {kind}{days}, {both} with bat speed and exit speed"
-        f"{f', with {bats} bats' if bats > 1 else ''}."
-    )
+    noun = "swing counts" if count == 1 else "swings count"
+    text = f"{count} {noun}, {both} with bat speed and exit speed, from a {kind}{days}"
+    swung = swung_bats(model)
+    if len(swung) > 1:
+        text += ": " + ", ".join(f"{one.count} with {one.bat.name}" for one in swung)
+    if not bad and not swings.without_swing:
+        return say("{text}; every row was used.", text=text)
+    why = "; ".join(_reasons(swings))
+    rest = f"{bad} row{'s do' if bad != 1 else ' does'} not ({why})" if bad else ""
+    empty = f"{swings.without_swing} hold no swing" if swings.without_swing else ""
+    return say("{text}; {rest}.", text=text, rest=" and ".join(part for part in (rest, empty) if part))
+
+
+def _reasons(swings: Swings) -> list[str]:
+    """Return the commonest reasons why rows are not used: those that differ in their numbers only are one."""
+    alike: dict[str, list[BadRow]] = defaultdict(list)
+    for row in swings.bad_rows:
+        alike[re.sub(r"[-\d.]+", "", row.reason)].append(row)
+    found = []
+    for rows in sorted(alike.values(), key=len, reverse=True)[:REASONS]:
+        reason = rows[0].reason if len(rows[0].reason) <= LONGEST_REASON else f"{rows[0].reason[:LONGEST_REASON]} ..."
+        found.append(f"row {rows[0].row}{f' and {len(rows) - 1} like it' if len(rows) > 1 else ''}: {reason}")
+    return found
+
+
+def measured(posterior: Posterior) -> Words:
+    """Return the bats of the file against each other as they were measured; "" where only one was swung."""
+    swung = [one for one in swung_bats(posterior.model) if one.exit_speed is not None]
+    if len(swung) < 2:
+        return ""
+    parts = [
+        say("{name} {ball}", name=one.bat.name, ball=within(one.exit_speed, "speed"))
+        + (say(" at {speed} of bat speed", speed=within(one.bat_speed, "speed")) if one.bat_speed else "")
+        for one in sorted(swung, key=lambda one: -one.exit_speed.value if one.exit_speed else 0.0)
+        if one.exit_speed
+    ]
+    return say("As measured, mean exit speed by bat: {parts}.", parts=joined(parts, "; "))
 
 
 def _speed(posterior: Posterior) -> Sentence:
@@ -121,7 +166,7 @@ def _speed(posterior: Posterior) -> Sentence:
         slower = _slower(exponent.interval)
         return text + say(" A bat with 10 % more moment of inertia is swung {slower} slower.", slower=slower)
     unknown = " How much a heavier bat would slow this player is not known from these swings: "
-    if len(posterior.model.bats) > 1:
+    if len(swung_bats(posterior.model)) > 1:
         return text + unknown + "the bats are too much alike for it, or too few swings were made with each."
     return text + unknown + "they need two bats."
 
@@ -149,18 +194,78 @@ def _verdict(interval: Interval) -> int:
 
 
 def _which(advice: Advice) -> Sentence:
-    goal, best = advice.goal, advice.options[0] if advice.options else None
+    goal = advice.goal
     own = say("Expected {goal} with the bat now: {now}.", goal=goal_words(goal), now=goal_shown(advice.now, goal))
+    swung = [option for option in advice.options if option.candidate.family == "swung"]
+    others = [option for option in advice.options if option.candidate.family != "swung"]
+    told = advice.posterior.learned["exponent"].told
+    return joined(
+        [own, _of_those_swung(swung, advice), _of_those_tried(others, advice), "" if told else USUAL_EXPONENT]
+    )
+
+
+def _of_those_swung(swung: Sequence[Option], advice: Advice) -> Words:
+    """Compare the player's own bat with the others of the file."""
+    if not swung:
+        return ""
+    if otherwise := _measured_otherwise(swung, advice):
+        return otherwise
+    verdicts = [_verdict(option.change) for option in swung]
+    listed = joined(
+        [
+            say("{label} {change}", label=option.candidate.label,
+                change=goal_shown(option.change, advice.goal, sign=True))
+            for option in swung
+        ],
+        "; ",
+    )  # fmt: skip
+    if verdicts[0] > 0:
+        lead = f"Of the bats swung {swung[0].candidate.label} is best"
+    elif all(verdict < 0 for verdict in verdicts):
+        lead = "Of the bats swung the one now is best"
+    else:
+        lead = "Which of the bats swung is best the swings cannot tell"
+    return say("{lead}: against the one now {listed}.", lead=lead, listed=listed)
+
+
+def _measured_otherwise(swung: Sequence[Option], advice: Advice) -> Words:
+    """Say that the model does not hold where what was measured surely says the opposite; "" where it does not."""
+    if advice.goal.name != "exit-speed":
+        return ""
+    means = {one.bat.name: one.exit_speed for one in swung_bats(advice.posterior.model) if one.exit_speed is not None}
+    own = means.get(advice.posterior.model.bats[0].bat.name)
+    for option in swung:
+        other = means.get(option.candidate.label)
+        if own is None or other is None:
+            continue
+        gain = other.value - own.value
+        apart = abs(gain) > math.hypot(other.high - other.value, own.high - own.value)
+        if apart and gain * option.change.value < 0:
+            return say(
+                "Of the bats swung the swings say one thing and the model of ball and bat another: with {label} the "
+                "ball left {measured} {faster} on average than with the one now, where the model expects {change}. "
+                "Believe the measurement if pitches and days were alike, and check the bats' files.",
+                label=option.candidate.label, measured=Slot(abs(gain), "speed_change"),
+                faster="faster" if gain > 0 else "slower",
+                change=goal_shown(option.change, advice.goal, sign=True),
+            )  # fmt: skip
+    return ""
+
+
+def _of_those_tried(others: Sequence[Option], advice: Advice) -> Words:
+    """Name the best of the bats that the player never swung, and who says so."""
+    best = others[0] if others else None
     if best is None or best.change.value <= 0:
-        return joined([own, "None of the bats tried is better."])
+        return "None of the bats tried in the computer is better."
     sure = _verdict(best.change) > 0
-    answer = say(
+    told = advice.posterior.learned["exponent"].told
+    return say(
         "{lead}: {label} ({size}), {change}, better in {chance} of what {speaker}.",
-        lead="Best of those tried" if sure else "None is surely better; the likeliest gain is with",
-        label=best.candidate.label, size=_sizes(best), change=goal_shown(best.change, goal, sign=True),
+        lead=("Best of those tried in the computer" if told else "Not by these swings but by what is usual, best")
+        if sure else "Of those tried in the computer none is surely better; the likeliest gain is with",
+        label=best.candidate.label, size=_sizes(best), change=goal_shown(best.change, advice.goal, sign=True),
         chance=Slot(best.chance, "share"), speaker=_speaker(advice),
     )  # fmt: skip
-    return joined([own, answer, "" if advice.posterior.learned["exponent"].told else USUAL_EXPONENT])
 
 
 def _sizes(option: Option) -> Sentence:
