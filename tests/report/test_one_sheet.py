@@ -39,7 +39,13 @@ def swings(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.parametrize("name", COMMANDS)
-def test_a_page_is_one_sheet(run: Run, browser: Browser, swings: Path, tmp_path: Path, name: str) -> None:
+def test_a_page_is_one_sheet(
+    run: Run,
+    browser: Browser,  # noqa: F811
+    swings: Path,
+    tmp_path: Path,
+    name: str,
+) -> None:
     words = [str(swings) if word == "FILE" else word for word in COMMANDS[name]]
     code, _, said = run(*words, "--title", "Spring <2026>", "--for", "Ann Example", "--out", str(tmp_path))
     assert code in (0, 1), said
