@@ -73,6 +73,16 @@ def parks() -> tuple[Park, ...]:
 
 
 @cache
+def parks_of_season(year: int | None) -> tuple[Park, ...]:
+    """Return where the thirty clubs of today played in a season, in the order of `parks`; None: today.
+
+    >>> [one.name for one in parks_of_season(2025) if one.team == "Tampa Bay Rays"]
+    ['George M. Steinbrenner Field']
+    """
+    return tuple(park(entry["also"][0], year) for entry in read_table(FILE).values())
+
+
+@cache
 def _keys() -> dict[str, str]:
     """Return the catalogue's key by every name that is understood."""
     found: dict[str, str] = {}

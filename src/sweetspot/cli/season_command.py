@@ -1,0 +1,125 @@
+"""`sweetspot season`: a season's table, every ball of it."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+from cyclopts import Parameter
+
+from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
+from sweetspot.errors import InputError
+
+if TYPE_CHECKING:
+    from sweetspot.season.season_table import Season
+
+
+def season(
+    files: Annotated[list[Path], Parameter(help="Tables: Statcast exports, Trackman, plain; CSV, .csv.gz, Parquet.")],
+    /,
+    *,
+    bat: Annotated[str | None, Parameter(help="Bat of all hitters: a name of the catalogue or a TOML file.")] = None,
+    bats: Annotated[
+        Path | None, Parameter(help="CSV with columns batter and bat; a row without a batter is all others' bat.")
+    ] = None,
+    try_bat: Annotated[
+        list[str] | None, Parameter(name="--try", help="Another bat that every swing is tried with; may be repeated.")
+    ] = None,
+    column: Annotated[
+        list[str] | None,
+        Parameter(help="What a heading means, where it is not understood: exit_speed=EV:mph; may be repeated."),
+    ] = None,
+    show_columns: Annotated[
+        bool, Parameter(negative="", help="Print what the columns of the files mean, and stop.")
+    ] = False,
+    temperature: Annotated[str, Parameter(help="Of the air at all games: 72degF.")] = "72degF",
+    flight_only: Annotated[bool, Parameter(negative="", help="Leave the bats out.")] = False,
+    resume: Annotated[
+        bool, Parameter(negative="", help="Keep answers that are in --out already and of the same plan.")
+    ] = False,
+    output: OutputOptions = DEFAULT_OUTPUT,
+) -> int:
+    """Tell every ball in play of tables of any size: where on the bat it was hit, how far it carries, who did what."""
+    from sweetspot.season.season_table import temporary_folder
+
+    given = _given(column)
+    if show_columns:
+        return _show_columns(files, given)
+    if resume and output.out is None:
+        raise InputError("--resume needs --out, the folder that holds the answers so far")
+    if bat is not None and bats is not None:
+        raise InputError("--bat and --bats were both given; put the bat of all others into the table, without a batter")
+    if output.out is not None:
+        return _answered(_computed(files, output.out, given, bat, bats, try_bat, temperature, flight_only, resume,
+                                   output.units or "us"), output)  # fmt: skip
+    with temporary_folder() as folder:
+        return _answered(_computed(files, Path(folder), given, bat, bats, try_bat, temperature, flight_only, False,
+                                   output.units or "us"), output)  # fmt: skip
+
+
+def _computed(
+    files: list[Path], folder: Path, given: dict[str, str], bat: str | None, bats: Path | None,
+    others: list[str] | None, temperature: str, flight_only: bool, resume: bool, system: str,
+) -> Season:  # fmt: skip
+    from sweetspot.cli.output import patience, progress
+    from sweetspot.flight.air import Air
+    from sweetspot.season.bat_table import read_bats
+    from sweetspot.season.season_table import analyse_season, season_setting
+    from sweetspot.units import parse
+
+    names = read_bats(bats) if bats is not None else None if bat is None else {"": bat}
+    with patience():
+        setting = season_setting(
+            bats=names, others=others or (), air=Air(temperature=parse(temperature, "temperature", "--temperature")),
+            contact=not flight_only, system="si" if system == "si" else "us",
+        )  # fmt: skip
+    with progress("season") as report:
+        return analyse_season(files, setting=setting, folder=folder, given=given, resume=resume, progress=report)
+
+
+def _answered(season: Season, output: OutputOptions) -> int:
+    from sweetspot.cli.output import present
+    from sweetspot.report.season.document import season_document, season_report
+    from sweetspot.report.season.tables import write_tables
+
+    report = season_report(season)
+    if output.out is not None:
+        written = write_tables(report, output.out)
+        print(f"sweetspot: wrote {output.out}: folders balls, ledger, counted; {', '.join(written)}", file=sys.stderr)
+    code = present(season_document(report), output, long=True)
+    for path, reason in season.found.faults:
+        print(f"sweetspot: not read: {path.name}: {reason}", file=sys.stderr)
+    return code
+
+
+def _given(column: list[str] | None) -> dict[str, str]:
+    found = {}
+    for text in column or []:
+        quantity, equals, heading = text.partition("=")
+        if not equals or not heading:
+            raise InputError(f"--column was given as {text!r}; give quantity=heading, for example exit_speed=EV:mph")
+        found[quantity.strip()] = heading.strip()
+    return found
+
+
+def _show_columns(files: list[Path], given: dict[str, str]) -> int:
+    from sweetspot.season.season_table import temporary_folder
+    from sweetspot.season.table_file import open_table
+
+    bad = 0
+    with temporary_folder() as folder:
+        for number, path in enumerate(files):
+            try:
+                table = open_table(path, staging=Path(folder) / str(number), given=given)
+            except InputError as error:
+                print(f"sweetspot: not read: {error}", file=sys.stderr)
+                bad = 1
+                continue
+            print(f"{path.name}: {table.headings.system}, {table.rows:,} rows")
+            for name, one in table.headings.columns.items():
+                print(f"  {name:<18}{one.heading}{f' [{one.unit}]' if one.unit else ''}")
+            print(f"  passed through: {', '.join(table.headings.passed) or 'nothing'}")
+            for note in table.notes:
+                print(f"  note: {note}")
+    return bad

@@ -1,0 +1,1 @@
+"""A season told: what was read, the league, the players, and what to beware of."""

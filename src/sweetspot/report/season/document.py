@@ -1,0 +1,250 @@
+"""A season as a document: what was read, what to beware of, the league, and who did what."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+import polars as pl
+
+from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Picture, Section, Table
+from sweetspot.report.json_shapes import cleaned
+from sweetspot.report.quantities import Reader
+from sweetspot.report.sentences import Sentence, Slot, joined, say
+from sweetspot.season.counted import WITH
+from sweetspot.season.place_relation import PlaceRelation
+from sweetspot.season.rows import REASONS, USED
+from sweetspot.season.season_drag import DragOfMonth, drag_by_month
+from sweetspot.season.season_table import Season
+from sweetspot.season.standings import GROUPS, MEASURES, Standing, above_expected, standing
+from sweetspot.season.survey import WARNINGS
+from sweetspot.season.untracked import Untracked, untracked_bias
+
+SHOWN = 15
+"""Players in the printed table."""
+FEWEST = 5
+"""Balls of a player in the printed table."""
+LISTED = ("exit_speed", "bat_speed", "squared_up_ratio", "squared_up", "from_best", "home_run_here")
+CANNOT = (
+    "Which side of the best place one ball was met on is told by the pitch's place alone; tip_side near 0.5 says that "
+    "it cannot be told.",
+    "Fouls and misses have no exit speed in public tables, so nothing per contact or per swing can be told; timing "
+    "needs the place of the bat in time, which tables seldom hold.",
+    "Without a bat of each player every ball is judged against one bat; a ceiling then is that bat's, not the player's "
+    "own.",
+)
+"""What a table of batted balls cannot tell."""
+
+
+@dataclass(frozen=True)
+class SeasonReport:
+    """What is told of a season.
+
+    Parameters
+    ----------
+    season : the answers.
+    standings : tables of groups.
+    drag : by month.
+    untracked : how the balls without exit speed bias the mean.
+    counted : groups and measures of the balls.
+    """
+
+    season: Season
+    standings: Mapping[str, Standing]
+    drag: tuple[DragOfMonth, ...]
+    untracked: Untracked | None
+    counted: pl.LazyFrame
+
+
+def season_report(season: Season) -> SeasonReport:
+    """Return everything that is told of a season; groups that no ball has are left out."""
+    counted = above_expected(season.counted())
+    found = {key: standing(counted, key=key) for key in GROUPS}
+    return SeasonReport(
+        season, {key: one for key, one in found.items() if one is not None}, drag_by_month(counted),
+        untracked_bias(season.found), counted,
+    )  # fmt: skip
+
+
+def season_document(report: SeasonReport) -> Document:
+    """Return a season as a document; its JSON has the ledger, warnings, relation, drag and how groups scatter."""
+    season = report.season
+    faults = [f"{path.name}: {reason}" for path, reason in season.found.faults]
+    blocks: list[Block] = [Paragraph(words) for words in _headline(report)]
+    blocks += [Paragraph(f"Not read: {fault}", "warning") for fault in faults]
+    blocks += [_ledger(season), _warnings(season)]
+    if "batter" in report.standings:
+        blocks.append(_players(report.standings["batter"]))
+    details: list[Block] = []
+    if report.drag:
+        details.append(_drag(report.drag))
+    details += [_groups(report), Section("cannot", "What such tables cannot tell", [Bullets(CANNOT)])]
+    drawing = Picture("season", partial(_drawn, report), label="A season: exit speed against ceilings, where bats met "
+                      "the ball, and what is left over of tracked distances.")  # fmt: skip
+    players = report.standings.get("batter")
+    return Document(
+        name="season", title="Season", kind="Season", blocks=blocks, details=details, drawing=drawing,
+        data=season_json(report), rows={} if players is None else players.table.to_dict(as_series=False),
+        passed=not faults,
+    )  # fmt: skip
+
+
+def _headline(report: SeasonReport) -> list[Sentence]:
+    season = report.season
+    rows, used = season.found.rows, sum(counts[USED] for counts in season.found.counts)
+    told = [say("{rows} rows in {files} files; {used} balls in play with an exit speed.", rows=f"{rows:,}",
+                files=len(season.found.tables), used=f"{used:,}")]  # fmt: skip
+    means = _means(report.counted)
+    if np.isfinite(means.get("carry", np.nan)):
+        told.append(say("Home runs: {expected} expected in the parks they were hit in, {real} hit.",
+                        expected=f"{means['home_run_here']:,.0f}", real=f"{means['home_runs']:,}"))  # fmt: skip
+    if np.isfinite(means.get("squared_up", np.nan)):
+        told.append(say(
+            "Squared up (0.80 of what the bat could give): {own} of the balls, against {bat}; {league} by the league's "
+            "formula, which knows no bat. Balls are met {distance} from the best place on average.",
+            own=Slot(means["squared_up"], "share"), bat=_bats(season), league=Slot(means["league_squared_up"], "share"),
+            distance=Slot(means["from_best"], "offset"),
+        ))  # fmt: skip
+    if season.setting.contact is not None and season.setting.contact.relation.balls:
+        told.append(_relation(season.setting.contact.relation))
+    elif season.setting.contact is not None:
+        told.append(Sentence(("No table has enough bat speeds, so nothing is told of bats.",)))
+    return told
+
+
+def _bats(season: Season) -> str:
+    names = season.setting.bat_names
+    return names[0] if len(names) == 1 else f"{len(names)} bats"
+
+
+def _relation(relation: PlaceRelation) -> Sentence:
+    return say(
+        "Learnt from {balls} swings: the ball is met {mean} from the tip on average, scattering by {spread} about what "
+        "the pitch's place says; a pitch 1 ft further outside is met {slope} nearer the tip; exit speeds are {level} "
+        "beside the bat's and scatter by {noise} more than measuring errors do.",
+        balls=f"{relation.balls:,}", mean=Slot(relation.marginal[0], "place"), spread=Slot(relation.spread, "place"),
+        slope=Slot(-relation.weights[1] * 0.3048 / 0.3, "place"), level=f"{100 * relation.level:+.1f} %",
+        noise=Slot(relation.noise, "speed"),
+    )  # fmt: skip
+
+
+def _means(counted: pl.LazyFrame) -> dict[str, float]:
+    names = counted.collect_schema().names()
+    wanted = [name for name in ("carry", "squared_up", "league_squared_up", "from_best") if name in names]
+    row = counted.select(
+        *(pl.col(name).cast(pl.Float64).mean() for name in wanted), pl.col("home_run_here").cast(pl.Float64).sum(),
+        home_runs=(pl.col("event").str.to_lowercase().str.replace_all("[_ ]", "") == "homerun").sum(),
+    ).collect().row(0, named=True)  # fmt: skip
+    return {name: np.nan if value is None else value for name, value in row.items()}
+
+
+def _ledger(season: Season) -> Table:
+    found = season.found
+    columns = [Column("table"), Column("rows", right=True), *(Column(reason, right=True) for reason in REASONS)]
+    rows: list[list[Cell]] = [
+        [table.path.name, f"{table.rows:,}", *(f"{counts[reason]:,}" for reason in REASONS)]
+        for table, counts in zip(found.tables, found.counts, strict=True)
+    ]
+    if len(rows) > 1:
+        totals = [sum(counts[reason] for counts in found.counts) for reason in REASONS]
+        rows.append(["all", f"{found.rows:,}", *(f"{total:,}" for total in totals)])
+    return Table("Ledger: every row, and why it counts or not", columns, rows)
+
+
+def _warnings(season: Season) -> Block:
+    found = season.found
+    rows: list[list[Cell]] = []
+    for warning in found.warnings:
+        table = found.tables[warning.table].path.name
+        where = ", ".join(map(str, warning.rows[:5])) + (", …" if warning.count > len(warning.rows[:5]) > 0 else "")
+        detail = f" ({warning.detail})" if warning.detail else ""
+        rows.append([warning.name, table, f"{warning.count:,}", where, WARNINGS[warning.name] + detail])
+    if not rows:
+        return Paragraph("Nothing to beware of was found in the tables.", "note")
+    columns = [Column("beware"), Column("table"), Column("rows", right=True), Column("first of them"), Column("what")]
+    return Table("Beware", columns, rows)
+
+
+def _players(players: Standing) -> Table:
+    table = players.table.filter(pl.col("balls") >= FEWEST).sort("exit_speed", descending=True).head(SHOWN)
+    listed = [name for name in LISTED if name in table.columns]
+    columns = [Column("batter"), Column("balls", right=True),
+               *(Column(MEASURES[name][1], MEASURES[name][0], right=True) for name in listed),
+               Column("home runs expected", right=True)]  # fmt: skip
+    rows: list[list[Cell]] = [
+        [
+            str(row.get("name") or row["batter"]), f"{row['balls']:,}",
+            *(_pooled(row, name) for name in listed),
+            f"{row['home_runs_expected']:.1f}",
+        ]
+        for row in table.iter_rows(named=True)
+    ]  # fmt: skip
+    return Table("Players, partly pooled, with 90 % intervals: the highest exit speeds", columns, rows)
+
+
+def _pooled(row: Mapping[str, Any], name: str) -> Cell:
+    if row[name] is None:
+        return None
+    scale = MEASURES[name][0]
+    return joined([Slot(row[name], scale), say("({low} to {high})", low=Slot(row[f"{name}_low90"], scale).bare,
+                   high=Slot(row[f"{name}_high90"], scale).bare)])  # fmt: skip
+
+
+def _drag(months: Sequence[DragOfMonth]) -> Table:
+    columns = [Column("month"), Column("drag over the law's", "ratio"), Column("standard error", "ratio"),
+               Column("fly balls", right=True), Column("games", right=True)]  # fmt: skip
+    rows: list[list[Cell]] = [[one.month, one.drag, one.error, f"{one.flies:,}", f"{one.games:,}"] for one in months]
+    return Table("The season's own drag, from tracked distances; weather is not known, and is in it", columns, rows)
+
+
+def _groups(report: SeasonReport) -> Table:
+    """Return how balls and groups scatter: the reliability of each measure."""
+    columns = [Column("measure"), Column("players", right=True), Column("at 34 balls", "ratio", 2),
+               Column("at 100 balls", "ratio", 2), Column("at 400 balls", "ratio", 2)]  # fmt: skip
+    players = report.standings.get("batter")
+    rows: list[list[Cell]] = []
+    for name, spread in ({} if players is None else players.spreads).items():
+        if spread.groups:
+            label = MEASURES[name][1] if name in MEASURES else f"gain with {name.removeprefix(WITH)}"
+            rows.append([label, f"{spread.groups:,}", *(float(spread.reliability(count)) for count in (34, 100, 400))])
+    return Table("Reliability: how well so many balls of a player tell him from the others", columns, rows)
+
+
+def season_json(report: SeasonReport) -> dict[str, Any]:
+    """Return what is told of a season for other programs; SI."""
+    season, found = report.season, report.season.found
+    contact = season.setting.contact
+    return cleaned({
+        "tables": [
+            {
+                "file": str(table.path), "system": table.headings.system, "rows": table.rows, "ledger": counts,
+                "first_day": days and str(days[0]), "last_day": days and str(days[1]),
+                "columns": {name: {"heading": column.heading, "unit": column.unit}
+                            for name, column in table.headings.columns.items()},
+                "passed_through": list(table.headings.passed),
+            }
+            for table, counts, days in zip(found.tables, found.counts, found.days, strict=True)
+        ],
+        "not_read": [{"file": str(path), "reason": reason} for path, reason in found.faults],
+        "warnings": [{"name": one.name, "file": str(found.tables[one.table].path), "rows": one.count,
+                      "first_rows": one.rows, "detail": one.detail} for one in found.warnings],
+        "untracked": None if report.untracked is None else asdict(report.untracked),
+        "places": None if contact is None else vars(contact.relation),
+        "surfaces": [] if contact is None else [
+            {"bat": surface.bat.name, "speed_error_m_s": surface.speed_error, "angle_error_rad": surface.angle_error}
+            for surface in (*contact.surfaces, *(other.surface for other in contact.others))
+        ],
+        "drag": [asdict(one) for one in report.drag],
+        "scatter": {key: {name: asdict(spread) for name, spread in one.spreads.items()}
+                    for key, one in report.standings.items()},
+        "cannot_tell": list(CANNOT),
+    })  # fmt: skip
+
+
+def _drawn(report: SeasonReport, reading: Reader) -> Any:
+    from sweetspot.report.season.picture import season_figure
+
+    return season_figure(report.counted, reading=reading)

@@ -1,0 +1,164 @@
+"""Every answer for some rows of a table: the columns that are put beside its own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import polars as pl
+from numpy.typing import NDArray
+
+from sweetspot.numerics.arrays import Array
+from sweetspot.season import contact_kernel as kernel
+from sweetspot.season.balls import Balls, balls_of
+from sweetspot.season.contact import Contacts, ContactSetting, contacts, measures
+from sweetspot.season.fields import Fields, fields_of
+from sweetspot.season.flight_columns import GLOVE, FlightColumns, FlightSetting, flown_balls
+from sweetspot.season.output_columns import CONTACT, FLIGHT, OutputColumn, System, as_series, columns_of_other
+from sweetspot.season.swings import OUTCOMES
+from sweetspot.units import DEGREE, MPH
+
+MOSTLY_GONE = 8
+"""Parks from which on a ball is mostly gone; the league's three kinds [statcast]."""
+FLY_BALLS = (15 * DEGREE, 45 * DEGREE)
+FLY_SPEED = 80 * MPH
+"""Balls whose tracked distance is compared with the carry."""
+UNKNOWN_BAT = "unknown"
+
+
+@dataclass(frozen=True)
+class SeasonSetting:
+    """What all rows share.
+
+    Parameters
+    ----------
+    flight : of the flights.
+    contact : of the contacts; None: not wanted.
+    bats : name of the bat of each batter; "" stands for all others.
+    system : units of the columns.
+    """
+
+    flight: FlightSetting
+    contact: ContactSetting | None
+    bats: Mapping[str, str]
+    system: System = "us"
+
+    @property
+    def bat_names(self) -> tuple[str, ...]:
+        """Return the names of the bats that occur, in the order of the contact's tables."""
+        return tuple(dict.fromkeys(name for name in self.bats.values() if name != UNKNOWN_BAT))
+
+
+@dataclass(frozen=True)
+class Answers:
+    """All answers for n balls, in SI."""
+
+    balls: Balls
+    fields: Fields
+    flight: FlightColumns
+    contact: Contacts | None
+    bat_of: NDArray[np.int64]
+
+
+def answers_of(rows: pl.DataFrame, setting: SeasonSetting) -> Answers:
+    """Return all answers for rows that went through `rows_of`.
+
+    Parameters
+    ----------
+    rows : those that are used.
+    """
+    balls = balls_of(rows)
+    clubs = rows["home_team"].to_list() if "home_team" in rows.columns else [None] * len(rows)
+    fields = fields_of(clubs, balls.season)
+    warm = rows["temperature"].fill_null(np.nan).to_numpy() if "temperature" in rows.columns else np.full(
+        len(rows), np.nan)  # fmt: skip
+    flown = flown_balls(balls, fields, setting.flight, temperature=warm)
+    bat_of = bats_of(rows, setting)
+    met = None if setting.contact is None else contacts(balls, bat_of, setting.contact)
+    return Answers(balls, fields, flown, met, bat_of)
+
+
+def bats_of(rows: pl.DataFrame, setting: SeasonSetting) -> NDArray[np.int64]:
+    """Return which of the setting's bats each ball was hit with, -1 where not known; the table's word goes first."""
+    number = {name: index for index, name in enumerate(setting.bat_names)}
+    usual = number.get(setting.bats.get("", ""), -1)
+    found = np.full(len(rows), usual, np.int64)
+    for column in ("batter", "batter_name", "bat"):
+        if column in rows.columns:
+            known = setting.bats if column != "bat" else {name: name for name in number}
+            mapped = rows[column].replace_strict(
+                {who: number.get(name, -1) for who, name in known.items() if who}, default=-2, return_dtype=pl.Int64
+            ) if any(known) else None  # fmt: skip
+            if mapped is not None:
+                values = mapped.fill_null(-2).to_numpy()
+                found = np.where(values > -2, values, found)
+    return found
+
+
+def answer_columns(found: Answers, setting: SeasonSetting) -> list[pl.Series]:
+    """Return the answers as columns in the setting's units."""
+    pairs = [*_flight(found)]
+    if setting.contact is not None and found.contact is not None:
+        pairs += [*_contact(found, setting), *_others(found.contact)]
+    return [as_series(column, values, setting.system) for column, values in pairs]
+
+
+def _flight(found: Answers) -> Iterator[tuple[OutputColumn, Array]]:
+    flown, balls = found.flight, found.balls
+    here = np.isfinite(flown.launch_direction)
+    with np.errstate(invalid="ignore"):
+        parks = flown.home_run_parks
+        kind = np.select([parks >= 30, parks >= MOSTLY_GONE, parks >= 1], ["no doubter", "mostly gone", "doubter"], "")
+    outcome = np.select([np.isnan(balls.launch_angle), ~np.isfinite(flown.carry), ~here],
+                        ["no launch angle", "not flown", "direction unknown"], "flown")  # fmt: skip
+    values = {
+        "flight_outcome": outcome, "launch_direction": flown.launch_direction, "carry": flown.carry,
+        "carry_spread": flown.carry_spread, "hang_time": flown.hang_time, "apex": flown.apex_height,
+        "landing_angle": flown.landing_angle, "carry_above": carry_above(found), "home_run_here": flown.home_run_here,
+        "home_runs_in_30": flown.home_runs, "home_run_parks": parks,
+        "home_run_kind": np.array([word or None for word in kind.tolist()], object),
+    }  # fmt: skip
+    yield from ((column, values[column.name]) for column in FLIGHT)
+
+
+def carry_above(found: Answers) -> Array:
+    """Return tracked distance less carry in m, of fly balls and line drives; caught balls end at a glove."""
+    flown, balls = found.flight, found.balls
+    fly = (balls.launch_angle >= FLY_BALLS[0]) & (balls.launch_angle <= FLY_BALLS[1]) & (balls.exit_speed >= FLY_SPEED)
+    fly &= balls.distance > 0
+    with np.errstate(invalid="ignore", divide="ignore"):
+        short = np.where(flown.home_run_parks > 0, 0.0, GLOVE / np.tan(flown.landing_angle))
+    return np.where(fly, balls.distance - (flown.carry - short), np.nan)
+
+
+def _contact(found: Answers, setting: SeasonSetting) -> Iterator[tuple[OutputColumn, Array]]:
+    met, balls = found.contact, found.balls
+    assert met is not None
+    counted, rows = measures(balls, met), met.results
+    names = np.array([*setting.bat_names, UNKNOWN_BAT])
+    values = {
+        "bat": names[found.bat_of], "contact_outcome": np.array(OUTCOMES)[met.outcome],
+        "pitch_at_plate": balls.plate_speed, "ceiling": met.ceiling, "above_ceiling": met.above_chance,
+        "above_improbable": met.above_improbable, "league_ceiling": met.league_ceiling,
+        "offset": rows[:, kernel.OFFSET], "offset_spread": rows[:, kernel.OFFSET_SPREAD],
+        "best_from_tip": met.best_place, "tip_side": rows[:, kernel.TIP_SIDE],
+        "exit_speed_usual": rows[:, kernel.EXPECTED], "exit_speed_rank": rows[:, kernel.RANK],
+        **{name: counted[name] for name in ("squared_up_ratio", "league_ratio", "kept_vertically")},
+        **{name: _yes(counted[name]) for name in ("squared_up", "league_squared_up", "blast")},
+    }  # fmt: skip
+    ends = ("low90", "low50", "", "high50", "high90")
+    for stem, first in (("from_tip", kernel.PLACE), ("from_best", kernel.DISTANCE)):
+        for number, end in enumerate(ends):
+            values[f"{stem}_{end}".rstrip("_")] = rows[:, first + number]
+    yield from ((column, values[column.name]) for column in CONTACT)
+
+
+def _yes(values: Array) -> Array:
+    """Return 1 and 0 as yes and no, None where not known."""
+    return np.array([None if np.isnan(value) else value == 1 for value in values.tolist()], object)
+
+
+def _others(met: Contacts) -> Iterator[tuple[OutputColumn, Array]]:
+    for name, three in met.others.items():
+        yield from zip(columns_of_other(name), three, strict=True)

@@ -1,0 +1,140 @@
+"""Balls in play as arrays in SI, from rows of a table."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import polars as pl
+from numpy.typing import NDArray
+
+from sweetspot.catalog.aerodynamic_laws import aerodynamics
+from sweetspot.catalog.balls import ball
+from sweetspot.flight.air import Air
+from sweetspot.flight.bearing import bearing_of_place
+from sweetspot.flight.pitch.home_plate import PLATE, REFERENCE
+from sweetspot.flight.pitch.spin import spin_from_movement
+from sweetspot.flight.pitch.tracked import NineParameters, nine_parameters
+from sweetspot.numerics.arrays import Array
+from sweetspot.units import INCH
+
+PLATE_OVER_RELEASE = 0.920
+"""Speed of a pitch at the plate over that at release, 0.920 +- 0.007 over 2507 pitches [savant_2020day]."""
+MIDDLE_OF_PLATE = 8.5 * INCH
+"""m in front of the plate's tip, where the league's plate_x and plate_z are given from 2026 on."""
+FIRST_MIDDLE_SEASON = 2026
+USUAL_DESCENT = np.radians(6.6)
+"""Of a pitch at the plate, mean of 2507 [savant_2020day]."""
+
+
+@dataclass(frozen=True)
+class Balls:
+    """Balls in play, every array of shape (n,), NaN where not measured.
+
+    Parameters
+    ----------
+    exit_speed, launch_angle : m/s and rad as the ball leaves the bat.
+    bearing, launch_direction : rad from centre field, positive to right: where it came down, and where it set out.
+    distance : m, as tracked.
+    bat_speed, attack_angle, attack_direction, tilt : of the swing; the direction negative to the pull side.
+    axial_offset : m from the sweet spot along the bat towards the tip, where it was measured.
+    plate_speed : m/s of the pitch over the front edge of the plate.
+    descent, crossing : rad below the level, and rad to the right as the catcher sees it, of the pitch there.
+    spin : rad/s, active spin that makes the pitch move as it does, shape (n, 3); 0 where not known.
+    outside, plate_height : m of the pitch over the front edge of the plate, away from the batter and above the ground.
+    left : whether the batter bats left-handed; False where not known.
+    sided : whether the batter's side is known.
+    season : year, 0 where not known.
+    moved : whether the pitch was flown from the middle of the plate to its front edge.
+    """
+
+    exit_speed: Array
+    launch_angle: Array
+    bearing: Array
+    launch_direction: Array
+    distance: Array
+    bat_speed: Array
+    attack_angle: Array
+    attack_direction: Array
+    tilt: Array
+    axial_offset: Array
+    plate_speed: Array
+    descent: Array
+    crossing: Array
+    spin: Array
+    outside: Array
+    plate_height: Array
+    left: NDArray[np.bool_]
+    sided: NDArray[np.bool_]
+    season: NDArray[np.int64]
+    moved: NDArray[np.bool_]
+
+    def __len__(self) -> int:
+        return len(self.exit_speed)
+
+
+def balls_of(rows: pl.DataFrame) -> Balls:
+    """Return the balls of rows from `rows_of`, those that are used or any others."""
+
+    def column(name: str) -> Array:
+        if name not in rows.columns:
+            return np.full(len(rows), np.nan)
+        return rows[name].cast(pl.Float64).fill_null(np.nan).to_numpy()
+
+    left = rows["left"].fill_null(value=False).to_numpy()
+    season = rows["season"].fill_null(0).cast(pl.Int64).to_numpy()
+    bearing = column("bearing")
+    if "map_x" in rows.columns and "map_y" in rows.columns:
+        bearing = np.where(np.isnan(bearing), bearing_of_place(column("map_x"), column("map_y")), bearing)
+    speed, descent, crossing, spin, side, height, moved = _pitch(column, season)
+    attack_direction = column("attack_direction")
+    to_right = column("attack_to_right")
+    attack_direction = np.where(np.isnan(attack_direction), np.where(left, -to_right, to_right), attack_direction)
+    return Balls(
+        exit_speed=column("exit_speed"), launch_angle=column("launch_angle"), bearing=bearing,
+        launch_direction=column("launch_direction"), distance=column("distance"), bat_speed=column("bat_speed"),
+        attack_angle=column("attack_angle"), attack_direction=attack_direction, tilt=column("tilt"),
+        axial_offset=column("axial_offset"), plate_speed=speed, descent=descent, crossing=crossing, spin=spin,
+        outside=np.where(left, -side, side), plate_height=height, left=left,
+        sided=rows["left"].is_not_null().to_numpy(), season=season, moved=moved,
+    )  # fmt: skip
+
+
+def _pitch(
+    column: Callable[[str], Array], season: NDArray[np.int64]
+) -> tuple[Array, Array, Array, Array, Array, Array, NDArray[np.bool_]]:
+    """Return speed, descent, crossing, spin, side, height of pitches over the front edge, and which were flown there.
+
+    The nine parameters are flown to an explicit distance; without them the speed is 0.92 of that at release, and the
+    place stays where the table has it.
+    """
+    velocity = np.stack([column(f"velocity_{axis}") for axis in "xyz"], axis=-1)
+    push = np.stack([column(f"acceleration_{axis}") for axis in "xyz"], axis=-1)
+    side, height = column("plate_side"), column("plate_height")
+    pitch = nine_parameters(velocity, acceleration=push, side=0.0, height=0.0)
+    place, arriving = pitch.at(PLATE)
+    tracked = np.asarray(np.isfinite(arriving).all(axis=-1))
+    moved = tracked & (season >= FIRST_MIDDLE_SEASON)
+    if moved.any():
+        middle, _ = pitch.at(MIDDLE_OF_PLATE)
+        side = np.where(moved, side + place[:, 0] - middle[:, 0], side)
+        height = np.where(moved, height + place[:, 2] - middle[:, 2], height)
+    speed = np.where(tracked, np.linalg.norm(arriving, axis=-1), column("plate_speed"))
+    speed = np.where(np.isnan(speed), PLATE_OVER_RELEASE * column("release_speed"), speed)
+    across, out, up = np.moveaxis(arriving, -1, 0)
+    descent = np.where(tracked, np.arctan2(-up, -out), USUAL_DESCENT)
+    crossing = np.where(tracked, np.arctan2(across, -out), 0.0)
+    return speed, descent, crossing, _spin(pitch, tracked), side, height, moved
+
+
+def _spin(pitch: NineParameters, tracked: NDArray[np.bool_]) -> Array:
+    """Return the active spin of pitches, told by how they move half-way; 0 where that is not known."""
+    if not tracked.any():
+        return np.zeros_like(pitch.velocity)
+    _, velocity = pitch.at((REFERENCE + PLATE) / 2)
+    found = spin_from_movement(
+        velocity, acceleration=pitch.acceleration, ball=ball(), aerodynamics=aerodynamics("pitched-baseball"),
+        density=np.full(len(tracked), Air().density),
+    )  # fmt: skip
+    return np.where(tracked[:, None] & np.isfinite(found), found, 0.0)

@@ -1,0 +1,289 @@
+"""On which place of which bat each ball was hit: ceilings, what was lost where, and the posterior of the contact.
+
+Exit speed tells how far from the best place a ball was met, launch angle less attack angle how far above or below the
+axis; which side of the best place it was, only the pitch's place tells. Errors are stated (`swings.Errors`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sweetspot.equipment.ball import Ball
+from sweetspot.motion.swing_law import SwingLaw
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.threads import in_parts
+from sweetspot.season import contact_kernel as kernel
+from sweetspot.season.balls import Balls
+from sweetspot.season.bat_surface import SPEED_FROM_TIP, BatSurface
+from sweetspot.season.place_relation import UNLEARNT, PlaceRelation, learn_places, speed_term
+from sweetspot.season.swings import OUTCOMES, USUAL_ERRORS, Errors, InPlane, ceilings, in_plane
+from sweetspot.units import MPH
+
+LEAGUE_BAT, LEAGUE_PITCH = 1.23, 0.23
+"""The league's greatest exit speed per bat speed and per pitch speed at the plate [statcast]."""
+SQUARED_UP = 0.80
+"""Of the greatest exit speed, from which the league calls a ball squared up [statcast]."""
+BLAST = 164.0
+"""Percent of the league's greatest exit speed and mph of bat speed together, from which it is a blast [statcast]."""
+CHUNK = 4096
+LEARNT_FROM = 10_000
+"""Balls that the relation of places is learnt from, at most."""
+
+
+@dataclass(frozen=True)
+class OtherBat:
+    """A bat that every swing is tried with.
+
+    Parameters
+    ----------
+    name : of its columns.
+    surface : its table.
+    moi : kg m^2 about the swing law's axis.
+    """
+
+    name: str
+    surface: BatSurface
+    moi: float
+
+
+@dataclass(frozen=True)
+class ContactSetting:
+    """What all balls of a table share.
+
+    Parameters
+    ----------
+    ball : of the catalogue.
+    surfaces : tables of the bats that occur.
+    mois : of the same about the swing law's axis, kg m^2.
+    others : bats that every swing is tried with.
+    law : of bat speed against moment of inertia.
+    errors : of the measurements.
+    relation : of places along the bat to the pitch's.
+    threads : workers; None: one per core.
+    """
+
+    ball: Ball
+    surfaces: tuple[BatSurface, ...]
+    mois: tuple[float, ...]
+    others: tuple[OtherBat, ...]
+    law: SwingLaw
+    errors: Errors = USUAL_ERRORS
+    relation: PlaceRelation = UNLEARNT
+    threads: int | None = None
+
+
+@dataclass(frozen=True)
+class Contacts:
+    """Answers for n balls; NaN where there is none.
+
+    Parameters
+    ----------
+    outcome : index into `OUTCOMES`.
+    ceiling, league_ceiling : m/s, of this bat and by the league's formula.
+    best_place : m from the tip where this bat's is.
+    above_chance : that the true exit speed was above the true ceiling, measuring errors considered.
+    above_improbable : of a ball met perfectly, to be measured at least so far above the ceiling.
+    results : rows of `contact_kernel`, shape (n, rows).
+    others : (mean, low, high) of the exit speed with each other bat, m/s; 90 % interval.
+    """
+
+    outcome: NDArray[np.int64]
+    ceiling: Array
+    league_ceiling: Array
+    best_place: Array
+    above_chance: Array
+    above_improbable: Array
+    results: Array
+    others: Mapping[str, tuple[Array, Array, Array]]
+
+
+def contacts(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -> Contacts:
+    """Return where on their bats balls were hit.
+
+    Parameters
+    ----------
+    bat_of : which of the setting's bats each ball was hit with, -1 where not known.
+    """
+    count = len(balls)
+    outcome = np.full(count, OUTCOMES.index("no bat speed"), np.int64)
+    ceiling, best, chance, improbable = np.full((4, count), np.nan)
+    results = np.full((count, kernel.ROWS), np.nan)
+    others = {other.name: (np.full(count, np.nan), np.full(count, np.nan), np.full(count, np.nan))
+              for other in setting.others}  # fmt: skip
+    for number, surface in enumerate(setting.surfaces):
+        mine = np.flatnonzero(bat_of == number)
+        if not len(mine):
+            continue
+        some = taken(balls, mine)
+        plane = in_plane(some, surface, setting.errors, ball=setting.ball)
+        ceiling[mine], best[mine] = ceilings(plane, surface)
+        solved = plane.outcome == 0
+        found, weights = _posteriors(some, plane, best[mine], surface, setting, solved)
+        results[mine] = found
+        grazed = solved & np.isnan(found[:, kernel.KEPT])
+        outcome[mine] = np.where(grazed, OUTCOMES.index("grazed"), plane.outcome)
+        chance[mine], improbable[mine] = _above(some, plane, ceiling[mine], setting)
+        for other in setting.others:
+            answer = _with_other(plane, found, weights, surface, setting.mois[number], other, setting, solved)
+            for held, values in zip(others[other.name], answer, strict=True):
+                held[mine] = values
+    league = LEAGUE_BAT * balls.bat_speed + LEAGUE_PITCH * balls.plate_speed
+    return Contacts(outcome, ceiling, league, best, chance, improbable, results, others)
+
+
+def taken(balls: Balls, rows: NDArray[np.int64] | NDArray[np.bool_]) -> Balls:
+    """Return some balls."""
+    return Balls(**{name: values[rows] for name, values in vars(balls).items()})
+
+
+def asked_of(plane: InPlane) -> Array:
+    """Return what the kernel asks a table with, shape (n, 7)."""
+    return np.stack([plane.bat_speed, plane.ahead, plane.up, plane.tangent, plane.turned, plane.angle_error,
+                     plane.speed_error], axis=-1)  # fmt: skip
+
+
+def learnt(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -> PlaceRelation:
+    """Return the relation of places learnt from some balls; an evenly drawn sample is enough.
+
+    Parameters
+    ----------
+    bat_of : which of the setting's bats each ball was hit with, -1 where not known.
+    """
+    chosen: list[NDArray[np.int64]] = []
+    tables, outs, spreads = [], [], []
+    for number, surface in enumerate(setting.surfaces):
+        mine = np.flatnonzero(bat_of == number)
+        plane = in_plane(taken(balls, mine), surface, setting.errors, ball=setting.ball)
+        good = plane.outcome == 0
+        asked = asked_of(plane)[good]
+        fast, spread = np.full((len(asked), len(surface.arm)), np.nan), np.empty(len(asked))
+        kernel.fill_predictions(
+            surface.axes, surface.after, surface.reach, surface.arm, asked, fast, spread, _error_array(setting.errors)
+        )
+        chosen.append(mine[good])
+        tables.append(fast)
+        outs.append(plane.exit_speed[good])
+        spreads.append(spread)
+    if not chosen or not sum(map(len, chosen)):
+        return UNLEARNT
+    return learn_places(
+        taken(balls, np.concatenate(chosen)), places=setting.surfaces[0].axes[2], predicted=np.concatenate(tables),
+        measured=np.concatenate(outs), spread=np.concatenate(spreads),
+    )  # fmt: skip
+
+
+def _chances_of(balls: Balls) -> Array:
+    """Return a number between 0 and 1 for each ball that is as good as drawn, and the same however rows are cut."""
+    mixed = 7919.13 * balls.exit_speed + 104729.7 * balls.launch_angle + 1299.71 * balls.bat_speed
+    return np.nan_to_num(mixed - np.floor(mixed))
+
+
+def _error_array(errors: Errors) -> Array:
+    return np.array([errors.exit_speed, errors.bat_speed])
+
+
+def _posteriors(
+    balls: Balls, plane: InPlane, best: Array, surface: BatSurface, setting: ContactSetting, solved: NDArray[np.bool_]
+) -> tuple[Array, Array]:
+    prior = setting.relation.prior(balls)
+    told = np.isfinite(balls.axial_offset)
+    prior = np.where(told[:, None], np.stack([SPEED_FROM_TIP - np.nan_to_num(balls.axial_offset),
+                     np.full(len(told), setting.errors.axial_offset)], axis=-1), prior)  # fmt: skip
+    rows = np.flatnonzero(solved)
+    asked = np.ascontiguousarray(asked_of(plane)[rows])
+    found = np.full((len(rows), kernel.ROWS), np.nan)
+    weights = np.zeros((len(rows) if setting.others else 1, len(surface.arm)))
+    relation = setting.relation
+    aims = np.stack([best, _chances_of(balls)], axis=-1)
+    noise = np.ascontiguousarray(relation.noises(speed_term(balls))[rows])
+
+    def work(part: slice) -> None:
+        kernel.fill_posteriors(
+            surface.axes, surface.after, surface.reach, surface.arm, asked[part], plane.exit_speed[rows][part],
+            prior[rows][part], aims[rows][part], _error_array(setting.errors), relation.level, noise[part],
+            found[part], weights[part] if setting.others else weights,
+        )  # fmt: skip
+
+    in_parts(work, len(rows), size=CHUNK, threads=setting.threads)
+    results = np.full((len(balls), kernel.ROWS), np.nan)
+    results[rows] = found
+    everything = np.zeros((len(balls) if setting.others else 1, len(surface.arm)))
+    if setting.others:
+        everything[rows] = weights
+    return results, everything
+
+
+def _above(balls: Balls, plane: InPlane, ceiling: Array, setting: ContactSetting) -> tuple[Array, Array]:
+    """Return the chance that a ball was truly above its ceiling, and how improbable a perfect hit would read so.
+
+    Known beforehand is that a true exit speed is at most the ceiling with what balls and bats differ by; both are
+    normal here, with the errors of exit and bat speed.
+    """
+    from scipy.special import ndtr
+
+    coming = np.hypot(plane.ahead, plane.up)
+    per_speed = (ceiling + coming) / (plane.bat_speed + coming)
+    parts = (setting.errors.exit_speed, plane.speed_error, per_speed * setting.errors.bat_speed,
+             setting.relation.noises(speed_term(balls)))  # fmt: skip
+    spread = np.sqrt(sum(np.square(part) for part in parts))
+    off = (balls.exit_speed - (1 + setting.relation.level) * ceiling) / spread
+    return np.asarray(ndtr(off)), np.asarray(ndtr(-off))
+
+
+def _with_other(
+    plane: InPlane, found: Array, weights: Array, own: BatSurface, moi: float, other: OtherBat,
+    setting: ContactSetting, solved: NDArray[np.bool_],
+) -> tuple[Array, Array, Array]:  # fmt: skip
+    """Return exit speeds that the same swings would have given with another bat, and their 90 % intervals."""
+    rows = np.flatnonzero(solved)
+    asked, offset, parts = asked_of(plane)[rows], found[rows, kernel.OFFSET], weights[rows]
+    bats = own.bat, other.surface.bat
+    arms = [bat.length - bat.choke - SPEED_FROM_TIP for bat in bats]
+    exponents = setting.law.exponents
+    means = []
+    table = other.surface
+    for exponent in (exponents.value, exponents.low, exponents.high):
+        ratio = setting.law.speed_ratio(other.moi, reference_moi=moi, exponent=exponent) * arms[1] / arms[0]
+        mean, spread = np.empty((2, len(rows)))
+        kernel.fill_other_bat(own.axes, table.axes, table.after, table.reach, table.arm, asked, offset, parts, ratio,
+                              mean, spread)  # fmt: skip
+        means.append((mean, spread))
+    same, _ = np.empty((2, len(rows)))
+    kernel.fill_other_bat(own.axes, own.axes, own.after, own.reach, own.arm, asked, offset, parts, 1.0, same, _)
+    level = 1 + setting.relation.level
+    law = np.abs(means[1][0] - means[2][0]) / (2 * 1.959964)
+    reach = 1.644854 * level * law
+    answer = plane.exit_speed[rows] + level * (means[0][0] - same)
+    full = np.full((3, len(solved)), np.nan)
+    full[:, rows] = answer, answer - reach, answer + reach
+    return full[0], full[1], full[2]
+
+
+def measures(balls: Balls, found: Contacts) -> dict[str, Array]:
+    """Return what is counted and averaged over players, by name; ratios, and chances between 0 and 1.
+
+    Parameters
+    ----------
+    found : contacts of the balls.
+    """
+    with np.errstate(invalid="ignore"):
+        ratio, league = balls.exit_speed / found.ceiling, balls.exit_speed / found.league_ceiling
+        blast = 100 * league + balls.bat_speed / MPH >= BLAST
+        known = np.isfinite(league)
+        return {
+            "squared_up_ratio": ratio,
+            "squared_up": np.where(np.isfinite(ratio), ratio >= SQUARED_UP, np.nan),
+            "league_ratio": league,
+            "league_squared_up": np.where(known, league >= SQUARED_UP, np.nan),
+            "blast": np.where(known, blast, np.nan),
+            "kept_vertically": np.minimum(found.results[:, kernel.KEPT] / found.ceiling, 1.0),
+        }
+
+
+def names_of(others: Sequence[OtherBat]) -> list[str]:
+    """Return the names of bats."""
+    return [other.name for other in others]

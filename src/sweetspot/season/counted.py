@@ -1,0 +1,85 @@
+"""What is counted over players, pitchers, clubs, pitch types, counts and months: one narrow row per ball, in SI."""
+
+from __future__ import annotations
+
+import numpy as np
+import polars as pl
+
+from sweetspot.numerics.arrays import Array
+from sweetspot.season import contact_kernel as kernel
+from sweetspot.season.answers import Answers, carry_above
+from sweetspot.season.contact import measures
+from sweetspot.season.headings import Headings
+from sweetspot.units import INCH
+
+CENTRED, LINED_UP = 4 * INCH, 2 * INCH
+"""m from the best place along the bat and above or below its axis, within which the league calls a ball centred and
+lined up [statcast_contact_point]."""
+WITH = "with "
+"""How columns begin that hold what a ball would gain with another bat, m/s."""
+
+
+def counted_rows(rows: pl.DataFrame, found: Answers, headings: Headings) -> pl.DataFrame:
+    """Return groups and measures of balls, one row each.
+
+    Parameters
+    ----------
+    rows : that went through `rows_of` and are used.
+    """
+    balls, flown = found.balls, found.flight
+    kind = np.select([flown.home_run_parks >= 30, flown.home_run_parks >= 8, flown.home_run_parks >= 1], [3, 2, 1], 0)
+    measured: dict[str, Array] = {
+        "exit_speed": balls.exit_speed, "launch_angle": balls.launch_angle, "bat_speed": balls.bat_speed,
+        "direction": flown.launch_direction, "carry": flown.carry, "carry_above": carry_above(found),
+        "carry_per_drag": flown.carry_per_drag, "home_run_here": flown.home_run_here,
+        "home_runs_in_30": flown.home_runs, "home_run_kind": kind.astype(float), "bearing": balls.bearing,
+    }  # fmt: skip
+    met = found.contact
+    if met is not None:
+        result = met.results
+        distance, offset = result[:, kernel.DISTANCE + 2], result[:, kernel.OFFSET]
+        with np.errstate(invalid="ignore"):
+            centred = np.where(np.isnan(distance), np.nan, distance <= CENTRED)
+            lined_up = np.where(np.isnan(offset), np.nan, np.abs(offset) <= LINED_UP)
+        measured |= measures(balls, met) | {
+            "from_best": distance, "from_tip": result[:, kernel.MEAN_PLACE],
+            "from_tip_drawn": result[:, kernel.DRAWN], "offset": offset, "centred": centred,
+            "lined_up": lined_up, "tip_side": result[:, kernel.TIP_SIDE], "rank": result[:, kernel.RANK],
+            "above_usual": balls.exit_speed - result[:, kernel.EXPECTED],
+        }  # fmt: skip
+        for name, (mean, _, _) in met.others.items():
+            measured[f"{WITH}{name}"] = mean - balls.exit_speed
+    series = [pl.Series(name, values.astype(np.float32), nan_to_null=True) for name, values in measured.items()]
+    return rows.select(*groups(headings)).with_columns(
+        *series, park=_parks(found)
+    )  # fmt: skip
+
+
+def groups(headings: Headings) -> list[pl.Expr]:
+    """Return who and what a ball belongs to, each as text."""
+    nothing = pl.lit(None, pl.String)
+
+    def text(name: str) -> pl.Expr:
+        return pl.col(name) if headings.has(name) else nothing
+
+    batting = text("batter_team")
+    pitching = text("pitcher_team")
+    if headings.has("half_inning", "home_team", "away_team"):
+        top = pl.col("half_inning").str.to_lowercase().str.starts_with("t")
+        batting = pl.coalesce(batting, pl.when(top).then(pl.col("away_team")).otherwise(pl.col("home_team")))
+        pitching = pl.coalesce(pitching, pl.when(top).then(pl.col("home_team")).otherwise(pl.col("away_team")))
+    count = nothing
+    if headings.has("balls", "strikes"):
+        count = pl.concat_str([pl.col("balls"), pl.col("strikes")], separator="-")
+    return [
+        text("batter").alias("batter"), text("batter_name").alias("batter_name"), text("pitcher").alias("pitcher"),
+        text("pitcher_name").alias("pitcher_name"), batting.alias("team"), pitching.alias("fielding_team"),
+        text("pitch_type").alias("pitch_type"), count.alias("count"),
+        pl.col("day").dt.strftime("%Y-%m").alias("month"), pl.col("season").cast(pl.String).alias("season"),
+        text("event").alias("event"), text("game").alias("game"),
+    ]  # fmt: skip
+
+
+def _parks(found: Answers) -> pl.Series:
+    names = np.array([*(park.name for park in found.fields.parks), None], object)
+    return pl.Series("park", names[found.fields.index].tolist(), dtype=pl.String)

@@ -1,0 +1,86 @@
+"""Where a ball was hit: the park of a club in a season, its air, and the thirty parks of that season."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sweetspot.catalog.ballparks import park, parks_of_season
+from sweetspot.errors import InputError
+from sweetspot.flight.air import Air
+from sweetspot.flight.park import Park
+from sweetspot.numerics.arrays import Array
+
+
+@dataclass(frozen=True)
+class Fields:
+    """The parks of many balls.
+
+    Parameters
+    ----------
+    parks : those that occur.
+    index : which of them each ball was hit in, -1 where not known, shape (n,).
+    unknown : clubs whose park is not known, with how many balls.
+    """
+
+    parks: tuple[Park, ...]
+    index: NDArray[np.int64]
+    unknown: dict[str, int]
+
+    def density(self, air: Air, temperature: Array) -> Array:
+        """Return the air's density for every ball, kg/m^3; where the park is not known at the air's own elevation.
+
+        Parameters
+        ----------
+        temperature : degC of every ball, NaN: the air's own.
+        """
+        from sweetspot.flight.air import air_density
+
+        elevations = np.array([*(one.elevation for one in self.parks), air.elevation])
+        warm = np.where(np.isnan(temperature), air.temperature, temperature)
+        return air_density(warm, pressure=air.pressure, humidity=air.humidity, elevation=elevations[self.index])
+
+
+def fields_of(clubs: Sequence[str | None], seasons: NDArray[np.int64]) -> Fields:
+    """Return where balls were hit.
+
+    Parameters
+    ----------
+    clubs : the home club's letters or name, None where not known.
+    seasons : year, 0 where not known: the park of today.
+    """
+    pairs, inverse = np.unique(
+        np.array([f"{year}|{club or ''}" for club, year in zip(clubs, seasons.tolist(), strict=True)]),
+        return_inverse=True,
+    )
+    found: dict[Park, int] = {}
+    unknown: dict[str, int] = {}
+    counts = np.bincount(inverse, minlength=len(pairs))
+    places = np.full(len(pairs), -1, np.int64)
+    for number, pair in enumerate(pairs.tolist()):
+        year, _, club = pair.partition("|")
+        here = home_park(club, int(year) or None) if club else None
+        if here is None:
+            unknown[club or "no home team"] = unknown.get(club or "no home team", 0) + int(counts[number])
+        else:
+            places[number] = found.setdefault(here, len(found))
+    return Fields(tuple(found), places[inverse], unknown)
+
+
+@cache
+def home_park(club: str, season: int | None) -> Park | None:
+    """Return the park of a club in a season, None for an unknown club."""
+    try:
+        return park(club, season)
+    except InputError:
+        return None
+
+
+@cache
+def thirty_parks(season: int) -> tuple[Park, ...]:
+    """Return the parks of all clubs in a season; 0: those of today."""
+    return parks_of_season(season or None)

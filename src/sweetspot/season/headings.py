@@ -1,0 +1,215 @@
+"""What the columns of a table of batted balls mean, whoever wrote it: Statcast, Trackman, a club, or anybody's units.
+
+The names are data, `catalog/table_headings.toml`. A system's own names are in that system's units; any other
+measurement carries its unit in the heading (``exit_speed_mph``, ``Exit Velocity [km/h]``).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from sweetspot.catalog.records import read_table
+from sweetspot.errors import InputError, nearest_names
+from sweetspot.units import DEGREE, FOOT, INCH, MPH, RPM
+
+FILE = "table_headings.toml"
+SYSTEMS = {
+    "statcast": ("Statcast", {"launch_speed"}),
+    "club": ("club feed", {"bataxialoffset"}),
+    "trackman": ("Trackman", {"exitspeed", "angle"}),
+    "hittrax": ("HitTrax", {"velo", "la"}),
+}
+"""Systems whose names mean their own units, with the headings that give them away; the first that fits counts."""
+ALSO = {"club": ("trackman",)}
+"""Whose names a system's tables use beside their own."""
+SPEEDS = {
+    "mph": MPH, "mi_h": MPH, "m_s": 1.0, "mps": 1.0, "ms": 1.0, "km_h": 1 / 3.6, "kmh": 1 / 3.6, "kph": 1 / 3.6,
+    "ft_s": FOOT, "fps": FOOT,
+}  # fmt: skip
+LENGTHS = {"in": INCH, "inch": INCH, "inches": INCH, "ft": FOOT, "feet": FOOT, "m": 1.0, "cm": 0.01, "mm": 0.001,
+           "yd": 3 * FOOT}  # fmt: skip
+UNITS: Mapping[str, Mapping[str, float]] = {
+    "speed": SPEEDS,
+    "angle": {"deg": DEGREE, "degree": DEGREE, "degrees": DEGREE, "°": DEGREE, "rad": 1.0, "radians": 1.0},
+    "length": LENGTHS,
+    "distance": LENGTHS,
+    "time": {"s": 1.0, "sec": 1.0, "seconds": 1.0},
+    "spin": {"rpm": RPM, "rad_s": 1.0},
+    "acceleration": {"ft_s2": FOOT, "m_s2": 1.0},
+    "temperature": {"degf": 5 / 9, "degc": 1.0, "f": 5 / 9, "c": 1.0},
+    "count": {},
+    "text": {},
+}
+"""Endings of a heading that are units of a kind, and their size in SI."""
+FAHRENHEIT_ZERO = -160 / 9
+"""degC at 0 degF."""
+COPY = re.compile(r"_duplicated_\d+$")
+
+
+@dataclass(frozen=True)
+class TableColumn:
+    """One column that is understood.
+
+    Parameters
+    ----------
+    quantity : what it gives, an entry of the list of names.
+    heading : as the table writes it.
+    kind : of the quantity.
+    unit : as told by heading or system; "" where there is none.
+    factor, zero : value in SI = zero + factor x what the table holds.
+    """
+
+    quantity: str
+    heading: str
+    kind: str
+    unit: str
+    factor: float
+    zero: float = 0.0
+
+
+@dataclass(frozen=True)
+class Headings:
+    """All columns of a table.
+
+    Parameters
+    ----------
+    system : whose table it is; "plain" where the names are nobody's own.
+    columns : those that are understood, by quantity.
+    passed : headings that mean nothing here and pass through untouched.
+    notes : what to know, one sentence each.
+    """
+
+    system: str
+    columns: Mapping[str, TableColumn]
+    passed: tuple[str, ...]
+    notes: tuple[str, ...]
+
+    def has(self, *quantities: str) -> bool:
+        """Return whether the table has all of some quantities."""
+        return all(name in self.columns for name in quantities)
+
+
+@cache
+def quantities() -> dict[str, dict[str, Any]]:
+    """Return the list of quantities with all their names."""
+    return read_table(FILE)
+
+
+def simplified(heading: str) -> str:
+    """Return a heading in lower case, words and unit joined by single underscores.
+
+    >>> simplified("Exit Velocity [km/h]"), simplified("ExitSpeed"), simplified("ax (ft/s²)")
+    ('exit_velocity_km_h', 'exitspeed', 'ax_ft_s2')
+    """
+    plain = heading.replace("\ufeff", "").replace("²", "2").strip().strip('"').lower()
+    return re.sub(r"[^0-9a-z%°]+", "_", plain).strip("_")
+
+
+def headings_of(names: Sequence[str], *, given: Mapping[str, str] | None = None, file_name: str = "table") -> Headings:
+    """Return what the columns of a table mean.
+
+    Parameters
+    ----------
+    names : headings as the table writes them.
+    given : heading by quantity, where a person has said what a column is; it goes before everything else.
+    file_name : for messages.
+
+    Raises
+    ------
+    InputError
+        when there is no exit speed, a measurement has no unit or an unknown one, or ``given`` names no column.
+
+    >>> mapped = headings_of(["launch_speed", "launch_angle", "hc_x", "umpire"])
+    >>> mapped.system, mapped.columns["exit_speed"].unit, mapped.passed
+    ('Statcast', 'mph', ('umpire',))
+    """
+    short = {name: simplified(name) for name in names}
+    key = next((key for key, (_, marks) in SYSTEMS.items() if marks <= set(short.values())), "")
+    columns: dict[str, TableColumn] = {}
+    notes: list[str] = []
+    said = _given(given or {}, names, file_name)
+    for name in names:
+        column = said.get(name) or _column(name, short[name], key, file_name)
+        if column is None or COPY.search(name):
+            continue
+        if column.quantity not in columns or name in said:
+            columns[column.quantity] = column
+        elif column.kind != "text":
+            notes.append(f"{name} gives {column.quantity} too; {columns[column.quantity].heading} is used")
+    if any(name.startswith("\ufeff") for name in names):
+        notes.append("the first heading begins with a byte order mark, which is left out")
+    if "exit_speed" not in columns:
+        raise InputError(
+            f"{file_name}: no column for exit speed; launch_speed (Statcast), ExitSpeed (Trackman) or exit_speed_mph "
+            f"would do. {_closest(list(names))}"
+        )
+    taken = {column.heading for column in columns.values()}
+    passed = tuple(name for name in names if name not in taken)
+    return Headings(SYSTEMS[key][0] if key else "plain", columns, passed, tuple(notes))
+
+
+def _closest(names: list[str]) -> str:
+    shown = ", ".join(names[:12]) + (", …" if len(names) > 12 else "")
+    return f"The table has: {shown}" if names else nearest_names("exit_speed", ["launch_speed"])
+
+
+def _given(given: Mapping[str, str], names: Sequence[str], file_name: str) -> dict[str, TableColumn]:
+    """Return the columns that a person has named, by heading; a unit may stand behind: ``EV:km/h``."""
+    found = {}
+    for quantity, text in given.items():
+        if quantity not in quantities():
+            raise InputError(f"{quantity} is no quantity of a table. {nearest_names(quantity, list(quantities()))}")
+        heading, _, unit = text.rpartition(":") if text not in names else (text, "", "")
+        if heading not in names:
+            raise InputError(f"{file_name}: no column {heading or text!r} to give {quantity}. {_closest(list(names))}")
+        kind = quantities()[quantity]["kind"]
+        if not unit and kind not in ("text", "count"):
+            known = _column(heading, simplified(heading), "", file_name)
+            unit = known.unit if known and known.kind == kind else _default_unit(quantity)
+        found[heading] = _made(quantity, heading, kind, simplified(unit), file_name)
+    return found
+
+
+def _default_unit(quantity: str) -> str:
+    entry = quantities()[quantity]
+    return next((entry[key]["unit"] for key in SYSTEMS if key in entry and "unit" in entry[key]), "")
+
+
+def _column(heading: str, name: str, system: str, file_name: str) -> TableColumn | None:
+    for source in (system, *ALSO.get(system, ())):
+        for quantity, entry in quantities().items():
+            own = entry.get(source, {})
+            if name in own.get("names", ()):
+                return _made(quantity, heading, entry["kind"], simplified(own.get("unit", "")), file_name)
+    for quantity, entry in quantities().items():
+        for alias in sorted(entry.get("plain", ()), key=len, reverse=True):
+            unit = name.removeprefix(alias).strip("_") if name.startswith(f"{alias}_") else ""
+            if name != alias and (not unit or unit not in KNOWN_UNITS):
+                continue
+            if name == alias and quantity not in ESSENTIAL and entry["kind"] not in ("text", "count"):
+                return None  # an extra measurement without a unit is left alone
+            return _made(quantity, heading, entry["kind"], unit, file_name)
+    return None
+
+
+def _made(quantity: str, heading: str, kind: str, unit: str, file_name: str) -> TableColumn:
+    units = UNITS[kind]
+    if kind in ("text", "count"):
+        return TableColumn(quantity, heading, kind, "", 1.0)
+    if unit not in units:
+        example = f"{simplified(heading)}_{next(iter(units))}" if not unit else ", ".join(units)
+        raise InputError(
+            f"{file_name}: column {heading} has {'no unit' if not unit else f'the unit {unit}, which is no {kind}'}; "
+            f"{'write it into the heading, for example' if not unit else 'allowed:'} {example}"
+        )
+    zero = FAHRENHEIT_ZERO if kind == "temperature" and units[unit] != 1 else 0.0
+    return TableColumn(quantity, heading, kind, unit, units[unit], zero)
+
+
+KNOWN_UNITS = frozenset(unit for units in UNITS.values() for unit in units)
+ESSENTIAL = ("exit_speed", "launch_angle", "bat_speed")
+"""Without a unit these are refused; nobody must guess whether 98 is a speed in mph or in km/h."""

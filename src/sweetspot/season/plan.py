@@ -1,0 +1,166 @@
+"""What is to be computed, as one plan that any number of workers can do their part of, in any order, again and again.
+
+A task is some rows of one table. Its answer is one Parquet file of used rows, one of the ledger and one of what is
+counted, each written beside its name first and then moved there whole, with the plan's fingerprint inside; done again,
+it is the same bytes.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import polars as pl
+from numpy.typing import NDArray
+
+from sweetspot.season.answers import SeasonSetting, answer_columns, answers_of
+from sweetspot.season.counted import counted_rows
+from sweetspot.season.rows import USED, rows_of
+from sweetspot.season.survey import with_duplicates
+from sweetspot.season.table_file import TableFile
+
+TASK_ROWS = 131_072
+"""Rows of a task; the answers of a row do not depend on it."""
+BALLS, LEDGER, COUNTED, MARK = "balls", "ledger", "counted", "sweetspot"
+SIZE_SEEN = 1 << 16
+"""Bytes of a file's beginning and end that go into the fingerprint of a plan."""
+
+
+@dataclass(frozen=True)
+class Task:
+    """Some rows of one table: its number, the first row and how many."""
+
+    table: int
+    start: int
+    rows: int
+
+    @property
+    def name(self) -> str:
+        """Return what its files are called."""
+        return f"{self.table:04d}-{self.start:010d}.parquet"
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Everything that the tasks of a run share.
+
+    Parameters
+    ----------
+    tables : to be read.
+    duplicates : rows of each that are another row's pitch.
+    setting : how.
+    folder : where the answers go.
+    task_rows : rows of a task.
+    fingerprint : of all that the answers depend on.
+    """
+
+    tables: tuple[TableFile, ...]
+    duplicates: tuple[NDArray[np.uint32], ...]
+    setting: SeasonSetting
+    folder: Path
+    task_rows: int = TASK_ROWS
+    fingerprint: str = field(default="")
+
+    def tasks(self) -> Iterator[Task]:
+        """Yield all tasks, in the order of tables and rows."""
+        for number, table in enumerate(self.tables):
+            for start in range(0, table.rows, self.task_rows):
+                yield Task(number, start, min(self.task_rows, table.rows - start))
+
+    def paths(self, task: Task) -> tuple[Path, Path, Path]:
+        """Return the files of a task: balls, ledger and what is counted."""
+        balls, ledger, counted = (self.folder / name / task.name for name in (BALLS, LEDGER, COUNTED))
+        return balls, ledger, counted
+
+
+def is_done(plan: Plan, task: Task) -> bool:
+    """Return whether the files of a task are there, whole, and of this very plan."""
+    for path in plan.paths(task):
+        try:
+            found = pl.read_parquet_metadata(path).get(MARK, "")
+            rows = pl.scan_parquet(path).select(pl.len()).collect().item()
+            mark = json.loads(found)
+        except (OSError, pl.exceptions.PolarsError, ValueError):
+            return False
+        if mark["plan"] != plan.fingerprint or mark["rows"] != rows:
+            return False
+    return True
+
+
+def do_task(plan: Plan, task: Task) -> int:
+    """Do a task that is not done yet; return how many rows it had."""
+    if is_done(plan, task):
+        return task.rows
+    table = plan.tables[task.table]
+    frame = table.part(task.start, task.rows)
+    rows = with_duplicates(rows_of(frame, table.headings, first=task.start), plan.duplicates[task.table])
+    used = (rows["reason"] == USED).to_numpy()
+    found = answers_of(rows.filter(used), plan.setting)
+    columns = answer_columns(found, plan.setting)
+    names = {column.name for column in columns}
+    kept = frame.filter(used)
+    row = (rows.filter(used)["row"] + 1).cast(pl.UInt32).alias("table_row")
+    source = pl.Series("table", [str(table.path.name)] * len(row), dtype=pl.String)
+    own = [column for column in kept.get_columns() if column.name not in {*names, "table", "table_row"}]
+    balls, ledger, counted = plan.paths(task)
+    _write(pl.DataFrame([source, row, *own, *columns]), balls, plan)
+    _write(rows.select(table_row=(pl.col("row") + 1).cast(pl.UInt32), reason=pl.col("reason").cast(pl.Categorical)),
+           ledger, plan)  # fmt: skip
+    _write(counted_rows(rows.filter(used), found, table.headings), counted, plan)
+    return task.rows
+
+
+def _write(frame: pl.DataFrame, path: Path, plan: Plan) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    waiting = path.with_name(f".{path.name}.{os.getpid()}")
+    try:
+        frame.write_parquet(waiting, metadata={MARK: json.dumps({"plan": plan.fingerprint, "rows": len(frame)})})
+        with waiting.open("rb") as file:
+            os.fsync(file.fileno())
+        waiting.replace(path)
+    finally:
+        waiting.unlink(missing_ok=True)
+
+
+def plan_fingerprint(tables: tuple[TableFile, ...], setting: SeasonSetting, *, task_rows: int) -> str:
+    """Return the fingerprint of everything that answers depend on: the files, the setting, the kernels.
+
+    Parameters
+    ----------
+    task_rows : rows of a task.
+    """
+    from sweetspot import __version__
+    from sweetspot.flight.compiled import solve
+    from sweetspot.flight.fence_compiled import chances
+    from sweetspot.numerics.kernel_cache import fingerprint
+    from sweetspot.season.contact_kernel import fill_posteriors
+
+    digest = hashlib.blake2b(digest_size=16)
+    kernels: tuple[Callable[..., Any], ...] = (solve, chances, fill_posteriors)
+    for part in (__version__, task_rows, setting.system, sorted(setting.bats.items()),
+                 replace(setting.flight, threads=None),
+                 *map(fingerprint, kernels)):  # fmt: skip
+        digest.update(repr(part).encode())
+    if setting.contact is not None:
+        contact = setting.contact
+        keys = [surface.key for surface in contact.surfaces] + [other.surface.key for other in contact.others]
+        relation = {name: np.asarray(value).tolist() for name, value in vars(contact.relation).items()}
+        digest.update(repr((keys, contact.mois, contact.law, contact.errors, relation)).encode())
+    for table in tables:
+        digest.update(repr((table.path.name, table.rows, sorted(table.headings.columns.items()))).encode())
+        digest.update(_ends(table.path))
+    return digest.hexdigest()
+
+
+def _ends(path: Path) -> bytes:
+    size = path.stat().st_size
+    with path.open("rb") as file:
+        first = file.read(SIZE_SEEN)
+        file.seek(max(0, size - SIZE_SEEN))
+        return f"{size}".encode() + first + file.read()

@@ -1,0 +1,100 @@
+"""The season's own drag: what its tracked fly balls say of it, month by month, and what is left over of each kind."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+import polars as pl
+
+FEWEST = 20
+"""Fly balls below which nothing is said."""
+CLIP = 3.0
+"""Standard deviations beyond which a ball counts as one at that distance: balls off walls and wrong readings."""
+SENSITIVE = -20.0
+"""m per unit of the logarithm of drag; balls whose carry hangs on drag less than so tell nothing of it."""
+
+
+@dataclass(frozen=True)
+class DragOfMonth:
+    """What the fly balls of a month say.
+
+    Parameters
+    ----------
+    month : year and month; "all": everything.
+    drag : drag over that of the law (in that kind of park), 1: as the law says.
+    error : its standard error, over games.
+    flies, games : how many.
+    """
+
+    month: str
+    drag: float
+    error: float
+    flies: int
+    games: int
+
+
+def drag_by_month(counted: pl.LazyFrame) -> tuple[DragOfMonth, ...]:
+    """Return drag over the law's, of all and of each month, from tracked distances.
+
+    Of each ball the logarithm of drag that would give its distance is (distance - carry) / (d carry / d log drag); the
+    mean weighs balls by the square of the latter, and its error comes from the scatter between games.
+
+    Parameters
+    ----------
+    counted : groups and measures of balls.
+    """
+    names = counted.collect_schema().names()
+    if "carry_above" not in names:
+        return ()
+    table = (
+        counted.filter(pl.col("carry_above").is_not_null() & (pl.col("carry_per_drag") < SENSITIVE))
+        .select("month", "carry_above", "carry_per_drag", game=pl.coalesce("game", "month", pl.lit("all")))
+        .collect()
+    )
+    if len(table) < FEWEST:
+        return ()
+    found = [_drag(table, "all")]
+    for (month,), rows in sorted(table.drop_nulls("month").group_by("month"), key=lambda pair: str(pair[0][0])):
+        if len(rows) >= FEWEST:
+            found.append(_drag(rows, str(month)))
+    return tuple(found)
+
+
+def _drag(rows: pl.DataFrame, month: str) -> DragOfMonth:
+    above = rows["carry_above"].cast(pl.Float64).to_numpy()
+    slope = rows["carry_per_drag"].cast(pl.Float64).to_numpy()
+    middle = np.median(above)
+    spread = 1.4826 * np.median(np.abs(above - middle))
+    above = np.clip(above, middle - CLIP * spread, middle + CLIP * spread)
+    change = float(np.sum(above * slope) / np.sum(slope**2))
+    _, game = np.unique(rows["game"].to_numpy(), return_inverse=True)
+    pull = np.bincount(game, (above - change * slope) * slope)
+    games = len(pull)
+    if games < 2:  # one game, or games not known: balls stand alone
+        pull = (above - change * slope) * slope
+    error = float(np.sqrt(np.sum(pull**2) * len(pull) / max(len(pull) - 1, 1)) / np.sum(slope**2))
+    drag = float(np.exp(change))
+    return DragOfMonth(month, drag, drag * error, len(rows), games)
+
+
+def residuals(counted: pl.LazyFrame, *, by: str, edges: Sequence[float]) -> pl.DataFrame:
+    """Return mean tracked distance less carry and its standard error in bins of a measure, m.
+
+    Parameters
+    ----------
+    by : a measure of the counted balls: launch_angle, exit_speed, bearing.
+    edges : of the bins, SI, rising.
+    """
+    middles = [(low + high) / 2 for low, high in pairwise(edges)]
+    binned = pl.sum_horizontal(*((pl.col(by) >= edge).cast(pl.Int64) for edge in edges))
+    table = (
+        counted.filter(pl.col("carry_above").is_not_null() & pl.col(by).is_not_null())
+        .select(bin=binned, above=pl.col("carry_above").cast(pl.Float64)).group_by("bin")
+        .agg(mean=pl.col("above").mean(), error=pl.col("above").std() / pl.len().sqrt(), balls=pl.len()).sort("bin")
+        .collect()
+    )  # fmt: skip
+    inside = table.filter((pl.col("bin") > 0) & (pl.col("bin") < len(edges)))
+    return inside.with_columns(middle=pl.Series([middles[number - 1] for number in inside["bin"]], dtype=pl.Float64))

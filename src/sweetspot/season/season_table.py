@@ -1,0 +1,266 @@
+"""A season in one call: tables in, answers out, whatever their size."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+import polars as pl
+
+from sweetspot.catalog.aerodynamic_laws import aerodynamics
+from sweetspot.catalog.balls import ball as catalogue_ball
+from sweetspot.catalog.bats import DEFAULT_BAT, load_bat
+from sweetspot.catalog.swing_laws import swing_law
+from sweetspot.dynamics.reduction import reduced_bat
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.bat import Bat
+from sweetspot.errors import InputError
+from sweetspot.flight.air import Air
+from sweetspot.season.answers import UNKNOWN_BAT, SeasonSetting, answer_columns, answers_of, bats_of
+from sweetspot.season.balls import balls_of
+from sweetspot.season.bat_surface import surface_of
+from sweetspot.season.contact import LEARNT_FROM, ContactSetting, OtherBat, learnt
+from sweetspot.season.flight_columns import FlightSetting
+from sweetspot.season.headings import headings_of
+from sweetspot.season.output_columns import System
+from sweetspot.season.place_relation import PlaceRelation
+from sweetspot.season.plan import BALLS, COUNTED, LEDGER, Plan, do_task, plan_fingerprint
+from sweetspot.season.rows import USED, rows_of
+from sweetspot.season.survey import Survey, parts, survey_tables, with_duplicates
+
+Progress = Callable[[int, int], None]
+
+
+@dataclass(frozen=True)
+class Season:
+    """What was computed.
+
+    Parameters
+    ----------
+    found : the first look at the tables.
+    setting : how; its relation of places is the one learnt.
+    folder : of the answers: folders ``balls``, ``ledger`` and ``counted`` of Parquet files.
+    """
+
+    found: Survey
+    setting: SeasonSetting
+    folder: Path
+
+    def balls(self) -> pl.LazyFrame:
+        """Return the balls with all answers beside the tables' own columns; missing where a table lacks a column."""
+        return self._scan(BALLS)
+
+    def counted(self) -> pl.LazyFrame:
+        """Return groups and measures of the balls, in SI."""
+        return self._scan(COUNTED)
+
+    def ledger(self) -> pl.LazyFrame:
+        """Return the reason of every row of every table."""
+        return self._scan(LEDGER)
+
+    def _scan(self, folder: str) -> pl.LazyFrame:
+        files = sorted((self.folder / folder).glob("[0-9]*.parquet"))
+        return pl.concat([pl.scan_parquet(file) for file in files], how="diagonal_relaxed")
+
+
+def season_setting(
+    *,
+    bats: Mapping[str, str | Bat] | None = None,
+    others: Sequence[str | Bat] = (),
+    air: Air | None = None,
+    ball: str = "baseball",
+    contact: bool = True,
+    system: System = "us",
+    threads: int | None = None,
+) -> SeasonSetting:
+    """Return how tables are to be read.
+
+    Parameters
+    ----------
+    bats : of each batter, a name of the catalogue, a file or a bat; "" is all others' bat. None: the catalogue's usual.
+    others : bats that every swing is tried with.
+    air : temperature, humidity and pressure at sea level of all games; None: 72 degF and the usual.
+    ball : name in the catalogue.
+    contact : whether contacts are wanted beside flights.
+    system : units of the columns.
+    threads : workers of a task; None: one per core.
+    """
+    pitched: Ball = catalogue_ball(ball)
+    flight = FlightSetting(pitched, aerodynamics(ball), air or Air(temperature=22.2), threads=threads)
+    known: dict[str, Bat] = {}
+
+    def named(given: str | Bat) -> str:
+        if isinstance(given, str) and given == UNKNOWN_BAT:
+            return given
+        bat = given if isinstance(given, Bat) else load_bat(given)
+        name = given if isinstance(given, str) else bat.name
+        known.setdefault(Path(name).stem if "/" in name or name.endswith(".toml") else name, bat)
+        return Path(name).stem if "/" in name or name.endswith(".toml") else name
+
+    names = {who: named(given) for who, given in (bats or {"": DEFAULT_BAT}).items()}
+    other_names = [named(given) for given in others]
+    if not contact:
+        return SeasonSetting(flight, None, names, system)
+    law = swing_law()
+    mois = {name: reduced_bat(bat, ball=pitched).body.moi(bat.choke + law.axis) for name, bat in known.items()}
+    surfaces = {name: surface_of(bat, ball=pitched) for name, bat in known.items()}
+    own = tuple(dict.fromkeys(name for name in names.values() if name != UNKNOWN_BAT))
+    return SeasonSetting(
+        flight,
+        ContactSetting(
+            pitched, tuple(surfaces[name] for name in own), tuple(mois[name] for name in own),
+            tuple(OtherBat(name, surfaces[name], mois[name]) for name in other_names), law, threads=threads,
+        ),
+        names, system,
+    )  # fmt: skip
+
+
+def analyse_season(
+    paths: Sequence[Path | str],
+    *,
+    setting: SeasonSetting | None = None,
+    folder: Path,
+    given: Mapping[str, str] | None = None,
+    resume: bool = False,
+    run: Callable[[Plan, Progress | None], None] | None = None,
+    progress: Progress | None = None,
+) -> Season:
+    """Return a season's answers, in a folder.
+
+    Parameters
+    ----------
+    paths : tables, CSV or Parquet.
+    setting : how; None: the usual. Its relation of places is learnt from the tables unless it was learnt before.
+    folder : made if need be; answers of another plan in it are replaced.
+    given : heading by quantity where a heading is not understood, ``{"exit_speed": "EV:mph"}``.
+    resume : whether answers of the same plan that are there already are kept.
+    run : does a plan's tasks; None: in this process, two at a time.
+    progress : is told rows done and in all.
+
+    Raises
+    ------
+    InputError
+        when none of the tables can be read, or none holds a ball in play.
+    """
+    staging = folder / ".tables"
+    found = survey_tables([Path(path) for path in paths], staging=staging, given=given)
+    if not found.tables:
+        raise InputError(found.faults[0][1] if found.faults else "no table was given; give CSV or Parquet files")
+    if not any(counts[USED] for counts in found.counts):
+        raise InputError(
+            f"{found.tables[0].path}: none of {found.rows} rows is a ball in play with an exit speed; see the "
+            "description or type column, or give another table"
+        )
+    chosen = setting or season_setting()
+    swung = any(table.headings.has("bat_speed") for table in found.tables)
+    if chosen.contact is not None and swung and not chosen.contact.relation.balls:
+        chosen = replace(chosen, contact=replace(chosen.contact, relation=learn_relation(found, chosen)))
+    plan = Plan(found.tables, found.duplicates, chosen, folder)
+    plan = replace(plan, fingerprint=plan_fingerprint(found.tables, chosen, task_rows=plan.task_rows))
+    if not resume:
+        for name in (BALLS, LEDGER, COUNTED):
+            shutil.rmtree(folder / name, ignore_errors=True)
+    (run or run_here)(plan, progress)
+    shutil.rmtree(staging, ignore_errors=True)
+    return Season(found, chosen, folder)
+
+
+def run_here(plan: Plan, progress: Progress | None = None, *, workers: int | None = None) -> None:
+    """Do all tasks of a plan in this process.
+
+    Parameters
+    ----------
+    workers : tasks at a time; None: one per core, at most two.
+    """
+    total, done = sum(table.rows for table in plan.tables), 0
+    with ThreadPoolExecutor(workers or min(os.cpu_count() or 1, 2)) as pool:
+        waiting = {pool.submit(do_task, plan, task) for task in plan.tasks()}
+        try:
+            for one in as_completed(waiting):
+                done += one.result()
+                if progress is not None:
+                    progress(done, total)
+        except BaseException:
+            pool.shutdown(wait=True, cancel_futures=True)
+            raise
+
+
+def learn_relation(found: Survey, setting: SeasonSetting) -> PlaceRelation:
+    """Return where along the bat balls are met, learnt from an even sample of all tables.
+
+    Parameters
+    ----------
+    found : the first look at the tables.
+    """
+    assert setting.contact is not None
+    swung = sum(counts[USED] for table, counts in zip(found.tables, found.counts, strict=True)
+                if table.headings.has("bat_speed"))  # fmt: skip
+    step = max(1, swung // LEARNT_FROM)
+    frames = list(_sampled(found, step))
+    balls, bats = [balls_of(rows) for rows in frames], [bats_of(rows, setting) for rows in frames]
+    if not balls:
+        return setting.contact.relation
+    together = type(balls[0])(**{name: np.concatenate([vars(one)[name] for one in balls]) for name in vars(balls[0])})
+    return learnt(together, np.concatenate(bats), setting.contact)
+
+
+def _sampled(found: Survey, step: int) -> Iterator[pl.DataFrame]:
+    for table, duplicates in zip(found.tables, found.duplicates, strict=True):
+        if not table.headings.has("bat_speed"):
+            continue
+        for rows in parts(table):
+            used = with_duplicates(rows, duplicates).filter(
+                (pl.col("reason") == USED) & pl.col("bat_speed").is_not_null() & (pl.col("row") * 7919 % step == 0)
+            )
+            if len(used):
+                yield used
+
+
+def season_columns(
+    frame: pl.DataFrame | pl.LazyFrame,
+    *,
+    setting: SeasonSetting | None = None,
+    given: Mapping[str, str] | None = None,
+) -> pl.LazyFrame:
+    """Return a table with the answers beside its own columns, for the rows that are used; lazy in, lazy out.
+
+    The relation of places is the setting's: learn it once from a season with `analyse_season`, or take the usual.
+
+    Parameters
+    ----------
+    frame : Statcast, Trackman or any other names that are understood.
+    setting : how; None: the usual.
+    given : heading by quantity where a heading is not understood.
+
+    >>> import polars as pl
+    >>> table = pl.DataFrame({"launch_speed": [103.0], "launch_angle": [27.5], "hc_x": [125.42], "hc_y": [50.0]})
+    >>> found = season_columns(table, setting=season_setting(contact=False)).collect()
+    >>> bool(390 < found["carry_ft"][0] < 430)
+    True
+    """
+    chosen = setting or season_setting()
+    lazy = frame.lazy()
+    names = lazy.collect_schema().names()
+    headings = headings_of(names, given=given)
+
+    def answered(part: pl.DataFrame) -> pl.DataFrame:
+        rows = rows_of(part, headings)
+        used = (rows["reason"] == USED).to_numpy()
+        columns = answer_columns(answers_of(rows.filter(used), chosen), chosen)
+        fresh = {column.name for column in columns}
+        own = [column for column in part.filter(used).get_columns() if column.name not in fresh]
+        return pl.DataFrame([*own, *columns])
+
+    schema = answered(lazy.clear().collect()).schema
+    return lazy.map_batches(answered, schema=schema, streamable=True)
+
+
+def temporary_folder() -> tempfile.TemporaryDirectory[str]:
+    """Return a folder for answers that nobody keeps."""
+    return tempfile.TemporaryDirectory(prefix="sweetspot-season-")

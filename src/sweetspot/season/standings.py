@@ -1,0 +1,129 @@
+"""Tables of players, pitchers, clubs, pitch types, counts and months: every measure partly pooled."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import polars as pl
+
+from sweetspot.season.counted import WITH
+from sweetspot.season.pooling import Spread, pooled
+
+GROUPS: Mapping[str, str] = {
+    "batter": "players", "pitcher": "pitchers", "team": "clubs", "pitch_type": "pitch types", "count": "counts",
+    "month": "months", "park": "parks",
+}  # fmt: skip
+"""Columns that balls are grouped by, and what their tables are called."""
+MEASURES: Mapping[str, tuple[str, str]] = {
+    "exit_speed": ("speed", "exit speed"),
+    "bat_speed": ("speed", "bat speed"),
+    "squared_up_ratio": ("ratio", "exit speed over this bat's ceiling"),
+    "squared_up": ("share", "squared up against this bat"),
+    "league_ratio": ("ratio", "exit speed over the league's ceiling"),
+    "league_squared_up": ("share", "squared up by the league's formula"),
+    "squared_up_above": ("share", "squared up by the league's formula, above expected for the bat speed"),
+    "blast": ("share", "blasts"),
+    "kept_vertically": ("share", "kept vertically"),
+    "from_best": ("offset", "distance from the best place along the bat"),
+    "centred": ("share", "centred: within 4 in along the bat"),
+    "lined_up": ("share", "lined up: within 2 in over or under"),
+    "tip_side": ("share", "met on the tip's side"),
+    "offset": ("offset", "ball's centre above the bat's axis"),
+    "above_usual": ("speed", "exit speed above what such swings usually give"),
+    "carry_above": ("distance", "tracked distance above carry"),
+    "home_run_here": ("share", "expected home runs per ball in play"),
+}
+"""What is averaged over balls: scale and meaning."""
+TOP = 0.8
+"""Quantile from which on balls are a group's hardest: EV20 is their mean."""
+
+
+@dataclass(frozen=True)
+class Standing:
+    """One group column's table.
+
+    Parameters
+    ----------
+    key : the column.
+    table : a row per group: balls, and of every measure pooled, low50 … high90, reliability, percentile, raw mean.
+    spreads : how balls and groups scatter, by measure.
+    """
+
+    key: str
+    table: pl.DataFrame
+    spreads: Mapping[str, Spread]
+
+
+def standing(counted: pl.LazyFrame, *, key: str) -> Standing | None:
+    """Return the table of one grouping, None where no ball has a group.
+
+    Parameters
+    ----------
+    counted : groups and measures of balls.
+    key : one of `GROUPS`.
+    """
+    names = counted.collect_schema().names()
+    rows = counted.filter(pl.col(key).is_not_null())
+    plain = [
+        pl.len().alias("balls"),
+        pl.col("exit_speed").filter(pl.col("exit_speed") >= pl.col("exit_speed").quantile(TOP)).mean().cast(pl.Float64)
+        .alias("ev20"),
+        pl.col("home_run_here").sum().cast(pl.Float64).alias("home_runs_expected"),
+        (pl.col("home_runs_in_30").sum() / 30).cast(pl.Float64).alias("home_runs_average_park"),
+        (pl.col("event").str.to_lowercase().str.replace_all("[_ ]", "") == "homerun").sum().alias("home_runs"),
+        *((pl.col("home_run_kind") == number).sum().alias(name)
+          for number, name in ((1, "doubters"), (2, "mostly_gone"), (3, "no_doubters"))),
+    ]  # fmt: skip
+    if key == "batter" and "batter_name" in names:
+        plain.append(pl.col("batter_name").drop_nulls().first().alias("name"))
+    if key == "pitcher" and "pitcher_name" in names:
+        plain.append(pl.col("pitcher_name").drop_nulls().first().alias("name"))
+    table = rows.group_by(key).agg(plain).sort(key).collect()
+    if not len(table):
+        return None
+    spreads = {}
+    others = [name for name in names if name.startswith(WITH)]
+    for measure in (*(name for name in MEASURES if name in names), *others):
+        found, spreads[measure] = pooled(rows, key=key, measure=measure)
+        if "pooled" not in found.columns:
+            continue
+        renamed = found.rename({"balls": f"{measure}_balls", "mean": f"{measure}_mean", "pooled": measure} | {
+            name: f"{measure}_{name}" for name in ("spread", "low50", "high50", "low90", "high90", "reliability",
+                                                   "percentile")})  # fmt: skip
+        table = table.join(renamed, on=key, how="left")
+    if others:
+        table = table.with_columns(_best_bat(table, others))
+    return Standing(key, table, spreads)
+
+
+def _best_bat(table: pl.DataFrame, others: list[str]) -> pl.Series:
+    """Return the bat that would serve each group best in exit speed; its own where every other gives less."""
+    gains = np.stack([table[name].fill_null(-np.inf).to_numpy() if name in table.columns else
+                      np.full(len(table), -np.inf) for name in others])  # fmt: skip
+    best = gains.argmax(axis=0)
+    names = [others[number].removeprefix(WITH) if gains[number, row] > 0 else "own" for row, number in enumerate(best)]
+    return pl.Series("best_bat", names)
+
+
+def above_expected(counted: pl.LazyFrame) -> pl.LazyFrame:
+    """Return the counted balls with ``squared_up_above``: the league's flag less what balls of that bat speed have.
+
+    The expectation is the parabola in bat speed through all balls of the season.
+    """
+    names = counted.collect_schema().names()
+    if "league_squared_up" not in names:
+        return counted
+    speed, flag = pl.col("bat_speed").cast(pl.Float64), pl.col("league_squared_up").cast(pl.Float64)
+    known = counted.filter(speed.is_not_null() & flag.is_not_null())
+    moments = known.select(
+        *(((speed - 32.0) ** power).sum().alias(f"s{power}") for power in range(5)),
+        *((flag * (speed - 32.0) ** power).sum().alias(f"f{power}") for power in range(3)),
+    ).collect().row(0, named=True)  # fmt: skip
+    if moments["s0"] < 10:
+        return counted
+    square = np.array([[moments[f"s{i + j}"] for j in range(3)] for i in range(3)])
+    a, b, c = np.linalg.lstsq(square, np.array([moments[f"f{i}"] for i in range(3)]), rcond=None)[0].tolist()
+    expected = a + b * (speed - 32.0) + c * (speed - 32.0) ** 2
+    return counted.with_columns(squared_up_above=(flag - expected).cast(pl.Float32))

@@ -1,0 +1,283 @@
+"""A first look at tables: which can be read, what is in them, which pitches stand twice, and what to beware of."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from datetime import date
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import polars as pl
+from numpy.typing import NDArray
+
+from sweetspot.errors import InputError
+from sweetspot.season.balls import FIRST_MIDDLE_SEASON
+from sweetspot.season.rows import REASONS, USED, pitch_key, rows_of
+from sweetspot.season.table_file import TableFile, open_table
+
+PART = 65_536
+"""Rows that are read together."""
+MOST_KEYS = 20_000_000
+"""Keys of pitches held at a time; larger tables are gone through several times."""
+SHOWN = 20
+"""Rows named with a warning."""
+FEW = 50
+"""Balls below which their ending alike may be chance."""
+LONGEST_GAP = 5
+"""Days without a game inside a table before it is said; an all-star break has four."""
+
+
+@dataclass
+class TableWarning:
+    """Something to beware of.
+
+    Parameters
+    ----------
+    name : a key of `WARNINGS`.
+    table : number of the table, from 0.
+    count : rows concerned.
+    rows : the first of them, numbers in the table from 1.
+    detail : what exactly; "" where the name says all.
+    """
+
+    name: str
+    table: int
+    count: int = 0
+    rows: list[int] = field(default_factory=list)
+    detail: str = ""
+
+
+WARNINGS: Mapping[str, str] = {
+    "plate reference": "plate_x and plate_z are given at the middle of the plate from 2026 on, at its front before; "
+    "pitches were flown to the front edge by their nine parameters",
+    "plate not moved": "plate_x and plate_z are given at the middle of the plate from 2026 on, and these pitches lack "
+    "the nine parameters to fly them to its front edge",
+    "export cut": "a table of exactly so many rows was probably cut by the export; days or slow hitters may be missing",
+    "days missing": "days without a ball inside the table",
+    "torn": "the last line stops in the middle: the file was cut in copying",
+    "untracked": "balls in play without exit speed; they count nowhere, and are not alike those with it",
+    "name of the pitcher": "player_name is the pitcher's in this export; hitters go by their number",
+    "bunts": "bunts that arrive as balls in play are left out",
+    "foul tips": "foul tips stand among the misses, as the league counts them",
+    "fouls unmeasured": "public tables have no exit speed of fouls, so nothing per contact or per swing can be told",
+    "duplicates": "pitches that stand twice count once",
+    "cannot find duplicates": "no column tells pitches apart, so pitches that stand twice count twice",
+    "headings": "headings that needed care",
+    "unreadable": "measurements that are no numbers are taken as missing",
+    "impossible": "exit speeds or launch angles that cannot be",
+    "empty column": "a column that is understood holds nothing",
+    "side unknown": "it is not known on which side the batter stood; taken as right-handed",
+    "pitch speed unknown": "no pitch speed was measured; the usual one of its kind of pitch stands in, with its error",
+    "selected": "all balls of the table ended alike, so it was selected by how they ended; no average of it holds for "
+    "others, drag least of all",
+    "unknown park": "home teams whose park is not known; no chance of a home run there",
+}
+"""What can be wrong with a table of batted balls, by name."""
+
+
+@dataclass(frozen=True)
+class Survey:
+    """What was found before anything is computed.
+
+    Parameters
+    ----------
+    tables : those that can be read.
+    faults : (file, reason) of those that cannot.
+    counts : rows by reason, of each table.
+    duplicates : rows of each table, from 0, that are another row's pitch.
+    warnings : everything to beware of.
+    days : first and last day of each table, None where no date is known.
+    endings : by how balls in play ended: tracked ones, the sum of their exit speeds (m/s), and untracked ones.
+    """
+
+    tables: tuple[TableFile, ...]
+    faults: tuple[tuple[Path, str], ...]
+    counts: tuple[dict[str, int], ...]
+    duplicates: tuple[NDArray[np.uint32], ...]
+    warnings: tuple[TableWarning, ...]
+    days: tuple[tuple[date, date] | None, ...]
+    endings: Mapping[str, tuple[int, float, int]] = field(default_factory=dict)
+
+    @property
+    def rows(self) -> int:
+        """Rows of all tables together."""
+        return sum(table.rows for table in self.tables)
+
+
+def survey_tables(
+    paths: Sequence[Path],
+    *,
+    staging: Path,
+    given: Mapping[str, str] | None = None,
+    progress: Callable[[int, int], None] | None = None,
+) -> Survey:
+    """Return what some files hold; one that cannot be read does not keep the others.
+
+    Parameters
+    ----------
+    staging : folder for copies of CSV files.
+    given : heading by quantity, as `headings_of` takes it.
+    """
+    tables: list[TableFile] = []
+    faults: list[tuple[Path, str]] = []
+    for path in paths:
+        try:
+            tables.append(open_table(path, staging=staging / f"{len(tables):04d}", given=given))
+        except InputError as error:
+            faults.append((path, str(error)))
+    duplicates = _duplicates(tables)
+    counts, warnings, days = [], [], []
+    endings: dict[str, tuple[int, float, int]] = {}
+    total, done = sum(table.rows for table in tables), 0
+    for number, table in enumerate(tables):
+        look = _Look(number, table)
+        for rows in parts(table):
+            look.take(rows, duplicates[number])
+            _count_endings(rows, endings)
+            done += len(rows)
+            if progress is not None:
+                progress(done, total)
+        counts.append(look.counts)
+        warnings += look.found()
+        days.append((min(look.days), max(look.days)) if look.days else None)
+    return Survey(tuple(tables), tuple(faults), tuple(counts), tuple(duplicates), tuple(warnings), tuple(days), endings)
+
+
+def _count_endings(rows: pl.DataFrame, endings: dict[str, tuple[int, float, int]]) -> None:
+    """Add balls in play by their ending and kind to those counted."""
+    names = [name for name in ("event", "batted_type") if name in rows.columns]
+    if not names:
+        return
+    table = (
+        rows.filter(pl.col("reason").is_in([USED, "untracked"]))
+        .group_by(ending=pl.concat_str(*(pl.col(name).fill_null("") for name in names), separator=" "))
+        .agg(tracked=(pl.col("reason") == USED).sum(), total=pl.col("exit_speed").sum(),
+             lost=(pl.col("reason") != USED).sum())
+    )  # fmt: skip
+    for ending, tracked, total, lost in table.iter_rows():
+        before = endings.get(ending, (0, 0.0, 0))
+        endings[ending] = (before[0] + tracked, before[1] + total, before[2] + lost)
+
+
+def parts(table: TableFile) -> Iterator[pl.DataFrame]:
+    """Yield a table's rows as `rows_of` gives them, some at a time, only what is understood."""
+    known = [column.heading for column in table.headings.columns.values()]
+    for start in range(0, table.rows, PART):
+        frame = pl.scan_parquet(table.data).select(known).slice(start, PART).collect()
+        yield rows_of(frame, table.headings, first=start)
+
+
+def _duplicates(tables: Sequence[TableFile]) -> list[NDArray[np.uint32]]:
+    """Return for each table the rows whose pitch stands earlier, in this table or one before."""
+    passes = max(1, -(-sum(table.rows for table in tables) // MOST_KEYS))
+    found: list[list[NDArray[np.uint32]]] = [[] for _ in tables]
+    for turn in range(passes):
+        keys, places = [], []
+        for number, table in enumerate(tables):
+            key = pitch_key(table.headings)
+            if key is None:
+                continue
+            for rows in parts(table):
+                known = rows.select("row", key=key).drop_nulls().filter(pl.col("key") % passes == turn)
+                keys.append(known["key"].to_numpy())
+                places.append(known["row"].cast(pl.UInt64).to_numpy() + (np.uint64(number) << np.uint64(40)))
+        if not keys:
+            continue
+        key_of, place_of = np.concatenate(keys), np.concatenate(places)
+        order = np.argsort(key_of, kind="stable")
+        again = place_of[order[1:][key_of[order[1:]] == key_of[order[:-1]]]]
+        for number in range(len(tables)):
+            mine = again[(again >> np.uint64(40)) == number]
+            found[number].append((mine & np.uint64((1 << 40) - 1)).astype(np.uint32))
+    return [np.sort(np.concatenate(one)) if one else np.empty(0, np.uint32) for one in found]
+
+
+class _Look:
+    """One table, looked through part by part."""
+
+    def __init__(self, number: int, table: TableFile) -> None:
+        self.number, self.table = number, table
+        self.counts = dict.fromkeys(REASONS, 0)
+        self.days: set[date] = set()
+        self.seen: dict[str, TableWarning] = {}
+        self.held: dict[str, int] = {}
+        self.endings: set[str] = set()
+
+    def note(self, name: str, rows: pl.DataFrame, condition: pl.Expr | None = None, detail: str = "") -> None:
+        where = rows if condition is None else rows.filter(condition)
+        if len(where):
+            warning = self.seen.setdefault(name, TableWarning(name, self.number, detail=detail))
+            warning.count += len(where)
+            warning.rows += (where["row"].head(SHOWN - len(warning.rows)) + 1).to_list()
+
+    def take(self, rows: pl.DataFrame, duplicates: NDArray[np.uint32]) -> None:
+        headings = self.table.headings
+        rows = with_duplicates(rows, duplicates)
+        for reason, count in rows["reason"].value_counts().iter_rows():
+            self.counts[reason] += count
+        self.days |= set(rows["day"].drop_nulls().unique())
+        for name in headings.columns:
+            self.held[name] = self.held.get(name, 0) + rows[name].len() - rows[name].null_count()
+        for reason, name in (("untracked", "untracked"), ("bunt", "bunts"), ("foul", "fouls unmeasured"),
+                             ("impossible", "impossible"), ("duplicate", "duplicates")):  # fmt: skip
+            self.note(name, rows, pl.col("reason") == reason)
+        self.note("unreadable", rows, pl.col("unreadable") > 0)
+        used = rows.filter(pl.col("reason") == USED)
+        if headings.has("description"):
+            self.note("foul tips", rows, pl.col("description").str.to_lowercase().str.contains("foul.?tip"))
+        if headings.has("plate_side"):
+            late = (pl.col("season") >= FIRST_MIDDLE_SEASON).fill_null(value=False)
+            tracked = pl.col("velocity_y").is_not_null() if headings.has("velocity_y") else pl.lit(value=False)
+            self.note("plate reference", used, late & tracked)
+            self.note("plate not moved", used, late & ~tracked)
+        self.note("side unknown", used, pl.col("left").is_null())
+        if headings.has("bat_speed") and not headings.has("velocity_y"):
+            speeds = [pl.col(name).is_not_null() for name in ("release_speed", "plate_speed") if headings.has(name)]
+            told = pl.any_horizontal(speeds) if speeds else pl.lit(value=False)
+            self.note("pitch speed unknown", used, pl.col("bat_speed").is_not_null() & ~told)
+        if headings.has("event"):
+            self.endings |= set(used["event"].drop_nulls().unique())
+
+    def found(self) -> list[TableWarning]:
+        table, number = self.table, self.number
+        extra = []
+        if table.cut:
+            extra.append(TableWarning("export cut", number, table.rows, detail=f"{table.rows:,} rows"))
+        if table.torn:
+            extra.append(TableWarning("torn", number, 1, [table.rows]))
+        if missing := self._missing_days():
+            extra.append(TableWarning("days missing", number, len(missing), detail=_days_in_words(missing)))
+        columns = table.headings.columns
+        if len(self.endings) == 1 and self.counts[USED] >= FEW:
+            extra.append(TableWarning("selected", number, self.counts[USED], detail=f"all {next(iter(self.endings))}"))
+        if table.headings.has("player_name", "pitcher", "batter"):
+            extra.append(TableWarning("name of the pitcher", number, table.rows))
+        if pitch_key(table.headings) is None:
+            extra.append(TableWarning("cannot find duplicates", number, table.rows))
+        for name, held in self.held.items():
+            if not held and table.rows:
+                extra.append(TableWarning("empty column", number, table.rows, detail=columns[name].heading))
+        extra += [TableWarning("headings", number, table.rows, detail=note) for note in table.notes]
+        return [*self.seen.values(), *extra]
+
+    def _missing_days(self) -> list[tuple[date, date]]:
+        """Return the gaps of more than `LONGEST_GAP` days inside one season."""
+        days = sorted(self.days)
+        return [(a, b) for a, b in pairwise(days) if (b - a).days > LONGEST_GAP and a.year == b.year]
+
+
+def with_duplicates(rows: pl.DataFrame, duplicates: NDArray[np.uint32]) -> pl.DataFrame:
+    """Return rows with those marked that are another row's pitch."""
+    if not len(duplicates):
+        return rows
+    first, last = int(rows["row"][0]), int(rows["row"][-1])
+    mine = duplicates[np.searchsorted(duplicates, first) : np.searchsorted(duplicates, last, side="right")]
+    again = pl.Series(np.isin(rows["row"].to_numpy(), mine))
+    return rows.with_columns(reason=pl.when(again).then(pl.lit("duplicate")).otherwise(pl.col("reason")))
+
+
+def _days_in_words(gaps: list[tuple[date, date]]) -> str:
+    shown = "; ".join(f"{first} to {last}" for first, last in gaps[:3])
+    return f"between {shown}" + (f" and {len(gaps) - 3} more" if len(gaps) > 3 else "")

@@ -1,0 +1,171 @@
+"""A table on disk, made ready to be read in parts: Parquet as it is, CSV (also packed) turned into Parquet first."""
+
+from __future__ import annotations
+
+import csv
+import gzip
+import zlib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import polars as pl
+
+from sweetspot.errors import InputError
+from sweetspot.season.headings import Headings, headings_of
+
+CSV_ENDINGS = (".csv", ".tsv", ".txt", ".csv.gz", ".tsv.gz", ".txt.gz")
+PARQUET_ENDINGS = (".parquet", ".pq")
+MISSING = ["", "NA", "N/A", "NaN", "nan", "null", "NULL", "None", "-", "--"]
+"""Words that mean that there is nothing. Missing is never zero."""
+TAIL = 1 << 20
+"""Bytes of the end of a file in which its last line is looked for."""
+CUTS = (25_000, 40_000)
+"""Rows at which public exports end."""
+
+
+@dataclass(frozen=True)
+class TableFile:
+    """One table.
+
+    Parameters
+    ----------
+    path : as it was given.
+    data : Parquet file that the rows are read from; the same, or a copy made of a CSV file.
+    headings : what its columns mean.
+    rows : how many.
+    torn : whether its last line stops in the middle.
+    notes : what was seen in reading it.
+    empty : headings of measurements that hold nothing at all.
+    """
+
+    path: Path
+    data: Path
+    headings: Headings
+    rows: int
+    torn: bool
+    notes: tuple[str, ...]
+    empty: tuple[str, ...] = ()
+
+    @property
+    def cut(self) -> bool:
+        """Whether it has as many rows as public exports are cut at."""
+        return self.rows > 0 and any(self.rows % size == 0 for size in CUTS)
+
+    def part(self, start: int, count: int) -> pl.DataFrame:
+        """Return some rows, all columns as they are; an empty measurement is a number that is missing."""
+        numbers = [pl.col(name).cast(pl.Float64, strict=False) for name in self.empty]
+        return pl.scan_parquet(self.data).slice(start, count).with_columns(numbers).collect()
+
+
+def open_table(path: Path, *, staging: Path, given: Mapping[str, str] | None = None) -> TableFile:
+    """Return a table that can be read in parts.
+
+    Parameters
+    ----------
+    staging : folder where the Parquet copy of a CSV file goes; made if need be.
+    given : heading by quantity, as `headings_of` takes it.
+
+    Raises
+    ------
+    InputError
+        when the file cannot be read, is empty or no table, or lacks what is needed.
+    """
+    name = path.name.lower()
+    if not path.is_file():
+        raise InputError(f"{path} is not a file; give CSV (also .csv.gz) or Parquet")
+    if path.stat().st_size == 0:
+        raise InputError(f"{path} is empty; a table needs a line of column names and a row per ball")
+    if name.endswith(PARQUET_ENDINGS):
+        return _parquet(path, given)
+    if not name.endswith(CSV_ENDINGS):
+        raise InputError(f"{path} has no ending that is understood; allowed: {', '.join((*CSV_ENDINGS, '.parquet'))}")
+    return _csv(path, staging, given)
+
+
+def _parquet(path: Path, given: Mapping[str, str] | None) -> TableFile:
+    try:
+        frame = pl.scan_parquet(path)
+        names = frame.collect_schema().names()
+        rows = int(frame.select(pl.len()).collect().item())
+    except (pl.exceptions.PolarsError, OSError) as error:
+        raise InputError(f"{path} is no whole Parquet file: {_first_line(error)}; write or copy it anew") from None
+    headings = headings_of(names, given=given, file_name=str(path))
+    if not rows:
+        raise InputError(f"{path} has column names and no row; give one row per ball")
+    return TableFile(path, path, headings, rows, torn=False, notes=headings.notes)
+
+
+def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFile:
+    first, last = _ends(path)
+    separator = max(",;\t|", key=first.count)
+    names = _cells(first, separator)
+    if not first.strip() or all(_is_number(name) for name in names):
+        raise InputError(f"{path} does not begin with a line of column names; give one, for example launch_speed")
+    notes = []
+    staging.mkdir(parents=True, exist_ok=True)
+    target = staging / f"{path.name}.parquet"
+    try:
+        scanned = _scanned(path, separator, given)
+        headings = headings_of(scanned[1], given=given, file_name=str(path))
+        waiting = target.with_suffix(".part")
+        scanned[0].sink_parquet(waiting, row_group_size=65_536)
+        waiting.replace(target)
+        rows = int(pl.scan_parquet(target).select(pl.len()).collect().item())
+    except (pl.exceptions.PolarsError, OSError, EOFError, zlib.error) as error:
+        raise InputError(f"{path} cannot be read as a table: {_first_line(error)}") from None
+    if not rows:
+        raise InputError(f"{path} has column names and no row; give one row per ball")
+    texts = [column.heading for column in headings.columns.values() if column.kind != "text"]
+    held = pl.scan_parquet(target).select(pl.col(texts).is_null().all()).collect().row(0, named=True)
+    torn = bool(last.strip()) and len(_cells(last, separator)) < len(names)
+    if separator != ",":
+        notes.append(f"columns are separated by {separator!r}")
+    if len(set(names)) < len(names):
+        twice = sorted({name for name in names if names.count(name) > 1})
+        notes.append(f"{', '.join(twice)} stands twice in the headings; the first one is used")
+    return TableFile(path, target, headings, rows, torn=torn, notes=(*headings.notes, *notes),
+                     empty=tuple(name for name, nothing in held.items() if nothing))  # fmt: skip
+
+
+def _scanned(path: Path, separator: str, given: Mapping[str, str] | None) -> tuple[pl.LazyFrame, list[str]]:
+    """Return the rows and their headings; a column with anything but numbers in it stays text."""
+    frame = pl.scan_csv(
+        path, separator=separator, infer_schema_length=None, truncate_ragged_lines=True, encoding="utf8-lossy",
+        null_values=MISSING, decimal_comma=separator == ";",
+    )  # fmt: skip
+    names = frame.collect_schema().names()
+    headings_of(names, given=given, file_name=str(path))  # refuses before anything is copied
+    return frame, names
+
+
+def _ends(path: Path) -> tuple[str, str]:
+    """Return the first and the last line of a file that may be packed."""
+    try:
+        with gzip.open(path) if path.name.lower().endswith(".gz") else path.open("rb") as file:
+            first = file.readline(TAIL)
+            tail = b""
+            if not path.name.lower().endswith(".gz"):
+                file.seek(max(file.tell(), path.stat().st_size - TAIL))
+            while block := file.read(TAIL):
+                tail = (tail + block)[-TAIL:]
+    except (OSError, EOFError, zlib.error) as error:
+        raise InputError(f"{path} is damaged: {error}; get it anew") from None
+    lines = tail.splitlines()
+    return first.decode("utf-8-sig", "replace"), lines[-1].decode("utf-8", "replace") if lines else ""
+
+
+def _cells(line: str, separator: str) -> list[str]:
+    return next(csv.reader([line.rstrip("\r\n")], delimiter=separator), [])
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return not text.strip()
+    return True
+
+
+def _first_line(error: BaseException) -> str:
+    return str(error).strip().split("\n")[0][:200] or type(error).__name__

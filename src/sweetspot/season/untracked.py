@@ -1,0 +1,46 @@
+"""How balls without an exit speed bias what is said of those with one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sweetspot.season.survey import Survey
+
+
+@dataclass(frozen=True)
+class Untracked:
+    """What the untracked balls would change.
+
+    Parameters
+    ----------
+    share : part of the balls in play that have no exit speed.
+    tracked : mean exit speed of those that have, m/s.
+    estimated : mean of all, if untracked balls are like tracked ones that ended alike, m/s.
+    explained : part of the untracked balls for whose ending there are tracked ones.
+    """
+
+    share: float
+    tracked: float
+    estimated: float
+    explained: float
+
+
+def untracked_bias(found: Survey) -> Untracked | None:
+    """Return how the mean exit speed changes when untracked balls count as tracked ones that ended alike.
+
+    None where no table has endings, or every ball was tracked.
+
+    Parameters
+    ----------
+    found : the first look at the tables.
+    """
+    tracked = sum(count for count, _, _ in found.endings.values())
+    missed = sum(count for _, _, count in found.endings.values())
+    if not tracked or not missed:
+        return None
+    mean = sum(total for _, total, _ in found.endings.values()) / tracked
+    known = [(total / count, lost) for count, total, lost in found.endings.values() if count]
+    explained = sum(lost for _, lost in known)
+    total = mean * (tracked + missed - explained) + sum(own * lost for own, lost in known)
+    estimated = total / (tracked + missed)
+    return Untracked(missed / (tracked + missed), mean, estimated, explained / missed)

@@ -1,0 +1,72 @@
+"""`sweetspot season` from the outside."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import polars as pl
+import pytest
+
+from sweetspot.cli import main
+from tests.season.conftest import made_up
+
+
+def run(*arguments: object) -> int:
+    with pytest.raises(SystemExit) as ended:
+        main(["season", *map(str, arguments)])
+    return int(ended.value.code or 0)
+
+
+def test_tables_in_answers_out(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    table, out = tmp_path / "table.csv", tmp_path / "out"
+    made_up(300).write_csv(table)
+    assert run(table, "--try", "mlb-a", "--out", out) == 0
+    shown = capsys.readouterr()
+    assert "300 rows in 1 files; 300 balls in play" in shown.out
+    balls = pl.read_parquet(out / "balls")
+    assert len(balls) == 300
+    assert {"umpire", "carry_ft", "home_run_here", "from_tip_in", "exit_speed_with_mlb_a_mph"} <= set(balls.columns)
+    assert balls.filter(pl.col("contact_outcome") == "ok")["from_tip_in"].null_count() == 0
+    players = pl.read_csv(out / "players.csv")
+    assert len(players) == 6 and "squared_up_low90" in players.columns
+    data = json.loads((out / "season.json").read_text("utf-8"))
+    assert sum(data["tables"][0]["ledger"].values()) == data["tables"][0]["rows"] == 300
+    assert (out / "season.html").exists() and (out / "season.png").exists()
+
+
+def test_one_bad_file_is_listed_and_the_exit_code_is_1(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    table, empty = tmp_path / "table.parquet", tmp_path / "empty.csv"
+    made_up(30).write_parquet(table)
+    empty.touch()
+    assert run(table, empty, "--flight-only") == 1
+    shown = capsys.readouterr()
+    assert "30 balls in play" in shown.out and "not read: empty.csv" in shown.err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["none.csv"], "none.csv is not a file"),
+        (["{table}", "--bat", "r162-ash"], "bat 'r162-ash' is not in the catalogue"),
+        (["{table}", "--column", "exit_speed"], "give quantity=heading"),
+        (["{table}", "--resume"], "--resume needs --out"),
+        (["{table}", "--bats", "{table}"], "has no column bat"),
+    ],
+)
+def test_bad_input_is_one_line(
+    arguments: list[str], words: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    table = tmp_path / "table.csv"
+    made_up(30).write_csv(table)
+    assert run(*(argument.format(table=table) for argument in arguments)) == 2
+    said = [line for line in capsys.readouterr().err.splitlines() if line]
+    assert len(said) == 1 and words in said[0]
+
+
+def test_columns_are_shown(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    table = tmp_path / "table.csv"
+    made_up(30).write_csv(table)
+    assert run(table, "--show-columns") == 0
+    shown = capsys.readouterr().out
+    assert "Statcast, 30 rows" in shown and "launch_speed [mph]" in shown and "passed through: umpire" in shown

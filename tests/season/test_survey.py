@@ -1,0 +1,174 @@
+"""The ledger adds up, every trap has its warning, and one bad file never stops the others."""
+
+from __future__ import annotations
+
+import gzip
+from collections.abc import Callable
+from datetime import date
+from pathlib import Path
+
+import numpy as np
+import polars as pl
+import pytest
+
+from sweetspot.season.balls import balls_of
+from sweetspot.season.rows import USED, rows_of
+from sweetspot.season.survey import Survey, survey_tables
+from sweetspot.season.untracked import untracked_bias
+from tests.season.conftest import made_up
+
+Write = Callable[..., Path]
+
+
+def look(*paths: Path) -> Survey:
+    return survey_tables(list(paths), staging=paths[0].parent / "staging")
+
+
+def warned(found: Survey, name: str) -> int:
+    return sum(warning.count for warning in found.warnings if warning.name == name)
+
+
+def with_columns(**changes: object) -> pl.DataFrame:
+    return made_up().with_columns(**{name: pl.lit(value) for name, value in changes.items()})
+
+
+def test_the_ledger_adds_up_to_the_row(table: Write) -> None:
+    frame = made_up()
+    what = ["ball", "foul", "foul_tip", "swinging_strike", "called_strike"] * 4 + ["hit_into_play"] * 40
+    frame = frame.with_columns(description=pl.Series(what), type=pl.Series(["B"] * 20 + ["X"] * 40))
+    found = look(table(frame=frame))
+    assert sum(found.counts[0].values()) == 60
+    assert found.counts[0] == {
+        "duplicate": 0, "no contact": 16, "foul": 4, "bunt": 0, "untracked": 0, "impossible": 0, USED: 40,
+    }  # fmt: skip
+    assert warned(found, "foul tips") == 4  # among the misses
+    assert warned(found, "fouls unmeasured") == 4
+
+
+def test_untracked_is_not_zero(table: Write) -> None:
+    frame = made_up().with_columns(
+        launch_speed=pl.when(pl.int_range(pl.len()) % 5 == 0).then(None).otherwise(pl.col("launch_speed")),
+        bb_type=pl.when(pl.int_range(pl.len()) % 2 == 0).then(pl.lit("popup")).otherwise(pl.lit("line_drive")),
+    )
+    found = look(table(frame=frame))
+    assert found.counts[0]["untracked"] == warned(found, "untracked") == 12
+    bias = untracked_bias(found)
+    assert bias is not None and bias.share == pytest.approx(0.2)
+    used = rows_of(frame, found.tables[0].headings).filter(pl.col("reason") == USED)
+    assert bias.tracked == pytest.approx(used["exit_speed"].mean())
+    table_of = used.group_by("event", "batted_type").agg(pl.col("exit_speed").mean())
+    means = {(event, kind): mean for event, kind, mean in table_of.iter_rows()}
+    lost = frame.filter(pl.col("launch_speed").is_null()).select("events", "bb_type").iter_rows()
+    total = used["exit_speed"].sum() + sum(means.get(ending, bias.tracked) for ending in lost)
+    assert bias.estimated == pytest.approx(total / 60)
+
+
+def test_bunts_arrive_as_balls_in_play(table: Write) -> None:
+    frame = made_up().with_columns(
+        des=pl.when(pl.int_range(pl.len()) < 3).then(pl.lit("Somebody bunts out.")).otherwise(pl.col("des"))
+    )
+    found = look(table(frame=frame))
+    assert found.counts[0]["bunt"] == warned(found, "bunts") == 3
+
+
+def test_the_name_is_the_pitcher_s(table: Write) -> None:
+    assert warned(look(table()), "name of the pitcher") == 60
+
+
+def test_pitches_of_overlapping_exports_count_once(table: Write) -> None:
+    frame = made_up()
+    found = look(table("first.csv", frame.head(40)), table("second.csv", frame.tail(30)))
+    assert [counts["duplicate"] for counts in found.counts] == [0, 10]
+    assert warned(found, "duplicates") == 10
+    bare = frame.drop("at_bat_number", "pitch_number")  # then whatever was measured tells
+    assert look(table("bare.csv", pl.concat([bare, bare.head(7)]))).counts[0]["duplicate"] == 7
+    nobody = frame.select("launch_speed", "launch_angle", "bat_speed")
+    assert warned(look(table("nobody.csv", nobody)), "cannot find duplicates") == 60
+
+
+def test_cut_exports_and_missing_days(table: Write) -> None:
+    frame = pl.concat([made_up(500, seed=seed) for seed in range(50)])
+    found = look(table("cut.parquet", frame.with_columns(game_pk=pl.int_range(pl.len()))))
+    assert warned(found, "export cut") == 25_000
+    days = [date(2024, 4, 1)] * 30 + [date(2024, 5, 1)] * 30
+    gap = look(table("gap.csv", made_up().with_columns(game_date=pl.Series(days))))
+    assert [warning.detail for warning in gap.warnings if warning.name == "days missing"] == [
+        "between 2024-04-01 to 2024-05-01"
+    ]
+
+
+def test_a_torn_file_says_so(table: Write) -> None:
+    path = table()
+    path.write_bytes(path.read_bytes()[:-120])
+    found = look(path)
+    assert warned(found, "torn") == 1
+    packed = path.with_suffix(".csv.gz")
+    packed.write_bytes(gzip.compress(table("whole.csv").read_bytes())[:-200])
+    assert "damaged" in look(packed).faults[0][1]
+
+
+def test_the_plate_s_reference_moves_in_2026(table: Write) -> None:
+    found = look(table(frame=made_up(year=2026)))
+    assert warned(found, "plate reference") == 60
+    assert warned(look(table("old.csv")), "plate reference") == 0
+    bare = made_up(year=2026).drop("vx0", "vy0", "vz0", "ax", "ay", "az")
+    assert warned(look(table("bare.csv", bare)), "plate not moved") == 60
+
+
+def test_pitches_of_2026_are_flown_to_the_front_edge() -> None:
+    """A pitch that passes the middle 8.5 in later has come down by then; at the front edge it is higher."""
+    old, new = made_up(year=2025), made_up(year=2026)
+    headings = look_headings(old)
+    before, after = (balls_of(rows_of(frame, headings)) for frame in (old, new))
+    assert after.moved.all() and not before.moved.any()
+    drop = after.plate_height - before.plate_height
+    expected = 8.5 * 0.0254 * np.tan(before.descent)
+    np.testing.assert_allclose(drop, expected, rtol=0.03, atol=2e-4)
+
+
+def look_headings(frame: pl.DataFrame):  # type: ignore[no-untyped-def]
+    from sweetspot.season.headings import headings_of
+
+    return headings_of(frame.columns)
+
+
+def test_numbers_as_people_write_them(tmp_path: Path) -> None:
+    path = tmp_path / "wild.csv"
+    path.write_text("launch_speed,launch_angle,game_date\n101.5,20,4/2/2024\nfast,N/A,4/3/2024\n,12,\n", "utf-8")
+    found = look(path)
+    assert found.counts[0][USED] == 1 and found.counts[0]["untracked"] == 2
+    assert warned(found, "unreadable") == 1
+    assert found.days[0] == (date(2024, 4, 2), date(2024, 4, 3))
+
+
+def test_european_tables(tmp_path: Path) -> None:
+    path = tmp_path / "europe.csv"
+    path.write_text("exit_speed_km_h;launch_angle_deg\n160,5;20\n", "utf-8")
+    found = look(path)
+    rows = rows_of(found.tables[0].part(0, 10), found.tables[0].headings)
+    assert rows["exit_speed"][0] == pytest.approx(160.5 / 3.6)
+
+
+def test_one_bad_file_never_stops_the_others(table: Write, tmp_path: Path) -> None:
+    empty, header, other = tmp_path / "empty.csv", tmp_path / "header.csv", tmp_path / "other.csv"
+    empty.touch()
+    header.write_text("launch_speed,launch_angle\n", "utf-8")
+    other.write_text("a,b\n1,2\n", "utf-8")
+    found = look(empty, table(), header, other, tmp_path / "none.csv", tmp_path)
+    assert len(found.tables) == 1 and found.rows == 60
+    reasons = {path.name: reason for path, reason in found.faults}
+    assert "is empty" in reasons["empty.csv"] and "no row" in reasons["header.csv"]
+    assert "no column for exit speed" in reasons["other.csv"] and "is not a file" in reasons["none.csv"]
+    assert all("\n" not in reason for reason in reasons.values())
+
+
+def test_impossible_selected_empty_and_sides(table: Write) -> None:
+    frame = made_up().with_columns(
+        launch_speed=pl.when(pl.int_range(pl.len()) < 2).then(999.0).otherwise(pl.col("launch_speed")),
+        events=pl.lit("home_run"), bat_speed=pl.lit(None, pl.Float64), stand=pl.lit(None, pl.String),
+    )  # fmt: skip
+    found = look(table(frame=frame))
+    assert warned(found, "impossible") == 2
+    assert warned(found, "selected") == 58
+    assert warned(found, "side unknown") == 58
+    assert {warning.detail for warning in found.warnings if warning.name == "empty column"} == {"bat_speed", "stand"}
