@@ -1,10 +1,11 @@
 """Fit the baseball's law of drag and lift to tracked balls: ``python tools/fit_aerodynamics.py ../shared/data``.
 
 How drag changes with active spin and Reynolds's number comes from pitches, compared only within a game, so that weather
-and a park's cameras drop out; their active spin is read from their movement with the lift of the trajectory calculator
-(with less, a sinker would have more active spin than it has spin). The level of drag, and the lift of a batted ball,
-come from balls hit in the air, each launched so that it comes down at its bearing; a caught ball's distance ends at the
-glove. Nothing is written: what is printed goes into ``catalog/aerodynamics.toml`` by hand.
+and a park's cameras drop out, and within a kind of pitch, so that its grip on the seams does. Their active spin is read
+from their movement with the lift of the trajectory calculator, which is everybody's lift. Two numbers come from balls
+hit in the air: their level of drag, under a roof and in the open, and the intercept of the line of usual backspin. Each
+is launched so that it comes down at its bearing; a caught ball's distance ends at the glove. Nothing is written: what
+is printed goes into ``catalog/aerodynamics.toml`` and ``flight/batted_spin.py`` by hand.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ import csv
 import gzip
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -25,10 +26,10 @@ from sweetspot import catalog
 from sweetspot.errors import InputError
 from sweetspot.flight.aerodynamics import REFERENCE_REYNOLDS, VISCOSITY, Aerodynamics
 from sweetspot.flight.air import Air
-from sweetspot.flight.batted_spin import batted_ball_spin
+from sweetspot.flight.batted_spin import TRACKED, SpinLine, batted_ball_spin
 from sweetspot.flight.bearing import bearing_of_place, launched_to
 from sweetspot.flight.conditions import FlightConditions
-from sweetspot.flight.home_runs import home_run_chances
+from sweetspot.flight.home_runs import USUAL, Scatter, home_run_chances
 from sweetspot.flight.kernel import Flights
 from sweetspot.flight.pitch import PLATE, nine_parameters, spin_from_movement
 from sweetspot.motion.ball_motion import BallMotions, spin_axes
@@ -47,10 +48,14 @@ TEMPERATURE = 40 / 1.8
 GLOVE = 5 * FOOT
 """m above the ground, where a fly is caught (assumed; 1 ft more or less is 0.6 ft of distance)."""
 CAUGHT = ("field_out", "sac_fly", "double_play", "sac_fly_double_play")
+FAIR = 45.5 * DEGREE
+"""The map is drawn by hand; three home runs are marked farther out than this."""
 KRPM = 1000 * RPM
 BOOTSTRAPS = 40
-START = {"drag": 0.33, "lift_scale": 1.05}
-STEPS = {"drag": 0.004, "lift_scale": 0.02}
+STEPS = {"roof": 0.004, "open": 0.004, "backspin": 40.0}
+ROUNDS = 6
+COVERED = 4.5 / 30
+"""Part of games under a closed roof: of thirty parks one has a fixed one, seven one that is taken as half closed."""
 
 
 @dataclass(frozen=True)
@@ -62,7 +67,28 @@ class Pitches:
     density: Array
     file: NDArray[np.str_]
     game: NDArray[np.str_]
+    kind: NDArray[np.str_]
     roof: NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Level:
+    """What is fitted to hits: drag of the law under the roof and in the open, and the usual backspin at 0 deg, rpm."""
+
+    law: Aerodynamics
+    roof: float = 0.32
+    open: float = 0.32
+    backspin: float = -1000.0
+
+    @property
+    def line(self) -> SpinLine:
+        """The line of usual spin."""
+        return replace(TRACKED, backspin=(self.backspin, *TRACKED.backspin[1:]))
+
+    @property
+    def mean(self) -> float:
+        """Drag in the mean park."""
+        return COVERED * self.roof + (1 - COVERED) * self.open
 
 
 @dataclass(frozen=True)
@@ -80,6 +106,7 @@ class Hits:
     home: NDArray[np.str_]
     home_run: NDArray[np.bool_]
     roof: NDArray[np.bool_]
+    month: Array
 
     def where(self, rows: NDArray[np.bool_] | NDArray[np.int64]) -> Hits:
         """Return some of the rows."""
@@ -127,7 +154,8 @@ def read_pitches(folder: Path) -> Pitches:
         parts.append(
             Pitches(
                 midway, acceleration, density_of(rows), np.full(len(rows), file),
-                np.array([file + row["game_pk"] for row in rows]), np.array([row["home_team"] == ROOF for row in rows]),
+                np.array([file + row["game_pk"] for row in rows]), np.array([row["pitch_type"] for row in rows]),
+                np.array([row["home_team"] == ROOF for row in rows]),
             )
         )  # fmt: skip
     return Pitches(*(np.concatenate([getattr(part, name) for part in parts]) for name in vars(parts[0])))
@@ -154,6 +182,7 @@ def read_hits(folder: Path) -> Hits:
         home=np.array([row["home_team"] for row in rows]),
         home_run=np.array([row["events"] == "home_run" for row in rows]),
         roof=np.array([row["home_team"] == ROOF for row in rows]),
+        month=np.array([float(row["game_date"].split("/")[0]) for row in rows]),
     )
 
 
@@ -173,18 +202,20 @@ def drag_seen(pitches: Pitches, law: Aerodynamics) -> tuple[Array, Array, Array,
     return seen, active, thinner, np.isfinite(active) & (active < 5) & (np.abs(seen - usual) < 0.1)
 
 
-def within_games(values: Array, game: NDArray[np.int64]) -> Array:
-    """Return values less the mean of their game."""
-    return values - (np.bincount(game, values) / np.bincount(game))[game]
+def within(values: Array, *groups: NDArray[np.int64]) -> Array:
+    """Return values less the means of their groups, by turns until nothing is left of them."""
+    for group in groups * 30:
+        values = values - (np.bincount(group, values) / np.bincount(group))[group]
+    return values
 
 
 def fit_shape(pitches: Pitches, law: Aerodynamics, rows: NDArray[np.bool_] | None = None) -> tuple[Array, Array]:
     """Return by how much Cd grows per krpm of active spin and per Re_0 / Re - 1, with standard errors."""
     seen, active, thinner, sound = drag_seen(pitches, law)
     sound = sound if rows is None else sound & rows
-    game = np.unique(pitches.game[sound], return_inverse=True)[1]
-    known = np.stack([within_games(values[sound], game) for values in (active, thinner)], axis=-1)
-    wanted = within_games(seen[sound], game)
+    game, kind = (np.unique(names[sound], return_inverse=True)[1] for names in (pitches.game, pitches.kind))
+    known = np.stack([within(values[sound], game, kind) for values in (active, thinner)], axis=-1)
+    wanted = within(seen[sound], game, kind)
     found = np.linalg.lstsq(known, wanted, rcond=None)[0]
     left = wanted - known @ found
     inverse = np.linalg.inv(known.T @ known)
@@ -192,34 +223,53 @@ def fit_shape(pitches: Pitches, law: Aerodynamics, rows: NDArray[np.bool_] | Non
     return found, np.sqrt(np.diag(inverse @ sums.T @ sums @ inverse))
 
 
-def flown(hits: Hits, law: Aerodynamics) -> tuple[Array, Flights]:
+def flown(hits: Hits, level: Level) -> tuple[Array, Flights]:
     """Return the distance in m that a tracker would give each ball, and the flights."""
-    _, result = launched_to(
-        hits.bearing, exit_speed=hits.exit_speed, launch_angle=hits.launch_angle, ball=catalog.ball(), aerodynamics=law,
-        air=hits.density, bats=hits.bats,
-    )  # fmt: skip
-    return result.carry - hits.height / np.tan(result.landing_angle), result
+    drag = np.where(hits.roof, level.roof, level.open)
+    carry = np.empty(len(drag))
+    parts: list[tuple[NDArray[np.bool_], Flights]] = []
+    for one in np.unique(drag):
+        rows = drag == one
+        part = hits.where(rows)
+        _, result = launched_to(
+            part.bearing,
+            exit_speed=part.exit_speed,
+            launch_angle=part.launch_angle,
+            bats=part.bats,
+            line=level.line,
+            conditions=FlightConditions(
+                ball=catalog.ball(), aerodynamics=level.law.replaced(drag=float(one)), air=part.density
+            ),
+        )
+        carry[rows] = result.carry - part.height / np.tan(result.landing_angle)
+        parts.append((rows, result))
+    whole = {}
+    for name, first in vars(parts[0][1]).items():
+        values = np.empty((len(drag), *first.shape[1:]), first.dtype)
+        for rows, result in parts:
+            values[rows] = getattr(result, name)
+        whole[name] = values
+    return carry, Flights(**whole)
 
 
-def fit_level(hits: Hits, law: Aerodynamics) -> Aerodynamics:
-    """Return the law with the drag and lift that fit the distances best, both halves (roof, open) counting alike."""
+def fit_level(hits: Hits, start: Level, names: Sequence[str] = tuple(STEPS)) -> Level:
+    """Return the drag and the usual backspin that fit the distances best, both halves (roof, open) counting alike."""
     weight = np.where(hits.roof, 1 / max(hits.roof.sum(), 1), 1 / max((~hits.roof).sum(), 1)) ** 0.5
-    for _ in range(6):
-        now = flown(hits, law)[0]
+    names = [name for name in names if name == "backspin" or (hits.roof if name == "roof" else ~hits.roof).any()]
+    level = start
+    for _ in range(ROUNDS):
+        now = flown(hits, level)[0]
+        moved = [replace(level, **{name: getattr(level, name) + STEPS[name]}) for name in names]
         slopes = np.stack(
-            [
-                (flown(hits, law.replaced(**{name: getattr(law, name) + step}))[0] - now) / step
-                for name, step in STEPS.items()
-            ],
-            axis=-1,
+            [(flown(hits, one)[0] - now) / STEPS[name] for one, name in zip(moved, names, strict=True)], axis=-1
         )
         good = np.isfinite(slopes).all(axis=-1)
         known, wanted = (weight[:, None] * slopes)[good], (weight * (hits.distance - now))[good]
         step = np.linalg.lstsq(known, wanted, rcond=None)[0]
-        law = law.replaced(**{name: getattr(law, name) + float(by) for name, by in zip(STEPS, step, strict=True)})
-        if np.abs(step).max() < 1e-5:
+        level = replace(level, **{name: getattr(level, name) + float(by) for name, by in zip(names, step, strict=True)})
+        if all(abs(by) < 1e-3 * STEPS[name] for name, by in zip(names, step, strict=True)):
             break
-    return law
+    return level
 
 
 def resampled(hits: Hits, random: np.random.Generator) -> Hits:
@@ -229,9 +279,9 @@ def resampled(hits: Hits, random: np.random.Generator) -> Hits:
     return hits.where(np.concatenate([np.flatnonzero(place == game) for game in drawn]))
 
 
-def table(hits: Hits, law: Aerodynamics) -> None:
+def table(hits: Hits, level: Level) -> None:
     """Print the bias in ft, as caught and to the ground, over and over: by everything a ball is known by."""
-    seen, result = flown(hits, law)
+    seen, result = flown(hits, level)
     caught, ground = (seen - hits.distance) / FOOT, (result.carry - hits.distance) / FOOT
     pull = np.where(hits.bats == "right", -1, 1) * hits.bearing / DEGREE
     sides: Sequence[tuple[str, Array, Sequence[float]]] = (
@@ -239,6 +289,7 @@ def table(hits: Hits, law: Aerodynamics) -> None:
         ("exit speed, mph", hits.exit_speed / MPH, (80, 85, 90, 95, 100, 105, 125)),
         ("pulled by, deg", pull, (-46, -30, -15, 0, 15, 30, 46)),
         ("apex, ft", result.apex_height / FOOT, (0, 30, 50, 70, 90, 110, 300)),
+        ("month", hits.month, (4, 5, 6, 7, 8, 9, 11)),
         ("air, kg/m^3", hits.density, (1.0, 1.15, 1.17, 1.19, 1.3)),
     )
     for where, rows in (("roof", hits.roof), ("open", ~hits.roof), ("all", np.ones(len(pull), bool))):
@@ -246,36 +297,24 @@ def table(hits: Hits, law: Aerodynamics) -> None:
               f"to the ground {ground[rows].mean():+5.1f} (SD {ground[rows].std():4.1f})")  # fmt: skip
         for name, values, edges in sides:
             groups = [rows & (values >= low) & (values < high) for low, high in pairwise(edges)]
-            cells = [f"{low:g}: {caught[group].mean():+.1f} ({group.sum()})" for low, group in
-                     zip(edges, groups, strict=False) if group.sum() > 9]  # fmt: skip
+            cells = [f"{low:g}: {caught[group].mean():+.1f}, {ground[group].mean():+.1f} ({group.sum()})" for low, group
+                     in zip(edges, groups, strict=False) if group.sum() > 9]  # fmt: skip
             print(f"      {name:18}", "  ".join(cells))
 
 
-def scatter(hits: Hits, law: Aerodynamics) -> None:
-    """Print, as parts of the drag coefficient, what carries scatter and lie apart by: the numbers of `Scatter`."""
-    seen = flown(hits, law)[0]
-    apart = seen - hits.distance
-    per_drag = (seen - flown(hits, law.replaced(drag=law.drag + 0.01))[0]) / 0.01
-    coefficient = law.drag + 2.3 * KRPM * law.drag_per_active_spin + 0.4 * law.drag_per_inverse_reynolds
-    far = (hits.launch_angle > 22 * DEGREE) & (hits.launch_angle < 40 * DEGREE) & (hits.exit_speed > 95 * MPH)
-    for name, rows in (("roof", hits.roof), ("open", ~hits.roof)):
-        centred = apart[rows & far] - np.median(apart[rows & far])
-        spread = 1.4826 * np.median(np.abs(centred)) / per_drag[rows & far].mean()
-        shift = apart[rows].mean() / per_drag[rows].mean()
-        print(f"scatter, {name}: {spread / coefficient:.3f}, shift {shift / coefficient:+.3f} of the drag coefficient")
-
-
-def home_runs(hits: Hits, law: Aerodynamics) -> None:
-    """Print how many home runs the balls should have been in their own parks, and were, by chance."""
+def chances(hits: Hits, level: Level, scatter: Scatter) -> Array:
+    """Return each ball's chance of a home run in its own park."""
+    law = level.law.replaced(drag=level.mean)
     spray, _ = launched_to(
         hits.bearing,
         exit_speed=hits.exit_speed,
         launch_angle=hits.launch_angle,
         bats=hits.bats,
+        line=level.line,
         conditions=FlightConditions(ball=catalog.ball(), aerodynamics=law, air=hits.density),
     )
     axes = spin_axes(hits.launch_angle, spray)
-    backspin, sidespin = batted_ball_spin(hits.launch_angle, spray, bats=hits.bats)
+    backspin, sidespin = batted_ball_spin(hits.launch_angle, spray, bats=hits.bats, line=level.line)
     chance = np.zeros(len(spray))
     for team in np.unique(hits.home):
         here = hits.home == team
@@ -287,7 +326,39 @@ def home_runs(hits: Hits, law: Aerodynamics) -> None:
             ),
             FlightConditions(ball=catalog.ball(), aerodynamics=law, air=Air(temperature=TEMPERATURE)),
             parks=[catalog.park(team, 2022)],
+            scatter=scatter,
         ).chance[:, 0]
+    return chance
+
+
+def fit_scatter(hits: Hits, level: Level) -> None:
+    """Print which shift and scatter of drag have the least Brier score of home runs: those of `Scatter`."""
+    even = np.array([int(game) % 2 == 0 for game in hits.game])
+    known = np.abs(hits.bearing) < FAIR
+    halves = (("all games", known), ("even games", known & even), ("odd games", known & ~even))
+    groups = {
+        f"{where}, {name}": rows & half
+        for where, rows in (("roof", hits.roof), ("open", ~hits.roof))
+        for name, half in halves
+    }
+    best = dict.fromkeys(groups, (np.inf, 0.0, 0.0))
+    for spread in (0.045, 0.055, 0.065, 0.075, 0.085):
+        for shift in np.arange(-0.04, 0.06, 0.005):
+            scatter = Scatter(roof=spread, open=spread, roof_shift=float(shift), open_shift=float(shift))
+            missed = (chances(hits, level, scatter) - hits.home_run) ** 2
+            best = {
+                name: min(best[name], (float(missed[rows].mean()), spread, float(shift)))
+                for name, rows in groups.items()
+            }
+    for name, (score, spread, shift) in best.items():
+        print(
+            f"home runs, {name}: Brier {score:.4f} by scatter {spread:.3f}, shift {shift:+.3f} of the drag coefficient"
+        )
+
+
+def home_runs(hits: Hits, level: Level) -> None:
+    """Print how many home runs the balls should have been in their own parks, and were, by chance."""
+    chance = chances(hits, level, USUAL)
     for name, rows in (("roof", hits.roof), ("open", ~hits.roof), ("all", chance >= 0)):
         brier = np.mean((chance - hits.home_run)[rows] ** 2)
         print(
@@ -299,15 +370,51 @@ def home_runs(hits: Hits, law: Aerodynamics) -> None:
               f"{hits.home_run[rows].mean():.3f} hit")  # fmt: skip
 
 
-def report(name: str, law: Aerodynamics, many: Sequence[Aerodynamics] = ()) -> None:
-    """Print the numbers of a law, with standard errors from laws fitted to resampled games."""
-    units = {"drag": 1.0, "lift_scale": 1.0, "drag_per_active_spin": 1 / KRPM, "drag_per_inverse_reynolds": 1.0}
+def report(name: str, level: Level, many: Sequence[Level] = ()) -> None:
+    """Print what was fitted, with standard errors from fits to resampled games."""
     said = [
-        f"{field} {getattr(law, field) / unit:.4f}"
-        + (f" +- {np.std([getattr(one, field) for one in many]) / unit:.4f}" if many and field in STEPS else "")
-        for field, unit in units.items()
+        f"{field} {getattr(level, field):.4f}"
+        + (f" +- {np.std([getattr(one, field) for one in many]):.4f}" if many else "")
+        for field in (*STEPS, "mean")
     ]
     print(f"{name}: " + ", ".join(said))
+
+
+def of_pitches(pitches: Pitches, sheet: Aerodynamics, shape: Array) -> None:
+    """Print shape and level of the drag of pitches by file, and by roof."""
+    seen, active, thinner, sound = drag_seen(pitches, sheet)
+    rest = seen - shape[0] * active - shape[1] * thinner
+    print("pitches: per krpm, per Re_0 / Re, and the drag without what spin and Reynolds's number do by the law:")
+    groups = {str(file): pitches.file == file for file in np.unique(pitches.file)}
+    season = pitches.file == "2022"
+    groups |= {"roof, 2022": season & pitches.roof, "open, 2022": season & ~pitches.roof}
+    for name, chosen in groups.items():
+        rows = chosen & sound
+        games = np.unique(pitches.game[rows])
+        own, about = fit_shape(pitches, sheet, rows) if len(games) > 1 else (np.full(2, np.nan), np.full(2, np.nan))
+        means = [rest[rows & (pitches.game == game)].mean() for game in games]
+        print(
+            f"  {name:12} n {rows.sum():5}  {own[0]:.4f} +- {about[0]:.4f}, {own[1]:+.4f} +- {about[1]:.4f}; drag "
+            f"{rest[rows].mean():.4f} +- {np.std(means) / max(len(games) - 1, 1) ** 0.5:.4f}, "
+            f"scatter {rest[rows].std():.4f}"
+        )
+
+
+def held_out(hits: Hits, start: Level) -> None:
+    """Print how balls left out of the fit are met: every other game, every third park, one half of the year."""
+    even = np.array([int(game) % 2 == 0 for game in hits.game])
+    park = np.unique(hits.home, return_inverse=True)[1]
+    late = hits.month >= 7
+    parts = {"games of even number": even, "games of odd number": ~even, "April to June": ~late, "July on": late}
+    parts |= {f"every third park, {turn}": (park % 3 == turn) & ~hits.roof for turn in range(3)}
+    for name, tested in parts.items():
+        half = fit_level(hits.where(~tested), start)
+        report(f"without {name}", half)
+        rest = hits.where(tested)
+        apart = (flown(rest, half)[0] - rest.distance) / FOOT
+        for where, rows in (("roof", rest.roof), ("open", ~rest.roof)):
+            if rows.any():
+                print(f"  on them, {where}: {apart[rows].mean():+.1f} ft, SD {apart[rows].std():.1f}, n {rows.sum()}")
 
 
 def main() -> None:
@@ -318,45 +425,28 @@ def main() -> None:
     pitches, hits = read_pitches(folder), read_hits(folder)
     sheet = catalog.aerodynamics("trajectory-calculator")
     shape, errors = fit_shape(pitches, sheet)
-    shaped = sheet.replaced(
-        drag_per_spin=0.0, drag_per_active_spin=shape[0] / KRPM, drag_per_inverse_reynolds=float(shape[1]), **START
+    print(f"all pitches, per krpm {shape[0]:.4f} +- {errors[0]:.4f}, per Re_0 / Re {shape[1]:.4f} +- {errors[1]:.4f}")
+    of_pitches(pitches, sheet, shape)
+    start = Level(
+        sheet.replaced(
+            drag_per_spin=0.0, drag_per_active_spin=shape[0] / KRPM, drag_per_inverse_reynolds=float(shape[1])
+        )
     )
-    law = fit_level(hits, shaped)
+    level = fit_level(hits, start)
     random = np.random.default_rng(1)
-    many = [fit_level(resampled(hits, random), law) for _ in range(BOOTSTRAPS)]
-    report("all (active spin per krpm)", law, many)
-    together = np.corrcoef([[getattr(one, name) for name in STEPS] for one in many], rowvar=False)[0, 1]
-    print(f"drag and lift go together with {together:+.2f}")
-    print(
-        "pitches by file: per krpm, per Re_0 / Re, and the drag without what spin and Reynolds's number do by the law:"
-    )
-    print(
-        f"  {'all':21} n {len(pitches.game):5}  {shape[0]:.4f} +- {errors[0]:.4f}, {shape[1]:+.4f} +- {errors[1]:.4f}"
-    )
-    seen, active, thinner, sound = drag_seen(pitches, sheet)
-    for file in (*np.unique(pitches.file), "under the roof, 2022"):
-        rows = pitches.roof & (pitches.file == "2022") if file.startswith("under") else pitches.file == file
-        if len(np.unique(pitches.game[rows])) > 1:
-            own, about = fit_shape(pitches, sheet, rows)
-            said = f"{own[0]:.4f} +- {about[0]:.4f}, {own[1]:+.4f} +- {about[1]:.4f}"
-        else:
-            said = "one game"
-        rows &= sound
-        level = (seen - shape[0] * active - shape[1] * thinner)[rows]
-        print(f"  {file:21} n {rows.sum():5}  {said}; drag {level.mean():.4f}, scatter {level.std():.4f}")
-    even = np.array([int(game) % 2 == 0 for game in hits.game])
-    for fitted, tested, name in ((even, ~even, "even"), (~even, even, "odd")):
-        half = fit_level(hits.where(fitted), law)
-        report(f"games of {name} number", half)
-        rest = hits.where(tested)
-        for where, rows in (("roof", rest.roof), ("open", ~rest.roof)):
-            apart = (flown(rest, half)[0] - rest.distance)[rows] / FOOT
-            print(f"  on the others, {where}: {apart.mean():+.1f} ft, SD {apart.std():.1f}, n {rows.sum()}")
+    many = [fit_level(resampled(hits, random), level) for _ in range(BOOTSTRAPS)]
+    report("hits", level, many)
     for where, rows in (("roof", hits.roof), ("open", ~hits.roof)):
-        report(f"{where} alone", fit_level(hits.where(rows), law))
-    table(hits, law)
-    scatter(hits, law)
-    home_runs(hits, law)
+        report(f"{where} alone", fit_level(hits.where(rows), level))
+    for lift in (1.05, 1.19):
+        report(f"with a lift scale of {lift}", fit_level(hits, replace(level, law=level.law.replaced(lift_scale=lift))))
+    held_out(hits, level)
+    print("with a level for the roof and one for the open; to the glove, to the ground")
+    table(hits, level)
+    print("with the one of the mean park")
+    table(hits, replace(level, roof=level.mean, open=level.mean))
+    fit_scatter(hits, level)
+    home_runs(hits, level)
 
 
 if __name__ == "__main__":

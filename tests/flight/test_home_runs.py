@@ -14,6 +14,7 @@ from sweetspot.flight.air import Air, Wind
 from sweetspot.flight.all_parks import landings_everywhere
 from sweetspot.flight.batted_spin import batted_ball_spin
 from sweetspot.flight.conditions import FlightConditions
+from sweetspot.flight.fence_compiled import TABLE_STEP
 from sweetspot.flight.home_runs import NONE, HomeRuns, Scatter, home_run_chances
 from sweetspot.motion.ball_motion import BallMotions, spin_axes
 from sweetspot.numerics.arrays import Array
@@ -47,7 +48,10 @@ def asked(count: int, **changes: Any) -> HomeRuns:
 
 @pytest.mark.parametrize("wind", [Wind(), Wind(speed=5.0, direction=2.0)])
 def test_without_scatter_it_is_the_path_judged(wind: Wind) -> None:
-    """Agreement to 3 cm in every park's own air: chords of a path of 161 points, and a parabola over the air."""
+    """Agreement to 3 cm in every park's own air: chords of a path of 161 points, and a parabola over the air.
+
+    Left out are corners of a fence, which the kernel's table of directions cuts.
+    """
     velocity, spin = launched(300)
     found = asked(300, scatter=NONE, wind=wind)
     judged = landings_everywhere(
@@ -56,11 +60,18 @@ def test_without_scatter_it_is_the_path_judged(wind: Wind) -> None:
         parks=PARKS,
     )
     clearance = np.stack([park.clearance for park in judged], axis=-1)
-    both = np.isfinite(clearance)
+    corner = np.stack(
+        [
+            np.abs(where.direction[:, None] - np.array(park.fence)[:, 0]).min(axis=1) < TABLE_STEP
+            for park, where in zip(PARKS, judged, strict=True)
+        ],
+        axis=-1,
+    )
+    both = np.isfinite(clearance) & ~corner
     assert both.sum() > 2000 and np.isfinite(found.clearance[both]).all()
     assert np.abs(found.clearance - clearance)[both].max() < 0.03
     out = np.stack([park.out for park in judged], axis=-1)
-    sure = np.abs(np.nan_to_num(clearance, nan=1.0)) > 0.03
+    sure = (np.abs(np.nan_to_num(clearance, nan=1.0)) > 0.03) & ~corner
     assert np.array_equal(out[sure], found.chance[sure] > 0.5)
     assert set(np.unique(found.chance[sure])) == {0.0, 1.0}
 

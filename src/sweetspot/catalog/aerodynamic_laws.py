@@ -7,10 +7,11 @@ from typing import Any
 
 from sweetspot.catalog.records import canonical, entry, quantity, read_table
 from sweetspot.flight.aerodynamics import Aerodynamics
+from sweetspot.flight.batted_spin import SHEET, TRACKED, SpinLine
 from sweetspot.units import Kind
 
 FILE = "aerodynamics.toml"
-DEFAULT_AERODYNAMICS = "baseball"
+DEFAULT_AERODYNAMICS, STILL_AIR, CALCULATOR = "baseball", "baseball-in-still-air", "trajectory-calculator"
 FIELDS: dict[str, Kind] = {
     "drag": "ratio",
     "drag_per_spin": "time",
@@ -42,3 +43,12 @@ def aerodynamics(name: str = DEFAULT_AERODYNAMICS) -> Aerodynamics:
     _, found = entry(read_table(FILE), name, "aerodynamics")
     values: dict[str, Any] = {field: quantity(found, field, kind, found["name"]) for field, kind in FIELDS.items()}
     return Aerodynamics(name=found["name"], **{field: value for field, value in values.items() if value is not None})
+
+
+def usual_spin_line(name: str = DEFAULT_AERODYNAMICS) -> SpinLine:
+    """Return the line of usual spin that a law was drawn up with: the sheet's own for the trajectory calculator.
+
+    >>> usual_spin_line("trajectory calculator").backspin[0]
+    -763.0
+    """
+    return SHEET if canonical(name) == CALCULATOR else TRACKED

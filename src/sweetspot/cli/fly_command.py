@@ -73,6 +73,7 @@ def fly(
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Say how far a hit ball carries. Any one or two options may be ranges (from:to:count); the answer is a table."""
+    from sweetspot.catalog.aerodynamic_laws import DEFAULT_AERODYNAMICS, usual_spin_line
     from sweetspot.cli.output import present
     from sweetspot.flight.sweep import VARIATIONS, BattedBall
 
@@ -86,7 +87,7 @@ def fly(
             values[name] = pressure_of(air) if name == "pressure" else _number(name, text)
     for name, values_of in ranges:
         values[name] = values_of[0]
-    hit = BattedBall(**values, bats=launch.bats)
+    hit = BattedBall(**values, bats=launch.bats, line=usual_spin_line(launch.law or DEFAULT_AERODYNAMICS))
     if len(ranges) > 2:
         named = " and ".join(_option(name) for name, _ in ranges)
         raise InputError(

@@ -12,7 +12,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sweetspot.flight.batted_spin import batted_ball_spin
+from sweetspot.flight.batted_spin import TRACKED, SpinLine, batted_ball_spin
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.motion.ball_motion import BallMotions, spin_axes
@@ -49,6 +49,7 @@ def launched_to(
     bats: Literal["right", "left"] | ArrayLike = "right",
     spins: tuple[ArrayLike | None, ArrayLike | None] = (None, None),
     position: ArrayLike = (0.0, 0.6096, 0.9144),
+    line: SpinLine = TRACKED,
 ) -> tuple[Array, Flights]:
     """Return the launch directions of balls that come down in given directions, and their flights.
 
@@ -62,6 +63,7 @@ def launched_to(
     conditions : as for `flights`.
     spins : back and side spin, rad/s; None: what balls launched so usually have, see `batted_ball_spin`.
     position : m, shape (3,), where the ball leaves the bat.
+    line : of the usual spin; `SHEET` with the trajectory calculator's law.
 
     Returns
     -------
@@ -75,7 +77,7 @@ def launched_to(
              for spin in spins]  # fmt: skip
 
     def flown(spray: Array) -> tuple[Array, Flights]:
-        usual = batted_ball_spin(up, spray, bats=words)
+        usual = batted_ball_spin(up, spray, bats=words, line=line)
         back, side = (own if chosen is None else chosen for own, chosen in zip(usual, given, strict=True))
         axes = spin_axes(up, spray)
         result = flights(

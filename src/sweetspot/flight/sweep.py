@@ -13,7 +13,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import STANDARD_PRESSURE, Air, Wind
-from sweetspot.flight.batted_spin import batted_ball_spin, check_usual_spin
+from sweetspot.flight.batted_spin import TRACKED, SpinLine, batted_ball_spin, check_usual_spin
 from sweetspot.flight.bearing import launched_to
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import Flights, flights
@@ -46,6 +46,7 @@ class BattedBall:
     bats : side the batter bats from; only the usual spin asks for it.
     temperature, humidity, pressure, elevation : of the `Air`.
     wind_speed, wind_direction, wind_exponent, calm_below : of the `Wind`.
+    line : of the usual spin.
     """
 
     exit_speed: float
@@ -66,6 +67,7 @@ class BattedBall:
     wind_direction: float = 0.0
     wind_exponent: float = 0.0
     calm_below: float = 0.0
+    line: SpinLine = TRACKED
 
     @property
     def motion(self) -> BallMotion:
@@ -75,7 +77,7 @@ class BattedBall:
         if not self.exit_speed >= 0:
             raise InputError(f"exit speed is {self.exit_speed:g} m/s; allowed is zero or more")
         check_usual_spin(self.launch_angle, known=self.backspin is not None and self.sidespin is not None)
-        usual = batted_ball_spin(self.launch_angle, self.spray, bats=self.bats)
+        usual = batted_ball_spin(self.launch_angle, self.spray, bats=self.bats, line=self.line)
         return launched(
             speed=self.exit_speed,
             launch_angle=self.launch_angle,
@@ -122,6 +124,7 @@ def directed(hit: BattedBall, *, ball: Ball, aerodynamics: Aerodynamics) -> Batt
         conditions=FlightConditions(ball=ball, aerodynamics=aerodynamics, air=hit.air, wind=hit.wind),
         spins=(hit.backspin, hit.sidespin),
         position=(0.0, hit.forward, hit.height),
+        line=hit.line,
     )
     if not math.isfinite(spray[0]):
         raise InputError(

@@ -28,6 +28,8 @@ STEP = 0.01
 """s; the plate is a root on the flight's steps, so they are shorter than a batted ball's."""
 ROUNDS, CLOSE = 12, 1e-6
 """Most corrections of the aim, and m by which it may miss."""
+HIGHER = 0.1
+"""rad, by which a throw that falls short is raised before its aim is corrected."""
 LARGEST_CORRECTION = 0.5
 """rad; a greater one means that no higher throw helps."""
 
@@ -180,7 +182,14 @@ def aimed(
     before = (start, 0.0)
     lift = way  # m of height at the plate per rad of launch angle; learnt on the way
     for _ in range(ROUNDS):
-        found = thrown(aim, ball=ball, aerodynamics=aerodynamics, air=air, wind=wind)
+        try:
+            found = thrown(aim, ball=ball, aerodynamics=aerodynamics, air=air, wind=wind)
+        except InputError:  # air stops it short of where it would come without
+            if aim.launch_angle != start or start + HIGHER >= math.pi / 4:
+                raise
+            start += HIGHER
+            aim, before = aim.replaced(launch_angle=start), (start, 0.0)
+            continue
         beside, below = target[0] - found.plate.position[0], target[1] - found.plate.position[2]
         if max(abs(beside), abs(below)) <= CLOSE:
             return found

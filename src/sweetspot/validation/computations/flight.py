@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from sweetspot import catalog
+from sweetspot.catalog.aerodynamic_laws import usual_spin_line
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.forces import drag_and_lift
 from sweetspot.flight.sweep import BattedBall
@@ -37,8 +38,8 @@ def _flown(hit: BattedBall, law: str) -> Flight:
     )
 
 
-def _hit(changes: dict[str, Any]) -> BattedBall:
-    return replace(USUAL, **changes)
+def _hit(changes: dict[str, Any], law: str = "baseball") -> BattedBall:
+    return replace(USUAL, line=usual_spin_line(law), **changes)
 
 
 def fly_ball(*, answer: str, law: str = "baseball", **changes: Any) -> float:
@@ -49,7 +50,7 @@ def fly_ball(*, answer: str, law: str = "baseball", **changes: Any) -> float:
     law : name of the law of drag and lift.
     changes : fields of `BattedBall` that differ from `USUAL`, SI.
     """
-    found = _flown(_hit(changes), law)
+    found = _flown(_hit(changes, law), law)
     return found.landing.speed if answer == "landing_speed" else float(getattr(found, answer))
 
 
@@ -62,7 +63,7 @@ def carry_gain(*, by: dict[str, float], law: str = "baseball", **changes: Any) -
         wind_speed in mph, sidespin and backspin in rpm.
     """
     units = {"elevation": FOOT, "exit_speed": MPH, "wind_speed": MPH, "sidespin": RPM, "backspin": RPM}
-    before = _hit(changes)
+    before = _hit(changes, law)
     motion = before.motion
     known = replace(before, backspin=motion.backspin, sidespin=motion.sidespin)
     moved = {name: getattr(known, name) + change * units.get(name, 1.0) for name, change in by.items()}
@@ -71,9 +72,9 @@ def carry_gain(*, by: dict[str, float], law: str = "baseball", **changes: Any) -
 
 def wind_asymmetry(*, wind_speed: float, law: str = "baseball") -> float:
     """Return what a wind out gives less what the same wind in takes."""
-    still = _flown(USUAL, law).carry
-    out = _flown(_hit({"wind_speed": wind_speed}), law).carry
-    head = _flown(_hit({"wind_speed": wind_speed, "wind_direction": np.pi}), law).carry
+    still = _flown(_hit({}, law), law).carry
+    out = _flown(_hit({"wind_speed": wind_speed}, law), law).carry
+    head = _flown(_hit({"wind_speed": wind_speed, "wind_direction": np.pi}, law), law).carry
     return (out - still) - (still - head)
 
 
@@ -89,7 +90,7 @@ def air_density_ratio(*, elevation: float) -> float:
 
 def push_of_air(*, part: str, along: str, law: str = "baseball", **changes: Any) -> float:
     """Return the acceleration by drag or lift at the start, along one axis: right, out or up."""
-    hit = _hit(changes)
+    hit = _hit(changes, law)
     pushes = drag_and_lift(
         hit.motion.velocity, spin=hit.motion.spin, ball=catalog.ball(), aerodynamics=catalog.aerodynamics(law),
         density=hit.air.density,
@@ -99,7 +100,7 @@ def push_of_air(*, part: str, along: str, law: str = "baseball", **changes: Any)
 
 def coefficient(*, part: str, law: str = "baseball", **changes: Any) -> float:
     """Return Cd or Cl or the spin factor S at the start of a flight."""
-    motion = _hit(changes).motion
+    motion = _hit(changes, law).motion
     known, factor = catalog.aerodynamics(law), _spin_factor(motion)
     values = {
         "spin factor": factor,
@@ -116,7 +117,7 @@ def _spin_factor(motion: BallMotion) -> float:
 
 def flight_place(*, time: float, along: str, law: str = "baseball", **changes: Any) -> float:
     """Return where the ball is after a time: out or up."""
-    found = _flown(_hit(changes), law).at(time).position
+    found = _flown(_hit(changes, law), law).at(time).position
     return float(found[("right", "out", "up").index(along)])
 
 
