@@ -40,7 +40,7 @@ class Scatter:
     roof_shift, open_shift : what balls near the fence have more of there than the law says; see docs/theory/flight.md.
     """
 
-    roof: float = 0.050
+    roof: float = 0.055
     open: float = 0.065
     roof_shift: float = -0.020
     open_shift: float = 0.030
