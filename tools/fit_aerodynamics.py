@@ -236,7 +236,7 @@ def flown(hits: Hits, level: Level) -> tuple[Array, Flights]:
             exit_speed=part.exit_speed,
             launch_angle=part.launch_angle,
             bats=part.bats,
-            line=level.line,
+            spins=level.line,
             conditions=FlightConditions(
                 ball=catalog.ball(), aerodynamics=level.law.replaced(drag=float(one)), air=part.density
             ),
@@ -310,7 +310,7 @@ def chances(hits: Hits, level: Level, scatter: Scatter) -> Array:
         exit_speed=hits.exit_speed,
         launch_angle=hits.launch_angle,
         bats=hits.bats,
-        line=level.line,
+        spins=level.line,
         conditions=FlightConditions(ball=catalog.ball(), aerodynamics=law, air=hits.density),
     )
     axes = spin_axes(hits.launch_angle, spray)

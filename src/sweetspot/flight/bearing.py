@@ -47,9 +47,8 @@ def launched_to(
     launch_angle: ArrayLike,
     conditions: FlightConditions,
     bats: Literal["right", "left"] | ArrayLike = "right",
-    spins: tuple[ArrayLike | None, ArrayLike | None] = (None, None),
+    spins: SpinLine | tuple[ArrayLike | None, ArrayLike | None] = TRACKED,
     position: ArrayLike = (0.0, 0.6096, 0.9144),
-    line: SpinLine = TRACKED,
 ) -> tuple[Array, Flights]:
     """Return the launch directions of balls that come down in given directions, and their flights.
 
@@ -61,9 +60,9 @@ def launched_to(
     exit_speed, launch_angle : m/s and rad, of shapes that fit.
     bats : "right" or "left", or an array of these words; only the usual spin asks.
     conditions : as for `flights`.
-    spins : back and side spin, rad/s; None: what balls launched so usually have, see `batted_ball_spin`.
+    spins : back and side spin, rad/s, None: what balls launched so usually have, see `batted_ball_spin`; or the line of
+        usual spin, such as `SHEET` with the trajectory calculator's law.
     position : m, shape (3,), where the ball leaves the bat.
-    line : of the usual spin; `SHEET` with the trajectory calculator's law.
 
     Returns
     -------
@@ -73,8 +72,9 @@ def launched_to(
     wanted, speed, up, words = np.broadcast_arrays(
         *(np.atleast_1d(np.asarray(values)) for values in (bearing, exit_speed, launch_angle, bats))
     )
+    line, known = (spins, (None, None)) if isinstance(spins, SpinLine) else (TRACKED, spins)
     given = [None if spin is None else np.broadcast_to(np.asarray(spin, float), wanted.shape)
-             for spin in spins]  # fmt: skip
+             for spin in known]  # fmt: skip
 
     def flown(spray: Array) -> tuple[Array, Flights]:
         usual = batted_ball_spin(up, spray, bats=words, line=line)

@@ -122,9 +122,8 @@ def directed(hit: BattedBall, *, ball: Ball, aerodynamics: Aerodynamics) -> Batt
         launch_angle=hit.launch_angle,
         bats=hit.bats,
         conditions=FlightConditions(ball=ball, aerodynamics=aerodynamics, air=hit.air, wind=hit.wind),
-        spins=(hit.backspin, hit.sidespin),
+        spins=hit.line if hit.backspin is hit.sidespin is None else (hit.backspin, hit.sidespin),
         position=(0.0, hit.forward, hit.height),
-        line=hit.line,
     )
     if not math.isfinite(spray[0]):
         raise InputError(
