@@ -5,7 +5,7 @@ UV := $(BIN)/uv
 BAT := r161-ash
 OUT := report
 
-.PHONY: report app browser test lint types docs pins mutants bench bench-quick format lock fuzz clean
+.PHONY: report app browser test test-lowest lint types docs pins mutants bench bench-quick format lock fuzz clean
 
 report: $(VENV)/.run  ## where does this bat hit best? BAT=name or file, OUT=folder
 	$(BIN)/sweetspot report $(BAT) --out $(OUT)
@@ -21,6 +21,14 @@ browser:  ## Chromium for the page's tests, where apt-get may install it
 
 test: $(VENV)/.dev browser  ## all tests
 	$(BIN)/python -m pytest -q -n 2
+
+LOWEST := .venv-lowest
+UNDER_LOWEST := $(addprefix tests/,catalog collision dynamics equipment flight motion numerics units report cli calibration)
+
+test-lowest: $(UV)  ## tests of all but the page and the fits with the lowest versions that pyproject allows
+	@test -d $(LOWEST) || python3 -m venv --without-pip $(LOWEST)
+	VIRTUAL_ENV=$(LOWEST) $(UV) pip install -q --resolution lowest-direct --only-binary :all: --no-binary sweetspot -e ".[dev]"
+	$(LOWEST)/bin/python -m pytest -q -n 2 --benchmark-disable $(UNDER_LOWEST)
 
 lint: $(VENV)/.dev
 	$(BIN)/ruff check .
@@ -66,7 +74,7 @@ lock: $(UV)  ## pin the newest versions that pyproject allows, for every Python 
 	echo uv | $(LOCK) --upgrade - -o requirements-uv.txt
 
 clean:
-	rm -rf $(VENV) docs/_build docs/_generated build report .mypy_cache .ruff_cache .pytest_cache .benchmarks
+	rm -rf $(VENV) $(LOWEST) docs/_build docs/_generated build report .mypy_cache .ruff_cache .pytest_cache .benchmarks
 
 $(UV):
 	@python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
