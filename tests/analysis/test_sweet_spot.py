@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from typing import Any
 
 import numpy as np
 import pytest
@@ -20,7 +21,7 @@ from sweetspot.units import INCH, MPH
 
 def made_up(exit_speed: np.ndarray, sting: np.ndarray) -> Scan:
     position = np.linspace(0.4, 0.8, len(exit_speed))
-    same = {field.name: position for field in dataclasses.fields(Scan)}
+    same: dict[str, Any] = {field.name: position for field in dataclasses.fields(Scan)}
     return Scan(**{**same, "exit_speed": exit_speed, "sting": sting})
 
 
