@@ -24,13 +24,14 @@ from sweetspot.cli.play_command import play
 from sweetspot.cli.report_command import report
 from sweetspot.cli.schema_command import schema
 from sweetspot.cli.season_command import season
+from sweetspot.cli.show_command import show
 from sweetspot.cli.sports_command import sports
 from sweetspot.cli.tap_command import tap
 from sweetspot.cli.validate_command import validate
 
 COMMANDS = (
     report, hit, play, fly, compare, certify, optimum, fit_player, season, outline, tap, calibrate, drop, pendulum,
-    paper, sports, parks, bats, schema, validate, prepare,
+    paper, sports, parks, bats, show, schema, validate, prepare,
 )  # fmt: skip
 
 app = App(

@@ -75,7 +75,9 @@ def beam_model(bat: Implement) -> BeamModel:
     measured = bat.as_measured()
     known = measured.density_range
     line = BeamModel(measured, 1.0, 0.0, measured.lumps()) if known is None else _fitted(measured, known)
-    return line if measured is bat else replace(line, bat=bat, point_masses=bat.lumps())
+    line = line if measured is bat else replace(line, bat=bat, point_masses=bat.lumps())
+    weights = [Lump(one.position, one.mass, roll_moi=one.mass * one.lateral**2) for one in bat.added]
+    return replace(line, point_masses=(*line.point_masses, *weights)) if weights else line
 
 
 def line_of_bat(line: BeamModel) -> Bat:

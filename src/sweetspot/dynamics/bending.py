@@ -7,6 +7,7 @@ parts do not lock. The bat's breakpoints and point masses are element ends.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from itertools import pairwise
 from typing import Any
@@ -93,8 +94,19 @@ def _solved(line: BeamModel, count: int, elements: int) -> tuple[Array, Any, Arr
     squares, vectors = lowest(stiffness, inertia, first=2, last=count + 1, shift=SHIFT * _first_square(line))
     stiffening = 1.0
     if line.bat.frequency is not None:  # stiffness known up to a factor, which does not change the shapes
-        stiffening = float((2 * np.pi * line.bat.frequency) ** 2 / squares[0])
+        stiffening = float((2 * np.pi * line.bat.frequency) ** 2 / _first_measured(line, squares, elements))
     return edges, deflection, stiffening * squares, vectors, stiffening
+
+
+def _first_measured(line: BeamModel, squares: Array, elements: int) -> float:
+    """Return the first squared frequency as measured, before any weights were added."""
+    if not line.bat.added:
+        return float(squares[0])
+    bare = replace(line, bat=line.bat.replaced(added=()), point_masses=line.point_masses[: -len(line.bat.added)])
+    _, deflection, rotation = _mesh(bare, elements)
+    stiffness, inertia = _matrices(bare, deflection, rotation)
+    first, _ = lowest(stiffness, inertia, first=2, last=2, shift=SHIFT * _first_square(bare))
+    return float(first[0])
 
 
 def mesh_matrices(line: BeamModel, *, elements: int = ELEMENTS) -> tuple[Array, Array, float]:

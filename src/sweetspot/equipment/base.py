@@ -40,7 +40,7 @@ MOST_FAULTS, LONGEST_INPUT = 5, 80
 """Faults told of at once, and letters of what was given that are repeated."""
 
 
-class Validated(BaseModel):
+class Validated(BaseModel):  # noqa: PLW1641  # pydantic hashes what is frozen
     """An immutable, validated value; a wrong one raises `InputError` with one clear message."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
@@ -50,6 +50,12 @@ class Validated(BaseModel):
             super().__init__(**values)
         except ValidationError as error:
             raise InputError(explain(error, type(self).__name__, known=tuple(type(self).model_fields))) from None
+
+    def __eq__(self, other: object) -> bool:
+        """Return whether the other is of the same kind with the same fields, whatever either has worked out since."""
+        if not isinstance(other, Validated) or type(other) is not type(self):
+            return NotImplemented
+        return all(getattr(self, name) == getattr(other, name) for name in type(self).model_fields)
 
     def replaced(self, **changes: Any) -> Self:
         """Return a copy with some fields changed, validated like a new one."""

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from typing import Literal, NamedTuple
+from typing import Literal, NamedTuple, Self
 
 from numpy.typing import ArrayLike
+from pydantic import model_validator
 
 from sweetspot.equipment.base import Name, NonNegative, Positive, Validated
 from sweetspot.equipment.face import Face, Outline
@@ -40,6 +41,21 @@ class Lump(NamedTuple):
     roll_moi: float = 0.0
 
 
+class AddedMass(Validated):
+    """A small weight fixed to an implement after it was measured, such as lead tape.
+
+    Parameters
+    ----------
+    position : m from the butt end.
+    mass : kg.
+    lateral : m beside the middle line; 0: on it. It counts in the twist about the line.
+    """
+
+    position: NonNegative
+    mass: Positive
+    lateral: float = 0.0
+
+
 class DensityRange(NamedTuple):
     """Density in kg/m^3 that a body has by the catalogue, and the least and most that its material can have."""
 
@@ -59,6 +75,7 @@ class Implement(ShownInNotebooks, Validated, ABC):
     mass, balance_point : measured, kg and m from the butt end; None when not measured.
     moi : measured moment of inertia in kg m^2 about ``moi_axis`` (m from the butt end).
     choke : m the grip is moved up from the butt end; shifts the default pivot and hands.
+    added : small weights that were fixed to it after it was measured.
     """
 
     name: Name
@@ -69,6 +86,17 @@ class Implement(ShownInNotebooks, Validated, ABC):
     moi: Positive | None = None
     moi_axis: float = STANDARD_AXIS
     choke: NonNegative = 0.0
+    added: tuple[AddedMass, ...] = ()
+
+    @model_validator(mode="after")
+    def _weights_are_on_it(self) -> Self:
+        for weight in self.added:
+            if weight.position > self.length:
+                raise ValueError(
+                    f"a weight was put {shown(weight.position)} from the {self.grip_end}, off {self.name}, which is "
+                    f"{shown(self.length)} long"
+                )
+        return self
 
     @property
     @abstractmethod

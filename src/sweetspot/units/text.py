@@ -158,7 +158,10 @@ def _in_si(text: str, kind: Kind) -> float:
             raise ValueError("not a temperature")
         quantity = registry.Quantity(float(match[1]), match[2])
         return float(quantity.to("degC").magnitude)
-    return float(registry.Quantity(number).to(SI[kind][0]).magnitude)
+    quantity = registry.Quantity(number)
+    if kind == "force" and quantity.check("[mass]"):  # strings are pulled with 55 lb or 25 kg: the weight of that
+        return float((quantity * registry.standard_gravity).to("newton").magnitude)
+    return float(quantity.to(SI[kind][0]).magnitude)
 
 
 def _spelled_out(text: str) -> str:

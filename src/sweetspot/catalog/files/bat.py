@@ -10,6 +10,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import BeforeValidator, Field
 
+from sweetspot.catalog.files.like import resolved
 from sweetspot.catalog.files.tables import FileTable, parsed
 from sweetspot.catalog.files.turned import turned_profile
 from sweetspot.catalog.materials import material
@@ -177,6 +178,7 @@ def table_of_text(text: str, where: str) -> dict[str, Any]:
 
 def bat_from_table(table: dict[str, Any], where: str) -> Bat:
     """Return the bat that a table describes; ``where`` names the file in messages."""
+    table = resolved(table)
     if table.get("kind", "bat") != "bat":
         raise InputError(f"{where} is a {table['kind']}, not a bat; `sweetspot report`, `hit` and `compare` take it")
     loose = sorted(set(table) & set(ShellTable.model_fields))

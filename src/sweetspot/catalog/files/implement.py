@@ -10,6 +10,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from sweetspot.catalog.files.bat import BatFile, PlyTable, bat_from_table, laminate_of, read_toml
+from sweetspot.catalog.files.like import resolved
 from sweetspot.catalog.files.tables import (
     FORCE,
     FREQUENCY,
@@ -26,6 +27,7 @@ from sweetspot.catalog.files.tables import (
     in_si,
 )  # fmt: skip
 from sweetspot.catalog.materials import material
+from sweetspot.catalog.racket_stiffness import frequency_of_ra
 from sweetspot.catalog.records import unwrapped
 from sweetspot.catalog.rubbers import rubber
 from sweetspot.catalog.usual_bodies import warn_of_doubts
@@ -33,12 +35,20 @@ from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.face import Face, Outline
 from sweetspot.equipment.golf_club import ClubHead, GolfClub
 from sweetspot.equipment.hockey_stick import HockeyStick
-from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.implement import AddedMass, Implement
 from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.string_bed import StringBed
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.units import check_usual
+
+
+class AddedTable(FileTable):
+    """[[point_mass]]: a small weight, for example lead tape."""
+
+    position: Length = Field(description="from the butt end")
+    mass: Mass
+    beside: Length = Field("0 cm", description="from the middle line, either side")
 
 
 class CommonTable(FileTable):
@@ -56,6 +66,7 @@ class CommonTable(FileTable):
     moi_axis: Length = Field("0 cm", description="axis of moi, from the butt end")
     choke: Length = Field("0 cm", description="how far the grip is moved up from the butt end")
     note: str | None = Field(None, description="anything worth knowing about it")
+    point_mass: tuple[AddedTable, ...] = Field((), description="small weights added after it was measured: lead tape")
 
 
 class HeadTable(FileTable):
@@ -69,7 +80,7 @@ class HeadTable(FileTable):
 class StringsTable(FileTable):
     """[strings]: of a racket."""
 
-    tension: Annotated[str, FORCE] = Field(description="in each string, for example '230 N' or '52 lbf'")
+    tension: Annotated[str, FORCE] = Field(description="in each string, for example '230 N', '52 lb' or '24 kg'")
     mains: int
     crosses: int
     linear_density: Annotated[str, LINEAR_DENSITY] = Field(description="of one string, for example '1.4 g/m'")
@@ -83,7 +94,8 @@ class RacketFile(CommonTable):
     kind: Literal["racket"]
     head: HeadTable
     strings: StringsTable | None = None
-    first_frequency: Annotated[str, FREQUENCY] = Field(description="of bending mode 1, hung freely")
+    first_frequency: Annotated[str | None, FREQUENCY] = Field(None, description="of bending mode 1, hung freely")
+    ra: float | None = Field(None, description="stiffness as shops tell it; in place of first_frequency")
     damping: float = Field(0.01, description="fraction of critical damping, hung freely")
     handle_length: Length
     relative_stiffness: Parts = Field(None, description="pairs of position and stiffness; only ratios count")
@@ -164,6 +176,7 @@ class TableTennisRacketFile(CommonTable):
 
 def implement_from_table(table: dict[str, Any], where: str) -> Implement:
     """Return the implement that a table describes by its ``kind``; ``where`` names the file in messages."""
+    table = resolved(table)
     kind = table.get("kind", "bat")
     if kind == "bat":
         return bat_from_table(table, where)
@@ -191,11 +204,22 @@ def _unwrapped(value: Any) -> Any:
 
 
 def _common(file: CommonTable) -> dict[str, Any]:
-    return {name: value for name, value in in_si(file, implement=file.kind).items() if name not in ("kind", "note")}
+    left_out = ("kind", "note", "point_mass")
+    found = {name: value for name, value in in_si(file, implement=file.kind).items() if name not in left_out}
+    weights = [in_si(weight, "point_mass", implement=file.kind) for weight in file.point_mass]
+    found["added"] = tuple(
+        AddedMass(position=one["position"], mass=one["mass"], lateral=one["beside"]) for one in weights
+    )
+    return found
 
 
 def _racket(file: RacketFile) -> Racket:
     given = _common(file)
+    ra = given.pop("ra")
+    if (ra is None) == (given["first_frequency"] is None):
+        raise InputError("give first_frequency in Hz, or ra, the stiffness as shops tell it, and not both")
+    if ra is not None:
+        given["first_frequency"] = frequency_of_ra(ra)
     size = in_si(file.head, "head", implement=file.kind)
     end = given["length"] - size["rim"]
     given["head"] = Outline(start=end - size["length"], end=end, width=size["width"])

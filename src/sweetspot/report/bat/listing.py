@@ -12,7 +12,7 @@ from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat.json import bat_json
-from sweetspot.report.document import Cell, Column, Document, Table
+from sweetspot.report.document import Cell, Column, Document, Paragraph, Table
 from sweetspot.report.json_shapes import as_columns
 from sweetspot.report.sentences import Slot, with_doubt
 from sweetspot.report.sport_words import reader_of
@@ -37,9 +37,26 @@ def catalogue_document() -> Document:
     ]
     return Document(
         name="bats", title="Bats of the catalogue", kind="Catalogue",
-        blocks=[Table("", columns, cells), _others({key for key, _ in bats})], data={"bats": rows},
+        blocks=[Table("", columns, cells), _others({key for key, _ in bats}), Paragraph(HOW_TO_SHOW, "note")],
+        data={"bats": rows, "others": _other_rows({key for key, _ in bats})},
         rows=as_columns(rows), reader=reader_of(bats[0][1]),
     )  # fmt: skip
+
+
+HOW_TO_SHOW = (
+    '`sweetspot show NAME` prints any of them as a file to change; a file that begins with like = "NAME" needs only '
+    "what is different."
+)
+
+
+def _other_rows(bats: set[str]) -> list[dict[str, Any]]:
+    """Return every other implement for other programs."""
+    rows = []
+    for key in (key for key in catalog.implement_names() if key not in bats):
+        implement = catalog.implement(key)
+        described = bat_json(implement.name, implement.length, rigid_body(beam_model(implement)))
+        rows.append({"key": key, "sport": implement.sport, **described})
+    return rows
 
 
 def _others(bats: set[str]) -> Table:

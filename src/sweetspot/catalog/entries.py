@@ -1,0 +1,64 @@
+"""Any entry of the catalogue as the text of a file, so that people can read it, and change it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from sweetspot.catalog.implements import implement_tables
+from sweetspot.catalog.records import canonical, read_table, unwrapped
+from sweetspot.errors import InputError, nearest_names
+
+Tables = dict[str, dict[str, Any]]
+KINDS: dict[str, Callable[[], Tables]] = {
+    "implement": implement_tables,
+    "ball": lambda: read_table("balls.toml"),
+    "material": lambda: read_table("materials.toml"),
+    "rubber": lambda: read_table("rubbers.toml"),
+    "sport": lambda: read_table("sports.toml"),
+    "pitch": lambda: read_table("pitches.toml") | read_table("other_pitches.toml"),
+    "park": lambda: read_table("parks.toml") | read_table("fields.toml"),
+    "league": lambda: read_table("rules.toml"),
+    "aerodynamics": lambda: read_table("aerodynamics.toml"),
+    "swing-law": lambda: read_table("swing_laws.toml"),
+}
+"""What the catalogue holds, in the order in which a name is looked for."""
+
+
+def entry_toml(name: str, kind: str | None = None, *, sources: bool = False) -> str:
+    """Return an entry as TOML text; that of an implement is a file which `load_implement` takes.
+
+    Parameters
+    ----------
+    name : of the entry.
+    kind : one of `KINDS`; None: the first that has the name.
+    sources : whether every value's spread, source, place and kind are written too.
+
+    Raises
+    ------
+    InputError
+        for an unknown name or kind, with the nearest ones.
+
+    >>> entry_toml("baseball", "ball").splitlines()[0]
+    'name = "baseball (Major League)"'
+    """
+    import tomli_w
+
+    if kind is not None and kind not in KINDS:
+        raise InputError(f"{kind!r} is no part of the catalogue; allowed is one of {', '.join(KINDS)}")
+    wanted = canonical(name)
+    tables = {one: KINDS[one]() for one in KINDS if kind in (None, one)}
+    for table in tables.values():
+        for key, found in table.items():
+            if canonical(key) == wanted:
+                return tomli_w.dumps(found if sources else _plain(found), multiline_strings=True)
+    known = sorted({canonical(key) for table in tables.values() for key in table})
+    raise InputError(f"{name[:60]!r} is not in the catalogue. {nearest_names(wanted[:60], known)}")
+
+
+def _plain(value: Any) -> Any:
+    """Return a value without provenance, tables and lists inside it included."""
+    plain = unwrapped(value)
+    if isinstance(plain, dict):
+        return {key: _plain(part) for key, part in plain.items()}
+    return [_plain(part) for part in plain] if isinstance(plain, list) else plain

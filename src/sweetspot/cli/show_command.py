@@ -1,0 +1,39 @@
+"""`sweetspot show`: any entry of the catalogue as a file."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+from sweetspot.errors import InputError
+
+
+def show(
+    name: Annotated[str, Parameter(help="Of the catalogue: a bat, racket, club, ball, material, sport, pitch, park.")],
+    /,
+    *,
+    of: Annotated[str | None, Parameter(help="Where a name means several: implement, ball, pitch, park, ...")] = None,
+    sources: Annotated[
+        bool, Parameter(negative="", help="With every value's spread, source, place in it and kind.")
+    ] = False,
+    out: Annotated[Path | None, Parameter(help="File to write it to, which must not be there yet.")] = None,
+) -> int:
+    """Print an entry of the catalogue as a file; that of a bat, racket, club or stick can be changed and given back."""
+    from sweetspot.catalog.entries import entry_toml
+
+    text = entry_toml(name, of, sources=sources)
+    if out is not None:
+        try:
+            with out.open("x", encoding="utf-8") as file:
+                file.write(text)
+        except FileExistsError:
+            raise InputError(f"{out} is there already; choose another name for --out") from None
+        except OSError as error:
+            raise InputError(f"{out} cannot be written: {(error.strerror or str(error)).lower()}") from None
+        print(f"sweetspot: wrote {out}", file=sys.stderr)
+        return 0
+    sys.stdout.write(text)
+    return 0
