@@ -15,6 +15,7 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import analyse, exit_speed_of, hit_at
+from sweetspot.catalog.files.write import bat_toml
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.units import INCH
 from sweetspot.web.limits import LARGEST_BODY
@@ -125,6 +126,23 @@ def test_wrong_controls_are_named(client: httpx.Client, state: dict[str, Any], f
     assert 10 < len(error["message"]) <= 500
     assert "Traceback" not in error["message"]
     assert "/work" not in error["message"]
+
+
+def test_no_name_opens_a_file(client: httpx.Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A file that is a bat, named where a name of the catalogue is wanted, is refused like any unknown name."""
+    Path(tmp_path / "own.toml").write_text(bat_toml(catalog.bat("youth-30").replaced(name="a secret")), "utf-8")
+    monkeypatch.chdir(tmp_path)  # the server's too: it runs in this process
+    rows = "bat,bat_speed_mph,exit_speed_mph\n" + "".join(f"own.toml,{60 + i},{80 + i}\n" for i in range(12))
+    for view, state in (
+        ("explorer", {"bat": "own.toml"}),
+        ("compare", {"others": [{"bat": "./own.toml"}]}),
+        ("sports", {"implement": "own.toml"}),
+        ("player", {"swings_csv": rows}),
+    ):
+        response = client.post(f"/api/v1/{view}", json=state)
+        assert response.status_code == 422 or view == "player"  # whose rows are told as bad ones
+        assert "secret" not in response.text
+        assert "own.toml" in response.text
 
 
 BOMBS = {

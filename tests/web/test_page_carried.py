@@ -26,6 +26,9 @@ STARTS = {
     "compare": "bat=r161-ash&bore_diameter_in=1&others=" + quote(json.dumps([{"bat": "youth-30"}])),
     "flight": "start=swing&batter=left&bat=youth-30&choke_up_in=1",
     "paper": "question=corking&mass_oz=31.5",
+    "optimum": "bat=mlb-a&cup_diameter_in=1&pitch=curve",
+    "player": "bat=mlb-b&goal=carry",
+    "sports": "implement=cricket-bat&aside_in=0.5",
 }
 """An address of each view with what used to break the next one."""
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from typing import Any
+from urllib.parse import quote
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
+from sweetspot import catalog
+from sweetspot.catalog.files.write import bat_toml
 from sweetspot.web.run_server import listening, server_for
 from sweetspot.web.views import VIEWS
 
@@ -151,3 +154,69 @@ def test_the_description_of_the_api_is_readable_and_works(page: Page, server: st
     section.locator("summary").click()
     section.get_by_role("button", name="Send").click()
     expect(section.locator("pre")).to_contain_text("R161, white ash")
+
+
+def test_undo_redo_and_reset(page: Page, server: str, answered: Answered) -> None:
+    page.goto(f"{server}/explorer")
+    answered(page)
+    undo, redo = page.locator("#undo"), page.locator("#redo")
+    expect(undo).to_be_disabled()
+    for speed in ("80", "70"):
+        field(page, "pitch_speed_mph").fill(speed)
+        field(page, "pitch_speed_mph").press("Enter")
+    undo.click()
+    expect(field(page, "pitch_speed_mph")).to_have_value("80")
+    redo.click()
+    expect(field(page, "pitch_speed_mph")).to_have_value("70")
+    expect(redo).to_be_disabled()
+    page.locator(".brand").click()
+    page.keyboard.press("Control+z")
+    expect(field(page, "pitch_speed_mph")).to_have_value("80")
+    page.locator("#bench-chip").click()
+    page.get_by_role("button", name="Start this view anew").click()
+    expect(field(page, "pitch_speed_mph")).to_have_value("90")
+
+
+def test_links_that_others_open(page: Page, server: str, answered: Answered) -> None:
+    """A short link holds all of a long state; the embedded picture has no controls and may stand in other pages."""
+    text = bat_toml(catalog.bat("youth-30").replaced(name="Somebody's own"))
+    page.goto(f"{server}/explorer?pitch_speed_mph=61&bat_toml={quote(text)}")
+    answered(page)
+    long = page.url
+    page.locator("#share").click()
+    short = page.get_by_label("Link to this picture").input_value()
+    assert len(short) < len(long) / 2
+    page.goto(short)
+    answered(page)
+    expect(page.locator("#bench-chip")).to_contain_text("Somebody's own")
+    assert field(page, "pitch_speed_mph").input_value() == "61"
+    response = page.goto(f"{server}/embed/explorer?pitch_speed_mph=61")
+    answered(page)
+    assert response is not None
+    assert "frame-ancestors *" in response.headers["content-security-policy"]
+    expect(page.locator(".top")).to_be_hidden()
+    expect(page.locator(".side")).to_be_hidden()
+    expect(page.locator("#verdict")).to_be_visible()
+    page.goto(f"{server}/explorer?s=broken")  # cut off on its way
+    answered(page)
+
+
+def test_nothing_is_kept_of_many_views(page: Page, server: str, answered: Answered) -> None:
+    """Nodes and listeners stay flat while one goes from view to view."""
+    page.goto(f"{server}/explorer")
+    answered(page)
+    measure = page.context.new_cdp_session(page)
+
+    def rounds(count: int) -> dict[str, float]:
+        for _ in range(count):
+            for name in ("modes", "explorer", "flight"):
+                page.locator(f"#views a[data-name={name}]").click()
+                expect(page.locator("#view")).to_have_attribute("data-view", name)
+                answered(page)
+        measure.send("HeapProfiler.collectGarbage")
+        return {one["name"]: one["value"] for one in measure.send("Performance.getMetrics")["metrics"]}
+
+    measure.send("Performance.enable")
+    first, later = rounds(2), rounds(6)
+    for name in ("Nodes", "JSEventListeners"):
+        assert later[name] < 1.25 * first[name] + 60, (name, first[name], later[name])

@@ -10,7 +10,9 @@ from typing import Any
 from sweetspot import catalog
 from sweetspot.analysis.trampoline import with_wall_factor
 from sweetspot.analysis.two_way import varied
+from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.files.bat import bat_from_table, table_of_text
+from sweetspot.catalog.records import entry
 from sweetspot.catalog.standard_hit import SPEED_FROM_TIP
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
@@ -94,6 +96,12 @@ def _values(value: Any, depth: int) -> Iterator[tuple[int, Any]]:
             yield from _values(item, depth + 1)
 
 
+def listed_bat(name: str) -> Bat:
+    """Return a bat of the catalogue by its name alone: what a browser sends must open no file."""
+    key, _ = entry(bat_tables(), name, "bat")
+    return catalog.bat(key)
+
+
 def plain(state: BatState) -> Bat:
     """Return a state's bat with its outline, before weight, holes, wall and grip are changed."""
     chosen = {name: getattr(state, name) for name in ("bat", "bat_toml", "profile_in")}
@@ -131,7 +139,7 @@ def _changed(state: BatState) -> Bat:
             bat = bat_from_text(state.bat_toml)
     else:
         with about("bat"):
-            bat = catalog.bat(state.bat)
+            bat = listed_bat(state.bat)
     if state.profile_in is not None:
         with about("profile_in"):
             bat = bat.reshaped(tuple((place * INCH, width * INCH) for place, width in state.profile_in))

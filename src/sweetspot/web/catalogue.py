@@ -8,6 +8,7 @@ from typing import Any
 from fastapi import APIRouter
 
 from sweetspot import catalog
+from sweetspot.catalog.deliveries import delivery_names
 from sweetspot.catalog.rules import league, league_names
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
@@ -26,6 +27,11 @@ def catalogue_routes(api: APIRouter) -> None:
     def bats() -> list[BatFacts]:
         """Return the bats of the catalogue."""
         return list(_bats())
+
+    @api.get("/implements", tags=["catalogue"])
+    def implements() -> list[Choice]:
+        """Return everything in the catalogue that one hits a ball with, sport by sport."""
+        return list(_implements())
 
     @api.get("/balls", tags=["catalogue"])
     def balls() -> list[Choice]:
@@ -52,6 +58,11 @@ def catalogue_routes(api: APIRouter) -> None:
         """Return how numbers are shown: scales and endings of names in both systems, labels and colours."""
         return quantity_data()
 
+    @api.get("/pitches", tags=["catalogue"])
+    def pitches() -> list[Choice]:
+        """Return the kinds of pitches of the catalogue."""
+        return [Choice(key=name, name=catalog.delivery(name).name) for name in delivery_names()]
+
     @api.post("/bat", tags=["catalogue"])
     def bat(text: BatText) -> BatFacts:
         """Return the facts of a bat written as TOML, or what is wrong with it."""
@@ -63,6 +74,13 @@ def catalogue_routes(api: APIRouter) -> None:
 @cache
 def _bats() -> tuple[BatFacts, ...]:
     return tuple(_facts(name, catalog.bat(name)) for name in catalog.bat_names())
+
+
+@cache
+def _implements() -> tuple[Choice, ...]:
+    found = [(catalog.sport(tool.sport).name, key, tool.name) for key in catalog.implement_names()
+             for tool in [catalog.implement(key)]]  # fmt: skip
+    return tuple(Choice(key=key, name=f"{sport}: {name}") for sport, key, name in sorted(found))
 
 
 def _facts(key: str, bat: Bat) -> BatFacts:

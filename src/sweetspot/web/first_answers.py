@@ -20,8 +20,8 @@ from sweetspot.numerics.kernel_cache import PACKAGE, kernel_folder
 from sweetspot.web.states import ViewState
 from sweetspot.web.views import VIEWS
 
-Answer = Callable[[str, ViewState], bytes]
-"""From a view's name and state to its answer as JSON."""
+Answer = Callable[..., bytes]
+"""From a view's name and state, and the name of an aside if one is meant, to the answer as JSON."""
 APART = "flight"
 """The one view whose kernel no other needs: compiled in a process of its own, beside the others."""
 
@@ -79,6 +79,8 @@ def work_out(answer: Answer, names: tuple[str, ...]) -> tuple[str, ...]:
     for name, state in first_states():
         if name in names and kept_answer(name, state) is None:
             keep(name, state, answer(name, state))
+            for aside in VIEWS[name].asides if state == VIEWS[name].state() else ():
+                answer(name, state, aside)  # compiles what it needs
     return names
 
 

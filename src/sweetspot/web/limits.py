@@ -21,12 +21,14 @@ MESSAGES_PER_SECOND, MESSAGES_AT_ONCE = 120.0, 240.0
 MOST_SOCKETS = 200
 ADDRESSES_KEPT = 10_000
 
+_POLICY = (
+    "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
+    "connect-src 'self'; font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors "
+)
+EMBEDDED_POLICY = _POLICY + "*"
+"""Of the pictures that other pages may show: they have no controls and nothing that only their owner may do."""
 SECURITY_HEADERS = (
-    (
-        "content-security-policy",
-        "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
-        "connect-src 'self'; font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
-    ),
+    ("content-security-policy", _POLICY + "'none'"),
     ("permissions-policy", "camera=(), microphone=(), geolocation=(), usb=(), payment=()"),
     ("x-content-type-options", "nosniff"),
     ("referrer-policy", "no-referrer"),

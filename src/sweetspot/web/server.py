@@ -14,11 +14,11 @@ from starlette.exceptions import HTTPException
 
 from sweetspot import __version__
 from sweetspot.errors import SweetspotError
-from sweetspot.web.answers import Answers, answer_json
+from sweetspot.web.answers import Answers, TooSlowError, answer_json
 from sweetspot.web.catalogue import catalogue_routes
 from sweetspot.web.errors import fault
 from sweetspot.web.files import File, shell, static_files
-from sweetspot.web.limits import Guard
+from sweetspot.web.limits import EMBEDDED_POLICY, Guard
 from sweetspot.web.schemas import REFUSALS
 from sweetspot.web.socket import Sockets
 from sweetspot.web.view import View
@@ -115,6 +115,12 @@ def _page_routes(app: FastAPI) -> None:
     hand_out("/static/{name:path}", files.get)
     hand_out("/{name}", pages.get)
 
+    @app.api_route("/embed/{name}", methods=["GET", "HEAD"], include_in_schema=False)
+    async def embedded(name: str, request: Request) -> Response:
+        response = _handed(pages.get(name) if name in VIEWS else None, request)
+        response.headers["content-security-policy"] = EMBEDDED_POLICY
+        return response
+
 
 def _handed(file: File | None, request: Request) -> Response:
     if file is None:
@@ -140,6 +146,8 @@ async def _refused(request: Request, error: Exception) -> JSONResponse:
 
 async def _wrong(_: Request, error: Exception) -> JSONResponse:
     assert isinstance(error, SweetspotError)
+    if isinstance(error, TooSlowError):  # it is still worked out, and there when asked for again
+        return JSONResponse({"error": {**fault(error), "again": True}}, 503, headers={"retry-after": "1"})
     return JSONResponse({"error": fault(error)}, 422)
 
 

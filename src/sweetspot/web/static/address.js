@@ -1,18 +1,56 @@
 // A view's state as an address and back: /explorer?pitch_speed_mph=85; only what differs from the first picture.
 
-export function addressOf(name, state, defaults) {
+const PACKED = "s";
+const MOST_UNPACKED = 65536; // letters of what a short address may hold
+
+export function addressOf(name, state, defaults, embedded = false) {
   const query = new URLSearchParams();
   for (const [field, value] of Object.entries(state)) {
     if (JSON.stringify(value) === JSON.stringify(defaults[field])) continue;
     query.set(field, typeof value === "string" ? value : JSON.stringify(value));
   }
   const text = query.toString().replaceAll("%2C", ",").replaceAll("%3A", ":");
-  return `/${name}${text ? `?${text}` : ""}`;
+  return `${embedded ? "/embed" : ""}/${name}${text ? `?${text}` : ""}`;
+}
+
+// The same as a short address: what differs, packed by deflate. It needs no server to remember it.
+export async function shortAddressOf(name, state, defaults) {
+  const changed = Object.entries(state).filter(([field, value]) => JSON.stringify(value) !== JSON.stringify(defaults[field]));
+  if (!changed.length) return `/${name}`;
+  const bytes = await through(new CompressionStream("deflate-raw"), new TextEncoder().encode(JSON.stringify(Object.fromEntries(changed))));
+  const text = btoa(String.fromCharCode(...bytes)).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+  return `/${name}?${PACKED}=${text}`;
+}
+
+async function unpacked(text) {
+  const bytes = Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (letter) => letter.charCodeAt(0));
+  const found = new TextDecoder().decode(await through(new DecompressionStream("deflate-raw"), bytes));
+  return JSON.parse(found);
+}
+
+async function through(stream, bytes) {
+  const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
+  const parts = [];
+  let size = 0;
+  for (let piece = await reader.read(); !piece.done; piece = await reader.read()) {
+    size += piece.value.length;
+    if (size > MOST_UNPACKED) throw new RangeError("this address holds more than any state has");
+    parts.push(...piece.value);
+  }
+  return Uint8Array.from(parts);
 }
 
 // Unknown names are left out; values are read by the schema's type and checked by the server.
-export function stateIn(search, schema, defaults) {
+export async function stateIn(search, schema, defaults) {
   const state = { ...defaults };
+  const packed = new URLSearchParams(search).get(PACKED);
+  if (packed) {
+    try {
+      for (const [field, value] of Object.entries(await unpacked(packed))) if (Object.hasOwn(schema, field)) state[field] = value;
+    } catch {
+      // cut off on its way: the first picture, and the rest of the address
+    }
+  }
   for (const [field, text] of new URLSearchParams(search)) {
     if (!Object.hasOwn(schema, field)) continue;
     state[field] = isText(schema[field]) ? text : parsed(text);

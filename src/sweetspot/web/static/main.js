@@ -25,7 +25,7 @@
 //   app.announce(text)  says something to a screen reader, at most twice a second
 //   app.ask(view, state)     a promise of another answer, over the API
 //   app.aside(name, but, wait, onAnswer)   asks for one of the view's asides (web/view.py) once the state has rested
-//   app.lists()    a promise of { bats, balls, materials, leagues, parks }
+//   app.lists()    a promise of { bats, balls, materials, leagues, parks, implements, pitches }
 //   app.bounds(field)        [least, most] that the bat of the last answer allows, undefined where it sets none
 //   app.signal     an AbortSignal that ends when the view goes: give it to listeners on what outlives the view
 //   app.control(control)     registers a control made by controls.js; those made with (app, field, ...) do it themselves
@@ -35,12 +35,16 @@ import { addressOf, stateIn } from "./address.js";
 import { Chip } from "./chip.js";
 import { exportButton } from "./exports.js";
 import { guide, welcome } from "./guide.js";
+import { shareButton } from "./share.js";
 import { posted } from "./post.js";
 import { Line } from "./socket.js";
 import { text } from "./units.js";
 
 const facts = JSON.parse(document.getElementById("facts").textContent);
 const LONGEST_ADDRESS = 16000;
+const LONG_TEXT = 2000; // letters of a field beyond which it does not go into an address that is too long
+const EMBED = "/embed/";
+const LISTS = ["bats", "balls", "materials", "leagues", "parks", "implements", "pitches"];
 const element = (id) => document.getElementById(id);
 
 class App {
@@ -55,6 +59,8 @@ class App {
     this.carried = {}; // what goes along from view to view: the bat, how it is swung, where the ball meets it
     this.left = new Map(); // view -> its own controls as they were left
     this.turn = 0;
+    this.step = this.lastStep = history.state?.step ?? 0; // of what was done since this page was opened
+    this.embedded = location.pathname.startsWith(EMBED);
     this.answer = null;
     this.version = facts.version;
   }
@@ -87,17 +93,33 @@ class App {
     this.chip.sync();
   }
 
-  // Put the state into the address as a step that the back button undoes.
+  // Put the state into the address as a step that the back button, and Undo, take back.
   commit({ merge = null } = {}) {
     this.dragged = false;
-    const step = merge !== null && merge === this.merging ? "replaceState" : "pushState";
+    const again = merge !== null && merge === this.merging;
     this.merging = merge;
-    const address = addressOf(this.name, this.state, this.defaults);
+    let address = addressOf(this.name, this.state, this.defaults, this.embedded);
+    let kept = {};
     if (address.length > LONGEST_ADDRESS) { // the browser keeps the rest, so that back and reload still work
-      const short = addressOf(this.name, { ...this.state, bat_toml: null }, this.defaults);
-      history[step]({ view: this.name, state: this.state }, "", short);
-    } else if (address !== location.pathname + location.search || history.state) history[step](null, "", address);
+      const short = Object.entries(this.state).map(([field, value]) => [field, typeof value === "string" && value.length > LONG_TEXT ? this.defaults[field] : value]);
+      address = addressOf(this.name, Object.fromEntries(short), this.defaults, this.embedded);
+      kept = { view: this.name, state: this.state };
+    }
+    if (kept.view || history.state?.view || address !== location.pathname + location.search) this.stepTo(address, kept, again);
     this.links();
+  }
+
+  stepTo(address, kept = {}, again = false) {
+    this.step += again ? 0 : 1;
+    this.lastStep = this.step;
+    history[again ? "replaceState" : "pushState"]({ step: this.step, ...kept }, "", address);
+    this.marks();
+  }
+
+  // What can be taken back, and done again.
+  marks() {
+    element("undo").disabled = this.step === 0;
+    element("redo").disabled = this.step >= this.lastStep;
   }
 
   control(control) {
@@ -136,16 +158,18 @@ class App {
       try {
         const found = await this.ask(`${this.name}/${name}`, this.state);
         if (this.asides.get(name) === asked) onAnswer(found);
-      } catch {
-        if (this.asides.get(name) === asked) this.asides.delete(name); // the next answer asks again
+      } catch (fault) {
+        if (this.asides.get(name) !== asked) return;
+        this.asides.delete(name);
+        if (fault?.again) this.aside(name, but, 2000, onAnswer); // it is still being worked out; otherwise the next answer asks
       }
     }, wait) };
     this.asides.set(name, asked);
   }
 
   lists() {
-    this.known ??= Promise.all(["bats", "balls", "materials", "leagues", "parks"].map((name) => fetch(`/api/v1/${name}`).then((r) => r.json())))
-      .then(([bats, balls, materials, leagues, parks]) => ({ bats, balls, materials, leagues, parks }))
+    this.known ??= Promise.all(LISTS.map((name) => fetch(`/api/v1/${name}`).then((r) => r.json())))
+      .then((lists) => Object.fromEntries(LISTS.map((name, i) => [name, lists[i]])))
       .catch((error) => {
         this.known = null; // so that the next who asks tries again
         throw error;
@@ -161,7 +185,7 @@ class App {
   async go() {
     this.turn += 1;
     const turn = this.turn;
-    const name = location.pathname.slice(1) || "explorer";
+    const name = location.pathname.split("/").at(-1) || "explorer";
     const entry = this.views.get(name) ?? this.views.values().next().value;
     if (entry.name !== this.name || !this.view) {
       let view;
@@ -177,7 +201,9 @@ class App {
     }
     this.merging = null;
     const kept = history.state?.view === this.name ? history.state.state : null;
-    this.take(kept ?? stateIn(location.search, this.schema, this.defaults));
+    const told = kept ?? await stateIn(location.search, this.schema, this.defaults);
+    if (turn !== this.turn) return;
+    this.take(told);
     this.links();
   }
 
@@ -209,13 +235,16 @@ class App {
     const { schema } = this.views.get(name);
     const first = defaultsOf(schema);
     const along = Object.entries(this.carried).filter(([field]) => Object.hasOwn(schema, field));
-    return addressOf(name, { ...first, ...this.left.get(name), ...Object.fromEntries(along) }, first);
+    return addressOf(name, { ...first, ...this.left.get(name), ...Object.fromEntries(along) }, first, this.embedded);
   }
 
   links() {
     for (const link of document.querySelectorAll("#views a")) {
       link.href = this.addressFor(link.dataset.name);
-      if (link.dataset.name === this.name) link.setAttribute("aria-current", "page");
+      if (link.dataset.name === this.name) {
+        link.setAttribute("aria-current", "page");
+        link.parentElement.scrollIntoView({ block: "nearest", inline: "center" });
+      }
       else link.removeAttribute("aria-current");
     }
   }
@@ -230,7 +259,7 @@ class App {
     this.view.update(answer, state);
     this.chip.sync();
     element("view").dataset.answered = String(Number(element("view").dataset.answered ?? 0) + 1);
-    if (!first) return;
+    if (!first || this.embedded) return;
     welcome(this);
     fetchOthers(this.views.keys()); // so that the other views are there at once, even without a server
   }
@@ -263,6 +292,11 @@ class App {
     return undefined;
   }
 
+  // A step back (−1) or on again (1), if there is one.
+  undo(way) {
+    if (way < 0 ? this.step > 0 : this.step < this.lastStep) history.go(way);
+  }
+
   // Every control of this view as it is in the first picture.
   reset() {
     this.setState(this.defaults);
@@ -280,7 +314,10 @@ class App {
     list.addEventListener("click", (event) => this.follow(event));
     this.readColors();
     element("tools").append(switchOf("units", ["us", "US"], ["si", "SI"], this.units, (units) => this.setUnits(units)));
-    element("tools").append(themeButton(() => this.readColors(true)), exportButton(this), guide(this));
+    element("tools").append(stepButton("undo", "↶", "Undo (Ctrl+Z)", () => this.undo(-1)), stepButton("redo", "↷", "Redo (Ctrl+Y)", () => this.undo(1)),
+      themeButton(() => this.readColors(true)), shareButton(this), exportButton(this), guide(this));
+    document.body.classList.toggle("embed", this.embedded);
+    this.marks();
     this.chip = new Chip(this);
     element("chip").append(this.chip.element);
     element("fault").querySelector("button").addEventListener("click", () => this.reset());
@@ -294,7 +331,16 @@ class App {
         this.go();
       },
     });
-    addEventListener("popstate", () => this.go());
+    addEventListener("popstate", () => {
+      this.step = history.state?.step ?? 0;
+      this.marks();
+      this.go();
+    });
+    addEventListener("keydown", (event) => {
+      if (!(event.ctrlKey || event.metaKey) || event.target.matches("textarea, input[type=number], input[type=text]")) return;
+      const way = { z: event.shiftKey ? 1 : -1, y: 1 }[event.key.toLowerCase()];
+      if (way) this.undo(way);
+    });
     addEventListener("pointerup", () => this.dragged && this.commit());
     new ResizeObserver(() => this.redraw()).observe(element("view"));
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.readColors(true));
@@ -309,7 +355,7 @@ class App {
   }
 
   async visit(address) {
-    history.pushState(null, "", address);
+    this.stepTo(address);
     await this.go();
     element("view").focus({ preventScroll: true });
     scrollTo(0, 0);
@@ -391,6 +437,13 @@ function showStatus(status) {
   element("status").textContent = words;
   element("status").hidden = words === "";
   document.body.dataset.line = status;
+}
+
+function stepButton(id, words, title, act) {
+  const made = Object.assign(document.createElement("button"), { type: "button", id, textContent: words, title });
+  made.setAttribute("aria-label", title);
+  made.addEventListener("click", act);
+  return made;
 }
 
 function switchOf(name, [first, firstWords], [second, secondWords], chosen, onChange) {

@@ -1,7 +1,7 @@
 // Units by the ending of a name, in both systems: what is shown is value * scale + offset.
 
-export const INCH = 0.0254, OUNCE = 0.028349523125;
-const MPH = 0.44704, FOOT = 0.3048, POUND = 4.4482216152605;
+export const INCH = 0.0254, OUNCE = 0.028349523125, MPH = 0.44704;
+const FOOT = 0.3048, POUND = 4.4482216152605;
 const same = (unit, scale = 1, digits = 2) => ({ us: { unit, scale, digits }, si: { unit, scale, digits } });
 
 // Longest endings first. The second half are endings of answers, which are SI.

@@ -17,8 +17,8 @@ How to write one, say ``modes``:
 from __future__ import annotations
 
 from sweetspot.web.view import View
-from sweetspot.web.views import compare, explorer, flight, hit, modes, paper
+from sweetspot.web.views import compare, explorer, flight, hit, modes, optimum, paper, player, sports
 
 VIEWS: dict[str, View] = {
-    view.name: view for view in (explorer.VIEW, hit.VIEW, modes.VIEW, compare.VIEW, flight.VIEW, paper.VIEW)
+    one.VIEW.name: one.VIEW for one in (explorer, hit, modes, compare, flight, optimum, player, sports, paper)
 }

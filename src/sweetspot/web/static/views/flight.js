@@ -1,14 +1,18 @@
 // Flight: the path from the side and from above over a park, in its air and wind; over which fences the ball goes.
 
 import { Bench, ballGroup, swingGroup } from "../bench.js";
-import { choice, group, slider, toggle } from "../controls.js";
-import { make, tableOf } from "../parts.js";
-import { toShown } from "../units.js";
+import { button, choice, group, slider, toggle } from "../controls.js";
+import { HeatMap } from "../heatmap.js";
+import { factList, make, tableOf } from "../parts.js";
+import { MPH, toShown } from "../units.js";
 import { FieldPicture, SidePicture } from "./flight_pictures.js";
 
 const WORDS = { "home run": "home run", "off the wall": "off the wall", "in play": "in play", foul: "foul" };
 const CLASSES = { "home run": "good", foul: "muted" };
+const MAPPED = ["exit_speed_mph", "launch_angle_deg", "own_elevation"]; // what the map does not depend on, for a ball with its own numbers
 const FACTS = [
+  ["Chance of a home run", (a, app) => app.text("share", a.chance, 0)],
+  ["Parks it leaves on average", (a) => `${a.expected_out_in.toFixed(1)} of ${a.of}`],
   ["Carry", (a, app) => app.text("distance", a.flight.carry_m)],
   ["Hang time", (a, app) => app.text("seconds", a.flight.hang_time_s)],
   ["Apex", (a, app) => app.text("distance", a.flight.apex_m)],
@@ -22,13 +26,13 @@ export const view = {
   guide: [
     ["Where the ball goes", "The ball's path from the side and from above, through the air of a park, and over which fences it goes. " +
       "The dashed line is the path that it would take without air."],
-    ["Launch it", "Move the sliders for speed, angle and spin, or drag on the field to turn the ball. Or let it start " +
+    ["Launch it", "Move the sliders for speed, angle and spin, drag the place where the ball comes down, or press the map. Or let it start " +
       "from a pitch and a swing."],
     ["Change the weather", "Choose the park, turn the wind, heat the air. The table says what this ball does in every park. "],
   ],
 
   mount(root, app) {
-    Object.assign(this, { app });
+    Object.assign(this, { app, answer: null, stop: null, moment: null, fences: null, carries: null });
     const own = ballControls(app);
     this.bench = new Bench(app, { open: false });
     const swung = make("div", { className: "side" }, ...swingControls(app), this.bench.element, ballGroup(app));
@@ -42,14 +46,19 @@ export const view = {
       own, swung, this.parkControls(app));
     this.words = make("p", { className: "headline", id: "verdict" });
     this.launch = make("p", { className: "note" });
-    this.facts = make("dl", { className: "facts" });
+    this.facts = factList(FACTS, app);
     this.side = new SidePicture(app);
-    this.field = new FieldPicture(app, { onAim: (angle, { last }) => this.aim(angle, last) });
-    this.hint = make("p", { className: "note", textContent: "Drag on the field to turn the ball." });
+    this.field = new FieldPicture(app, { onLand: (place, { last }) => this.land(place, last), onWind: (wind, { last }) => app.setState(wind, { commit: last }) });
+    this.field.element.classList.add("pinned");
+    this.map = new HeatMap(app, { label: "", title: "Carry", height: 170, x: { kind: "exit_speed_m_s", label: "exit speed" },
+      y: { kind: "launch_angle_rad", label: "launch angle" }, z: { kind: "distance" }, onPick: (speed, angle, { last }) => this.launchAs(speed, angle, last) });
+    this.hint = make("p", { className: "note", textContent: "Drag the place where the ball comes down; press the map to launch it so; drag the wind's arrow." });
     this.parks = make("div");
+    this.play = button("Let it fly", () => this.fly(), { primary: true });
+    this.outlines = button("All parks' fences", () => this.showFences());
     this.pictures = make("div", { className: "pair" },
-      make("div", {}, make("h2", { textContent: "From the side" }), this.side.element, this.facts),
-      make("div", {}, make("h2", { textContent: "From above" }), this.field.element, this.hint));
+      make("div", {}, make("h2", { textContent: "From the side" }), this.side.element, make("div", { className: "row tight" }, this.play), this.facts.element, this.map.element),
+      make("div", {}, make("h2", { textContent: "From above" }), this.field.element, make("div", { className: "row tight" }, this.outlines), this.hint));
     this.list = make("section", { className: "picture" }, make("h2", { textContent: "In every park" }),
       toggle(app, "own_elevation", { label: "Each park with the air of its own elevation" }), this.parks);
     root.append(side, make("div", { className: "stack" },
@@ -71,13 +80,50 @@ export const view = {
     ]);
   },
 
-  // Dragging on the field turns the ball that starts with its own numbers; a swing's ball goes where it must.
-  aim(angle, last) {
-    if (this.app.state.start !== "ball") return false;
-    const { minimum, maximum } = this.app.schema.spray_deg;
-    const degrees = Math.round((2 * angle * 180) / Math.PI) / 2;
-    this.app.setState({ spray_deg: Math.min(maximum, Math.max(minimum, degrees)) }, { commit: last });
+  // The ball that starts with its own numbers is sent to a place: turned, and hit harder or softer at the same angle.
+  land({ distance, direction }, last) {
+    const { state, answer, schema } = this.app;
+    if (state.start !== "ball" || !answer || answer.missed) return false;
+    const within = (field, value, step) => Math.min(schema[field].maximum, Math.max(schema[field].minimum, Math.round(value / step) * step));
+    const turned = state.direction === "landing" ? direction : direction - (answer.flight.landing_direction_rad - answer.launch.spray_rad);
+    const harder = state.exit_speed_mph * (Math.max(20, distance) / Math.max(20, answer.flight.carry_m)) ** 0.6;
+    this.app.setState({ spray_deg: within("spray_deg", (turned * 180) / Math.PI, 0.5), exit_speed_mph: within("exit_speed_mph", harder, 0.5) }, { commit: last });
     return true;
+  },
+
+  launchAs(speed, angle, last) {
+    if (this.app.state.start !== "ball") return;
+    this.app.setState({ exit_speed_mph: Math.round(2 * speed / MPH) / 2, launch_angle_deg: Math.round((2 * angle * 180) / Math.PI) / 2 }, { commit: last });
+  },
+
+  // The ball on its way, in its own time; where people asked for less motion, at once at its end.
+  fly() {
+    if (this.stop) return this.rest();
+    const { hang_time_s: hang } = this.answer.flight;
+    let begin = null;
+    this.play.textContent = "Stop";
+    this.stop = this.app.onFrame((now) => {
+      begin ??= now;
+      this.moment = (now - begin) / 1000;
+      this.side.at(this.moment);
+      this.field.at(this.moment);
+      if (this.moment >= hang) this.rest();
+    });
+    return undefined;
+  },
+
+  rest() {
+    this.stop?.();
+    Object.assign(this, { stop: null, moment: null });
+    this.play.textContent = "Let it fly";
+    this.side.at(null);
+    this.field.at(null);
+  },
+
+  async showFences() {
+    this.fences = this.fences ? null : (await this.app.ask("flight/fences", {})).parks;
+    this.outlines.textContent = this.fences ? "This park's fence alone" : "All parks' fences";
+    this.field.others(this.fences);
   },
 
   // Until it is moved the elevation's control shows the park's.
@@ -98,11 +144,24 @@ export const view = {
       this.launch.textContent = "";
       return;
     }
+    this.answer = answer;
     this.launch.textContent = this.start(answer);
-    this.facts.replaceChildren(...FACTS.map(([name, value]) => make("div", {}, make("dt", { textContent: name }), make("dd", { textContent: value(answer, this.app) }))));
+    this.facts.fill(answer);
+    this.drawMap(answer);
+    this.app.aside("map", state.start === "ball" ? MAPPED : [], 120, (carries) => {
+      this.carries = carries;
+      this.drawMap(this.app.answer);
+    });
     this.side.draw(answer);
     this.field.draw(answer, state);
     this.parks.replaceChildren(this.listOfParks(answer));
+  },
+
+  drawMap({ launch }) {
+    if (!this.carries || !launch) return;
+    const { exit_speed_m_s: x, launch_angle_rad: y, carry_m: z } = this.carries;
+    this.map.draw({ x, y, z, cross: [launch.exit_speed_m_s, launch.launch_angle_rad] });
+    this.map.label("How far the ball carries, by exit speed and launch angle, with this spin, direction and weather.");
   },
 
   headline({ end, park, flight, out_in: count, of }) {
@@ -128,14 +187,17 @@ export const view = {
 
   listOfParks({ parks }) {
     const sorted = [...parks].sort((a, b) => (b.clearance_m ?? -1e3) - (a.clearance_m ?? -1e3));
-    const table = tableOf("Outcome in every park, the easiest first", ["Park", "Outcome", "Above the fence", "There"], sorted.map((row) => [
-      { text: row.park, note: row.team }, { text: WORDS[row.outcome], className: CLASSES[row.outcome] ?? "" },
+    const table = tableOf("Outcome in every park, the easiest first; chance: with what balls, spin and weather scatter by", ["Park", "Outcome", "Chance", "Above the fence", "Fence, or carry"], sorted.map((row) => [
+      { text: row.park, note: row.team }, { text: WORDS[row.outcome], className: CLASSES[row.outcome] ?? "" }, this.app.text("share", row.chance, 0),
       row.clearance_m === null ? "–" : this.app.text("distance", row.clearance_m), this.app.text("distance", row.distance_m)]));
     table.classList.add("parks");
     return table;
   },
 
-  unmount() {},
+  unmount() {
+    this.stop?.();
+    Object.assign(this, { stop: null, answer: null, carries: null, fences: null });
+  },
 
   figures() {
     return [this.side.surface.figure("side"), this.field.surface.figure("field")];
@@ -152,6 +214,7 @@ function ballControls(app) {
     slider(app, "exit_speed_mph", { label: "Exit speed", step: 0.5 }),
     slider(app, "launch_angle_deg", { label: "Launch angle", step: 0.5 }),
     slider(app, "spray_deg", { label: "Direction, − left, + right field", step: 0.5 }),
+    choice(app, "direction", { label: "That is the direction", options: [["launch", "off the bat"], ["landing", "in which it comes down"]] }),
     slider(app, "backspin_rpm", { label: "Backspin", step: 50 }),
     slider(app, "sidespin_rpm", { label: "Sidespin, + bends to the left", step: 50 }),
   ]);

@@ -1,6 +1,6 @@
 // The flight from the side (distance over the ground against height) and from above (the field with its fence).
 
-import { FONT, Surface, haloText, ticks } from "../surface.js";
+import { FONT, Surface, arrow, haloText, ticks } from "../surface.js";
 import { fromShown, toShown, unitOf } from "../units.js";
 
 const LEFT = 42, RIGHT = 14, TOP = 16, FOOT = 34;
@@ -24,9 +24,17 @@ function dot(context, [x, y], radius, color) {
   context.fill();
 }
 
+// Where a ball is at a moment, straight between the points of its path.
+function placeAt({ time_s: times, ...path }, moment) {
+  let i = times.findIndex((time) => time >= moment);
+  if (i < 0) i = times.length - 1;
+  const part = i === 0 ? 1 : (moment - times[i - 1]) / (times[i] - times[i - 1]);
+  return Object.fromEntries(Object.entries(path).map(([name, values]) => [name, i === 0 ? values[0] : values[i - 1] + Math.min(1, part) * (values[i] - values[i - 1])]));
+}
+
 export class SidePicture {
   constructor(app) {
-    Object.assign(this, { app, data: null });
+    Object.assign(this, { app, data: null, moment: null });
     this.surface = new Surface(app, { height: (width) => this.tall(width), paint: (...all) => this.paint(...all) });
     this.element = this.surface.element;
   }
@@ -36,6 +44,12 @@ export class SidePicture {
     const far = (value) => this.app.text("distance", value);
     this.surface.label(`The flight from the side: ${far(answer.flight.apex_m)} high at its apex, ${far(answer.flight.carry_m)} of carry, ` +
       `${answer.end.clearance_m === null ? "not reaching the fence" : `${far(Math.abs(answer.end.clearance_m))} ${answer.end.clearance_m > 0 ? "above" : "below"} the fence's top`}.`);
+    this.surface.draw();
+  }
+
+  // The ball on its way; null: the whole path.
+  at(moment) {
+    this.moment = moment;
     this.surface.draw();
   }
 
@@ -76,6 +90,10 @@ export class SidePicture {
     context.clip();
     line(context, points(vacuum), { color: colors.muted, width: 1.4, dash: [4, 4] });
     line(context, points(path), { color: colors.red, width: 2.6 });
+    if (this.moment !== null) {
+      const here = placeAt(path, this.moment);
+      dot(context, [across(here.distance_m), up(here.up_m)], 7, colors.ink);
+    }
     context.restore();
     line(context, [[across(distance), up(0)], [across(distance), up(top)]], { color: colors.green, width: 5 });
     const roomy = across(distance) < width - 100;
@@ -114,12 +132,37 @@ export class SidePicture {
 }
 
 export class FieldPicture {
-  // onAim(radians from centre field, { last }): the ball is dragged to another direction.
-  constructor(app, { onAim }) {
-    Object.assign(this, { app, data: null });
+  // onLand({ distance, direction }, { last }): where the ball comes down is dragged; onWind: the wind's arrow is.
+  constructor(app, { onLand, onWind }) {
+    Object.assign(this, { app, data: null, moment: null, fences: null, winding: false });
     this.surface = new Surface(app, { height: (width) => 0.98 * width, paint: (...all) => this.paint(...all) });
     this.element = this.surface.element;
-    this.surface.drags(({ x, y, last }) => this.plate && onAim(Math.atan2(x - this.plate[0], this.plate[1] - y), { last }));
+    this.element.style.cursor = "grab";
+    this.surface.drags(({ x, y, first, last }) => {
+      if (!this.plate) return false;
+      if (first) this.winding = Math.hypot(x - this.vane[0], y - this.vane[1]) < 34;
+      if (this.winding) return onWind(this.windFrom(x, y), { last });
+      const [right, out] = [(x - this.plate[0]) / this.scale, (this.plate[1] - y) / this.scale];
+      return onLand({ distance: Math.hypot(right, out), direction: Math.atan2(right, out) }, { last });
+    });
+  }
+
+  // The arrow's length is the wind's speed, as it is painted.
+  windFrom(x, y) {
+    const [right, out] = [x - this.vane[0], this.vane[1] - y];
+    const speed = Math.min(50, Math.max(0, Math.round((Math.hypot(right, out) - 8) / 0.6)));
+    const degrees = Math.round((Math.atan2(right, out) * 180) / Math.PI / 5) * 5;
+    return { wind_speed_mph: speed, wind_direction_deg: degrees };
+  }
+
+  at(moment) {
+    this.moment = moment;
+    this.surface.draw();
+  }
+
+  others(fences) {
+    this.fences = fences;
+    this.surface.draw();
   }
 
   draw(answer, state) {
@@ -137,20 +180,22 @@ export class FieldPicture {
     const scale = Math.min((height - 30) / (reach + 6), width / (2 * wide));
     const at = (right, out) => [width / 2 + right * scale, height - 14 - (out + 4) * scale];
     const fence = park.right_m.map((right, i) => at(right, park.out_m[i]));
-    this.plate = at(0, 0);
+    Object.assign(this, { plate: at(0, 0), scale, vane: [46, height - 66] });
     context.beginPath();
     context.moveTo(...at(0, 0));
     for (const point of fence) context.lineTo(...point);
     context.closePath();
-    context.fillStyle = colors.zone;
+    context.fillStyle = colors.grass;
     context.fill();
-    line(context, [fence[0], at(0, 0), fence.at(-1)], { color: colors.line, width: 1 });
-    const h = BASE / Math.SQRT2;
-    line(context, [at(0, 0), at(h, h), at(0, 2 * h), at(-h, h), at(0, 0)], { color: colors.line, width: 1.5 });
-    dot(context, at(0, MOUND), 2.5, colors.line);
+    this.paintInfield(context, at, scale, fence);
+    for (const other of this.fences ?? []) line(context, other.right_m.map((right, i) => at(right, other.out_m[i])), { color: colors.line, width: 0.7 });
     this.paintFence(context, fence, park.height_m);
     line(context, path.right_m.map((right, i) => at(right, path.out_m[i])), { color: colors.red, width: 2.6 });
-    dot(context, at(path.right_m.at(-1), path.out_m.at(-1)), 4.5, colors.red);
+    dot(context, at(path.right_m.at(-1), path.out_m.at(-1)), 6, colors.red);
+    if (this.moment !== null) {
+      const here = placeAt(path, this.moment);
+      dot(context, at(here.right_m, here.out_m), 5 + here.up_m / 8, colors.ink);
+    }
     if (end.clearance_m !== null) {
       const place = at(end.distance_m * Math.sin(end.direction_rad), end.distance_m * Math.cos(end.direction_rad));
       dot(context, place, 3.5, colors.ink);
@@ -159,7 +204,34 @@ export class FieldPicture {
     const [x, y] = at(path.right_m.at(-1), path.out_m.at(-1));
     haloText(context, this.app.text("distance", flight.carry_m), Math.min(width - 30, Math.max(30, x)), Math.max(10, y - 13), colors.ink, colors.panel);
     this.paintDistances(context, fence, park, at);
-    this.paintWind(context, height);
+    this.paintWind(context);
+  }
+
+  // Dirt and grass of the infield, the bases and the foul lines.
+  paintInfield(context, at, scale, fence) {
+    const { colors } = this.app;
+    context.save();
+    context.beginPath();
+    context.moveTo(...at(0, -2));
+    context.lineTo(...fence[0]);
+    context.lineTo(fence.at(-1)[0], fence[0][1]);
+    context.lineTo(...fence.at(-1));
+    context.closePath();
+    context.clip();
+    context.beginPath();
+    context.arc(...at(0, MOUND), 28.956 * scale, 0, 2 * Math.PI); // 95 ft about the pitcher's plate
+    context.fillStyle = colors.dirt;
+    context.fill();
+    context.restore();
+    const h = BASE / Math.SQRT2;
+    context.beginPath();
+    for (const point of [[0, 2], [h - 2, h], [0, 2 * h - 2], [2 - h, h]]) context.lineTo(...at(...point));
+    context.closePath();
+    context.fillStyle = colors.grass;
+    context.fill();
+    line(context, [fence[0], at(0, 0), fence.at(-1)], { color: colors.paper, width: 1.5 });
+    for (const base of [[0, 0], [h, h], [0, 2 * h], [-h, h]]) dot(context, at(...base), 2.5, colors.ink);
+    dot(context, at(0, MOUND), 2.5, colors.ink);
   }
 
   // The fence is the thicker the higher it is.
@@ -182,18 +254,18 @@ export class FieldPicture {
     }
   }
 
-  // Down in the corner, where no ball goes.
-  paintWind(context, height) {
+  // Down in the corner, where no ball goes; it can be dragged.
+  paintWind(context) {
     const { wind_speed_mph: speed, wind_direction_deg: to } = this.state;
-    if (!speed) return;
     const { colors } = this.app;
-    const [x, y, angle] = [38, height - 62, (to * Math.PI) / 180];
-    const reach = 12 + Math.min(18, speed * 0.6);
-    const tip = [x + reach * Math.sin(angle), y - reach * Math.cos(angle)];
-    const wing = (turn) => [tip[0] - 9 * Math.sin(angle + turn), tip[1] + 9 * Math.cos(angle + turn)];
-    line(context, [[x - reach * Math.sin(angle), y + reach * Math.cos(angle)], tip], { color: colors.blue, width: 3 });
-    line(context, [wing(0.5), tip, wing(-0.5)], { color: colors.blue, width: 3 });
+    const [[x, y], angle] = [this.vane, (to * Math.PI) / 180];
+    Object.assign(context, { strokeStyle: colors.line, lineWidth: 1 });
+    context.beginPath();
+    context.arc(x, y, 8, 0, 2 * Math.PI);
+    context.stroke();
+    const reach = 8 + speed * 0.6;
+    if (speed) arrow(context, [x, y], [x + reach * Math.sin(angle), y - reach * Math.cos(angle)], colors.blue, 3);
     Object.assign(context, { font: `11px ${FONT}`, textAlign: "left", textBaseline: "middle" });
-    haloText(context, `wind ${this.app.text("wind_mph", speed, this.app.units === "us" ? 0 : 1)}`, 6, height - 14, colors.ink, colors.panel);
+    haloText(context, speed ? `wind ${this.app.text("wind_mph", speed, this.app.units === "us" ? 0 : 1)}` : "no wind", 6, y + 46, colors.ink, colors.panel);
   }
 }

@@ -1,0 +1,59 @@
+// To show others: links, an embedded picture, the lines that give the same numbers, print.
+
+import { addressOf, shortAddressOf } from "./address.js";
+import { button } from "./controls.js";
+import { make } from "./parts.js";
+import { posted } from "./post.js";
+
+export function shareButton(app) {
+  const made = button("Share", () => open(app));
+  made.id = "share";
+  made.setAttribute("aria-haspopup", "dialog");
+  return made;
+}
+
+async function open(app) {
+  const { name, state, defaults } = app;
+  const here = (address) => location.origin + address;
+  const long = here(addressOf(name, state, defaults));
+  const short = here(await shortAddressOf(name, state, defaults));
+  const embedded = here(addressOf(name, state, defaults, true));
+  const dialog = make("dialog", { className: "share" });
+  dialog.setAttribute("aria-labelledby", "share-title");
+  const said = make("p", { className: "note" });
+  said.setAttribute("role", "status");
+  const copy = (words, text) => button(words, async () => {
+    const found = typeof text === "function" ? await text() : text;
+    if (!found) {
+      said.textContent = "There is nothing of that kind for this view.";
+      return;
+    }
+    await navigator.clipboard.writeText(found);
+    said.textContent = `${words}: copied.`;
+  });
+  const lines = (key) => async () => {
+    try {
+      return (await posted(`/api/v1/${name}/recipe`, state))[key];
+    } catch (fault) {
+      said.textContent = fault.message;
+      return null;
+    }
+  };
+  const shown = make("input", { type: "text", readOnly: true, value: short.length < long.length ? short : long });
+  shown.setAttribute("aria-label", "Link to this picture");
+  dialog.append(make("h2", { id: "share-title", textContent: "Show it to others" }), shown,
+    make("div", { className: "row" },
+      copy("Copy the link", long), copy("Copy a short link", short.length < long.length ? short : long),
+      copy("Copy as Python", lines("python")), copy("Copy as command", lines("command")),
+      copy("Copy to embed", `<iframe src="${embedded.replaceAll("&", "&amp;").replaceAll('"', "&quot;")}" width="800" height="600" title="sweetspot: ${name}"></iframe>`),
+      button("Print", () => {
+        dialog.close();
+        print();
+      })), said,
+    make("p", { className: "note", textContent: "Links lead to this server; who opens them needs one too. A short link holds everything itself." }),
+    make("form", { method: "dialog" }, make("button", { textContent: "Close" })));
+  dialog.addEventListener("close", () => dialog.remove());
+  document.body.append(dialog);
+  dialog.showModal();
+  shown.select();
+}

@@ -1,0 +1,76 @@
+// The best way to hit: the launch angle of an exit speed, the swing at a pitch, and every park's slowest home run.
+
+import { Bench, ballGroup, swingGroup } from "../bench.js";
+import { choice, group, slider } from "../controls.js";
+import { DocumentPlace } from "../document.js";
+import { HeatMap } from "../heatmap.js";
+import { make } from "../parts.js";
+import { MPH } from "../units.js";
+
+export const view = {
+  name: "optimum",
+  guide: [
+    ["The best swing", "For a pitch and a bat speed: how far below the ball, how steeply upwards and with which part of the barrel a hit carries farthest."],
+    ["The best launch", "The map shows how far a ball carries by its exit speed and launch angle; the cross is the best angle for yours. Drag it."],
+    ["The easiest fence", "The last table has the slowest ball that leaves each park. "],
+  ],
+
+  mount(root, app) {
+    Object.assign(this, { app, answer: null });
+    this.bench = new Bench(app, { open: false });
+    const pitches = app.lists().then(({ pitches: all }) => all.map(({ key, name }) => [key, name]));
+    const parks = app.lists().then((lists) => lists.parks.map(({ key, name }) => [key, name]));
+    const side = make("div", { className: "side" },
+      group("The pitch and the swing", [
+        choice(app, "pitch", { label: "Pitch", options: pitches }),
+        slider(app, "bat_speed_mph", { label: "Bat speed", step: 0.5 }),
+        slider(app, "tilt_deg", { label: "Tilt of the swing's plane", step: 0.5 }),
+      ]),
+      group("A ball as it leaves", [
+        slider(app, "exit_speed_mph", { label: "Exit speed", step: 0.5 }),
+        slider(app, "backspin_rpm", { label: "Backspin", step: 50 }),
+        choice(app, "park", { label: "Park of the map's chances", options: parks }),
+      ]), this.bench.element, swingGroup(app, { open: false }), ballGroup(app));
+    this.words = make("p", { className: "verdict", id: "verdict" });
+    this.map = new HeatMap(app, { label: "", title: "How far it carries", height: 260, x: { kind: "exit_speed_m_s", label: "exit speed" },
+      y: { kind: "launch_angle_rad", label: "launch angle" }, z: { kind: "distance" },
+      onPick: (speed, _, { last }) => app.setState({ exit_speed_mph: Math.round(2 * Math.min(120, Math.max(50, speed / MPH))) / 2 }, { commit: last }) });
+    this.map.element.classList.add("pinned");
+    this.swing = new DocumentPlace(app, "Searching the best contact …");
+    this.parks = new DocumentPlace(app, "Searching every park …");
+    const section = (title, ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
+    root.append(side, make("div", { className: "stack" },
+      section("How high to send it", this.words, this.map.element), section("How to swing", this.swing.element),
+      section("The slowest home run of every park", this.parks.element)));
+  },
+
+  update(answer) {
+    this.answer = answer;
+    this.bench.update(answer);
+    const { launch, map } = answer;
+    const show = (name, value, digits) => this.app.text(name, value, digits);
+    this.words.textContent = `A ball at ${show("v_m_s", launch.exit_speed_m_s)} carries farthest at ${show("a_rad", launch.launch_angle_rad)}: ${show("distance", launch.carry_m)}.`;
+    this.app.announce(this.words.textContent);
+    this.map.draw({ x: map.exit_speed_m_s, y: map.launch_angle_rad, z: map.carry_m, cross: [launch.exit_speed_m_s, launch.launch_angle_rad] });
+    this.map.label(`How far balls carry, by exit speed and launch angle. ${this.words.textContent}`);
+    this.swing.redraw();
+    this.parks.redraw();
+    this.app.aside("swing", ["park"], 500, (found) => this.swing.show(found));
+    const others = Object.keys(this.app.state).filter((field) => field !== "ball" && field !== "backspin_rpm");
+    this.app.aside("parks", others, 900, (found) => this.parks.show(found));
+  },
+
+  unmount() { this.answer = null; },
+  figures() { return [this.map.figure("carry")]; },
+  table() {
+    const { map } = this.app.answer;
+    const columns = { exit_speed_m_s: [], launch_angle_rad: [], carry_m: [], chance: [] };
+    map.launch_angle_rad.forEach((angle, row) => map.exit_speed_m_s.forEach((speed, column) => {
+      columns.exit_speed_m_s.push(speed);
+      columns.launch_angle_rad.push(angle);
+      columns.carry_m.push(map.carry_m[row][column]);
+      columns.chance.push(map.chance[row][column]);
+    }));
+    return columns;
+  },
+};

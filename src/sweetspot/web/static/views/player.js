@@ -1,0 +1,116 @@
+// The player: a table of measured swings, what it says of bat speed and scatter, and which bat and place serve.
+
+import { Bench } from "../bench.js";
+import { button, choice, group, reveal, slider } from "../controls.js";
+import { DocumentPlace } from "../document.js";
+import { make } from "../parts.js";
+import { FONT, Surface, ticks } from "../surface.js";
+import { fromShown, toShown, unitOf } from "../units.js";
+
+const LONGEST = 40000;
+const LEFT = 46, FOOT = 34, TOP = 12, RIGHT = 12;
+
+export const view = {
+  name: "player",
+  guide: [
+    ["Your swings", "Bring a table of swings: Blast, HitTrax, Statcast, or two columns of bat speed and exit speed. Until then a made-up player stands here."],
+    ["What they say", "The report tells mean bat speed, where you meet the ball, how much both scatter, and how sure that is."],
+    ["What serves", "Below it: which bat, which place and what practice are worth how much. "],
+  ],
+
+  mount(root, app) {
+    Object.assign(this, { app, answer: null });
+    this.bench = new Bench(app, { open: false });
+    const file = make("input", { type: "file", id: "swings-file", accept: ".csv,text/csv,text/plain" });
+    file.addEventListener("change", () => this.read(file));
+    this.wrong = make("p", { className: "fault", hidden: true });
+    app.control({ field: "swings_csv", sync: () => {}, fault: (message) => {
+      this.wrong.textContent = message;
+      this.wrong.hidden = message === "";
+      if (message) reveal(this.wrong);
+    } });
+    const side = make("div", { className: "side" },
+      group("The swings", [
+        make("p", { className: "own" }, make("label", { htmlFor: "swings-file", textContent: "Table of swings (CSV)" }), file), this.wrong,
+        slider(app, "given_pitch_mph", { label: "Pitch, where a row has none", step: 1 }),
+        button("The example again", () => app.setState({ swings_csv: null })),
+      ]),
+      group("What is wanted", [choice(app, "goal", { label: "More", options: [["exit-speed", "exit speed"], ["carry", "carry"]] })]),
+      this.bench.element);
+    this.words = make("p", { className: "verdict", id: "verdict" });
+    this.bad = make("ul", { className: "note" });
+    this.points = new Surface(app, { height: () => 260, paint: (...all) => this.paint(...all) });
+    this.points.element.classList.add("pinned");
+    this.report = new DocumentPlace(app, "Reading the swings; this takes a few seconds …");
+    root.append(side, make("div", { className: "stack" },
+      make("section", { className: "picture" }, this.words, this.points.element, this.bad),
+      make("section", { className: "picture" }, this.report.element)));
+  },
+
+  async read(input) {
+    const file = input.files[0];
+    if (!file) return;
+    const text = await file.text();
+    input.value = "";
+    if (text.length > LONGEST) {
+      this.app.controlOf("swings_csv").fault(`${file.name} has ${text.length} letters; at most ${LONGEST}, about a thousand rows. The command fit-player takes more.`);
+      return;
+    }
+    this.app.setState({ swings_csv: text });
+  },
+
+  update(answer) {
+    this.answer = answer;
+    this.bench.update(answer);
+    const { count, bad_rows: bad, example, notes } = answer;
+    this.words.textContent = `${count} swings${example ? " of a made-up player; bring your own table to read yours" : ""}${bad.length ? `; ${bad.length} rows could not be used` : ""}.`;
+    this.app.announce(this.words.textContent);
+    this.bad.replaceChildren(...[...notes, ...bad.map(({ row, reason }) => `row ${row}: ${reason}`)].map((words) => make("li", { textContent: words })));
+    this.points.label(`Exit speed against bat speed of ${count} swings.`);
+    this.points.draw();
+    this.report.redraw();
+    this.app.aside("fit", [], 400, (found) => this.report.show(found));
+  },
+
+  paint(context, width, height) {
+    if (!this.answer) return;
+    const { colors, units } = this.app;
+    const pairs = this.answer.bat_speed_m_s.map((x, i) => [x, this.answer.exit_speed_m_s[i]]).filter(([x, y]) => typeof x === "number" && typeof y === "number");
+    if (!pairs.length) return;
+    const span = (k) => [Math.min(...pairs.map((pair) => pair[k])), Math.max(...pairs.map((pair) => pair[k]))];
+    const [[least, most], [low, high]] = [span(0), span(1)];
+    const across = (x) => LEFT + 8 + ((x - least) / (most - least || 1)) * (width - LEFT - RIGHT - 16);
+    const up = (y) => TOP + 8 + (1 - (y - low) / (high - low || 1)) * (height - TOP - FOOT - 16);
+    Object.assign(context, { font: `11px ${FONT}`, fillStyle: colors.muted, strokeStyle: colors.grid, lineWidth: 1 });
+    const shown = (value) => toShown("v_m_s", value, units);
+    for (const value of ticks(shown(low), shown(high), 5)) {
+      const y = up(fromShown("v_m_s", value, units));
+      Object.assign(context, { textAlign: "right", textBaseline: "middle" });
+      context.fillText(String(value), LEFT - 6, y);
+      context.beginPath();
+      context.moveTo(LEFT, y);
+      context.lineTo(width - RIGHT, y);
+      context.stroke();
+    }
+    for (const value of ticks(shown(least), shown(most), width / 90)) {
+      Object.assign(context, { textAlign: "center", textBaseline: "top" });
+      context.fillText(String(value), across(fromShown("v_m_s", value, units)), height - FOOT + 4);
+    }
+    context.textAlign = "right";
+    context.fillText(`${unitOf("v_m_s", units)}: bat speed →, exit speed ↑`, width - RIGHT, height - 14);
+    Object.assign(context, { fillStyle: colors.blue, strokeStyle: colors.panel });
+    for (const [x, y] of pairs) {
+      context.beginPath();
+      context.arc(across(x), up(y), 4, 0, 2 * Math.PI);
+      context.fill();
+      context.stroke();
+    }
+  },
+
+  unmount() { this.answer = null; },
+  figures() { return [this.points.figure("swings")]; },
+  table() {
+    const { bat_speed_m_s, exit_speed_m_s } = this.app.answer;
+    return { bat_speed_m_s, exit_speed_m_s };
+  },
+};

@@ -1,0 +1,99 @@
+// Every sport: what one hits with, its face as a map, and what a hit at a place gives, in the sport's own words.
+
+import { Chart } from "../chart.js";
+import { choice, group, slider } from "../controls.js";
+import { HeatMap } from "../heatmap.js";
+import { factList, make, paragraphs } from "../parts.js";
+import { INCH } from "../units.js";
+
+const FACTS = [
+  ["Leaves at", (a) => ["exit_speed_m_s", a.hit.exit_speed_m_s]],
+  ["Efficiency", (a) => ["ratio", a.hit.collision_efficiency]],
+  ["Moves at", (a) => ["tool_speed_m_s", a.hit.tool_speed_m_s]],
+  ["Contact time", (a) => ["contact_time_s", a.hit.contact_time_s]],
+  ["Peak force", (a) => ["peak_force_n", a.hit.peak_force_n]],
+  ["Vibration at the hands", (a) => ["sting", a.hit.sting_m_s]],
+  ["Weight", (a) => ["mass_kg", a.tool.mass_kg]],
+  ["Length", (a) => ["length_m", a.tool.length_m]],
+  ["Balance from the grip's end", (a) => ["balance_point_m", a.tool.balance_point_m]],
+];
+
+export const view = {
+  name: "sports",
+  guide: [
+    ["Every sport", "Rackets, bats, clubs and sticks by the same physics: choose one, and its usual stroke meets its usual ball."],
+    ["The face", "The map shows how fast the ball leaves from every place of the face. Press or drag on it to hit there."],
+    ["Another stroke", "Change how fast it is swung and how fast the ball comes. "],
+  ],
+
+  mount(root, app) {
+    Object.assign(this, { app, answer: null });
+    const tools = app.lists().then(({ implements: all }) => all.map(({ key, name }) => [key, name]));
+    const usual = (name) => () => app.answer?.[name] ?? null;
+    const side = make("div", { className: "side" },
+      group("What one hits with", [choice(app, "implement", { label: "Implement", options: tools,
+        take: (implement) => app.setState({ ...app.defaults, implement }) })]),
+      group("Stroke", [
+        slider(app, "swing_mph", { label: "Speed of the implement", step: 1, empty: usual("swing_mph") }),
+        slider(app, "incoming_mph", { label: "Speed of the ball before", step: 1, empty: usual("incoming_mph") }),
+      ]),
+      group("Where they meet", [
+        slider(app, "met_from_tip_in", { label: "From the tip", step: 0.1, empty: () => this.fromTip() }),
+        slider(app, "aside_in", { label: "Across the face", step: 0.05 }),
+      ]));
+    this.words = make("p", { className: "verdict", id: "verdict" });
+    this.facts = factList(FACTS, app);
+    const axis = { kind: "position_m", from: () => this.answer?.tool.length_m ?? 0.7, label: "from the tip" };
+    this.map = new HeatMap(app, { label: "", title: "How fast the ball leaves from every place of the face", height: 240,
+      x: axis, y: { kind: "lateral_m", label: "across" }, z: { kind: "exit_speed_m_s" }, onPick: (x, y, { last }) => this.pick(x, y, last) });
+    this.map.element.classList.add("pinned");
+    this.chart = new Chart(app, { label: "", axis, onPick: (x, { last }) => this.pick(x, null, last), panels: [
+      { title: "Speed of the ball", kind: "exit_speed_m_s", height: 140, lines: [{ key: "exit_speed_m_s", label: "real", color: "red", width: 2.4 },
+        { key: "rigid_exit_speed_m_s", label: "rigid", color: "muted", dash: [5, 4], width: 1.6 }] },
+      { title: "Efficiency", kind: "ratio", height: 80, lines: [{ key: "collision_efficiency", color: "orange" }] },
+      { title: "Vibration at the hands", kind: "sting", height: 80, zero: true, lines: [{ key: "sting_m_s", color: "purple" }] }] });
+    this.report = make("div", { className: "words" });
+    root.append(side, make("div", { className: "stack" },
+      make("section", { className: "picture" }, this.words, this.map.element, this.facts.element, this.chart.element),
+      make("section", { className: "picture" }, make("h2", { textContent: "Where it hits best, and why" }), this.report)));
+  },
+
+  fromTip() {
+    const { answer } = this.app;
+    return answer ? (answer.tool.length_m - answer.hit.position_m) / INCH : null;
+  },
+
+  pick(position, across, last) {
+    const { answer } = this;
+    if (!answer) return;
+    const inches = (metres) => Math.round((20 * metres) / INCH) / 20;
+    const change = { met_from_tip_in: Math.max(0, inches(answer.tool.length_m - position)) };
+    if (across !== null) change.aside_in = inches(across);
+    this.app.setState(change, { commit: last });
+  },
+
+  update(answer) {
+    this.answer = answer;
+    const { tool, hit, scan, face, sweet_spots: spots, words, sport } = answer;
+    const show = (name, value, digits) => this.app.text(name, value, digits);
+    const length = tool.length_m;
+    this.words.textContent = `${sport}, ${tool.name}: hits best ${show("from_m", length - spots.max_exit_speed_m, 1)} from the ${words.tip}. ` +
+      `Here, ${show("from_m", length - hit.position_m, 1)} from it${hit.lateral_m ? ` and ${show("from_m", Math.abs(hit.lateral_m), 1)} off the line` : ""}, the ${words.ball} leaves at ${show("exit_speed_m_s", hit.exit_speed_m_s)}.`;
+    this.app.announce(this.words.textContent);
+    this.facts.fill(answer);
+    paragraphs(this.report, answer.sentences[this.app.units]);
+    this.map.element.hidden = !face;
+    if (face) {
+      this.map.draw({ x: face.position_m, y: face.lateral_m, z: face.exit_speed_m_s, cross: [hit.position_m, hit.lateral_m] });
+      this.map.label(`How fast the ball leaves from every place of the face. ${this.words.textContent}`);
+    }
+    const zone = spots.zone_m;
+    this.chart.draw({ x: scan.position_m, lines: scan, range: [scan.position_m[0], scan.position_m.at(-1)], cursor: hit.position_m,
+      bands: zone ? [{ from: zone[0], to: zone[1] }] : [], marks: [{ at: spots.max_exit_speed_m, color: "red", label: "fastest" }] });
+    this.chart.label(`Speed of the ball, efficiency and vibration along the ${words.implement}. ${this.words.textContent}`);
+  },
+
+  unmount() { this.answer = null; },
+  figures() { return [...(this.answer.face ? [this.map.figure("face")] : []), this.chart.figure("curves")]; },
+  table() { return this.app.answer.scan; },
+};

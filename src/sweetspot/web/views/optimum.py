@@ -1,0 +1,124 @@
+"""The best way to hit: how to swing at a pitch, how high to send a ball, and the slowest home run of every park."""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from shlex import quote
+from typing import Any
+
+from pydantic import Field
+
+from sweetspot import catalog
+from sweetspot.analysis.optimum import EasiestHomeRun, best_launch, best_swing, easiest_home_run
+from sweetspot.flight.air import Air
+from sweetspot.flight.conditions import FlightConditions
+from sweetspot.flight.pitch import PitchFlight, aimed
+from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.swing_path import SwingPlane
+from sweetspot.report.optimum.answers import AskedLaunch, Optimum
+from sweetspot.report.optimum.document import optimum_document
+from sweetspot.units import MPH, RPM
+from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.drawings import bat_picture
+from sweetspot.web.errors import about
+from sweetspot.web.recipes import bat_name, bat_text
+from sweetspot.web.states import Name, SwungState
+from sweetspot.web.told import told
+from sweetspot.web.view import View
+from sweetspot.web.views.flight_parks import carries
+
+START = (0.0, 0.6096, 0.9144)
+"""m, where the balls of the map leave the bat: 2 ft in front of the plate and 3 ft high."""
+
+
+class OptimumState(SwungState):
+    """The bat, how fast it is swung, and the pitch it meets."""
+
+    pitch: Name = Field("fastball", description="kind of pitch, by name or letters")
+    tilt_deg: float = Field(32.0, ge=0, le=75, description="of the swing's plane")
+    exit_speed_mph: float = Field(100.0, ge=50, le=125, description="for the best launch angle")
+    backspin_rpm: float = Field(2200.0, ge=-1000, le=5000, description="of the ball in the last two questions")
+    park: Name = Field("fenway-park", description="name, team or its letters")
+
+
+def answer(state: OptimumState) -> dict[str, Any]:
+    """Return the best launch angle of an exit speed, and carries around it."""
+    through, spin = _through(state), state.backspin_rpm * RPM
+    with about("pitch"):
+        catalog.delivery(state.pitch)
+    speed = state.exit_speed_mph * MPH
+    best = best_launch(speed, through, backspin=spin)
+    with about("park"):
+        park = catalog.park(state.park)
+    ball = launched(speed=speed, launch_angle=best.launch_angle, backspin=spin, position=START)
+    found = reduced(state, ball_of(state))
+    return {
+        "bat": bat_picture(state, found),
+        "launch": {"exit_speed_m_s": speed, "launch_angle_rad": best.launch_angle, "carry_m": best.carry},
+        "map": carries(ball, conditions=through, park=park),
+        "park": park.name,
+    }
+
+
+def swing(state: OptimumState) -> dict[str, Any]:
+    """Return how to swing at a pitch so that it carries farthest, as a document."""
+    found = reduced(state, ball_of(state))
+    conditions, through = conditions_of(state, found.bat), _through(state)
+    thrown = _thrown(state, through)
+    with about("tilt_deg"):
+        best = best_swing(
+            found.held(conditions.hands), through, swing=conditions.swing, pitch=thrown.plate,
+            plane=SwingPlane(tilt=math.radians(state.tilt_deg)),
+        )  # fmt: skip
+    speed, spin = state.exit_speed_mph * MPH, state.backspin_rpm * RPM
+    launches = [AskedLaunch(speed, spin, best_launch(speed, through, backspin=spin))]
+    return told(optimum_document(Optimum(found.bat, swings=[(best, thrown)], launches=launches)))
+
+
+def parks(state: OptimumState) -> dict[str, Any]:
+    """Return the slowest home run of every park, each in its own air, as a document."""
+    found = reduced(state, ball_of(state))
+    homers = _easiest(state.ball, state.backspin_rpm)
+    return told(optimum_document(Optimum(found.bat, parks=list(homers))))
+
+
+@lru_cache(maxsize=32)
+def _easiest(ball: str, backspin_rpm: float) -> tuple[EasiestHomeRun, ...]:
+    law = catalog.aerodynamics_of_ball(ball)
+    return tuple(
+        easiest_home_run(
+            park,
+            FlightConditions(ball=catalog.ball(ball), aerodynamics=law, air=Air(elevation=park.elevation)),
+            backspin=backspin_rpm * RPM,
+        )
+        for park in catalog.parks()
+    )
+
+
+def _through(state: OptimumState) -> FlightConditions:
+    with about("ball"):
+        law = catalog.aerodynamics_of_ball(state.ball)
+    return FlightConditions(ball=ball_of(state), aerodynamics=law, air=Air())
+
+
+def _thrown(state: OptimumState, through: FlightConditions) -> PitchFlight:
+    with about("pitch"):
+        delivery = catalog.delivery(state.pitch)
+    return aimed(
+        delivery, ball=through.ball, aerodynamics=catalog.aerodynamics("pitched-baseball"), air=through.one_air,
+        wind=through.one_wind,
+    )  # fmt: skip
+
+
+def recipe(state: OptimumState) -> dict[str, str]:
+    """Return the command line that gives the same answers, and the bat's file."""
+    command = (
+        f"sweetspot optimum {bat_name(state)} --pitch {quote(state.pitch)} --bat-speed {state.bat_speed_mph:.12g}mph "
+        f"--tilt {state.tilt_deg:.12g}deg --exit-speed {state.exit_speed_mph:.12g}mph "
+        f"--backspin {state.backspin_rpm:.12g}rpm --ball {quote(state.ball)} --park all"
+    )
+    return {"command": command, "toml": bat_text(state)}
+
+
+VIEW = View("optimum", "Best swing", OptimumState, answer, recipe, asides={"swing": swing, "parks": parks})

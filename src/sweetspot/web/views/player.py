@@ -1,0 +1,132 @@
+"""The player: what measured swings say of bat speed and scatter, and which bat and contact point serve."""
+
+from __future__ import annotations
+
+import tempfile
+from dataclasses import replace
+from functools import lru_cache
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from pydantic import Field
+
+from sweetspot import catalog
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.errors import SweetspotError
+from sweetspot.flight.air import Air
+from sweetspot.player.advice import advise
+from sweetspot.player.goal import Goal
+from sweetspot.player.model import bats_of, player_model
+from sweetspot.player.player_swing import check_enough
+from sweetspot.player.posterior import fit_player
+from sweetspot.player.swings import MOST_SWINGS, Swings, evenly, read_swings
+from sweetspot.report.bat.json import bat_json
+from sweetspot.report.player.document import player_document
+from sweetspot.units import INCH, MPH
+from sweetspot.web.bat_bounds import bounds
+from sweetspot.web.bats import described, listed_bat
+from sweetspot.web.drawings import outline
+from sweetspot.web.errors import FieldError, about
+from sweetspot.web.recipes import bat_name, bat_text
+from sweetspot.web.states import BatState
+from sweetspot.web.told import told
+from sweetspot.web.view import View
+
+LONGEST_TABLE = 40_000
+"""Letters of the swings' table, about a thousand rows."""
+EXAMPLE_ROWS = 60
+SPEED_FROM_TIP = 6 * INCH
+
+
+class PlayerState(BatState):
+    """The player's swings, the bat they were made with, and what is wanted."""
+
+    swings_csv: Annotated[str, Field(max_length=LONGEST_TABLE)] | None = Field(
+        None, description="one row per swing: Blast, HitTrax, Statcast or plain; empty: an example"
+    )
+    goal: Literal["exit-speed", "carry"] = Field("exit-speed", description="what the player wants more of")
+    given_pitch_mph: Annotated[float, Field(ge=0, le=110)] = Field(
+        55.0, description="at the plate, for rows without one; 0: a tee"
+    )
+
+
+def answer(state: PlayerState) -> dict[str, Any]:
+    """Return the swings as they were read: speeds of bat and ball, rows that could not be used and why."""
+    swings = _swings(state)
+    good = swings.swings
+    own = described(state)
+    return {
+        "bat": {
+            **bat_json(own.name, own.length, rigid_body(beam_model(own))),
+            **outline(own),
+            "bounds": bounds(state, own),
+        },
+        "example": state.swings_csv is None,
+        "bat_speed_m_s": [one.bat_speed for one in good],
+        "exit_speed_m_s": [one.exit_speed for one in good],
+        "bad_rows": [{"row": one.row, "reason": one.reason} for one in swings.bad_rows[:20]],
+        "count": len(good),
+        "notes": list(swings.notes),
+        "csv": _example() if state.swings_csv is None else None,
+    }
+
+
+def fit(state: PlayerState) -> dict[str, Any]:
+    """Return the training report: what the swings say, and what serves; one second or two."""
+    return _fitted(state)
+
+
+@lru_cache(maxsize=16)
+def _fitted(state: PlayerState) -> dict[str, Any]:
+    swings, own = _swings(state), described(state)
+    with about("swings_csv"):
+        model = player_model(
+            swings.swings, bat=own, ball=catalog.ball(catalog.sport(own.sport).balls[0]), others=bats_of(
+                swings.swings, load=listed_bat
+            )[1], speed_from_tip=SPEED_FROM_TIP,
+        )  # fmt: skip
+        posterior = fit_player(model, method="draws", seed=1)
+        law = catalog.aerodynamics_of_ball(catalog.sport(own.sport).balls[0])
+        advice = advise(posterior, goal=Goal(state.goal, None), aerodynamics=law, air=Air(), others=[])
+    return told(player_document(posterior, advice, swings))
+
+
+@lru_cache(maxsize=16)
+def _swings(state: PlayerState) -> Swings:
+    own = described(state)
+    text = _example() if state.swings_csv is None else state.swings_csv
+    with tempfile.TemporaryDirectory() as folder, about("swings_csv"):
+        path = Path(folder) / "swings.csv"
+        path.write_text(text, encoding="utf-8")
+        try:
+            found = read_swings(path, length=own.length, pitch_speed=state.given_pitch_mph * MPH)
+            good, _, bad, notes = bats_of(found.swings, load=listed_bat)
+            check_enough(good, path)
+        except SweetspotError as error:
+            raise FieldError("swings_csv", str(error).replace(str(path), "the table")) from None
+    good, thinned = evenly(good, MOST_SWINGS)
+    rows = tuple(sorted((*found.bad_rows, *bad), key=lambda row: row.row))
+    return replace(found, swings=good, bad_rows=rows, notes=(*found.notes, *notes, *thinned))
+
+
+@lru_cache(maxsize=1)
+def _example() -> str:
+    """Return a made-up table of swings: no player's, to see what the page does with one."""
+    random = np.random.default_rng(7)
+    bat = 62 + 2.2 * random.standard_normal(EXAMPLE_ROWS)
+    miss = 1.4 * random.standard_normal(EXAMPLE_ROWS)
+    ball = 1.21 * bat + 0.2 * 55 - 0.9 * miss**2 + 0.6 * random.standard_normal(EXAMPLE_ROWS)
+    rows = [f"{one:.1f},{other:.1f},55" for one, other in zip(bat, ball, strict=True)]
+    return "\n".join(["bat_speed_mph,exit_speed_mph,pitch_speed_mph", *rows]) + "\n"
+
+
+def recipe(state: PlayerState) -> dict[str, str]:
+    """Return the command line that gives the same report, the table and the bat's file."""
+    pitch = "tee" if state.given_pitch_mph == 0 else f"{state.given_pitch_mph:.12g}mph"
+    command = f"sweetspot fit-player swings.csv --bat {bat_name(state)} --goal {state.goal} --pitch-speed {pitch}"
+    return {"command": command, "toml": bat_text(state)}
+
+
+VIEW = View("player", "Player", PlayerState, answer, recipe, asides={"fit": fit})
