@@ -164,6 +164,7 @@ def test_undo_redo_and_reset(page: Page, server: str, answered: Answered) -> Non
     for speed in ("80", "70"):
         field(page, "pitch_speed_mph").fill(speed)
         field(page, "pitch_speed_mph").press("Enter")
+        expect(page).to_have_url(re.compile(f"pitch_speed_mph={speed}"))
     undo.click()
     expect(field(page, "pitch_speed_mph")).to_have_value("80")
     redo.click()

@@ -1,4 +1,4 @@
-// A document of the server's (web/told.py): text and tables in the reader's units, asked for apart.
+// A document of the server's (web/documents.py): text and tables in the reader's units, asked for apart.
 //
 //   const place = new DocumentPlace(app, "Working out the report …");
 //   box.append(place.element);

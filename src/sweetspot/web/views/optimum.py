@@ -24,7 +24,7 @@ from sweetspot.web.drawings import bat_picture
 from sweetspot.web.errors import about
 from sweetspot.web.recipes import bat_name, bat_text
 from sweetspot.web.states import Name, SwungState
-from sweetspot.web.told import told
+from sweetspot.web.documents import told
 from sweetspot.web.view import View
 from sweetspot.web.views.flight_parks import carries
 

@@ -31,7 +31,7 @@ from sweetspot.web.drawings import outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.recipes import bat_name, bat_text
 from sweetspot.web.states import BatState
-from sweetspot.web.told import told
+from sweetspot.web.documents import told
 from sweetspot.web.view import View
 
 LONGEST_TABLE = 40_000
