@@ -20,11 +20,11 @@ from sweetspot.report.optimum.answers import AskedLaunch, Optimum
 from sweetspot.report.optimum.document import optimum_document
 from sweetspot.units import MPH, RPM
 from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.documents import told
 from sweetspot.web.drawings import bat_picture
 from sweetspot.web.errors import about
 from sweetspot.web.recipes import bat_name, bat_text
 from sweetspot.web.states import Name, SwungState
-from sweetspot.web.documents import told
 from sweetspot.web.view import View
 from sweetspot.web.views.flight_parks import carries
 

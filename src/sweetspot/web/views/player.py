@@ -27,11 +27,11 @@ from sweetspot.report.player.document import player_document
 from sweetspot.units import INCH, MPH
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import described, listed_bat
+from sweetspot.web.documents import told
 from sweetspot.web.drawings import outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.recipes import bat_name, bat_text
 from sweetspot.web.states import BatState
-from sweetspot.web.documents import told
 from sweetspot.web.view import View
 
 LONGEST_TABLE = 40_000
