@@ -10,7 +10,7 @@ import numpy as np
 
 from sweetspot.calibration.measured import REACH, Measured
 from sweetspot.calibration.measurements import Measurement, predicted
-from sweetspot.calibration.posterior import Posterior
+from sweetspot.calibration.posterior import OF_BALL, Posterior
 from sweetspot.calibration.unknowns import Unknown, UnknownName, deviated
 from sweetspot.catalog.bats import is_file
 from sweetspot.catalog.files.bat import read_toml
@@ -110,10 +110,11 @@ def calibrated_table(posterior: Posterior, damping: Measured | None) -> dict[str
     if damping is not None:
         material["damping_ratio"] = _record(damping.value, Value(damping, "measured"), "")
     table["material"] = material
+    own = [index for index, one in enumerate(posterior.unknowns) if one.name != OF_BALL]
     table["calibration"] = {
         "measured": [one.name for one in posterior.measurements],
-        "unknowns": [one.name for one in posterior.unknowns],
-        "covariance": posterior.covariance.tolist(),
+        "unknowns": [posterior.unknowns[index].name for index in own],
+        "covariance": posterior.covariance[np.ix_(own, own)].tolist(),
     }
     return table
 

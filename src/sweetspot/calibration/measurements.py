@@ -10,14 +10,20 @@ import numpy as np
 
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.naming import ModeName, NamedTone
+from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.bending import bending_frequencies
 from sweetspot.dynamics.hoop import hoop_modes
+from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.rigid import pendulum_period, rigid_body
+from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
+from sweetspot.units import INCH
 
-MeasuredKind = Literal["mass", "balance_point", "moi", "period", "frequency"]
+MeasuredKind = Literal["mass", "balance_point", "moi", "period", "frequency", "efficiency"]
+EFFICIENCY_ERROR = 0.01
+"""One sigma of q that the model itself deserves (assumed): two makers' tests of one bat differ by as much."""
 BENDING_ERROR, HOOP_ERROR = 0.005, 0.03
 """One sigma of a frequency's logarithm that the model itself deserves (assumed): grain, paint and glue; for hoop modes
 the course of the wall."""
@@ -25,6 +31,22 @@ MOST_BENDING = 5
 """Bending modes that are compared; higher ones depend on knots and grain."""
 ELEMENTS = 8
 """Finite elements at least; five modes are then converged to 1e-3 of a bat's damping-free frequency."""
+
+
+@dataclass(frozen=True)
+class Shooting:
+    """What was shot at a bat.
+
+    Parameters
+    ----------
+    position : m from the knob end.
+    closing_speed : m/s of ball and bat together.
+    ball : that was shot.
+    """
+
+    position: float
+    closing_speed: float
+    ball: Ball
 
 
 @dataclass(frozen=True)
@@ -37,22 +59,28 @@ class Measurement:
     value : SI.
     axis : m from the knob end, of a moment of inertia or a pendulum's period.
     mode : of a frequency.
+    shooting : of a collision efficiency.
     """
 
     kind: MeasuredKind
     value: Measured
     axis: float = 0.1524
     mode: ModeName | None = None
+    shooting: Shooting | None = None
 
     @property
     def name(self) -> str:
         """What people call it."""
         words = {"balance_point": "balance point", "moi": "moment of inertia", "period": "pendulum"}
+        if self.shooting is not None:
+            return f"q {self.shooting.position / INCH:.1f} in from the knob"
         return str(self.mode) if self.mode else words.get(self.kind, self.kind)
 
     @property
     def error(self) -> float:
         """One sigma of measurement and model together, SI."""
+        if self.shooting is not None:
+            return float(np.hypot(self.value.error, EFFICIENCY_ERROR))
         if self.mode is None:
             return self.value.error
         model = HOOP_ERROR if self.mode.family == "hoop" else BENDING_ERROR
@@ -78,11 +106,17 @@ def of_tones(tones: Sequence[NamedTone]) -> list[Measurement]:
     return found
 
 
-def predicted(line: BeamModel, measurements: Sequence[Measurement]) -> Array:
-    """Return what a beam model says to measurements, SI, shape (n,)."""
+def predicted(line: BeamModel, measurements: Sequence[Measurement], *, livelier: float = 0.0) -> Array:
+    """Return what a beam model says to measurements, SI, shape (n,).
+
+    Parameters
+    ----------
+    livelier : logarithm of the shot balls' restitution over that of their law.
+    """
     body = rigid_body(line)
     bending = hoop = None
     count = max((one.mode.harmonic for one in measurements if one.mode and one.mode.family == "bending"), default=0)
+    efficiencies = _efficiencies(line, [one.shooting for one in measurements if one.shooting], livelier)
     values = []
     for one in measurements:
         if one.kind == "mass":
@@ -94,6 +128,8 @@ def predicted(line: BeamModel, measurements: Sequence[Measurement]) -> Array:
         elif one.kind == "period":
             turning = body.moi(one.axis)
             values.append(pendulum_period(turning, mass=body.mass, balance_point=body.balance_point, pivot=one.axis))
+        elif one.shooting is not None:
+            values.append(efficiencies[one.shooting])
         elif one.mode is None:
             raise InputError("a frequency needs the name of its mode")
         elif one.mode.family == "bending":
@@ -103,3 +139,21 @@ def predicted(line: BeamModel, measurements: Sequence[Measurement]) -> Array:
             hoop = hoop_modes(line, patch=0.0, harmonics=(2,), axial_modes=1) if hoop is None else hoop
             values.append(float(hoop.frequency[0]))
     return np.array(values)
+
+
+def _efficiencies(line: BeamModel, shootings: Sequence[Shooting], livelier: float) -> dict[Shooting, float]:
+    """Return q of shots; a hit that does not end is as bad as none."""
+    found: dict[Shooting, float] = {}
+    modes = all_modes(line, shootings[0].ball) if shootings else None
+    for ball in {one.ball for one in shootings}:
+        law = ball.restitution
+        shot = ball.replaced(restitution=law.replaced(reference=min(law.reference * float(np.exp(livelier)), 1.0)))
+        same = [one for one in shootings if one.ball == ball]
+        assert modes is not None  # there is at least one shooting
+        done = hits(
+            modes, ball=shot, position=[one.position for one in same],
+            closing_speed=[one.closing_speed for one in same],
+        )  # fmt: skip
+        values = np.nan_to_num(done.collision_efficiency, nan=-1.0).tolist()
+        found |= dict(zip(same, values, strict=True))
+    return found

@@ -9,7 +9,7 @@ r_i / sqrt(1 - J_i C J_i^T) sigma, its studentised residual r.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,15 +17,19 @@ from scipy.optimize import least_squares
 
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
-from sweetspot.calibration.unknowns import Unknown, deviated
+from sweetspot.calibration.unknowns import Unknown, UnknownName, deviated
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 
+OF_BALL: UnknownName = "ball_restitution"
+"""The unknown that is not the bat's."""
 CONTRADICTION = 3.0
 """Sigma from which on a source contradicts the others."""
 FARTHEST = 8.0
 """Spreads that an unknown may deviate; only measurements that contradict each other go there."""
+SHOT_STEP = 0.3
+"""Of a spread, in the differences of what shots say."""
 STEP = 0.02
 """Of a spread, in the differences."""
 HARDLY = 0.02
@@ -70,6 +74,11 @@ class Posterior:
         off = {name: float(pull) for name, pull in zip(self.sources, self.pulls, strict=True)}
         return dict(sorted(((n, p) for n, p in off.items() if abs(p) > CONTRADICTION), key=lambda e: -abs(e[1])))
 
+    @property
+    def livelier(self) -> float:
+        """Logarithm of the shot balls' restitution over that of their law; 0 where none was shot."""
+        return sum(float(off) for one, off in zip(self.unknowns, self.deviations, strict=True) if one.name == OF_BALL)
+
     def deviation(self, name: str) -> Measured:
         """Return an unknown's deviation and its error."""
         index = [one.name for one in self.unknowns].index(name)  # type: ignore[arg-type]
@@ -99,8 +108,53 @@ def residuals(x: Array, *, line: BeamModel, unknowns: Sequence[Unknown], measure
     spreads = np.array([one.spread for one in unknowns])
     values = np.array([one.value.value for one in measurements])
     errors = np.array([one.error for one in measurements])
-    said = predicted(deviated(line, unknowns, x * spreads), measurements)
+    said = _said(line, unknowns, x * spreads, measurements)
     return np.concatenate([(said - values) / errors, x])
+
+
+def _misses(
+    line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequence[Measurement]
+) -> Callable[[Array], Array]:
+    """Return what least squares makes small: `residuals`, of shots linear around what all else says.
+
+    A shot takes the bat's whole vibration, and q hardly bends over the doubt that scale and tap leave.
+    """
+    shot = [index for index, one in enumerate(measurements) if one.shooting is not None]
+    others = [one for one in measurements if one.shooting is None]
+
+    def exact(x: Array) -> Array:
+        return residuals(x, line=line, unknowns=unknowns, measurements=others)
+
+    if not shot:
+        return exact
+    of_shots = [measurements[index] for index in shot]
+    spreads = np.array([one.spread for one in unknowns])
+    around = calibrate(line, unknowns, others).deviations / spreads if others else np.zeros(len(unknowns))
+
+    def shot_misses(x: Array) -> Array:
+        return residuals(x, line=line, unknowns=unknowns, measurements=of_shots)[: len(shot)]
+
+    here = shot_misses(around)
+    steps = SHOT_STEP * np.eye(len(unknowns))
+    slopes = np.array([(shot_misses(around + step) - here) / SHOT_STEP for step in steps]).T
+    rest = [index for index in range(len(measurements)) if index not in shot]
+
+    def quick(x: Array) -> Array:
+        known = exact(x)
+        found = np.empty(len(measurements) + len(x))
+        found[rest], found[len(measurements) :] = known[: len(rest)], known[len(rest) :]
+        found[shot] = here + slopes @ (x - around)
+        return found
+
+    return quick
+
+
+def _said(
+    line: BeamModel, unknowns: Sequence[Unknown], deviations: Array, measurements: Sequence[Measurement]
+) -> Array:
+    """Return what the bat and ball with these deviations say to measurements, SI."""
+    livelier = sum(float(off) for one, off in zip(unknowns, deviations, strict=True) if one.name == OF_BALL)
+    return predicted(deviated(line, unknowns, deviations), measurements, livelier=livelier)
 
 
 def suspects(posterior: Posterior) -> dict[str, Posterior]:
@@ -132,9 +186,7 @@ def calibrate(line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequen
     if not measurements:
         raise InputError("nothing was measured; give at least a weight, a balance point, a pendulum's period or a tap")
     spreads = np.array([one.spread for one in unknowns])
-
-    def misses(x: Array) -> Array:
-        return residuals(x, line=line, unknowns=unknowns, measurements=measurements)
+    misses = _misses(line, unknowns, measurements)
 
     def forward(x: Array) -> Array:
         here = misses(x)
@@ -160,7 +212,7 @@ def calibrate(line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequen
         measurements=tuple(measurements),
         deviations=found.x * spreads,
         covariance=np.asarray(covariance * np.outer(spreads, spreads), dtype=np.float64),
-        predictions=predicted(best, measurements),
+        predictions=_said(line, unknowns, found.x * spreads, measurements),
         pulls=pulls,
         gains=spreads[:, None] * (covariance @ slopes.T),
     )

@@ -22,7 +22,16 @@ from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 
 UnknownName = Literal[
-    "modulus", "shear_modulus", "density", "density_gradient", "knob_mass", "end_mass", "wall", "handle", "barrel"
+    "modulus",
+    "shear_modulus",
+    "density",
+    "density_gradient",
+    "knob_mass",
+    "end_mass",
+    "wall",
+    "handle",
+    "barrel",
+    "ball_restitution",
 ]
 GRADIENT_SPREAD = 0.05
 """One sigma of the density's relative change from the middle to the tip (assumed)."""

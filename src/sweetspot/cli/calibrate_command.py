@@ -14,6 +14,7 @@ from sweetspot.errors import InputError
 if TYPE_CHECKING:
     from sweetspot.calibration.measured import Measured
     from sweetspot.calibration.measurements import Measurement
+    from sweetspot.calibration.unknowns import Unknown
     from sweetspot.equipment.bat import Bat
 
 
@@ -31,6 +32,10 @@ def calibrate(
     tone: Annotated[
         list[str] | None, Parameter(help="A frequency measured otherwise: bending-1:171.3Hz±0.5Hz; may be given again.")
     ] = None,
+    shots: Annotated[
+        Path | None, Parameter(help="CSV of shots at places: ball_in_mph, ball_out_mph, position_in_from_tip.")
+    ] = None,
+    ball: Annotated[str | None, Parameter(help="Ball of the shots; default: the sport's.")] = None,
     diameter_error: Annotated[str, Parameter(help="How well the diameters are known, of handle and barrel each.")] = (
         "0.3%"
     ),
@@ -54,6 +59,12 @@ def calibrate(
     measurements = _weighed(own, mass=mass, balance_point=balance_point, pendulum=pendulum, moi=moi, pivot=pivot)
     tapped, damping = _tapped(own, tap or [], at or [])
     measurements += tapped + [_tone(text) for text in tone or []]
+    if shots is not None:
+        shot, of_ball = _shot(own, shots, ball)
+        measurements += shot
+        unknowns = (*unknowns, of_ball)
+    elif ball is not None:
+        raise InputError("--ball was given without --shots; name the file of shots")
     posterior = fitted(described(own), unknowns, _without(measurements, leave_out or []))
     if format == "json":
         print_json(calibration_json(posterior, damping))
@@ -115,6 +126,20 @@ def _tapped(own: Bat, recordings: list[Path], at: list[str]) -> tuple[list[Measu
             "no tone of the recordings is a bending mode of this bat; hang it freely, tap it 1 in from the tip"
         )
     return of_tones(test.tones), pooled(bending)
+
+
+def _shot(own: Bat, path: Path, ball: str | None) -> tuple[list[Measurement], Unknown]:
+    """Return what shots say at each place, and how lively their balls may be."""
+    from sweetspot import catalog
+    from sweetspot.analysis.certification.shots import read_shots
+    from sweetspot.calibration.shot_measurements import of_shots, shot_ball_unknown
+    from sweetspot.catalog.standard_hit import standard_conditions
+
+    read = read_shots(path, length=own.length)
+    for bad in read.bad_rows:
+        print(f"sweetspot: {path}, row {bad.row} was left out: {bad.reason}", file=sys.stderr)
+    used = standard_conditions(own).ball if ball is None else catalog.ball(ball)
+    return of_shots(read.shots, used), shot_ball_unknown(read.shots, used)
 
 
 def _tone(text: str) -> Measurement:

@@ -16,7 +16,7 @@ from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.tap.tap_report import measured_json, shown_measured
 from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
 
-UNITS = {"mass": "_kg", "balance_point": "_m", "moi": "_kg_m2", "period": "_s", "frequency": "_hz"}
+UNITS = {"mass": "_kg", "balance_point": "_m", "moi": "_kg_m2", "period": "_s", "frequency": "_hz", "efficiency": ""}
 SHOWN = {
     "mass": ("mass, oz", 1 / OUNCE),
     "balance_point": ("balance point from the knob, in", 1 / INCH),
@@ -26,11 +26,12 @@ SHOWN = {
     "density": ("density, kg/m³", 1.0),
 }
 PEOPLE = {"mass": (1 / OUNCE, "oz"), "balance_point": (1 / INCH, "in"), "period": (1.0, "s"), "frequency": (1.0, "Hz"),
+          "efficiency": (1.0, ""),
           "moi": (1 / OUNCE_INCH_SQUARED, "oz in²")}  # fmt: skip
 WORDS = {
     "modulus": "modulus E", "shear_modulus": "shear modulus G", "density": "density", "wall": "wall thickness",
     "density_gradient": "density, middle to tip", "knob_mass": "mass at the knob", "end_mass": "mass of the end cap",
-    "handle": "handle diameter", "barrel": "barrel diameter",
+    "ball_restitution": "restitution of the shot balls", "handle": "handle diameter", "barrel": "barrel diameter",
 }  # fmt: skip
 LEAST_SHARE = 0.01
 
@@ -104,7 +105,7 @@ def contradictions(posterior: Posterior) -> list[str]:
     for suspect, without in suspects(posterior).items():
         one = next(one for one in posterior.measurements if one.name == suspect)
         scale, unit = PEOPLE[one.kind]
-        should = scale * predicted(without.line, [one])[0]
+        should = scale * predicted(without.line, [one], livelier=without.livelier)[0]
         words.append(
             f"Without {suspect} all others agree; by them it should be {should:.4g} {unit} and not "
             f"{scale * one.value.value:.4g} {unit}. Measure it again, or --leave-out '{suspect}'."
