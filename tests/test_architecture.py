@@ -47,6 +47,7 @@ HOMES = {
     "tomllib": ("catalog/", "validation/", "references.py"),
     "skfem": ("dynamics/",),
     "emcee": ("player/",),
+    "pymoo": ("design/",),
     "ezdxf": ("report/drawing/", "calibration/outline/"),
     "fontTools": ("calibration/outline/",),
     "PIL": ("calibration/outline/photo/",),

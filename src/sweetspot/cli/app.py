@@ -9,6 +9,7 @@ from sweetspot.cli.bats_command import bats
 from sweetspot.cli.calibrate_command import calibrate
 from sweetspot.cli.certify_command import certify
 from sweetspot.cli.compare_command import compare
+from sweetspot.cli.design_command import design
 from sweetspot.cli.drop_command import drop
 from sweetspot.cli.fit_player_command import fit_player
 from sweetspot.cli.fly_command import fly
@@ -30,8 +31,8 @@ from sweetspot.cli.tap_command import tap
 from sweetspot.cli.validate_command import validate
 
 COMMANDS = (
-    report, hit, play, fly, compare, certify, optimum, fit_player, season, outline, tap, calibrate, drop, pendulum,
-    paper, sports, parks, bats, show, schema, validate, prepare,
+    report, hit, play, fly, compare, certify, optimum, fit_player, design, season, outline, tap, calibrate, drop,
+    pendulum, paper, sports, parks, bats, show, schema, validate, prepare,
 )  # fmt: skip
 
 app = App(

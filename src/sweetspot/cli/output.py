@@ -108,19 +108,23 @@ def _made() -> str:
 
 
 @contextmanager
-def progress(what: str) -> Iterator[Callable[[int, int], None]]:
+def progress(what: str) -> Iterator[Callable[..., None]]:
     """Yield what shows on stderr how far the work is: a bar on a terminal, elsewhere a line at every quarter.
 
-    Work of fewer than `LONG` steps says nothing off a terminal.
+    Work of fewer than `LONG` steps says nothing off a terminal. It is called with (done, total), and perhaps with words
+    about what was found so far.
     """
     from rich.console import Console
 
     console = Console(stderr=True)
     if not console.is_terminal:
+        quarter = 0
 
-        def say(done: int, total: int) -> None:
-            if total >= LONG and 4 * done // total > 4 * (done - 1) // total:
-                print(f"sweetspot: {what}: {done} of {total}", file=sys.stderr)
+        def say(done: int, total: int, words: str = "") -> None:
+            nonlocal quarter
+            before, quarter = quarter, 4 * done // total
+            if total >= LONG and quarter > before:
+                print(f"sweetspot: {what}: {done} of {total}{f' ({words})' if words else ''}", file=sys.stderr)
 
         yield say
         return
@@ -131,7 +135,11 @@ def progress(what: str) -> Iterator[Callable[[int, int], None]]:
         TextColumn("{task.description}"), BarColumn(), percent, TimeRemainingColumn(), console=console, transient=True
     ) as bar:
         task = bar.add_task(what)
-        yield lambda done, total: bar.update(task, completed=done, total=total)
+
+        def show(done: int, total: int, words: str = "") -> None:
+            bar.update(task, completed=done, total=total, description=f"{what}, {words}" if words else what)
+
+        yield show
 
 
 @contextmanager

@@ -7,7 +7,7 @@ puts a number beside its unit.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
 from sweetspot.numerics.notebook_display import ShownInNotebooks
@@ -177,6 +177,7 @@ class Document(ShownInNotebooks):
     passed : whether what was checked holds.
     made_for : whom it is for; "": nobody said.
     made : when, and what it was made from: the head of a page.
+    attachments : further files that go along with it, by name: made for a reader.
     """
 
     name: str
@@ -193,6 +194,7 @@ class Document(ShownInNotebooks):
     passed: bool = True
     made_for: str = ""
     made: str = ""
+    attachments: Mapping[str, Callable[[Reader], bytes]] = field(default_factory=dict)
 
     def reader_of(self, system: System | None) -> Reader:
         """Return who reads: of a system of units, or the sport's people where none is named."""

@@ -30,7 +30,8 @@ def write_document(document: Document, folder: Path, *, reader: Reader, long: bo
     if document.drawing is not None:
         figure = document.drawing.draw(reader)
         contents |= {".png": png_bytes(figure), ".svg": svg_bytes(figure)}
-    return write_folder(folder, {document.name + ending: content for ending, content in contents.items()})
+    named = {document.name + ending: content for ending, content in contents.items()}
+    return write_folder(folder, named | {name: make(reader) for name, make in document.attachments.items()})
 
 
 def as_json(document: Document) -> bytes:

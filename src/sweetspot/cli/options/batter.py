@@ -1,0 +1,93 @@
+"""Whom a bat is for: where the ball is met, how high, and how the swing depends on the bat."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+from cyclopts import Parameter
+
+from sweetspot.errors import InputError
+
+if TYPE_CHECKING:
+    from sweetspot.design.batter import Batter
+    from sweetspot.equipment.implement import Implement
+    from sweetspot.motion.swing import Conditions
+    from sweetspot.motion.swing_law import SwingLaw
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class BatterOptions:
+    """Contacts and swing of a batter."""
+
+    contact: Annotated[
+        str | None, Parameter(help="Where the ball is met on average, from the tip; default: 6.5in.")
+    ] = None
+    contact_spread: Annotated[str | None, Parameter(help="Standard deviation of that; default: 1.8in.")] = None
+    contacts: Annotated[
+        Path | None, Parameter(help="CSV of contacts instead: a column from_tip_in, and perhaps weight.")
+    ] = None
+    player: Annotated[
+        Path | None, Parameter(help="Answer of fit-player --format json instead: contacts and speeds of that player.")
+    ] = None
+    doubt: Annotated[str, Parameter(help="How well the mean contact is known, one standard deviation.")] = "0.5in"
+    offset: Annotated[str | None, Parameter(help="Ball's centre above the bat's axis on average; default: 0.2in.")] = (
+        None
+    )
+    offset_spread: Annotated[str | None, Parameter(help="Standard deviation of that; default: 1.1in.")] = None
+    swing_law: Annotated[
+        str, Parameter(help="How bat speed depends on the bat: a law of the catalogue, or none for the same speed.")
+    ] = "baseball"
+    exponent: Annotated[float | None, Parameter(help="Exponent of the law in place of its own, 0 to 0.5.")] = None
+
+
+DEFAULT_BATTER = BatterOptions()
+USUAL = {"position": 0.1651, "position_spread": 0.04572, "offset": 0.00508, "offset_spread": 0.02794}
+"""m: the middles of what is known of players before any swing (`player_priors.toml`)."""
+
+
+def batter_of(options: BatterOptions, bat: Implement, conditions: Conditions) -> Batter:
+    """Return the batter that the options describe, with the present bat under these conditions."""
+    from sweetspot.design.batter import Batter, contacts_of_file, fitted_player, normal_contact
+    from sweetspot.units import parse
+
+    ways = [name for name in ("contact", "contacts", "player") if getattr(options, name) is not None]
+    if len(ways) > 1:
+        raise InputError(f"--{' and --'.join(ways)} both say where the ball is met; give one of them")
+    known = dict(USUAL)
+    if options.player is not None:
+        known |= fitted_player(options.player)
+
+    def length(text: str | None, name: str, option: str) -> float:
+        return known[name] if text is None else parse(text, "length", option)
+
+    if options.contacts is not None:
+        weight = contacts_of_file(options.contacts)
+    else:
+        mean = length(options.contact, "position", "--contact")
+        weight = normal_contact(mean, length(options.contact_spread, "position_spread", "--contact-spread"))
+    spread = length(options.offset_spread, "offset_spread", "--offset-spread")
+    doubt = parse(options.doubt, "length", "--doubt")
+    if not (0 < spread < 0.1 and 0 <= doubt < 0.2):
+        raise InputError("--offset-spread must lie between 0 and 4 in, and --doubt between 0 and 8 in; give inches")
+    return Batter(
+        weight=weight, offset=length(options.offset, "offset", "--offset"), offset_spread=spread,
+        bat_speed=known.get("bat_speed", conditions.swing.bat_speed),
+        pitch_speed=known.get("pitch_speed", conditions.pitch.speed), law=_law(options), doubt=doubt,
+        speed_from_tip=bat.length - conditions.swing.measured_at,
+    )  # fmt: skip
+
+
+def _law(options: BatterOptions) -> SwingLaw | None:
+    from dataclasses import replace
+
+    from sweetspot.catalog.swing_laws import swing_law
+
+    if options.swing_law == "none":
+        if options.exponent is not None:
+            raise InputError("--exponent goes with a law; leave out --swing-law none")
+        return None
+    law = swing_law(options.swing_law)
+    return law if options.exponent is None else replace(law, exponent=options.exponent)

@@ -1,0 +1,1 @@
+"""Bats designed for a batter: variables, limits, wants, fronts, and what of a gain can be seen."""

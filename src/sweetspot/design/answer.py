@@ -1,0 +1,136 @@
+"""A design from question to bat: what is possible, the best in each want, the front between, one bat picked."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from sweetspot.analysis.certification.rules import Check, League, check_rules, construction_findings
+from sweetspot.design.gain import Gain, gain_of, present_measured
+from sweetspot.design.limits import check_limits
+from sweetspot.design.measures import Bench, Measured
+from sweetspot.design.polish import polished
+from sweetspot.design.search import Front, Question, search
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
+from sweetspot.errors import InputError
+from sweetspot.numerics.arrays import Array
+
+
+@dataclass(frozen=True)
+class Designed:
+    """A design with everything around it.
+
+    Parameters
+    ----------
+    bench : batter, ball and the bats that can be.
+    question : what was looked for.
+    front : bats none of which is better in everything, the best in the first want first.
+    picked : which of them is told about.
+    now : the present bat on the same bench.
+    gain : of the picked one over it.
+    bat : the picked one, as everybody else takes it.
+    checks : the league's rules held against it.
+    """
+
+    bench: Bench
+    question: Question
+    front: Front
+    picked: int
+    now: Measured
+    gain: Gain
+    bat: Implement
+    checks: tuple[Check, ...]
+
+    @property
+    def numbers(self) -> Array:
+        """The picked one's numbers, shape (variables,)."""
+        return np.asarray(self.front.numbers[self.picked])
+
+    def value(self, measure: str) -> float:
+        """Return a measure of the picked one."""
+        return float(self.front.measured.values[measure][self.picked])
+
+
+def starts_of(bench: Bench, question: Question) -> Array:
+    """Return bats from which a search begins: one that keeps the limits, and the best near it in every want.
+
+    Raises
+    ------
+    InputError
+        when limits quarrel; see `check_limits`.
+    """
+    first = check_limits(bench, question.limits)
+    found = [first]
+    for number in range(len(question.wants)):
+        wants = question.wants[number:] + question.wants[:number]
+        found.append(polished(bench, Question(wants, question.limits, question.seed), first)[0])
+    return np.array(found)
+
+
+def designed(
+    bench: Bench,
+    question: Question,
+    *,
+    after: tuple[int, Array] | None = None,
+    progress: Callable[[int, Front], None] | None = None,
+) -> Front:
+    """Return the front of a question, its best in the first want polished.
+
+    Parameters
+    ----------
+    after : a search to go on from; see `search`.
+    progress : called with the generations done and the front so far.
+    """
+    starts = np.zeros((0, len(bench.space.variables))) if after is not None else starts_of(bench, question)
+    front = search(bench, question, starts=starts, after=after, progress=progress)
+    numbers, measured = polished(bench, question, front.numbers[0])
+    return front if np.array_equal(numbers, front.numbers[0]) else _with_first(front, numbers, measured)
+
+
+def told(bench: Bench, question: Question, front: Front, *, pick: int, league: League | None) -> Designed:
+    """Return a design with everything around it.
+
+    Parameters
+    ----------
+    pick : which bat of the front is told about, from 1.
+    league : whose rules are held against it; None: nobody's.
+
+    Raises
+    ------
+    InputError
+        when the front has no such bat.
+    """
+    if not 1 <= pick <= len(front):
+        raise InputError(f"bat {pick} of the front was asked for, which has {len(front)}; allowed is 1 to {len(front)}")
+    chosen = Measured(
+        {name: value[pick - 1 : pick] for name, value in front.measured.values.items()},
+        front.measured.curve[pick - 1 : pick], front.measured.worth[pick - 1 : pick],
+    )  # fmt: skip
+    now = present_measured(bench)
+    present = bench.space.present
+    bat = bench.space.made(front.numbers[pick - 1], f"{present.name}, designed")
+    checks: tuple[Check, ...] = ()
+    if league is not None and isinstance(bat, Bat):
+        body = rigid_body(beam_model(bat))
+        checks = tuple(check_rules(league, bat=bat, findings=construction_findings(bat, body=body)))
+    gain = gain_of(bench, front.numbers[pick - 1], chosen, now)
+    return Designed(bench, question, front, pick - 1, now, gain, bat, checks)
+
+
+def _with_first(front: Front, numbers: Array, measured: Measured) -> Front:
+    """Return a front with another first bat; those that it beats in everything are left out by the caller's eye."""
+    kept: Sequence[int] = range(1, len(front))
+    values = {
+        name: np.concatenate([value, front.measured.values[name][list(kept)]])
+        for name, value in measured.values.items()
+    }
+    both = Measured(
+        values, np.concatenate([measured.curve, front.measured.curve[1:]]),
+        np.concatenate([measured.worth, front.measured.worth[1:]]),
+    )  # fmt: skip
+    return Front(np.concatenate([numbers[None], front.numbers[1:]]), both, front.generation, front.population)

@@ -1,0 +1,176 @@
+"""What of a gain can be seen: beside wood that differs, what is not known of the batter, and where it is paid for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from sweetspot.design.batter import FROM_TIP
+from sweetspot.design.measures import Bench, Measured
+from sweetspot.design.variables import TurnedSpace
+from sweetspot.dynamics.batch.reduction import ReducedBats, reduced_lines, reduced_outlines
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.equipment.bat import Bat
+from sweetspot.motion.swing_law import TWO_SIDED_95, SwingLaw
+from sweetspot.numerics.arrays import Array
+from sweetspot.units import INCH, MPH
+
+DENSITY_SPREAD, MODULUS_SPREAD = 0.05, 0.08
+"""Standard deviations of wood of one species, as parts: of density, and of the moduli at one density (assumed)."""
+SHIPMENT = 2 * MPH
+"""m/s by which the best and the worst of a dozen bats of one model differ, as a grading service reports (recalled)."""
+TOWARDS_END = 2 * INCH
+"""m from the tip, where it is told what a design costs who meets the ball there."""
+
+
+@dataclass(frozen=True)
+class Gain:
+    """A design beside the present bat, in this batter's hands.
+
+    Parameters
+    ----------
+    shift : m by which the best place moves towards the hands.
+    wider : m by which the zone within 3 mph of the best grows.
+    greatest : m/s by which the greatest exit speed grows.
+    expected : m/s by which the exit speed over this batter's contacts grows.
+    wood, law, contact : standard deviations of ``expected`` in m/s: from two pieces of wood, from how this batter's
+        swing depends on the bat, from where the ball is met.
+    by_weight : the part of ``wood`` that is left when the wood is chosen by weight.
+    curve : change of the exit speed at `FROM_TIP`, m/s.
+    noise : standard deviation of that change from two pieces of wood, m/s, shape of ``curve``.
+    time : s by which the time to contact grows.
+    """
+
+    shift: float
+    wider: float
+    greatest: float
+    expected: float
+    wood: float
+    law: float
+    contact: float
+    by_weight: float
+    curve: Array
+    noise: Array
+    time: float
+
+    @property
+    def doubt(self) -> float:
+        """Half of the 95 % interval of ``expected``, m/s."""
+        return float(TWO_SIDED_95 * np.sqrt(self.wood**2 + self.law**2 + self.contact**2))
+
+    @property
+    def seen(self) -> bool:
+        """Whether the batter could see the gain: it is beyond what wood, swing and contact scatter."""
+        return self.expected > self.doubt
+
+    @property
+    def turning_place(self) -> float | None:
+        """Where gain turns into loss, m from the tip: nearer the tip the present bat is better; None: nowhere."""
+        losing = np.flatnonzero(self.curve < 0)
+        if len(losing) == 0 or (losing[-1] == len(self.curve) - 1 and np.all(self.curve < 0)):
+            return None
+        outer = losing[losing < len(self.curve) / 2]
+        if len(outer) == 0:
+            return None
+        i = int(outer[-1])
+        if i + 1 >= len(self.curve) or self.curve[i + 1] < 0:
+            return None
+        part = self.curve[i] / (self.curve[i] - self.curve[i + 1])
+        return float(FROM_TIP[i] + part * (FROM_TIP[i + 1] - FROM_TIP[i]))
+
+    def at(self, from_tip: float) -> float:
+        """Return the change of exit speed at a place, m/s."""
+        return float(np.interp(from_tip, FROM_TIP, self.curve))
+
+
+def present_measured(bench: Bench) -> Measured:
+    """Return the batter's present bat, as it is described and not as the handles have it, on the same bench."""
+    present = bench.space.present
+    bats = reduced_lines([beam_model(present)], ball=bench.conditions.ball)
+    return bench.of_bats(bats, _sizes(bench), present.width_at(present.length - FROM_TIP)[None])
+
+
+def gain_of(bench: Bench, numbers: Array, design: Measured, now: Measured) -> Gain:
+    """Return what a design gains over the present bat, and how surely.
+
+    Parameters
+    ----------
+    numbers : of the design, shape (variables,).
+    design, now : both measured, one row each.
+    """
+    weight = bench.batter.weight
+    apart = design.worth[0] - now.worth[0]
+    expected = float(apart @ weight)
+    curves, chosen = _wood(bench, numbers)
+    law = _over_the_law(bench, numbers)
+    contact = [float(apart @ bench.batter.moved(way * bench.batter.doubt).weight) for way in (-1, 1)]
+    return Gain(
+        shift=float(design.values["best_from_tip"][0] - now.values["best_from_tip"][0]),
+        wider=float(design.values["zone"][0] - now.values["zone"][0]),
+        greatest=float(design.values["best"][0] - now.values["best"][0]),
+        expected=expected,
+        wood=float(np.sqrt(2) * np.sqrt(np.sum((curves @ weight) ** 2))),
+        law=law,
+        contact=abs(contact[1] - contact[0]) / 2,
+        by_weight=float(np.sqrt(2) * np.sqrt(np.sum((chosen @ weight) ** 2))),
+        curve=design.curve[0] - now.curve[0],
+        noise=np.sqrt(2 * np.sum(curves**2, axis=0)),
+        time=float(design.values["swing_time"][0] - now.values["swing_time"][0]),
+    )
+
+
+def _sizes(bench: Bench) -> dict[str, Array]:
+    """Return what a design's outline would say, of the present bat: as far as it is asked for again."""
+    present = bench.space.present
+    found = {"length": np.array([present.length])}
+    if isinstance(present, Bat):
+        wide = max(float(present.diameter_at(place)) for place in present.breakpoints())
+        grip = np.linspace(0.04 * present.length, 0.36 * present.length, 60)
+        found |= {
+            "diameter": np.array([wide]), "handle": np.array([float(present.diameter_at(grip).min())]),
+            "cup_depth": np.array([0.0 if present.cup is None else present.cup.depth]),
+        }  # fmt: skip
+    return found
+
+
+def _wood(bench: Bench, numbers: Array) -> tuple[Array, Array]:
+    """Return changes of the exit speed, one standard deviation of density and of moduli each, shape (2, places).
+
+    The second array is without what the weight would tell: the density as it was. Hollow bats and other implements
+    have none: their doubt is not wood's.
+    """
+    space = bench.space
+    none = np.zeros((2, len(FROM_TIP)))
+    if not isinstance(space, TurnedSpace):
+        return none, none
+    rows = np.tile(numbers, (4, 1))
+    density = [one.name for one in space.variables].index("density")
+    rows[:2, density] *= [1 + DENSITY_SPREAD, 1 - DENSITY_SPREAD]
+    stiffness = np.array([1.0, 1.0, 1 + MODULUS_SPREAD, 1 - MODULUS_SPREAD])
+    bats = reduced_outlines(space.outlines(rows, stiffness=stiffness), ball=bench.conditions.ball)
+    worth = _worth(bench, bats, rows)
+    changes = np.stack([(worth[0] - worth[1]) / 2, (worth[2] - worth[3]) / 2])
+    return changes, np.stack([np.zeros(len(FROM_TIP)), changes[1]])
+
+
+def _worth(bench: Bench, bats: ReducedBats, rows: Array) -> Array:
+    position = bats.bending.length[:, None] - FROM_TIP
+    return bench.of_bats(bats, bench.space.shapes(rows), bench.space.widths_at(rows, position)).worth
+
+
+def _over_the_law(bench: Bench, numbers: Array) -> float:
+    """Return the standard deviation of the expected gain, m/s, for batters whose swings depend otherwise on the bat."""
+    law = bench.batter.law
+    if law is None:
+        return 0.0
+    gains = []
+    for exponent in (law.exponents.low, law.exponents.high):
+        other = replace(bench, batter=replace(bench.batter, law=_with_exponent(law, exponent)))
+        design, now = other.measured(numbers), present_measured(other)
+        gains.append(float((design.worth[0] - now.worth[0]) @ bench.batter.weight))
+    return abs(gains[1] - gains[0]) / (2 * TWO_SIDED_95)
+
+
+def _with_exponent(law: SwingLaw, exponent: float) -> SwingLaw:
+    return replace(law, exponent=exponent)

@@ -1,0 +1,206 @@
+"""What a bat must keep: bands of weight and balance, a league's rules, what a lathe can turn; limits that quarrel."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+from scipy.optimize import minimize
+
+from sweetspot.analysis.certification.rules import League, applies
+from sweetspot.design.measures import MEASURES, Bench, weights_of
+from sweetspot.design.variables import ImplementSpace, TurnedSpace
+from sweetspot.dynamics.batch.beams import BeamRow, Beams
+from sweetspot.dynamics.batch.bending import mass_properties
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.equipment.bat import Bat
+from sweetspot.errors import InputError
+from sweetspot.numerics.arrays import Array
+
+STEEPEST = 0.16
+"""Greatest slope of the radius that is asked of a lathe without more ado (assumed; turned bats stay below 0.1)."""
+SHARPEST = 4.0
+"""Greatest bend of the outline in 1/m: a radius of 25 cm (assumed; the chisel's own is far smaller)."""
+INSIDE = 1.0
+"""Grains by which the bat that a search begins with stays inside its limits."""
+STARTS = 3
+
+
+@dataclass(frozen=True)
+class Limit:
+    """A measure with its ends.
+
+    Parameters
+    ----------
+    measure : key of `MEASURES`.
+    least, most : SI; None: none on that side.
+    why : who wants it: the batter, a league, the lathe.
+    """
+
+    measure: str
+    least: float | None
+    most: float | None
+    why: str
+
+    def __post_init__(self) -> None:
+        if self.measure not in MEASURES:
+            raise InputError(f"a limit on {self.measure!r} is not known; allowed are {', '.join(MEASURES)}")
+        if self.least is None and self.most is None:
+            raise InputError(f"a limit on {self.measure} has no end; give least, most or both")
+        if self.least is not None and self.most is not None and self.least > self.most:
+            raise InputError(
+                f"the limit on {MEASURES[self.measure].label} goes from {self.least:.4g} down to {self.most:.4g}; give "
+                "the smaller end first"
+            )
+
+    def excess(self, values: Array) -> Array:
+        """Return by how many grains values lie beyond the nearer end: above 0 where they do, shape (n,)."""
+        grain = MEASURES[self.measure].grain
+        below = -np.inf if self.least is None else (self.least - values) / grain
+        above = -np.inf if self.most is None else (values - self.most) / grain
+        return np.maximum(below, above) + 0 * values
+
+
+def league_limits(league: League, bat: Bat) -> tuple[Limit, ...]:
+    """Return the limits of a league that an outline, a weight or a pendulum decides, for bats like this one."""
+    kept = []
+    for rule in league.rules:
+        if applies(rule, bat) and rule.quantity in MEASURES and (rule.least is not None or rule.most is not None):
+            if rule.quantity == "cup_diameter":
+                continue  # the cup keeps its width
+            kept.append(Limit(rule.quantity, rule.least, rule.most, league.name))
+    return tuple(kept)
+
+
+def lathe_limits() -> tuple[Limit, ...]:
+    """Return what a lathe asks of an outline."""
+    return (
+        Limit("slope", None, STEEPEST, "the lathe"), Limit("bend", None, SHARPEST, "the lathe"),
+        Limit("waist", None, 2e-4, "the turner: one swelling"),
+    )  # fmt: skip
+
+
+def band(measure: str, value: float, *, part: float, why: str = "kept as it is") -> Limit:
+    """Return a limit around a value.
+
+    Parameters
+    ----------
+    part : half of the band's width as a part of the value.
+    """
+    return Limit(measure, value * (1 - part), value * (1 + part), why)
+
+
+def drawn_values(bench: Bench, numbers: Array) -> dict[str, Array]:
+    """Return the measures that need no hit, of many rows of numbers: quicker than `Bench.measured` by far."""
+    space = bench.space
+    numbers = np.atleast_2d(numbers)
+    beams: Beams
+    if isinstance(space, TurnedSpace):
+        beams = space.outlines(numbers)
+    else:
+        assert isinstance(space, ImplementSpace)
+        beams = BeamRow([beam_model(one) for one in space.all_made(numbers)])
+    return space.shapes(numbers) | weights_of(mass_properties(beams))
+
+
+def check_limits(bench: Bench, limits: Sequence[Limit]) -> Array:
+    """Return numbers of a bat that keeps every limit that a drawing decides, shape (variables,).
+
+    Raises
+    ------
+    InputError
+        when there is none: with the limit, or the two limits, that quarrel, and by how much they miss each other.
+    """
+    drawn = [limit for limit in limits if not MEASURES[limit.measure].needs_hits and limit.measure not in IN_PLAY]
+    found, miss = _nearest(bench, drawn)
+    if miss < INSIDE:
+        return found
+    for size in (1, 2):
+        worst: tuple[float, tuple[Limit, ...], Array] | None = None
+        for some in combinations(drawn, size):
+            nearest, gap = _nearest(bench, some)
+            if gap >= INSIDE and (worst is None or gap > worst[0]):
+                worst = gap, some, nearest
+        if worst is not None:
+            raise InputError(_quarrel(bench, worst[1], worst[2]))
+    raise InputError(
+        "no bat keeps all limits together, though every two of them go together; widen one of: "
+        + ", ".join(MEASURES[limit.measure].label for limit in drawn)
+    )
+
+
+IN_PLAY = ("bat_speed", "swing_time")
+
+
+def _nearest(bench: Bench, limits: Sequence[Limit]) -> tuple[Array, float]:
+    """Return the numbers that miss the limits by least, and their worst miss in grains (below `INSIDE`: none)."""
+    variables = bench.space.variables
+    low, high = (np.array([getattr(one, end) for one in variables]) for end in ("low", "high"))
+    width = high - low
+
+    def misses(parts: Array) -> Array:
+        values = drawn_values(bench, low + np.clip(parts, 0, 1) * width)
+        return np.array([limit.excess(values[limit.measure]) + INSIDE for limit in limits])
+
+    def total(parts: Array) -> tuple[float, Array]:
+        step = 1e-5
+        every = np.concatenate([parts[None], parts + step * np.eye(len(parts)), parts - step * np.eye(len(parts))])
+        badness = (np.maximum(misses(every), 0.0) ** 2).sum(axis=0)
+        count = len(parts)
+        return float(badness[0]), (badness[1 : count + 1] - badness[count + 1 :]) / (2 * step)
+
+    start = np.clip((bench.space.start - low) / width, 0.02, 0.98)
+    best, worst = start, float(misses(start[None]).max(initial=-np.inf))
+    generator = np.random.default_rng(1)
+    for number in range(STARTS):
+        if worst < INSIDE:
+            break
+        begin = start if number == 0 else generator.random(len(start))
+        done = minimize(
+            total, begin, jac=True, method="L-BFGS-B", bounds=[(0.0, 1.0)] * len(start), options={"maxiter": 200}
+        )
+        gap = float(misses(done.x[None]).max())
+        if gap < worst:
+            best, worst = done.x, gap
+    return low + best * width, worst
+
+
+def _quarrel(bench: Bench, limits: Sequence[Limit], numbers: Array) -> str:
+    """Return which limits cannot be kept, and what comes nearest."""
+    values = drawn_values(bench, numbers)
+    told = " and ".join(f"{MEASURES[limit.measure].label} {_band_words(limit)} ({limit.why})" for limit in limits)
+    near = " and ".join(_near_words(limit, values[limit.measure]) for limit in limits)
+    if len(limits) == 1:
+        return f"no bat here has a {told}; the nearest that can be is {near}. Widen it, or let more change"
+    return f"these two limits exclude each other: {told}. The nearest bat has {near}. Widen one of them"
+
+
+def _near_words(limit: Limit, value: Array) -> str:
+    """Return a value and by how much it misses a limit."""
+    miss = max(float(limit.excess(value)[0]), 0.0) * MEASURES[limit.measure].grain
+    near, gap = _number(float(value[0]), limit.measure), _number(miss, limit.measure)
+    return f"{MEASURES[limit.measure].label} {near}, which misses by {gap}"
+
+
+def _band_words(limit: Limit) -> str:
+    low, high = (None if end is None else _number(end, limit.measure) for end in (limit.least, limit.most))
+    if low is None:
+        return f"at most {high}"
+    if high is None:
+        return f"at least {low}"
+    return f"from {low} to {high}"
+
+
+def _number(value: float, measure: str) -> str:
+    from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
+
+    scale = MEASURES[measure].scale
+    if scale in ("length", "place"):
+        return f"{value / INCH:.2f} in ({1e3 * value:.1f} mm)"
+    if scale == "mass":
+        return f"{value / OUNCE:.2f} oz ({1e3 * value:.0f} g)"
+    if scale == "moi":
+        return f"{value / OUNCE_INCH_SQUARED:,.0f} oz in² ({value:.4f} kg m²)"
+    return f"{value:.4g}"

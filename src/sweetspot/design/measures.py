@@ -1,0 +1,249 @@
+"""What is measured on every bat of a search: sizes and weights, and what it does for this batter."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from sweetspot.analysis.position_scan import STING_BAND
+from sweetspot.analysis.sweet_spot import ZONE_LOSS
+from sweetspot.collision.hits_of_bats import struck
+from sweetspot.collision.kernel import STEP
+from sweetspot.collision.time_step import contact_step
+from sweetspot.design.batter import FROM_TIP, OFFSETS, Batter
+from sweetspot.design.variables import Space
+from sweetspot.dynamics.batch.bending import BendingBatch
+from sweetspot.dynamics.batch.reduction import ReducedBats
+from sweetspot.equipment.bat import Bat
+from sweetspot.errors import InputError
+from sweetspot.motion.swing import Conditions
+from sweetspot.motion.swing_law import SwingLaw
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.units import INCH, OUNCE
+
+SWING_TIME = 0.15
+"""s from the start of a swing to contact, with the present bat (assumed; only differences of bats are asked for)."""
+SOFT_EDGE = 0.1
+"""m/s over which a place passes from outside the zone to inside, so that its width changes without steps."""
+FINE = np.linspace(FROM_TIP[0], FROM_TIP[-1], 241)
+
+
+@dataclass(frozen=True)
+class Measure:
+    """Something measured on a bat.
+
+    Parameters
+    ----------
+    label : for people.
+    scale : how it is shown.
+    better : 1: more is better; -1: less is; 0: neither.
+    grain : SI; differences below it do not matter to anybody, and limits are kept to it.
+    needs_hits : whether it takes a collision, not only a drawing.
+    """
+
+    label: str
+    scale: str
+    better: int
+    grain: float
+    needs_hits: bool = False
+
+
+MEASURES: Mapping[str, Measure] = {
+    "exit_speed": Measure("exit speed over this batter's contacts", "speed", 1, 0.02, True),
+    "best": Measure("greatest exit speed", "speed", 1, 0.02, True),
+    "best_from_tip": Measure("best place, from the tip", "place", 0, 0.001, True),
+    "zone": Measure("width of the zone within 3 mph of the best", "place", 1, 0.001, True),
+    "sting": Measure("vibration at the hands over these contacts", "vibration", -1, 0.02, True),
+    "bat_speed": Measure("bat speed", "speed", 0, 0.01),
+    "swing_time": Measure("time to contact", "contact", -1, 1e-4),
+    "mass": Measure("mass", "mass", 0, 0.0003),
+    "balance_point": Measure("balance point", "length", 0, 0.0005),
+    "moi": Measure("moment of inertia about 6 in", "moi", 0, 0.0003),
+    "length": Measure("length", "length", 0, 1e-5),
+    "diameter": Measure("greatest diameter", "length", 0, 1e-5),
+    "handle": Measure("smallest diameter of the grip", "length", 0, 1e-5),
+    "cup_depth": Measure("depth of the cup", "length", 0, 1e-5),
+    "cup_diameter": Measure("width of the cup", "length", 0, 1e-5),
+    "slope": Measure("steepest slope of the outline", "ratio", 0, 1e-3),
+    "bend": Measure("sharpest bend of the outline, per metre", "ratio", 0, 1e-2),
+    "waist": Measure("waist between two swellings", "length", 0, 1e-4),
+    "drop": Measure("drop: inches less ounces", "ratio", 0, 0.005),
+    "frequency": Measure("first bending frequency", "frequency", 0, 0.5, True),
+}
+
+
+@dataclass(frozen=True)
+class Measured:
+    """Many bats, measured.
+
+    Parameters
+    ----------
+    values : by measure, shape (n,).
+    curve : exit speed in m/s at `FROM_TIP` for a ball met in the middle, shape (n, places).
+    worth : the same with this batter's scatter above and below the axis, shape (n, places).
+    """
+
+    values: Mapping[str, Array]
+    curve: Array
+    worth: Array
+
+    def __len__(self) -> int:
+        return len(self.curve)
+
+
+@dataclass(frozen=True)
+class Bench:
+    """Everything that stays the same while bats change: batter, ball, hands, and what an off-centre hit keeps.
+
+    Parameters
+    ----------
+    space : the bats that can be.
+    batter : whom they are for.
+    conditions : of a hit with the present bat.
+    moi_now : kg m^2 of the present bat about the swing law's axis.
+    sine, kept : sine of the line of centres' angle, and the part of the exit speed that is left.
+    """
+
+    space: Space
+    batter: Batter
+    conditions: Conditions
+    moi_now: float
+    sine: Array
+    kept: Array
+    step: float = STEP
+
+    def measured(self, numbers: Array) -> Measured:
+        """Return everything about the bats of many rows of numbers, shape (n, variables)."""
+        numbers = np.atleast_2d(numbers)
+        shapes = self.space.shapes(numbers)
+        bats = self.space.reduced(numbers, ball=self.conditions.ball)
+        position = bats.bending.length[:, None] - FROM_TIP
+        return self.of_bats(bats, shapes, self.space.widths_at(numbers, position))
+
+    def of_bats(self, bats: ReducedBats, shapes: Mapping[str, Array], widths: Array) -> Measured:
+        """Return everything about bats that are reduced already.
+
+        Parameters
+        ----------
+        shapes : what their outlines say.
+        widths : their diameters at `FROM_TIP`, m, shape (n, places).
+        """
+        ball, pitch = self.conditions.ball, self.batter.pitch_speed
+        bending, pivot = bats.bending, self.conditions.swing.pivot
+        position = bending.length[:, None] - FROM_TIP
+        ratio = self.speed_ratio(bats)
+        arm = self.space.present.length - self.batter.speed_from_tip - pivot
+        turning = ratio * self.batter.bat_speed / arm
+        speed = turning[:, None] * (position - pivot)
+        done = struck(bats, ball=ball, position=position, closing_speed=pitch + speed, step=self.step, keep_motion=True)
+        efficiency = np.where(np.isfinite(done.collision_efficiency), done.collision_efficiency, -1.0)
+        curve = efficiency * pitch + (1 + efficiency) * speed
+        worth = np.maximum(curve, 0.0) * self.kept_of(widths)
+        best, place = _tops(curve)
+        fine = _interpolated(curve)
+        inside = np.clip((fine - (best - ZONE_LOSS)[:, None]) / SOFT_EDGE + 0.5, 0.0, 1.0)
+        values = dict(shapes) | {
+            "exit_speed": worth @ self.batter.weight,
+            "best": best,
+            "best_from_tip": place,
+            "zone": inside.mean(axis=1) * (FINE[-1] - FINE[0]),
+            "sting": self._sting(bats, done.displacement, done.velocity) @ self.batter.weight,
+            "bat_speed": turning * (bending.length - self.batter.speed_from_tip - pivot),
+            "swing_time": SWING_TIME / ratio,
+            **weights_of(bending),
+        }
+        return Measured(values, curve, worth)
+
+    def speed_ratio(self, bats: ReducedBats, exponent: float | None = None) -> Array:
+        """Return angular speed over that with the present bat, shape (n,)."""
+        law = self.batter.law
+        if law is None:
+            return np.ones(len(bats))
+        moi = bats.bending.moi(self.space.present.choke + law.axis)
+        return speed_ratios(law, moi, self.moi_now, exponent)
+
+    def kept_of(self, widths: Array) -> Array:
+        """Return the part of the exit speed that this batter's scatter about the axis leaves, of the widths' shape."""
+        offset = self.batter.offset + OFFSETS * self.batter.offset_spread
+        weight = np.exp(-(OFFSETS**2) / 2)
+        reach = self.conditions.ball.radius + widths / 2
+        sine = np.abs(offset) / reach[..., None]
+        left = np.interp(sine, self.sine, self.kept, right=0.0)
+        return np.asarray(left @ (weight / weight.sum()))
+
+    def _sting(self, bats: ReducedBats, displacement: Array, velocity: Array) -> Array:
+        """Return the vibration at the hands, m/s of shape (n, places); see `position_scan.sting`."""
+        low, high = STING_BAND
+        omega = bats.angular_frequency
+        felt = (omega >= 2 * np.pi * low) & (omega <= 2 * np.pi * high)
+        amplitude = velocity**2 + (omega[:, None, :] * displacement) ** 2
+        hands = np.tile(np.array(self.conditions.hands.places), (len(bats), 1))
+        shapes = (bats.shapes_at(hands) ** 2).mean(axis=1) * felt
+        return np.asarray(np.sqrt(np.einsum("npm,nm->np", amplitude, shapes) / 2))
+
+
+def weights_of(bending: BendingBatch) -> dict[str, Array]:
+    """Return what scales, a pendulum and a tap say of many bats, by measure."""
+    found = {
+        "mass": bending.mass,
+        "balance_point": bending.balance_point,
+        "moi": bending.moi(STANDARD_AXIS),
+        "drop": bending.length / INCH - bending.mass / OUNCE,
+    }
+    return found | ({"frequency": bending.frequency[:, 0]} if bending.omega.shape[1] else {})
+
+
+def speed_ratios(law: SwingLaw, moi: Array, reference: float, exponent: float | None = None) -> Array:
+    """Return angular speeds over that with the reference's moment of inertia (kg m^2), of the shape of ``moi``."""
+    return np.array([law.speed_ratio(float(one), reference_moi=reference, exponent=exponent) for one in moi])
+
+
+def bench_of(space: Space, batter: Batter, conditions: Conditions) -> Bench:
+    """Return the bench on which the bats of a space are measured for a batter.
+
+    Parameters
+    ----------
+    conditions : of a hit with the present bat.
+    """
+    from sweetspot.design.off_centre import off_centre
+    from sweetspot.dynamics.beam import beam_model
+    from sweetspot.dynamics.rigid import rigid_body
+
+    present = space.present
+    line = beam_model(present)
+    body = rigid_body(line)
+    if body.mass <= conditions.ball.mass:
+        raise InputError(f"{present.name} weighs {body.mass:.4g} kg, no more than the ball; give a heavier one")
+    axis = present.choke + (0.0 if batter.law is None else batter.law.axis)
+    sine, kept = off_centre(present, conditions.ball, batter) if isinstance(present, Bat) else (
+        np.array([0.0, 1.0]), np.array([1.0, 1.0])
+    )  # fmt: skip
+    step = STEP
+    if present.face is not None or (isinstance(present, Bat) and present.shell is not None):
+        from sweetspot.dynamics.batch.reduction import reduced_lines
+
+        step = contact_step(reduced_lines([line], ball=conditions.ball).modes(0), conditions.ball, longest=STEP)
+    return Bench(space, batter, conditions, body.moi(axis), sine, kept, step)
+
+
+def _tops(curve: Array) -> tuple[Array, Array]:
+    """Return the top of every curve over `FROM_TIP` by a parabola through three points, and where it lies."""
+    index = np.clip(np.argmax(curve, axis=1), 1, curve.shape[1] - 2)
+    rows = np.arange(len(curve))
+    before, here, after = (curve[rows, index + shift] for shift in (-1, 0, 1))
+    bend = before - 2 * here + after
+    shift = np.where(bend < 0, 0.5 * (before - after) / np.where(bend < 0, bend, -1.0), 0.0)
+    shift = np.clip(shift, -1, 1)
+    step = FROM_TIP[1] - FROM_TIP[0]
+    return here - 0.25 * (before - after) * shift, FROM_TIP[index] + shift * step
+
+
+def _interpolated(curve: Array) -> Array:
+    """Return curves over `FROM_TIP` at `FINE`, straight lines between."""
+    at = (FINE - FROM_TIP[0]) / (FROM_TIP[1] - FROM_TIP[0])
+    low = np.minimum(at.astype(int), len(FROM_TIP) - 2)
+    part = at - low
+    return np.asarray(curve[:, low] * (1 - part) + curve[:, low + 1] * part)

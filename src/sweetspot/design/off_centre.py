@@ -1,0 +1,48 @@
+"""What a hit above or below the axis keeps of the exit speed, by the angle of the line of centres.
+
+That angle alone counts, sin = offset / (radius of ball + radius of barrel): a barrel that is thinner where the ball is
+met is a little harder to hit well, and that is all that its width does here.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from sweetspot.collision.hit_in_space import Contact, strikes
+from sweetspot.design.batter import Batter
+from sweetspot.dynamics.reduction import reduced_bat
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.bat import Bat
+from sweetspot.motion.ball_motion import BallMotions
+from sweetspot.motion.swing_path import Swings, path_axes
+from sweetspot.numerics.arrays import Array
+from sweetspot.units import DEGREE
+
+ATTACK, TILT, DESCENT = 9 * DEGREE, 35 * DEGREE, 6 * DEGREE
+"""Usual attack angle and tilt of the swing and descent of the pitch; the part kept hardly depends on them (assumed)."""
+SINES = np.linspace(0.0, 0.97, 33)
+
+
+def off_centre(bat: Bat, ball: Ball, batter: Batter) -> tuple[Array, Array]:
+    """Return sines of the line of centres' angle, and the part of the head-on exit speed that is left at each.
+
+    Parameters
+    ----------
+    bat : the present one, met at this batter's mean place.
+    """
+    place = bat.length - batter.mean_contact
+    reach = ball.radius + float(bat.diameter_at(place)) / 2
+    both = np.concatenate([SINES, -SINES])
+    axes = path_axes(ATTACK, 0.0, tilt=TILT, left=False)
+    pitch = max(batter.pitch_speed, 1e-6) * np.array([0.0, -math.cos(DESCENT), -math.sin(DESCENT)])
+    speed = batter.bat_speed
+    done = strikes(
+        reduced_bat(bat, ball=ball), ball=ball, swings=Swings(speed, axes),
+        pitches=BallMotions(velocity=pitch, spin=np.zeros(3)),
+        contact=Contact(place, both * reach),
+    )  # fmt: skip
+    left = np.asarray(done.exit_speed).reshape(2, len(SINES))
+    left = np.where(np.isfinite(left), left, 0.0).mean(axis=0)
+    return SINES, left / left[0]

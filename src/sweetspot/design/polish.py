@@ -1,0 +1,111 @@
+"""One bat made as good as it can be in one want, from a good one: SLSQP with differences of many bats at once."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import suppress
+from typing import Any
+
+import numpy as np
+from scipy.optimize import minimize
+
+from sweetspot.design.limits import Limit
+from sweetspot.design.measures import MEASURES, Bench, Measured
+from sweetspot.design.search import Question
+from sweetspot.errors import InputError
+from sweetspot.numerics.arrays import Array
+
+STEP = 1e-4
+"""Part of a variable's range by which it is moved for a difference; half or twice of it changes slopes by 1e-3."""
+ROUNDS, LOOKS = 40, 70
+INSIDE = 0.5
+"""Grains by which a polished bat stays inside its limits, so that none is passed by rounding."""
+
+
+def polished(bench: Bench, question: Question, numbers: Array) -> tuple[Array, Measured]:
+    """Return the numbers of a bat near a given one that is best in the first want, and what it is and does.
+
+    It keeps every limit, and is never worse than the one that was given.
+
+    Parameters
+    ----------
+    numbers : of a bat that keeps every limit, shape (variables,).
+    """
+    low, high = _ends(bench)
+    begin = bench.measured(numbers)
+    want, sign = question.wants[0], MEASURES[question.wants[0]].better
+    size = 100 * MEASURES[want].grain
+    cached: dict[bytes, tuple[Measured, Array]] = {}
+    best = [(float(sign * begin.values[want][0]), numbers)]
+
+    def looked(parts: Array) -> tuple[Measured, Array]:
+        key = parts.tobytes()
+        if key not in cached:
+            if len(cached) == LOOKS:
+                raise StopIteration
+            here = low + np.clip(parts, 0, 1) * (high - low)
+            cached[key] = _with_slopes(bench, here, question.limits, want)
+            seen = cached[key][0]
+            if (_margins(question.limits, seen) <= 0.0).all():
+                best.append((float(sign * seen.values[want][0]), here))
+        return cached[key]
+
+    def value(parts: Array) -> float:
+        return float(-sign * looked(parts)[0].values[want][0] / size)
+
+    def slope(parts: Array) -> Array:
+        return np.asarray(-sign * looked(parts)[1][0] / size)
+
+    def kept(parts: Array) -> Array:
+        return -(_margins(question.limits, looked(parts)[0])[:, 0] + INSIDE) / 100
+
+    def kept_slope(parts: Array) -> Array:
+        return -looked(parts)[1][1:] / 100
+
+    limits: Any = [{"type": "ineq", "fun": kept, "jac": kept_slope}] if question.limits else []
+    start = (numbers - low) / (high - low)
+    with suppress(StopIteration):
+        minimize(
+            value, start, jac=slope, method="SLSQP", bounds=[(0.0, 1.0)] * len(start), constraints=limits,
+            options={"maxiter": ROUNDS, "ftol": 1e-5},
+        )  # fmt: skip
+    found = max(best, key=lambda one: one[0])[1]
+    return found, bench.measured(found)
+
+
+def gradient(bench: Bench, numbers: Array, measure: str, *, step: float = STEP) -> Array:
+    """Return the slope of a measure by every variable, SI, shape (variables,), from bats on either side.
+
+    Parameters
+    ----------
+    measure : key of `MEASURES`.
+    step : part of a variable's range.
+    """
+    if measure not in MEASURES:
+        raise InputError(f"{measure!r} is no measure; allowed are {', '.join(MEASURES)}")
+    low, high = _ends(bench)
+    moved = step * np.diag(high - low)
+    values = bench.measured(np.concatenate([numbers + moved, numbers - moved])).values[measure]
+    count = len(numbers)
+    return np.asarray((values[:count] - values[count:]) / (2 * step * (high - low)))
+
+
+def _with_slopes(bench: Bench, numbers: Array, limits: Sequence[Limit], want: str) -> tuple[Measured, Array]:
+    """Return a bat measured, and slopes of the want and of every limit's excess by the parts of the ranges."""
+    low, high = _ends(bench)
+    moved = STEP * np.diag(high - low)
+    count = len(numbers)
+    every = bench.measured(np.concatenate([numbers[None], numbers + moved, numbers - moved]))
+    rows = np.vstack([every.values[want][None], _margins(limits, every)]) if limits else every.values[want][None]
+    slopes = (rows[:, 1 : count + 1] - rows[:, count + 1 :]) / (2 * STEP)
+    first = Measured({name: value[:1] for name, value in every.values.items()}, every.curve[:1], every.worth[:1])
+    return first, slopes
+
+
+def _margins(limits: Sequence[Limit], measured: Measured) -> Array:
+    return np.array([limit.excess(measured.values[limit.measure]) for limit in limits]).reshape(len(limits), -1)
+
+
+def _ends(bench: Bench) -> tuple[Array, Array]:
+    variables = bench.space.variables
+    return np.array([one.low for one in variables]), np.array([one.high for one in variables])

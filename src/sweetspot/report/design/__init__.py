@@ -1,0 +1,1 @@
+"""Words, tables, pictures and files of designs."""

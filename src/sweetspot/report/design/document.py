@@ -1,0 +1,204 @@
+"""A design as a document: what it does for the batter, bats beside each other, the front, sizes for the maker."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from sweetspot.catalog.files.write import bat_toml
+from sweetspot.catalog.sports import sport
+from sweetspot.design.answer import Designed
+from sweetspot.design.batter import FROM_TIP
+from sweetspot.design.measures import MEASURES
+from sweetspot.design.search import saved
+from sweetspot.equipment.bat import Bat
+from sweetspot.report.design.sizes import drawing, sizes_table, tolerance_paragraph
+from sweetspot.report.design.words import effort_words, moved_words, warning_words, worth_words
+from sweetspot.report.document import Bullets, Cell, Column, Document, Paragraph, Picture, Table
+from sweetspot.report.json_shapes import cleaned
+from sweetspot.report.quantities import SCALES, Reader, reader
+from sweetspot.report.sentences import Slot, Words, read, say
+
+BESIDE = ("exit_speed", "best", "best_from_tip", "zone", "sting", "bat_speed", "swing_time", "mass", "balance_point",
+          "moi", "diameter", "handle", "cup_depth", "frequency")  # fmt: skip
+ON_FRONT = ("best_from_tip", "mass", "moi", "diameter")
+MOST_ROWS = 8
+FILES = "designed-bat"
+"""How the files for the maker begin."""
+
+
+def design_document(design: Designed, *, complete: bool = True) -> Document:
+    """Return a design as a document, with the bat's file and drawings going along.
+
+    Parameters
+    ----------
+    complete : whether the search ran to its end.
+    """
+    present = design.bench.space.present
+    words = [moved_words(design), worth_words(design), warning_words(design), effort_words(design)]
+    reading = reader(None, sport(present.sport).words)
+    picture = Picture(
+        "design", partial(_drawn, design),
+        label="The design's outline, its difference from the present bat, and the front.",
+        caption="Band: two bats of one shape, 95 %. Grey: where this batter meets the ball.",
+    )  # fmt: skip
+    notes: list[Words] = [_assumed(design)]
+    if not complete:
+        notes.append(
+            f"Stopped after {design.front.generation} of {design.question.generations} generations; the front is that "
+            "found by then."
+        )
+    bat = design.bat
+    details = [sizes_table(bat)] if isinstance(bat, Bat) else []
+    return Document(
+        name="design", title=bat.name, kind="Design", subtitle=_subtitle(design),
+        blocks=[
+            *map(Paragraph, words), picture, _beside(design), _front(design),
+            *([_rules(design)] if design.checks else []), *_limits(design), *tolerance_paragraph(design),
+            *(Paragraph(note, "note") for note in notes),
+        ],
+        data=design_json(design, [read(sentence, reading) for sentence in words]), rows=design_rows(design),
+        reader=reading, drawing=picture, details=details, attachments=_files(design),
+    )  # fmt: skip
+
+
+def _files(design: Designed) -> dict[str, Any]:
+    """Return the files that go along: the bat, its drawings, and the search to go on from."""
+    bat = design.bat
+    files: dict[str, Any] = {"search.json": lambda _: saved(design.bench, design.question, design.front).encode()}
+    if isinstance(bat, Bat):
+        files[f"{FILES}.toml"] = lambda _: bat_toml(bat).encode()
+        if bat.shell is None:
+            for ending in ("svg", "dxf", "csv"):
+                files[f"{FILES}.{ending}"] = partial(_drawing, bat, ending)
+    return files
+
+
+def _drawing(bat: Bat, ending: str, reading: Reader) -> bytes:
+    return drawing(bat, ending, reading)
+
+
+def _subtitle(design: Designed) -> str:
+    wants = " and ".join(MEASURES[want].label for want in design.question.wants)
+    return f"bat {design.picked + 1} of {len(design.front)} on the front of {wants}"
+
+
+def _assumed(design: Designed) -> Words:
+    batter = design.bench.batter
+    return say(
+        "Contacts {place} from the tip on average; {pitch} pitch, {bat} of bat speed with the present bat. The same "
+        "places from the tip and the same effort with every bat. The model's ball, wood and swing; no bat was turned.",
+        place=Slot(batter.mean_contact, "place"), pitch=Slot(batter.pitch_speed, "speed", 0),
+        bat=Slot(batter.bat_speed, "speed", 0),
+    )  # fmt: skip
+
+
+def _beside(design: Designed) -> Table:
+    rows: list[list[Cell]] = []
+    for name in BESIDE:
+        measure = MEASURES[name]
+        if name not in design.front.measured.values:
+            continue
+        value = design.value(name)
+        now = design.now.values.get(name)
+        before: Cell = None if now is None else Slot(float(now[0]), measure.scale)
+        change: Cell = None if now is None else Slot(value - float(now[0]), _changes(measure.scale), sign=True)
+        rows.append([measure.label, before, Slot(value, measure.scale), change])
+    columns = [Column(""), Column("present", right=True), Column("design", right=True), Column("change", right=True)]
+    return Table("Beside the present bat", columns, rows)
+
+
+def _changes(scale: str) -> str:
+    return {"speed": "speed_change", "place": "length"}.get(scale, scale)
+
+
+def _front(design: Designed) -> Table:
+    wants = design.question.wants
+    shown = [name for name in (*wants, *ON_FRONT) if name in design.front.measured.values]
+    count = len(design.front)
+    rows_shown = sorted({*np.linspace(0, count - 1, min(MOST_ROWS, count)).round().astype(int).tolist(), design.picked})
+    rows: list[list[Cell]] = [
+        [str(row + 1), *(float(design.front.measured.values[name][row]) for name in shown)] for row in rows_shown
+    ]
+    columns = [Column("bat")] + [Column(_short(name), MEASURES[name].scale) for name in shown]
+    return Table(f"The front: {count} bats, none better in everything (--pick N tells about another)", columns, rows)
+
+
+def _short(name: str) -> str:
+    return {
+        "exit_speed": "exit speed", "zone": "zone", "sting": "sting", "best": "greatest", "best_from_tip": "best place",
+        "swing_time": "time", "moi": "MOI 6in", "diameter": "thickest",
+    }.get(name, MEASURES[name].label)  # fmt: skip
+
+
+def _rules(design: Designed) -> Table:
+    from sweetspot.analysis.certification.rules import title
+
+    rows: list[list[Cell]] = [[title(check.rule), check.verdict.value, check.reason] for check in design.checks]
+    return Table("Rules", [Column("rule"), Column("verdict"), Column("why")], rows)
+
+
+def _limits(design: Designed) -> list[Bullets]:
+    told = []
+    for limit in design.question.limits:
+        scale = MEASURES[limit.measure].scale
+        low, high = (None if end is None else Slot(end, scale) for end in (limit.least, limit.most))
+        label = MEASURES[limit.measure].label
+        if low is not None and high is not None:
+            told.append(say("{label}: {low} to {high} ({why})", label=label, low=low.bare, high=high, why=limit.why))
+        else:
+            end, side = (low, "at least") if high is None else (high, "at most")
+            assert end is not None
+            told.append(say("{label}: {side} {end} ({why})", label=label, side=side, end=end, why=limit.why))
+    return [Bullets([say("Limits kept:"), *told])] if told else []
+
+
+def _drawn(design: Designed, reading: Reader) -> Any:
+    from sweetspot.report.design.picture import design_figure
+
+    return design_figure(design, reading)
+
+
+def design_json(design: Designed, words: list[str]) -> dict[str, Any]:
+    """Return everything about a design; SI, places from the tip where their names say so."""
+    gain, space = design.gain, design.bench.space
+    return cleaned({
+        "bat": design.bat.name,
+        "present": space.present.name,
+        "wants": design.question.wants,
+        "limits": [{"measure": one.measure, "least": one.least, "most": one.most, "why": one.why}
+                   for one in design.question.limits],
+        "seed": design.question.seed,
+        "generations": design.front.generation,
+        "picked": design.picked + 1,
+        "variables": {one.name: {"value": value, "present": one.start, "low": one.low, "high": one.high}
+                      for one, value in zip(space.variables, design.numbers.tolist(), strict=True)},
+        "measures": {_key(name): values[design.picked] for name, values in design.front.measured.values.items()},
+        "present_measures": {_key(name): values[0] for name, values in design.now.values.items()},
+        "gain": {
+            "shift_towards_hands_m": gain.shift, "zone_wider_m": gain.wider, "greatest_exit_speed_m_s": gain.greatest,
+            "expected_exit_speed_m_s": gain.expected, "half_interval_m_s": gain.doubt, "seen": gain.seen,
+            "from_wood_m_s": gain.wood, "from_wood_chosen_by_weight_m_s": gain.by_weight, "from_swing_m_s": gain.law,
+            "from_contact_m_s": gain.contact, "time_to_contact_s": gain.time,
+            "present_is_better_within_from_tip_m": gain.turning_place,
+        },
+        "difference": {"from_tip_m": FROM_TIP, "exit_speed_m_s": gain.curve, "wood_m_s": gain.noise},
+        "front": design_rows(design),
+        "rules": [{"quantity": check.rule.quantity, "verdict": check.verdict.value, "value": check.value}
+                  for check in design.checks],
+        "words": words,
+    })  # fmt: skip
+
+
+def design_rows(design: Designed) -> dict[str, Any]:
+    """Return the front as columns: every variable and every measure."""
+    names = [one.name for one in design.bench.space.variables]
+    columns: dict[str, Any] = {"bat": list(range(1, len(design.front) + 1))}
+    columns |= {_key(name): values.tolist() for name, values in design.front.measured.values.items()}
+    return columns | {name: design.front.numbers[:, index].tolist() for index, name in enumerate(names)}
+
+
+def _key(name: str) -> str:
+    return f"{name}{SCALES[MEASURES[name].scale].ending}"

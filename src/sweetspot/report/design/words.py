@@ -1,0 +1,126 @@
+"""A design in sentences: where the best place goes and how wide the zone is, then what it is worth, then who pays."""
+
+from __future__ import annotations
+
+from sweetspot.design.answer import Designed
+from sweetspot.design.gain import DENSITY_SPREAD, MODULUS_SPREAD, SHIPMENT, TOWARDS_END
+from sweetspot.report.sentences import Sentence, Slot, joined, say
+from sweetspot.units import INCH
+
+STILL = 0.02 * INCH
+"""m below which a place does not move for anybody."""
+
+
+def moved_words(design: Designed) -> Sentence:
+    """Return where the best place goes, how wide the zone is, and only then what the greatest exit speed does."""
+    gain = design.gain
+    if abs(gain.shift) < STILL:
+        place = say("The best place stays where it is")
+    else:
+        way = "towards the hands" if gain.shift > 0 else "towards the tip"
+        place = say("The best place moves {shift} {way}", shift=Slot(abs(gain.shift), "length"), way=way)
+    zone = say(
+        ", to {place} from the tip; the zone within 3 mph of the best is {width} wide, {wider} {more}.",
+        place=Slot(design.value("best_from_tip"), "place"), width=Slot(design.value("zone"), "place"),
+        wider=Slot(abs(gain.wider), "length"), more="wider" if gain.wider >= 0 else "narrower",
+    )  # fmt: skip
+    top = say(" The greatest exit speed changes by {change}.", change=Slot(gain.greatest, "speed_change", sign=True))
+    return place + zone + top
+
+
+def worth_words(design: Designed) -> Sentence:
+    """Return what the design is worth to this batter, beside what could hide it."""
+    gain, batter = design.gain, design.bench.batter
+    if gain.seen:
+        verdict = "a gain that you could see."
+    elif gain.expected + gain.doubt < 0:
+        verdict = "a loss."
+    else:
+        verdict = "no gain that you could see."
+    first = say(
+        "For contacts around {place} from the tip the ball leaves {gain} on average, give or take {doubt}: {verdict}",
+        place=Slot(batter.mean_contact, "place"), gain=_faster(gain.expected), doubt=Slot(gain.doubt, "speed_change"),
+        verdict=verdict,
+    )  # fmt: skip
+    return joined([first, _doubts(design)])
+
+
+def _faster(change: float) -> Sentence:
+    return say("{size} {way}", size=Slot(abs(change), "speed_change"), way="faster" if change >= 0 else "slower")
+
+
+def _doubts(design: Designed) -> Sentence:
+    gain = design.gain
+    parts = []
+    if gain.wood:
+        parts.append(
+            say(
+                "Two bats of one shape differ by {wood} (one standard deviation: density {density}, stiffness "
+                "{modulus}; {weighed} where the wood is chosen by weight), the best and worst of a shipment by up to "
+                "{shipment}.",
+                wood=Slot(gain.wood, "speed_change"), density=_spread(DENSITY_SPREAD), modulus=_spread(MODULUS_SPREAD),
+                weighed=Slot(gain.by_weight, "speed_change"), shipment=Slot(SHIPMENT, "speed", 0, round=True),
+            )
+        )  # fmt: skip
+    law = design.bench.batter.law
+    swing = (
+        say("How your swing depends on the bat adds {law}, ", law=Slot(gain.law, "speed_change"))
+        if law is not None
+        else say("Every bat is swung alike; ")
+    )
+    met = say(
+        "where you meet the ball, known to {doubt}, adds {contact}.", doubt=Slot(design.bench.batter.doubt, "place"),
+        contact=Slot(gain.contact, "speed_change"),
+    )  # fmt: skip
+    return joined([*parts, swing + met])
+
+
+def _spread(part: float) -> Sentence:
+    return say("± {part}", part=Slot(part, "share"))
+
+
+def warning_words(design: Designed) -> Sentence:
+    """Return who should not use the design, and what it costs there."""
+    gain = design.gain
+    near_end = gain.at(TOWARDS_END)
+    place = Slot(TOWARDS_END, "place", 0, round=True)
+    if gain.turning_place is None and near_end >= 0:
+        return say(
+            "Who should not use it: nobody by exit speed; {place} from the tip it still gains {gain}.", place=place,
+            gain=Slot(near_end, "speed_change"),
+        )  # fmt: skip
+    turning = (
+        say("Nearer the tip than {turning} the present bat is better", turning=Slot(gain.turning_place, "place"))
+        if gain.turning_place is not None
+        else say("Towards the tip the present bat is better")
+    )
+    return turning + say(
+        ": at {place} from the tip the design costs {cost}. Who meets the ball out there, or is late, should not use "
+        "it.",
+        place=place, cost=Slot(abs(near_end), "speed_change"),
+    )  # fmt: skip
+
+
+def effort_words(design: Designed) -> Sentence:
+    """Return what the design does to the swing."""
+    gain, law = design.gain, design.bench.batter.law
+    if law is None:
+        return say("All bats are swung at the same speed.")
+    low, high = sorted(_time(design, exponent) for exponent in (law.exponents.low, law.exponents.high))
+    return say(
+        "Time to contact changes by {time} ({low} to {high}) of {whole}, by the law of {law}.",
+        time=Slot(gain.time, "contact", 2, sign=True), low=Slot(low, "contact", 2, sign=True).bare,
+        high=Slot(high, "contact", 2, sign=True), whole=Slot(_swing_time(), "contact", 0), law=law.name,
+    )  # fmt: skip
+
+
+def _time(design: Designed, exponent: float) -> float:
+    law, own = design.bench.batter.law, design.value("swing_time") / _swing_time()
+    assert law is not None
+    return float(_swing_time() * (own ** (exponent / max(law.exponent, 1e-9)) - 1))
+
+
+def _swing_time() -> float:
+    from sweetspot.design.measures import SWING_TIME
+
+    return SWING_TIME

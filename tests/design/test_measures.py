@@ -1,0 +1,82 @@
+"""What is measured on a bat of a search is what everybody else computes of it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from sweetspot import analyse
+from sweetspot.design.batter import FROM_TIP
+from sweetspot.design.measures import Bench
+from sweetspot.design.outline_curve import HANDLES, STATIONS, stations, waist
+from sweetspot.design.variables import TurnedSpace
+from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.units import INCH
+
+
+def test_a_bat_of_the_search_is_the_bat_that_is_written(bench: Bench) -> None:
+    """The same weight, moments, modes and exit speeds as the full analysis of the bat it becomes."""
+    space = bench.space
+    assert isinstance(space, TurnedSpace)
+    low, high = (np.array([getattr(one, end) for one in space.variables]) for end in ("low", "high"))
+    numbers = np.clip(space.start + 0.2 * (high - low) * np.sin(np.arange(len(low))), low, high)
+    bat = space.made(numbers, "made")
+    alike = replace(bench, batter=replace(bench.batter, law=None))
+    measured = alike.measured(numbers)
+    analysis = analyse(bat, bench.conditions)
+    assert measured.values["mass"][0] == pytest.approx(analysis.body.mass, rel=1e-9)
+    assert measured.values["moi"][0] == pytest.approx(analysis.body.moi(STANDARD_AXIS), rel=1e-9)
+    assert measured.values["frequency"][0] == pytest.approx(analysis.free.frequency[2], rel=1e-9)
+    scan = analysis.scan
+    theirs = np.interp(bat.length - FROM_TIP, scan.position, scan.exit_speed)
+    assert np.allclose(measured.curve[0], theirs, atol=0.02)
+    assert measured.values["best"][0] == pytest.approx(float(scan.exit_speed.max()), abs=0.01)
+
+
+def test_a_cup_lowers_the_moment_of_inertia(bench: Bench) -> None:
+    numbers = np.tile(bench.space.start, (2, 1))
+    numbers[1, len(HANDLES)] = 0.9 * INCH
+    measured = bench.measured(numbers)
+    assert measured.values["moi"][1] < measured.values["moi"][0]
+    assert measured.values["mass"][1] < measured.values["mass"][0]
+
+
+def test_the_speed_of_swings_scatters_without_changing_what_is_best(bench: Bench) -> None:
+    """Exit speed is nearly straight in bat speed: its mean over 4 mph of scatter is that at the mean, to 0.01 m/s."""
+    speeds = bench.batter.bat_speed + 1.8 * np.array([-np.sqrt(3), 0.0, np.sqrt(3)])
+    mean = [
+        float(replace(bench, batter=replace(bench.batter, bat_speed=float(speed))).measured(bench.space.start)
+              .values["exit_speed"][0]) for speed in speeds
+    ]  # fmt: skip
+    assert np.array(mean) @ [1 / 6, 2 / 3, 1 / 6] == pytest.approx(mean[1], abs=0.01)
+
+
+def test_heavier_is_better_only_while_the_swing_does_not_mind(bench: Bench) -> None:
+    """With one speed for all bats the heaviest wood is best; with one energy for all there is a best weight between."""
+    law = bench.batter.law
+    assert law is not None
+    numbers = np.tile(bench.space.start, (9, 1))
+    numbers[:, -1] = np.linspace(0.35, 1.6, 9)
+    free = replace(bench, batter=replace(bench.batter, law=None)).measured(numbers).values["exit_speed"]
+    assert np.all(np.diff(free) > 0)
+    strict = replace(law, exponent=0.5, lightest_moi=0.01)
+    worth = replace(bench, batter=replace(bench.batter, law=strict)).measured(numbers).values["exit_speed"]
+    assert 0 < int(np.argmax(worth)) < 8
+
+
+def test_a_thinner_barrel_is_harder_to_hit_well(bench: Bench) -> None:
+    wide, narrow = bench.kept_of(np.array([[0.066], [0.050]]))
+    assert narrow < wide < 1
+
+
+def test_stations_follow_the_handles() -> None:
+    diameters = np.linspace(0.025, 0.066, len(HANDLES))[None]
+    place, size = stations(diameters, knob=np.array([0.05]), length=np.array([0.86]))
+    assert place.shape == size.shape == (1, len(STATIONS))
+    assert np.all(np.diff(place) > 0)
+    assert np.interp(HANDLES * 0.86, place[0], size[0]) == pytest.approx(diameters[0], rel=1e-12)
+    assert waist(diameters)[0] == 0
+    diameters[0, 7] = 0.04
+    assert waist(diameters)[0] == pytest.approx(diameters[0, 6] - 0.04)
