@@ -9,10 +9,10 @@ from sweetspot.analysis.certification.rules import Verdict
 from sweetspot.catalog.rules import league
 from sweetspot.design.answer import Designed, designed, told
 from sweetspot.design.batter import FROM_TIP
+from sweetspot.design.fronts import Question
 from sweetspot.design.gain import gain_of, present_measured
 from sweetspot.design.limits import Limit
 from sweetspot.design.measures import Bench
-from sweetspot.design.search import Question
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.report.design.document import design_document

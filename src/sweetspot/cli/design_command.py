@@ -73,8 +73,8 @@ def design(
     from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.output import present, progress
     from sweetspot.design.answer import designed, told
+    from sweetspot.design.fronts import Front, Question, resumed
     from sweetspot.design.measures import bench_of
-    from sweetspot.design.search import Front, Question, resumed
     from sweetspot.numerics.text_files import read_text
     from sweetspot.report.design.document import design_document
 
@@ -107,7 +107,7 @@ def design(
 
 
 def _so_far(front: object) -> str:
-    from sweetspot.design.search import Front
+    from sweetspot.design.fronts import Front
     from sweetspot.units import INCH, MPH
 
     assert isinstance(front, Front)

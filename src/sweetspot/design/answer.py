@@ -8,11 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from sweetspot.analysis.certification.rules import Check, League, check_rules, construction_findings
+from sweetspot.design.fronts import Front, Question, search
 from sweetspot.design.gain import Gain, gain_of, present_measured
 from sweetspot.design.limits import check_limits
 from sweetspot.design.measures import Bench, Measured
 from sweetspot.design.polish import polished
-from sweetspot.design.search import Front, Question, search
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat

@@ -208,7 +208,7 @@ def bench_of(space: Space, batter: Batter, conditions: Conditions) -> Bench:
     ----------
     conditions : of a hit with the present bat.
     """
-    from sweetspot.design.off_centre import off_centre
+    from sweetspot.design.off_centre_hits import off_centre
     from sweetspot.dynamics.beam import beam_model
     from sweetspot.dynamics.rigid import rigid_body
 

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from scipy.optimize import minimize
 
+from sweetspot.design.fronts import Question
 from sweetspot.design.limits import Limit
 from sweetspot.design.measures import MEASURES, Bench, Measured
-from sweetspot.design.search import Question
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 

@@ -11,8 +11,8 @@ from sweetspot.catalog.files.write import bat_toml
 from sweetspot.catalog.sports import sport
 from sweetspot.design.answer import Designed
 from sweetspot.design.batter import FROM_TIP
+from sweetspot.design.fronts import saved
 from sweetspot.design.measures import MEASURES
-from sweetspot.design.search import saved
 from sweetspot.equipment.bat import Bat
 from sweetspot.report.design.sizes import drawing, sizes_table, tolerance_paragraph
 from sweetspot.report.design.words import effort_words, moved_words, warning_words, worth_words

@@ -10,11 +10,11 @@ import pytest
 
 from sweetspot.design.answer import designed, starts_of
 from sweetspot.design.batter import FROM_TIP
+from sweetspot.design.fronts import Question, excesses, resumed, saved, search, wanted
 from sweetspot.design.limits import Limit
 from sweetspot.design.measures import Bench
 from sweetspot.design.outline_curve import HANDLES
 from sweetspot.design.polish import gradient, polished
-from sweetspot.design.search import Question, excesses, resumed, saved, search, wanted
 from sweetspot.errors import InputError
 from sweetspot.units import INCH, MPH
 from tests.design.conftest import met_at
