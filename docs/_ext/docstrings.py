@@ -76,7 +76,18 @@ def process(*event: Any) -> None:
     lines[:] = [line if ">>>" in line else linked(line.replace("|", r"\|"), keys) for line in converted(lines)]
 
 
+def named(*given: Any) -> tuple[str | None, str | None]:
+    """Return a signature in which the names of our arrays stand as they are written in the source."""
+    signature, returns = given[-2:]
+    return tuple(text and ALIAS.sub(r"\1", text) for text in (signature, returns))
+
+
+ALIAS = re.compile(r"TypeAliasForwardRef\('(\w+)'\)")
+"""What Sphinx makes of an alias beside a bar."""
+
+
 def setup(app: Sphinx) -> dict[str, Any]:
     """Listen to autodoc."""
     app.connect("autodoc-process-docstring", process)
+    app.connect("autodoc-process-signature", named)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

@@ -7,7 +7,7 @@ from .analysis.comparison import Comparison, compare
 from .analysis.full_play import play, plays
 from .catalog.bats import bat
 from .catalog.implements import implement
-from .catalog.standard_hit import standard_conditions
+from .catalog.standard_hit import standard_analysis, standard_conditions, standard_flight
 from .collision.coupled import hit
 from .collision.hit_in_space import Contact, strike, strikes
 from .collision.impact import Impact
@@ -27,8 +27,9 @@ from .errors import InputError, SweetspotError
 from .flight.air import Air, Wind
 from .flight.all_parks import landings_everywhere
 from .flight.conditions import FlightConditions
+from .flight.flying import fly
 from .flight.kernel import flights
-from .flight.trajectory import Flight, fly
+from .flight.trajectory import Flight
 from .motion.ball_motion import BallMotion, BallMotions, launched
 from .motion.swing import Conditions, Hands, Pitch, Swing
 from .motion.swing_path import SwingPath, Swings
@@ -90,7 +91,9 @@ __all__ = [
     "play",
     "plays",
     "rigid_body",
+    "standard_analysis",
     "standard_conditions",
+    "standard_flight",
     "strike",
     "strikes",
 ]

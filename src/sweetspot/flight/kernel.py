@@ -56,6 +56,10 @@ class Flights:
     def __len__(self) -> int:
         return len(self.outcome)
 
+    def __repr__(self) -> str:
+        """Return how many there are and how many landed, short."""
+        return f"<{len(self)} flights, {int(self.landed.sum())} landed>"
+
     @property
     def landed(self) -> NDArray[np.bool_]:
         """Which flights came down, shape (n,)."""

@@ -20,6 +20,7 @@ from sweetspot.motion.ball_motion import BallMotion
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_GRAVITY
 from sweetspot.numerics.hermite_cubic import first_crossing, on_cubic, turn_on_cubic
+from sweetspot.numerics.notebook_display import ShownInNotebooks
 
 STEP = 0.05
 """s, the longest step; carries of baseballs are then well within 0.001 ft of the converged ones."""
@@ -51,7 +52,7 @@ class FlightOutcome(IntEnum):
 
 
 @dataclass(frozen=True)
-class Flight:
+class Flight(ShownInNotebooks):
     """One flight.
 
     Parameters
@@ -76,6 +77,10 @@ class Flight:
     positions: Array
     velocities: Array
     spin_left: Array
+
+    def __repr__(self) -> str:
+        """Return how it ended, short."""
+        return f"<Flight {self.outcome.name.lower()}: carry {self.carry:.4g} m in {self.hang_time:.3g} s>"
 
     @property
     def bearing(self) -> float:
@@ -131,7 +136,7 @@ def fly(
     InputError
         for a start below the ground.
 
-    >>> from sweetspot.equipment.ball import RestitutionLaw
+    >>> from sweetspot.equipment.ball import Ball, RestitutionLaw
     >>> from sweetspot.flight.aerodynamics import Aerodynamics
     >>> from sweetspot.flight.air import VACUUM
     >>> from sweetspot.motion.ball_motion import launched

@@ -8,14 +8,16 @@ catcher sees it, y to centre field, z up.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
-from sweetspot.units import check_angle
+from sweetspot.units import check_angles
 
 
 @dataclass(frozen=True)
@@ -92,25 +94,37 @@ class BallMotions:
     position: ArrayLike = (0.0, 0.6, 0.9)
 
 
+@overload
+def launched(
+    *, speed: float, launch_angle: float, spray: float = 0.0, backspin: float = 0.0, sidespin: float = 0.0,
+    gyrospin: float = 0.0, position: ArrayLike = (0.0, 0.0, 0.0),
+) -> BallMotion: ...  # fmt: skip
+@overload
+def launched(
+    *, speed: ArrayLike, launch_angle: ArrayLike, spray: ArrayLike = 0.0, backspin: ArrayLike = 0.0,
+    sidespin: ArrayLike = 0.0, gyrospin: ArrayLike = 0.0, position: ArrayLike = (0.0, 0.0, 0.0),
+) -> BallMotion | BallMotions: ...  # fmt: skip
+
+
 def launched(
     *,
-    speed: float,
-    launch_angle: float,
-    spray: float = 0.0,
-    backspin: float = 0.0,
-    sidespin: float = 0.0,
-    gyrospin: float = 0.0,
+    speed: ArrayLike,
+    launch_angle: ArrayLike,
+    spray: ArrayLike = 0.0,
+    backspin: ArrayLike = 0.0,
+    sidespin: ArrayLike = 0.0,
+    gyrospin: ArrayLike = 0.0,
     position: ArrayLike = (0.0, 0.0, 0.0),
-) -> BallMotion:
-    """Return the ball that starts so.
+) -> BallMotion | BallMotions:
+    """Return the ball that starts so, or many balls where any of the numbers is an array.
 
     Parameters
     ----------
-    speed : m/s, >= 0.
+    speed : m/s, >= 0; one number or shape (n,), as every angle and spin.
     launch_angle : rad, elevation.
     spray : rad from centre field, positive to right field.
     backspin, sidespin, gyrospin : rad/s; see the properties of `BallMotion`.
-    position : m, shape (3,), where it starts: to the right, in front of the plate's tip, and above the ground.
+    position : m, shape (3,) or (n, 3), where it starts: to the right, in front of the plate's tip, above the ground.
 
     Raises
     ------
@@ -120,14 +134,31 @@ def launched(
     >>> ball = launched(speed=46.0, launch_angle=0.48, spray=-0.2, backspin=260.0, sidespin=-50.0, position=(0, 0, 1))
     >>> round(ball.speed, 9), round(ball.spray, 9), round(ball.backspin, 9), round(ball.sidespin, 9)
     (46.0, -0.2, 260.0, -50.0)
+    >>> launched(speed=[40.0, 46.0], launch_angle=0.48, position=(0, 0, 1)).velocity.shape
+    (2, 3)
     """
-    check_angle(launch_angle, "launch_angle")
-    check_angle(spray, "spray")
+    check_angles(launch_angle, "launch_angle")
+    check_angles(spray, "spray")
+    given = [np.asarray(value, float) for value in (speed, launch_angle, spray, backspin, sidespin, gyrospin)]
+    if any(value.ndim for value in given) or np.ndim(position) > 1:
+        return _many_launched(np.broadcast_arrays(*map(np.atleast_1d, given)), position)
+    speed, launch_angle, spray, backspin, sidespin, gyrospin = map(float, given)
     axes = spin_axes(launch_angle, spray)
     return BallMotion(
         position=np.asarray(position, float),
         velocity=speed * axes[2],
         spin=backspin * axes[0] + sidespin * axes[1] + gyrospin * axes[2],
+    )
+
+
+def _many_launched(given: Sequence[Array], position: ArrayLike) -> BallMotions:
+    """Return many balls from speeds, angles and spins of equal shapes (n,)."""
+    speed, launch_angle, spray, *spins = given
+    axes = spin_axes(launch_angle, spray)
+    return BallMotions(
+        velocity=speed[:, None] * axes[2],
+        spin=sum((rate[:, None] * axis for rate, axis in zip(spins, axes, strict=True)), np.zeros((len(speed), 3))),
+        position=np.asarray(position, float),
     )
 
 

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from sweetspot.errors import InputError
 from sweetspot.report.document import Document
 from sweetspot.report.html import fragment
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 
 def html_of(answer: Any) -> str:
@@ -19,6 +23,20 @@ def html_of(answer: Any) -> str:
     """
     document = document_of(answer)
     return fragment(document, document.reader)
+
+
+def figure_of(answer: Any) -> Figure:
+    """Return the picture of an answer of the package, in the units of its sport.
+
+    Raises
+    ------
+    InputError
+        for an answer that has none.
+    """
+    document = document_of(answer)
+    if document.drawing is None:
+        raise InputError(f"a {type(answer).__name__} has no picture; print it, or plot its fields")
+    return document.drawing.draw(document.reader)
 
 
 def document_of(answer: Any) -> Document:

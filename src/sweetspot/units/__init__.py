@@ -12,7 +12,16 @@ from sweetspot.units.sizes import (
     RPM,
 )
 from sweetspot.units.text import NUMBER, SI, Kind, parse, parse_position, shown
-from sweetspot.units.usual import USUAL, check_angle, check_place, check_usual, insisted, insisting, is_usual
+from sweetspot.units.usual import (
+    USUAL,
+    check_angle,
+    check_angles,
+    check_place,
+    check_usual,
+    insisted,
+    insisting,
+    is_usual,
+)
 
 __all__ = [
     "DEGREE",
@@ -29,6 +38,7 @@ __all__ = [
     "USUAL",
     "Kind",
     "check_angle",
+    "check_angles",
     "check_place",
     "check_usual",
     "insisted",

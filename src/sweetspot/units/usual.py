@@ -207,6 +207,25 @@ def _farthest(places: Any) -> float:
     return float(known[np.abs(known).argmax()]) if known.size else 0.0
 
 
+def check_angles(values: Any, what: str) -> None:
+    """Refuse an angle, or one of many, that is none in radians.
+
+    >>> check_angles([0.4, 28], "launch_angle")
+    Traceback (most recent call last):
+    ...
+    sweetspot.errors.InputError: launch_angle is 28 rad; angles are in radians: write math.radians(28)
+    """
+    if isinstance(values, (float, int)):
+        check_angle(values, what)
+        return
+    import numpy as np
+
+    found = np.ravel(np.asarray(values, float))
+    wrong = found[~(np.abs(found) <= math.tau)]
+    if len(wrong):
+        check_angle(float(wrong[0]), what)
+
+
 def check_angle(value: float, what: str) -> None:
     """Refuse an angle that is none in radians.
 

@@ -1,0 +1,44 @@
+"""One ball or many flown to the ground by one call."""
+
+from __future__ import annotations
+
+from typing import overload
+
+from sweetspot.flight.conditions import FlightConditions
+from sweetspot.flight.kernel import Flights, flights
+from sweetspot.flight.trajectory import Flight
+from sweetspot.flight.trajectory import fly as fly_one
+from sweetspot.motion.ball_motion import BallMotion, BallMotions
+
+
+@overload
+def fly(motion: BallMotion, conditions: FlightConditions, *, step: float | None = None) -> Flight: ...
+@overload
+def fly(motion: BallMotions, conditions: FlightConditions, *, step: float | None = None) -> Flights: ...
+
+
+def fly(
+    motion: BallMotion | BallMotions, conditions: FlightConditions, *, step: float | None = None
+) -> Flight | Flights:
+    """Return the flight of a ball to the ground, or those of many balls, each with its own outcome.
+
+    Parameters
+    ----------
+    motion : one ball as it leaves the bat, or many of them, as `launched` gives either.
+    conditions : ball, drag law, air and wind.
+    step : s, > 0; None: the usual one of a single flight or of many.
+
+    Raises
+    ------
+    InputError
+        for a start below the ground.
+
+    See Also
+    --------
+    sweetspot.flight.trajectory.fly : the method.
+    sweetspot.flight.kernel.flights : many flights, with their paths where they are wanted.
+    """
+    chosen = {} if step is None else {"step": step}
+    if isinstance(motion, BallMotions):
+        return flights(motion, conditions, **chosen)
+    return fly_one(motion, conditions, **chosen)
