@@ -38,6 +38,12 @@ def season(
     resume: Annotated[
         bool, Parameter(negative="", help="Keep answers that are in --out already and of the same plan.")
     ] = False,
+    workers: Annotated[
+        int, Parameter(help="Processes that share the work (needs Dask, sweetspot[cluster]); 0: this one alone.")
+    ] = 0,
+    scheduler: Annotated[
+        str | None, Parameter(help="A running Dask scheduler, tcp://HOST:8786, whose workers see the same folders.")
+    ] = None,
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Tell every ball in play of tables of any size: where on the bat it was hit, how far it carries, who did what."""
@@ -50,32 +56,44 @@ def season(
         raise InputError("--resume needs --out, the folder that holds the answers so far")
     if bat is not None and bats is not None:
         raise InputError("--bat and --bats were both given; put the bat of all others into the table, without a batter")
+    if (workers or scheduler) and output.out is None:
+        raise InputError("--workers and --scheduler need --out, the folder that all of them write to")
+    if workers < 0:
+        raise InputError(f"--workers was given as {workers}; allowed is 0 (this process alone) and up")
+    names = _bats(bat, bats)
+
+    def computed(folder: Path) -> Season:
+        from functools import partial
+
+        from sweetspot.cli.output import patience, progress
+        from sweetspot.flight.air import Air
+        from sweetspot.season.cluster import run_on_cluster
+        from sweetspot.season.season_table import analyse_season, season_setting
+        from sweetspot.units import parse
+
+        with patience():
+            setting = season_setting(
+                bats=names, others=try_bat or (), contact=not flight_only, system=output.units or "us",
+                air=Air(temperature=parse(temperature, "temperature", "--temperature")),
+            )  # fmt: skip
+        run = partial(run_on_cluster, workers=workers, scheduler=scheduler)
+        with progress("season") as report:
+            return analyse_season(
+                files, setting=setting, folder=folder, given=given, resume=resume, run=run, progress=report
+            )
+
     if output.out is not None:
-        return _answered(_computed(files, output.out, given, bat, bats, try_bat, temperature, flight_only, resume,
-                                   output.units or "us"), output)  # fmt: skip
+        return _answered(computed(output.out), output)
     with temporary_folder() as folder:
-        return _answered(_computed(files, Path(folder), given, bat, bats, try_bat, temperature, flight_only, False,
-                                   output.units or "us"), output)  # fmt: skip
+        return _answered(computed(Path(folder)), output)
 
 
-def _computed(
-    files: list[Path], folder: Path, given: dict[str, str], bat: str | None, bats: Path | None,
-    others: list[str] | None, temperature: str, flight_only: bool, resume: bool, system: str,
-) -> Season:  # fmt: skip
-    from sweetspot.cli.output import patience, progress
-    from sweetspot.flight.air import Air
+def _bats(bat: str | None, bats: Path | None) -> dict[str, str] | None:
     from sweetspot.season.bat_table import read_bats
-    from sweetspot.season.season_table import analyse_season, season_setting
-    from sweetspot.units import parse
 
-    names = read_bats(bats) if bats is not None else None if bat is None else {"": bat}
-    with patience():
-        setting = season_setting(
-            bats=names, others=others or (), air=Air(temperature=parse(temperature, "temperature", "--temperature")),
-            contact=not flight_only, system="si" if system == "si" else "us",
-        )  # fmt: skip
-    with progress("season") as report:
-        return analyse_season(files, setting=setting, folder=folder, given=given, resume=resume, progress=report)
+    if bats is not None:
+        return read_bats(bats)
+    return None if bat is None else {"": bat}
 
 
 def _answered(season: Season, output: OutputOptions) -> int:

@@ -226,7 +226,7 @@ def _above(balls: Balls, plane: InPlane, ceiling: Array, setting: ContactSetting
     from scipy.special import ndtr
 
     coming = np.hypot(plane.ahead, plane.up)
-    per_speed = (ceiling + coming) / (plane.bat_speed + coming)
+    per_speed = (ceiling + coming) / np.maximum(plane.bat_speed + coming, 1.0)
     parts = (setting.errors.exit_speed, plane.speed_error, per_speed * setting.errors.bat_speed,
              setting.relation.noises(speed_term(balls)))  # fmt: skip
     spread = np.sqrt(sum(np.square(part) for part in parts))
@@ -270,8 +270,9 @@ def measures(balls: Balls, found: Contacts) -> dict[str, Array]:
     ----------
     found : contacts of the balls.
     """
-    with np.errstate(invalid="ignore"):
-        ratio, league = balls.exit_speed / found.ceiling, balls.exit_speed / found.league_ceiling
+    with np.errstate(invalid="ignore", divide="ignore"):
+        ratio = balls.exit_speed / found.ceiling
+        league = np.where(np.isnan(ratio), np.nan, balls.exit_speed / found.league_ceiling)
         blast = 100 * league + balls.bat_speed / MPH >= BLAST
         known = np.isfinite(league)
         return {

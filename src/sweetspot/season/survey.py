@@ -14,6 +14,8 @@ from numpy.typing import NDArray
 
 from sweetspot.errors import InputError
 from sweetspot.season.balls import FIRST_MIDDLE_SEASON
+from sweetspot.season.fields import home_park
+from sweetspot.season.headings import Headings
 from sweetspot.season.rows import REASONS, USED, pitch_key, rows_of
 from sweetspot.season.table_file import TableFile, open_table
 
@@ -64,6 +66,7 @@ WARNINGS: Mapping[str, str] = {
     "fouls unmeasured": "public tables have no exit speed of fouls, so nothing per contact or per swing can be told",
     "duplicates": "pitches that stand twice count once",
     "cannot find duplicates": "no column tells pitches apart, so pitches that stand twice count twice",
+    "part off": "a column is missing that a part of the answers needs",
     "headings": "headings that needed care",
     "unreadable": "measurements that are no numbers are taken as missing",
     "impossible": "exit speeds or launch angles that cannot be",
@@ -204,6 +207,7 @@ class _Look:
         self.seen: dict[str, TableWarning] = {}
         self.held: dict[str, int] = {}
         self.endings: set[str] = set()
+        self.lost: dict[str, int] = {}
 
     def note(self, name: str, rows: pl.DataFrame, condition: pl.Expr | None = None, detail: str = "") -> None:
         where = rows if condition is None else rows.filter(condition)
@@ -237,6 +241,10 @@ class _Look:
             speeds = [pl.col(name).is_not_null() for name in ("release_speed", "plate_speed") if headings.has(name)]
             told = pl.any_horizontal(speeds) if speeds else pl.lit(value=False)
             self.note("pitch speed unknown", used, pl.col("bat_speed").is_not_null() & ~told)
+        if headings.has("home_team"):
+            for club, year, count in used.group_by("home_team", "season").len().iter_rows():
+                if club is not None and home_park(club, year) is None:
+                    self.lost[club] = self.lost.get(club, 0) + count
         if headings.has("event"):
             self.endings |= set(used["event"].drop_nulls().unique())
 
@@ -250,6 +258,10 @@ class _Look:
         if missing := self._missing_days():
             extra.append(TableWarning("days missing", number, len(missing), detail=_days_in_words(missing)))
         columns = table.headings.columns
+        extra += [TableWarning("part off", number, table.rows, detail=words) for words in _parts_off(table.headings)]
+        if self.lost:
+            shown = ", ".join(sorted(self.lost)[:6])
+            extra.append(TableWarning("unknown park", number, sum(self.lost.values()), detail=shown))
         if len(self.endings) == 1 and self.counts[USED] >= FEW:
             extra.append(TableWarning("selected", number, self.counts[USED], detail=f"all {next(iter(self.endings))}"))
         if table.headings.has("player_name", "pitcher", "batter"):
@@ -266,6 +278,25 @@ class _Look:
         """Return the gaps of more than `LONGEST_GAP` days inside one season."""
         days = sorted(self.days)
         return [(a, b) for a, b in pairwise(days) if (b - a).days > LONGEST_GAP and a.year == b.year]
+
+
+def _parts_off(headings: Headings) -> Iterator[str]:
+    """Yield what cannot be told for want of a column, and what would do."""
+    here = headings.has
+    if not here("launch_angle"):
+        yield "no launch angle (launch_angle): no flights and no contacts"
+    elif not (here("bearing") or here("launch_direction") or here("map_x", "map_y")):
+        yield "no direction (hc_x and hc_y, Direction, bearing_deg): balls fly to centre field, no chances of home runs"
+    elif not here("home_team"):
+        yield "no home club (home_team): no chance of a home run in the park itself; air as at sea level"
+    if not here("bat_speed"):
+        yield "no bat speed (bat_speed): nothing of bats"
+    elif not here("attack_angle"):
+        yield "no attack angle (attack_angle): the usual one stands in, and offsets are three times less sure"
+    if here("bat_speed") and not here("plate_side", "plate_height"):
+        yield "no place of the pitch (plate_x, plate_z): the side of the bat that was met cannot be told"
+    if not (here("batter") or here("batter_name")):
+        yield "no batter: no table of players"
 
 
 def with_duplicates(rows: pl.DataFrame, duplicates: NDArray[np.uint32]) -> pl.DataFrame:

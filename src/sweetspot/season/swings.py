@@ -115,7 +115,8 @@ def in_plane(balls: Balls, surface: BatSurface, errors: Errors, *, ball: Ball) -
 def ceilings(plane: InPlane, surface: BatSurface) -> tuple[Array, Array]:
     """Return the greatest exit speed of each swing with a bat in m/s, and the place where it is, m from the tip."""
     coming = np.hypot(plane.ahead, plane.up)
-    asked = (plane.bat_speed, coming / plane.bat_speed, np.arctan2(-plane.up, -plane.ahead))
+    swung = np.where(plane.bat_speed > 1, plane.bat_speed, np.nan)
+    asked = (swung, coming / swung, np.arctan2(-plane.up, -plane.ahead))
     where = [np.clip(np.interp(values, nodes, np.arange(len(nodes))), 0, len(nodes) - 1.000001)
              for values, nodes in zip(asked, (SPEEDS, RATIOS, SLANTS), strict=True)]  # fmt: skip
     where = [np.nan_to_num(values) for values in where]
@@ -128,7 +129,7 @@ def ceilings(plane: InPlane, surface: BatSurface) -> tuple[Array, Array]:
         index = tuple(start + step for start, step in zip(low, corner, strict=True))
         top += weight * surface.ceiling[index]
         place += weight * surface.best_place[index]
-    known = np.isfinite(coming) & np.isfinite(plane.bat_speed)
+    known = np.isfinite(coming) & np.isfinite(swung)
     return np.where(known, np.hypot(top * plane.bat_speed, surface.along[0] * plane.along), np.nan), np.where(
         known, place, np.nan
     )

@@ -1,0 +1,96 @@
+"""A plan done by many workers: processes of this machine, or a Dask cluster of any size.
+
+A task is idempotent and written whole or not at all, so a worker that dies, a scheduler that is lost or a full disk
+costs only the tasks under way; done again, or resumed, the answers are the same bytes however many workers there were.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from sweetspot.errors import InputError
+from sweetspot.season.answers import SeasonSetting
+from sweetspot.season.plan import Plan, Task, do_task, is_done
+
+Progress = Callable[[int, int], None]
+TRIES = 5
+"""How often a task is given out again when its worker died."""
+
+
+def run_on_cluster(
+    plan: Plan, progress: Progress | None = None, *, workers: int = 0, scheduler: str | None = None
+) -> None:
+    """Do all tasks of a plan on a cluster.
+
+    Parameters
+    ----------
+    workers : processes of a cluster on this machine; 0: none, all is done in this process.
+    scheduler : address of a running Dask scheduler, ``tcp://…``, whose workers see the same folders; it goes before
+        ``workers``.
+
+    Raises
+    ------
+    InputError
+        where Dask is not installed, the scheduler cannot be reached, or a task fails.
+    """
+    if not workers and scheduler is None:
+        from sweetspot.season.season_table import run_here
+
+        run_here(plan, progress)
+        return
+    try:
+        from distributed import Client, LocalCluster
+    except ImportError:
+        raise InputError("--workers and --scheduler need Dask; install sweetspot[cluster]") from None
+    if scheduler is not None:
+        try:
+            with Client(scheduler, timeout="20s") as client:
+                _run(plan, client, progress)
+        except OSError as error:
+            raise InputError(f"--scheduler was given as {scheduler}, and none answers there: {error}") from None
+        return
+    with (
+        LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None, processes=True) as cluster,
+        Client(cluster) as client,
+    ):
+        _run(plan, client, progress)
+
+
+def _run(plan: Plan, client, progress: Progress | None) -> None:  # type: ignore[no-untyped-def]
+    """Give out what is not done, and wait; a task whose worker died is given out again."""
+    from distributed import as_completed
+
+    shared = client.scatter(serial(plan), broadcast=True)
+    total, done = sum(table.rows for table in plan.tables), 0
+    waiting = {}
+    for task in plan.tasks():
+        if is_done(plan, task):
+            done += task.rows
+        else:
+            waiting[client.submit(_do, shared, task, pure=False, retries=TRIES)] = task
+    if progress is not None and done:
+        progress(done, total)
+    for future in as_completed(list(waiting)):
+        error = future.exception()
+        if error is not None:
+            task = waiting[future]
+            raise InputError(
+                f"{plan.tables[task.table].path}: rows {task.start + 1} to {task.start + task.rows} could not be done: "
+                f"{type(error).__name__}: {error}; the others are kept, --resume goes on"
+            ) from None
+        done += waiting[future].rows
+        if progress is not None:
+            progress(done, total)
+
+
+def _do(plan: Plan, task: Task) -> int:
+    return do_task(plan, task)
+
+
+def serial(plan: Plan) -> Plan:
+    """Return a plan whose tasks use one thread each, for many workers on one machine."""
+    setting = plan.setting
+    contact = None if setting.contact is None else replace(setting.contact, threads=1)
+    one = SeasonSetting(replace(setting.flight, threads=1), contact, setting.bats, setting.system)
+    return replace(plan, setting=one)

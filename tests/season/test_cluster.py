@@ -1,0 +1,138 @@
+"""Many workers, killed workers and resumed runs give the same bytes."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import signal
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+import polars as pl
+import pytest
+
+from sweetspot.season.cluster import run_on_cluster
+from sweetspot.season.plan import Plan, do_task, is_done
+from sweetspot.season.season_table import Season, analyse_season, run_here, season_setting
+from tests.season.conftest import made_up
+
+ROWS = 60
+
+
+def files_of(folder: Path) -> dict[str, str]:
+    return {
+        str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
+        for path in sorted(folder.rglob("*.parquet"))
+    }
+
+
+@pytest.fixture(scope="module")
+def tables(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    folder = tmp_path_factory.mktemp("tables")
+    paths = [folder / "first.parquet", folder / "second.csv"]
+    made_up(300, seed=1).write_parquet(paths[0])
+    made_up(200, seed=2).with_columns(game_pk=pl.col("game_pk") + 1000).write_csv(paths[1])
+    return paths
+
+
+@pytest.fixture(scope="module")
+def compute(tables: list[Path]) -> Callable[..., Season]:
+    setting = season_setting(others=("mlb-a",))
+
+    def run(folder: Path, how: Callable[..., None] = run_here, **more: bool) -> Season:
+        def small(plan: Plan, progress: object) -> None:
+            from dataclasses import replace
+
+            how(replace(plan, task_rows=ROWS), progress)
+
+        return analyse_season(tables, setting=setting, folder=folder, run=small, **more)
+
+    return run
+
+
+@pytest.fixture(scope="module")
+def alone(compute: Callable[..., Season], tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    folder = tmp_path_factory.mktemp("alone")
+    compute(folder)
+    return files_of(folder)
+
+
+def test_a_plan_has_every_row_once(alone: dict[str, str]) -> None:
+    assert len(alone) == 3 * (5 + 4)
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_the_same_bytes_from_any_number_of_workers(
+    workers: int, compute: Callable[..., Season], alone: dict[str, str], tmp_path: Path
+) -> None:
+    compute(tmp_path, partial(run_on_cluster, workers=workers))
+    assert files_of(tmp_path) == alone
+
+
+def test_a_killed_worker_costs_nothing(
+    compute: Callable[..., Season], alone: dict[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The first worker that does a task dies in the middle of it, by its own real SIGKILL."""
+    monkeypatch.setattr("sweetspot.season.cluster._do", partial(dies_once, tmp_path / "died"))
+    compute(tmp_path / "out", partial(run_on_cluster, workers=2))
+    assert (tmp_path / "died").exists()
+    assert files_of(tmp_path / "out") == alone
+
+
+def dies_once(mark: Path, plan: Plan, task: object) -> int:
+    if not mark.exists():
+        mark.touch()
+        os.kill(os.getpid(), signal.SIGKILL)
+    return do_task(plan, task)  # type: ignore[arg-type]
+
+
+def test_resuming_does_what_is_missing_torn_or_of_another_plan(
+    compute: Callable[..., Season], alone: dict[str, str], tmp_path: Path
+) -> None:
+    class StoppedError(Exception):
+        pass
+
+    def half(plan: Plan, progress: object) -> None:
+        tasks = list(plan.tasks())
+        for task in tasks[: len(tasks) // 2]:
+            do_task(plan, task)
+        raise StoppedError
+
+    with pytest.raises(StoppedError):
+        compute(tmp_path, half)
+    done = sorted((tmp_path / "balls").glob("*.parquet"))
+    assert len(done) == 4
+    done[0].write_bytes(done[0].read_bytes()[:-20])  # torn
+    done[1].unlink()
+    (tmp_path / "balls" / ".left.123").write_bytes(b"of a killed run")
+    untouched = done[2].stat().st_mtime_ns
+    compute(tmp_path, resume=True)
+    assert files_of(tmp_path) == alone
+    assert done[2].stat().st_mtime_ns == untouched
+
+
+def test_another_setting_is_another_plan(tables: list[Path], tmp_path: Path) -> None:
+    plans: list[Plan] = []
+
+    def keep(plan: Plan, progress: object) -> None:
+        plans.append(plan)
+        run_here(plan)
+
+    for system in ("us", "si"):
+        analyse_season(tables[:1], setting=season_setting(contact=False, system=system), folder=tmp_path, run=keep,
+                       resume=True)  # type: ignore[arg-type] # fmt: skip
+    assert plans[0].fingerprint != plans[1].fingerprint
+    task = next(plans[1].tasks())
+    assert is_done(plans[1], task) and not is_done(plans[0], task)
+    assert "carry_m" in pl.read_parquet_schema(plans[1].paths(task)[0])
+
+
+def test_answers_do_not_depend_on_how_rows_are_cut(
+    compute: Callable[..., Season], tables: list[Path], tmp_path: Path
+) -> None:
+    whole = (
+        analyse_season(tables, setting=season_setting(others=("mlb-a",)), folder=tmp_path / "whole").balls().collect()
+    )
+    parts = compute(tmp_path / "parts").balls().collect()
+    assert whole.equals(parts)
