@@ -40,13 +40,13 @@ def tables(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
 def compute(tables: list[Path]) -> Callable[..., Season]:
     setting = season_setting(others=("mlb-a",))
 
-    def run(folder: Path, how: Callable[..., None] = run_here, **more: bool) -> Season:
+    def run(folder: Path, how: Callable[..., None] = run_here, resume: bool = False) -> Season:
         def small(plan: Plan, progress: object) -> None:
             from dataclasses import replace
 
             how(replace(plan, task_rows=ROWS), progress)
 
-        return analyse_season(tables, setting=setting, folder=folder, run=small, **more)
+        return analyse_season(tables, setting=setting, folder=folder, run=small, resume=resume)
 
     return run
 
@@ -121,7 +121,7 @@ def test_another_setting_is_another_plan(tables: list[Path], tmp_path: Path) -> 
 
     for system in ("us", "si"):
         analyse_season(tables[:1], setting=season_setting(contact=False, system=system), folder=tmp_path, run=keep,
-                       resume=True)  # type: ignore[arg-type] # fmt: skip
+                       resume=True)  # fmt: skip
     assert plans[0].fingerprint != plans[1].fingerprint
     task = next(plans[1].tasks())
     assert is_done(plans[1], task) and not is_done(plans[0], task)

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from importlib import import_module
+from typing import Any
 
 from sweetspot.errors import InputError
 from sweetspot.season.answers import SeasonSetting
@@ -40,27 +42,26 @@ def run_on_cluster(
         run_here(plan, progress)
         return
     try:
-        from distributed import Client, LocalCluster
+        dask: Any = import_module("distributed")
     except ImportError:
         raise InputError("--workers and --scheduler need Dask; install sweetspot[cluster]") from None
     if scheduler is not None:
         try:
-            with Client(scheduler, timeout="20s") as client:
+            with dask.Client(scheduler, timeout="20s") as client:
                 _run(plan, client, progress)
         except OSError as error:
             raise InputError(f"--scheduler was given as {scheduler}, and none answers there: {error}") from None
         return
     with (
-        LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None, processes=True) as cluster,
-        Client(cluster) as client,
+        dask.LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None, processes=True) as cluster,
+        dask.Client(cluster) as client,
     ):
         _run(plan, client, progress)
 
 
-def _run(plan: Plan, client, progress: Progress | None) -> None:  # type: ignore[no-untyped-def]
+def _run(plan: Plan, client: Any, progress: Progress | None) -> None:
     """Give out what is not done, and wait; a task whose worker died is given out again."""
-    from distributed import as_completed
-
+    dask: Any = import_module("distributed")
     shared = client.scatter(serial(plan), broadcast=True)
     total, done = sum(table.rows for table in plan.tables), 0
     waiting = {}
@@ -71,7 +72,7 @@ def _run(plan: Plan, client, progress: Progress | None) -> None:  # type: ignore
             waiting[client.submit(_do, shared, task, pure=False, retries=TRIES)] = task
     if progress is not None and done:
         progress(done, total)
-    for future in as_completed(list(waiting)):
+    for future in dask.as_completed(list(waiting)):
         error = future.exception()
         if error is not None:
             task = waiting[future]

@@ -7,7 +7,7 @@ axis; which side of the best place it was, only the pitch's place tells. Errors 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +30,8 @@ SQUARED_UP = 0.80
 BLAST = 164.0
 """Percent of the league's greatest exit speed and mph of bat speed together, from which it is a blast [statcast]."""
 CHUNK = 4096
+RANKS = 21
+"""Quantiles of exit speeds at which the model's shape is corrected."""
 LEARNT_FROM = 10_000
 """Balls that the relation of places is learnt from, at most."""
 
@@ -128,7 +130,7 @@ def contacts(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -
         outcome[mine] = np.where(grazed, OUTCOMES.index("grazed"), plane.outcome)
         chance[mine], improbable[mine] = _above(some, plane, ceiling[mine], setting)
         for other in setting.others:
-            answer = _with_other(plane, found, weights, surface, setting.mois[number], other, setting, solved)
+            answer = _with_other(some, plane, found, weights, surface, setting.mois[number], other, setting, solved)
             for held, values in zip(others[other.name], answer, strict=True):
                 held[mine] = values
     league = LEAGUE_BAT * balls.bat_speed + LEAGUE_PITCH * balls.plate_speed
@@ -170,10 +172,17 @@ def learnt(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -> 
         spreads.append(spread)
     if not chosen or not sum(map(len, chosen)):
         return UNLEARNT
-    return learn_places(
-        taken(balls, np.concatenate(chosen)), places=setting.surfaces[0].axes[2], predicted=np.concatenate(tables),
+    everyone = np.concatenate(chosen)
+    found = learn_places(
+        taken(balls, everyone), places=setting.surfaces[0].axes[2], predicted=np.concatenate(tables),
         measured=np.concatenate(outs), spread=np.concatenate(spreads),
     )  # fmt: skip
+    if not found.balls:
+        return found
+    bare = replace(setting, relation=found, others=())
+    rank = contacts(taken(balls, everyone), bat_of[everyone], bare).results[:, kernel.RANK]
+    ends = np.nanquantile(rank, np.linspace(0, 1, RANKS)[1:-1])
+    return replace(found, ranks=(0.0, *np.maximum.accumulate(ends).tolist(), 1.0))
 
 
 def _chances_of(balls: Balls) -> Array:
@@ -210,6 +219,7 @@ def _posteriors(
 
     in_parts(work, len(rows), size=CHUNK, threads=setting.threads)
     results = np.full((len(balls), kernel.ROWS), np.nan)
+    found[:, kernel.RANK] = relation.ranked(found[:, kernel.RANK])
     results[rows] = found
     everything = np.zeros((len(balls) if setting.others else 1, len(surface.arm)))
     if setting.others:
@@ -235,6 +245,7 @@ def _above(balls: Balls, plane: InPlane, ceiling: Array, setting: ContactSetting
 
 
 def _with_other(
+    balls: Balls,
     plane: InPlane, found: Array, weights: Array, own: BatSurface, moi: float, other: OtherBat,
     setting: ContactSetting, solved: NDArray[np.bool_],
 ) -> tuple[Array, Array, Array]:  # fmt: skip
@@ -257,7 +268,8 @@ def _with_other(
     level = 1 + setting.relation.level
     law = np.abs(means[1][0] - means[2][0]) / (2 * 1.959964)
     reach = 1.644854 * level * law
-    answer = plane.exit_speed[rows] + level * (means[0][0] - same)
+    fast = plane.exit_speed[rows] + level * (means[0][0] - same)
+    answer = np.sqrt(fast**2 + balls.exit_speed[rows] ** 2 - plane.exit_speed[rows] ** 2)
     full = np.full((3, len(solved)), np.nan)
     full[:, rows] = answer, answer - reach, answer + reach
     return full[0], full[1], full[2]

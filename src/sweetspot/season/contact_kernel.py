@@ -156,7 +156,8 @@ def fill_posteriors(
         if len(weights) > 1:
             weights[i] = part
         _summarise(axes[2], part, above, best[i, 0], best[i, 1], results[i])
-        results[i, OFFSET_SPREAD] = abs(per_turn) * asked[i, 5]
+        turning = per_turn * asked[i, 5]
+        results[i, OFFSET_SPREAD] = math.sqrt(results[i, OFFSET_SPREAD] + turning * turning)
         results[i, RANK], results[i, EXPECTED] = rank / before, (1 + level) * mean / before
         results[i, KEPT], results[i, SENSITIVE] = top, sensitive
         results[i, EVIDENCE] = math.log(evidence / before)
@@ -167,11 +168,12 @@ def _summarise(places: Array, part: Array, above: Array, best: float, draw: floa
     """Fill quantiles of place and distance, chance of the tip side, and the mean offset and place."""
     step = places[1] - places[0]
     passed, level = 0.0, 0
-    offset, tip, mean = 0.0, 0.0, 0.0
+    offset, tip, mean, square = 0.0, 0.0, 0.0, 0.0
     for place in range(len(part)):
         if part[place] == 0:
             continue
         offset += part[place] * above[place]
+        square += part[place] * above[place] * above[place]
         mean += part[place] * places[place]
         share = min(max((best - places[place]) / step + 0.5, 0.0), 1.0)
         tip += part[place] * share
@@ -181,6 +183,7 @@ def _summarise(places: Array, part: Array, above: Array, best: float, draw: floa
         if passed <= draw < passed + part[place]:
             result[DRAWN] = places[place] + step * ((draw - passed) / part[place] - 0.5)
         passed += part[place]
+    result[OFFSET_SPREAD] = max(square - offset * offset, 0.0)  # of the places alone, squared
     result[OFFSET], result[TIP_SIDE], result[MEAN_PLACE] = offset, tip, mean
     size, level, inside, reached = step / 4, 0, 0.0, 0.0
     passed = 0.0

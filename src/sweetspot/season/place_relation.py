@@ -49,6 +49,8 @@ class PlaceRelation:
     spread_slope : change of the logarithm of tau for 5 mph of bat speed.
     noise_slope : the same of the noise.
     evidence : logarithm of the likelihood of the balls it was learnt from.
+    ranks : which part of the balls it was learnt from are hit less hard than the model says for every twentieth; what
+        the model's shape misses.
     """
 
     weights: Array
@@ -61,6 +63,7 @@ class PlaceRelation:
     spread_slope: float = 0.0
     noise_slope: float = 0.0
     evidence: float = 0.0
+    ranks: tuple[float, ...] = ()
 
     def prior(self, balls: Balls) -> Array:
         """Return mean and standard deviation of the place of each ball, m from the tip, shape (n, 2)."""
@@ -76,6 +79,12 @@ class PlaceRelation:
     def noises(self, swung: Array) -> Array:
         """Return the noise of balls by their `speed_term`, m/s."""
         return self.noise * np.exp(self.noise_slope * np.clip(swung, -3, 3))
+
+    def ranked(self, rank: Array) -> Array:
+        """Return ranks of exit speeds as the table's own balls have them, from those of the model."""
+        if not self.ranks:
+            return rank
+        return np.where(np.isnan(rank), np.nan, np.interp(rank, self.ranks, np.linspace(0, 1, len(self.ranks))))
 
     def near(self, other: PlaceRelation) -> bool:
         """Return whether two relations are the same for every purpose: 0.01 mm, 1e-5 of level, 1 mm/s."""

@@ -1,0 +1,182 @@
+"""A made-up season with known truth: what players meant, where each ball was met, and what was measured of it.
+
+Every hit is the collision kernel's own (not a bat's table), every flight the flight kernel's, and measurements carry
+the stated errors; so whatever `season_table` says of such a season can be held against what was put in.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import polars as pl
+from numpy.typing import NDArray
+
+from sweetspot.catalog.aerodynamic_laws import aerodynamics
+from sweetspot.catalog.ballparks import parks_of_season
+from sweetspot.catalog.balls import ball as catalogue_ball
+from sweetspot.collision.hit_in_space import Contact, Strikes, strikes
+from sweetspot.dynamics.reduction import reduced_bat
+from sweetspot.equipment.bat import Bat
+from sweetspot.flight.air import Air
+from sweetspot.flight.bearing import HOME_X, HOME_Y
+from sweetspot.flight.conditions import FlightConditions
+from sweetspot.flight.kernel import flights
+from sweetspot.flight.park import FOUL_LINE, Park, fence_at
+from sweetspot.motion.ball_motion import BallMotions, launch_angles
+from sweetspot.motion.swing_path import Swings, path_axes, steep_enough
+from sweetspot.numerics.arrays import Array
+from sweetspot.season.bat_surface import SPEED_FROM_TIP
+from sweetspot.season.swings import USUAL_ERRORS, Errors
+from sweetspot.units import DEGREE, FOOT, INCH, MPH
+
+CLUBS = ("BOS", "NYY", "COL", "TB", "SEA", "SF", "CHC", "HOU")
+MAP_SCALE = 2.5
+"""ft of the field per unit of Statcast's map, about."""
+LOWEST = 40 * MPH
+"""m/s; slower balls in play are left out."""
+
+
+@dataclass(frozen=True)
+class MadeSeason:
+    """How a season is made up.
+
+    Parameters
+    ----------
+    players, balls : how many players, and balls in play of each before foul and missed ones are left out.
+    place, place_spread : m from the tip, mean over players, and scatter of single contacts.
+    per_outside : m of place for each m that a pitch is further outside.
+    between : standard deviation of players' mean places, m, of their bat speeds, m/s, and of the logarithms of their
+        scatter along the bat.
+    offset_spread : m, scatter of the ball's centre above the bat's axis.
+    noise : m/s that exit speeds scatter beside measuring errors.
+    drag : all flights' drag over the law's.
+    errors : of the measurements.
+    """
+
+    players: int = 40
+    balls: int = 120
+    place: float = 6.2 * INCH
+    place_spread: float = 1.8 * INCH
+    per_outside: float = -0.25
+    between: tuple[float, float, float] = (0.4 * INCH, 2.5 * MPH, 0.25)
+    offset_spread: float = 0.9 * INCH
+    noise: float = 1.5 * MPH
+    drag: float = 1.0
+    errors: Errors = USUAL_ERRORS
+
+
+def made_season(bat: Bat, made: MadeSeason | None = None, *, year: int = 2024, seed: int = 1) -> pl.DataFrame:
+    """Return a season of one bat in Statcast's names, with the truth in columns that begin with ``true_``.
+
+    Parameters
+    ----------
+    bat : everybody's.
+    made : how; None: the usual.
+    year : season, whose parks are played in.
+    seed : of the random numbers.
+    """
+    how = made or MadeSeason()
+    rng = np.random.default_rng(seed)
+    who = np.repeat(np.arange(how.players), how.balls)
+    count = len(who)
+    own_place, own_speed = rng.normal(0, how.between[0], how.players), rng.normal(0, how.between[1], how.players)
+    own_spread = how.place_spread * np.exp(rng.normal(0, how.between[2], how.players))
+    left = rng.random(how.players)[who] < 0.4
+    speed = 71.5 * MPH + own_speed[who] + rng.normal(0, 4 * MPH, count)
+    attack, direction = rng.normal(9, 7, count) * DEGREE, rng.normal(-2, 9, count) * DEGREE
+    tilt = steep_enough(np.clip(rng.normal(32, 5, count), 15, 50) * DEGREE, attack)
+    outside, height = rng.normal(0.02, 0.17, count), np.clip(rng.normal(0.75, 0.16, count), 0.3, 1.2)
+    pitch = rng.normal(83, 4, count) * MPH
+    place = how.place + own_place[who] + how.per_outside * outside + own_spread[who] * rng.normal(0, 1, count)
+    offset = rng.normal(0.15 * INCH, how.offset_spread, count)
+    kept = (place > 0) & (place < 13.9 * INCH) & (speed > 45 * MPH)
+    struck = _struck(bat, speed, (attack, direction, tilt, left), pitch, np.clip(place, 0, 13.9 * INCH), offset)
+    launch, _, _ = launch_angles(struck.velocity, struck.spin)
+    exit_speed = struck.exit_speed + rng.normal(0, how.noise, count)
+    velocity = struck.velocity * (exit_speed / struck.exit_speed)[:, None]
+    kept &= np.isfinite(exit_speed) & (exit_speed > LOWEST) & (np.abs(launch) < 70 * DEGREE)
+    parks = parks_of_season(year)
+    club = rng.integers(0, len(CLUBS), count)
+    table = pl.DataFrame({
+        "game_date": [f"{year}-{4 + day // 28:02d}-{1 + day % 28:02d}" for day in rng.integers(0, 168, count).tolist()],
+        "game_pk": 700_000 + rng.integers(0, 800, count), "batter": 600_000 + who, "pitcher": 500_000 + who[::-1],
+        "stand": np.where(left, "L", "R"), "home_team": np.array(CLUBS)[club], "pitch_type": "FF",
+        "at_bat_number": np.arange(count), "pitch_number": 1, "description": "hit_into_play",
+        "plate_x": np.where(left, -outside, outside) / FOOT, "plate_z": height / FOOT,
+        "release_speed": pitch / 0.92 / MPH,
+        "bat_speed": (speed + rng.normal(0, how.errors.bat_speed, count)) / MPH,
+        "attack_angle": (attack + rng.normal(0, how.errors.attack_angle, count)) / DEGREE,
+        "attack_direction": direction / DEGREE, "swing_path_tilt": tilt / DEGREE,
+        "launch_speed": (exit_speed + rng.normal(0, how.errors.exit_speed, count)) / MPH,
+        "launch_angle": (launch + rng.normal(0, how.errors.launch_angle, count)) / DEGREE,
+        "true_from_tip_in": place / INCH, "true_offset_in": offset / INCH, "true_exit_speed_mph": exit_speed / MPH,
+        "true_mean_from_tip_in": (how.place + own_place[who]) / INCH,
+        "true_mean_bat_speed_mph": (71.5 * MPH + own_speed[who]) / MPH,
+    })  # fmt: skip
+    flown = _flown(velocity, struck.spin, how, np.array([_elevation(parks, name) for name in CLUBS])[club], rng)
+    kept &= flown[0] & (np.abs(flown[1]) < FOUL_LINE)
+    bearing, carry = flown[1], flown[2]
+    out = np.zeros(count, bool)
+    for number, name in enumerate(CLUBS):
+        mine = club == number
+        far, _ = fence_at(_park(parks, name), np.clip(bearing[mine], -FOUL_LINE, FOUL_LINE))
+        out[mine] = carry[mine] > far
+    on_map = carry / FOOT / MAP_SCALE
+    return table.with_columns(
+        hc_x=pl.Series(HOME_X + on_map * np.sin(bearing)), hc_y=pl.Series(HOME_Y - on_map * np.cos(bearing)),
+        hit_distance_sc=pl.Series(carry / FOOT), events=pl.Series(np.where(out, "home_run", "field_out")),
+    ).filter(pl.Series(kept))  # fmt: skip
+
+
+def _struck(
+    bat: Bat,
+    speed: Array,
+    path: tuple[Array, Array, Array, NDArray[np.bool_]],
+    pitch: Array,
+    place: Array,
+    offset: Array,
+) -> Strikes:
+    """Return every hit by the collision kernel, of balls without spin that come down by 6.6 degrees."""
+    attack, direction, tilt, left = path
+    arm = bat.length - bat.choke
+    there = speed * (arm - place) / (arm - SPEED_FROM_TIP)
+    down = 6.6 * DEGREE
+    coming = pitch[:, None] * np.array([0.0, -np.cos(down), -np.sin(down)])
+    ball = catalogue_ball()
+    return strikes(
+        reduced_bat(bat, ball=ball), ball=ball,
+        swings=Swings(there, path_axes(attack, direction, tilt=tilt, left=left), bat.choke),
+        pitches=BallMotions(velocity=coming, spin=np.zeros(3)),
+        contact=Contact(bat.length - place, offset),
+    )  # fmt: skip
+
+
+def _flown(
+    velocity: Array, spin: Array, how: MadeSeason, elevation: Array, rng: np.random.Generator
+) -> tuple[NDArray[np.bool_], Array, Array]:
+    """Return which balls came down, bearings, and carries with what single flights scatter by."""
+    from sweetspot.flight.air import air_density
+
+    law = aerodynamics()
+    names = [name for name in type(law).model_fields if name.startswith("drag")]
+    changed = law.replaced(**{name: getattr(law, name) * how.drag for name in names})
+    air = Air(temperature=22.2)
+    density = air_density(air.temperature, pressure=air.pressure, humidity=air.humidity, elevation=elevation)
+    found = flights(
+        BallMotions(velocity=np.nan_to_num(velocity), spin=np.nan_to_num(spin), position=(0.0, 2 * FOOT, 3 * FOOT)),
+        FlightConditions(ball=catalogue_ball(), aerodynamics=changed, air=density),
+    )
+    return found.landed, found.bearing, found.carry + rng.normal(0, 3.0, len(elevation)) * (found.hang_time > 1)
+
+
+def _park(parks: Sequence[Park], club: str) -> Park:
+    from sweetspot.catalog.ballparks import park
+
+    team = park(club).team
+    return next(one for one in parks if one.team == team)
+
+
+def _elevation(parks: Sequence[Park], club: str) -> float:
+    return _park(parks, club).elevation

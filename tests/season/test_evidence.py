@@ -1,0 +1,232 @@
+"""Seasons made up by the kernels themselves, with known truth: what is said of them holds as often as it is said to."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import polars as pl
+import pytest
+
+from sweetspot import catalog
+from sweetspot.collision.hit_in_space import Contact, strikes
+from sweetspot.dynamics.reduction import reduced_bat
+from sweetspot.motion.ball_motion import BallMotions
+from sweetspot.motion.swing_path import Swings, path_axes
+from sweetspot.season.bat_surface import ANGLE_ERROR, SPEED_ERROR, exit_speeds, surface_of
+from sweetspot.season.made_up import MadeSeason, made_season
+from sweetspot.season.pooling import pooled, spread_of
+from sweetspot.season.season_drag import drag_by_month
+from sweetspot.season.season_table import Season, analyse_season, season_setting
+from sweetspot.units import INCH, MPH
+
+BAT = "r161-ash"
+SHARED = Path(__file__).parents[3] / "shared" / "data" / "cmu36sure2026_battedballs_battracking.csv.gz"
+
+
+@pytest.fixture(scope="module")
+def made() -> pl.DataFrame:
+    return made_season(catalog.bat(BAT), MadeSeason(players=40, balls=110))
+
+
+@pytest.fixture(scope="module")
+def answered(tmp_path_factory: pytest.TempPathFactory) -> Callable[[pl.DataFrame], Season]:
+    setting = season_setting(bats={"": BAT}, others=("mlb-a",))
+
+    def run(frame: pl.DataFrame) -> Season:
+        folder = tmp_path_factory.mktemp("made")
+        frame.write_parquet(folder / "made.parquet")
+        return analyse_season([folder / "made.parquet"], setting=setting, folder=folder / "out")
+
+    return run
+
+
+@pytest.fixture(scope="module")
+def season(made: pl.DataFrame, answered: Callable[[pl.DataFrame], Season]) -> Season:
+    return answered(made)
+
+
+@pytest.fixture(scope="module")
+def balls(season: Season) -> pl.DataFrame:
+    return season.balls().filter(pl.col("contact_outcome") == "ok").collect()
+
+
+def number(value: Any) -> float:
+    """Return what polars gives as a number."""
+    return float(value)
+
+
+def covered(truth: pl.Series, low: pl.Series, high: pl.Series) -> float:
+    return number(((truth >= low) & (truth <= high)).mean())
+
+
+def test_intervals_of_the_place_hold_as_often_as_they_say(balls: pl.DataFrame) -> None:
+    for name, truth in (
+        ("from_tip", balls["true_from_tip_in"]),
+        ("from_best", (balls["true_from_tip_in"] - balls["best_from_tip_in"]).abs()),
+    ):
+        half = covered(truth, balls[f"{name}_low50_in"], balls[f"{name}_high50_in"])
+        most = covered(truth, balls[f"{name}_low90_in"], balls[f"{name}_high90_in"])
+        assert 0.47 < half < 0.54, name
+        assert 0.88 < most < 0.93, name
+
+
+def test_offsets_hold_as_often_as_they_say(balls: pl.DataFrame) -> None:
+    off = (balls["offset_in"] - balls["true_offset_in"]) / balls["offset_spread_in"]
+    assert abs(number(off.median())) < 0.1
+    assert 0.45 < number((off.abs() < 0.6745).mean()) < 0.55
+    assert 0.86 < number((off.abs() < 1.6449).mean()) < 0.93
+
+
+def test_the_side_of_the_bat_is_told_with_right_chances(balls: pl.DataFrame) -> None:
+    tip = balls["true_from_tip_in"] < balls["best_from_tip_in"]
+    for low in (0.0, 0.2, 0.4, 0.6, 0.8):
+        mine = (balls["tip_side"] >= low) & (balls["tip_side"] <= low + 0.2)
+        expected = balls["tip_side"].filter(mine).mean()
+        assert number(tip.filter(mine).mean()) == pytest.approx(expected, abs=0.07)
+
+
+def test_what_was_put_in_is_learnt(season: Season) -> None:
+    assert season.setting.contact is not None
+    relation = season.setting.contact.relation
+    assert relation.weights[1] / 0.3 == pytest.approx(-0.25, rel=0.1)
+    assert relation.spread == pytest.approx(np.hypot(1.8, 0.4) * INCH, rel=0.08)
+    assert abs(relation.level) < 0.006
+    assert relation.noise < 2.5 * MPH
+
+
+def test_without_the_pitch_s_place_nobody_knows_the_side(
+    made: pl.DataFrame, answered: Callable[[pl.DataFrame], Season]
+) -> None:
+    """A permutation test: pitches dealt out anew tell nothing, and nothing is what is made of them."""
+    dealt = made.with_columns(made.select("plate_x", "plate_z").sample(fraction=1.0, shuffle=True, seed=3))
+    season = answered(dealt)
+    assert season.setting.contact is not None
+    assert abs(season.setting.contact.relation.weights[1]) < 0.25 * 0.25 * 0.3 * 2
+    balls = season.balls().filter(pl.col("contact_outcome") == "ok").collect()
+    truth = balls["true_from_tip_in"]
+    assert 0.85 < covered(truth, balls["from_tip_low90_in"], balls["from_tip_high90_in"]) < 0.94
+    assert number(balls["tip_side"].std()) < 0.25
+
+
+def test_no_pile_up_at_the_best_place_for_balls_above_a_ceiling(balls: pl.DataFrame) -> None:
+    above = balls.filter(pl.col("squared_up_ratio") > 1.0)
+    assert len(above) > 50
+    assert number(above["from_best_in"].min()) > 0.1
+    assert 0.05 < number(above["above_improbable"].mean()) < 0.5
+
+
+def test_another_bat_by_the_kernel_itself(made: pl.DataFrame, season: Season) -> None:
+    """On average over a season, as far as the swing law's own exponent says."""
+    own, other = catalog.bat(BAT), catalog.bat("mlb-a")
+    ball, law = catalog.ball(), catalog.swing_law()
+    models = [reduced_bat(bat, ball=ball) for bat in (own, other)]
+    moi = [model.body.moi(model.bat.choke + law.axis) for model in models]
+    ratio = law.speed_ratio(moi[1], reference_moi=moi[0])
+    place, offset = made["true_from_tip_in"].to_numpy() * INCH, made["true_offset_in"].to_numpy() * INCH
+    speed, speeds = np.full(len(made), 71.5 * MPH), []
+    for model, factor in zip(models, (1.0, ratio), strict=True):
+        bat = model.bat
+        omega = factor * speed / (own.length - own.choke - 6 * INCH)
+        there = omega * (bat.length - bat.choke - place)
+        struck = strikes(
+            model, ball=ball, swings=Swings(there, path_axes(0.15, 0.0, tilt=0.55, left=False), bat.choke),
+            pitches=BallMotions(velocity=(0.0, -36.8, -4.3), spin=np.zeros(3)),
+            contact=Contact(bat.length - place, offset),
+        )  # fmt: skip
+        speeds.append(struck.exit_speed)
+    truth = float(np.nanmean(speeds[1] - speeds[0])) / MPH
+    told = season.balls().select(gain=pl.col("exit_speed_with_mlb_a_mph") - pl.col("launch_speed")).collect()["gain"]
+    assert number(told.mean()) == pytest.approx(truth, abs=0.35)
+
+
+def test_drag_that_was_put_in_is_found(answered: Callable[[pl.DataFrame], Season]) -> None:
+    found = []
+    for drag in (1.0, 1.06):
+        frame = made_season(catalog.bat(BAT), MadeSeason(players=20, balls=150, drag=drag), seed=5)
+        found.append(drag_by_month(answered(frame.drop("bat_speed")).counted())[0])
+    change = found[1].drag / found[0].drag
+    error = np.hypot(found[0].error, found[1].error)
+    assert change == pytest.approx(1.06, abs=3 * error)
+    assert error < 0.02
+
+
+def test_reliability_is_the_correlation_of_two_halves(season: Season) -> None:
+    counted = season.counted().collect()
+    _, spread = pooled(counted, key="batter", measure="bat_speed")
+    halves = [
+        counted.gather_every(2, first).group_by("batter").agg(pl.col("bat_speed").mean(), balls=pl.len()).sort("batter")
+        for first in (0, 1)
+    ]
+    found = float(np.corrcoef(halves[0]["bat_speed"], halves[1]["bat_speed"])[0, 1])
+    assert found == pytest.approx(float(spread.reliability(number(halves[0]["balls"].mean()))), abs=0.1)
+
+
+def test_pooled_means_hold_as_often_as_they_say() -> None:
+    """Two hundred groups of made-up numbers with between 3 and 60 balls each."""
+    rng = np.random.default_rng(4)
+    truth = rng.normal(10.0, 1.0, 200)
+    sizes = rng.integers(3, 60, 200)
+    frame = pl.DataFrame({
+        "who": np.repeat(np.arange(200), sizes).astype(str),
+        "value": np.concatenate([rng.normal(mean, 4.0, size) for mean, size in zip(truth, sizes, strict=True)]),
+    })  # fmt: skip
+    table, spread = pooled(frame, key="who", measure="value")
+    mine = pl.Series(truth[table["who"].cast(pl.Int64).to_numpy()])
+    assert spread.between == pytest.approx(1.0, rel=0.4) and spread.within == pytest.approx(16.0, rel=0.1)
+    assert 0.42 < covered(mine, table["low50"], table["high50"]) < 0.58
+    assert 0.85 < covered(mine, table["low90"], table["high90"]) < 0.95
+    raw, partly = (number(((table[name] - mine) ** 2).mean()) for name in ("mean", "pooled"))
+    assert partly < 0.7 * raw
+
+
+def test_groups_that_do_not_differ_are_one() -> None:
+    rng = np.random.default_rng(7)
+    means = rng.normal(0, 0.1, 30)
+    assert spread_of(np.full(30, 100.0), means - means, np.full(30, 99.0)).between == 0.0
+
+
+@pytest.mark.parametrize("name", [BAT, "mlb-a"])
+def test_a_bat_s_table_agrees_with_the_kernel(name: str) -> None:
+    surface = surface_of(catalog.bat(name), ball=catalog.ball())
+    assert surface.speed_error <= SPEED_ERROR and surface.angle_error <= ANGLE_ERROR
+
+
+def test_a_head_on_hit_by_hand() -> None:
+    """One hit in the middle of nowhere, the table against the kernel: 0.1 mph."""
+    bat, ball = catalog.bat(BAT), catalog.ball()
+    surface, model = surface_of(bat, ball=ball), reduced_bat(bat, ball=ball)
+    place, speed = 5.3 * INCH, 33.1
+    there = speed * (bat.length - bat.choke - place) / (bat.length - bat.choke - 6 * INCH)
+    struck = strikes(
+        model, ball=ball, swings=Swings(np.array([there]), path_axes(0.0, 0.0, tilt=0.0, left=False), bat.choke),
+        pitches=BallMotions(velocity=(0.0, -37.0, -3.0), spin=np.zeros(3)),
+        contact=Contact(np.array([bat.length - place]), np.array([0.01])),
+    )  # fmt: skip
+    turned = np.arctan2(struck.velocity[:, 2], struck.velocity[:, 1])
+    fast, above = exit_speeds(
+        surface, bat_speed=np.array([speed]), pitch=(np.array([-37.0]), np.array([-3.0])), tangent=np.zeros(1),
+        turned=turned, place=np.array([place]),
+    )  # fmt: skip
+    assert fast[0] == pytest.approx(np.hypot(struck.velocity[0, 1], struck.velocity[0, 2]), abs=SPEED_ERROR)
+    assert above[0] == pytest.approx(0.01, abs=1e-4)
+
+
+@pytest.mark.skipif(not SHARED.exists(), reason="needs the tracked balls beside the project")
+def test_held_out_exit_speeds_by_bat_speed(tmp_path: Path) -> None:
+    """Learnt from one half, told of the other: 50 and 90 % intervals hold 47-53 and 88-92 % in every band."""
+    table = pl.read_csv(SHARED)
+    first, second = tmp_path / "first.parquet", tmp_path / "second.parquet"
+    table.gather_every(2).write_parquet(first)
+    table.gather_every(2, 1).write_parquet(second)
+    learnt = analyse_season([first], setting=season_setting(), folder=tmp_path / "a").setting
+    told = analyse_season([second], setting=learnt, folder=tmp_path / "b").balls().collect()
+    assert learnt.contact is not None and learnt.contact.relation.balls > 5000
+    rank = told["exit_speed_rank"]
+    for low, high in ((40, 66), (66, 70), (70, 74), (74, 100)):
+        mine = rank.filter((told["bat_speed"] >= low) & (told["bat_speed"] < high)).drop_nulls()
+        half, most = (number(mine.is_between(low, 1 - low).mean()) for low in (0.25, 0.05))
+        assert 0.45 < half < 0.55, (low, half)
+        assert 0.87 < most < 0.93, (low, most)
