@@ -21,11 +21,13 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 from sweetspot import catalog
+from sweetspot.analysis.certification.simulated_test import BBCOR_SPEED, bat_test
 from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.files.bat import bat_from_table
 from sweetspot.catalog.records import unwrapped
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
@@ -67,6 +69,10 @@ METAL = {
 COMPOSITE = {**METAL, "shell.wall.0.1": Free(3.4, 0.8, 2.0, 6.0)}  # handle, mm; assumed
 B6 = {"mass": (31.0, 0.02), "balance": (20.4, 0.01), "moi_6in": (9590.0, 5.0)}  # [russell2010swing]
 B7 = {"mass": (30.5, 0.02), "balance": (19.3, 0.01), "moi_6in": (8664.0, 5.0)}
+HUMP = {  # a wall that is thicker where it is hit; places and the rest are assumed
+    "shell.wall.0.1": Free(1.8, 0.5, 1.2, 3.0),  # handle, mm
+    "shell.wall.4.1": Free(4.8, 1.0, 2.5, 7.0),  # where it is hit
+}
 SHELLS = {  # shell bats nobody measured: the barrel walls are chosen, all else follows
     "single-wall": ({"mass": (30.0, 0.02), "moi_6in": (9000.0, 5.0)}, METAL),
     "double-wall": (B6, METAL),
@@ -79,6 +85,10 @@ SHELLS = {  # shell bats nobody measured: the barrel walls are chosen, all else 
 def shell(name: str) -> Search:
     targets, free = SHELLS[name]
     return Search({path: one for path, one in free.items() if path != "shell.wall.2.1"}, targets)
+
+
+def legal(ounces: float, bbcor: float) -> Search:
+    return Search(HUMP, {"mass": (ounces, 0.005), "bbcor": (bbcor, 0.00005)})
 
 
 def mlb(volume: float) -> Search:
@@ -136,6 +146,8 @@ SEARCHES = {
     "russell-b6": russell_metal(31.0, 20.4, 9590),
     "russell-b7": russell_metal(30.5, 19.3, 8664),
     **{name: shell(name) for name in SHELLS},
+    "college-alloy": legal(30.2, 0.4983),  # the limit is 0.500 [ncaa_bbcor]
+    "youth-alloy": legal(20.0, 0.5030),  # within 0.005 of 0.500 [usabat_faq]
 }
 
 
@@ -157,7 +169,15 @@ def observed(bat: Bat) -> dict[str, float]:
         "node_1": float(nodes[0][0]),
         "node_1_handle": float(nodes[0][1]),
         "node_2": float(nodes[1][0]),
+        "bbcor": bbcor_of(bat) if bat.shell is not None else float("nan"),
     }
+
+
+def bbcor_of(bat: Bat) -> float:
+    """Return BBCOR of the simulated test."""
+    ball, line = catalog.ball(), beam_model(bat)
+    modes, body = all_modes(line, ball), rigid_body(line)
+    return bat_test(line, body=body, modes=modes, ball=ball, closing_speed=BBCOR_SPEED).best_bbcor
 
 
 def located(table: Any, path: str) -> tuple[Any, Any]:

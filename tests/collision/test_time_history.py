@@ -80,9 +80,10 @@ def test_ball_and_bat_touch_in_every_frame_of_contact() -> None:
     """Travel of the ball less that of the struck place is compression and dent, and nothing after release."""
     modes = MODES["held, hollow"]
     scene = filmed(modes)
-    surface = scene.displacement @ modes.shape_at(scene.impact.position)
+    place, closing = scene.impact.position, scene.impact.closing_speed
+    surface = scene.displacement @ modes.shape_at(place, closing_speed=closing)
     pressed = scene.times < scene.impact.release_time
-    dented = scene.compression + modes.compliance_at(scene.impact.position) * scene.force
+    dented = scene.compression + modes.compliance_at(place, closing_speed=closing) * scene.force
     assert (scene.travel - surface)[pressed] == pytest.approx(dented[pressed], abs=1e-9)
     assert np.all((scene.travel - surface)[~pressed] <= 0)
     speed = np.diff(scene.travel[~pressed]) / np.diff(scene.times[~pressed])

@@ -175,7 +175,7 @@ def test_a_hard_ball_keeps_the_restitution_of_a_clamped_face() -> None:
         shapes=PPoly.construct_fast(np.zeros((1, 1, 1)), np.array([0.0, 1.0])),
         rigid_part=np.zeros((3, 1)),
         dashpots=np.zeros((0, 1)),
-        surface=Surface(lambda position, _: np.full((*position.shape, 1), moving**-0.5), np.eye(1)),
+        surface=Surface(lambda position, *_: np.full((*position.shape, 1), moving**-0.5), np.eye(1)),
     )
     found = hits(clamped, ball=ball, position=0.5, closing_speed=10.0, step=1e-6)
     assert found.collision_efficiency == pytest.approx([restitution], abs=0.015)

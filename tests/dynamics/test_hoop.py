@@ -6,16 +6,19 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
+from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_modes
-from sweetspot.dynamics.hoop import barrel_range, contact_patch, hoop_modes, patch_mean
+from sweetspot.dynamics.dent import round_compliance
+from sweetspot.dynamics.hoop import barrel_range, hoop_frequency, hoop_modes
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import joined
-from sweetspot.equipment.ball import Ball
+from sweetspot.dynamics.patch import contact_patch, patch_law, transform
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.material import Material
 
 INCH = 0.0254
+LAW = patch_law(catalog.ball())
 ALLOY = Material(name="alloy", family="metal", density=2800, longitudinal_modulus=71e9, poisson_ratio=0.33)
 
 
@@ -38,7 +41,7 @@ def test_a_long_tube_is_a_ring(inches: float, wall_mm: float, printed: float) ->
 
     The held taper end lets the lowest mode differ from the infinite ring by less than 1 %.
     """
-    lowest = hoop_modes(beam_model(tube(wall_mm * 1e-3, inches * INCH)), patch=0.02).frequency[0]
+    lowest = hoop_frequency(beam_model(tube(wall_mm * 1e-3, inches * INCH)))
     assert lowest == pytest.approx(printed, rel=0.01)
 
 
@@ -65,7 +68,7 @@ def exact_cylinder(n: int, m: int, *, wall: float, radius: float, length: float)
 def test_a_supported_cylinder_is_exact(n: int, m: int) -> None:
     line = beam_model(tube(2.5e-3, cap=0.02))
     start, end = barrel_range(line)
-    found = hoop_modes(line, patch=0.02, harmonics=(n,)).frequency[m - 1]
+    found = hoop_modes(line, law=LAW, harmonics=(n,)).frequency[m - 1]
     radius = 2.625 * INCH / 2 - 1.25e-3
     assert found == pytest.approx(exact_cylinder(n, m, wall=2.5e-3, radius=radius, length=end - start), rel=1e-5)
 
@@ -76,7 +79,7 @@ def test_frequencies_converge_at_high_order() -> None:
     start, end = barrel_range(line)
     exact = exact_cylinder(2, 4, wall=2.5e-3, radius=2.625 * INCH / 2 - 1.25e-3, length=end - start)
     counts = np.array([6, 8, 12, 16])
-    errors = [hoop_modes(line, patch=0.02, harmonics=(2,), elements=int(k)).frequency[3] / exact - 1 for k in counts]
+    errors = [hoop_modes(line, law=LAW, harmonics=(2,), elements=int(k)).frequency[3] / exact - 1 for k in counts]
     order = -np.polyfit(np.log(counts), np.log(errors), 1)[0]
     assert order > 3.8 and min(errors) > 0  # from above, as Rayleigh and Ritz demand
 
@@ -87,31 +90,27 @@ def test_the_patch_silences_short_waves() -> None:
         y = np.linspace(-0.02, 0.02, 20001)
         weight = 1 - (y / 0.02) ** 2
         expected = np.trapezoid(weight * np.cos(wave * y), y) / np.trapezoid(weight, y)
-        assert patch_mean(wave, 0.02) == pytest.approx(expected, abs=1e-6)
-    line = beam_model(tube(2.5e-3, cap=0.02))
-    sharp, wide = (np.abs(hoop_modes(line, patch=patch).shape_at(0.6)) for patch in (1e-3, 0.03))
-    high = [index for index, n in enumerate(hoop_modes(line, patch=0.03).harmonics) if n == 5]
-    assert wide[high].max() < 0.2 * sharp[high].max()
-
-
-def test_contact_patch_is_about_a_coin(baseball: Ball) -> None:
-    assert 0.015 < contact_patch(baseball) < 0.03
+        assert transform(np.array(wave * 0.02)) == pytest.approx(expected, abs=1e-6)
+    modes = hoop_modes(beam_model(tube(2.5e-3, cap=0.02)), law=LAW)
+    slow, fast = (np.abs(modes.shape_at(0.6, closing_speed=speed)) for speed in (7.0, 100.0))
+    high = [index for index, n in enumerate(modes.harmonics) if n == 4]
+    assert fast[high].max() < 0.6 * slow[high].max()
 
 
 def test_thinner_walls_ring_lower() -> None:
-    lowest = [hoop_modes(beam_model(tube(wall, cap=0.02)), patch=0.02).frequency[0] for wall in (2e-3, 2.5e-3, 3e-3)]
+    lowest = [hoop_frequency(beam_model(tube(wall, cap=0.02))) for wall in (2e-3, 2.5e-3, 3e-3)]
     assert lowest == sorted(lowest)
 
 
 def test_a_softball_bat_rings_where_it_should() -> None:
     """Russell 2017: lowest hoop modes of softball bats lie at 1.0 to 2.5 kHz. The catalogue's lay-up is assumed."""
-    assert 1000 < hoop_modes(beam_model(catalog.bat("slow-pitch")), patch=0.024).frequency[0] < 2500
+    assert 1000 < hoop_frequency(beam_model(catalog.bat("slow-pitch"))) < 2500
 
 
 def test_no_net_force_and_nothing_before_the_taper() -> None:
     bat = catalog.bat("russell-b6")
     line = beam_model(bat)
-    modes = hoop_modes(line, patch=0.02)
+    modes = hoop_modes(line, law=LAW)
     start, _ = barrel_range(line)
     assert np.all(modes.shape_at(np.array([0.0, 0.1, start - 1e-3])) == 0)
     assert np.all(modes.rigid_part == 0) and np.all(np.diff(modes.frequency) >= 0)
@@ -125,13 +124,13 @@ def test_a_drilled_wood_barrel_rings_far_above_5_khz() -> None:
     The bat's own list of modes leaves it out.
     """
     line = beam_model(catalog.bat("r161-ash").drilled(diameter=INCH, depth=10 * INCH))
-    assert hoop_modes(line, patch=0.02).frequency[0] > 5000
+    assert hoop_frequency(line) > 5000
     assert all_modes(line, catalog.ball()).of_family("hoop") == []
 
 
 def test_joined_modes_keep_their_shapes() -> None:
     line = beam_model(catalog.bat("russell-b6"))
-    bending, hoop = bending_modes(line), hoop_modes(line, patch=0.02)
+    bending, hoop = bending_modes(line), hoop_modes(line, law=LAW)
     both = joined(bending, hoop)
     places = np.linspace(0, line.bat.length, 57)
     assert both.shape_at(places)[:, : len(bending)] == pytest.approx(bending.shape_at(places), abs=1e-9)
@@ -139,8 +138,30 @@ def test_joined_modes_keep_their_shapes() -> None:
     assert len(both) == len(bending) + len(hoop) and both.families.count("hoop") == len(hoop)
 
 
-def test_the_patch_is_that_of_three_quarters_of_the_peak(baseball: Ball) -> None:
-    """a^2 = R u (Hertz), u = 0.75 of the compression that stops the ball at 60 m/s: k U^(n+1)/(n+1) = m v^2/2."""
-    compression = contact_patch(baseball) ** 2 / baseball.radius / 0.75
-    area = baseball.stiffness * compression ** (baseball.exponent + 1) / (baseball.exponent + 1)
-    assert area == pytest.approx(baseball.mass * 60.0**2 / 2)
+@pytest.mark.parametrize(("wall", "speed"), [(2e-3, 60.8), (2.9e-3, 60.8), (2.9e-3, 26.8), (4e-3, 60.8)])
+def test_the_wall_gives_way_as_a_solid_does(wall: float, speed: float) -> None:
+    """Against a three-dimensional elastic tube (`dent`), which shares no theory: thin shell within 1.5 % up to 4 mm.
+
+    Hoop modes, their static correction and the harmonics 0 and 1, in the middle of a long barrel.
+    """
+    bat = tube(wall, cap=0.02)
+    modes, place = hoop_modes(beam_model(bat), law=LAW), 0.53
+    felt = modes.shape_at(place, closing_speed=speed)
+    give = felt**2 @ modes.angular_frequency**-2.0 + modes.compliance_at(place, closing_speed=speed)
+    outside = bat.diameter_at(place) / 2
+    patch = np.array([contact_patch(catalog.ball(), speed) / outside])
+    solid = round_compliance(ALLOY, patch, void=round(1 - wall / float(outside), 3))[0] / outside
+    assert float(give) == pytest.approx(float(solid), rel=0.015)
+
+
+def test_few_modes_and_their_static_correction_are_enough() -> None:
+    line = beam_model(catalog.bat("single-wall"))
+    ball, places = catalog.ball(), line.bat.length - np.array([0.06, 0.1, 0.15, 0.2])
+    few, many = (
+        hits(
+            joined(bending_modes(line), hoop_modes(line, law=LAW, harmonics=harmonics, axial_modes=axial)),
+            ball=ball, position=places, closing_speed=60.0, step=6e-6,
+        ).collision_efficiency
+        for harmonics, axial in (((2, 3, 4), 5), ((2, 3, 4, 5, 6), 14))
+    )  # fmt: skip
+    assert few == pytest.approx(many, abs=2e-4)

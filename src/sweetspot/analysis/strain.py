@@ -130,7 +130,7 @@ def wall_strain(impact: Impact, *, bat: Bat, modes: Modes, motion: Array) -> flo
         thickness += float(bat.shell.inner_wall.thickness_at(place)[0])
     radius = float(bat.diameter_at(place)[0]) / 2 - thickness / 2
     harmonics = np.array([modes.harmonics[index] for index in hoop])
-    bent = (harmonics**2 - 1) * modes.shape_at(impact.position)[hoop]
+    bent = (harmonics**2 - 1) * modes.shape_at(impact.position, closing_speed=impact.closing_speed)[hoop]
     return float(thickness / (2 * radius**2) * np.abs(motion[:, hoop] @ bent).max(initial=0.0))
 
 

@@ -50,14 +50,20 @@ class WallPoint:
     energy: WallEnergy
 
 
-def wall_stiffness_at(modes: Modes, position: float) -> float:
-    """Return the wall's stiffness in N/m against a slow push at ``position``: 1 / sum(s^2 / omega^2) over hoop modes.
+def wall_stiffness_at(modes: Modes, position: float, *, closing_speed: float | None = None) -> float:
+    """Return the wall's stiffness in N/m against a slow push at ``position``: 1 / (C + sum(s^2 / omega^2)).
 
-    Infinite for a bat without hoop modes.
+    The sum is over hoop modes, C is what gives way at once. Infinite for a bat without hoop modes.
+
+    Parameters
+    ----------
+    closing_speed : m/s of the hit whose patch pushes; None: as at game speed.
     """
     hoop = modes.of_family("hoop")
-    give = np.sum((modes.shape_at(position)[hoop] / modes.angular_frequency[hoop]) ** 2)
-    return float(1 / give) if give > 0 else math.inf
+    if not hoop:
+        return math.inf
+    give = np.sum((modes.shape_at(position, closing_speed=closing_speed)[hoop] / modes.angular_frequency[hoop]) ** 2)
+    return float(1 / (give + modes.compliance_at(position, closing_speed=closing_speed)))
 
 
 def wall_share(ball: Ball, *, modes: Modes, position: float, compression: float) -> float:
@@ -72,13 +78,18 @@ def wall_share(ball: Ball, *, modes: Modes, position: float, compression: float)
 
 
 def wall_energy(impact: Impact, modes: Modes) -> WallEnergy:
-    """Return what the wall stored and gave back in a hit, by driving the hoop modes with the recorded force."""
+    """Return what the wall stored and gave back in a hit, by driving the hoop modes with the recorded force.
+
+    What gives way at once under the ball counts as stored with C F^2 / 2, and gives all of it back.
+    """
     hoop = modes.kept(modes.of_family("hoop"))
     if len(hoop) == 0 or len(impact.force) < 3:
         return WallEnergy(0.0, 0.0, 0.0, math.nan)
     motion = replayed(impact, hoop)
     energy = bat_energy(hoop, motion.displacement, motion.velocity)[3]
-    stored, held = float(energy.max()), float(energy[-1])
+    held = float(energy[-1])
+    give = float(modes.compliance_at(impact.position, closing_speed=impact.closing_speed))
+    stored = float((energy[:-1] + give * impact.force**2 / 2).max())
     restitution = math.sqrt(max(0.0, 1 - held / stored)) if stored > 0 else math.nan
     return WallEnergy(stored, held, stored / impact.energy.incoming, restitution)
 

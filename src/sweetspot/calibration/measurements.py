@@ -13,7 +13,7 @@ from sweetspot.calibration.naming import ModeName, NamedTone
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.bending import bending_frequencies
-from sweetspot.dynamics.hoop import hoop_modes
+from sweetspot.dynamics.hoop import hoop_frequency
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.rigid import pendulum_period, rigid_body
 from sweetspot.equipment.ball import Ball
@@ -136,8 +136,8 @@ def predicted(line: BeamModel, measurements: Sequence[Measurement], *, livelier:
             bending = bending_frequencies(line, count=count, elements=ELEMENTS) if bending is None else bending
             values.append(float(bending[one.mode.harmonic - 1]))
         else:
-            hoop = hoop_modes(line, patch=0.0, harmonics=(2,), axial_modes=1) if hoop is None else hoop
-            values.append(float(hoop.frequency[0]))
+            hoop = hoop_frequency(line) if hoop is None else hoop
+            values.append(hoop)
     return np.array(values)
 
 

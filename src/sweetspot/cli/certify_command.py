@@ -11,6 +11,7 @@ from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
+    from sweetspot.analysis.certification.passing_wall import PassingWall
     from sweetspot.analysis.certification.rules import League
     from sweetspot.analysis.certification.shot_statistics import Measured
     from sweetspot.analysis.certification.shots import Shots
@@ -38,6 +39,9 @@ def certify(
     standard_ball_cor: Annotated[
         str | None, Parameter(help="Restitution that shots are normalised to; default: the ball's at 60 mph.")
     ] = None,
+    wall_that_passes: Annotated[
+        bool, Parameter(negative="", help="Also say which barrel wall of a hollow bat would just pass.")
+    ] = False,
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Test a bat: BBCOR, BESR, BPF and a league's rules, with margin. Exit 1 when a rule fails."""
@@ -63,8 +67,12 @@ def certify(
     else:
         read, test = _measured(shots, described, body=body, ball=chosen, standard=standard_ball_cor)
     findings = {**construction_findings(described, body=body), **test.findings()}
+    walls = []
+    if wall_that_passes:
+        with patience():
+            walls = _walls(leagues, described, chosen)
     checks = [(one, check) for one in leagues for check in check_rules(one, bat=described, findings=findings)]
-    return present(tested_document(TestedBat(described, chosen, body, test, read, checks)), output)
+    return present(tested_document(TestedBat(described, chosen, body, test, read, checks, walls)), output)
 
 
 def _leagues(name: str, ball_name: str | None) -> tuple[list[League], Ball]:
@@ -81,6 +89,19 @@ def _leagues(name: str, ball_name: str | None) -> tuple[list[League], Ball]:
         return using, sport
     one = league(name)
     return [one], catalog.ball(ball_name or one.ball)
+
+
+def _walls(leagues: list[League], bat: Bat, ball: Ball) -> list[tuple[League, PassingWall]]:
+    """Return the wall that would just pass every league's limit on BBCOR or BPF."""
+    from sweetspot.analysis.certification.passing_wall import MEASURES
+    from sweetspot.analysis.certification.passing_wall import wall_that_passes as thinnest
+
+    limits = [(one, rule) for one in leagues for rule in one.rules if rule.quantity in MEASURES and rule.most]
+    if not limits:
+        raise InputError("no rule of this league limits BBCOR or BPF; leave --wall-that-passes out")
+    return [
+        (one, thinnest(bat, ball=ball, limit=rule.most, measure=rule.quantity)) for one, rule in limits if rule.most
+    ]
 
 
 def _measured(path: Path, bat: Bat, *, body: RigidBody, ball: Ball, standard: str | None) -> tuple[Shots, Measured]:

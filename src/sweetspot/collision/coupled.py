@@ -80,7 +80,10 @@ def hit(
     check_place(position, "position")
     if not closing_speed > 0:
         return _no_contact(modes, position, closing_speed)
-    struck = _Struck(modes.shape_at(position, lateral), float(modes.compliance_at(position)))
+    struck = _Struck(
+        modes.shape_at(position, lateral, closing_speed=closing_speed),
+        float(modes.compliance_at(position, closing_speed=closing_speed)),
+    )
     done = _integrated(modes, ball, struck, closing_speed, step, law or Hysteretic(ball))
     translation, rotation, bending, hoop, face = map(float, bat_energy(modes, done.displacement, done.velocity))
     separated = done.outcome is Outcome.SEPARATED

@@ -38,7 +38,8 @@ def struck(
     keep_motion : whether to return the bats' modal motion at release.
     threads : workers; None: one per core.
     """
-    shapes, give = bats.shapes_at(position), bats.compliance_at(position)
+    shapes = bats.shapes_at(position, closing_speed=closing_speed)
+    give = bats.compliance_at(position, closing_speed=closing_speed)
     omega, drift = bats.angular_frequency, free_steps(bats.angular_frequency, bats.damping_rate, step)
     count, places, size = shapes.shape
     outcome = np.empty((count, places), np.int64)

@@ -99,14 +99,15 @@ def _hits(
     omega = modes.angular_frequency
 
     def work(part: slice) -> None:
-        shapes = np.ascontiguousarray(modes.shape_at(places[part], across[part]))
-        give = np.ascontiguousarray(modes.compliance_at(places[part]))
+        here, speed = places[part], speeds[part]
+        shapes = np.ascontiguousarray(modes.shape_at(here, across[part], closing_speed=speed))
+        give = np.ascontiguousarray(modes.compliance_at(here, closing_speed=speed))
         kept = motion[:, part] if keep_motion else motion
         lanes = min(LANES, 4 * math.ceil(len(shapes) / 4))
         output = Output(outcome[part], results[:, part], kept)
         limit = float(round(TIME_LIMIT / step))
         bat = Bat(shapes, give, omega, drift, modes.dashpots, half_dash)
-        solve(lanes, speeds[part], bat, constants, step, limit, output)
+        solve(lanes, speed, bat, constants, step, limit, output)
 
     in_parts(work, count, size=CHUNK, threads=threads)
     return Impacts(outcome, *results, *motion)

@@ -50,7 +50,7 @@ def replayed(impact: Impact, modes: Modes) -> Motion:
         return Motion(np.zeros(1), still[None], still[None], np.zeros(1))
     step = kick_step(impact)
     drift, half_dash = modal_propagator_of(modes, step), dashpot_factors(modes, step / 2)
-    shape = modes.shape_at(impact.position, impact.lateral)
+    shape = modes.shape_at(impact.position, impact.lateral, closing_speed=impact.closing_speed)
     displacement, velocity = still, still
     places, before, after = [still], [still], [still]
     for push in impact.impulse[1:]:

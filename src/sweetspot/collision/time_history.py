@@ -128,6 +128,7 @@ def history_of(
         return np.concatenate([during[chosen], np.broadcast_to(after, len(free.times))])
 
     translation, rotation, bending, hoop, face = bat_energy(modes, bat.displacement, bat.velocity)
+    give = float(modes.compliance_at(impact.position, closing_speed=impact.closing_speed))
     return TimeHistory(
         impact=impact,
         times=bat.times,
@@ -146,7 +147,7 @@ def history_of(
             hoop=hoop,
             damping=bat.damping,
             face=face,
-            dent=whole(float(modes.compliance_at(impact.position)) * force**2 / 2, 0.0),
+            dent=whole(give * force**2 / 2, 0.0),
         ),
     )
 
@@ -162,7 +163,8 @@ def arrival_time(film: TimeHistory, *, modes: Modes, position: float) -> float |
     modes : the same as in the film.
     position : m from the knob end.
     """
-    struck = np.abs(film.velocity @ modes.shape_at(film.impact.position, film.impact.lateral))
+    hit = film.impact
+    struck = np.abs(film.velocity @ modes.shape_at(hit.position, hit.lateral, closing_speed=hit.closing_speed))
     moving = np.flatnonzero(np.abs(film.velocity @ modes.shape_at(position)) >= ARRIVAL * struck.max())
     return float(film.times[moving[0]]) if len(moving) else None
 

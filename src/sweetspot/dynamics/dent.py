@@ -21,9 +21,10 @@ from itertools import pairwise
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
-from scipy.interpolate import CubicSpline, PPoly
+from scipy.interpolate import CubicSpline
 
 from sweetspot.dynamics.beam import BeamModel
+from sweetspot.dynamics.patch import ByPatch, PatchLaw, transform
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.laminate_theory import DEFAULT_POISSON
 from sweetspot.equipment.material import Material
@@ -39,28 +40,35 @@ SLOWEST, FASTEST = 0.12, 14.0
 PATCHES = np.linspace(0.45, 1.25, 9)
 """a / R between which the dent is interpolated; smaller and larger patches are taken as the nearest of them."""
 ELEMENTS, DEGREE = 5, 4
+FINE = leggauss(64)
 PLACES = 81
 
 
-def dent_compliance(line: BeamModel, *, patch: float) -> PPoly:
-    """Return the dent of a solid or drilled round bat in m/N by position in m.
+def dent_compliance(line: BeamModel, *, law: PatchLaw) -> ByPatch:
+    """Return the dent of a solid or drilled round bat in m/N by position in m and closing speed.
 
     Parameters
     ----------
     line : a bat without a shell.
-    patch : radius in m of the ball's contact, > 0.
+    law : how the ball's patch goes with the closing speed.
     """
+    places = np.linspace(0.0, line.bat.length, PLACES)
+    tables = np.stack([_along(line, places, radius) for radius in law.radii], axis=1)
+    return ByPatch(law, CubicSpline(places, tables))
+
+
+def _along(line: BeamModel, places: Array, patch: float) -> Array:
+    """Return the dent in m/N at places under a patch of one radius, m."""
     bat = line.bat
     assert isinstance(bat, Bat) and bat.shell is None
-    places = np.linspace(0.0, bat.length, PLACES)
-    radius = bat.diameter_at(places) / 2
+    radius = np.asarray(bat.diameter_at(places)) / 2
     compliance = round_compliance(bat.material, patch / radius, void=0.0) / radius
     for bore in bat.bores:
         within = (places > bat.length - bore.depth) & (places <= bat.length - bore.plug)
         void = round(bore.diameter / 2 / float(radius[within].max(initial=bore.diameter)), 2)
         hollow = round_compliance(bat.material, patch / radius, void=void) / radius
         compliance = np.where(within, np.maximum(compliance, hollow), compliance)
-    return CubicSpline(places, compliance)
+    return compliance
 
 
 def round_compliance(material: Material, patch_ratio: Array, *, void: float) -> Array:
@@ -95,8 +103,8 @@ def _table(along: float, across: float, shear: float, poisson: float, across_poi
     beam = bending / waves**4 + shearing / waves**2
     totals = []
     for patch in PATCHES:
-        work = _work(give, waves, patch).sum(axis=0) - _transform(patch * waves) ** 2 * beam
-        totals.append(work @ weights / np.pi - _blunting(patch, bending=bending, shearing=shearing))
+        work = _work(give, waves, patch).sum(axis=0) - transform(patch * waves) ** 2 * beam
+        totals.append(work @ weights / np.pi - blunting(patch, bending=bending, shearing=shearing))
     return np.array(totals)
 
 
@@ -165,7 +173,7 @@ def _radial_parts(stiffness: Array, void: float) -> dict[tuple[int, int], Array]
 def _work(give: Array, waves: Array, patch: float) -> Array:
     """Return h_n(k) of a push by the ball, along its path all over the patch, shape (harmonics, waves)."""
     number = np.arange(-1, HARMONICS + 1)[:, None]
-    pressure = _transform(patch * np.hypot(number, waves)) / (2 * np.pi)
+    pressure = transform(patch * np.hypot(number, waves)) / (2 * np.pi)
     before, after = pressure[:-2], pressure[2:]
     outward, sideways = before + after, after - before
     outward[0] /= 2
@@ -175,20 +183,13 @@ def _work(give: Array, waves: Array, patch: float) -> Array:
     return np.asarray(work)
 
 
-def _transform(phase: Array) -> Array:
-    """Return 3 (sin s - s cos s) / s^3, the transform of a Hertz pressure."""
-    safe = np.maximum(phase, 1e-2)
-    exact = 3 * (np.sin(safe) - safe * np.cos(safe)) / safe**3
-    return np.asarray(np.where(phase < 1e-2, 1 - phase**2 / 10, exact))
-
-
-def _blunting(patch: float, *, bending: float, shearing: float) -> float:
+def blunting(patch: float, *, bending: float, shearing: float) -> float:
     """Return how much less a beam gives way under a patch than under a push at one point, m/N.
 
     Beside the point its deflection is less by S |x| / 2 - B |x|^3 / 12 (shear and bending compliances S and B); this is
     the mean over pairs of places with weights 1 - (x/a)^2.
     """
-    nodes, weights = leggauss(64)
+    nodes, weights = FINE
     weights = weights * (1 - nodes**2)
     apart = patch * np.abs(nodes[:, None] - nodes)
     return float(weights @ (shearing * apart / 2 - bending * apart**3 / 12) @ weights / weights.sum() ** 2)

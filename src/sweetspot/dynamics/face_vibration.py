@@ -48,7 +48,7 @@ def face_modes(line: BeamModel, ball: Ball) -> Modes:
         damping_rate.append(lost / face.moving_mass)
     count = len(families)
 
-    def basis(position: Array, lateral: Array) -> Array:
+    def basis(position: Array, lateral: Array, closing_speed: Array | float | None) -> Array:  # noqa: ARG001 - its patch is given
         here = outline.holds(position, lateral)
         shapes = [np.where(here, lateral, 0.0) / math.sqrt(roll_moi)]
         if face.moving_mass is not None:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.interpolate import PPoly
 
+from sweetspot.dynamics.patch import ByPatch
 from sweetspot.numerics.arrays import Array
 
 Family = Literal["rigid", "bending", "hoop", "face", "hand"]
@@ -19,18 +20,20 @@ Family = Literal["rigid", "bending", "hoop", "face", "hand"]
 
 @dataclass(frozen=True)
 class Surface:
-    """How the struck surface moves where that depends on the place across it: a face that gives way, a turning blade.
+    """How the struck surface moves where that depends on more than the place along it.
+
+    That is the place across a face that gives way or a turning blade, or the patch that a fast ball presses.
 
     It moves outwards by ``basis_k(x, y) weights_ki q_i``, over and above the line's own motion.
 
     Parameters
     ----------
-    basis : k functions of position and lateral place, m and m of shape (...), to 1/sqrt(kg) of shape (..., k); all
-        are zero off the face.
+    basis : k functions of position and lateral place, m and m of shape (...), and of the closing speed in m/s, of that
+        shape, one for all or None, to 1/sqrt(kg) of shape (..., k); all are zero off the face.
     weights : how much of each function is in each mode, shape (k, n).
     """
 
-    basis: Callable[[Array, Array], Array]
+    basis: Callable[[Array, Array, Array | float | None], Array]
     weights: Array
 
     def mixed(self, vectors: Array) -> Surface:
@@ -69,7 +72,7 @@ class Modes:
     rigid_part: Array
     dashpots: Array
     surface: Surface | None = None
-    compliances: tuple[PPoly, ...] = field(default=(), repr=False)
+    compliances: tuple[PPoly | ByPatch, ...] = field(default=(), repr=False)
 
     def __len__(self) -> int:
         return len(self.families)
@@ -85,24 +88,37 @@ class Modes:
         omega = self.angular_frequency
         return np.divide(self.damping_rate, 2 * omega, out=np.zeros_like(omega), where=omega > 0)
 
-    def shape_at(self, position: ArrayLike, lateral: ArrayLike = 0.0) -> Array:
+    def shape_at(
+        self, position: ArrayLike, lateral: ArrayLike = 0.0, *, closing_speed: ArrayLike | None = None
+    ) -> Array:
         """Return the shapes at positions in m: shape (..., n) for positions of shape (...).
 
         Parameters
         ----------
         lateral : m across the face from the line, of the same shape or one for all.
+        closing_speed : m/s of the hit that feels them, of the same shape or one for all: fast balls press a larger
+            patch. None: as at game speed.
         """
         places = np.asarray(position, float)
         along = np.asarray(self.shapes(places))
         if self.surface is None:
             return along
         across = np.broadcast_to(np.asarray(lateral, float), places.shape)
-        return along + self.surface.basis(places, across) @ self.surface.weights
+        speed = None if closing_speed is None else np.asarray(closing_speed, float)
+        return along + self.surface.basis(places, across, speed) @ self.surface.weights
 
-    def compliance_at(self, position: ArrayLike) -> Array:
-        """Return how far the surface gives way at once, m/N at positions in m, of their shape; never below zero."""
+    def compliance_at(self, position: ArrayLike, *, closing_speed: ArrayLike | None = None) -> Array:
+        """Return how far the surface gives way at once, m/N at positions in m, of their shape; never below zero.
+
+        Parameters
+        ----------
+        closing_speed : see `shape_at`.
+        """
         places = np.asarray(position, float)
-        each = (np.asarray(compliance(places)) for compliance in self.compliances)
+        speed = None if closing_speed is None else np.asarray(closing_speed, float)
+        each = (
+            give(places, speed) if isinstance(give, ByPatch) else np.asarray(give(places)) for give in self.compliances
+        )
         return np.maximum(sum(each, np.zeros_like(places)), 0.0)
 
     def slope_at(self, position: ArrayLike) -> Array:

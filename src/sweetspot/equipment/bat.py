@@ -81,6 +81,7 @@ class Bat(OfMaterial):
     density_gradient : relative change of density from the middle of the bat to its tip, -0.25 to 0.25.
     bores, cup, shell, point_masses : what is drilled, turned, hollowed and added.
     original : the bat as it was measured, when this one is that bat with something changed.
+    remark : how the description was made to agree with what was measured; "": it did.
 
     Raises
     ------
@@ -98,6 +99,7 @@ class Bat(OfMaterial):
     shell: Shell | None = None
     point_masses: tuple[PointMass, ...] = ()
     original: Bat | None = None
+    remark: str = ""
 
     @model_validator(mode="after")
     def _holds_together(self) -> Bat:
@@ -164,6 +166,15 @@ class Bat(OfMaterial):
                         f"inner wall and gap are {(thickness + sleeve.gap) * 1e3:.3g} mm at {position:.4g} m where the "
                         f"bore of the outer wall is {(radius - wall) * 1e3:.3g} mm in radius; make the sleeve thinner"
                     )
+        for ring in shell.rings:
+            if ring.ends[1] > self.length:
+                raise ValueError(f"the ring at {ring.position:.4g} m reaches beyond the tip at {self.length:.4g} m")
+            hollow = self._bore_radius(ring.position)
+            if ring.depth is not None and ring.depth > hollow:
+                raise ValueError(
+                    f"the ring at {ring.position:.4g} m is {ring.depth * 1e3:.3g} mm deep where the hollow is "
+                    f"{hollow * 1e3:.3g} mm in radius; leave its depth out for a solid disc"
+                )
 
     def _check_fits(self, diameter: float, depth: float, what: str, *, mouth_only: bool = False) -> None:
         if depth >= self.length:
@@ -279,9 +290,16 @@ class Bat(OfMaterial):
             masses.append(Lump(0.0, self.shell.knob_mass))
         if self.shell is not None and self.shell.joint is not None and self.shell.joint_mass:
             masses.append(Lump(self.shell.joint, self.shell.joint_mass))
+        if self.shell is not None:
+            rings = self.shell.rings
+            masses += [Lump(ring.position, *ring.inertia(self._bore_radius(ring.position))) for ring in rings]
         if self.shell is not None and self.shell.end_cap_mass:
             masses.append(Lump(self.length, self.shell.end_cap_mass))
         return tuple(masses)
+
+    def _bore_radius(self, position: float) -> float:
+        assert self.shell is not None
+        return self.shell.bore_at(position, float(self.diameter_at(position)) / 2)
 
     def drilled(self, *, diameter: float, depth: float) -> Self:
         """Return the bat with an empty hole drilled from the barrel end (m)."""

@@ -15,6 +15,7 @@ from pydantic import model_validator
 from sweetspot.equipment.base import NonNegative, Positive, Validated
 from sweetspot.equipment.laminate import Laminate
 from sweetspot.equipment.material import Material
+from sweetspot.equipment.ring import Ring
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 
@@ -94,6 +95,7 @@ class Shell(Validated):
     wall : (position, thickness) stations in m over the whole length.
     laminate : plies of the wall; their thicknesses scale with the wall. None: the bat's own material.
     inner_wall : a sleeve inside; None: a single wall.
+    rings : flat rings and discs inside the barrel, fixed to the innermost wall.
     handle_material : of a two-piece bat, from the knob end to ``joint``; None: one piece.
     joint : m from the knob end, where the handle ends.
     joint_mass : kg of whatever joins the pieces, at ``joint``.
@@ -103,6 +105,7 @@ class Shell(Validated):
     wall: Stations
     laminate: Laminate | None = None
     inner_wall: InnerWall | None = None
+    rings: tuple[Ring, ...] = ()
     handle_material: Material | None = None
     joint: Positive | None = None
     joint_mass: NonNegative = 0.0
@@ -137,7 +140,15 @@ class Shell(Validated):
         """Return the positions in m where a wall bends, begins or ends."""
         inner = () if self.inner_wall is None else self.inner_wall.wall
         joint = () if self.joint is None else (self.joint,)
-        return (*(position for position, _ in (*self.wall, *inner)), *joint)
+        return (*(position for position, _ in (*self.wall, *inner)), *joint, *(ring.position for ring in self.rings))
+
+    def bore_at(self, position: float, radius: float) -> float:
+        """Return the radius in m that the innermost wall leaves open where the bat's own radius is ``radius`` m."""
+        place = np.array([position])
+        open_radius = radius - float(self.wall_at(place)[0])
+        if self.inner_wall is not None and self.inner_wall.thickness_at(place)[0] > 0:
+            open_radius -= self.inner_wall.gap + float(self.inner_wall.thickness_at(place)[0])
+        return open_radius
 
     def parts(self, position: Array, radius: Array, material: Material) -> list[WallPart]:
         """Return the walls at positions in m, the outer one of radius ``radius`` m and of ``material`` first."""

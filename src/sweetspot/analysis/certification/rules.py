@@ -122,14 +122,16 @@ class Finding:
     ----------
     value : in SI; None: nothing.
     doubt : why it cannot decide a rule; "": it can.
-    interval : 95 % interval of a measured value.
+    interval : between which the value lies, by ``interval_is``.
     absent : what the bat does not have, so that no rule on it applies; "": it has it.
+    interval_is : what the interval is, in words.
     """
 
     value: float | None
     doubt: str = ""
     interval: tuple[float, float] | None = None
     absent: str = ""
+    interval_is: str = "the 95 % interval"
 
 
 @dataclass(frozen=True)
@@ -251,5 +253,5 @@ def _straddles(rule: Rule, finding: Finding) -> str:
         return ""
     low, high = finding.interval
     if any(limit is not None and low < limit < high for limit in (rule.least, rule.most)):
-        return f"close: the 95 % interval {low:.4f} to {high:.4f} reaches across the limit"
+        return f"close: {finding.interval_is}, {low:.4f} to {high:.4f}, reaches across the limit"
     return ""

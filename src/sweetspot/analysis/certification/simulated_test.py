@@ -17,6 +17,7 @@ from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import BeamModel, beam_model
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes
+from sweetspot.dynamics.patch import PATCH_SPREAD
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
@@ -73,6 +74,7 @@ class Certification(ShownInNotebooks):
     ----------
     fast : the test at 136 mph, for BBCOR and the older BESR.
     slow : the test at 60 mph, for BPF.
+    other_patches : both tests again with the smallest and the largest patch that a ball can press (`PATCH_SPREAD`).
     """
 
     bat: Bat
@@ -80,6 +82,7 @@ class Certification(ShownInNotebooks):
     body: RigidBody
     fast: BatTest
     slow: BatTest
+    other_patches: tuple[tuple[BatTest, BatTest], ...] = ()
 
     def __repr__(self) -> str:
         """Return the measures, short."""
@@ -98,17 +101,33 @@ class Certification(ShownInNotebooks):
     @property
     def bpf(self) -> float:
         """BPF at the best place of the slow test."""
-        return bpf(self.slow.best_bbcor, ball_restitution=self.slow.ball_restitution)
+        return _bpf_of(self.slow)
 
     @property
     def batted_ball_speed(self) -> float:
         """Exit speed in m/s at the best place for a 70 mph ball and a bat at 66 mph there [nathan2003sabr]."""
-        return exit_speed(self.fast.best_efficiency, ball_speed=OLD_BALL_SPEED, bat_speed=OLD_BAT_SPEED)
+        return _batted_ball_speed_of(self.fast)
+
+    @property
+    def spreads(self) -> dict[str, tuple[float, float]]:
+        """Least and greatest value of each measure that the size of the ball's patch leaves open, by its name."""
+        tests = ((self.fast, self.slow), *self.other_patches)
+        values = {
+            "bbcor": [fast.best_bbcor for fast, _ in tests],
+            "besr": [besr(fast.best_efficiency) for fast, _ in tests],
+            "bpf": [_bpf_of(slow) for _, slow in tests],
+            "batted_ball_speed": [_batted_ball_speed_of(fast) for fast, _ in tests],
+        }
+        return {name: (min(found), max(found)) for name, found in values.items()}
 
     def findings(self) -> dict[str, Finding]:
         """Return the measures as rules take them; a best place at an end of the scan decides nothing."""
         doubt = "the greatest BBCOR lies at an end of the scan and may be greater beyond" if self.fast.at_edge else ""
-        return {name: Finding(getattr(self, name), doubt) for name in ("bbcor", "besr", "bpf", "batted_ball_speed")}
+        patch = "what the size of the ball's patch leaves open"
+        return {
+            name: Finding(getattr(self, name), doubt, spread if self.other_patches else None, interval_is=patch)
+            for name, spread in self.spreads.items()
+        }
 
 
 def besr(efficiency: float) -> float:
@@ -132,10 +151,23 @@ def bpf(restitution: float, *, ball_restitution: float) -> float:
 def certify(bat: Bat, *, ball: Ball) -> Certification:
     """Return the measures of a bat from simulated tests at 136 mph and 60 mph."""
     line = beam_model(bat)
-    body, modes = rigid_body(line), all_modes(line, ball)
-    fast = bat_test(line, body=body, modes=modes, ball=ball, closing_speed=BBCOR_SPEED)
-    slow = bat_test(line, body=body, modes=modes, ball=ball, closing_speed=BPF_SPEED)
-    return Certification(bat, ball, body, fast, slow)
+    body = rigid_body(line)
+    tests = []
+    for factor in (1.0, *PATCH_SPREAD):
+        modes = all_modes(line, ball, patch_factor=factor)
+        fast, slow = (
+            bat_test(line, body=body, modes=modes, ball=ball, closing_speed=speed) for speed in (BBCOR_SPEED, BPF_SPEED)
+        )
+        tests.append((fast, slow))
+    return Certification(bat, ball, body, *tests[0], other_patches=tuple(tests[1:]))
+
+
+def _bpf_of(slow: BatTest) -> float:
+    return bpf(slow.best_bbcor, ball_restitution=slow.ball_restitution)
+
+
+def _batted_ball_speed_of(fast: BatTest) -> float:
+    return exit_speed(fast.best_efficiency, ball_speed=OLD_BALL_SPEED, bat_speed=OLD_BAT_SPEED)
 
 
 def bat_test(

@@ -16,9 +16,11 @@ from sweetspot.catalog.files.turned import turned_profile
 from sweetspot.catalog.materials import material
 from sweetspot.catalog.records import unwrapped
 from sweetspot.catalog.usual_bodies import warn_of_doubts
+from sweetspot.dynamics.weight_match import weight_matched
 from sweetspot.equipment.bat import Bat, Bore, Cup, PointMass
 from sweetspot.equipment.laminate import Laminate, Ply
 from sweetspot.equipment.material import Material
+from sweetspot.equipment.ring import Ring
 from sweetspot.equipment.shell import InnerWall, Shell, check_count
 from sweetspot.errors import InputError
 from sweetspot.numerics.text_files import read_text
@@ -30,6 +32,11 @@ MAX_BYTES = 1_000_000
 DEEPEST_KEY = 40
 DEEP_KEY = re.compile(rf"""(?<![\w"'-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')\s*+\.\s*+){{{DEEPEST_KEY}}}""")
 """A key of many parts joined by dots."""
+
+
+def _listed(value: Any) -> Any:
+    """Return one table as a list of one: [bore] is as good as [[bore]]."""
+    return (value,) if isinstance(value, dict) else value
 
 
 class BoreTable(FileTable):
@@ -66,12 +73,27 @@ class InnerWallTable(FileTable):
     bonded: bool = Field(False, description="true: the walls are glued to each other")
 
 
+class RingTable(FileTable):
+    """[[shell.ring]]: a flat ring or disc inside the barrel, fixed to the innermost wall."""
+
+    position: Text = Field(description="of its middle, from the knob end")
+    width: Text = Field(description="along the bat")
+    depth: Text | None = Field(None, description="from the wall inwards; absent: a solid disc")
+    material: str | None = Field(None, description="name in the catalogue; absent: the bat's own")
+
+
 class ShellTable(FileTable):
     """[shell]: a hollow bat."""
 
     wall: Pairs | Text = Field(description="one thickness, or pairs of position from the knob end and thickness")
     laminate: tuple[PlyTable, ...] | None = Field(None, description="plies from the inside outwards")
     inner_wall: InnerWallTable | None = None
+    ring: Annotated[tuple[RingTable, ...], BeforeValidator(_listed)] = Field(
+        (), description="rings and discs that keep the barrel round"
+    )
+    weight_by: Literal["handle", "knob", "end cap", "wall"] | None = Field(
+        None, description="what meets a measured mass where density alone cannot; absent: the first of these that can"
+    )
     handle_material: str | None = Field(None, description="of a two-piece bat; name in the catalogue")
     joint: Text | None = Field(None, description="where the handle of a two-piece bat ends, from the knob end")
     joint_mass: Text = "0 oz"
@@ -116,11 +138,6 @@ class CalibrationTable(FileTable):
     covariance: tuple[tuple[float, ...], ...] = Field(
         description="of the unknowns' deviations: of logarithms, and of the density gradient itself"
     )
-
-
-def _listed(value: Any) -> Any:
-    """Return one table as a list of one: [bore] is as good as [[bore]]."""
-    return (value,) if isinstance(value, dict) else value
 
 
 class BatFile(FileTable):
@@ -229,7 +246,7 @@ def _bat(file: BatFile) -> Bat:
         end = sizes["taper_end"] / length
         check_usual(end, "end of the taper", f"{file.turned.taper_end}, {end:.2f} of the length")
         profile = turned_profile(length=length, **sizes)
-    return Bat(
+    bat = Bat(
         name=file.name,
         sport=file.sport,
         length=length,
@@ -254,6 +271,7 @@ def _bat(file: BatFile) -> Bat:
         choke=parse(file.choke, "length", "choke"),
         original=None if file.original is None else _bat(file.original),
     )
+    return weight_matched(bat, None if file.shell is None else file.shell.weight_by)
 
 
 def _pairs(pairs: Pairs, what: str) -> tuple[tuple[float, float], ...]:
@@ -280,6 +298,7 @@ def _shell(table: ShellTable, own: Material, *, length: Text) -> Shell:
         wall=_pairs(wall, "shell.wall"),
         laminate=None if table.laminate is None else laminate_of(table.laminate, "shell.laminate"),
         inner_wall=None if table.inner_wall is None else _inner_wall(table.inner_wall, own),
+        rings=tuple(_ring(ring, own) for ring in table.ring),
         handle_material=None if table.handle_material is None else material(table.handle_material),
         joint=None if table.joint is None else parse(table.joint, "length", "shell.joint"),
         **{name: parsed(getattr(table, name), "mass", f"shell.{name}", "bat") for name in masses},
@@ -293,6 +312,15 @@ def _inner_wall(table: InnerWallTable, own: Material) -> InnerWall:
         laminate=None if table.laminate is None else laminate_of(table.laminate, "shell.inner_wall.laminate"),
         gap=parse(table.gap, "length", "shell.inner_wall.gap"),
         bonded=table.bonded,
+    )
+
+
+def _ring(table: RingTable, own: Material) -> Ring:
+    return Ring(
+        position=parse(table.position, "length", "shell.ring.position"),
+        width=parse(table.width, "length", "shell.ring.width"),
+        depth=None if table.depth is None else parse(table.depth, "length", "shell.ring.depth"),
+        material=own if table.material is None else material(table.material),
     )
 
 

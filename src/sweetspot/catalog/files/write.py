@@ -96,6 +96,16 @@ def _shell(shell: Shell) -> dict[str, Any]:
             "gap": _metres(sleeve.gap),
             "bonded": sleeve.bonded,
         }
+    if shell.rings:
+        table["ring"] = [
+            {
+                "position": _metres(ring.position),
+                "width": _metres(ring.width),
+                **({"depth": _metres(ring.depth)} if ring.depth is not None else {}),
+                "material": _named(ring.material),
+            }
+            for ring in shell.rings
+        ]
     return table
 
 

@@ -11,12 +11,12 @@ from scipy.interpolate import CubicSpline
 
 from sweetspot.dynamics.batch.beams import BeamRow, SolidBats
 from sweetspot.dynamics.batch.bending import BendingBatch, bending_batch, even_splines, on_even_splines
-from sweetspot.dynamics.batch.hoop import fast_hoop_modes
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.dent import PLACES, dent_compliance, round_compliance
 from sweetspot.dynamics.face_vibration import face_modes
-from sweetspot.dynamics.hoop import contact_patch
+from sweetspot.dynamics.hoop import hoop_modes
 from sweetspot.dynamics.modes import Modes, joined
+from sweetspot.dynamics.patch import ByPatch, PatchLaw, patch_law
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
@@ -31,12 +31,15 @@ class ReducedBats:
     Parameters
     ----------
     bending : mass properties and bending modes.
-    dent : m/N that round wood is dented, at `PLACES` even places along every bat, shape (bats, places); 0 for others.
+    dent : m/N that round wood is dented, at `PLACES` even places along every bat under patches of ``law``'s radii, of
+        shape (bats, places, radii); 0 for others.
+    law : how the ball's patch goes with the closing speed.
     walls : what a hollow barrel or a striking face adds, one per bat; None: nothing.
     """
 
     bending: BendingBatch
     dent: Array
+    law: PatchLaw
     walls: tuple[Modes | None, ...]
 
     def __len__(self) -> int:
@@ -53,21 +56,37 @@ class ReducedBats:
         rate = 2 * self.bending.damping_ratio[:, None] * self.bending.omega
         return self._padded(np.pad(rate, ((0, 0), (2, 0))), "damping_rate")
 
-    def shapes_at(self, position: Array) -> Array:
-        """Return the shapes at places (bats, places) in m, shape (bats, places, n), 1/sqrt(kg)."""
+    def shapes_at(self, position: Array, *, closing_speed: Array | None = None) -> Array:
+        """Return the shapes at places (bats, places) in m, shape (bats, places, n), 1/sqrt(kg).
+
+        Parameters
+        ----------
+        closing_speed : m/s of the hits that feel them, shape (bats, places); None: as at game speed.
+        """
         beams = self.bending.shapes_at(position)
         if self._most == 0:
             return beams
         walls = np.zeros((*position.shape, self._most))
         for row, wall in enumerate(self.walls):
             if wall is not None:
-                walls[row, :, : len(wall)] = wall.shape_at(position[row])
+                speed = None if closing_speed is None else closing_speed[row]
+                walls[row, :, : len(wall)] = wall.shape_at(position[row], closing_speed=speed)
         return np.concatenate([beams, walls], axis=2)
 
-    def compliance_at(self, position: Array) -> Array:
-        """Return how far the surface gives way at once, m/N at places (bats, places) in m; never below zero."""
+    def compliance_at(self, position: Array, *, closing_speed: Array | None = None) -> Array:
+        """Return how far the surface gives way at once, m/N at places (bats, places) in m; never below zero.
+
+        Parameters
+        ----------
+        closing_speed : see `shapes_at`.
+        """
         give = self.bending.left_out_at(position)
-        give = give + on_even_splines(self._dents, position / self.bending.length[:, None])
+        part, speed = position / self.bending.length[:, None], closing_speed
+        dents = np.stack([on_even_splines(dents, part) for dents in self._dents], axis=-1)
+        give = give + np.sum(dents * self.law.weights_at(speed), axis=-1)
+        for row, wall in enumerate(self.walls):
+            if wall is not None:
+                give[row] += wall.compliance_at(position[row], closing_speed=None if speed is None else speed[row])
         return np.asarray(np.maximum(give, 0.0))
 
     def modes(self, number: int) -> Modes:
@@ -78,11 +97,12 @@ class ReducedBats:
         if not self.dent[number].any():
             return modes
         places = np.linspace(0.0, self.bending.length[number], PLACES)
-        return replace(modes, compliances=(*modes.compliances, CubicSpline(places, self.dent[number])))
+        dent = ByPatch(self.law, CubicSpline(places, self.dent[number]))
+        return replace(modes, compliances=(*modes.compliances, dent))
 
     @cached_property
-    def _dents(self) -> Array:
-        return even_splines(self.dent)
+    def _dents(self) -> list[Array]:
+        return [even_splines(dent) for dent in np.moveaxis(self.dent, -1, 0)]
 
     @cached_property
     def _most(self) -> int:
@@ -103,9 +123,10 @@ def reduced_outlines(bats: SolidBats, *, ball: Ball, threads: int | None = None)
     stations = bats.position / length + 2 * np.arange(len(bats))[:, None]
     places = np.linspace(0.0, 1.0, PLACES) + 2 * rows
     radius = np.interp(places, stations.ravel(), bats.diameter.ravel()) / 2
-    dent = round_compliance(bats.material, contact_patch(ball) / radius, void=0.0) / radius
-    dent = dent / bats.stiffness_factor[:, None]
-    return ReducedBats(bending_batch(bats, threads=threads), dent, (None,) * len(bats))
+    law = patch_law(ball)
+    dent = round_compliance(bats.material, law.radii / radius[..., None], void=0.0) / radius[..., None]
+    dent = dent / bats.stiffness_factor[:, None, None]
+    return ReducedBats(bending_batch(bats, threads=threads), dent, law, (None,) * len(bats))
 
 
 def reduced_lines(lines: Sequence[BeamModel], *, ball: Ball, threads: int | None = None) -> ReducedBats:
@@ -113,8 +134,8 @@ def reduced_lines(lines: Sequence[BeamModel], *, ball: Ball, threads: int | None
 
     See `all_modes`: a face adds roll and its own mode, a hollow barrel its hoop modes; a solid bat is dented.
     """
-    patch = contact_patch(ball)
-    dent, walls = np.zeros((len(lines), PLACES)), dict[int, Modes]()
+    law = patch_law(ball)
+    dent, walls = np.zeros((len(lines), PLACES, len(law.radii))), dict[int, Modes]()
 
     def work(part: slice) -> None:
         for number in range(part.start, part.stop):
@@ -122,14 +143,14 @@ def reduced_lines(lines: Sequence[BeamModel], *, ball: Ball, threads: int | None
             if line.bat.face is not None:
                 walls[number] = face_modes(line, ball)
             elif isinstance(line.bat, Bat) and line.bat.shell is not None:
-                walls[number] = fast_hoop_modes(line, patch=patch)
+                walls[number] = hoop_modes(line, law=law)
             elif isinstance(line.bat, Bat):
-                spline = dent_compliance(line, patch=patch)
-                dent[number] = spline(np.linspace(0.0, line.bat.length, PLACES))
+                tables = dent_compliance(line, law=law).tables
+                dent[number] = tables(np.linspace(0.0, line.bat.length, PLACES))
 
     in_parts(work, len(lines), size=4, threads=threads)
     return ReducedBats(
-        bending_batch(BeamRow(lines), threads=threads), dent, tuple(walls.get(i) for i in range(len(lines)))
+        bending_batch(BeamRow(lines), threads=threads), dent, law, tuple(walls.get(i) for i in range(len(lines)))
     )
 
 

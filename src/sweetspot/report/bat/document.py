@@ -11,6 +11,7 @@ from sweetspot.analysis.face_maps import face_map
 from sweetspot.catalog.sports import sport
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.report.bat.appendix import assumptions_section, constants_section
 from sweetspot.report.bat.beside_published import chosen, published_section
@@ -41,7 +42,12 @@ def report_document(analysis: Analysis[Implement]) -> Document:
     overview = _overview(analysis)
     return Document(
         name="report", title=bat.name, subtitle=_sizes(analysis), kind=f"{sport(bat.sport).name}: sweet spot report",
-        blocks=[_cards(analysis, misses), *(Paragraph(words) for words in answer(analysis, misses)), overview],
+        blocks=[
+            _cards(analysis, misses),
+            *(Paragraph(words) for words in answer(analysis, misses)),
+            *(Paragraph(words) for words in remarks(bat)),
+            overview,
+        ],
         details=_details(analysis), appendix=_appendix(analysis, misses), data=data, rows=data["scan"],
         reader=reader_of(bat), drawing=overview,
     )  # fmt: skip
@@ -53,9 +59,14 @@ def described_document(bat: Implement) -> Document:
     data = bat_json(bat.name, bat.length, body)
     return Document(
         name="bat", title=bat.name, subtitle=bat.made_of, kind=f"{sport(bat.sport).name}: {words_of(bat).implement}",
-        blocks=[mass_table(bat, body)], data=data, rows={name: [value] for name, value in data.items()},
-        reader=reader_of(bat),
+        blocks=[mass_table(bat, body), *(Paragraph(words) for words in remarks(bat))],
+        data=data, rows={name: [value] for name, value in data.items()}, reader=reader_of(bat),
     )  # fmt: skip
+
+
+def remarks(bat: Implement) -> list[str]:
+    """Return how a bat's description was made to agree with what was measured on it; nothing where it did."""
+    return [bat.remark] if isinstance(bat, Bat) and bat.remark else []
 
 
 def _sizes(analysis: Analysis[Implement]) -> Sentence:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from sweetspot.analysis.certification.passing_wall import PassingWall
 from sweetspot.analysis.certification.rules import QUANTITIES, Check, League, Verdict, title
 from sweetspot.analysis.certification.shot_statistics import Estimate, Measured
 from sweetspot.analysis.certification.shots import Shots
@@ -14,13 +15,17 @@ from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.report.bat.json import bat_json
-from sweetspot.report.certification.numbers import check_json, measured_json, simulated_json
+from sweetspot.report.certification.numbers import check_json, measured_json, simulated_json, wall_json
 from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Marked, Paragraph, Table
 from sweetspot.report.json_shapes import as_columns, cleaned
 from sweetspot.report.sentences import Sentence, Slot, Words, joined, say
 
 SCALES = {"m": ("length", 3), "m/s": ("speed", 1), "kg m^2": ("moi", None), "in - oz": ("ratio", 2)}
 """Scale and digits of what rules limit, by its unit; every other is a ratio with four digits."""
+PATCH_NOTE = (
+    "By the patch: with the smallest and the largest patch through which a ball can push; the least certain number of "
+    "the test. The ball is the catalogue's; a test normalises to one."
+)
 MARKS = {Verdict.PASS: "hit", Verdict.FAIL: "missed"}
 
 
@@ -33,6 +38,7 @@ class TestedBat:
     test : the simulated test, or what measured shots say.
     shots : the file of measured shots; None for a simulated test.
     checks : (league, rule held against the bat).
+    walls : (league, the barrel wall that would just pass its limit), where that was asked.
     """
 
     bat: Bat
@@ -41,6 +47,7 @@ class TestedBat:
     test: Certification | Measured
     shots: Shots | None = None
     checks: Sequence[tuple[League, Check]] = ()
+    walls: Sequence[tuple[League, PassingWall]] = ()
 
     @property
     def failed(self) -> list[tuple[League, Check]]:
@@ -53,8 +60,11 @@ def tested_document(tested: TestedBat) -> Document:
     test = tested.test
     blocks: list[Block] = [Paragraph(_headline(tested))] if tested.checks else []
     blocks += [Paragraph(words, "warning") for words in _superseded(tested.checks)]
+    blocks += [Paragraph(_passing(tested, league, wall)) for league, wall in tested.walls]
+    if tested.bat.remark:
+        blocks.append(Paragraph(tested.bat.remark))
     if isinstance(test, Certification):
-        blocks.append(_simulated(test))
+        blocks += _simulated(test)
     elif tested.shots is not None:
         blocks += _measured(test, tested.shots, length=tested.bat.length)
     if tested.checks:
@@ -77,7 +87,22 @@ def _json(tested: TestedBat, checks: list[dict[str, Any]]) -> dict[str, Any]:
     if isinstance(test, Measured) and tested.shots is not None:
         told = {"shots": measured_json(test, tested.shots)}
     described = {"bat": bat_json(bat.name, bat.length, tested.body), "ball": tested.ball.name}
-    return described | told | {"checks": checks, "passed": not tested.failed}
+    walls = [wall_json(league.key, wall) for league, wall in tested.walls]
+    return described | told | {"checks": checks, "passed": not tested.failed} | ({"walls": walls} if walls else {})
+
+
+def _passing(tested: TestedBat, league: League, wall: PassingWall) -> Sentence:
+    less = (
+        " A barrel that is thick only where it is hit, or a ring or disc inside ([[shell.ring]]), does it with less."
+        if wall.factor > 1 else ""
+    )  # fmt: skip
+    return say(
+        "The wall that just passes {measure} {limit} ({league}): {thickness} in the middle of the barrel, {factor} "
+        "times as thick as drawn. The bat would weigh {mass} instead of {before}." + less,
+        measure=wall.measure.upper(), limit=Slot(wall.limit, "ratio", 3), league=league.name,
+        thickness=say("{size} mm", size=Slot(1e3 * wall.thickness, "ratio", 2)), factor=Slot(wall.factor, "ratio", 2),
+        mass=Slot(wall.mass, "mass"), before=Slot(tested.body.mass, "mass"),
+    )  # fmt: skip
 
 
 def _headline(tested: TestedBat) -> Sentence:
@@ -99,22 +124,29 @@ def _superseded(checks: Sequence[tuple[League, Check]]) -> list[str]:
     return [f"{league.name}: {league.superseded}." for league in leagues if league.superseded]
 
 
-def _simulated(test: Certification) -> Table:
-    fast, slow, length = test.fast, test.slow, test.bat.length
+def _simulated(test: Certification) -> list[Block]:
+    fast, slow, length, spreads = test.fast, test.slow, test.bat.length, test.spreads
     at = Slot(fast.closing_speed, "speed", 0)
     rows: list[list[Cell]] = [
-        ["BBCOR of the test", Slot(test.bbcor, "ratio", 4), _place(fast, length),
+        ["BBCOR of the test", Slot(test.bbcor, "ratio", 4), _range(spreads["bbcor"]), _place(fast, length),
          say("ball at {speed}, best of {count} places", speed=at, count=len(fast.position))],
-        ["collision efficiency q", Slot(fast.best_efficiency, "ratio", 4), _place(fast, length), "there"],
-        ["BESR", Slot(test.besr, "ratio", 4), _place(fast, length), "q + 1/2"],
-        ["BPF", Slot(test.bpf, "ratio"), _place(slow, length),
+        ["collision efficiency q", Slot(fast.best_efficiency, "ratio", 4), "", _place(fast, length), "there"],
+        ["BESR", Slot(test.besr, "ratio", 4), _range(spreads["besr"]), _place(fast, length), "q + 1/2"],
+        ["BPF", Slot(test.bpf, "ratio"), _range(spreads["bpf"], digits=3), _place(slow, length),
          say("ball at {speed}, whose own restitution is {own}", speed=Slot(slow.closing_speed, "speed", 0),
              own=Slot(slow.ball_restitution, "ratio", 4))],
-        ["batted-ball speed", Slot(test.batted_ball_speed, "speed"), _place(fast, length), _old_test()],
-        ["MOI about 6 in", Slot(test.body.moi(CLAMP), "moi"), "", "the clamp's axis"],
+        ["batted-ball speed", Slot(test.batted_ball_speed, "speed"),
+         _range(spreads["batted_ball_speed"], "speed", 1), _place(fast, length), _old_test()],
+        ["MOI about 6 in", Slot(test.body.moi(CLAMP), "moi"), "", "", "the clamp's axis"],
     ]  # fmt: skip
-    columns = [Column("measure"), Column("value", right=True), Column("from the tip", "length"), Column("test")]
-    return Table("Simulated test", columns, rows)
+    columns = [Column("measure"), Column("value", right=True), Column("by the patch", right=True)]
+    columns += [Column("from the tip", "length"), Column("test")]
+    return [Table("Simulated test", columns, rows), Paragraph(PATCH_NOTE, "note")]
+
+
+def _range(spread: tuple[float, float], scale: str = "ratio", digits: int = 4) -> Sentence:
+    low, high = (Slot(value, scale, digits).bare for value in spread)
+    return say("{low} to {high}", low=low, high=high)
 
 
 def _old_test() -> Sentence:

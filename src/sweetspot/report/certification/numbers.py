@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import Any
 
+from sweetspot.analysis.certification.passing_wall import PassingWall
 from sweetspot.analysis.certification.rules import QUANTITIES, Check
 from sweetspot.analysis.certification.shot_statistics import Estimate, Measured
 from sweetspot.analysis.certification.shots import Shots
@@ -20,6 +21,9 @@ def simulated_json(done: Certification) -> dict[str, Any]:
         "besr": done.besr,
         "bpf": done.bpf,
         "batted_ball_speed_m_s": done.batted_ball_speed,
+        "spread": {
+            f"{name}_m_s" if name == "batted_ball_speed" else name: spread for name, spread in done.spreads.items()
+        },
         "best_position_m": done.fast.best_position,
         "fast": _scan_json(done.fast),
         "slow": _scan_json(done.slow),
@@ -88,3 +92,11 @@ def check_json(league: str, check: Check) -> dict[str, Any]:
         "year": rule.year,
         "reading": rule.reading,
     }
+
+
+def wall_json(league: str, wall: PassingWall) -> dict[str, Any]:
+    """Return the barrel wall that would just pass a league's limit."""
+    return {
+        "league": league, "measure": wall.measure, "limit": wall.limit, "factor": wall.factor,
+        "thickness_m": wall.thickness, "mass_kg": wall.mass,
+    }  # fmt: skip

@@ -10,7 +10,7 @@ import numpy as np
 from sweetspot import catalog
 from sweetspot.analysis.trampoline import WallPoint, wall_sweep
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.hoop import contact_patch, hoop_modes
+from sweetspot.dynamics.hoop import hoop_frequency
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.shell import Shell
@@ -34,7 +34,7 @@ def tube_hoop_frequency(*, diameter: float, wall: float, modulus: float, density
         profile=tuple((end, diameter) for end in ends),
         shell=Shell(wall=tuple((end, wall) for end in ends)),
     )
-    return float(hoop_modes(beam_model(tube), patch=contact_patch(catalog.ball())).frequency[0])
+    return hoop_frequency(beam_model(tube))
 
 
 def metal_place(*, metal: str, wood: str) -> float:

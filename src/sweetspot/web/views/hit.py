@@ -12,8 +12,9 @@ from sweetspot.analysis.bat_analysis import TYPICAL_HAND, check_conditions, exit
 from sweetspot.collision.impact import Impact
 from sweetspot.collision.time_history import TimeHistory, arrival_time, history_of, impulse_given
 from sweetspot.dynamics.hands import gripped
-from sweetspot.dynamics.hoop import HARMONICS, contact_patch, patch_mean_around
+from sweetspot.dynamics.hoop import HARMONICS, ring_felt
 from sweetspot.dynamics.modes import Modes
+from sweetspot.dynamics.patch import contact_patch
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.motion.swing import Conditions, Hands
@@ -67,6 +68,7 @@ def _answer(state: HitFilmState) -> dict[str, Any]:
         hands = conditions.hands
         modes = gripped(modes, Hands(position=hands.position, spacing=hands.spacing, **TYPICAL_HAND))
     impact = hit_at(place, modes=modes, conditions=conditions)
+    struck = modes.shape_at(place, closing_speed=impact.closing_speed)
     scene = history_of(impact, modes=modes, ball=conditions.ball, duration=state.duration_ms * 1e-3)
     return {
         "bat": bat_picture(state, found),
@@ -78,7 +80,7 @@ def _answer(state: HitFilmState) -> dict[str, Any]:
             "ball_travel_m": _short(scene.travel, 6),
             "force_n": _short(scene.force, 1),
             "compression_m": _short(scene.compression, 7),
-            "gap_m": _short(np.maximum(scene.displacement @ modes.shape_at(place) - scene.travel, 0.0), 6),
+            "gap_m": _short(np.maximum(scene.displacement @ struck - scene.travel, 0.0), 6),
             **_bat_motion(scene, modes, found.body, found.bat.length),
         },
         "energy_j": {name: _short(part, 3) for name, part in scene.energy._asdict().items() if part.any()},
@@ -138,13 +140,14 @@ def _hoop(scene: TimeHistory, modes: Modes, found: ReducedBat, conditions: Condi
     hoop = modes.of_family("hoop")
     if not hoop or found.bat.shell is None:
         return None
-    position, patch = scene.impact.position, contact_patch(conditions.ball)
-    shape = modes.shape_at(position)
+    position, closing_speed = scene.impact.position, scene.impact.closing_speed
+    shape = modes.shape_at(position, closing_speed=closing_speed)
     dents = []
     for harmonic in HARMONICS:
         same = [index for index in hoop if modes.harmonics[index] == harmonic]
         felt = scene.displacement[:, same] @ shape[same]
-        dents.append(_short(felt / patch_mean_around(found.line, harmonic=harmonic, patch=patch), 7))
+        part = ring_felt(found.line, harmonic=harmonic, patch=contact_patch(conditions.ball, closing_speed))
+        dents.append(_short(felt / part, 7))
     return {
         "harmonics": HARMONICS,
         "dent_m": dents,

@@ -1,0 +1,69 @@
+"""Legal hollow bats: that there are some, what makes them so, and the wall that would just pass."""
+
+from __future__ import annotations
+
+import pytest
+
+from sweetspot import catalog
+from sweetspot.analysis.certification.passing_wall import wall_that_passes
+from sweetspot.analysis.certification.rules import Verdict, check_rules, construction_findings
+from sweetspot.analysis.certification.simulated_test import certify
+from sweetspot.catalog.rules import league
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.ring import Ring
+from sweetspot.errors import InputError
+from sweetspot.units import INCH, OUNCE
+
+
+@pytest.mark.parametrize(("name", "rules"), [("college-alloy", "ncaa"), ("youth-alloy", "usabat")])
+def test_legal_metal_bats_pass_every_rule(name: str, rules: str, baseball: Ball) -> None:
+    """Their walls were chosen so; the weights are those of such bats: 30 to 31 oz at 33 in, 20 oz at 29 in."""
+    bat = catalog.bat(name)
+    done = certify(bat, ball=baseball)
+    findings = construction_findings(bat, body=done.body) | done.findings()
+    checks = {check.rule.quantity: check for check in check_rules(league(rules), bat=bat, findings=findings)}
+    assert checks["bbcor"].verdict is Verdict.PASS
+    assert not any(check.verdict is Verdict.FAIL for check in checks.values())
+    assert abs(done.body.mass / OUNCE - (30.2 if rules == "ncaa" else 20.0)) < 0.05
+
+
+def test_the_patch_leaves_an_interval_about_every_measure(baseball: Ball) -> None:
+    done = certify(catalog.bat("single-wall"), ball=baseball)
+    for name, (low, high) in done.spreads.items():
+        assert low < getattr(done, name) < high
+    low, high = done.spreads["bbcor"]
+    assert 0.015 < high - low < 0.03
+    wood = certify(catalog.bat("mlb-d"), ball=baseball).spreads["bbcor"]
+    assert wood[1] - wood[0] < 0.4 * (high - low)  # a dent hardly asks how large the patch is
+    assert done.findings()["bbcor"].interval == (low, high)
+
+
+def test_the_thinnest_wall_that_passes_lies_on_the_limit(baseball: Ball) -> None:
+    bat = catalog.bat("single-wall")
+    found = wall_that_passes(bat, ball=baseball, limit=0.52)
+    assert certify(found.bat, ball=baseball).bbcor == pytest.approx(0.52, abs=5e-4)
+    assert found.thickness == pytest.approx(found.factor * 2.9e-3, rel=1e-6) and 1.1 < found.factor < 1.4
+    assert found.mass == pytest.approx(rigid_body(beam_model(found.bat)).mass)
+    assert found.mass > rigid_body(beam_model(bat)).mass
+
+
+def test_a_disc_makes_a_lively_barrel_legal(baseball: Ball) -> None:
+    """A disc of 3 mm where it is hit adds less than two ounces; a wall that does the same adds more than ten."""
+    bat = catalog.bat("single-wall")
+    assert bat.shell is not None
+    disc = Ring(position=bat.length - 6.3 * INCH, width=3e-3, material=bat.material)
+    stiffer = bat.replaced(shell=bat.shell.replaced(rings=(disc,)))
+    done = certify(stiffer, ball=baseball)
+    assert done.bbcor < 0.505 and certify(bat, ball=baseball).bbcor > 0.54
+    assert (done.body.mass - rigid_body(beam_model(bat)).mass) / OUNCE < 1.2
+
+
+def test_what_has_no_wall_and_what_nothing_helps_is_refused(baseball: Ball) -> None:
+    with pytest.raises(InputError, match="solid"):
+        wall_that_passes(catalog.bat("r161-ash"), ball=baseball, limit=0.5)
+    with pytest.raises(InputError, match="rings or a disc"):
+        wall_that_passes(catalog.bat("single-wall"), ball=baseball, limit=0.4)
+    with pytest.raises(InputError, match="bbcor and bpf"):
+        wall_that_passes(catalog.bat("single-wall"), ball=baseball, limit=0.5, measure="q")

@@ -1,0 +1,68 @@
+"""A measured weight of a hollow bat is met by a wall or a weight at its ends, never by a metal of another density."""
+
+from __future__ import annotations
+
+import pytest
+
+from sweetspot import catalog
+from sweetspot.catalog.files.bat import bat_from_table
+from sweetspot.catalog.files.write import bat_table
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.dynamics.weight_match import ORDER, WeightBy, weight_matched, with_barrel_wall
+from sweetspot.equipment.bat import Bat
+from sweetspot.errors import InputError
+from sweetspot.units import OUNCE
+
+BAT = catalog.bat("single-wall")  # 30.0 oz as drawn
+
+
+def weighing(ounces: float) -> Bat:
+    return BAT.replaced(mass=ounces * OUNCE)
+
+
+@pytest.mark.parametrize("by", [None, *ORDER])
+@pytest.mark.parametrize("ounces", [29.9, 30.5, 31.5])
+def test_the_weight_is_met_at_the_metals_own_density(ounces: float, by: WeightBy | None) -> None:
+    found = weight_matched(weighing(ounces), by)
+    line = beam_model(found)
+    assert rigid_body(line).mass == pytest.approx(ounces * OUNCE)
+    if found.remark:
+        assert line.density_factor == pytest.approx(1.0) and f"{ounces:.1f} oz" in found.remark
+    else:
+        assert by is None and abs(ounces - 30) < 0.4  # within what alloys differ
+
+
+def test_the_barrel_is_left_alone_before_all_walls_are_scaled() -> None:
+    heavy, light = weight_matched(weighing(32.0)), weight_matched(weighing(26.0))
+    place = BAT.length - 0.15
+    assert "handle" in heavy.remark and heavy.wall_at(place) == pytest.approx(BAT.wall_at(place))
+    assert heavy.wall_at(0.2) > BAT.wall_at(0.2)
+    assert "every wall" in light.remark and light.wall_at(place) < 0.9 * BAT.wall_at(place)
+
+
+def test_what_cannot_be_is_refused_with_what_can() -> None:
+    with pytest.raises(InputError, match=r"end cap: 29\.7 oz .* to 32\.7 oz"):
+        weight_matched(weighing(36.0), "end cap")
+    with pytest.raises(InputError, match="wall: "):
+        weight_matched(weighing(80.0))
+
+
+def test_a_bat_file_says_how_its_weight_was_met() -> None:
+    table = bat_table(BAT) | {"mass": "31.5 oz"}
+    assert "handle's wall" in bat_from_table(table, "here").remark
+    knob = table | {"shell": table["shell"] | {"weight_by": "knob"}}
+    assert "knob" in bat_from_table(knob, "here").remark
+
+
+def test_solid_bats_and_unweighed_ones_stay_as_they_are() -> None:
+    wood = catalog.bat("r161-ash")
+    assert weight_matched(wood) is wood and weight_matched(BAT) is BAT
+
+
+def test_a_thicker_barrel_leaves_the_handle() -> None:
+    thick = with_barrel_wall(BAT, 1.5)
+    assert thick.wall_at(0.2) == pytest.approx(BAT.wall_at(0.2))
+    assert thick.wall_at(BAT.length - 0.1) == pytest.approx(1.5 * BAT.wall_at(BAT.length - 0.1))
+    with pytest.raises(InputError, match="solid"):
+        with_barrel_wall(catalog.bat("r161-ash"), 1.5)
