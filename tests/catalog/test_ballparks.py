@@ -148,3 +148,8 @@ def test_elevation_roof_and_posted_lines() -> None:
 
 def column(table: list[dict[str, str]], name: str) -> Any:
     return np.array([float(row[name]) for row in table])
+
+
+def test_a_mile_high() -> None:
+    """whysowlee_ballparks: Coors Field lies at 5190 ft, within 100 ft of a mile."""
+    assert catalog.park("coors").elevation == pytest.approx(5190 * FOOT)

@@ -9,7 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sweetspot.analysis.bat_analysis import Analysis
-from sweetspot.collision.oblique_contact import Friction, ObliqueImpact, decompose, oblique
+from sweetspot.collision.coupled import hit
+from sweetspot.collision.oblique_contact import Friction, ObliqueImpact, decompose, oblique, travel
 from sweetspot.errors import InputError
 
 
@@ -82,3 +83,16 @@ def test_mirror_symmetry(analysis: Analysis) -> None:
 def test_grazing_is_refused() -> None:
     with pytest.raises(InputError, match="allowed is more than -90"):
         decompose(40.0, math.pi / 2)
+
+
+def test_travel_does_not_depend_on_where_the_last_kick_lies(analysis: Analysis) -> None:
+    """Release lies between two kicks: counted otherwise, coarse steps would differ by a step."""
+    ball = analysis.conditions.ball
+    fine, coarse = (
+        travel(
+            hit(analysis.modes, ball=ball, position=0.69, closing_speed=60.0, step=step),
+            ball=ball, speed=0.0, impulse=1.0,
+        )
+        for step in (1e-6, 16e-6)
+    )  # fmt: skip
+    assert coarse == pytest.approx(fine, rel=2e-3)

@@ -26,6 +26,12 @@ def test_denver_has_82_percent() -> None:
     assert SHEET.replaced(elevation=5280 * FOOT).density / at_sea == pytest.approx(0.82, abs=0.005)  # published
 
 
+def test_pressure_falls_with_height_as_on_the_sheet() -> None:
+    """Published (nathan_calculator): exp(-1.217e-4 z), z in m; a scale height of 8217 m."""
+    low, high = (Air(temperature=20.0, humidity=0.0, elevation=height).density for height in (0.0, 2000.0))
+    assert math.log(low / high) == pytest.approx(2000.0 / 8217.0, rel=1e-3)
+
+
 def test_dry_air_is_an_ideal_gas() -> None:
     """Exact: rho = p / (R T), R = 287.05 J/(kg K), but for 0.03 % in the sheet's constant."""
     for temperature in (-20.0, 0.0, 40.0):

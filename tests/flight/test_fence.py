@@ -47,6 +47,9 @@ def test_clearance_is_the_parabolas_height_at_the_fence(spray: float, carry: flo
         (0.3, 90.0, 30.0, "in play"),
         (-0.9, 120.0, 30.0, "foul"),
         (0.9, 60.0, 30.0, "foul"),
+        (POLE + 0.002, 60.0, 30.0, "foul"),  # the line is at 45 degrees: a tenth of one decides
+        (-POLE - 0.002, 60.0, 30.0, "foul"),
+        (POLE - 0.002, 60.0, 30.0, "in play"),
     ],
 )
 def test_words(spray: float, carry: float, apex: float, outcome: str) -> None:

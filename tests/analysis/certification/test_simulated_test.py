@@ -13,6 +13,7 @@ from sweetspot.analysis.certification.simulated_test import (
     CLAMP,
     OLD_BALL_SPEED,
     OLD_BAT_SPEED,
+    _parabola,
     bat_test,
     besr,
     bpf,
@@ -135,3 +136,9 @@ def test_a_bat_too_short_for_the_clamp(baseball: Ball, r161: Bat) -> None:
 def test_a_ball_heavier_than_the_bat(r161: Bat, baseball: Ball) -> None:
     with pytest.raises(InputError, match="heavier bat"):
         certify(r161, ball=baseball.replaced(mass=2.0))
+
+
+def test_the_parabola_between_three_places_is_exact() -> None:
+    values = np.array([3.0 - 2.0 * x + 0.5 * x**2 for x in (-1.0, 0.0, 1.0, 2.0)])
+    assert _parabola(values, 1, 0.4) == pytest.approx(3.0 - 0.8 + 0.08)
+    assert _parabola(values, 0, 0.4) == values[0]  # no neighbour on one side
