@@ -40,7 +40,7 @@ def test_json_keys_and_units(run: Run) -> None:
     test = result["test"]
     assert {
         "pivot_m", "bbcor", "collision_efficiency", "besr", "bpf", "batted_ball_speed_m_s", "best_position_m", "fast",
-        "slow",
+        "slow", "spread",
     } == set(test)  # fmt: skip
     assert test["pivot_m"] == pytest.approx(0.1524)
     assert test["fast"]["closing_speed_m_s"] == pytest.approx(136 * 0.44704)
@@ -144,3 +144,11 @@ def test_mixed_units_are_refused(run: Run, tmp_path: Path) -> None:
     path = written(tmp_path, "136,60,28,6", headings="ball_in_mph,ball_in_m_s,ball_out_mph,position_in_from_tip")
     code, _, err = run("certify", "r161-ash", "--shots", path)
     assert code == 2 and "keep one of them, in one unit" in err
+
+
+def test_the_wall_that_would_just_pass(run: Run) -> None:
+    code, out, _ = run("certify", "single-wall", "--wall-that-passes", "--format", "json")
+    wall = json.loads(out)["walls"][0]
+    assert code == 1 and (wall["league"], wall["measure"], wall["limit"]) == ("ncaa", "bbcor", 0.5)
+    assert 4e-3 < wall["thickness_m"] < 6e-3 and wall["mass_kg"] > 1.1
+    assert run("certify", "r161-ash", "--wall-that-passes")[0] == 2
