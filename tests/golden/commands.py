@@ -34,7 +34,7 @@ def commands() -> tuple[str, ...]:
         "compare r161-ash russell-b6 single-wall",
         "compare r161-ash --what-if cork",
         "compare r161-ash --rows mass=29oz:33oz:3 --columns bore-depth=0in:12in:3",
-        "compare tennis-racket badminton-racket",
+        "compare tennis-racket badminton-racket --force",
         *(f"certify {name}" for name in bats),
         "certify russell-b6 --league all",
         "play",
