@@ -105,6 +105,7 @@ class Words(Validated):
     incoming : the ball as it arrives.
     exit_speed : the ball's speed as it leaves.
     zone : where hits are good.
+    hands : what holds it.
     smash_factor : name of exit speed over the implement's speed there, where people use it; "": they do not.
     strongest : name of the place of the greatest q, where it has one; "".
     deadest : name of the place where the ball hardly comes back, where it has one; "".
@@ -119,6 +120,7 @@ class Words(Validated):
     incoming: str = "pitch"
     exit_speed: str = "exit speed"
     zone: str = "sweet zone"
+    hands: str = "hands"
     smash_factor: str = ""
     strongest: str = ""
     deadest: str = ""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -11,10 +10,7 @@ import matplotlib
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
-from matplotlib.axis import Axis
 from matplotlib.figure import Figure
-from matplotlib.text import Text
-from matplotlib.transforms import Bbox
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse
@@ -32,6 +28,7 @@ from sweetspot.report.pictures.files import png_bytes, save, svg_bytes
 from sweetspot.report.pictures.marks import ladder
 from sweetspot.report.sweet_spots import SPOTS
 from sweetspot.units import INCH, MPH
+from tests.report.pictures.labels import check_labels, texts
 
 
 def _corked() -> Bat:
@@ -82,39 +79,13 @@ def picture(analysed: Analysis) -> Figure:
     return figure
 
 
-def _texts(figure: Figure) -> list[tuple[str, Bbox]]:
-    """Every text that is seen, with the box it takes on paper."""
-    figure.draw_without_rendering()
-    unseen: set[Text] = set()
-    for axis in figure.findobj(Axis):
-        assert isinstance(axis, Axis)
-        low, high = sorted(axis.get_view_interval())
-        for tick in axis.get_major_ticks():
-            if not low - 1e-9 <= tick.get_loc() <= high + 1e-9:  # matplotlib keeps such ticks but does not draw them
-                unseen |= {tick.label1, tick.label2}
-    shown = [text for text in figure.findobj(Text) if isinstance(text, Text) and text.get_visible()]
-    shown = [text for text in shown if text not in unseen]
-    return [(text.get_text(), Text.get_window_extent(text)) for text in shown if text.get_text().strip()]
-
-
-def _check_labels(figure: Figure) -> None:
-    boxes = _texts(figure)
-    page = figure.bbox
-    for words, box in boxes:
-        inside = page.x0 <= box.x0 and box.x1 <= page.x1 and page.y0 <= box.y0 and box.y1 <= page.y1
-        assert inside, f"{words!r} is cut off"
-    for (words, box), (others, other) in itertools.combinations(boxes, 2):
-        shrunk = Bbox.from_extents(box.x0 + 1, box.y0 + 1, box.x1 - 1, box.y1 - 1)
-        assert not shrunk.overlaps(other), f"{words!r} lies on {others!r}"
-
-
 def test_no_label_lies_on_another_or_is_cut_off(picture: Figure) -> None:
-    _check_labels(picture)
+    check_labels(picture)
 
 
 def test_labels_of_the_hit_and_of_the_bat_alone_are_clear_of_each_other(analysed: Analysis) -> None:
     for figure in (hit_figure(analysed.best), bat_figure(analysed)):
-        _check_labels(figure)
+        check_labels(figure)
 
 
 def test_all_panels_share_the_horizontal_axis_of_the_bat(picture: Figure) -> None:
@@ -146,7 +117,7 @@ def test_zone_and_best_place_run_where_the_numbers_say(picture: Figure, analysed
 
 
 def test_every_sweet_spot_is_marked_with_its_number(picture: Figure, analysed: Analysis) -> None:
-    words = [text for text, _ in _texts(picture)]
+    words = [text for text, _ in texts(picture)]
     for field, spot in SPOTS.items():
         inches = (analysed.bat.length - getattr(analysed.sweet_spots, field)) / INCH
         assert spot.label in words
@@ -196,7 +167,7 @@ def test_names_cover_every_field() -> None:
 def test_a_bat_without_a_zone_says_so(analysis: Analysis) -> None:
     without = replace(analysis, sweet_spots=replace(analysis.sweet_spots, zone=None))
     figure = report_figure(without)
-    assert "no sweet zone" in [text for text, _ in _texts(figure)]
+    assert "no sweet zone" in [text for text, _ in texts(figure)]
     assert not figure.findobj(lambda artist: artist.get_gid() == "zone")
 
 

@@ -13,7 +13,19 @@ from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.pictures import ruler
-from sweetspot.report.pictures.style import INK, MUTED, NORMAL, PAPER, SMALL, halo, heading, light_grid, styled
+from sweetspot.report.pictures.style import (
+    INK,
+    MUTED,
+    NORMAL,
+    PAPER,
+    SMALL,
+    ZONE,
+    ZONE_EDGE,
+    halo,
+    heading,
+    light_grid,
+    styled,
+)
 from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SCALES, SKY, Reader, Unit
 from sweetspot.report.sport_words import words_of
 
@@ -26,11 +38,17 @@ def exit_speed(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> No
     """Draw the exit speed along the bat: the reader's unit on the left, another on the right, the rigid bat dashed."""
     scan, words, unit = analysis.scan, words_of(analysis.bat), reading.units["speed"]
     speed, rigid = scan.exit_speed / unit.size, scan.rigid_exit_speed / unit.size
-    _prepare(axes, analysis, reading, "Exit speed", f"how fast the ball leaves, for this {words.incoming} and swing")
+    _prepare(
+        axes,
+        analysis,
+        reading,
+        words.exit_speed[0].upper() + words.exit_speed[1:],
+        f"how fast the {words.ball} leaves, for this {words.incoming} and swing",
+    )
     axes.plot(scan.position, rigid, color=MUTED, linewidth=1.2, linestyle=(0, (4, 2.5)))
     axes.plot(scan.position, speed, color=RED)
     top = float(np.nanmax(np.concatenate([speed, rigid])))
-    axes.set_ylim(min(0.0, float(np.nanmin(speed))), 1.18 * top)
+    axes.set_ylim(min(0.0, float(np.nanmin(speed))), 1.22 * top)
     axes.set_ylabel(unit.name)
     other = KM_H if unit == SCALES["speed"].si else SCALES["speed"].si
     factor = unit.size / other.size
@@ -43,25 +61,27 @@ def exit_speed(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> No
     place = reading.shown(analysis.bat.length - spots.max_exit_speed, "place")
     axes.annotate(
         f"{best:.1f} {unit.name}, {place} from the {words.tip}", (spots.max_exit_speed, best),
-        xytext=(spots.max_exit_speed - 0.08 * analysis.bat.length, 1.08 * top), textcoords="data",
+        xytext=(spots.max_exit_speed - 0.08 * (axes.get_xlim()[1] - axes.get_xlim()[0]), 1.1 * top), textcoords="data",
         ha="right", va="center", weight="bold", color=INK,
         arrowprops={"arrowstyle": "-", "color": RED, "linewidth": 0.8, "shrinkA": 1, "shrinkB": 3, "relpos": (1, 0.4)},
     )  # fmt: skip
-    _curve_label(axes, scan.position, rigid, f"if the {words.implement} were rigid", at=0.42, colour=MUTED, above=True)
+    rigid_at = 0.97 if ruler.is_zoomed(analysis.bat) else 0.42
+    _curve_label(
+        axes, scan.position, rigid, f"if the {words.implement} were rigid", at=rigid_at, colour=MUTED, above=True
+    )
     _curve_label(axes, scan.position, speed, f"this {words.implement}", at=0.42, colour=RED, above=False)
 
 
 @styled
 def efficiency(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> None:
     """Draw the collision efficiency q along the bat, the rigid bat dashed."""
-    scan = analysis.scan
-    tool = words_of(analysis.bat).implement
+    scan, words = analysis.scan, words_of(analysis.bat)
     _prepare(
         axes,
         analysis,
         reading,
-        "Collision efficiency q",
-        f"what part of its speed a ball gets back from a {tool} at rest",
+        words.efficiency[0].upper() + words.efficiency[1:],
+        f"what part of its speed a {words.ball} gets back from a {words.implement} at rest",
     )
     axes.plot(scan.position, scan.rigid_efficiency, color=MUTED, linewidth=1.2, linestyle=(0, (4, 2.5)))
     axes.plot(scan.position, scan.collision_efficiency, color=ORANGE)
@@ -79,13 +99,19 @@ def efficiency(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> No
 @styled
 def hand_impulse(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> None:
     """Draw the impulse at the top hand, with its sign: zero at the centre of percussion."""
-    scan = analysis.scan
-    tool = words_of(analysis.bat).implement
-    _prepare(axes, analysis, reading, "Jolt at the top hand", f"the blow that the {tool}'s turning passes on")
+    scan, words = analysis.scan, words_of(analysis.bat)
+    tool = words.implement
+    _prepare(
+        axes,
+        analysis,
+        reading,
+        "Jolt at the top hand" if words.hands == "hands" else "Jolt at the hand",
+        f"the blow that the {tool}'s turning passes on",
+    )
     axes.axhline(0, color=MUTED, linewidth=0.7)
     axes.fill_between(scan.position, 0, scan.hand_impulse, color=GREEN, alpha=0.16, linewidth=0)
     axes.plot(scan.position, scan.hand_impulse, color=GREEN)
-    _limits(axes, scan.hand_impulse, room=0.14)
+    _limits(axes, scan.hand_impulse, room=0.3)
     axes.set_ylabel("N s")
     _dot(axes, analysis.sweet_spots.center_of_percussion, 0.0, GREEN)
     signs: dict[str, Any] = {"transform": axes.transAxes, "color": MUTED, "size": SMALL, "ha": "left"}
@@ -97,7 +123,13 @@ def hand_impulse(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> 
 def sting(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> None:
     """Draw the vibration that the hands feel after a hit."""
     scan = analysis.scan
-    _prepare(axes, analysis, reading, "Sting", "vibration at the hands right after the hit, 50 to 700 Hz")
+    _prepare(
+        axes,
+        analysis,
+        reading,
+        "Sting",
+        f"vibration at the {words_of(analysis.bat).hands} right after the hit, 50 to 700 Hz",
+    )
     axes.fill_between(scan.position, 0, scan.sting, color=PURPLE, alpha=0.18, linewidth=0)
     axes.plot(scan.position, scan.sting, color=PURPLE)
     axes.set_ylim(0, 1.14 * float(np.nanmax(scan.sting)))
@@ -140,11 +172,21 @@ def mode_shapes(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> N
 
 
 def _prepare(axes: Axes, analysis: Analysis[Implement], reading: Reader, title: str, note: str) -> None:
-    ruler.set_limits(axes, analysis.bat.length)
-    ruler.show_from_tip(axes, analysis.bat.length, reading, labels=False)
+    ruler.set_window(axes, analysis.bat)
+    ruler.show_from_tip(axes, analysis.bat.length, reading, labels=ruler.is_zoomed(analysis.bat))
+    if ruler.is_zoomed(analysis.bat):
+        _own_guides(axes, analysis)
     axes.yaxis.set_major_locator(MaxNLocator(nbins=4))
     light_grid(axes)
     heading(axes, title, note)
+
+
+def _own_guides(axes: Axes, analysis: Analysis[Implement]) -> None:
+    """Shade the sweet zone and mark the best place in a panel whose axis is not that of the drawing above."""
+    spots = analysis.sweet_spots
+    if spots.zone is not None:
+        axes.axvspan(*spots.zone, facecolor=ZONE, edgecolor=ZONE_EDGE, linewidth=0.6, zorder=0)
+    axes.axvline(spots.max_exit_speed, color=RED, linewidth=0.7, alpha=0.55, zorder=1)
 
 
 def _limits(axes: Axes, values: Array, *, room: float) -> None:

@@ -35,6 +35,8 @@ from sweetspot.report.sport_words import arriving, reader_of, words_of
 
 HEADER, FOOTER, BETWEEN = 1.0, 1.15, 0.34
 """Inches of paper for the title, the rulers at the foot, and between panels."""
+ZOOMED = 0.2
+"""Inches more between panels that have numbers of their own on their axes."""
 SPEED_ROOM, SWING_ROOM = 1.5, 2.4
 """Inches of paper for the speed beside the title, and for the swing below it."""
 PANELS = (
@@ -52,15 +54,24 @@ def report_figure(analysis: Analysis[Implement], reading: Reader | None = None) 
     """Return the tall figure: title, bat to scale, then exit speed, q, jolt, sting and modes on the same axis."""
     bat, panel, reading = analysis.bat, bat_panel(analysis.bat), reading or reader_of(analysis.bat)
     across = WIDTH - 2 * SIDE
-    height = HEADER + panel.height + RULER + sum(BETWEEN + tall for _, tall in PANELS) + FOOTER
+    height = (
+        HEADER
+        + panel.height
+        + RULER
+        + sum(BETWEEN + tall for _, tall in PANELS)
+        + (ZOOMED * len(PANELS) if ruler.is_zoomed(bat) else 0.0)
+        + FOOTER
+    )
     figure = Figure(figsize=(WIDTH, height))
     _header(figure, analysis, reading, height)
     top = HEADER
     axes = axes_in_inches(figure, left=SIDE, top=top, width=across, height=panel.height)
     draw_bat_panel(axes, analysis, panel, reading)
     top += panel.height + RULER
+    zoomed = ruler.is_zoomed(bat)
+    between = BETWEEN + (ZOOMED if zoomed else 0.0)
     for draw, tall in PANELS:
-        top += BETWEEN
+        top += between
         axes = axes_in_inches(figure, left=SIDE, top=top, width=across, height=tall)
         draw(axes, analysis, reading)
         top += tall
@@ -68,7 +79,8 @@ def report_figure(analysis: Analysis[Implement], reading: Reader | None = None) 
     axes.set_xlabel(from_the_tip(analysis.bat, reading), labelpad=2)
     ruler.show_centimetres(axes, bat.length, offset=30, butt=bat.grip_end)
     foot_of_bat = HEADER + panel.height + RULER
-    _guides(figure, analysis, height, bat_top=HEADER + ABOVE - GUIDE_START, top=foot_of_bat, bottom=top)
+    if not zoomed:
+        _guides(figure, analysis, height, bat_top=HEADER + ABOVE - GUIDE_START, top=foot_of_bat, bottom=top)
     _footer(figure, analysis, height)
     return figure
 
@@ -131,8 +143,10 @@ def _guides(
 def _footer(figure: Figure, analysis: Analysis[Implement], height: float) -> None:
     """Say what was hit with what, and what the lines are."""
     words = words_of(analysis.bat)
+    shaded = "" if analysis.sweet_spots.zone is None else f"Shaded: {words.zone}.  "
+    near = "  Panels: the face alone." if ruler.is_zoomed(analysis.bat) else ""
     text = (
-        f"Shaded: {words.zone}.  Red line: best place.  Dashed: the same {words.implement} if it were rigid.  "
+        f"{shaded}Red line: best place.  Dashed: the same {words.implement} if it were rigid.{near}\n"
         f"Free {words.implement}, {analysis.conditions.ball.name}, hit straight on."
     )
-    figure.text(SIDE / WIDTH, 0.12 / height, text, color=MUTED, size=SMALL, parse_math=False)
+    figure.text(SIDE / WIDTH, 0.08 / height, text, color=MUTED, size=SMALL, parse_math=False)

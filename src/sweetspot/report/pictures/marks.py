@@ -56,7 +56,7 @@ def draw_marks(axes: Axes, analysis: Analysis[Implement], reading: Reader, scale
     for number, mark in enumerate(marks):
         level = top - (len(marks) - number - 0.5 + 1) * ROW * scale
         radius = float(analysis.bat.width_at(mark.place)) / 2
-        dot = radius * (0.72 - 1.44 * number / (len(marks) - 1))
+        dot = 0.0 if analysis.bat.outline is not None else radius * (0.72 - 1.44 * number / (len(marks) - 1))
         colour = SPOTS[mark.field].colour
         ahead = mark in right
         start = column if ahead else mark.place + GAP * scale
@@ -111,7 +111,7 @@ def draw_notes(axes: Axes, analysis: Analysis[Implement], reading: Reader, scale
     for place in hands:
         reach = float(bat.width_at(place)) / 2 + 0.05 * scale
         axes.plot([place, place], [-reach, reach], color=MUTED, linewidth=1.2, linestyle=(0, (1.5, 1.5)), zorder=3)
-    axes.text(sum(hands) / 2, upper, "hands", ha="center", va="center_baseline", color=MUTED, size=SMALL)
+    axes.text(sum(hands) / 2, upper, words_of(bat).hands, ha="center", va="center_baseline", color=MUTED, size=SMALL)
     note = _inside_note(analysis, reading)
     if note:
         axes.text(
@@ -131,8 +131,11 @@ def _zone(axes: Axes, analysis: Analysis[Implement], reading: Reader, upper: flo
                     "mutation_scale": 8},
     )  # fmt: skip
     width = reading.shown(zone[1] - zone[0], "place")
+    middle, edge = (zone[0] + zone[1]) / 2, 0.93 * length
+    if middle > edge:
+        look["ha"] = "right"
     axes.text(
-        (zone[0] + zone[1]) / 2, lower, f"{words.zone} {width}", color=ZONE_INK, weight="bold", **look,
+        middle if middle <= edge else length, lower, f"{words.zone} {width}", color=ZONE_INK, weight="bold", **look,
     )  # fmt: skip
 
 

@@ -23,6 +23,29 @@ def set_limits(axes: Axes, length: float) -> None:
     axes.set_xlim(-MARGIN * length, (1 + MARGIN) * length)
 
 
+SMALL_FACE = 0.3
+"""Part of the length below which the panels show the face alone, and what lies near it."""
+
+
+def window(implement: Implement) -> tuple[float, float]:
+    """Return the part of an implement in m that panels show: all of it, or the face where that is small."""
+    face = implement.outline
+    if face is None or face.end - face.start > SMALL_FACE * implement.length:
+        return 0.0, implement.length
+    return max(0.0, face.start - (face.end - face.start)), implement.length
+
+
+def is_zoomed(implement: Implement) -> bool:
+    """Return whether panels show the face alone."""
+    return window(implement)[0] > 0
+
+
+def set_window(axes: Axes, implement: Implement) -> None:
+    """Let an axis span what panels show of an implement, with a little air at both ends."""
+    low, high = window(implement)
+    axes.set_xlim(low - MARGIN * (high - low), high + MARGIN * (high - low))
+
+
 def metres_per_inch_of_paper(length: float, width: float) -> float:
     """Return the drawing's scale: metres of bat per inch of paper on an axis ``width`` inches wide."""
     return (1 + 2 * MARGIN) * length / width
@@ -32,15 +55,19 @@ def show_from_tip(axes: Axes, length: float, reading: Reader, *, labels: bool = 
     """Put ticks every few inches or centimetres from the tip, as people count."""
     unit = reading.units["place"]
     size = unit.size
-    counts = np.arange(0, length / size + 1e-6, TICKS[unit.name][1])
+    shown = axes.get_xlim()[1] - axes.get_xlim()[0]
+    step = TICKS[unit.name][1] if shown > length / 2 else 1
+    limits = axes.get_xlim()
+    counts = np.arange(0, length / size + 1e-6, step)
     names = [f"{value:.0f}" for value in counts] if labels else [""] * len(counts)
     axes.set_xticks(length - counts * size, names)
     if labels:  # a mark for every unit, as one line: matplotlib's own minor ticks take a tenth of a second
         places = length - np.arange(0, length / size + 1e-6) * size
         axes.plot(
             places, np.zeros_like(places), linestyle="", marker=TICKDOWN, markersize=1.8, markeredgewidth=0.5,
-            color=MUTED, transform=axes.get_xaxis_transform(), clip_on=False, scalex=False, scaley=False,
+            color=MUTED, transform=axes.get_xaxis_transform(), clip_on=shown <= length / 2, scalex=False, scaley=False,
         )  # fmt: skip
+    axes.set_xlim(limits)
 
 
 def from_the_tip(implement: Implement, reading: Reader) -> str:
