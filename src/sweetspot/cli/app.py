@@ -22,6 +22,7 @@ from sweetspot.cli.paper_command import paper
 from sweetspot.cli.parks_command import parks
 from sweetspot.cli.pendulum_command import pendulum
 from sweetspot.cli.play_command import play
+from sweetspot.cli.rank_command import rank
 from sweetspot.cli.report_command import report
 from sweetspot.cli.schema_command import schema
 from sweetspot.cli.season_command import season
@@ -31,8 +32,8 @@ from sweetspot.cli.tap_command import tap
 from sweetspot.cli.validate_command import validate
 
 COMMANDS = (
-    report, hit, play, fly, compare, certify, optimum, fit_player, design, season, outline, tap, calibrate, drop,
-    pendulum, paper, sports, parks, bats, show, schema, validate, prepare,
+    report, hit, play, fly, compare, certify, optimum, fit_player, design, season, outline, tap, calibrate, rank,
+    drop, pendulum, paper, sports, parks, bats, show, schema, validate, prepare,
 )  # fmt: skip
 
 app = App(

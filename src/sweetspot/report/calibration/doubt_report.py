@@ -48,13 +48,15 @@ def doubt_words(doubt: Doubt, position: float, *, length: float, place: Measured
     )
     words = [
         say("How sure: {speed}, give or take {half}, of which {shares}.", speed=Slot(speed.value, "speed"),
-            half=Slot(_half(speed), "speed"), shares=shares)
+            half=Slot(half_width(speed), "speed"), shares=shares)
     ]  # fmt: skip
     if place is not None:
         tip = Slot(length - place.value, "place").bare
-        words.append(say("The best place is {tip} ± {half} from the tip.", tip=tip, half=Slot(_half(place), "place")))
+        words.append(
+            say("The best place is {tip} ± {half} from the tip.", tip=tip, half=Slot(half_width(place), "place"))
+        )
     words.append(
-        say("BBCOR there is {value} ± {half}.", value=Slot(bbcor.value, "ratio"), half=Slot(_half(bbcor), "ratio"))
+        say("BBCOR there is {value} ± {half}.", value=Slot(bbcor.value, "ratio"), half=Slot(half_width(bbcor), "ratio"))
     )
     varied = "only the ball varies" if all(doubt.of_ball) else "wood, wall, outline and ball vary"
     words.append(
@@ -73,10 +75,11 @@ def difference_words(name: str, reference: str, apart: Measured) -> Sentence:
         "{name}: {gain} {more} than {reference}, give or take {half} with the same ball at these bat speeds: "
         "{sure} a difference.",
         name=name, gain=Slot(abs(apart.value), "speed_change"), more="more" if apart.value >= 0 else "less",
-        reference=reference, half=Slot(_half(apart), "speed_change"),
+        reference=reference, half=Slot(half_width(apart), "speed_change"),
         sure="surely" if apart.low > 0 or apart.high < 0 else "not surely",
     )  # fmt: skip
 
 
-def _half(value: Measured) -> float:
+def half_width(value: Measured) -> float:
+    """Return half the width of a value's 90 % interval."""
     return value.high - value.value

@@ -1,0 +1,136 @@
+"""A table of bats of one model: one row a bat, with what scale, string, tap and moisture meter say of it.
+
+``name, mass_oz, balance_point_in, pendulum_s, bending_1_hz, bending_2_hz, moisture_percent``: every column but the name
+may be missing, every cell may be blank, and may have its own error: ``31.20±0.05``; without it the last digit counts.
+
+Wood that dries gets lighter and stiffer. Where the moisture is given, weight and tones are brought to 12 %:
+m ~ 1 + u, and E falls by about 1.5 % for each per cent of moisture (assumed, between those of ash and maple in
+[usda_wood_handbook]), so that f ~ sqrt(E / m).
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+from pathlib import Path
+
+from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.measurements import MOST_BENDING, Measurement
+from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.written import parse_measured
+from sweetspot.errors import InputError
+from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text, table_rows
+from sweetspot.units import Kind
+
+UNITS: dict[str, tuple[Kind, dict[str, str]]] = {
+    "mass": ("mass", {"oz": "oz", "g": "g", "kg": "kg", "lb": "lb"}),
+    "balance_point": ("length", {"in": "in", "cm": "cm", "mm": "mm", "m": "m"}),
+    "pendulum": ("time", {"s": "s"}),
+    "moi": ("moi", {"oz_in2": "oz*in^2", "kg_m2": "kg*m^2", "kg_cm2": "kg*cm^2"}),
+    "moisture": ("ratio", {"percent": "%"}),
+    "hoop": ("frequency", {"hz": "Hz"}),
+    **{f"bending_{number}": ("frequency", {"hz": "Hz"}) for number in range(1, MOST_BENDING + 1)},
+}
+"""Columns that are understood: name without its unit, its kind, and its units as `parse` writes them."""
+HINT = "name, mass_oz, balance_point_in, pendulum_s, bending_1_hz, moisture_percent"
+DECIMAL_COMMA = re.compile(r"(\d),(\d)")
+USUAL_MOISTURE = 0.12
+STIFFER = 1.5
+"""Logarithm of E lost per unit of moisture (assumed)."""
+MOISTURES = (0.02, 0.3)
+MOST_BATS = 200
+
+
+def read_bats(path: Path) -> dict[str, list[Measurement]]:
+    """Return what was measured on each bat of a CSV file, by name.
+
+    Raises
+    ------
+    InputError
+        when the file cannot be read, has no such columns, two bats of one name, or a cell that is no number.
+    """
+    text = read_text(path, most=MOST_TABLE_BYTES, advice=f"give a CSV file with the columns {HINT}")
+    rows = [cells for _, cells in table_rows(text, path, is_heading=_is_heading)]
+    if not rows or not _is_heading(rows[0]):
+        raise InputError(f"{path} has no line of headings with a column name; give for example {HINT}")
+    heads = [_column(cell) for cell in rows[0]]
+    if len(rows) - 1 > MOST_BATS:
+        raise InputError(f"{path} has {len(rows) - 1} bats; allowed are {MOST_BATS}")
+    found: dict[str, list[Measurement]] = {}
+    for line, cells in enumerate(rows[1:], start=2):
+        given = {head: cell.strip() for head, cell in zip(heads, cells, strict=False) if head and cell.strip()}
+        name = given.pop(("name", ""), f"bat {line - 1}")
+        if name in found:
+            raise InputError(f"{path}, line {line}: there are two bats of the name {name!r}; give each its own")
+        found[name] = _measurements(given, f"{path}, line {line}")
+        if not found[name]:
+            raise InputError(f"{path}, line {line}: nothing was measured on {name}; its columns may be {HINT}")
+    return found
+
+
+def _is_heading(cells: Sequence[str]) -> bool:
+    return any(cell.strip().lower() == "name" for cell in cells)
+
+
+def _column(cell: str) -> tuple[str, str] | None:
+    """Return a heading's quantity and its unit; None for a column that means nothing here."""
+    name = cell.strip().lower()
+    if name == "name":
+        return ("name", "")
+    for quantity, (_, units) in UNITS.items():
+        unit = name.removeprefix(f"{quantity}_")
+        if name.startswith(quantity) and unit in units:
+            return (quantity, units[unit])
+        if name == quantity or (name.startswith(f"{quantity}_") and not unit[:1].isdigit()):
+            allowed = ", ".join(f"{quantity}_{one}" for one in units)
+            raise InputError(f"column {name} has no unit that is understood; allowed: {allowed}")
+    return None
+
+
+def _measurements(given: dict[tuple[str, str], str], what: str) -> list[Measurement]:
+    values = {
+        quantity: parse_measured(_with_unit(cell, unit), UNITS[quantity][0], f"{what}, {quantity}")
+        for (quantity, unit), cell in given.items()
+    }
+    moisture = values.pop("moisture", None)
+    if moisture is not None and not MOISTURES[0] <= moisture.value <= MOISTURES[1]:
+        raise InputError(f"{what}: the moisture is {100 * moisture.value:.3g} %; allowed is 2 to 30 % of the dry wood")
+    found = []
+    for quantity, value in values.items():
+        if quantity in ("mass", "balance_point", "moi"):
+            found.append(Measurement(quantity, value, axis=STANDARD_AXIS))  # type: ignore[arg-type]
+        elif quantity == "pendulum":
+            found.append(Measurement("period", value, axis=STANDARD_AXIS))
+        else:
+            name = ModeName("hoop", 2) if quantity == "hoop" else ModeName("bending", int(quantity[-1]))
+            found.append(Measurement("frequency", value, mode=name))
+    return found if moisture is None else [at_usual_moisture(one, moisture) for one in found]
+
+
+def _with_unit(cell: str, unit: str) -> str:
+    value, sign, error = DECIMAL_COMMA.sub(r"\1.\2", cell).partition("±")
+    if unit == "%":  # an error of a ratio has its own sign
+        return f"{value.strip()}%" + (f"{sign}{error.strip()}%" if sign else "")
+    return f"{value.strip()} {unit}{sign}{error.strip()}"
+
+
+def at_usual_moisture(measurement: Measurement, moisture: Measured) -> Measurement:
+    """Return a measurement as it would be at 12 % of moisture; a balance point and a period hardly change.
+
+    Parameters
+    ----------
+    moisture : mass of water over that of the dry wood.
+    """
+    wetter = moisture.value - USUAL_MOISTURE
+    heavier = math.log((1 + moisture.value) / (1 + USUAL_MOISTURE))
+    power = {"mass": -heavier, "moi": -heavier, "frequency": (heavier + STIFFER * wetter) / 2}.get(
+        measurement.kind, 0.0
+    )
+    slope = {"mass": 1.0, "moi": 1.0, "frequency": (1 + STIFFER) / 2}.get(measurement.kind, 0.0)
+    factor = math.exp(power)
+    moved = Measured(measurement.value.value * factor, measurement.value.error * factor).widened(
+        slope * moisture.error * measurement.value.value
+    )
+    return Measurement(measurement.kind, moved, axis=measurement.axis, mode=measurement.mode)

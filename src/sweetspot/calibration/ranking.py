@@ -1,0 +1,189 @@
+"""Bats of one model in order of how fast the same player would hit with each, and whether they really differ.
+
+Every bat is known up to its own covariance; the ball is the same for all. Exit speed follows from q along the barrel,
+v = q v_ball + (1 + q) v_bat, with v_bat ~ I^-n of the swing law, for draws of all bats and the ball: the part of the
+draws in which a bat is first is its probability of being best.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.measurements import Measurement, predicted
+from sweetspot.calibration.posterior import Posterior
+from sweetspot.calibration.uncertainty import Doubt, doubt
+from sweetspot.calibration.unknowns import Unknown, deviated
+from sweetspot.dynamics.beam import BeamModel
+from sweetspot.errors import InputError
+from sweetspot.motion.swing import Conditions
+from sweetspot.motion.swing_law import SwingLaw
+from sweetspot.numerics.arrays import Array
+
+DRAWS = 4000
+PLACES = 25
+"""Along the barrel."""
+REACHED = (0.08, 0.26)
+"""m from the tip: the part of the barrel that is looked at."""
+DIFFERS = 2.0
+"""Standard deviations from the mean of the bats at which a property is said to differ."""
+PROPERTIES = ("mass", "balance_point", "moi")
+
+
+@dataclass(frozen=True)
+class RankedBat:
+    """One bat among others.
+
+    Parameters
+    ----------
+    name : what people call it.
+    exit_speed : m/s at its best place, for this player and the mean ball; the ball's doubt is not in it.
+    best_chance : probability of being the best of all.
+    place : m from the knob end, where it hits best.
+    properties : mass (kg), balance point (m), moment of inertia about 6 in (kg m^2) and modulus over the described one.
+    differs : properties that differ from the mean of all bats by more than twice what is not known of them.
+    contradictions : measurements of it that contradict the others, with how many sigma.
+    """
+
+    name: str
+    exit_speed: Measured
+    best_chance: float
+    place: float
+    properties: dict[str, Measured]
+    differs: tuple[str, ...]
+    contradictions: dict[str, float]
+
+
+@dataclass(frozen=True)
+class Ranking:
+    """Bats in order, the best first.
+
+    Parameters
+    ----------
+    bats : ranked.
+    scatter : standard deviation of their exit speeds, m/s.
+    not_known : rms of what is not known of each, m/s.
+    wood : standard deviation that bats of this outline in this wood would have, m/s.
+    """
+
+    bats: tuple[RankedBat, ...]
+    scatter: float
+    not_known: float
+    wood: float
+
+    @property
+    def beyond_doubt(self) -> bool:
+        """Whether the bats differ by more than what is not known of them leaves (twice, in variance)."""
+        return self.scatter**2 > 2 * self.not_known**2
+
+
+def rank_bats(
+    posteriors: dict[str, Posterior], *, conditions: Conditions, law: SwingLaw | None, seed: int = 1
+) -> Ranking:
+    """Return bats of one model in order.
+
+    Parameters
+    ----------
+    posteriors : what was measured on each, by name; all of one description.
+    conditions : of the hits with a bat as described.
+    law : of bat speed against moment of inertia; None: all are swung as fast.
+    seed : of the draws.
+
+    Raises
+    ------
+    InputError
+        for fewer than two bats.
+    """
+    if len(posteriors) < 2:
+        raise InputError(f"{len(posteriors)} bat was given; a ranking needs two or more")
+    first = next(iter(posteriors.values()))
+    line, unknowns = first.prior, first.unknowns
+    spreads = np.array([one.spread for one in unknowns])
+    length = line.bat.length
+    places = np.linspace(length - REACHED[1], length - REACHED[0], PLACES)
+    sure = doubt(line, conditions, known=(unknowns, np.diag(spreads**2)), positions=places)
+    turning = _Turning.of(line, unknowns, axis=0.0 if law is None else law.axis)
+    generator = np.random.default_rng(seed)
+    ball = generator.standard_normal((DRAWS, len(sure.sources) - len(unknowns)))
+    ball *= np.sqrt(np.diag(sure.covariance)[len(unknowns) :])
+    speeds, centre, best = [], [], []
+    for posterior in posteriors.values():
+        own = generator.multivariate_normal(posterior.deviations, posterior.covariance, size=DRAWS, method="cholesky")
+        curves = _exit_speeds(sure, np.hstack([own, ball]), turning, conditions, law)
+        still = _exit_speeds(sure, np.hstack([own, 0 * ball]), turning, conditions, law)
+        speeds.append(curves.max(axis=1))
+        centre.append(still.max(axis=1))
+        best.append(float(places[int(np.argmax(still.mean(axis=0)))]))
+    chances = np.bincount(np.argmax(np.array(speeds), axis=0), minlength=len(speeds)) / DRAWS
+    wood = generator.standard_normal((DRAWS, len(spreads))) * spreads
+    by_nature = _exit_speeds(sure, np.hstack([wood, 0 * ball]), turning, conditions, law).max(axis=1)
+    properties = {name: _properties(posterior) for name, posterior in posteriors.items()}
+    found = [
+        RankedBat(
+            name, Measured(float(drawn.mean()), float(drawn.std())), float(chance), place, properties[name],
+            _differing(properties, name), posterior.contradictions,
+        )
+        for (name, posterior), drawn, chance, place in zip(posteriors.items(), centre, chances, best, strict=True)
+    ]  # fmt: skip
+    values = np.array([one.exit_speed.value for one in found])
+    errors = np.array([one.exit_speed.error for one in found])
+    return Ranking(
+        tuple(sorted(found, key=lambda one: -one.exit_speed.value)),
+        float(values.std(ddof=1)), float(np.sqrt(np.mean(errors**2))), float(by_nature.std()),
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Turning:
+    """The logarithm of the moment of inertia that a player feels: of the described bat, and its derivatives."""
+
+    moi: float
+    slopes: Array
+
+    @classmethod
+    def of(cls, line: BeamModel, unknowns: Sequence[Unknown], *, axis: float) -> _Turning:
+        wanted = [Measurement("moi", Measured(1, 1), axis=axis)]
+
+        def logarithm(deviations: Array) -> float:
+            return math.log(predicted(deviated(line, unknowns, deviations), wanted)[0])
+
+        steps = np.diag([one.spread for one in unknowns]) / 10
+        sizes = np.diag(steps)
+        slopes = [(logarithm(step) - logarithm(-step)) / (2 * size) for step, size in zip(steps, sizes, strict=True)]
+        return cls(math.exp(logarithm(0 * sizes)), np.array(slopes))
+
+
+def _exit_speeds(sure: Doubt, off: Array, turning: _Turning, conditions: Conditions, law: SwingLaw | None) -> Array:
+    """Return exit speeds along the barrel for draws of what is not known, shape (draws, places)."""
+    name = "collision_efficiency"
+    efficiency = sure.values[name] + off @ sure.slopes[name] + off**2 @ sure.bends[name]
+    swing = conditions.swing
+    bat = swing.angular_speed * (sure.position - swing.pivot)
+    ratio = np.ones(len(off))
+    if law is not None:
+        moments = turning.moi * np.exp(off[:, : len(turning.slopes)] @ turning.slopes)
+        ratio = np.array([law.speed_ratio(float(moi), reference_moi=turning.moi) for moi in moments])
+    return np.asarray(efficiency * conditions.pitch.speed + (1 + efficiency) * ratio[:, None] * bat)
+
+
+def _properties(posterior: Posterior) -> dict[str, Measured]:
+    """Return mass, balance point, moment of inertia and modulus of a bat with their errors."""
+    from sweetspot.calibration.calibrated_file import properties
+
+    found = {name: one.value for name, one in properties(posterior).items() if name in PROPERTIES}
+    off = posterior.deviation("modulus")
+    return {**found, "modulus": Measured(math.exp(off.value), math.exp(off.value) * off.error)}
+
+
+def _differing(properties: dict[str, dict[str, Measured]], name: str) -> tuple[str, ...]:
+    """Return the properties of a bat that lie surely off the mean of the other bats."""
+    found = []
+    for which, own in properties[name].items():
+        others = np.array([values[which].value for other, values in properties.items() if other != name])
+        if abs(own.value - others.mean()) > DIFFERS * max(own.error, 1e-12):
+            found.append(which)
+    return tuple(found)

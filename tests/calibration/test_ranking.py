@@ -1,0 +1,111 @@
+"""Bats of one model ranked: an injected difference is found, none is not, and moisture is taken out."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from sweetspot import catalog
+from sweetspot.calibration.bat_table import STIFFER, at_usual_moisture, read_bats
+from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.measurements import Measurement, predicted
+from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.posterior import calibrate
+from sweetspot.calibration.ranking import Ranking, rank_bats
+from sweetspot.calibration.unknowns import described, deviated, unknowns_of
+from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.errors import InputError
+
+MODEL = catalog.bat("r161-ash")
+LINE, UNKNOWNS = described(MODEL), unknowns_of(MODEL)
+WANTED = [
+    Measurement("mass", Measured(1, 0.001)), Measurement("balance_point", Measured(1, 0.001)),
+    Measurement("period", Measured(1, 0.001)), Measurement("frequency", Measured(1, 0.3), mode=ModeName("bending", 1)),
+]  # fmt: skip
+
+
+def ranked(offs: dict[str, dict[str, float]], *, noise: bool = False) -> Ranking:
+    """Return the ranking of bats that deviate from the model in these ways."""
+    generator = np.random.default_rng(5)
+    posteriors = {}
+    for name, off in offs.items():
+        own = deviated(LINE, UNKNOWNS, np.array([off.get(one.name, 0.0) for one in UNKNOWNS]))
+        values = predicted(own, WANTED)
+        measured = [
+            Measurement(one.kind, Measured(float(value) + noise * one.value.error * generator.standard_normal(),
+                                           one.value.error), axis=one.axis, mode=one.mode)
+            for one, value in zip(WANTED, values, strict=True)
+        ]  # fmt: skip
+        posteriors[name] = calibrate(LINE, UNKNOWNS, measured)
+    return rank_bats(posteriors, conditions=standard_conditions(MODEL), law=catalog.swing_law())
+
+
+def test_a_stiffer_and_a_limper_bat_stand_at_the_ends() -> None:
+    ranking = ranked({"usual": {}, "stiff": {"modulus": 0.35, "density": 0.05}, "limp": {"modulus": -0.35}})
+    assert [one.name for one in ranking.bats][-1] == "limp"
+    assert ranking.beyond_doubt
+    chances = {one.name: one.best_chance for one in ranking.bats}
+    assert sum(chances.values()) == pytest.approx(1)
+    assert chances["limp"] < 0.05
+    assert "modulus" in next(one for one in ranking.bats if one.name == "limp").differs
+    assert ranking.bats[0].exit_speed.value > ranking.bats[-1].exit_speed.value
+
+
+def test_bats_that_are_alike_are_not_told_apart() -> None:
+    ranking = ranked({name: {} for name in "abcd"}, noise=True)
+    assert not ranking.beyond_doubt
+    assert max(one.best_chance for one in ranking.bats) < 0.75
+    assert ranking.scatter < ranking.wood
+
+
+def test_one_bat_is_no_ranking() -> None:
+    with pytest.raises(InputError, match="two or more"):
+        ranked({"a": {}})
+
+
+def test_a_table_with_units_errors_and_blanks(tmp_path: Path) -> None:
+    path = tmp_path / "bats.csv"
+    path.write_text(
+        "Name;mass_g;balance_point_cm;pendulum_s;bending_1_hz;hoop_hz;note;moisture_percent\n"
+        "first;880,5;56,0±0,1;1,4545;171,5±0,4;;new;\nsecond;881;;;;;;12\n",
+        encoding="utf-8",
+    )
+    bats = read_bats(path)
+    assert [one.name for one in bats["first"]] == ["mass", "balance point", "pendulum", "bending 1"]
+    mass, balance = bats["first"][:2]
+    assert mass.value == Measured(pytest.approx(0.8805), pytest.approx(1e-4))  # type: ignore[arg-type]
+    assert balance.value == Measured(pytest.approx(0.56), pytest.approx(1e-3))  # type: ignore[arg-type]
+    assert bats["second"][0].value.value == pytest.approx(0.881)  # at 12 % nothing changes
+
+
+def test_wet_wood_is_heavier_and_limper() -> None:
+    """m goes as 1 + u (exact); E loses 1.5 % per per cent of moisture, so f goes as sqrt(E / m)."""
+    wet = Measured(0.16, 0.005)
+    mass = at_usual_moisture(Measurement("mass", Measured(0.9, 0.001)), wet)
+    assert mass.value.value == pytest.approx(0.9 * 1.12 / 1.16)
+    assert mass.value.error > 0.004  # of the moisture meter
+    tone = at_usual_moisture(Measurement("frequency", Measured(170.0, 0.3), mode=ModeName("bending", 1)), wet)
+    assert tone.value.value == pytest.approx(170 * math.sqrt(1.16 / 1.12 * math.exp(STIFFER * 0.04)))
+    still = at_usual_moisture(Measurement("balance_point", Measured(0.56, 0.001)), wet)
+    assert still.value == Measured(0.56, 0.001)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("mass_oz\n31\n", "heading"),
+        ("name,mass\na,31\n", "no unit"),
+        ("name,mass_oz\na,31.0\na,31.1\n", "two bats"),
+        ("name,mass_oz\na,\n", "nothing was measured"),
+        ("name,mass_oz\na,heavy\n", "mass"),
+        ("name,mass_oz,moisture_percent\na,31.0,80\n", "moisture"),
+    ],
+)
+def test_refusals(tmp_path: Path, text: str, message: str) -> None:
+    path = tmp_path / "bats.csv"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match=message):
+        read_bats(path)

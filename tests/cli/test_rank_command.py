@@ -1,0 +1,44 @@
+"""`sweetspot rank`: a table of bats becomes an order, with how sure it is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+Run = Callable[..., tuple[int, str, str]]
+HEAD = "name,mass_oz,balance_point_in,pendulum_s,bending_1_hz,moisture_percent\n"
+ONE, OTHER = (
+    "A,31.00±0.05,22.05±0.05,1.4545±0.003,171.5±0.4,12\n",
+    "B,31.00±0.05,22.05±0.05,1.4545±0.003,155.0±0.4,12\n",
+)
+
+
+def test_two_bats(run: Run, run_json: Callable[..., Any], tmp_path: Path) -> None:
+    table = tmp_path / "bats.csv"
+    table.write_text(HEAD + ONE + OTHER, encoding="utf-8")
+    found = run_json("rank", str(table), "--like", "r161-ash")
+    assert [one["name"] for one in found["bats"]] == ["A", "B"]
+    assert found["bats"][0]["best_chance"] > 0.7
+    assert "modulus" in found["bats"][1]["differs"]
+    for name, rows in (("a", ONE), ("b", OTHER)):
+        (tmp_path / "folder").mkdir(exist_ok=True)
+        (tmp_path / "folder" / f"{name}.csv").write_text(HEAD + rows, encoding="utf-8")
+    code, out, _ = run("rank", str(tmp_path / "folder"), "--like", "r161-ash", "--same-speed", "--units", "si")
+    assert code == 0
+    assert "A hits best" in out
+    assert "m/s" in out
+
+
+@pytest.mark.parametrize(
+    ("content", "message"), [(None, "no such file"), (HEAD + ONE, "two or more"), ("a,b\n1,2\n", "heading")]
+)
+def test_refusals(run: Run, tmp_path: Path, content: str | None, message: str) -> None:
+    table = tmp_path / "bats.csv"
+    if content is not None:
+        table.write_text(content, encoding="utf-8")
+    code, out, err = run("rank", str(table), "--like", "r161-ash")
+    assert (code, out) == (2, "")
+    assert message in err
