@@ -13,11 +13,11 @@ from sweetspot.errors import InputError
 from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.arrays import Array
 from sweetspot.player.contact_tables import ContactTable, contact_table, farthest_offset
-from sweetspot.player.likelihood import combined, fill_folded, fill_weights, normal, within
+from sweetspot.player.likelihood import combined, fill_folded, fill_weights, normal, swung, within
 from sweetspot.player.model import PlayerModel, bats_of, player_model, speed_ratio
 from sweetspot.player.player_swing import PlayerSwing
 from sweetspot.player.posterior import Posterior, interval, split_r_hat, summarised, walked
-from sweetspot.player.prior import NAMES, log_prior, natural, prior_draws, priors, standardised
+from sweetspot.player.prior import NAMES, fixed, log_prior, natural, prior_draws, priors, standardised
 from sweetspot.player.simulate import simulated_swings
 from sweetspot.units import INCH, MPH
 
@@ -254,11 +254,29 @@ def test_the_compiled_likelihood_is_the_readable_one(table: ContactTable) -> Non
         np.exp(-0.5 * ((model.table.far + sign * value["offset"]) / value["offset_spread"]) ** 2) for sign in (1, -1)
     ]
     above = (sides[0] + sides[1])[:, None]
-    variance = value["exit_noise"] ** 2 + (slope * kept * value["bat_speed_spread"]) ** 2
+    variance = value["exit_noise"] ** 2 + fixed("model_noise") ** 2 + (slope * kept * value["bat_speed_spread"]) ** 2
     density = np.exp(-0.5 * (44.0 - out * kept) ** 2 / variance) / np.sqrt(2 * math.pi * variance)
     total = np.sum(density * above * weight) / (above.sum() * weight.sum())
     assert speed > 0
     assert found == pytest.approx(math.log(0.99 * total + 0.01 / 60), abs=1e-3)
+
+
+def test_a_slow_swing_says_little_of_the_others() -> None:
+    """Exact limits: near the mean it is the normal law; far below its own reading counts, the density falls slowly."""
+    slow = (0.05, 10 * MPH, 8 * MPH)
+    mean, spread, noise = 70 * MPH, 3 * MPH, 1 * MPH
+    _, usual, _ = swung(69 * MPH, noise, mean, spread, slow)
+    assert usual == pytest.approx(combined(69 * MPH, noise, mean, spread)[0], abs=0.02 * MPH)
+    said, speed, _ = swung(50 * MPH, noise, mean, spread, slow)
+    assert abs(speed - 50 * MPH) < 0.3 * MPH
+    assert said > normal(50 * MPH, mean, spread**2 + noise**2) + 10
+    assert swung(math.nan, noise, mean, spread, slow) == (0.0, mean, spread**2)
+
+
+def test_a_steeper_swing_turns_the_ball_further(table: ContactTable) -> None:
+    """Other code: full collisions; off a tee not at all, for usual speeds by half as much again."""
+    assert abs(table.turning[0]) < 0.01
+    assert 0.45 < table.turning[3] < 0.65 and np.all(np.diff(table.turning) > 0)
 
 
 def test_the_likelihood_is_smooth() -> None:

@@ -84,7 +84,9 @@ def fly(
         if ":" in text and varied is not None:
             ranges.append((varied, spread(text, KINDS[name], _option(name))))
         else:
-            values[name] = pressure_of(air) if name == "pressure" else _number(name, text)
+            values[name] = (
+                pressure_of(air) if name == "pressure" and ":" not in (air.elevation or "") else _number(name, text)
+            )
     for name, values_of in ranges:
         values[name] = values_of[0]
     hit = BattedBall(**values, bats=launch.bats, line=usual_spin_line(launch.law or DEFAULT_AERODYNAMICS))

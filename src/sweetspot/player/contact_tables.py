@@ -34,6 +34,8 @@ BAT_SPEED = 31.0
 """m/s there."""
 RATIOS = np.array([0.0, 0.4, 0.8, 1.2, 1.6])
 """Pitch speed over bat speed; 0: a tee."""
+STEEPER = math.radians(7)
+"""By how much steeper and flatter swings are tried for the turning."""
 FARTHEST, OFFSETS = 0.97, 121
 """Largest offset as a part of both radii together, and how many offsets from one side to the other."""
 
@@ -51,7 +53,8 @@ class ContactTable:
         shape of ``from_tip``.
     offset : m of the ball's centre above the bat's axis, increasing, evenly spaced.
     kept : part of the head-on exit speed that is left, shape (ratios, offsets).
-    deflection : rad, launch angle minus attack angle, same shape.
+    deflection : rad, launch angle minus attack angle at the usual attack angle, same shape.
+    turning : rad per rad that the swing is steeper by, what the deflection grows by, shape (ratios,).
     """
 
     bat: Bat
@@ -62,6 +65,7 @@ class ContactTable:
     offset: Array
     kept: Array
     deflection: Array
+    turning: Array
 
 
 def contact_table(bat: Bat, *, ball: Ball, axis: float, like: ContactTable | None = None) -> ContactTable:
@@ -88,12 +92,12 @@ def contact_table(bat: Bat, *, ball: Ball, axis: float, like: ContactTable | Non
     slow, fast = (_efficiency(model, ball, from_tip, speed) for speed in (SLOW, FAST))
     slope = (fast - slow) / (FAST - SLOW)
     if like is None:
-        offset, kept, deflection = _off_centre(model, ball)
+        offset, kept, deflection, turning = _off_centre(model, ball)
     else:
-        offset, kept, deflection = like.offset, like.kept, like.deflection
+        offset, kept, deflection, turning = like.offset, like.kept, like.deflection, like.turning
     return ContactTable(
         bat=bat, moi=model.body.moi(bat.choke + axis), from_tip=from_tip, efficiency=slow - slope * SLOW,
-        efficiency_slope=slope, offset=offset, kept=kept, deflection=deflection,
+        efficiency_slope=slope, offset=offset, kept=kept, deflection=deflection, turning=turning,
     )  # fmt: skip
 
 
@@ -106,31 +110,38 @@ def _efficiency(model: ReducedBat[Bat], ball: Ball, from_tip: Array, speed: floa
     return np.interp(from_tip, from_tip[known], done.collision_efficiency[known])
 
 
-def _off_centre(model: ReducedBat[Bat], ball: Ball) -> tuple[Array, Array, Array]:
-    """Return offsets and, for every ratio of speeds, the part of exit speed kept and the deflection.
+def _off_centre(model: ReducedBat[Bat], ball: Ball) -> tuple[Array, Array, Array, Array]:
+    """Return offsets and, for every ratio of speeds, the part of exit speed kept, the deflection and its turning.
 
-    The swing has the usual attack angle and tilt, the pitch the usual descent and no spin; both answers hardly depend
-    on any of the four.
+    The swing has the usual tilt, the pitch the usual descent and backspin; the answers hardly depend on these.
+    A steeper swing meets the ball at a greater angle, so what leaves is turned further: by half as much again as the
+    swing, for usual speeds.
     """
-    place = model.bat.length - BARREL
-    reach = ball.radius + float(model.bat.diameter_at(place)) / 2
+    reach = ball.radius + float(model.bat.diameter_at(model.bat.length - BARREL)) / 2
     offset = np.linspace(-FARTHEST * reach, FARTHEST * reach, OFFSETS)
-    attack, descent = priors()["attack_angle"].centre, fixed("pitch_descent")
+    usual = priors()["attack_angle"].centre
+    speed, launch = _turned(model, ball, offset, usual)
+    middle = OFFSETS // 2
+    ends = [_turned(model, ball, np.zeros(1), usual + step)[1][:, 0] - step for step in (-STEEPER, STEEPER)]
+    return offset, speed / speed[:, middle : middle + 1], launch - usual, (ends[1] - ends[0]) / (2 * STEEPER)
+
+
+def _turned(model: ReducedBat[Bat], ball: Ball, offset: Array, attack: float) -> tuple[Array, Array]:
+    """Return exit speed and launch angle for every ratio of speeds and every offset, shape (ratios, offsets)."""
+    descent, count = fixed("pitch_descent"), len(offset)
+    lifting = np.array([-fixed("pitch_backspin"), 0.0, 0.0])  # of a ball that comes in along -y
     axes = path_axes(attack, 0.0, tilt=steep_enough(fixed("swing_tilt"), attack), left=False)
-    above = np.tile(offset, len(RATIOS))
-    pitch = np.repeat(RATIOS * BAT_SPEED, OFFSETS)[:, None] * np.array([0.0, -math.cos(descent), -math.sin(descent)])
+    pitch = np.repeat(RATIOS * BAT_SPEED, count)[:, None] * np.array([0.0, -math.cos(descent), -math.sin(descent)])
     done = strikes(
         model,
         ball=ball,
         swings=Swings(BAT_SPEED, axes),
-        pitches=BallMotions(velocity=pitch, spin=np.zeros(3)),
-        contact=Contact(place, above),
+        pitches=BallMotions(velocity=pitch, spin=np.repeat(RATIOS > 0, count)[:, None] * lifting),
+        contact=Contact(model.bat.length - BARREL, np.tile(offset, len(RATIOS))),
     )
-    speed = done.exit_speed.reshape(len(RATIOS), OFFSETS)
     across = np.hypot(done.velocity[:, 0], done.velocity[:, 1])
-    launch = np.arctan2(done.velocity[:, 2], across).reshape(speed.shape)
-    middle = OFFSETS // 2
-    return offset, speed / speed[:, middle : middle + 1], launch - attack
+    launch = np.arctan2(done.velocity[:, 2], across)
+    return done.exit_speed.reshape(len(RATIOS), count), launch.reshape(len(RATIOS), count)
 
 
 def farthest_offset(table: ContactTable) -> float:

@@ -41,7 +41,8 @@ class Table(NamedTuple):
     kept : (n, offsets) part of the exit speed left.
     place_start, place_step, offset_start, offset_step : of the two grids, m.
     farthest : (bats,) m, the largest offset of a hit that is counted.
-    constants : measuring error of bat speed and of position, spread of the attack angle, usual attack angle.
+    constants : measuring error of bat speed and of position, spread of the attack angle, usual attack angle; part of
+        the swings that are slow, by how much and with what spread; what the tabled hit is off by.
     near, near_weights : points of Gauss and Hermite, in standard deviations.
     far : m, sizes of offsets for hits without a launch angle.
     """
@@ -83,6 +84,29 @@ def combined(value: float, noise: float, mean: float, spread: float) -> tuple[fl
         return mean, spread**2
     gain = spread**2 / (spread**2 + noise**2)
     return mean + gain * (value - mean), gain * noise**2
+
+
+@compiled(nogil=True)
+def swung(
+    value: float, noise: float, mean: float, spread: float, slow: tuple[float, float, float]
+) -> tuple[float, float, float]:
+    """Return what a measured bat speed says: its log density, and mean and variance of the true one; nan: not measured.
+
+    Bat speeds are normal but for a part that are slow, ``slow``: protective and checked swings.
+    """
+    if math.isnan(value):
+        return 0.0, mean, spread**2
+    part, by, wide = slow
+    usual = math.log(1 - part) + normal(value, mean, spread**2 + noise**2)
+    other = math.log(part) + normal(value, mean - by, wide**2 + noise**2)
+    top = max(usual, other)
+    whole = top + math.log(math.exp(usual - top) + math.exp(other - top))
+    share = math.exp(other - whole)
+    one, one_variance = combined(value, noise, mean, spread)
+    two, two_variance = combined(value, noise, mean - by, wide)
+    middle = (1 - share) * one + share * two
+    variance = (1 - share) * one_variance + share * two_variance + share * (1 - share) * (two - one) ** 2
+    return whole, middle, variance
 
 
 @compiled(nogil=True)
@@ -178,7 +202,8 @@ def log_likelihoods(parameters: Array, speeds: Array, table: Table, found: Array
     found : (rows,).
     """
     places = table.efficiency.shape[1]
-    speed_noise, place_noise, attack_spread, usual_attack = table.constants
+    speed_noise, place_noise, attack_spread, usual_attack = table.constants[:4]
+    slow, model_noise = (table.constants[4], table.constants[5], table.constants[6]), table.constants[7]
     usual_weight, own_weight = np.empty(places), np.empty(places)
     part, variance = np.empty(places), np.empty(places)
     ball_out, slope, folded = np.empty(places), np.empty(places), np.empty(len(table.far))
@@ -186,7 +211,8 @@ def log_likelihoods(parameters: Array, speeds: Array, table: Table, found: Array
     for row in range(len(parameters)):
         theta = parameters[row]
         speed_spread, centre, scatter = theta[1], theta[3], theta[4]
-        offset_mean, offset_spread, attack, shift, noise = theta[5], theta[6], theta[7], theta[8], theta[9]
+        offset_mean, offset_spread, attack, shift = theta[5], theta[6], theta[7], theta[8]
+        noise = math.sqrt(theta[9] ** 2 + model_noise**2)
         for bat in range(len(table.farthest)):
             counted[bat] = math.log(within(offset_mean, offset_spread, table.farthest[bat]))
         fill_folded(folded, table.far, offset_mean, offset_spread)
@@ -195,9 +221,8 @@ def log_likelihoods(parameters: Array, speeds: Array, table: Table, found: Array
         for i in range(len(table.bat_speed)):
             bat, pitch, out = table.bat[i], table.pitch_speed[i], table.exit_speed[i]
             mean_speed = speeds[row, bat]
-            if not math.isnan(table.bat_speed[i]):
-                total += normal(table.bat_speed[i], mean_speed, speed_spread**2 + speed_noise**2)
-            speed, speed_variance = combined(table.bat_speed[i], speed_noise, mean_speed, speed_spread)
+            said, speed, speed_variance = swung(table.bat_speed[i], speed_noise, mean_speed, speed_spread, slow)
+            total += said
             if not math.isnan(table.attack_angle[i]):
                 total += normal(table.attack_angle[i], attack, attack_spread**2)
             told = table.offset[i] + table.offset_slope[i] * (attack - usual_attack)

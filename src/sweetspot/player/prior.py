@@ -37,6 +37,11 @@ FIXED: dict[str, Kind] = {
     "position_noise": "length",
     "swing_tilt": "angle",
     "pitch_descent": "angle",
+    "pitch_backspin": "angular speed",
+    "slow_part": "ratio",
+    "slow_by": "speed",
+    "slow_spread": "speed",
+    "model_noise": "speed",
 }
 
 

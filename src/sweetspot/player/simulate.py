@@ -14,7 +14,7 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.player.contact_tables import RATIOS, ContactTable, contact_table, farthest_offset
 from sweetspot.player.model import SPEED_FROM_TIP, arm_ratio, speed_ratio
 from sweetspot.player.player_swing import PlayerSwing
-from sweetspot.player.prior import NAMES, fixed
+from sweetspot.player.prior import NAMES, fixed, priors
 
 
 def simulated_swings(
@@ -69,12 +69,13 @@ def _swing(
     efficiency = np.interp(place, table.from_tip, table.efficiency) + values["efficiency_shift"]
     efficiency += closing * np.interp(place, table.from_tip, table.efficiency_slope)
     kept, deflection = (_between(part, pitch / speed, table.offset, offset) for part in (table.kept, table.deflection))
+    turned = float(np.interp(pitch / speed, RATIOS, table.turning)) * (attack - priors()["attack_angle"].centre)
     return PlayerSwing(
         row=0,
         bat_speed=float(speed + fixed("bat_speed_noise") * draw()),
         exit_speed=float((efficiency * closing + there) * kept + values["exit_noise"] * draw()),
         pitch_speed=pitch,
-        launch_angle=float(attack + deflection + fixed("deflection_noise") * draw()),
+        launch_angle=float(attack + deflection + turned + fixed("deflection_noise") * draw()),
         attack_angle=float(attack),
         position=None,
         bat="",
