@@ -125,6 +125,52 @@ ADDITIONS = {
          ("catalog/files/implement.py", '    "hockey-stick": (HockeyStickFile, _hockey_stick),',
           '    "broom": (BroomFile, _broom),\n')),
     ),
+    "a view of the page": Addition(
+        {"web/views/shrug.py":
+         '"""A view that only says how heavy the bat is."""\n\n'
+         "from sweetspot.web.bats import described\nfrom sweetspot.web.states import BatState\n"
+         "from sweetspot.web.view import View\n\n\n"
+         "def answer(state: BatState) -> dict[str, float]:\n    return {'mass_kg': described(state).mass}\n\n\n"
+         'VIEW = View("shrug", "Shrug", BatState, answer)\n',
+         "web/static/views/shrug.js":
+         'export const view = { name: "shrug", guide: [], mount() {}, update() {}, unmount() {} };\n'},
+        "from starlette.testclient import TestClient\nfrom sweetspot import catalog\n"
+        "from sweetspot.web.server import create_app\n"
+        "page = TestClient(create_app(), base_url='http://localhost')\n"
+        "answer = page.post('/api/v1/shrug', json={})\n"
+        "assert abs(answer.json()['mass_kg'] - catalog.bat().mass) < 1e-9, answer.text\n"
+        "assert 'Shrug' in page.get('/shrug').text and page.get('/static/views/shrug.js').status_code == 200\n",
+        (("web/views/__init__.py", "VIEWS: dict", "from sweetspot.web.views import shrug\n\n"),
+         ("web/views/__init__.py", "paper.VIEW)", "shrug.VIEW, ")),
+    ),
+    "a command": Addition(
+        {"cli/shrug_command.py":
+         '"""`sweetspot shrug`: a weight."""\n\n'
+         "from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions\n\n\n"
+         "def shrug(bat: str, /, *, output: OutputOptions = DEFAULT_OUTPUT) -> int:\n"
+         '    """Say how heavy a bat is."""\n'
+         "    from sweetspot import catalog\n    from sweetspot.cli.output import present\n"
+         "    from sweetspot.report.shrug.document import shrug_document\n\n"
+         "    return present(shrug_document(catalog.load_bat(bat)), output)\n",
+         "report/shrug/__init__.py": '"""A weight."""\n',
+         "report/shrug/document.py":
+         '"""A weight as a document."""\n\n'
+         "from sweetspot.equipment.bat import Bat\nfrom sweetspot.report.document import Document, Paragraph\n"
+         "from sweetspot.report.sentences import Slot, say\n\n\n"
+         "def shrug_document(bat: Bat) -> Document:\n"
+         "    words = say('It weighs {mass}.', mass=Slot(bat.mass or 0.0, 'mass'))\n"
+         "    return Document(name='shrug', title=bat.name, subtitle='a weight', kind='Shrug',\n"
+         "                    blocks=[Paragraph(words)], data={'mass_kg': bat.mass}, rows={})\n"},
+        "import contextlib, io, json\nfrom sweetspot.cli import main\n"
+        "def said(*words):\n    out = io.StringIO()\n"
+        "    with contextlib.redirect_stdout(out), contextlib.suppress(SystemExit):\n        main(list(words))\n"
+        "    return out.getvalue()\n"
+        "assert 'It weighs 31.0 oz' in said('shrug', 'r161-ash')\n"
+        "assert 'It weighs 879 g' in said('shrug', 'r161-ash', '--units', 'si')\n"
+        "assert abs(json.loads(said('shrug', 'r161-ash', '--format', 'json'))['mass_kg'] - 0.879) < 1e-3\n",
+        (("cli/app.py", "COMMANDS = (", "from sweetspot.cli.shrug_command import shrug\n\n"),
+         ("cli/app.py", ")  # fmt: skip", "    shrug,\n")),
+    ),
 }  # fmt: skip
 
 
@@ -132,7 +178,7 @@ ADDITIONS = {
 def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A copy of the package that tests may change and must put back."""
     folder = tmp_path_factory.mktemp("copy")
-    shutil.copytree(ROOT, folder / ROOT.name, ignore=shutil.ignore_patterns("__pycache__", "static"))
+    shutil.copytree(ROOT, folder / ROOT.name, ignore=shutil.ignore_patterns("__pycache__"))
     return folder
 
 
@@ -145,6 +191,7 @@ def test_adding(what: str, copy: Path) -> None:
     }
     try:
         for file, text in addition.ends.items():
+            (package / file).parent.mkdir(exist_ok=True)
             (package / file).write_text(before.get(file, "") + text, encoding="utf-8")
         for file, mark, text in addition.marks:
             whole = (package / file).read_text(encoding="utf-8")
@@ -173,5 +220,8 @@ def rows() -> dict[str, set[str]]:
 @pytest.mark.parametrize("what", ADDITIONS)
 def test_the_guide_names_these_files(what: str) -> None:
     named = {file.replace("NAME", "*") for file in rows()[what]}
-    touched = {re.sub(r"(implements|bats|equipment)/[\w-]+\.", r"\1/*.", file) for file in ADDITIONS[what].files}
+    touched = {
+        re.sub(r"(implements|bats|equipment)/[\w-]+\.", r"\1/*.", file).replace("shrug", "*")
+        for file in ADDITIONS[what].files
+    }
     assert touched == named
