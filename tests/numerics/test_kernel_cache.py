@@ -114,7 +114,8 @@ def test_the_text_of_every_reached_file_counts(monkeypatch: pytest.MonkeyPatch) 
     for function in (lanes.solve, kernel.solve, likelihood.log_likelihoods):
         fingerprint(function)
     assert {module.removeprefix("sweetspot.") for module in read} == {
-        "flight.compiled", "numerics.hermite_cubic", "numerics.vector_math", "collision.kernel", "player.likelihood",
+        "flight.compiled", "flight.aerodynamics", "numerics.hermite_cubic", "numerics.vector_math", "collision.kernel",
+        "collision.contact_law", "equipment.ball", "numerics.parabola", "player.likelihood",
     }  # fmt: skip
 
 

@@ -8,7 +8,7 @@ from typing import Protocol
 
 from scipy.optimize import brentq
 
-from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.ball import Ball, RestitutionLine, restitution_at
 
 NEWTON_STEPS, NEWTON_ERROR = 60, 1e-13
 
@@ -41,13 +41,36 @@ def equivalent_wall_speed(ball: Ball, peak: float) -> float:
     return math.sqrt(2 * stored_energy(ball, peak) / ball.mass)
 
 
+class LossyBall(Protocol):
+    """What unloading asks of a ball; the compiled collision has it in a record of its own."""
+
+    @property
+    def mass(self) -> float: ...
+    @property
+    def exponent(self) -> float: ...
+    @property
+    def restitution(self) -> RestitutionLine: ...
+
+
 def unloading_exponent(ball: Ball, peak: float) -> float:
+    """Return p of the unloading curve from a peak compression in m; see `unloading_power`."""
+    return unloading_power(ball, peak, loading_force(ball, peak))
+
+
+def unloading_power(ball: LossyBall, peak: float, force: float) -> float:
     """Return p of the unloading curve F = F_peak (u/U)^p that gives back the part e^2 of the stored energy.
 
-    E_back / E_in = (n + 1) / (p + 1) = e(v)^2, with e taken at the wall speed that stores the same energy. So a
-    ball on a rigid wall returns exactly its restitution law at every speed.
+    E_back / E_in = (n + 1) / (p + 1) = e(v)^2, with e taken at the wall speed that stores the same energy,
+    F_peak U / (n + 1). So a ball on a rigid wall returns exactly its restitution law at every speed.
+
+    Plain arithmetic, which the kernel compiles.
+
+    Parameters
+    ----------
+    peak, force : U in m and F_peak in N, where the ball begins to spring back.
     """
-    restitution = ball.restitution.at(equivalent_wall_speed(ball, peak))
+    wall_speed = math.sqrt(2 * force * peak / (ball.exponent + 1) / ball.mass)
+    restitution = restitution_at(ball.restitution, wall_speed)
     return (ball.exponent + 1) / restitution**2 - 1
 
 
@@ -91,8 +114,8 @@ class Hysteretic:
         """Return the force in N; see `ContactLaw`."""
         if turned_at is None:
             return loading_force(self.ball, compression)
-        ratio = compression / turned_at
-        return float(loading_force(self.ball, turned_at) * ratio ** unloading_exponent(self.ball, turned_at))
+        ratio, force = compression / turned_at, loading_force(self.ball, turned_at)
+        return float(force * ratio ** unloading_power(self.ball, turned_at, force))
 
     def slope(self, compression: float, rate: float, turned_at: float | None) -> float:
         """Return dF/du in N/m; see `ContactLaw`."""

@@ -35,7 +35,7 @@ from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.parabola import vertex
+from sweetspot.numerics.parabola import crossing, vertex
 from sweetspot.units import check_place
 
 STEP = 4e-6
@@ -159,7 +159,8 @@ def _integrated(
         approach = motion.ball_position - float(shape @ motion.displacement)
         if approach <= 0:
             outcome = Outcome.SEPARATED
-            release = (len(forces) - 1.5 + _crossing(approaches, approach)) * step
+            before = approaches[-2] if len(approaches) > 1 else 0.0
+            release = (len(forces) - 1.5 + crossing(before, approaches[-1], approach)) * step
             again = flow.overtaken(motion, shape, kicks=round(TIME_LIMIT / step) - len(forces))
             if again is None:
                 break
@@ -271,16 +272,6 @@ def _contact_time(forces: list[float], step: float) -> float:
     threshold = CONTACT_FORCE * force[: last + 2].max()
     part = (force[last] - threshold) / (force[last] - force[last + 1])
     return float((last - 0.5 + part) * step)
-
-
-def _crossing(approaches: list[float], latest: float) -> float:
-    """Return where the parabola through the last three kicks crosses zero, in steps after the last but one."""
-    start = approaches[-1]
-    if len(approaches) < 3:
-        return start / (start - latest)
-    earlier = approaches[-2]
-    slope, bend = (latest - earlier) / 2, (earlier - 2 * start + latest) / 2
-    return 2 * start / (math.sqrt(slope**2 - 4 * bend * start) - slope)
 
 
 def _no_contact(modes: Modes, position: float, closing_speed: float) -> Impact:

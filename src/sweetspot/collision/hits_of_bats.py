@@ -8,7 +8,7 @@ import numpy as np
 
 from sweetspot.collision.coupled import TIME_LIMIT
 from sweetspot.collision.impact import Impacts
-from sweetspot.collision.kernel import LANES, STEP, Bat, Output, constants_of, solve
+from sweetspot.collision.kernel import LANES, RESULT_ROWS, STEP, Bat, Output, numbers_of, solve
 from sweetspot.collision.modal_propagator import free_steps
 from sweetspot.dynamics.batch.reduction import ReducedBats
 from sweetspot.equipment.ball import Ball
@@ -43,9 +43,9 @@ def struck(
     omega, drift = bats.angular_frequency, free_steps(bats.angular_frequency, bats.damping_rate, step)
     count, places, size = shapes.shape
     outcome = np.empty((count, places), np.int64)
-    results = np.empty((5, count, places))
+    results = np.empty((RESULT_ROWS, count, places))
     motion = np.empty((2, count, places if keep_motion else 0, size))
-    constants, limit = constants_of(ball), float(round(TIME_LIMIT / step))
+    constants, limit = numbers_of(ball), float(round(TIME_LIMIT / step))
     lanes = min(LANES, 4 * math.ceil(places / 4))
     nothing, none = np.zeros((0, size)), np.zeros(0)
     speeds = np.ascontiguousarray(closing_speed)

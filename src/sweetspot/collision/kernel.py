@@ -10,15 +10,18 @@ import math
 from typing import NamedTuple
 
 import numpy as np
+from numba.extending import register_jitable
 from numpy.typing import ArrayLike
 
+from sweetspot.collision import contact_law
 from sweetspot.collision.contact_law import NEWTON_STEPS
 from sweetspot.collision.coupled import SLOW, TIME_LIMIT, check_step
 from sweetspot.collision.impact import CONTACT_FORCE, Impacts, Outcome
 from sweetspot.collision.modal_propagator import dashpot_factors, modal_propagator_of
 from sweetspot.collision.time_step import contact_step
 from sweetspot.dynamics.modes import Modes
-from sweetspot.equipment.ball import COR_FLOOR, Ball
+from sweetspot.equipment.ball import Ball, restitution_at
+from sweetspot.numerics import parabola
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.kernel_cache import compiled
 from sweetspot.numerics.threads import in_parts
@@ -92,10 +95,10 @@ def _hits(
     speeds = np.ascontiguousarray(speeds)
     count, size = len(speeds), len(modes)
     outcome = np.empty(count, np.int64)
-    results = np.empty((5, count))
+    results = np.empty((RESULT_ROWS, count))
     motion = np.empty((2, count if keep_motion else 0, size))
     drift, half_dash = modal_propagator_of(modes, step), dashpot_factors(modes, step / 2)
-    constants = constants_of(ball)
+    numbers = numbers_of(ball)
     omega = modes.angular_frequency
 
     def work(part: slice) -> None:
@@ -107,18 +110,34 @@ def _hits(
         output = Output(outcome[part], results[:, part], kept)
         limit = float(round(TIME_LIMIT / step))
         bat = Bat(shapes, give, omega, drift, modes.dashpots, half_dash)
-        solve(lanes, speed, bat, constants, step, limit, output)
+        solve(lanes, speed, bat, numbers, step, limit, output)
 
     in_parts(work, count, size=CHUNK, threads=threads)
     return Impacts(outcome, *results, *motion)
 
 
-def constants_of(ball: Ball) -> Array:
-    """Return what the kernel knows of a ball: mass, k, n, its law (reference, slope, speed) and that law's floor."""
+class RestitutionNumbers(NamedTuple):
+    """A straight law of restitution: e at a speed in m/s, and what is lost per m/s."""
+
+    reference: float
+    slope: float
+    reference_speed: float
+
+
+class BallNumbers(NamedTuple):
+    """What the kernel knows of a ball: mass in kg, k and n of its force, and its law of restitution."""
+
+    mass: float
+    stiffness: float
+    exponent: float
+    restitution: RestitutionNumbers
+
+
+def numbers_of(ball: Ball) -> BallNumbers:
+    """Return what the kernel knows of a ball."""
     law = ball.restitution
-    return np.array(
-        [ball.mass, ball.stiffness, ball.exponent, law.reference, law.slope, law.reference_speed, COR_FLOOR]
-    )
+    line = RestitutionNumbers(law.reference, law.slope, law.reference_speed)
+    return BallNumbers(ball.mass, ball.stiffness, ball.exponent, line)
 
 
 # rows of the lanes' state
@@ -126,6 +145,9 @@ CLOSING, BALL_POSITION, BALL_SPEED, SURFACE, APPROACH, BEFORE, EARLIER = range(7
 PEAK, RISING, OFFSET, POWER, IMPULSE, LARGEST, KICKS, INVERSE_MASS, FORCE, CONTACT = range(7, 17)
 GIVE, FORMER, PRESSED, STEEPNESS, DEEPEST, UNTIL = range(17, 23)
 STATE_ROWS = 23
+# rows of the results
+EFFICIENCY, CONTACT_TIME, RELEASE_TIME, GREATEST_FORCE, GREATEST_COMPRESSION = range(5)
+RESULT_ROWS = 5
 
 
 class Bat(NamedTuple):
@@ -165,28 +187,23 @@ class Output(NamedTuple):
     motion: Array
 
 
+# the readable functions, compiled where compiled code calls them
+_crossing = register_jitable(parabola.crossing)
+_vertex = register_jitable(parabola.vertex)
+_unloading_power = register_jitable(contact_law.unloading_power)
+register_jitable(restitution_at)
+
+
 @compiled()
-def _unloading(peak: float, force: float, constants: Array) -> tuple[float, float]:
+def _unloading(peak: float, force: float, ball: BallNumbers) -> tuple[float, float]:
     """Return (a, b) of the unloading curve F = exp(a + b log u) from a peak compression and the force there."""
-    mass, _, exponent, reference, slope, reference_speed, floor = constants
-    wall_speed = math.sqrt(2 * force * peak / (exponent + 1) / mass)
-    restitution = min(1.0, max(floor, reference - slope * (wall_speed - reference_speed)))
-    power = (exponent + 1) / restitution**2 - 1
+    power = _unloading_power(ball, peak, force)
     return math.log(force) - power * math.log(peak), power
-
-
-@compiled()
-def _crossing(earlier: float, start: float, latest: float) -> float:
-    """Return where the parabola through the last three kicks crosses zero, in steps after the last but one."""
-    if earlier <= 0:
-        return start / (start - latest)
-    slope, bend = (latest - earlier) / 2, (earlier - 2 * start + latest) / 2
-    return 2 * start / (math.sqrt(slope**2 - 4 * bend * start) - slope)
 
 
 @compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
 def solve(
-    lane_count: int, closing_speed: Array, bat: Bat, constants: Array, step: float, limit: float, output: Output
+    lane_count: int, closing_speed: Array, bat: Bat, ball: BallNumbers, step: float, limit: float, output: Output
 ) -> None:
     """Fill ``output`` for n hits.
 
@@ -200,12 +217,12 @@ def solve(
     ----------
     lane_count : hits side by side.
     closing_speed : (n,) m/s.
-    constants : ball mass, k, n, restitution law (reference, slope, speed) and its floor.
+    ball : of every hit.
     step, limit : s, and the number of steps after which a hit is given up.
     """
     drift, dashpots, half_dash = bat.drift, bat.dashpots, bat.half_dash
     size = bat.shapes.shape[1]
-    mass = constants[0]
+    mass = ball.mass
     lanes = Lanes(
         np.zeros((STATE_ROWS, lane_count)),
         np.empty((size, lane_count)),
@@ -216,7 +233,7 @@ def solve(
     state = lanes.state
     following, busy = 0, 0
     for lane in range(lane_count):
-        following = _start(lane, following, closing_speed, bat, constants, step, lanes, output)
+        following = _start(lane, following, closing_speed, bat, ball, step, lanes, output)
         busy += lanes.hit_of[lane] >= 0
     ball_position, ball_speed, surface = state[BALL_POSITION], state[BALL_SPEED], state[SURFACE]
     approach, before, earlier = state[APPROACH], state[BEFORE], state[EARLIER]
@@ -251,19 +268,19 @@ def solve(
                     continue
                 if approach[lane] <= 0 or kicks[lane] > limit:
                     if until[lane] == 0.0:
-                        _finish(lane, constants, step, lanes, output)
+                        _finish(lane, ball, step, lanes, output)
                         until[lane] = min(limit, kicks[lane] + _kicks_within_reach(lane, bat.omega, step, limit, lanes))
                         offset[lane] = QUIET
                     if kicks[lane] >= until[lane]:
-                        following = _start(lane, following, closing_speed, bat, constants, step, lanes, output)
+                        following = _start(lane, following, closing_speed, bat, ball, step, lanes, output)
                         kicks[lane] += 1.0
                         busy -= lanes.hit_of[lane] < 0
                     else:  # the bat may catch up: go on without a force; any touch is an event
                         approach[lane], peak[lane], rising[lane] = 1.0, 0.0, 0.0
                 elif until[lane] > 0.0:
-                    _touch(lane, constants, state)
+                    _touch(lane, ball, state)
                 else:
-                    _turn(lane, constants, step, state)
+                    _turn(lane, ball, step, state)
         for lane in range(lane_count):
             guess = approach[lane] - give[lane] * (2.0 * force[lane] - former[lane])
             pressed[lane] = max(guess, 0.25 * approach[lane])
@@ -340,7 +357,7 @@ def _start(
     following: int,
     closing_speed: Array,
     bat: Bat,
-    constants: Array,
+    ball: BallNumbers,
     step: float,
     lanes: Lanes,
     output: Output,
@@ -353,7 +370,7 @@ def _start(
         if output.motion.shape[1]:
             output.motion[:, following] = 0.0
         following += 1
-    mass = constants[0]
+    mass = ball.mass
     idle = following >= count
     lanes.hit_of[lane] = -1 if idle else following
     speed = 0.0 if idle else closing_speed[following]
@@ -371,49 +388,49 @@ def _start(
     state[INVERSE_MASS, lane] = inverse_mass
     state[GIVE, lane] = 0.0 if idle else bat.give[following]
     state[APPROACH, lane] = state[BALL_POSITION, lane]
-    _touch(lane, constants, state)
+    _touch(lane, ball, state)
     if idle:  # never turns, ends or pushes
         state[PEAK, lane], state[RISING, lane], state[OFFSET, lane], state[KICKS, lane] = 2.0, 0.0, QUIET, -np.inf
     return following + 1
 
 
 @compiled()
-def _touch(lane: int, constants: Array, state: Array) -> None:
+def _touch(lane: int, ball: BallNumbers, state: Array) -> None:
     """Begin a contact: the ball is where it is, nothing presses yet, and loading comes first."""
     state[PEAK, lane] = state[APPROACH, lane]
     state[BEFORE, lane] = state[EARLIER, lane] = 0.0
     state[RISING, lane] = 1.0
-    state[OFFSET, lane], state[POWER, lane] = math.log(constants[1]), constants[2]
+    state[OFFSET, lane], state[POWER, lane] = math.log(ball.stiffness), ball.exponent
     state[FORCE, lane] = state[FORMER, lane] = state[UNTIL, lane] = 0.0
 
 
 @compiled()
-def _turn(lane: int, constants: Array, step: float, state: Array) -> None:
+def _turn(lane: int, ball: BallNumbers, step: float, state: Array) -> None:
     """Change a lane from loading to unloading, at the top of the parabola through three kicks, or back."""
     latest, peak, give = state[APPROACH, lane], state[PEAK, lane], state[GIVE, lane]
     if latest >= peak and state[RISING, lane] == 0.0:
         state[RISING, lane] = 1.0
-        state[OFFSET, lane], state[POWER, lane] = math.log(constants[1]), constants[2]
+        state[OFFSET, lane], state[POWER, lane] = math.log(ball.stiffness), ball.exponent
     elif latest < peak and state[RISING, lane] == 1.0:
         state[RISING, lane] = 0.0
         if state[EARLIER, lane] > 0:
             first, middle = state[EARLIER, lane], state[BEFORE, lane]
-            peak = max(peak, middle - (latest - first) ** 2 / (8 * (first - 2 * middle + latest)))
-        deepest, force = _loaded(peak, give, state[FORCE, lane], constants)
+            peak = max(peak, _vertex(first, middle, latest)[1])
+        deepest, force = _loaded(peak, give, state[FORCE, lane], ball)
         lowered = step**2 / 12 * state[INVERSE_MASS, lane] * force
         state[PEAK, lane] = peak - lowered
-        deepest, force = _loaded(peak - lowered, give, force, constants)
+        deepest, force = _loaded(peak - lowered, give, force, ball)
         state[DEEPEST, lane] = max(state[DEEPEST, lane], deepest)
-        state[OFFSET, lane], state[POWER, lane] = _unloading(deepest, force, constants)
+        state[OFFSET, lane], state[POWER, lane] = _unloading(deepest, force, ball)
 
 
 @compiled()
-def _loaded(approach: float, give: float, force: float, constants: Array) -> tuple[float, float]:
+def _loaded(approach: float, give: float, force: float, ball: BallNumbers) -> tuple[float, float]:
     """Return the ball's compression u and its force on the loading curve: u + C k u^n = w, by Newton's method.
 
     ``force`` is about the one expected.
     """
-    stiffness, exponent = constants[1], constants[2]
+    stiffness, exponent = ball.stiffness, ball.exponent
     compression = approach - give * force
     for _ in range(NEWTON_STEPS):
         force = stiffness * compression**exponent
@@ -453,24 +470,24 @@ def _kicks_within_reach(lane: int, omega: Array, step: float, limit: float, lane
 
 
 @compiled()
-def _finish(lane: int, constants: Array, step: float, lanes: Lanes, output: Output) -> None:
+def _finish(lane: int, ball: BallNumbers, step: float, lanes: Lanes, output: Output) -> None:
     """Write the results of a lane whose ball has left, or whose time is up."""
     state, results, row = lanes.state, output.results, lanes.hit_of[lane]
     separated = state[APPROACH, lane] <= 0
     output.outcome[row] = SEPARATED if separated else STILL_IN_CONTACT
-    results[:3, row] = np.nan
-    results[3, row] = state[LARGEST, lane]
+    results[: RELEASE_TIME + 1, row] = np.nan
+    results[GREATEST_FORCE, row] = state[LARGEST, lane]
     if state[DEEPEST, lane] == 0:
-        state[DEEPEST, lane], _ = _loaded(state[PEAK, lane], state[GIVE, lane], state[FORCE, lane], constants)
-    results[4, row] = state[DEEPEST, lane]
+        state[DEEPEST, lane], _ = _loaded(state[PEAK, lane], state[GIVE, lane], state[FORCE, lane], ball)
+    results[GREATEST_COMPRESSION, row] = state[DEEPEST, lane]
     if separated:
         threshold = CONTACT_FORCE * state[LARGEST, lane]
         if state[FORCE, lane] >= threshold:
             state[CONTACT, lane] = state[KICKS, lane] + 1 - threshold / state[FORCE, lane]
         crossing = _crossing(state[EARLIER, lane], state[BEFORE, lane], state[APPROACH, lane])
-        results[0, row] = -state[BALL_SPEED, lane] / state[CLOSING, lane]
-        results[1, row] = (state[CONTACT, lane] - 1.5) * step
-        results[2, row] = (state[KICKS, lane] - 1.5 + crossing) * step
+        results[EFFICIENCY, row] = -state[BALL_SPEED, lane] / state[CLOSING, lane]
+        results[CONTACT_TIME, row] = (state[CONTACT, lane] - 1.5) * step
+        results[RELEASE_TIME, row] = (state[KICKS, lane] - 1.5 + crossing) * step
     if output.motion.shape[1]:
         output.motion[0, row] = lanes.displacement[:, lane]
         output.motion[1, row] = lanes.velocity[:, lane]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Self
+from typing import Annotated, Protocol, Self
 
 import numpy as np
 from pydantic import Field
@@ -33,11 +33,27 @@ class RestitutionLaw(Validated):
 
     def at(self, speed: Real) -> Real:
         """Return e at an impact speed in m/s."""
+        if isinstance(speed, float):  # many times faster, and stays a plain number
+            return restitution_at(self, speed)
         line = self.reference - self.slope * (speed - self.reference_speed)
-        if isinstance(line, float):  # many times faster, and stays a plain number
-            return min(1.0, max(COR_FLOOR, line))
         within: Real = np.minimum(1.0, np.maximum(COR_FLOOR, line))
         return within
+
+
+class RestitutionLine(Protocol):
+    """The numbers of a `RestitutionLaw`; the compiled collision has them in a record of its own."""
+
+    @property
+    def reference(self) -> float: ...
+    @property
+    def slope(self) -> float: ...
+    @property
+    def reference_speed(self) -> float: ...
+
+
+def restitution_at(law: RestitutionLine, speed: float) -> float:
+    """Return e of a law at a speed in m/s; see `RestitutionLaw`. Plain arithmetic, which the kernel compiles."""
+    return min(1.0, max(COR_FLOOR, law.reference - law.slope * (speed - law.reference_speed)))
 
 
 class Ball(Validated):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Self
+from typing import Annotated, Protocol, Self
 
 from pydantic import Field, model_validator
 
@@ -16,6 +16,50 @@ REFERENCE_REYNOLDS = 2e5
 """Re_0, about that of a baseball at 90 mph by the sea."""
 VISCOSITY = 1.82e-5
 """Pa s, of air at 21 degC, 1.458e-6 T^1.5 / (T + 110.4) with T in K [standard_atmosphere1976]."""
+
+
+class SpinLaw(Protocol):
+    """The numbers of an `Aerodynamics`; the compiled flight has them in a record of its own."""
+
+    @property
+    def drag(self) -> float: ...
+    @property
+    def drag_per_spin(self) -> float: ...
+    @property
+    def drag_per_active_spin(self) -> float: ...
+    @property
+    def drag_per_spin_factor(self) -> float: ...
+    @property
+    def lift_scale(self) -> float: ...
+    @property
+    def lift_offset(self) -> float: ...
+    @property
+    def lift_slope(self) -> float: ...
+
+
+def drag_with_spin(law: SpinLaw, spin_factor: float, spin: float, active_spin: float) -> float:
+    """Return Cd but for its part with Reynolds's number; see `Aerodynamics`. Plain arithmetic, which kernels compile.
+
+    Parameters
+    ----------
+    spin_factor, spin, active_spin : S, w and w_perp, rad/s, >= 0.
+    """
+    return (
+        law.drag
+        + law.drag_per_spin * spin
+        + law.drag_per_active_spin * active_spin
+        + law.drag_per_spin_factor * spin_factor
+    )
+
+
+def lift_by_power(law: SpinLaw, raised: float, steepness: float) -> float:
+    """Return Cl / S from S^n and S^n / S; see `Aerodynamics`. Plain arithmetic, which kernels compile.
+
+    Parameters
+    ----------
+    raised, steepness : S^n and S^n / S.
+    """
+    return law.lift_scale * steepness / (law.lift_offset + law.lift_slope * raised)
 
 
 class Aerodynamics(Validated):
@@ -93,13 +137,8 @@ class Aerodynamics(Validated):
         spin, active_spin : w and w_perp, rad/s, >= 0.
         reynolds : Re, > 0.
         """
-        return (
-            self.drag
-            + self.drag_per_spin * spin
-            + self.drag_per_active_spin * active_spin
-            + self.drag_per_spin_factor * spin_factor
-            + self.drag_per_inverse_reynolds * (REFERENCE_REYNOLDS / reynolds - 1)
-        )
+        viscous = self.drag_per_inverse_reynolds * (REFERENCE_REYNOLDS / reynolds - 1)
+        return drag_with_spin(self, spin_factor, spin, active_spin) + viscous
 
     def viscous_rate(self, *, radius: float, mass: float) -> float:
         """Return the braking by the part of drag that is linear in speed, Cd rho A v / (2 m) at Cd = c Re_0 / Re, 1/s.
@@ -118,4 +157,4 @@ class Aerodynamics(Validated):
         """Return Cl / S, which has a value also where there is no spin."""
         factor = max(spin_factor, SMALLEST_SPIN_FACTOR)
         power = float(factor**self.lift_exponent)
-        return self.lift_scale * power / factor / (self.lift_offset + self.lift_slope * power)
+        return lift_by_power(self, power, power / factor)

@@ -8,11 +8,13 @@ of a path) is done lane by lane.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 from numba import njit
 from numba.extending import register_jitable
 
+from sweetspot.flight import aerodynamics
 from sweetspot.flight.aerodynamics import SMALLEST_SPIN_FACTOR
 from sweetspot.flight.forces import SLOWEST
 from sweetspot.flight.trajectory import MOST_STEPS, SLOW, TIME_LIMIT, FlightOutcome
@@ -30,9 +32,22 @@ Pair = tuple[float, float]
 
 LANES = 16
 """Flights side by side."""
+# rows of the input: position, velocity, spin, then these
+START_Z, START_VZ, START_SPIN, DENSITY, START_WIND = 2, 5, 6, 9, 10
 INPUT_ROWS = 12
-HANG, APEX_HEIGHT, APEX_TIME = 7, 8, 9
+# rows of the results: position, velocity, the part of the spin that is left, then these
+SPIN_LEFT, HANG, APEX_HEIGHT, APEX_TIME = 6, 7, 8, 9
 RESULT_ROWS = 10
+
+
+class Output(NamedTuple):
+    """Where results go: outcome (n,), results (10, n), paths (n, k, 3)."""
+
+    outcome: IntArray
+    results: Array
+    paths: Array
+
+
 LANDED, STILL_FLYING, UNDERGROUND, UNUSABLE = (
     int(FlightOutcome.LANDED), int(FlightOutcome.STILL_FLYING), int(FlightOutcome.UNDERGROUND),
     int(FlightOutcome.UNUSABLE),
@@ -51,18 +66,46 @@ _on_cubic = register_jitable(cubic.on_cubic)
 _turn_on_cubic = register_jitable(cubic.turn_on_cubic)
 _first_crossing = register_jitable(cubic.first_crossing)
 register_jitable(cubic.root_on_cubic)
+_inlined = njit(forceinline=True, error_model="numpy", fastmath={"contract", "nsz"})
+_drag_with_spin = _inlined(aerodynamics.drag_with_spin)
+_lift_by_power = _inlined(aerodynamics.lift_by_power)
 
 
-@njit(forceinline=True, error_model="numpy", fastmath={"contract", "nsz"})
+class FlightLaw(NamedTuple):
+    """What all flights of a batch share.
+
+    Parameters
+    ----------
+    radius : of the ball, m.
+    drag, drag_per_spin, drag_per_active_spin, drag_per_spin_factor, lift_scale, lift_offset, lift_slope : as in
+        `Aerodynamics`, the drag without its part with Reynolds's number.
+    viscous : braking by that part, 1/s.
+    decay : part of the spin lost per m of way through the air.
+    reference : height in m at which the wind is measured.
+    """
+
+    radius: float
+    drag: float
+    drag_per_spin: float
+    drag_per_active_spin: float
+    drag_per_spin_factor: float
+    viscous: float
+    lift_scale: float
+    lift_offset: float
+    lift_slope: float
+    decay: float
+    reference: float
+
+
+@_inlined
 def _rates(
     height: float, right: float, out: float, up: float, left: float, spin: Spin,
-    strength: float, wind: Pair, shared: tuple[float, ...], power: float | None, profile: float | None,
+    strength: float, wind: Pair, law: FlightLaw, power: float | None, profile: float | None,
 ) -> tuple[float, float, float, float, float]:  # fmt: skip
     """Return (acceleration right, out, up; change of the spin left; how fast the air changes the velocity)."""
-    radius, drag, per_spin, per_active, per_factor, viscous, scale, offset, slope, decay, reference = shared
     blowing = 1.0
     if profile is not None:
-        blowing = exp(profile * log(max(height, 1e-300) / reference))
+        blowing = exp(profile * log(max(height, 1e-300) / law.reference))
     right -= blowing * wind[0]
     out -= blowing * wind[1]
     square = max(right * right + out * out + up * up, SLOWEST**2)
@@ -71,44 +114,44 @@ def _rates(
     across_out = left * (spin[2] * right - spin[0] * up)
     across_up = left * (spin[0] * out - spin[1] * right)
     across = math.sqrt(across_right * across_right + across_out * across_out + across_up * across_up)
-    factor = radius * across / square
-    lift = radius * scale / (offset + slope * factor)
+    factor = law.radius * across / square
+    raised, steepness = factor, 1.0
     if power is not None:
         floored = max(factor, SMALLEST_SPIN_FACTOR)
         raised = exp(power * log(floored))
-        lift = radius * scale * raised / floored / (offset + slope * raised)
-    coefficient = drag + per_spin * left * spin[3] + per_active * across / speed + per_factor * factor
-    braking = strength * speed * coefficient + viscous * (strength > 0)
-    lift *= strength
+        steepness = raised / floored
+    lift = strength * law.radius * _lift_by_power(law, raised, steepness)
+    coefficient = _drag_with_spin(law, factor, left * spin[3], across / speed)
+    braking = strength * speed * coefficient + law.viscous * (strength > 0)
     return (
         lift * across_right - braking * right,
         lift * across_out - braking * out,
         lift * across_up - braking * up - STANDARD_GRAVITY,
-        -decay * speed * left,
+        -law.decay * speed * left,
         braking + lift * across / speed + math.sqrt(STANDARD_GRAVITY * braking / speed),
     )
 
 
-@njit(forceinline=True, error_model="numpy", fastmath={"contract", "nsz"})
+@_inlined
 def stepped(
-    state: State, step: float, spin: Spin, strength: float, wind: Pair, shared: tuple[float, ...],
+    state: State, step: float, spin: Spin, strength: float, wind: Pair, law: FlightLaw,
     power: float | None, profile: float | None,
 ) -> State:  # fmt: skip
     """Return a state one step later, by Runge's and Kutta's classical method."""
     x, y, z, vx, vy, vz, left = state
     half, sixth = step / 2, step / 6
-    ax, ay, az, worn, _ = _rates(z, vx, vy, vz, left, spin, strength, wind, shared, power, profile)
+    ax, ay, az, worn, _ = _rates(z, vx, vy, vz, left, spin, strength, wind, law, power, profile)
     bx, by, bz = vx + half * ax, vy + half * ay, vz + half * az
     cx, cy, cz, worn_2, _ = _rates(
-        z + half * vz, bx, by, bz, left + half * worn, spin, strength, wind, shared, power, profile
+        z + half * vz, bx, by, bz, left + half * worn, spin, strength, wind, law, power, profile
     )
     dx, dy, dz = vx + half * cx, vy + half * cy, vz + half * cz
     ex, ey, ez, worn_3, _ = _rates(
-        z + half * bz, dx, dy, dz, left + half * worn_2, spin, strength, wind, shared, power, profile
+        z + half * bz, dx, dy, dz, left + half * worn_2, spin, strength, wind, law, power, profile
     )
     fx, fy, fz = vx + step * ex, vy + step * ey, vz + step * ez
     gx, gy, gz, worn_4, _ = _rates(
-        z + step * dz, fx, fy, fz, left + step * worn_3, spin, strength, wind, shared, power, profile
+        z + step * dz, fx, fy, fz, left + step * worn_3, spin, strength, wind, law, power, profile
     )
     return (
         x + sixth * (vx + 2 * (bx + dx) + fx), y + sixth * (vy + 2 * (by + dy) + fy),
@@ -119,7 +162,7 @@ def stepped(
 
 
 @compiled(error_model="numpy", fastmath={"contract", "nsz"})
-def _advance(lanes: Array, step: float, edge: float, shared: tuple[float, ...], power: float | None,
+def _advance(lanes: Array, step: float, edge: float, law: FlightLaw, power: float | None,
              profile: float | None) -> float:  # fmt: skip
     """Move every lane by one step; return above zero where something happened in a lane's step."""
     for lane in range(LANES):
@@ -127,10 +170,10 @@ def _advance(lanes: Array, step: float, edge: float, shared: tuple[float, ...], 
         spin = (lanes[SPIN_X + lane], lanes[SPIN_Y + lane], lanes[SPIN_Z + lane], lanes[SPIN + lane])
         strength, blowing = lanes[STRENGTH + lane], lanes[OPEN + lane]
         wind = (blowing * lanes[WIND_X + lane], blowing * lanes[WIND_Y + lane])
-        response = _rates(z, vx, vy, vz, left, spin, strength, wind, shared, power, profile)[4]
+        response = _rates(z, vx, vy, vz, left, spin, strength, wind, law, power, profile)[4]
         length = step / max(1.0, SLOW * response)
         state = (lanes[X + lane], lanes[Y + lane], z, vx, vy, vz, left)
-        after = stepped(state, length, spin, strength, wind, shared, power, profile)
+        after = stepped(state, length, spin, strength, wind, law, power, profile)
         lanes[BEFORE + X + lane], lanes[BEFORE + Y + lane], lanes[BEFORE + Z + lane] = state[0], state[1], z
         lanes[BEFORE + VX + lane], lanes[BEFORE + VY + lane], lanes[BEFORE + VZ + lane] = vx, vy, vz
         lanes[BEFORE + LEFT + lane] = left
@@ -155,8 +198,8 @@ def _advance(lanes: Array, step: float, edge: float, shared: tuple[float, ...], 
 
 @compiled(nogil=True, error_model="numpy", fastmath={"contract", "nsz"})
 def solve(
-    start: Array, constants: Array, power: float | None, profile: float | None, step: float,
-    outcome: IntArray, results: Array, paths: Array,
+    start: Array, per_density: float, edge: float, law: FlightLaw, power: float | None, profile: float | None,
+    step: float, output: Output,
 ) -> None:  # fmt: skip
     """Fill outcome and results of n flights; or their paths, once the results hold their hang times.
 
@@ -164,48 +207,38 @@ def solve(
 
     Parameters
     ----------
-    start : (12, n), position, velocity, spin, density, wind to the right and out.
-    constants : drag acceleration per density, Cd and square of the speed; then what `_rates` takes as shared, with
-        the height where the wind begins before its reference height.
+    start : (12, n), see the rows of the input above.
+    per_density : drag acceleration per density, Cd and square of the speed.
+    edge : m, the height where the wind begins.
     power, profile : exponents of the lift law and of the wind, None for 1 and for a wind alike at every height.
-    outcome, results : (n,) and (10, n): state at landing, hang time, height and time of the apex.
-    paths : (n, k, 3), k points evenly in time; k = 0 to solve.
+    output : with k points of each path, evenly in time; k = 0 to solve.
     """
-    edge = constants[11]
-    shared = (
-        constants[1], constants[2], constants[3], constants[4], constants[5], constants[6], constants[7], constants[8],
-        constants[9], constants[10], constants[12],
-    )  # fmt: skip
     lanes = np.zeros(ROWS * LANES)
     flight_of = np.full(LANES, -1)
     filled = np.zeros(LANES, np.int64)
     following, busy = 0, 0
     for lane in range(LANES):
-        following = _start(
-            lane, following, start, constants[0], edge, lanes, flight_of, filled, outcome, results, paths
-        )
+        following = _start(lane, following, start, per_density, edge, lanes, flight_of, filled, output)
         busy += flight_of[lane] >= 0
     while busy > 0:
-        if _advance(lanes, step, edge, shared, power, profile) == 0.0:
+        if _advance(lanes, step, edge, law, power, profile) == 0.0:
             continue
         for lane in range(LANES):
             if lanes[EVENT + lane] == 0.0 or flight_of[lane] < 0:
                 continue
-            if _event(lane, edge, shared, power, profile, lanes, flight_of, filled, outcome, results, paths):
-                following = _start(
-                    lane, following, start, constants[0], edge, lanes, flight_of, filled, outcome, results, paths
-                )
+            if _event(lane, edge, law, power, profile, lanes, flight_of, filled, output):
+                following = _start(lane, following, start, per_density, edge, lanes, flight_of, filled, output)
                 busy -= flight_of[lane] < 0
 
 
 @compiled()
 def _start(
     lane: int, following: int, start: Array, per_density: float, edge: float, lanes: Array, flight_of: IntArray,
-    filled: IntArray, outcome: IntArray, results: Array, paths: Array,
+    filled: IntArray, output: Output,
 ) -> int:  # fmt: skip
     """Put the next flight that leaves the ground into a lane, or leave the lane idle; return the flight after it."""
-    count, drawing = start.shape[1], paths.shape[1] > 0
-    while following < count and not _leaves(following, start, drawing, outcome, results, paths):
+    count, drawing = start.shape[1], output.paths.shape[1] > 0
+    while following < count and not _leaves(following, start, drawing, output):
         following += 1
     flight_of[lane] = following if following < count else -1
     filled[lane] = 0
@@ -217,40 +250,41 @@ def _start(
     for row in range(6):
         lanes[row * LANES + lane] = start[row, following]
     lanes[LEFT + lane] = 1.0
-    x, y, z = start[6, following], start[7, following], start[8, following]
+    x, y, z = start[START_SPIN, following], start[START_SPIN + 1, following], start[START_SPIN + 2, following]
     lanes[SPIN_X + lane], lanes[SPIN_Y + lane], lanes[SPIN_Z + lane] = x, y, z
     lanes[SPIN + lane] = math.sqrt(x * x + y * y + z * z)
-    lanes[STRENGTH + lane] = per_density * start[9, following]
-    lanes[WIND_X + lane], lanes[WIND_Y + lane] = start[10, following], start[11, following]
-    height = start[2, following]
-    lanes[OPEN + lane] = 0.0 if height < edge or (height == edge and start[5, following] < 0) else 1.0
+    lanes[STRENGTH + lane] = per_density * start[DENSITY, following]
+    lanes[WIND_X + lane], lanes[WIND_Y + lane] = start[START_WIND, following], start[START_WIND + 1, following]
+    height = start[START_Z, following]
+    lanes[OPEN + lane] = 0.0 if height < edge or (height == edge and start[START_VZ, following] < 0) else 1.0
     lanes[TOP + lane] = height
     lanes[NEXT + lane] = 0.0 if drawing else np.inf
     return following + 1
 
 
 @compiled()
-def _leaves(i: int, start: Array, drawing: bool, outcome: IntArray, results: Array, paths: Array) -> bool:
+def _leaves(i: int, start: Array, drawing: bool, output: Output) -> bool:
     """Return whether a flight takes place; write down how it ends where it does not, or at once."""
+    outcome, results, paths = output
     if drawing:
         if outcome[i] != LANDED or results[HANG, i] == 0:
             for point in range(paths.shape[1]):
                 paths[i, point] = start[:3, i] if outcome[i] == LANDED else np.full(3, np.nan)
             return False
         return True
-    sound = start[9, i] >= 0
+    sound = start[DENSITY, i] >= 0
     for value in range(INPUT_ROWS):
         sound = sound and math.isfinite(start[value, i])
     results[:, i] = np.nan
     if not sound:
         outcome[i] = UNUSABLE
-    elif start[2, i] < 0:
+    elif start[START_Z, i] < 0:
         outcome[i] = UNDERGROUND
-    elif start[2, i] == 0 and start[5, i] <= 0:
+    elif start[START_Z, i] == 0 and start[START_VZ, i] <= 0:
         outcome[i] = LANDED
         results[:6, i] = start[:6, i]
-        results[6:, i] = 0.0
-        results[6, i] = 1.0
+        results[SPIN_LEFT:, i] = 0.0
+        results[SPIN_LEFT, i] = 1.0
     else:
         return True
     return False
@@ -258,16 +292,17 @@ def _leaves(i: int, start: Array, drawing: bool, outcome: IntArray, results: Arr
 
 @compiled(error_model="numpy")
 def _event(
-    lane: int, edge: float, shared: tuple[float, ...], power: float | None, profile: float | None, lanes: Array,
-    flight_of: IntArray, filled: IntArray, outcome: IntArray, results: Array, paths: Array,
+    lane: int, edge: float, law: FlightLaw, power: float | None, profile: float | None, lanes: Array,
+    flight_of: IntArray, filled: IntArray, output: Output,
 ) -> bool:  # fmt: skip
     """Do what a lane's step calls for; return whether its flight is over."""
+    outcome, results, paths = output
     i, length = flight_of[lane], lanes[TAKEN + lane]
     height, climb, end = lanes[BEFORE + Z + lane], lanes[BEFORE + VZ + lane], lanes[Z + lane]
     rise, fall = length * climb, length * lanes[VZ + lane]
     part = _first_crossing(height - edge, end - edge, rise, fall) if edge > 0 else -1.0
     if part >= 0:
-        length = _shorten(lane, part, edge, lanes, shared, power, profile)
+        length = _shorten(lane, part, edge, lanes, law, power, profile)
         end, rise, fall = edge, length * climb, length * lanes[VZ + lane]
         lanes[OPEN + lane] = 1.0 if fall > 0 else 0.0
     if rise > 0 > fall:
@@ -278,7 +313,7 @@ def _event(
     part = _first_crossing(height, end, rise, fall)
     landed = part >= 0
     if landed:
-        _shorten(lane, part, 0.0, lanes, shared, power, profile)
+        _shorten(lane, part, 0.0, lanes, law, power, profile)
     if paths.shape[1]:
         _draw(lane, landed, lanes, filled, results[HANG, i], paths[i])
         return landed
@@ -297,7 +332,7 @@ def _event(
 
 @compiled(error_model="numpy")
 def _shorten(
-    lane: int, part: float, height: float, lanes: Array, shared: tuple[float, ...], power: float | None,
+    lane: int, part: float, height: float, lanes: Array, law: FlightLaw, power: float | None,
     profile: float | None,
 ) -> float:  # fmt: skip
     """Take only a part of a lane's last step, which ends at a known height; return how long it is."""
@@ -308,7 +343,7 @@ def _shorten(
         lanes[BEFORE + X + lane], lanes[BEFORE + Y + lane], lanes[BEFORE + Z + lane], lanes[BEFORE + VX + lane],
         lanes[BEFORE + VY + lane], lanes[BEFORE + VZ + lane], lanes[BEFORE + LEFT + lane],
     )  # fmt: skip
-    after = stepped(state, length, spin, lanes[STRENGTH + lane], wind, shared, power, profile)
+    after = stepped(state, length, spin, lanes[STRENGTH + lane], wind, law, power, profile)
     lanes[X + lane], lanes[Y + lane], lanes[Z + lane] = after[0], after[1], height
     lanes[VX + lane], lanes[VY + lane], lanes[VZ + lane], lanes[LEFT + lane] = after[3], after[4], after[5], after[6]
     lanes[TIME + lane] += length - lanes[TAKEN + lane]

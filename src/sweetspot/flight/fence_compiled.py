@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from sweetspot.flight.compiled import stepped
+from sweetspot.flight.compiled import FlightLaw, stepped
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.kernel_cache import compiled
 
@@ -35,8 +35,7 @@ FOUL = math.pi / 4
 @compiled(nogil=True, error_model="numpy")
 def chances(
     start: Array, densities: Array, weights: Array, fences: Array, nearest: float, drags: Array, scatters: Array,
-    constants: Array, shared: tuple[float, ...], power: float | None, profile: float | None, chance: Array,
-    margin: Array,
+    per_density: float, law: FlightLaw, power: float | None, profile: float | None, chance: Array, margin: Array,
 ) -> None:  # fmt: skip
     """Fill the chance of a home run and the height over the fence of n balls in m parks.
 
@@ -48,26 +47,28 @@ def chances(
     nearest : m, no fence is nearer.
     drags, scatters : (m,), what each park adds to the drag coefficient, and standard deviation of the latter, as parts
         of it.
-    constants : drag acceleration per density, Cd and square of the speed.
-    shared, power, profile : as `compiled.solve` takes them.
+    per_density, law, power, profile : as `compiled.solve` takes them.
     chance, margin : (n, m).
     """
     nodes, parks = len(densities), len(weights)
     paths = np.empty((nodes + 1, MOST_POINTS, 6))
-    braked = (shared[0], shared[1] * (1 + MORE_DRAG), shared[2] * (1 + MORE_DRAG), shared[3] * (1 + MORE_DRAG),
-              shared[4] * (1 + MORE_DRAG), shared[5] * (1 + MORE_DRAG), shared[6], shared[7], shared[8], shared[9],
-              shared[10])  # fmt: skip
+    more = 1 + MORE_DRAG
+    braked = FlightLaw(
+        law.radius, law.drag * more, law.drag_per_spin * more, law.drag_per_active_spin * more,
+        law.drag_per_spin_factor * more, law.viscous * more, law.lift_scale, law.lift_offset, law.lift_slope,
+        law.decay, law.reference,
+    )  # fmt: skip
     for ball in range(start.shape[1]):
-        count, reach = _path(start[:, ball], constants[0] * densities[0], shared, power, profile, paths[0])
+        count, reach = _path(start[:, ball], per_density * densities[0], law, power, profile, paths[0])
         if not reach > nearest:
             chance[ball, :] = 0.0
             margin[ball, :] = np.nan
             continue
         for node in range(1, nodes):
-            other, _ = _path(start[:, ball], constants[0] * densities[node], shared, power, profile, paths[node])
+            other, _ = _path(start[:, ball], per_density * densities[node], law, power, profile, paths[node])
             count = min(count, other)
         middle = nodes // 2
-        other, _ = _path(start[:, ball], constants[0] * densities[middle], braked, power, profile, paths[nodes])
+        other, _ = _path(start[:, ball], per_density * densities[middle], braked, power, profile, paths[nodes])
         count = min(count, other)
         first = 1
         while first < count - 1 and math.hypot(paths[middle, first, 0], paths[middle, first, 1]) < nearest - NEAR:
@@ -82,7 +83,7 @@ def chances(
 
 @compiled(error_model="numpy")
 def _path(
-    start: Array, strength: float, shared: tuple[float, ...], power: float | None, profile: float | None, path: Array
+    start: Array, strength: float, law: FlightLaw, power: float | None, profile: float | None, path: Array
 ) -> tuple[int, float]:  # fmt: skip
     """Fill position and velocity at every step down to `DEPTH`; return how many, and the greatest distance in m."""
     spin = (start[6], start[7], start[8], math.sqrt(start[6] ** 2 + start[7] ** 2 + start[8] ** 2))
@@ -95,7 +96,7 @@ def _path(
         reach = max(reach, math.hypot(state[0], state[1]))
         if state[2] < -DEPTH or not math.isfinite(state[2]):
             return point + 1, reach
-        state = stepped(state, STEP, spin, strength, wind, shared, power, profile)
+        state = stepped(state, STEP, spin, strength, wind, law, power, profile)
     return MOST_POINTS, reach
 
 

@@ -15,9 +15,10 @@ from functools import lru_cache
 import numpy as np
 
 from sweetspot.flight.air import Air
+from sweetspot.flight.compiled import DENSITY
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence_compiled import FOUL, TABLE_STEP, chances
-from sweetspot.flight.kernel import flight_constants, flight_rows
+from sweetspot.flight.kernel import drag_per_density, flight_law, flight_rows
 from sweetspot.flight.park import Park, fence_at, nearest_fence
 from sweetspot.motion.ball_motion import BallMotion, BallMotions
 from sweetspot.numerics.arrays import Array
@@ -105,16 +106,15 @@ def home_run_chances(
     nodes, weights = _airs(everywhere, air, own_elevation)
     fences, nearest = _fences(everywhere)
     shifts, scatters = np.array([scatter.of(park) for park in everywhere]).T.copy()
-    start = flight_rows(motions, conditions)[[0, 1, 2, 3, 4, 5, 6, 7, 8, 10, 11]]
-    constants = flight_constants(conditions)
-    shared = (*constants[1:11], constants[12])
+    start = np.delete(flight_rows(motions, conditions), DENSITY, axis=0)
+    law, per_density = flight_law(conditions), drag_per_density(conditions)
     power, profile = conditions.aerodynamics.lift_power, conditions.profile
     chance = np.empty((start.shape[1], len(everywhere)))
     clearance = np.empty_like(chance)
 
     def work(part: slice) -> None:
         chances(
-            np.ascontiguousarray(start[:, part]), nodes, weights, fences, nearest, shifts, scatters, constants, shared,
+            np.ascontiguousarray(start[:, part]), nodes, weights, fences, nearest, shifts, scatters, per_density, law,
             power, profile, chance[part], clearance[part],
         )  # fmt: skip
 

@@ -12,7 +12,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sweetspot.errors import InputError
-from sweetspot.flight.compiled import APEX_HEIGHT, APEX_TIME, HANG, INPUT_ROWS, LANDED, RESULT_ROWS, solve
+from sweetspot.flight.compiled import (
+    APEX_HEIGHT,
+    APEX_TIME,
+    DENSITY,
+    HANG,
+    INPUT_ROWS,
+    LANDED,
+    RESULT_ROWS,
+    SPIN_LEFT,
+    FlightLaw,
+    Output,
+    solve,
+)
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.trajectory import check_step
 from sweetspot.motion.ball_motion import BallMotion, BallMotions
@@ -103,15 +115,14 @@ def flights(
     outcome = np.empty(count, np.int64)
     results = np.empty((RESULT_ROWS, count))
     paths = np.empty((count, path_points, 3))
-    constants = flight_constants(conditions)
+    per_density, edge, law = drag_per_density(conditions), conditions.shelter[0], flight_law(conditions)
     power, profile = conditions.aerodynamics.lift_power, conditions.profile
 
     def work(part: slice) -> None:
         mine = np.ascontiguousarray(start[:, part])
-        ends = outcome[part], results[:, part]
-        solve(mine, constants, power, profile, step, *ends, paths[part, :0])
-        if path_points:
-            solve(mine, constants, power, profile, step, *ends, paths[part])
+        for points in (0, path_points) if path_points else (0,):
+            output = Output(outcome[part], results[:, part], paths[part, :points])
+            solve(mine, per_density, edge, law, power, profile, step, output)
 
     in_parts(work, count, size=CHUNK, threads=threads)
     hang = results[HANG]
@@ -123,7 +134,7 @@ def flights(
         apex_time=results[APEX_TIME],
         landing_position=results[0:3].T,
         landing_velocity=results[3:6].T,
-        spin_left=results[6],
+        spin_left=results[SPIN_LEFT],
         times=hang[:, None] * np.linspace(0, 1, path_points)[None, :],
         positions=paths,
     )
@@ -149,19 +160,28 @@ def flight_rows(motions: BallMotion | BallMotions, conditions: FlightConditions)
     start = np.empty((INPUT_ROWS, count))
     for first, values in zip((0, 3, 6, 10), (*columns, blowing), strict=True):
         start[first : first + values.shape[-1]] = np.broadcast_to(values, (count, values.shape[-1])).T
-    start[9] = density
+    start[DENSITY] = density
     return start
 
 
-def flight_constants(conditions: FlightConditions) -> Array:
-    """Return the numbers that every flight shares, in the order that `lanes.solve` takes them."""
-    ball, aerodynamics, (edge, height) = conditions.ball, conditions.aerodynamics, conditions.shelter
-    return np.array(
-        [
-            math.pi * ball.radius**2 / (2 * ball.mass), ball.radius,
-            aerodynamics.drag - aerodynamics.drag_per_inverse_reynolds, aerodynamics.drag_per_spin,
-            aerodynamics.drag_per_active_spin, aerodynamics.drag_per_spin_factor,
-            aerodynamics.viscous_rate(radius=ball.radius, mass=ball.mass), aerodynamics.lift_scale,
-            aerodynamics.lift_offset, aerodynamics.lift_slope, aerodynamics.spin_decay_rate, edge, height,
-        ]
-    )  # fmt: skip
+def drag_per_density(conditions: FlightConditions) -> float:
+    """Return the drag's acceleration per density of the air, Cd and square of the speed, m^2/kg."""
+    return math.pi * conditions.ball.radius**2 / (2 * conditions.ball.mass)
+
+
+def flight_law(conditions: FlightConditions) -> FlightLaw:
+    """Return the numbers that every flight shares, as the compiled flight has them."""
+    ball, law = conditions.ball, conditions.aerodynamics
+    return FlightLaw(
+        radius=ball.radius,
+        drag=law.drag - law.drag_per_inverse_reynolds,
+        drag_per_spin=law.drag_per_spin,
+        drag_per_active_spin=law.drag_per_active_spin,
+        drag_per_spin_factor=law.drag_per_spin_factor,
+        viscous=law.viscous_rate(radius=ball.radius, mass=ball.mass),
+        lift_scale=law.lift_scale,
+        lift_offset=law.lift_offset,
+        lift_slope=law.lift_slope,
+        decay=law.spin_decay_rate,
+        reference=conditions.shelter[1],
+    )

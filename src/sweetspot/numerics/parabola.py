@@ -1,4 +1,7 @@
-"""The top of a sampled curve, by the parabola through three neighbours."""
+"""Top and end of a sampled curve, by the parabola through three neighbours.
+
+Plain arithmetic on numbers: readable code calls it as it is, kernels compile it.
+"""
 
 from __future__ import annotations
 
@@ -21,6 +24,20 @@ def vertex(before: float, middle: float, after: float) -> tuple[float, float]:
     if not (math.isfinite(bend) and bend < 0):
         return 0.0, middle
     return (before - after) / (2 * bend), middle - (before - after) ** 2 / (8 * bend)
+
+
+def crossing(before: float, middle: float, after: float) -> float:
+    """Return where the parabola through three values one step apart comes down through zero, in steps after the middle.
+
+    The middle one is above zero, the last is not; where the first is not above zero either it is a straight line.
+
+    >>> crossing(3.0, 2.0, -1.0), crossing(0.0, 1.0, -1.0)  # 2 - 2 x - x^2
+    (0.7320508075688772, 0.5)
+    """
+    if before <= 0:
+        return middle / (middle - after)
+    slope, bend = (after - before) / 2, (before - 2 * middle + after) / 2
+    return 2 * middle / (math.sqrt(slope**2 - 4 * bend * middle) - slope)
 
 
 def top(values: Array) -> tuple[int, float, float]:
