@@ -159,7 +159,7 @@ def test_no_module_is_named_like_its_function() -> None:
 
 
 MOST_PARAMETERS = 7
-OPTIONS, KERNELS = "cli/", {"compiled", "njit"}
+OPTIONS, KERNELS = "cli/", {"compiled", "njit", "_inlined"}
 """Commands take their options one by one, compiled kernels their arrays; both show them in groups elsewhere."""
 
 
