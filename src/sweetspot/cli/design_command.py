@@ -32,11 +32,15 @@ def design(
     *,
     want: Annotated[
         list[Want] | None,
-        Parameter(help="What to make better; may be given up to three times. Default: exit-speed, then zone."),
+        Parameter(
+            negative="", help="What to make better; may be given up to three times. Default: exit-speed, then zone."
+        ),
     ] = None,
     keep: Annotated[
         list[Kept] | None,
-        Parameter(help="What stays within 1 % of the present bat's; may be given again. Default: mass and moi."),
+        Parameter(
+            negative="", help="What stays within 1 % of the present bat's; may be given again. Default: mass and moi."
+        ),
     ] = None,
     mass: Annotated[
         str | None, Parameter(help="Band instead of --keep mass: 30oz:31.5oz, or 30oz: for at least.")
@@ -80,6 +84,8 @@ def design(
 
     if seed < 0:
         raise InputError(f"--seed was given as {seed}; allowed is a whole number from 0 up")
+    if pick < 1:
+        raise InputError(f"--pick was given as {pick}; allowed is a bat of the front, from 1")
     own = catalog.load_bat(bat)
     if wood is not None:
         own = own.with_material(catalog.material(wood))

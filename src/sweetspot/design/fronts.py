@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from sweetspot.design.limits import Limit
+from sweetspot.design.limits import Limit, near_words
 from sweetspot.design.measures import MEASURES, Bench, Measured
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
@@ -113,10 +113,20 @@ def search(
     except KeyboardInterrupt:
         pass
     if len(front) == 0:
-        raise InputError(
-            f"no bat that keeps every limit was found in {front.generation} generations; widen a limit or look longer"
-        )
+        raise InputError(_nearest_words(question, measured, front.generation))
     return front
+
+
+def _nearest_words(question: Question, measured: Measured, generation: int) -> str:
+    """Return that no bat keeps all limits, and which one the nearest misses most, by how much."""
+    missed = np.maximum(excesses(question, measured), 0.0)
+    nearest = int(np.argmin(missed.sum(axis=1)))
+    limit = question.limits[int(np.argmax(missed[nearest]))]
+    told = near_words(limit, measured.values[limit.measure][nearest : nearest + 1])
+    return (
+        f"no bat that keeps every limit was found in {generation} generations; the nearest has {told} ({limit.why}). "
+        "Widen a limit, let more change, or look longer"
+    )
 
 
 def wanted(question: Question, measured: Measured) -> Array:

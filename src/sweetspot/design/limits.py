@@ -23,6 +23,8 @@ STEEPEST = 0.16
 """Greatest slope of the radius that is asked of a lathe without more ado (assumed; turned bats stay below 0.1)."""
 SHARPEST = 4.0
 """Greatest bend of the outline in 1/m: a radius of 25 cm (assumed; the chisel's own is far smaller)."""
+ROUNDING = 1e-6
+"""Grains by which a value may lie beyond an end: rounding of units, nothing else."""
 INSIDE = 1.0
 """Grains by which the bat that a search begins with stays inside its limits."""
 STARTS = 3
@@ -60,7 +62,7 @@ class Limit:
         grain = MEASURES[self.measure].grain
         below = -np.inf if self.least is None else (self.least - values) / grain
         above = -np.inf if self.most is None else (values - self.most) / grain
-        return np.maximum(below, above) + 0 * values
+        return np.maximum(below, above) + 0 * values - ROUNDING
 
 
 def league_limits(league: League, bat: Bat) -> tuple[Limit, ...]:
@@ -115,13 +117,13 @@ def check_limits(bench: Bench, limits: Sequence[Limit]) -> Array:
     """
     drawn = [limit for limit in limits if not MEASURES[limit.measure].needs_hits and limit.measure not in IN_PLAY]
     found, miss = _nearest(bench, drawn)
-    if miss < INSIDE:
+    if miss <= INSIDE:
         return found
     for size in (1, 2):
         worst: tuple[float, tuple[Limit, ...], Array] | None = None
         for some in combinations(drawn, size):
             nearest, gap = _nearest(bench, some)
-            if gap >= INSIDE and (worst is None or gap > worst[0]):
+            if gap > INSIDE and (worst is None or gap > worst[0]):
                 worst = gap, some, nearest
         if worst is not None:
             raise InputError(_quarrel(bench, worst[1], worst[2]))
@@ -135,7 +137,7 @@ IN_PLAY = ("bat_speed", "swing_time")
 
 
 def _nearest(bench: Bench, limits: Sequence[Limit]) -> tuple[Array, float]:
-    """Return the numbers that miss the limits by least, and their worst miss in grains (below `INSIDE`: none)."""
+    """Return the numbers that miss the limits by least, and their worst miss in grains (up to `INSIDE`: none)."""
     variables = bench.space.variables
     low, high = (np.array([getattr(one, end) for one in variables]) for end in ("low", "high"))
     width = high - low
@@ -155,7 +157,7 @@ def _nearest(bench: Bench, limits: Sequence[Limit]) -> tuple[Array, float]:
     best, worst = start, float(misses(start[None]).max(initial=-np.inf))
     generator = np.random.default_rng(1)
     for number in range(STARTS):
-        if worst < INSIDE:
+        if worst <= INSIDE:
             break
         begin = start if number == 0 else generator.random(len(start))
         done = minimize(
@@ -171,13 +173,13 @@ def _quarrel(bench: Bench, limits: Sequence[Limit], numbers: Array) -> str:
     """Return which limits cannot be kept, and what comes nearest."""
     values = drawn_values(bench, numbers)
     told = " and ".join(f"{MEASURES[limit.measure].label} {_band_words(limit)} ({limit.why})" for limit in limits)
-    near = " and ".join(_near_words(limit, values[limit.measure]) for limit in limits)
+    near = " and ".join(near_words(limit, values[limit.measure]) for limit in limits)
     if len(limits) == 1:
         return f"no bat here has a {told}; the nearest that can be is {near}. Widen it, or let more change"
     return f"these two limits exclude each other: {told}. The nearest bat has {near}. Widen one of them"
 
 
-def _near_words(limit: Limit, value: Array) -> str:
+def near_words(limit: Limit, value: Array) -> str:
     """Return a value and by how much it misses a limit."""
     miss = max(float(limit.excess(value)[0]), 0.0) * MEASURES[limit.measure].grain
     near, gap = _number(float(value[0]), limit.measure), _number(miss, limit.measure)

@@ -7,8 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sweetspot.analysis.certification.simulated_test import BBCOR_SPEED
 from sweetspot.analysis.position_scan import STING_BAND
 from sweetspot.analysis.sweet_spot import ZONE_LOSS
+from sweetspot.collision.closed_form import restitution_from_efficiency
 from sweetspot.collision.hits_of_bats import struck
 from sweetspot.collision.kernel import STEP
 from sweetspot.collision.time_step import contact_step
@@ -70,6 +72,7 @@ MEASURES: Mapping[str, Measure] = {
     "slope": Measure("steepest slope of the outline", "ratio", 0, 1e-3),
     "bend": Measure("sharpest bend of the outline, per metre", "ratio", 0, 1e-2),
     "waist": Measure("waist between two swellings", "length", 0, 1e-4),
+    "bbcor": Measure("greatest BBCOR, in the test", "ratio", 0, 5e-4, True),
     "drop": Measure("drop: inches less ounces", "ratio", 0, 0.005),
     "frequency": Measure("first bending frequency", "frequency", 0, 0.5, True),
 }
@@ -105,6 +108,8 @@ class Bench:
     conditions : of a hit with the present bat.
     moi_now : kg m^2 of the present bat about the swing law's axis.
     sine, kept : sine of the line of centres' angle, and the part of the exit speed that is left.
+    step : s of time in a hit.
+    tested : whether every bat is also fired at as in the BBCOR test.
     """
 
     space: Space
@@ -114,6 +119,7 @@ class Bench:
     sine: Array
     kept: Array
     step: float = STEP
+    tested: bool = False
 
     def measured(self, numbers: Array) -> Measured:
         """Return everything about the bats of many rows of numbers, shape (n, variables)."""
@@ -155,6 +161,10 @@ class Bench:
             "swing_time": SWING_TIME / ratio,
             **weights_of(bending),
         }
+        if self.tested:
+            fired = struck(bats, ball=ball, position=position, closing_speed=0 * speed + BBCOR_SPEED, step=self.step)
+            recoil = ball.mass * (position - STANDARD_AXIS) ** 2 / bending.moi(STANDARD_AXIS)[:, None]
+            values["bbcor"] = _tops(restitution_from_efficiency(fired.collision_efficiency, recoil=recoil))[0]
         return Measured(values, curve, worth)
 
     def speed_ratio(self, bats: ReducedBats, exponent: float | None = None) -> Array:
@@ -226,7 +236,8 @@ def bench_of(space: Space, batter: Batter, conditions: Conditions) -> Bench:
         from sweetspot.dynamics.batch.reduction import reduced_lines
 
         step = contact_step(reduced_lines([line], ball=conditions.ball).modes(0), conditions.ball, longest=STEP)
-    return Bench(space, batter, conditions, body.moi(axis), sine, kept, step)
+    hollow = isinstance(present, Bat) and present.shell is not None
+    return Bench(space, batter, conditions, body.moi(axis), sine, kept, step, tested=hollow)
 
 
 def _tops(curve: Array) -> tuple[Array, Array]:

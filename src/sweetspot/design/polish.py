@@ -25,18 +25,18 @@ INSIDE = 0.5
 def polished(bench: Bench, question: Question, numbers: Array) -> tuple[Array, Measured]:
     """Return the numbers of a bat near a given one that is best in the first want, and what it is and does.
 
-    It keeps every limit, and is never worse than the one that was given.
+    It is never worse than the one that was given: it keeps every limit if that one did, or comes nearer to them.
 
     Parameters
     ----------
-    numbers : of a bat that keeps every limit, shape (variables,).
+    numbers : of a bat that keeps every limit that a drawing decides, shape (variables,).
     """
     low, high = _ends(bench)
     begin = bench.measured(numbers)
     want, sign = question.wants[0], MEASURES[question.wants[0]].better
     size = 100 * MEASURES[want].grain
     cached: dict[bytes, tuple[Measured, Array]] = {}
-    best = [(float(sign * begin.values[want][0]), numbers)]
+    best = [(*_rank(question.limits, begin, want, sign), numbers)]
 
     def looked(parts: Array) -> tuple[Measured, Array]:
         key = parts.tobytes()
@@ -46,8 +46,7 @@ def polished(bench: Bench, question: Question, numbers: Array) -> tuple[Array, M
             here = low + np.clip(parts, 0, 1) * (high - low)
             cached[key] = _with_slopes(bench, here, question.limits, want)
             seen = cached[key][0]
-            if (_margins(question.limits, seen) <= 0.0).all():
-                best.append((float(sign * seen.values[want][0]), here))
+            best.append((*_rank(question.limits, seen, want, sign), here))
         return cached[key]
 
     def value(parts: Array) -> float:
@@ -69,8 +68,14 @@ def polished(bench: Bench, question: Question, numbers: Array) -> tuple[Array, M
             value, start, jac=slope, method="SLSQP", bounds=[(0.0, 1.0)] * len(start), constraints=limits,
             options={"maxiter": ROUNDS, "ftol": 1e-5},
         )  # fmt: skip
-    found = max(best, key=lambda one: one[0])[1]
+    found = max(best, key=lambda one: one[:2])[2]
     return found, bench.measured(found)
+
+
+def _rank(limits: Sequence[Limit], measured: Measured, want: str, sign: int) -> tuple[float, float]:
+    """Return what is compared first and second: how far limits are missed, and the want."""
+    missed = np.maximum(_margins(limits, measured), 0.0).sum()
+    return -float(missed), float(sign * measured.values[want][0])
 
 
 def gradient(bench: Bench, numbers: Array, measure: str, *, step: float = STEP) -> Array:

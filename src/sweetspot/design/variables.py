@@ -237,9 +237,10 @@ class ImplementSpace:
         return reduced_lines([beam_model(one) for one in self.all_made(numbers)], ball=ball)
 
     def shapes(self, numbers: Array) -> dict[str, Array]:
-        """Return the lengths; nothing else is asked of these outlines."""
+        """Return lengths and greatest widths; nothing else is asked of these outlines."""
         made = self.all_made(numbers)
-        return {"length": np.array([one.length for one in made])}
+        widest = [float(one.width_at(np.array(one.breakpoints())).max()) for one in made]
+        return {"length": np.array([one.length for one in made]), "diameter": np.array(widest)}
 
     def widths_at(self, numbers: Array, position: Array) -> Array:
         """Return the widths at places (n, places) in m from the butt end."""

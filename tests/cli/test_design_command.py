@@ -1,0 +1,70 @@
+"""`sweetspot design` as people call it."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sweetspot.catalog.files.bat import read_bat
+
+Run = Callable[..., tuple[int, str, str]]
+RunJson = Callable[..., Any]
+QUICK = ("--population", "8", "--generations", "1", "--want", "exit-speed")
+
+
+def test_a_design_with_its_files(run: Run, tmp_path: Path) -> None:
+    out = tmp_path / "design"
+    code, text, _ = run("design", "mlb-a", "--contact", "8in", "--contact-spread", "1.2in", *QUICK, "--out", str(out))
+    assert code == 0
+    assert text.index("best place moves") < text.index("zone within") < text.index("greatest exit speed")
+    assert "should not use it" in text
+    assert {path.name for path in out.iterdir()} == {
+        "design.html", "design.json", "design.png", "design.svg", "search.json", "designed-bat.toml",
+        "designed-bat.svg", "designed-bat.dxf", "designed-bat.csv",
+    }  # fmt: skip
+    answer = json.loads((out / "design.json").read_text(encoding="utf-8"))
+    bat = read_bat(out / "designed-bat.toml")
+    assert bat.mass == pytest.approx(answer["measures"]["mass_kg"], rel=1e-9)
+    code, again, _ = run(
+        "design", "mlb-a", "--contact", "8in", "--contact-spread", "1.2in", *QUICK, "--format", "csv", "--resume",
+        str(out / "search.json"),
+    )  # fmt: skip
+    rows = list(csv.DictReader(io.StringIO(again)))
+    assert code == 0 and float(rows[0]["exit_speed_m_s"]) > answer["present_measures"]["exit_speed_m_s"]
+
+
+def test_a_hollow_bat_by_the_same_command(run_json: RunJson) -> None:
+    answer = run_json("design", "single-wall", "--league", "nobody", *QUICK)
+    assert 0.5 < answer["measures"]["bbcor"] < 0.6
+    assert {"wall_1", "end_cap_mass"} <= answer["variables"].keys()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "fault"),
+    [
+        (
+            ("--mass", "26oz:27oz", "--moi", "12000oz*in^2:", "--keep", "nothing"),
+            "exclude each other: mass from 26.00 oz",
+        ),
+        (("--mass", "31oz"), "give a band LOW:HIGH"),
+        (("--contacts", "nowhere.csv"), "nowhere.csv"),
+        (("--contact", "8in", "--player", "x.json"), "both say where the ball is met"),
+        (("--swing-law", "none", "--exponent", "0.2"), "--exponent goes with a law"),
+        (("--pick", "0"), "--pick was given as 0"),
+        (("--seed", "-1"), "--seed was given as -1"),
+        (("--cup", "20in"), "--cup was given as 20in"),
+        (("--want", "zone", "--want", "zone"), "one to three different"),
+        (("single-wall", *QUICK), "the nearest has greatest BBCOR, in the test"),
+        (("corked-r161",), "not turned from one piece of wood"),
+    ],
+)
+def test_bad_questions_are_one_line(run: Run, arguments: tuple[str, ...], fault: str) -> None:
+    code, _, said = run("design", *arguments)
+    assert code == 2
+    assert fault in said and said.count("\n") == 1
