@@ -140,6 +140,15 @@ class Aerodynamics(Validated):
         viscous = self.drag_per_inverse_reynolds * (REFERENCE_REYNOLDS / reynolds - 1)
         return drag_with_spin(self, spin_factor, spin, active_spin) + viscous
 
+    def with_drag(self, factor: float) -> Aerodynamics:
+        """Return the law of a ball with so much times the drag, every part of it; its lift stays.
+
+        >>> Aerodynamics(drag=0.3, drag_per_spin=1e-4).with_drag(1.1).drag
+        0.33
+        """
+        parts = ("drag", "drag_per_spin", "drag_per_active_spin", "drag_per_spin_factor", "drag_per_inverse_reynolds")
+        return self.replaced(**{name: round(factor * getattr(self, name), 12) for name in parts})
+
     def viscous_rate(self, *, radius: float, mass: float) -> float:
         """Return the braking by the part of drag that is linear in speed, Cd rho A v / (2 m) at Cd = c Re_0 / Re, 1/s.
 

@@ -13,6 +13,7 @@ from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.all_parks import landings_everywhere
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence import Landing, landing
+from sweetspot.flight.hit_alike import carry_spread
 from sweetspot.flight.home_runs import home_run_chances
 from sweetspot.flight.park import Park
 from sweetspot.flight.sweep import BattedBall, directed
@@ -43,6 +44,7 @@ class BattedFlight:
     out_in, parks : in how many of how many parks it is a home run; 0 of 0 where nobody asked for a park.
     chance, expected_out_in : of a home run in the park, and in how many parks on average, with the scatter of balls,
         spin and weather.
+    spread : m, standard deviation of the carry of balls hit alike; 0 where it is not known.
     """
 
     hit: BattedBall
@@ -55,6 +57,7 @@ class BattedFlight:
     parks: int = 0
     chance: float = 0.0
     expected_out_in: float = 0.0
+    spread: float = 0.0
 
 
 def batted_flight(
@@ -74,21 +77,23 @@ def batted_flight(
     own_elevation : whether the other parks lie at their own elevation, or all where the hit says.
     """
     hit = directed(hit, ball=ball, aerodynamics=aerodynamics)
-    flight = fly(hit.motion, FlightConditions(ball=ball, aerodynamics=aerodynamics, air=hit.air, wind=hit.wind))
-    flown = BattedFlight(hit, flight, ball, sport)
+    conditions = FlightConditions(ball=ball, aerodynamics=aerodynamics, air=hit.air, wind=hit.wind)
+    flight = fly(hit.motion, conditions)
+    landed = flight.outcome is FlightOutcome.LANDED and sport.key == "baseball"
+    flown = BattedFlight(hit, flight, ball, sport, spread=carry_spread(hit.motion, conditions) if landed else 0.0)
     if park is None or flight.outcome is not FlightOutcome.LANDED:
         return flown
     motion, parks = hit.motion, catalog.parks()
     everywhere = landings_everywhere(
         motion,
-        FlightConditions(ball=ball, aerodynamics=aerodynamics, air=hit.air, wind=hit.wind),
+        conditions,
         parks=parks,
         own_elevation=own_elevation,
     )
     out_in = sum(bool(one.out.all()) for one in everywhere)
     chances = home_run_chances(
         motion,
-        FlightConditions(ball=ball, aerodynamics=aerodynamics, air=hit.air, wind=hit.wind),
+        conditions,
         parks=(park, *parks),
         own_elevation=own_elevation,
     ).chance[0]
@@ -137,6 +142,8 @@ def _json(flown: BattedFlight) -> dict[str, Any]:
         "air_density_kg_m3": flown.hit.air.density,
         **flight_json(flown.flight),
     }
+    if flown.spread:
+        answer["carry_spread_m"] = flown.spread
     if flown.park is not None and flown.landing is not None:
         answer["fence"] = landing_json(flown.landing, flown.park)
         answer["out_in"], answer["parks"] = flown.out_in, flown.parks
@@ -153,11 +160,18 @@ def _words(flown: BattedFlight) -> Sentence:
     if flown.sport.key != "baseball":
         return joined([*sentences, court_words(flown.flight, flown.sport, ball=flown.ball)])
     sentences += [flight_words(flown.flight), _bend(flown.flight)]
+    if flown.spread:
+        sentences.append(
+            say(
+                "Balls, spin and weather differ: two in three hit like it come down within {spread} of that.",
+                spread=Slot(flown.spread, "distance", digits=0),
+            )
+        )
     if flown.park is not None and flown.landing is not None:
         sentences.append(landing_words(flown.landing, flown.park))
         sentences.append(
             say(
-                "It is a home run in {out} of {all} parks. Balls, spin and weather differ: of a hundred like it "
+                "It is a home run in {out} of {all} parks. Of a hundred like it "
                 "{chance} are home runs here, and each in {expected} parks on average.",
                 out=flown.out_in, all=flown.parks, chance=round(100 * flown.chance),
                 expected=f"{flown.expected_out_in:.0f}",
