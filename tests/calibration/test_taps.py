@@ -180,3 +180,15 @@ def test_quantities_as_people_write_them() -> None:
             parse_measured(text, "time" if "s+" in text else "mass" if text == "31" else "length", "it")
     with pytest.raises(InputError, match="length x width x thickness"):
         Bar(Measured(0.003, 1e-5), Measured(0.025, 1e-5), Measured(0.114, 1e-5), Measured(0.07, 1e-4))
+
+
+def test_what_nobody_described_has_tones_and_no_names() -> None:
+    """Tones of a free steel bar have no mode's name of a bat, even where some ratio fits; a bat's have."""
+    rate = 22050.0
+    time = np.arange(int(rate)) / rate
+    for tones, named in (((1279.0, 3525.6), False), ((172.0, 572.8, 1118.0), True)):
+        ring = sum(np.exp(-8 * tone / tones[0] * time) * np.sin(2 * np.pi * tone * time) for tone in tones)
+        sound = np.concatenate([np.zeros(int(0.2 * rate)), 0.2 * ring])
+        sound += 1e-5 * np.random.default_rng(1).standard_normal(len(sound))
+        test = tap_test([Recording("a", sound, rate)])
+        assert any(one.name is not None for one in test.tones) == named
