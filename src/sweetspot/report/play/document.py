@@ -23,7 +23,8 @@ from sweetspot.report.sentences import Sentence, Slot, joined, say
 def play_document(played: PlayedPitch) -> Document:
     """Return a play as a document."""
     words = play_words(played)
-    arriving = say("{speed} pitch", speed=Slot(played.pitch.speed, "speed", digits=0))
+    speed = played.pitch.speed
+    arriving = say("{speed} pitch", speed=Slot(speed, "speed", digits=0)) if speed > 0 else say("a ball at rest")
     picture = Picture(
         "play", lambda reading: _drawn(played, words, reading),
         label="The contact of bat and ball, and the ball's path from above and from the side.",

@@ -1,0 +1,102 @@
+"""Every sentence of reports and comparisons over the catalogue: its numbers are those of the table beside it, its
+direction words agree with their signs, in either system of units."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+import sweetspot
+from sweetspot import catalog
+from sweetspot.analysis.bat_analysis import Analysis
+from sweetspot.report.bat.document import report_document
+from sweetspot.report.bat.tables import spots_table
+from sweetspot.report.bat.words import answer, misses_of
+from sweetspot.report.comparison.document import comparison_document
+from sweetspot.report.document import Column, Document, Paragraph, Table
+from sweetspot.report.quantities import SYSTEMS, Reader
+from sweetspot.report.sentences import read
+
+SHOWN = ("r161-ash", "single-wall", "double-wall", "composite", "youth-30", "slow-pitch", "uniform-rod",
+         "tennis-racket", "badminton-racket", "table-tennis-racket", "cricket-bat", "golf-driver",
+         "hockey-stick")  # fmt: skip
+LEFT_OVER = re.compile(r"[{}]|\bnan\b|\binf\b|None|--|  |(?<![\d.])0 mph|towards to|from from")
+
+
+@pytest.fixture(scope="module", params=SHOWN)
+def analysed(request: pytest.FixtureRequest) -> Analysis:
+    return sweetspot.standard_analysis(request.param)
+
+
+def cells(table: Table, reader: Reader) -> list[list[str]]:
+    columns: list[Column] = list(table.columns)
+    return [[column.shown(cell, reader) for column, cell in zip(columns, row, strict=True)] for row in table.rows]
+
+
+def paragraphs(document: Document, reader: Reader) -> list[str]:
+    return [read(block.words, reader) for block in document.blocks if isinstance(block, Paragraph)]
+
+
+@pytest.mark.parametrize("system", ["us", "si"])
+def test_a_report_s_words_are_its_tables(analysed: Analysis, system: str) -> None:
+    reader = SYSTEMS[system]  # type: ignore[index]
+    words = [sentence.read(reader) for sentence in answer(analysed, misses_of(analysed))]
+    assert not [text for text in words if LEFT_OVER.search(text)]
+    table = spots_table(analysed)
+    rows = dict(zip((getattr(row[0], "mark", "") for row in table.rows), cells(table, reader), strict=True))
+    best = rows["max_exit_speed"]
+    place = re.search(r"hits best ([\d.]+)", words[0])
+    assert place is not None and place[1] == best[1]
+    speed = re.search(r"leaves at ([\d.]+)", words[0])
+    assert speed is not None
+    assert (
+        speed[1] == reader.number(float(analysed.scan.exit_speed.max()), "speed")
+        or abs(float(speed[1]) - float(reader.number(float(analysed.scan.exit_speed.max()), "speed"))) < 0.11
+    )
+    zone = re.search(r"reaches from ([\d.]+) to ([\d.]+)", words[0])
+    assert (zone is None) == (analysed.sweet_spots.zone is None)
+    if zone is not None:
+        assert rows["zone"][1] == f"{zone[1]} to {zone[2]}"
+    tip = re.search(r"([\d.]+) \S+ less than at its best", " ".join(words))
+    if tip is not None:  # why not at the end: less, never more
+        assert float(tip[1]) > 0
+    for miss in misses_of(analysed):
+        assert not miss.inside.value < -1e-9
+
+
+def test_nothing_of_baseball_is_told_of_other_sports(analysed: Analysis) -> None:
+    document = report_document(analysed)
+    text = " ".join(paragraphs(document, document.reader))
+    if analysed.bat.sport not in ("baseball", "youth-baseball", "softball", "cricket"):
+        assert not re.search(r"\b(bat|pitch|knob|BBCOR)\b", text)
+    published = [block for block in document.appendix if getattr(block, "name", "") == "published"]
+    for section in published:
+        said = " ".join(" ".join(row) for table in section.blocks if isinstance(table, Table)  # type: ignore[union-attr]
+                        for row in cells(table, document.reader))  # fmt: skip
+        others = {"tennis", "cricket", "7-iron"} - {analysed.bat.sport}
+        assert analysed.bat.sport in ("tennis", "cricket", "golf") or not any(word in said for word in others)
+
+
+def test_a_comparison_s_words_have_the_signs_of_its_changes() -> None:
+    names = ("r161-ash", "mlb-a", "single-wall", "youth-30", "corked-r161")
+    bats = [catalog.bat(name) for name in names]
+    conditions = sweetspot.standard_conditions(bats[0])
+    comparison = sweetspot.compare(bats, conditions=conditions, law=catalog.swing_law())
+    document = comparison_document(comparison)
+    reader = document.reader
+    sentences = paragraphs(document, reader)[: len(bats) - 1]
+    for sentence, one in zip(sentences, comparison.compared[1:], strict=True):
+        assert one.label in sentence
+        told = re.search(r"the ball leaves ([\d.]+) \S+ (faster|slower) \(([-+][\d.]+) to ([-+][\d.]+)\)", sentence)
+        assert told is not None, sentence
+        assert told[1] == reader.number(abs(one.change.value), "speed_change")
+        assert (told[2] == "faster") == (one.change.value > 0)
+        swung = re.search(r"swung ([\d.]+) \S+ (faster|slower)", sentence)
+        if swung is not None:
+            gain = one.bat_speed.value - comparison.reference.bat_speed.value
+            assert (swung[2] == "faster") == (gain > 0)
+        if "a gain" in sentence:
+            assert one.change.low > 0
+        if "a loss" in sentence:
+            assert one.change.high < 0
