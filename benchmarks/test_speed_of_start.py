@@ -72,3 +72,20 @@ def test_memory(benchmark: Any, record: Record, job: str, code: str) -> None:
     kilobytes = child(code + PEAK)
     measured(benchmark, lambda: child(code + PEAK), 1)
     record(f"greatest memory, {job}", f"{kilobytes / 1024:.0f} MiB")
+
+
+@pytest.mark.parametrize(
+    ("words", "goal"), [(("--help",), "250 ms"), (("report", "r161-ash"), "1.2 s")], ids=["help", "report"]
+)
+def test_work_of_a_start(benchmark: Any, record: Record, words: tuple[str, ...], goal: str) -> None:
+    """Seconds of the processor, which tell on a busy machine too."""
+    line = command(*words)
+    code = (
+        "import os, subprocess; "
+        f"subprocess.run({line!r}, capture_output=True, check=True); times = os.times(); "
+        "print(times.children_user + times.children_system)"
+    )
+    child(code)
+    work = [child(code) for _ in range(RUNS)]
+    measured(benchmark, lambda: child(code), 1)
+    record(f"sweetspot {' '.join(words)}, processor time", duration(min(work)), goal=goal)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
 from sweetspot.numerics.notebook_display import ShownInNotebooks
@@ -172,7 +173,7 @@ class Document(ShownInNotebooks):
     reader : who reads unless somebody says otherwise: the sport's people.
     kind : what it is, over the title of a page.
     details : tables that a terminal shows too, and a page when it is opened.
-    appendix : what only a page shows when it is opened.
+    appendix : what only a page shows when it is opened, or what makes it; a terminal does not wait for it.
     drawing : the picture that is written as a file of its own.
     passed : whether what was checked holds.
     made_for : whom it is for; "": nobody said.
@@ -189,12 +190,17 @@ class Document(ShownInNotebooks):
     reader: Reader = US
     kind: str = ""
     details: Sequence[Block] = ()
-    appendix: Sequence[Block] = ()
+    appendix: Sequence[Block] | Callable[[], Sequence[Block]] = ()
     drawing: Picture | None = None
     passed: bool = True
     made_for: str = ""
     made: str = ""
     attachments: Mapping[str, Callable[[Reader], bytes]] = field(default_factory=dict)
+
+    @cached_property
+    def appended(self) -> Sequence[Block]:
+        """The appendix, made when first asked for."""
+        return self.appendix() if callable(self.appendix) else self.appendix
 
     def reader_of(self, system: System | None) -> Reader:
         """Return who reads: of a system of units, or the sport's people where none is named."""

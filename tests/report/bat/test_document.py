@@ -23,6 +23,7 @@ from sweetspot.report.bat.document import report_document
 from sweetspot.report.bat.json import report_json
 from sweetspot.report.bat.provenance import bat_records, own_values, shown, sources_of, used_records
 from sweetspot.report.bat.words import misses_of
+from sweetspot.report.document import Section
 from sweetspot.report.file_set import check_folder
 from sweetspot.report.files import files_of, write_document
 from sweetspot.report.html import page
@@ -30,6 +31,7 @@ from sweetspot.report.pictures.style import INK
 from sweetspot.report.quantities import SI, US
 from sweetspot.report.sport_words import words_of
 from sweetspot.report.sweet_spots import SPOTS
+from sweetspot.report.terminal import to_terminal
 from sweetspot.units import INCH, MPH, OUNCE
 
 VOID = {"meta", "br", "hr", "img", "link", "input"}
@@ -312,3 +314,11 @@ def test_a_held_bat_is_not_called_free(analysis: Analysis) -> None:
     free, tight = (page(report_document(one), US) for one in (analysis, gripped))
     assert "The bat is free" in free and "The bat is free" not in tight
     assert "mass, spring and damper each" in tight and "mass, spring and damper each" not in free
+
+
+def test_a_terminal_does_not_wait_for_the_appendix(analysis: Analysis) -> None:
+    """Published numbers are judged for a page only, which takes as long as the analysis itself."""
+    document = report_document(analysis)
+    assert to_terminal(document, US).renderables
+    assert "appended" not in vars(document)
+    assert "sources" in {block.name for block in document.appended if isinstance(block, Section)}

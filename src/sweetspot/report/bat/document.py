@@ -48,7 +48,7 @@ def report_document(analysis: Analysis[Implement]) -> Document:
             *(Paragraph(words) for words in remarks(bat)),
             overview,
         ],
-        details=_details(analysis), appendix=_appendix(analysis, misses), data=data, rows=data["scan"],
+        details=_details(analysis), appendix=partial(_appendix, analysis, misses), data=data, rows=data["scan"],
         reader=reader_of(bat), drawing=overview,
     )  # fmt: skip
 
