@@ -22,8 +22,9 @@ STIFFNESS_SPREAD = 0.12
 """One sigma of the logarithm of a family's scale (assumed): 25 % of the modulus, and a few per cent of the outline."""
 RATIO_SPREAD = 0.03
 """One sigma of a frequency's logarithm against its family's scale (assumed): outline and shear are not exact."""
-FARTHEST = 3.0
-"""A tone whose logarithm is more ratio spreads away from a mode is not it."""
+FARTHEST, CLOSE = 3.0, 1.0
+"""A tone whose logarithm is more ratio spreads away from a mode is not it; only nearer ones are tried too, for a tone
+far from a mode may belong to another family."""
 SILENT = 0.15
 """Part of its greatest excitation below which a mode need not be heard."""
 UNHEARD, UNEXPLAINED = 6.0, 3.0
@@ -144,8 +145,9 @@ def _least(
     tried: dict[frozenset[tuple[int, int]], float] = {frozenset(): 0.0}
     for scale in scales:
         if abs(scale) < FARTHEST * family.spread:
-            pairs = _pairs(tones, free, family, scale)
-            tried[frozenset(pairs.items())] = _common_scale(tones, family, pairs)
+            for reach in (FARTHEST, CLOSE):
+                pairs = _pairs(tones, free, family, scale, reach)
+                tried[frozenset(pairs.items())] = _common_scale(tones, family, pairs)
     best: tuple[float, Assignment] = (math.inf, {})
     for items, scale in tried.items():
         cost = _cost(tones, family, scale, dict(items))
@@ -157,12 +159,12 @@ def _least(
     return best
 
 
-def _pairs(tones: Sequence[Tone], free: frozenset[int], family: Expected, scale: float) -> dict[int, int]:
-    """Return {tone: mode}: for every mode the nearest free tone, of equally near ones the loudest."""
+def _pairs(tones: Sequence[Tone], free: frozenset[int], family: Expected, scale: float, reach: float) -> dict[int, int]:
+    """Return {tone: mode}: for every mode the nearest free tone within ``reach``, of equally near ones the loudest."""
     pairs: dict[int, int] = {}
     for mode, frequency in enumerate(family.frequency):
         off = {index: abs(math.log(tones[index].frequency.value / frequency) - scale) for index in free - set(pairs)}
-        near = [index for index, miss in off.items() if miss < FARTHEST * family.ratio_spread]
+        near = [index for index, miss in off.items() if miss < reach * family.ratio_spread]
         if near:
             worth = {
                 index: math.log(tones[index].level) - (off[index] / family.ratio_spread) ** 2 / 2 for index in near
