@@ -10,6 +10,7 @@ from fastapi import APIRouter
 from sweetspot import catalog
 from sweetspot.catalog.deliveries import delivery_names
 from sweetspot.catalog.rules import league, league_names
+from sweetspot.catalog.terms import terms as all_terms
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
@@ -17,7 +18,8 @@ from sweetspot.report.bat.json import bat_json
 from sweetspot.report.quantity_table import quantity_data
 from sweetspot.web.bats import bat_from_text
 from sweetspot.web.errors import about
-from sweetspot.web.schemas import BatFacts, BatText, Choice
+from sweetspot.web.schemas import BatFacts, BatText, Choice, Meaning
+from sweetspot.web.wizard import Wanted, described_by
 
 
 def catalogue_routes(api: APIRouter) -> None:
@@ -62,6 +64,16 @@ def catalogue_routes(api: APIRouter) -> None:
     def pitches() -> list[Choice]:
         """Return the kinds of pitches of the catalogue."""
         return [Choice(key=name, name=catalog.delivery(name).name) for name in delivery_names()]
+
+    @api.get("/terms", tags=["catalogue"])
+    def terms() -> list[Meaning]:
+        """Return what the words on the page mean, each with its source."""
+        return [Meaning(names=list(one.names), words=one.words, source=one.cited) for one in all_terms()]
+
+    @api.post("/describe", tags=["catalogue"])
+    def describe(wanted: Wanted) -> BatText:
+        """Return a bat file from a few answers, or which answer cannot be."""
+        return BatText(toml=described_by(wanted))
 
     @api.post("/bat", tags=["catalogue"])
     def bat(text: BatText) -> BatFacts:

@@ -34,6 +34,14 @@ class Choice(BaseModel):
     name: str
 
 
+class Meaning(BaseModel):
+    """What a word means: the names under which it stands, the explanation, and who says so."""
+
+    names: list[str]
+    words: str
+    source: str
+
+
 class BatFacts(BaseModel):
     """A bat in a list."""
 

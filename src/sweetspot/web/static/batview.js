@@ -10,19 +10,13 @@
 
 import { LEFT, RIGHT } from "./chart.js";
 import { WIDEST, paintBall, paintBat, paintMeeting, radiusAt } from "./batpaint.js";
+import table from "./quantities.js";
 import { FONT, Surface, haloText } from "./surface.js";
 import { text } from "./units.js";
 
 export { paintBat, radiusAt };
 
-export const SPOTS = {
-  max_exit_speed_m: ["fastest ball", "red"],
-  max_collision_efficiency_m: ["greatest efficiency q", "orange"],
-  min_sting_m: ["least sting", "purple"],
-  node_1_m: ["node of mode 1", "sky"],
-  node_2_m: ["node of mode 2", "blue"],
-  center_of_percussion_m: ["centre of percussion", "green"],
-};
+export const SPOTS = Object.fromEntries(Object.entries(table.spots).map(([name, { label, colour }]) => [`${name}_m`, [label, colour]]));
 const ROW = 17, ROOM_BELOW = 30, HANDLE = 5;
 const NARROW = 500; // pixels per m below which there is no room for words under the bat
 

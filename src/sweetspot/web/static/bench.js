@@ -6,8 +6,8 @@
 
 import { button, choice, group, reveal, slider } from "./controls.js";
 import { posted } from "./post.js";
+import { INCH, OUNCE } from "./units.js";
 
-const INCH = 0.0254, OUNCE = 0.028349523125;
 const LONGEST_TOML = 20000;
 const OWN = "own file";
 export const UNCHANGED = ["bat_toml", "profile_in", "mass_oz", "wall_factor", "bore_diameter_in", "cup_diameter_in", "weight_oz", "choke_up_in"];
@@ -79,7 +79,7 @@ export class Bench {
     const { controls, show } = workshop(app, () => app.answer?.bat?.mass_kg);
     this.show = show;
     this.element = group("Bat", [
-      batChoice(app), this.own.element, this.outline.element,
+      batChoice(app), button("Describe your bat by questions …", async () => (await import("./wizard.js")).wizard(app)), this.own.element, this.outline.element,
       group("Workshop", [...controls, button("As it was", () => app.setState(unchanged(app)))], { open: false }),
     ], { open });
   }

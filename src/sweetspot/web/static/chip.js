@@ -5,6 +5,7 @@ import { button } from "./controls.js";
 import { download } from "./exports.js";
 import { make } from "./parts.js";
 import { posted } from "./post.js";
+import { wizard } from "./wizard.js";
 
 // A field that changes the bat: what to say of it.
 const CHANGES = {
@@ -80,6 +81,7 @@ export class Chip {
       make("div", { className: "row" },
         act("As it was", () => app.setState(unchanged({ schema: app.views.get("explorer").schema }))),
         act("Save as bat.toml", async () => download("bat.toml", "application/toml", await batText(app))),
+        act("Describe another bat …", () => wizard(app)),
         act("Compare this with …", () => app.visit(app.addressFor("compare"))),
         act("Start this view anew", () => app.reset())),
       make("form", { method: "dialog" }, make("button", { textContent: "Close" })));

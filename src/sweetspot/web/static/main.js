@@ -38,6 +38,7 @@ import { guide, welcome } from "./guide.js";
 import { shareButton } from "./share.js";
 import { posted } from "./post.js";
 import { Line } from "./socket.js";
+import { explain, listTerms } from "./terms.js";
 import { text } from "./units.js";
 
 const facts = JSON.parse(document.getElementById("facts").textContent);
@@ -258,6 +259,7 @@ class App {
     for (const control of this.controls.values()) if (control.follows) control.sync(this.state);
     this.view.update(answer, state);
     this.chip.sync();
+    explain(element("view"));
     element("view").dataset.answered = String(Number(element("view").dataset.answered ?? 0) + 1);
     if (!first || this.embedded) return;
     welcome(this);
@@ -320,6 +322,7 @@ class App {
     this.marks();
     this.chip = new Chip(this);
     element("chip").append(this.chip.element);
+    element("terms").addEventListener("click", () => listTerms());
     element("fault").querySelector("button").addEventListener("click", () => this.reset());
     this.line = new Line({
       onAnswer: (view, answer, state) => view === this.name && this.answers(answer, state),

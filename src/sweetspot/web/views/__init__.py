@@ -20,5 +20,7 @@ from sweetspot.web.view import View
 from sweetspot.web.views import compare, explorer, flight, hit, modes, optimum, paper, player, sports
 
 VIEWS: dict[str, View] = {
-    one.VIEW.name: one.VIEW for one in (explorer, hit, modes, compare, flight, optimum, player, sports, paper)
-}
+    view.name: view
+    for view in (explorer.VIEW, hit.VIEW, modes.VIEW, compare.VIEW, flight.VIEW, optimum.VIEW, player.VIEW,
+                 sports.VIEW, paper.VIEW)
+}  # fmt: skip

@@ -103,7 +103,7 @@ export const view = {
     const others = bats.slice(1);
     this.chart.panels = [
       { title: "Exit speed", kind: "exit_speed_m_s", height: 190, lines: bats.map(({ label }, i) => line("exit_speed_m_s", label, i, i ? ["exit_speed_low_m_s", "exit_speed_high_m_s"] : null)) },
-      ...(others.length ? [{ title: `Faster or slower than ${first.label}`, kind: "change_m_s", height: 130, zero: true,
+      ...(others.length ? [{ title: `Faster or slower than ${first.label}`, kind: "speed_change", height: 130, zero: true,
         lines: others.map(({ label }, i) => line("change", label, i + 1, ["change_low", "change_high"])) }] : []),
       { title: "Collision efficiency q", kind: "ratio", height: 100, lines: bats.map(({ label }, i) => line("collision_efficiency", label, i)) },
     ];
@@ -123,7 +123,7 @@ export const view = {
     ], bats.map((one, i) => [
       one.label, show("mass_kg", one.bat.mass_kg), show("balance_point_m", one.bat.balance_point_m, 1),
       show("moi_6in_kg_m2", one.bat.moi_6in_kg_m2), range("bat_speed_m_s", one.bat_speed_m_s),
-      range("exit_speed_m_s", one.exit_speed_m_s), i ? range("change_m_s", one.change_m_s) : "reference",
+      range("exit_speed_m_s", one.exit_speed_m_s), i ? range("speed_change", one.change_m_s) : "reference",
       i ? show("bat_speed_m_s", one.break_even_bat_speed_m_s) : "reference", one.max_bbcor.toFixed(3),
     ]));
   },

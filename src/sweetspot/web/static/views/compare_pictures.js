@@ -3,7 +3,7 @@
 import { paintBat } from "../batview.js";
 import { LEFT, RIGHT } from "../chart.js";
 import { FONT, Surface, haloText, ticks } from "../surface.js";
-import { toShown, unitOf } from "../units.js";
+import { kindOf, toShown, unitOf } from "../units.js";
 
 export const LINES = [
   { color: "ink", width: 2.4, dash: [] }, { color: "red", width: 2.2, dash: [7, 3] }, { color: "blue", width: 2.2, dash: [2, 2.5] },
@@ -72,7 +72,7 @@ export class ChangePicture {
 
   draw(bats) {
     this.bats = bats;
-    const show = (value) => this.app.text("change_m_s", value);
+    const show = (value) => this.app.text("speed_change", value);
     this.element.hidden = bats.length < 2;
     this.surface.label(`Change of exit speed against ${bats[0].label}: ${bats.slice(1).map(({ label, change_m_s: change }) => (
       `${label} ${show(change.value)}, interval ${show(change.low)} to ${show(change.high)}`)).join("; ")}.`);
@@ -81,7 +81,7 @@ export class ChangePicture {
 
   paint(context, width, height) {
     const { colors, units } = this.app;
-    const shown = (value) => toShown("change_m_s", value, units);
+    const shown = (value) => toShown("speed_change", value, units);
     const others = this.bats.slice(1);
     const ends = others.flatMap(({ change_m_s: { low, high } }) => [shown(low), shown(high)]);
     const room = 0.12 * Math.max(0.2, Math.max(0, ...ends) - Math.min(0, ...ends));
@@ -98,7 +98,7 @@ export class ChangePicture {
       context.fillText(String(value).replace("-", "−"), across(value), bottom + 4);
     }
     context.textAlign = "right";
-    context.fillText(`${unitOf("change_m_s", units)} against ${clipped(context, this.bats[0]?.label ?? "", width / 2)}`, width - RIGHT, bottom + 17);
+    context.fillText(`${unitOf("speed_change", units)} against ${clipped(context, this.bats[0]?.label ?? "", width / 2)}`, width - RIGHT, bottom + 17);
     others.forEach((one, i) => this.paintRow(context, one, LINES[i + 1], HEAD + (i + 0.5) * CHANGE_ROW, { across, shown, names }));
   }
 
@@ -124,7 +124,7 @@ export class ChangePicture {
     context.arc(across(shown(change.value)), y, 6, 0, 2 * Math.PI);
     context.fill();
     Object.assign(context, { font: `600 11px ${FONT}`, textAlign: "center" });
-    const digits = this.app.units === "us" ? 1 : 2;
+    const digits = kindOf("speed_change")[this.app.units].digits;
     const words = `${change.value > 0 ? "+" : ""}${shown(change.value).toFixed(digits).replace("-", "−")}`;
     haloText(context, words, across(shown(change.value)), y - 12, colors.ink, colors.panel);
   }

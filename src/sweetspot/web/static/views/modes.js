@@ -5,9 +5,9 @@ import { button, group, slider, toggle } from "../controls.js";
 import { Stage, paintMotion } from "../modescene.js";
 import { Surface } from "../surface.js";
 import { strike } from "../tapsound.js";
+import { INCH } from "../units.js";
 
 const PERIOD = 1400; // ms on the screen of one swing to and fro, whatever its real frequency
-const INCH = 0.0254;
 const MOST_ROWS = 14;
 
 export const view = {
