@@ -372,3 +372,10 @@ def test_why_here_adds_up_and_is_what_the_report_says(client: httpx.Client) -> N
     told = client.post("/api/v1/explorer/why", json={}).json()["sentences"]
     assert any("Why not at the tip?" in one for one in told["us"])
     assert any("What a miss costs" in one for one in told["si"])
+
+
+def test_people_get_a_page_where_there_is_none(client: httpx.Client) -> None:
+    response = client.get("/<b>x", headers={"accept": "text/html"})
+    assert response.status_code == 404
+    assert "<b>x" not in response.text
+    assert 'href="/"' in response.text

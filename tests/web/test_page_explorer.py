@@ -27,7 +27,7 @@ def opened(page: Page, server: str, answered: Answered) -> Page:
 
 def number(page: Page, name: str) -> float:
     """Return a number below the curves, in the unit shown."""
-    text = page.locator(f".facts div:has(dt:text-is('{name}')) dd").inner_text()
+    text = page.locator(f".facts div:has(:text-is('{name}')) dd").inner_text()
     return float(re.findall(r"-?[\d.]+", text.replace("\N{MINUS SIGN}", "-"))[0])
 
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 import threading
 from collections.abc import AsyncIterator, Callable, Iterable
 from contextlib import asynccontextmanager
+from html import escape
 from typing import Any
 
 from fastapi import APIRouter, FastAPI, Request, Response, WebSocket
 from fastapi.exceptions import RequestValidationError
-from fastapi.responses import JSONResponse
+from fastapi.responses import HTMLResponse, JSONResponse
 from starlette.exceptions import HTTPException
 
 from sweetspot import __version__
@@ -29,6 +30,11 @@ API = "/api/v1"
 NOT_FOUND = 404
 _BROKEN = "this question breaks the program; the fault is not yours. Please report it with the question"
 _NO_PAGE = "there is no page {}"
+_LOST = (
+    '<!DOCTYPE html><html lang="en"><meta charset="utf-8"><title>sweetspot: no such page</title>'
+    '<link rel="stylesheet" href="/static/theme.css"><main class="api"><h1>Not here</h1><p>{}.</p>'
+    '<p><a href="/">To the laboratory</a></p></main></html>'
+)
 
 
 def create_app(*, names: Iterable[str] = ()) -> FastAPI:
@@ -138,9 +144,11 @@ async def _invalid(_: Request, error: Exception) -> JSONResponse:
     return JSONResponse({"error": fault(error)}, 422)
 
 
-async def _refused(request: Request, error: Exception) -> JSONResponse:
+async def _refused(request: Request, error: Exception) -> Response:
     assert isinstance(error, HTTPException)
     words = _NO_PAGE.format(request.url.path[:80]) if error.status_code == NOT_FOUND else str(error.detail)
+    if error.status_code == NOT_FOUND and "text/html" in request.headers.get("accept", ""):
+        return HTMLResponse(_LOST.format(escape(words)), NOT_FOUND)
     return JSONResponse({"error": {"field": "", "message": words}}, error.status_code, headers=error.headers)
 
 

@@ -11,7 +11,7 @@ import { INCH, OUNCE } from "./units.js";
 const LONGEST_TOML = 20000;
 const OWN = "own file";
 export const UNCHANGED = ["bat_toml", "profile_in", "mass_oz", "wall_factor", "bore_diameter_in", "cup_diameter_in", "weight_oz", "choke_up_in"];
-const FILLS = [["nothing", "nothing"], ["cork", "cork"], ["rubber", "rubber"], ["polyurethane-foam", "polyurethane foam"]];
+export const FILLS = [["nothing", "nothing"], ["cork", "cork"], ["rubber", "rubber"], ["polyurethane-foam", "polyurethane foam"]];
 
 // The fields of a bat as it was before anything was done to it; another bat starts with them.
 export function unchanged(app) {

@@ -39,7 +39,7 @@ export function sideMiddle(film, width) {
 export function sideHeight(film, width, { exaggeration, recoil }) {
   const scale = (width - 2 * PAD) / film.bat.length_m;
   const room = recoil ? Math.min(0.42, Math.max(0.15, exaggeration * film.lowest + 0.04)) : 0.15;
-  return Math.round(sideMiddle(film, width) + room * scale + (width < 640 ? 80 : 48));
+  return Math.round(sideMiddle(film, width) + room * scale + (width < 640 ? 112 : 64));
 }
 
 function paintRest(context, { across, middle, length }, colors) {

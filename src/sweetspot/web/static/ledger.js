@@ -68,7 +68,7 @@ export class Ledger {
     this.list = Object.assign(document.createElement("dl"), { className: "ledger" });
     this.list.setAttribute("aria-label", "Energy at the moment shown");
     this.element = document.createElement("div");
-    this.element.append(this.chart.element, this.list);
+    this.element.append(this.list); // the chart stands where its view wants it
   }
 
   set(film, series) {

@@ -1,6 +1,6 @@
 // Pieces that several views are made of: tables, paragraphs, sentences in either system of units, controls inside a list.
 
-import { toShown } from "./units.js";
+import { INCH, MPH, toShown } from "./units.js";
 
 export function make(tag, properties = {}, ...children) {
   const made = Object.assign(document.createElement(tag), properties);
@@ -35,8 +35,8 @@ export function paragraphs(place, texts) {
 
 // Numbers with a unit inside a sentence, in the reader's units: "2.9 mph" is "1.30 m/s" for those who read SI.
 const OTHER = {
-  si: { mph: ["m/s", 0.44704, 2], in: ["cm", 2.54, 1] },
-  us: { mm: ["in", 1 / 25.4, 2], cm: ["in", 1 / 2.54, 1], m: ["in", 1 / 0.0254, 1], kN: ["lbf", 1000 / 4.4482216152605, 0] },
+  si: { mph: ["m/s", MPH, 2], in: ["cm", 100 * INCH, 1] },
+  us: { mm: ["in", 1e-3 / INCH, 2], cm: ["in", 0.01 / INCH, 1], m: ["in", 1 / INCH, 1], kN: ["lbf", 1000 * toShown("x_n", 1, "us"), 0] },
 };
 const QUANTITY = /([-−+]?\d+(?:\.\d+)?) (mph|in|mm|cm|m|kN)(?=[ .,;:)]|$)/g;
 
@@ -54,7 +54,7 @@ export function inUnits(text, system) {
 const KIND_OF = {
   m: "x_m", mm: "x_m", "m/s": "x_m_s", mph: "x_m_s", "kg m^2": "x_kg_m2", kN: "x_n", "N s": "x_n_s", ms: "x_ms",
 };
-const TO_SI = { mm: 1e-3, mph: 0.44704, kN: 1e3 };
+const TO_SI = { mm: 1e-3, mph: MPH, kN: 1e3 };
 
 export function inReadersUnit(value, unit, app) {
   if (typeof value !== "number") return value ?? "–";

@@ -3,7 +3,7 @@
 import { make } from "./parts.js";
 
 let known = null; // promise of a map from a word, in small letters, to { words, source }
-let count = 0;
+let tip = null; // one for the page: what the word that is pointed at means
 
 function meanings() {
   known ??= fetch("/api/v1/terms").then((response) => response.json()).then((terms) => (
@@ -17,17 +17,41 @@ function meanings() {
 // Give every heading and name below a root that is known its meaning.
 export async function explain(root) {
   const map = await meanings();
+  tip ??= tipOf(map);
   for (const place of root.querySelectorAll("dt:not([data-term]), th[scope=col]:not([data-term])")) {
-    const term = map.get(place.textContent.trim().toLowerCase());
-    place.dataset.term = term ? "known" : "";
-    if (!term) continue;
-    count += 1;
-    const tip = make("span", { className: "tip", id: `tip-${count}`, textContent: `${term.words} ${term.source}` });
-    tip.setAttribute("role", "tooltip");
+    const name = place.textContent.trim().toLowerCase();
+    place.dataset.term = map.has(name) ? name : "";
+    if (!map.has(name)) continue;
     const word = make("span", { className: "term", tabIndex: 0 }, ...place.childNodes);
     word.setAttribute("aria-describedby", tip.id);
-    place.replaceChildren(word, tip);
+    place.replaceChildren(word);
   }
+}
+
+// Shown on hover and focus, stays while the pointer is on it, goes with Escape.
+function tipOf(map) {
+  const made = make("div", { id: "tip", className: "tip", hidden: true });
+  made.setAttribute("role", "tooltip");
+  const show = (event) => {
+    const word = event.target.closest?.(".term");
+    if (!word) return;
+    const { words, source } = map.get(word.parentElement.dataset.term);
+    made.replaceChildren(words, make("small", { textContent: ` ${source}` }));
+    made.hidden = false;
+    const box = word.getBoundingClientRect();
+    made.style.left = `${Math.max(8, Math.min(box.left + scrollX, scrollX + document.documentElement.clientWidth - made.offsetWidth - 8))}px`;
+    made.style.top = `${box.bottom + scrollY}px`;
+  };
+  const hide = (event) => {
+    if (!event.relatedTarget?.closest?.(".term, #tip")) made.hidden = true;
+  };
+  document.addEventListener("mouseover", show);
+  document.addEventListener("focusin", show);
+  document.addEventListener("mouseout", hide);
+  document.addEventListener("focusout", hide);
+  document.addEventListener("keydown", (event) => event.key === "Escape" && (made.hidden = true));
+  document.body.append(made);
+  return made;
 }
 
 export async function listTerms() {

@@ -63,7 +63,10 @@ export const view = {
     const picture = Object.assign(document.createElement("section"), { className: "picture" });
     picture.setAttribute("aria-label", "The hit in slow motion");
     const pair = Object.assign(document.createElement("div"), { className: "film-pair" });
-    pair.append(this.end.element, this.chart.element);
+    const times = document.createElement("div"); // one width, so that a moment stands at one place in both
+    times.append(this.chart.element, this.ledger.chart.element);
+    pair.append(this.end.element, times);
+    this.side.element.classList.add("pinned");
     picture.append(this.words, this.side.element, this.transport.element, pair, this.ledger.element, this.facts);
     return picture;
   },
@@ -116,7 +119,8 @@ export const view = {
       film, moment: this.transport.moment, colors: app.colors, exaggeration: state.exaggeration, recoil: state.recoil,
       wall: deepest > 0 ? Math.min(state.exaggeration, (0.5 * film.answer.hoop.radius_m) / deepest) : 1,
       notes: [`${state.recoil ? "bat's motion" : "bat's bending alone"} × ${times}; ball and bat to scale; dashed: ${state.recoil ? "where the swing alone would take it" : "the straight bat"}`,
-        `red: the bat moves fast, up to ${app.text("speed_m_s", film.fastest, 0)}`],
+        `coloured: the bat moves fast against its swing, up to ${app.text("speed_m_s", film.fastest, 0)}`,
+        `the bat comes at ${app.text("speed_m_s", film.hit.bat_speed_m_s, 0)} here, the ball at ${app.text("speed_m_s", film.hit.closing_speed_m_s - film.hit.bat_speed_m_s, 0)}; it leaves at ${app.text("speed_m_s", film.hit.exit_speed_m_s, 0)}`],
     };
   },
 

@@ -28,6 +28,7 @@ export const view = {
       paint: (...all) => this.answer && paintMotion(...all, this.shown()),
     });
     this.stage.element.style.cursor = "ew-resize";
+    this.stage.element.classList.add("pinned");
     this.stage.drags(({ x, last }) => this.tapAt(x, last));
     this.words = Object.assign(document.createElement("p"), { className: "verdict flow", id: "verdict" });
     this.toggle = button("Play", () => (this.stop ? this.pause() : this.play()), { primary: true, title: "Play or pause (K)" });
@@ -90,8 +91,8 @@ export const view = {
     this.list();
     this.say();
     this.aside.textContent = state.held
-      ? "Damping of a held bat is each motion's own part; the hands' dampers couple the motions too. Hands: typical values, recalled and not measured."
-      : "Damping of the hanging bat: the material's, the same ratio for every motion.";
+      ? "Shaded: between the nodes of the first two bending modes. Damping of a held bat is each motion's own part; the hands' dampers couple the motions too. Hands: typical values, recalled and not measured."
+      : "Shaded: between the nodes of the first two bending modes. Damping of the hanging bat: the material's, the same ratio for every motion.";
     this.stage.draw();
     if (!this.begun && !this.app.calm) this.play();
     this.begun = true;

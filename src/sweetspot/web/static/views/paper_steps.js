@@ -1,8 +1,10 @@
 // The paper's questions in its order: claim, formulas as they should read, misprints, controls, and the answer in words.
 
+import { FILLS } from "../bench.js";
+import { MPH } from "../units.js";
 import { choice, slider } from "../controls.js";
 
-const FILLS = [["cork", "cork"], ["rubber", "rubber"], ["polyurethane-foam", "polyurethane foam"]];
+const FILLED = FILLS.filter(([fill]) => fill !== "nothing");
 const HELD = [["floor", "lying on concrete"], ["clamped", "clamped at the edges"], ["free", "lying free"]];
 const number = (value, digits) => value.toFixed(digits).replace("-", "−");
 const rowsOf = (answer, equation) => answer.rows.filter((row) => row.equation === equation);
@@ -81,7 +83,7 @@ export const STEPS = [
     controls: (app) => [
       slider(app, "hole_diameter_in", { label: "Hole, width", step: 0.05 }),
       slider(app, "hole_depth_in", { label: "Hole, depth from the tip", step: 0.25 }),
-      choice(app, "hole_fill", { label: "Filled with", options: FILLS }),
+      choice(app, "hole_fill", { label: "Filled with", options: FILLED }),
     ],
     live(answer, state, app) {
       const [[momentum], [force]] = [rowsOf(answer, "14"), rowsOf(answer, "13")];
@@ -90,7 +92,7 @@ export const STEPS = [
     },
     truth(answer, state, app) {
       const [force, speed, time] = [rowsOf(answer, "13")[0], rowsOf(answer, "14").at(-1), rowsOf(answer, "14").at(-2)];
-      const change = (speed.full_model - speed.computed) * 0.44704;
+      const change = (speed.full_model - speed.computed) * MPH;
       const grows = force.full_model > force.computed + 0.005 ? "grows" : "does not grow";
       return `The force ${grows}: ${app.text("f_n", 1e3 * force.computed)} for the plain bat, ${app.text("f_n", 1e3 * force.full_model)} for the corked one. ` +
         `Contact lasts ${number(time.computed, 3)} and ${number(time.full_model, 3)} ms. At the same bat speed the ball leaves ` +
