@@ -10,7 +10,7 @@ from fastapi import APIRouter
 from sweetspot import catalog
 from sweetspot.catalog.deliveries import delivery_names
 from sweetspot.catalog.rules import league, league_names
-from sweetspot.catalog.terms import terms as all_terms
+from sweetspot.catalog.word_meanings import terms as all_terms
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
