@@ -151,6 +151,9 @@ def _two_laws(analysis: Analysis) -> dict[str, str]:
     harder = brentq(lambda part: on_wall(hard, part * ball.stiffness, hard).peak_force - real.peak_force, 1.0, 1.5)
     soft = on_wall(hard, softer * ball.stiffness, hard)
     return {
+        "wall_force": f"{real.peak_force / 1e3:.0f}",
+        "wall_compression": f"{1e3 * real.peak_compression:.0f}",
+        "wall_time": f"{1e3 * real.contact_time:.2f}",
         "viscous_best": f"{(length - best) / INCH:.1f}",
         "viscous_gain": f"{more(10):.0f}",
         "viscous_loss": f"{-more(4):.0f}",

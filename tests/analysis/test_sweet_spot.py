@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from sweetspot.analysis.bat_analysis import Analysis, analyse, check_conditions, exit_speed_of, hit_at
+from sweetspot.analysis.hand_weighting import acceleration_weight, velocity_weight
 from sweetspot.analysis.position_scan import Scan
 from sweetspot.analysis.sweet_spot import barrel_node, max_exit_speed, miss_cost, sweet_zone
 from sweetspot.catalog.standard_hit import standard_conditions
@@ -149,3 +150,29 @@ def test_a_peak_too_narrow_to_hit_is_no_sweet_spot(analysis: Analysis) -> None:
     assert sweet_zone(narrow) == sweet_zone(scan)
     assert miss_cost(narrow, 0.02) == miss_cost(scan, 0.02)
     assert abs(max_exit_speed(wide) - scan.position[at]) < 0.02
+
+
+def test_what_hands_feel_has_no_edge() -> None:
+    """iso5349, annex A: 15.9 Hz / f from there to about 600 Hz, 0.7 of that at the end of the band, and smooth."""
+    frequency = np.linspace(1.0, 5000.0, 5000)
+    felt = velocity_weight(frequency)
+    assert np.abs(np.diff(felt[50:])).max() < 2e-3  # a band from 50 to 700 Hz would jump by 1
+    assert felt[99:600] == pytest.approx(1.0, abs=0.03)
+    assert float(acceleration_weight(1258.9)) == pytest.approx(0.71 * 15.915 / 1258.9, rel=0.02)
+    assert float(velocity_weight(0.0)) == 0.0
+
+
+def test_least_sting_does_not_jump_where_mode_2_crosses_700_hz(r161: Bat) -> None:
+    """A bat whose wood is a little stiffer: the place moves by less than a tenth of an inch for every per cent."""
+    places = []
+    for factor in (1.38, 1.42, 1.46, 1.50):
+        material = r161.material
+        stiff = r161.replaced(
+            material=material.replaced(
+                longitudinal_modulus=factor * material.longitudinal_modulus, shear_modulus=factor * material.shear
+            )
+        )
+        found = analyse(stiff, standard_conditions(stiff))
+        places.append(found.sweet_spots.min_sting)
+        assert 600 < found.modes.frequency[3] < 760
+    assert np.abs(np.diff(places)).max() < 0.1 * 0.0254 * 3

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from sweetspot.analysis.hand_weighting import velocity_weight
 from sweetspot.collision.closed_form import bbcor, exit_speed, rigid_efficiency
 from sweetspot.collision.impact import Impacts, bat_energy
 from sweetspot.collision.kernel import hits_with_motion
@@ -19,8 +20,6 @@ from sweetspot.motion.swing import Conditions, Hands
 from sweetspot.numerics.arrays import Array
 
 POINTS = 161
-STING_BAND = (50.0, 700.0)
-"""Hz; palms feel best between about 100 and 400 Hz and hardly beyond 700 Hz [griffin2012; russell2017acoustics]."""
 ABOVE_HANDS = 0.05
 """m above the top hand's centre where a scan begins; an implement with a face is hit on its face only."""
 
@@ -57,7 +56,7 @@ class Scan:
     bbcor : ball-bat restitution about the standard pivot 6 in from the knob.
     exit_speed, rigid_exit_speed : m/s.
     hand_impulse : N s that the hands must give to hold their place, from the rigid motion; 0 at the percussion centre.
-    sting : m/s, root mean square of the vibration at both hands right after the hit, modes within `STING_BAND`.
+    sting : m/s, root mean square of the vibration at both hands after the hit, as felt (`velocity_weight`).
     contact_time, peak_force : s and N.
     energy : where the incoming energy goes, in the frame of the undisturbed bat.
     """
@@ -140,15 +139,14 @@ def energy_shares(impacts: Impacts, *, modes: Modes, ball: Ball, closing_speed: 
 def sting(modes: Modes, *, hands: Hands, displacement: Array, velocity: Array) -> Array:
     """Return the vibration speed at the hands in m/s, root mean square over time and over both hands.
 
-    Each mode in `STING_BAND` rings on with amplitude V_i = sqrt(q'^2 + omega^2 q^2) from release, so the handle at
-    h moves with s_i(h) V_i; modes of different frequency add as squares.
+    Each mode rings on with amplitude V_i = sqrt(q'^2 + omega^2 q^2) from release, so the handle at h moves with
+    s_i(h) V_i, of which hands feel the part w(f_i) (`velocity_weight`); modes of different frequency add as squares.
 
     Parameters
     ----------
     displacement, velocity : modal motion at release, shape (hits, n).
     """
-    low, high = STING_BAND
-    felt = (modes.frequency >= low) & (modes.frequency <= high)
+    felt = velocity_weight(modes.frequency) ** 2
     amplitude = velocity**2 + (modes.angular_frequency * displacement) ** 2
     shapes = modes.shape_at(np.array(hands.places)) ** 2
-    return np.asarray(np.sqrt(amplitude[..., felt] @ shapes[:, felt].mean(axis=0) / 2))
+    return np.asarray(np.sqrt(amplitude @ (felt * shapes.mean(axis=0)) / 2))

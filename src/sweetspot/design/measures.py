@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sweetspot.analysis.certification.simulated_test import BBCOR_SPEED
-from sweetspot.analysis.position_scan import STING_BAND
+from sweetspot.analysis.hand_weighting import velocity_weight
 from sweetspot.analysis.sweet_spot import ZONE_LOSS
 from sweetspot.collision.closed_form import restitution_from_efficiency
 from sweetspot.collision.hits_of_bats import struck
@@ -186,9 +186,8 @@ class Bench:
 
     def _sting(self, bats: ReducedBats, displacement: Array, velocity: Array) -> Array:
         """Return the vibration at the hands, m/s of shape (n, places); see `position_scan.sting`."""
-        low, high = STING_BAND
         omega = bats.angular_frequency
-        felt = (omega >= 2 * np.pi * low) & (omega <= 2 * np.pi * high)
+        felt = velocity_weight(omega / (2 * np.pi)) ** 2
         amplitude = velocity**2 + (omega[:, None, :] * displacement) ** 2
         hands = np.tile(np.array(self.conditions.hands.places), (len(bats), 1))
         shapes = (bats.shapes_at(hands) ** 2).mean(axis=1) * felt

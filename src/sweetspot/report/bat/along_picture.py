@@ -128,7 +128,7 @@ def sting(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> None:
         analysis,
         reading,
         "Sting",
-        f"vibration at the {words_of(analysis.bat).hands} right after the hit, 50 to 700 Hz",
+        f"vibration at the {words_of(analysis.bat).hands} right after the hit, as it is felt",
     )
     axes.fill_between(scan.position, 0, scan.sting, color=PURPLE, alpha=0.18, linewidth=0)
     axes.plot(scan.position, scan.sting, color=PURPLE)

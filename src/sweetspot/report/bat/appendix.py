@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from sweetspot.analysis.bat_analysis import Analysis
-from sweetspot.analysis.position_scan import STING_BAND
 from sweetspot.catalog.sports import sport
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import ASSUMED_MARK
@@ -26,7 +25,6 @@ def assumptions_section(analysis: Analysis[Implement]) -> Section:
         for record in entries
         if record.kind == "assumed"
     ]
-    low, high = (Slot(limit, "frequency") for limit in STING_BAND)
     points: list[Words] = [
         _face(analysis),
         in_words(
@@ -38,8 +36,8 @@ def assumptions_section(analysis: Analysis[Implement]) -> Section:
                  words),
         in_words("Every place is hit with the same turning speed, whatever the {implement} weighs.", words),
         in_words(
-            "Sting is the speed of the handle's vibration at both hands right after the hit, {low} to {high}. The "
-            "limits of the {zone} are our choice.", words, low=low.bare, high=high,
+            "Sting is the speed of the handle's vibration at both hands right after the hit, weighted by frequency as "
+            "hands feel it (ISO 5349, flat to about 600 Hz). The limits of the {zone} are our choice.", words,
         ),
         *(f"Not covered: {text}." for text in sport(analysis.bat.sport).not_covered),
         f"Constants that are assumed, because no source was read: {', '.join(assumed)}; where a stroke's number is, "
