@@ -44,6 +44,16 @@ def test_one_bad_file_is_listed_and_the_exit_code_is_1(tmp_path: Path, capsys: p
     assert "30 balls in play" in shown.out and "not read: empty.csv" in shown.err
 
 
+def test_a_page_for_one_player(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    table, out = tmp_path / "table.csv", tmp_path / "out"
+    made_up(300).write_csv(table)
+    assert run(table, "--player", "600002", "--flight-only", "--out", out) == 0
+    assert "50 balls in play" in capsys.readouterr().out
+    assert json.loads((out / "player-600002.json").read_text("utf-8"))["balls"] == 50
+    assert run(table, "--player", "600009", "--flight-only") == 2
+    assert "no batter '600009' in the tables. Did you mean" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [

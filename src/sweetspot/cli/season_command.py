@@ -35,6 +35,9 @@ def season(
     ] = False,
     temperature: Annotated[str, Parameter(help="Of the air at all games: 72degF.")] = "72degF",
     flight_only: Annotated[bool, Parameter(negative="", help="Leave the bats out.")] = False,
+    player: Annotated[
+        str | None, Parameter(help="A batter's number or name: a page to print of that player alone.")
+    ] = None,
     resume: Annotated[
         bool, Parameter(negative="", help="Keep answers that are in --out already and of the same plan.")
     ] = False,
@@ -83,9 +86,9 @@ def season(
             )
 
     if output.out is not None:
-        return _answered(computed(output.out), output)
+        return _answered(computed(output.out), output, player)
     with temporary_folder() as folder:
-        return _answered(computed(Path(folder)), output)
+        return _answered(computed(Path(folder)), output, player)
 
 
 def _bats(bat: str | None, bats: Path | None) -> dict[str, str] | None:
@@ -96,16 +99,19 @@ def _bats(bat: str | None, bats: Path | None) -> dict[str, str] | None:
     return None if bat is None else {"": bat}
 
 
-def _answered(season: Season, output: OutputOptions) -> int:
+def _answered(season: Season, output: OutputOptions, player: str | None) -> int:
     from sweetspot.cli.output import present
     from sweetspot.report.season.document import season_document, season_report
+    from sweetspot.report.season.one_player import player_page
     from sweetspot.report.season.tables import write_tables
 
     report = season_report(season)
     if output.out is not None:
         written = write_tables(report, output.out)
         print(f"sweetspot: wrote {output.out}: folders balls, ledger, counted; {', '.join(written)}", file=sys.stderr)
-    code = present(season_document(report), output, long=True)
+    document = season_document(report) if player is None else player_page(report, player)
+    code = present(document, output, long=True)
+    code = max(code, int(bool(season.found.faults)))
     for path, reason in season.found.faults:
         print(f"sweetspot: not read: {path.name}: {reason}", file=sys.stderr)
     return code

@@ -1,0 +1,93 @@
+"""A page to print for one player of a season."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+import polars as pl
+
+from sweetspot.errors import InputError, nearest_names
+from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Picture, Section, Table
+from sweetspot.report.json_shapes import cleaned
+from sweetspot.report.quantities import Reader
+from sweetspot.report.season.document import CANNOT, SeasonReport
+from sweetspot.report.sentences import Slot, joined, say
+from sweetspot.season.counted import WITH
+from sweetspot.season.standings import MEASURES
+
+TELLING = 0.05
+"""Reliability below which players do not differ, and a percentile would be chance."""
+KINDS = (("doubters", "doubters"), ("mostly_gone", "mostly gone"), ("no_doubters", "no-doubters"))
+
+
+def player_page(report: SeasonReport, batter: str) -> Document:
+    """Return one player's page: every measure partly pooled, with its intervals, reliability and rank in the table.
+
+    Raises
+    ------
+    InputError
+        for a player whom no table has.
+    """
+    players = report.standings.get("batter")
+    if players is None:
+        raise InputError("no table has a column of batters, so there is no player to tell of")
+    row = next((one for one in players.table.iter_rows(named=True) if batter in (one["batter"], one.get("name"))), None)
+    if row is None:
+        known = players.table["batter"].to_list()
+        raise InputError(f"no batter {batter!r} in the tables. {nearest_names(batter, known)}")
+    name = str(row.get("name") or row["batter"])
+    drawing = Picture("player", partial(_drawn, report, str(row["batter"]), name), label=f"Balls of {name}.")
+    homers = ", ".join(f"{row[key]:,} {words}" for key, words in KINDS)
+    words = say(
+        "{balls} balls in play with an exit speed, the hardest fifth at {ev20} on average. {expected} home runs "
+        "expected in the parks they were hit in, {real} hit; {homers}.",
+        balls=f"{row['balls']:,}", ev20=Slot(row["ev20"], "speed"), expected=f"{row['home_runs_expected']:.1f}",
+        real=f"{row['home_runs']:,}", homers=homers,
+    )  # fmt: skip
+    blocks: list[Block] = [Paragraph(words), _measures(row), drawing, *_bats(row)]
+    return Document(
+        name=f"player-{row['batter']}", title=name, kind="Season of a player", blocks=blocks, drawing=drawing,
+        details=[Section("cannot", "What such tables cannot tell", [Bullets(CANNOT)])], data=cleaned(dict(row)),
+        rows={key: [value] for key, value in row.items()},
+    )  # fmt: skip
+
+
+def _measures(row: dict[str, Any]) -> Table:
+    heads = ("pooled", "50 %", "90 %", "own mean")
+    columns = [Column("measure"), *(Column(head, right=True) for head in heads), Column("reliability", "ratio", 2),
+               Column("percentile", right=True)]  # fmt: skip
+    rows: list[list[Cell]] = []
+    for name, (scale, words) in MEASURES.items():
+        if row.get(name) is None:
+            continue
+        trust = row[f"{name}_reliability"]
+
+        def ends(width: str, name: str = name, scale: str = scale) -> Cell:
+            low, high = Slot(row[f"{name}_low{width}"], scale).bare, Slot(row[f"{name}_high{width}"], scale)
+            return joined([low, "to", high])
+
+        rows.append([
+            words, Slot(row[name], scale), ends("50"), ends("90"), Slot(row[f"{name}_mean"], scale),
+            trust, f"{row[f'{name}_percentile']:.0f}" if trust > TELLING else None,
+        ])  # fmt: skip
+    return Table("Against everybody in the tables", columns, rows)
+
+
+def _bats(row: dict[str, Any]) -> list[Paragraph]:
+    gains = {name.removeprefix(WITH): value for name, value in row.items()
+             if name.startswith(WITH) and name.count(" ") == 1 and "_" not in name and value is not None}  # fmt: skip
+    if not gains:
+        return []
+    best = max(gains, key=lambda name: gains[name])
+    if gains[best] <= 0:
+        return [Paragraph("None of the bats tried gives more exit speed than the player's own.")]
+    words = say("Of the bats tried {bat} would serve best: {gain} of exit speed on average.", bat=best,
+                gain=Slot(gains[best], "speed_change", 1, sign=True))  # fmt: skip
+    return [Paragraph(words)]
+
+
+def _drawn(report: SeasonReport, batter: str, name: str, reading: Reader) -> Any:
+    from sweetspot.report.season.picture import season_figure
+
+    return season_figure(report.counted.filter(pl.col("batter") == batter), title=name, reading=reading)
