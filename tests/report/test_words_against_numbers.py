@@ -10,6 +10,7 @@ import pytest
 import sweetspot
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis
+from sweetspot.equipment.implement import Implement
 from sweetspot.report.bat.document import report_document
 from sweetspot.report.bat.tables import spots_table
 from sweetspot.report.bat.words import answer, misses_of
@@ -25,7 +26,7 @@ LEFT_OVER = re.compile(r"[{}]|\bnan\b|\binf\b|None|--|  |(?<![\d.])0 mph|towards
 
 
 @pytest.fixture(scope="module", params=SHOWN)
-def analysed(request: pytest.FixtureRequest) -> Analysis:
+def analysed(request: pytest.FixtureRequest) -> Analysis[Implement]:
     return sweetspot.standard_analysis(request.param)
 
 
@@ -65,12 +66,12 @@ def test_a_report_s_words_are_its_tables(analysed: Analysis, system: str) -> Non
         assert not miss.inside.value < -1e-9
 
 
-def test_nothing_of_baseball_is_told_of_other_sports(analysed: Analysis) -> None:
+def test_nothing_of_baseball_is_told_of_other_sports(analysed: Analysis[Implement]) -> None:
     document = report_document(analysed)
     text = " ".join(paragraphs(document, document.reader))
     if analysed.bat.sport not in ("baseball", "youth-baseball", "softball", "cricket"):
         assert not re.search(r"\b(bat|pitch|knob|BBCOR)\b", text)
-    published = [block for block in document.appendix if getattr(block, "name", "") == "published"]
+    published = [block for block in document.appended if getattr(block, "name", "") == "published"]
     for section in published:
         said = " ".join(" ".join(row) for table in section.blocks if isinstance(table, Table)  # type: ignore[union-attr]
                         for row in cells(table, document.reader))  # fmt: skip

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import overload
 
+from sweetspot.flight import kernel, trajectory
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.flight.trajectory import Flight
@@ -38,7 +39,6 @@ def fly(
     sweetspot.flight.trajectory.fly : the method.
     sweetspot.flight.kernel.flights : many flights, with their paths where they are wanted.
     """
-    chosen = {} if step is None else {"step": step}
     if isinstance(motion, BallMotions):
-        return flights(motion, conditions, **chosen)
-    return fly_one(motion, conditions, **chosen)
+        return flights(motion, conditions, step=kernel.STEP if step is None else step)
+    return fly_one(motion, conditions, step=trajectory.STEP if step is None else step)

@@ -10,6 +10,7 @@ import pytest
 import sweetspot
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis
+from sweetspot.equipment.implement import Implement
 from sweetspot.report.bat.figure import report_figure
 from sweetspot.report.flight.park_picture import parks_figure
 from sweetspot.report.notebook import figure_of
@@ -21,11 +22,11 @@ OTHERS = [name for name in catalog.implement_names() if name not in catalog.bat_
 
 
 @pytest.fixture(scope="module", params=OTHERS)
-def analysed(request: pytest.FixtureRequest) -> Analysis:
+def analysed(request: pytest.FixtureRequest) -> Analysis[Implement]:
     return sweetspot.standard_analysis(request.param)
 
 
-def test_a_report_picture_of_any_sport(analysed: Analysis) -> None:
+def test_a_report_picture_of_any_sport(analysed: Analysis[Implement]) -> None:
     figure = report_figure(analysed)
     check_labels(figure)
     words = " ".join(text for text, _ in texts(figure))
@@ -37,7 +38,7 @@ def test_a_report_picture_of_any_sport(analysed: Analysis) -> None:
         assert np.ptp(np.asarray(curve, float)) > (0.3 if zoomed else 0.2) * (shown[1] - shown[0])
 
 
-def test_spots_of_a_face_lie_on_its_line(analysed: Analysis) -> None:
+def test_spots_of_a_face_lie_on_its_line(analysed: Analysis[Implement]) -> None:
     """Exact: a place along the line has no height across it."""
     if analysed.bat.outline is None:
         return
