@@ -1,0 +1,81 @@
+"""How often the 90 % intervals of `sweetspot calibrate` hold the truth: made-up bats whose every property is known.
+
+Run with the number of bats per case; 200 take several minutes. Exit 1 when a case is not within 85 to 95 %.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from sweetspot import catalog
+from sweetspot.calibration.measured import REACH, Measured
+from sweetspot.calibration.measurements import Measurement, predicted
+from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.posterior import calibrate
+from sweetspot.calibration.unknowns import described, deviated, unknowns_of
+from sweetspot.dynamics.beam import BeamModel
+
+SCALE = (("mass", 0.001), ("balance_point", 0.0015), ("period", 0.002))
+"""Kinds and errors, SI: a kitchen scale, a balance on an edge, a pendulum timed over ten swings."""
+TONES = 0.0015
+"""Relative error of a frequency."""
+CASES = (
+    ("mlb-c", (), False), ("mlb-c", (1,), False), ("mlb-c", (1, 2, 3), False), ("single-wall", (1, 2), True),
+)  # fmt: skip
+LEAST, MOST = 0.85, 0.95
+
+
+def measured(line: BeamModel, *, bending: Sequence[int], hoop: bool, seed: int) -> list[Measurement]:
+    """Return what would be measured on a bat, with errors of the instruments and of the model."""
+    wanted = [Measurement(kind, Measured(1.0, error)) for kind, error in SCALE]  # type: ignore[arg-type]
+    names = [ModeName("bending", number) for number in bending] + [ModeName("hoop", 2)] * hoop
+    wanted += [Measurement("frequency", Measured(1.0, 1.0), mode=name) for name in names]
+    generator = np.random.default_rng(seed)
+    found = []
+    for one, value in zip(wanted, predicted(line, wanted).tolist(), strict=True):
+        exact = replace(one, value=Measured(value, TONES * value if one.mode else one.value.error))
+        noisy = value + exact.error * generator.standard_normal()
+        found.append(replace(exact, value=Measured(noisy, exact.value.error)))
+    return found
+
+
+def coverage(name: str, bending: Sequence[int], hoop: bool, count: int) -> tuple[float, int]:
+    """Return the part of all intervals that hold the truth, and in how many bats measurements seem to contradict."""
+    bat = catalog.bat(name)
+    line, unknowns = described(bat), unknowns_of(bat)
+    spreads = np.array([one.spread for one in unknowns])
+    inside, contradicting = [], 0
+    for seed in range(count):
+        truth = spreads * np.random.default_rng(seed).standard_normal(len(unknowns))
+        found = calibrate(
+            line, unknowns, measured(deviated(line, unknowns, truth), bending=bending, hoop=hoop, seed=seed + 10_000)
+        )
+        inside.append(np.abs(found.deviations - truth) < REACH * np.sqrt(np.diag(found.covariance)))
+        contradicting += bool(found.contradictions)
+    return float(np.mean(inside)), contradicting
+
+
+def main() -> int:
+    """Print a line per case; return 1 when one is outside."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--count", type=int, default=200, help="bats per case")
+    count = parser.parse_args().count
+    bad = False
+    for name, bending, hoop in CASES:
+        part, contradicting = coverage(name, bending, hoop, count)
+        bad |= not LEAST <= part <= MOST
+        tones = [f"bending {number}" for number in bending] + ["hoop"] * hoop
+        print(
+            f"{name}; weight, balance, pendulum{', ' + ', '.join(tones) if tones else ''}: {100 * part:.1f} % of the "
+            f"truth inside, {contradicting} of {count} bats with a false contradiction"
+        )
+    return int(bad)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
