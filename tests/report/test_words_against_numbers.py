@@ -40,7 +40,7 @@ def paragraphs(document: Document, reader: Reader) -> list[str]:
 
 
 @pytest.mark.parametrize("system", ["us", "si"])
-def test_a_report_s_words_are_its_tables(analysed: Analysis, system: str) -> None:
+def test_a_report_s_words_are_its_tables(analysed: Analysis[Implement], system: str) -> None:
     reader = SYSTEMS[system]  # type: ignore[index]
     words = [sentence.read(reader) for sentence in answer(analysed, misses_of(analysed))]
     assert not [text for text in words if LEFT_OVER.search(text)]

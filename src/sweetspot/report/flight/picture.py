@@ -12,7 +12,7 @@ from sweetspot.flight.fence import landing
 from sweetspot.flight.park import Park
 from sweetspot.flight.trajectory import Flight
 from sweetspot.report.flight.park_picture import draw_fence, draw_field
-from sweetspot.report.pictures.style import INK, MUTED, SMALL, halo, heading, light_grid, styled
+from sweetspot.report.pictures.style import INK, LARGE, MUTED, SMALL, halo, heading, light_grid, styled
 from sweetspot.report.quantities import GREEN, RED, US, Reader
 from sweetspot.units import FOOT
 
@@ -27,6 +27,10 @@ def flight_figure(flight: Flight, park: Park | None = None, reading: Reader = US
     side, above = figure.subplots(2, 1, height_ratios=(1, 2.4))
     draw_side(side, flight, park, reading)
     draw_above(above, flight, park, reading)
+    launch = flight.launch
+    words = f"{reading.shown(launch.speed, 'speed')}, {reading.shown(launch.launch_angle, 'angle', digits=0)} up"
+    words += f": {reading.shown(flight.carry, 'distance')} in {reading.shown(flight.hang_time, 'time')}"
+    figure.suptitle(words, x=0.02, ha="left", weight="bold", size=LARGE)
     return figure
 
 
