@@ -16,8 +16,9 @@ import polars as pl
 
 from benchmarks.cases import QUICK
 from sweetspot import catalog
+from sweetspot.season.answers import SeasonSetting
 from sweetspot.season.made_up import MadeSeason, made_season
-from sweetspot.season.season_table import SeasonSetting, analyse_season, season_setting
+from sweetspot.season.season_table import analyse_season, season_setting
 from sweetspot.season.standings import standing
 
 BALLS = 4_000 if QUICK else 118_000
