@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from sweetspot.design.answer import Designed
+from sweetspot.design.batter import FROM_TIP
 from sweetspot.design.gain import DENSITY_SPREAD, MODULUS_SPREAD, SHIPMENT, TOWARDS_END
 from sweetspot.report.sentences import Sentence, Slot, joined, say
 from sweetspot.units import INCH
@@ -82,12 +85,13 @@ def _spread(part: float) -> Sentence:
 def warning_words(design: Designed) -> Sentence:
     """Return who should not use the design, and what it costs there."""
     gain = design.gain
-    near_end = gain.at(TOWARDS_END)
-    place = Slot(TOWARDS_END, "place", 0, round=True)
-    if gain.turning_place is None and near_end >= 0:
+    outer = FROM_TIP < (gain.turning_place or design.bench.batter.mean_contact)
+    worst = int(np.argmin(np.where(outer, gain.curve, np.inf)))
+    place = Slot(float(FROM_TIP[worst]), "place")
+    if not outer.any() or gain.curve[worst] >= 0:
         return say(
-            "Who should not use it: nobody by exit speed; {place} from the tip it still gains {gain}.", place=place,
-            gain=Slot(near_end, "speed_change"),
+            "Who should not use it: nobody by exit speed; {place} from the tip it still gains {gain}.",
+            place=Slot(TOWARDS_END, "place"), gain=Slot(gain.at(TOWARDS_END), "speed_change"),
         )  # fmt: skip
     turning = (
         say("Nearer the tip than {turning} the present bat is better", turning=Slot(gain.turning_place, "place"))
@@ -95,9 +99,8 @@ def warning_words(design: Designed) -> Sentence:
         else say("Towards the tip the present bat is better")
     )
     return turning + say(
-        ": at {place} from the tip the design costs {cost}. Who meets the ball out there, or is late, should not use "
-        "it.",
-        place=place, cost=Slot(abs(near_end), "speed_change"),
+        ": {place} from the tip the design costs {cost}. Who meets the ball out there, or is late, should not use it.",
+        place=place, cost=Slot(-float(gain.curve[worst]), "speed_change"),
     )  # fmt: skip
 
 
