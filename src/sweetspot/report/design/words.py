@@ -85,7 +85,7 @@ def _spread(part: float) -> Sentence:
 def warning_words(design: Designed) -> Sentence:
     """Return who should not use the design, and what it costs there."""
     gain = design.gain
-    outer = FROM_TIP < (gain.turning_place or design.bench.batter.mean_contact)
+    outer = (gain.turning_place or design.bench.batter.mean_contact) > FROM_TIP
     worst = int(np.argmin(np.where(outer, gain.curve, np.inf)))
     place = Slot(float(FROM_TIP[worst]), "place")
     if not outer.any() or gain.curve[worst] >= 0:
