@@ -8,12 +8,21 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
+from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
 from sweetspot.analysis.position_scan import scan
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.posterior import calibrate
-from sweetspot.calibration.uncertainty import OUTPUTS, REACHED, Doubt, difference, doubt, expected_deviations
+from sweetspot.calibration.uncertainty import (
+    OUTPUTS,
+    REACHED,
+    Doubt,
+    difference,
+    doubt,
+    expected_deviations,
+    speed_by_ball,
+)  # fmt: skip
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.catalog.standard_hit import standard_conditions
@@ -138,3 +147,14 @@ def test_places_and_spreads(sure: Doubt, r161: Bat, baseball: Ball) -> None:
     assert spreads["mass"] == pytest.approx(0.125 / 5.125)
     assert spreads["stiffness"] == pytest.approx(2.5 * 5 / 37)
     assert ball_spreads(baseball.replaced(name="my own")) == {}
+
+
+def test_the_balls_own_part_is_that_of_the_whole_doubt(analysis: Analysis[Bat]) -> None:
+    """The quick answer of every report beside the one that moves bat and ball."""
+    place = analysis.sweet_spots.max_exit_speed
+    whole = doubt(analysis.line, analysis.conditions, positions=np.array([place]))
+    slope = np.where(whole.of_ball, whole.slope_at("exit_speed", place), 0.0)
+    quick = speed_by_ball(analysis)
+    assert quick is not None
+    assert quick.error == pytest.approx(float(np.sqrt(slope @ whole.covariance @ slope)), rel=0.01)
+    assert quick.value == exit_speed_of(analysis.best, analysis.conditions)

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.stats
 
+from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
 from sweetspot.analysis.position_scan import scan
 from sweetspot.calibration.measured import REACH, Measured
 from sweetspot.calibration.measurements import Measurement
@@ -158,6 +159,25 @@ def doubt(
         slopes={name: slopes[:, index] for index, name in enumerate(OUTPUTS)},
         bends={name: bends[:, index] for index, name in enumerate(OUTPUTS)},
     )
+
+
+def speed_by_ball(analysis: Analysis[Implement]) -> Measured | None:
+    """Return the best hit's exit speed in m/s with the error that the ball alone leaves; None where no spread is known.
+
+    Balls of a kind differ, and what one returns at game speed is not known better; the bat's modes are as they are.
+    """
+    conditions, place = analysis.conditions, np.array([analysis.sweet_spots.max_exit_speed])
+    spreads = ball_spreads(conditions.ball)
+    if not spreads:
+        return None
+
+    def speed(name: str, off: float) -> float:
+        with_ball = conditions.replaced(ball=_ball(conditions.ball, {name: off}))
+        hit = scan(analysis.bat, body=analysis.body, modes=analysis.modes, conditions=with_ball, positions=place)
+        return float(hit.exit_speed[0])
+
+    halves = [(speed(name, size / REACH) - speed(name, -size / REACH)) / 2 for name, size in spreads.items()]
+    return Measured(exit_speed_of(analysis.best, conditions), float(np.linalg.norm(halves)))
 
 
 def expected_deviations(bat: Implement) -> tuple[tuple[Unknown, ...], Array]:

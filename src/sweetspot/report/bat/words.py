@@ -10,6 +10,7 @@ import numpy as np
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
 from sweetspot.analysis.miss_cost import Loss, miss_costs
 from sweetspot.analysis.sweet_spot import ZONE_LOSS
+from sweetspot.calibration.uncertainty import speed_by_ball
 from sweetspot.catalog.sports import sport
 from sweetspot.dynamics.rigid import effective_mass
 from sweetspot.equipment.implement import Implement
@@ -68,13 +69,21 @@ def cost(loss: Loss) -> Sentence:
     return say("{value} ({low} to {high})", value=value, low=low.bare, high=high.bare)
 
 
+def _by_ball(analysis: Analysis[Implement]) -> Sentence:
+    """Return how far the exit speed may be off by the ball alone; nothing where that is not known."""
+    speed = speed_by_ball(analysis)
+    if speed is None:
+        return say("")
+    return say(", give or take {half} by the ball alone", half=Slot(speed.high - speed.value, "speed"))
+
+
 def _where(analysis: Analysis[Implement], words: Words) -> Sentence:
     spots, best, conditions = analysis.sweet_spots, analysis.best, analysis.conditions
     leaves, swung = exit_speed_of(best, conditions), conditions.swing.speed_at(best.position)
     text = in_words(
-        "This {implement} hits best {place} from the {tip}: {coming} leaves at {speed}.", words,
+        "This {implement} hits best {place} from the {tip}: {coming} leaves at {speed}{doubt}.", words,
         place=from_tip(analysis, spots.max_exit_speed), coming=arriving(words, conditions.pitch.speed),
-        speed=Slot(leaves, "speed"),
+        speed=Slot(leaves, "speed"), doubt=_by_ball(analysis),
     )  # fmt: skip
     if words.smash_factor and swung:
         text += in_words(
