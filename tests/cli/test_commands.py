@@ -186,7 +186,7 @@ BAD_CALLS = {
     ("report", "r161-ash", "--bat-speed", "900mph"): "at most 70 m/s",
     ("report", "r161-ash", "--bat-speed-at", "40in"): "beyond the tip",
     ("report", "r161-ash", "--hands", "35in"): "hand position is",
-    ("report", "r161-ash", "--hands=-3in"): "greater than or equal to 0",
+    ("report", "r161-ash", "--hands=-3in"): "allowed is at least 0",
     ("report", "r161-ash", "--pivot", "20in"): "pivot is",
     ("report", "r161-ash", "--ball", "basebal"): "Did you mean baseball",
     ("report", "r161-ash", "--ball-humidity", "50"): "ratio from 0 to 1",

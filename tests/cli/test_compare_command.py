@@ -95,7 +95,7 @@ def test_units_are_the_readers(run: Run, tmp_path: Path) -> None:
 
 
 def test_rackets_are_compared_in_their_sports_words(run: Run) -> None:
-    code, out, _ = run("compare", "tennis-racket", "badminton-racket")
+    code, out, _ = run("compare", "tennis-racket", "badminton-racket", "--force")
     words = " ".join(out.split())
     assert code == 0 and "The rackets" in words and "swing weight" in words and "racket speed m/s" in words
     assert "BBCOR" not in words and "no law of this sport's own players" in words

@@ -16,7 +16,14 @@ import pytest
 from sweetspot.report import file_set, files
 
 Run = Callable[..., tuple[int, str, str]]
-SWINGS = "bat_speed_mph,exit_speed_mph,launch_angle_deg,pitch_speed_mph\n70,95,20,85\n71,98,12,88\n69,80,35,84\n"
+SWINGS = """bat_speed_mph,exit_speed_mph,launch_angle_deg,pitch_speed_mph
+70,95,20,85
+71,98,12,88
+69,80,35,84
+72,99,15,90
+70,90,8,86
+73,101,22,91
+"""
 COMMANDS: dict[str, tuple[str, ...]] = {
     "bats": ("bats",),
     "compare": ("compare", "r161-ash", "textbook"),

@@ -55,7 +55,7 @@ def test_bombs_are_refused_at_once(tmp_path: Path, bomb: str) -> None:
         (b"no gzip at all", "cannot be read: not a gzipped file"),
         (gzip.compress(b"cut off" * 500)[:30], "is damaged"),
         (gzip.compress(b"turned over" * 500)[:20] + b"\xff" * 40, "is damaged|cannot be read"),
-        (gzip.compress(b"\xff\xfe"), "not a text file in UTF-8"),
+        (gzip.compress(b"\xff\xff"), "not a text file in UTF-8"),
     ],
     ids=("no gzip", "cut off", "overwritten", "no text"),
 )

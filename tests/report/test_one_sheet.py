@@ -10,8 +10,6 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser
 
-from tests.web.conftest import browser  # noqa: F401  # a fixture
-
 Run = Callable[..., tuple[int, str, str]]
 
 MARGINS = {"top": "11mm", "bottom": "11mm", "left": "14mm", "right": "14mm"}
@@ -41,7 +39,7 @@ def swings(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.mark.parametrize("name", COMMANDS)
 def test_a_page_is_one_sheet(
     run: Run,
-    browser: Browser,  # noqa: F811
+    browser: Browser,
     swings: Path,
     tmp_path: Path,
     name: str,

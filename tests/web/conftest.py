@@ -8,8 +8,6 @@ browser tests are skipped and say so; with CI=true in the environment that is a 
 
 from __future__ import annotations
 
-import os
-import shutil
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -17,12 +15,10 @@ from typing import Any
 
 import httpx
 import pytest
-from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import Browser, Page
 
 from sweetspot.web.run_server import listening, server_for
 
-BROWSERS = ("chromium", "chromium-browser", "google-chrome")
-FLAGS = ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"]
 PATIENCE = 20_000
 """ms that a browser test waits for what it expects."""
 
@@ -48,21 +44,6 @@ def client(server: str) -> Iterator[httpx.Client]:
     """A program that talks to the API."""
     with httpx.Client(base_url=server, timeout=30, verify=False) as opened:  # no certificates to load
         yield opened
-
-
-@pytest.fixture(scope="session")
-def browser() -> Iterator[Browser]:
-    """A real browser; the test is skipped where there is none."""
-    found = next((path for name in BROWSERS if (path := shutil.which(name))), None)
-    if found is None:
-        words = "no Chromium found: install it (`make browser` does on Debian as root) to test the page in a browser"
-        if os.environ.get("CI") == "true":
-            pytest.fail(words)
-        pytest.skip(words)
-    with sync_playwright() as playwright:
-        opened = playwright.chromium.launch(executable_path=found, args=FLAGS)
-        yield opened
-        opened.close()
 
 
 @pytest.fixture

@@ -279,6 +279,7 @@ def test_the_api_describes_itself(client: httpx.Client) -> None:
 def test_a_fault_of_the_program_is_told_as_json(monkeypatch: pytest.MonkeyPatch) -> None:
     """As the API describes every refusal, and not in the server's own words."""
     import asyncio
+    from concurrent.futures import ThreadPoolExecutor
 
     from sweetspot.web import answers, server
 
@@ -292,7 +293,8 @@ def test_a_fault_of_the_program_is_told_as_json(monkeypatch: pytest.MonkeyPatch)
         async with httpx.AsyncClient(transport=transport, base_url="http://localhost") as client:
             return await client.post("/api/v1/explorer", json={})
 
-    response = asyncio.run(asked())
+    with ThreadPoolExecutor(1) as pool:  # this thread may have the browser's loop
+        response = pool.submit(asyncio.run, asked()).result()
     assert response.status_code == 500
     assert "report it" in response.json()["error"]["message"]
 

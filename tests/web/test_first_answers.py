@@ -20,6 +20,6 @@ def test_without_another_process_this_one_does_the_work(monkeypatch: pytest.Monk
     monkeypatch.setattr(first_answers, "kept_answer", lambda name, state: kept.get((name, state)))
     monkeypatch.setattr(first_answers, "keep", lambda name, state, answer: kept.update({(name, state): answer}))
     words: list[str] = []
-    first_answers.prepare(lambda name, _: name.encode(), words.append)
+    first_answers.prepare(lambda name, *_: name.encode(), words.append)
     assert kept == {(name, state): name.encode() for name, state in first_answers.first_states()}
     assert "in this process alone" in words[-1]

@@ -92,7 +92,7 @@ def test_faults_name_their_control(controls: dict[str, Any], field: str, words: 
     [
         {"wind_speed_mph": 8.0, "wind_direction_deg": -30.0},
         {"direction": "landing", "spray_deg": 12.0, "sidespin_rpm": 900.0, "ball": "softball-12in"},
-        {"start": "swing", "offset_in": 0.6, "batter": "left"},
+        {"start": "swing", "offset_in": 0.3, "batter": "left"},
     ],
 )
 def test_python_lines_give_the_same_numbers(controls: dict[str, Any]) -> None:
@@ -112,7 +112,7 @@ def test_python_lines_give_the_same_numbers(controls: dict[str, Any]) -> None:
 
 @pytest.mark.parametrize(
     "controls",
-    [{"sidespin_rpm": -300.0}, {"direction": "landing", "sidespin_rpm": 900.0}, {"start": "swing", "offset_in": 0.6}],
+    [{"sidespin_rpm": -300.0}, {"direction": "landing", "sidespin_rpm": 900.0}, {"start": "swing", "offset_in": 0.3}],
 )
 def test_the_command_line_gives_the_same_numbers(controls: dict[str, Any], run_json: Callable[..., Any]) -> None:
     state = FlightState.model_validate(controls)

@@ -228,7 +228,7 @@ def _next_generation(
     every, both = np.concatenate([numbers, fresh]), _together(measured, seen)
     algorithm.tell(infills=children)
     rows = _rows(every, np.asarray(algorithm.pop.get("X"), float))
-    return every[rows], _some(both, rows)
+    return every[rows], measured_rows(both, rows)
 
 
 def _rows(every: Array, some: Array) -> list[int]:
@@ -252,10 +252,11 @@ def _front(question: Question, numbers: Array, measured: Measured, generation: i
     _, once = np.unique(np.round(wanted(question, measured)[best], 12), axis=0, return_index=True)
     best = best[np.sort(once)]
     order = best[np.argsort(wanted(question, measured)[best, 0], kind="stable")]
-    return Front(numbers[order], _some(measured, order.tolist()), generation, numbers)
+    return Front(numbers[order], measured_rows(measured, order.tolist()), generation, numbers)
 
 
-def _some(measured: Measured, rows: Sequence[int]) -> Measured:
+def measured_rows(measured: Measured, rows: Sequence[int]) -> Measured:
+    """Return some of many measured bats."""
     index = np.array(rows, int)
     return Measured(
         {name: value[index] for name, value in measured.values.items()}, measured.curve[index], measured.worth[index]

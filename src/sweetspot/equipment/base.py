@@ -73,11 +73,16 @@ def explain(error: ValidationError, name: str, *, known: Sequence[str] = ()) -> 
     known : the names that it has, for what is spelt wrong.
     """
     faults: list[ErrorDetails] = []
+    no_texts: set[object] = set()
     for fault in error.errors(include_url=False):
-        repeated = any((fault["type"], fault["loc"][:1]) == (one["type"], one["loc"][:1]) for one in faults)
-        if not _is_other_branch(fault) and not (repeated and fault["type"] == "string_type"):
+        repeated = fault["type"] == "string_type" and fault["loc"][:1] in no_texts
+        if not _is_other_branch(fault) and not repeated:
             faults.append(fault)
+            if fault["type"] == "string_type":
+                no_texts.add(fault["loc"][:1])
     lines = list(dict.fromkeys(_fault(fault, known) for fault in faults[:MOST_FAULTS]))
+    told = next((line for line in lines if known and line.endswith(_all_known(known))), "")
+    lines = [line if line == told else line.removesuffix(_all_known(known)) for line in lines]
     if len(faults) > MOST_FAULTS:
         lines.append(f"and {len(faults) - MOST_FAULTS} more")
     return f"{name.lower()}: " + "; ".join(lines)
@@ -102,6 +107,11 @@ def _is_other_branch(fault: ErrorDetails) -> bool:
     return fault["loc"][-1:] == ("str",) and isinstance(fault["input"], dict)
 
 
+def _all_known(known: Sequence[str]) -> str:
+    """Return the names that something has, for the end of a message; it is told once."""
+    return f"; known are {', '.join(known)}" if known else ""
+
+
 def _fault(fault: ErrorDetails, known: Sequence[str]) -> str:
     parts = [str(part) for part in fault["loc"] if not (isinstance(part, str) and part.endswith("Table"))]
     place, text = ".".join(parts), fault["msg"].removeprefix("Value error, ")
@@ -109,8 +119,8 @@ def _fault(fault: ErrorDetails, known: Sequence[str]) -> str:
     match fault["type"]:
         case "extra_forbidden":
             close = get_close_matches(parts[-1][:LONGEST_INPUT], known, n=1)
-            allowed = f"; known are {', '.join(known)}" if len(parts) == 1 and known else ""
-            return f"unknown key {place[:LONGEST_INPUT]!r}" + (f": did you mean {close[0]!r}?" if close else allowed)
+            meant = f": did you mean {close[0]!r}?" if close else _all_known(known) if len(parts) == 1 else ""
+            return f"unknown key {place[:LONGEST_INPUT]!r}{meant}"
         case "missing":
             return f"{place} is missing"
         case "value_error":

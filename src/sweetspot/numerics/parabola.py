@@ -31,8 +31,8 @@ def crossing(before: float, middle: float, after: float) -> float:
 
     The middle one is above zero, the last is not; where the first is not above zero either it is a straight line.
 
-    >>> crossing(3.0, 2.0, -1.0), crossing(0.0, 1.0, -1.0)  # 2 - 2 x - x^2
-    (0.7320508075688772, 0.5)
+    >>> round(crossing(3.0, 2.0, -1.0), 12), crossing(0.0, 1.0, -1.0)  # 2 - 2 x - x^2
+    (0.732050807569, 0.5)
     """
     if before <= 0:
         return middle / (middle - after)

@@ -102,6 +102,7 @@ USUAL: dict[str, Usual] = {
     "balance_point": Usual(4, 60, "in", INCH, "it counts from the knob end", above=0),
     "period": Usual(0.5, 3, "s", 1.0, "one swing is there and back; give the time of one, not of ten", above=0),
     "greatest_diameter": Usual(1.6, 5, "in", INCH, "a profile has diameters, not radii", above=1.1),
+    "smallest_diameter": Usual(0.5, 3, "in", INCH, "a profile has diameters, not radii", above=0),
     "middle_of_the_outline": Usual(0.42, 0.95, "of the length", 1, "positions count from the knob end"),
     "thinnest_wall": Usual(0.8, 20, "mm", 1e-3, "walls of metal bats are 2 to 5 mm"),
     "thickest_wall": Usual(0.8, 12, "mm", 1e-3, "walls of metal bats are 2 to 5 mm"),

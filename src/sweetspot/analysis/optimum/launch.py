@@ -58,7 +58,7 @@ def best_launch(
     >>> from sweetspot import catalog
     >>> usual = FlightConditions(ball=catalog.ball(), aerodynamics=catalog.aerodynamics(), air=Air())
     >>> best = best_launch(44.704, usual, backspin=230.0)
-    >>> 29 < math.degrees(best.launch_angle) < 30  # 100 mph, 2200 rpm
+    >>> 28 < math.degrees(best.launch_angle) < 29  # 100 mph, 2200 rpm
     True
     """
     from scipy.optimize import minimize_scalar

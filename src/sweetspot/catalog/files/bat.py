@@ -216,6 +216,8 @@ def _checked_drawing(bat: Bat) -> Bat:
     if bat.profile is not None:
         greatest = max(diameter for _, diameter in bat.profile)
         check_usual(greatest, "greatest diameter", shown(greatest))
+        smallest = min(diameter for _, diameter in bat.profile)
+        check_usual(smallest, "smallest diameter", shown(smallest))
         places = np.linspace(0, bat.length, 200)
         areas = np.asarray(bat.diameter_at(places)) ** 2
         middle = float(areas @ places / areas.sum()) / bat.length
