@@ -47,6 +47,20 @@ def client(server: str) -> Iterator[httpx.Client]:
 
 
 @pytest.fixture
+def settled() -> Callable[[Page], None]:
+    """Return a function that waits until nothing more comes: a view's words and parts arrive after its picture."""
+
+    def wait(page: Page) -> None:
+        shown, deadline = "", time.monotonic() + 60
+        while shown != (now := str(page.evaluate("document.body.innerHTML.length + document.body.innerText"))):
+            assert time.monotonic() < deadline
+            shown = now
+            page.wait_for_timeout(3000)
+
+    return wait
+
+
+@pytest.fixture
 def page(browser: Browser) -> Iterator[Page]:
     """A fresh page, 1280 by 900, that has been here before; what it complains about fails the test."""
     context = browser.new_context(viewport={"width": 1280, "height": 900})

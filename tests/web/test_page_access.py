@@ -66,11 +66,12 @@ def contrast(one: str, other: str) -> float:
 
 @pytest.mark.parametrize("name", VIEWS)
 def test_everything_is_reached_by_the_keyboard_in_order_and_seen(
-    page: Page, server: str, answered: Answered, name: str
+    page: Page, server: str, answered: Answered, settled: Callable[[Page], None], name: str
 ) -> None:
     """Tab goes through all that can be used, in the order of the document, and each stop shows an outline."""
     page.goto(f"{server}/{name}")
     answered(page)
+    settled(page)
     page.evaluate(
         "window.stops = [...document.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex]')]"
         ".filter((element) => element.tabIndex >= 0 && !element.disabled && element.checkVisibility())"

@@ -20,9 +20,12 @@ def pixels(page: Page) -> str:
     return str(page.evaluate("document.querySelector('.chart canvas').toDataURL()"))
 
 
-def test_the_pointer_reads_values_and_the_wheel_zooms_once_pressed(page: Page, server: str, answered: Answered) -> None:
+def test_the_pointer_reads_values_and_the_wheel_zooms_once_pressed(
+    page: Page, server: str, answered: Answered, settled: Callable[[Page], None]
+) -> None:
     page.goto(f"{server}/explorer")
     answered(page)
+    settled(page)
     page.locator(".chart canvas").scroll_into_view_if_needed()
     first = pixels(page)
     box = page.locator(".chart canvas").bounding_box()
@@ -32,17 +35,17 @@ def test_the_pointer_reads_values_and_the_wheel_zooms_once_pressed(page: Page, s
     assert hovered != first
     top = page.evaluate("scrollY")
     page.mouse.wheel(0, 40)
-    page.wait_for_timeout(100)
+    page.wait_for_timeout(500)
     assert page.evaluate("scrollY") > top  # nobody has pressed it: the wheel is the page's
     page.locator(".chart canvas").scroll_into_view_if_needed()
     box = page.locator(".chart canvas").bounding_box()
     assert box is not None
     page.mouse.click(box["x"] + 0.5 * box["width"], box["y"] + 60)
-    page.wait_for_timeout(100)
+    page.wait_for_timeout(500)
     where = "document.querySelector('.chart canvas').getBoundingClientRect().top"
     before, top = pixels(page), page.evaluate(where)
     page.mouse.wheel(0, -300)
-    page.wait_for_timeout(50)
+    page.wait_for_timeout(500)
     assert pixels(page) != before
     assert page.evaluate(where) == pytest.approx(top, abs=2)
     page.locator(".picture").get_by_role("button", name="Whole bat").click()
@@ -56,9 +59,12 @@ def test_the_pointer_reads_values_and_the_wheel_zooms_once_pressed(page: Page, s
 
 
 @pytest.mark.parametrize("name", CHARTS)
-def test_every_curve_has_a_table(page: Page, server: str, answered: Answered, name: str) -> None:
+def test_every_curve_has_a_table(
+    page: Page, server: str, answered: Answered, settled: Callable[[Page], None], name: str
+) -> None:
     page.goto(f"{server}/{name}")
     answered(page)
+    settled(page)
     tables = page.locator("summary", has_text="as a table")
     assert tables.count() >= 1
     tables.first.click()
