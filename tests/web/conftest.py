@@ -25,7 +25,7 @@ PATIENCE = 20_000
 
 
 UNDER_LOAD = pytest.mark.xfail(strict=False, reason="on a busy machine parts of a view come too late for it")
-"""For tests of what a browser shows: some views take seconds of the processor, and not all tests wait long enough yet."""
+"""For tests of what a browser shows: some views take seconds, and not all tests wait long enough yet."""
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
