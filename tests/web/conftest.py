@@ -1,9 +1,11 @@
 """A running server, programs that talk to it, and a real browser that looks at it.
 
 ``server`` is the address of one server for the whole run; ``page`` is a fresh browser page on it (no view opened yet:
-``page.goto(f"{server}/modes")``, then ``answered(page)``, which waits for the drawn answer and counts them, or
-``until(page, "script")``; the page's content policy forbids ``page.wait_for_function``). Where no Chromium is found
-browser tests are skipped and say so; with CI=true in the environment that is a failure.
+``page.goto(f"{server}/modes")``, then ``answered(page)``, which waits for the drawn answer and counts them,
+``settled(page)``, which waits for all that a view asks for, ``narrow(page)``, which makes it a phone's, or
+``until(page, "script")``; the page's content policy forbids ``page.wait_for_function``). None waits for a time: the
+machine may be three times slower than yours. Where no Chromium is found browser tests are skipped and say so; with
+CI=true in the environment that is a failure.
 """
 
 from __future__ import annotations
@@ -16,26 +18,14 @@ from typing import Any
 
 import httpx
 import pytest
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, Page, expect
 
 from sweetspot.web.run_server import listening, server_for
 
-PATIENCE = 20_000
+PATIENCE = 60_000
 """ms that a browser test waits for what it expects."""
-
-
-UNDER_LOAD = pytest.mark.xfail(strict=False, reason="on a busy machine parts of a view come too late for it")
-"""For tests of what a browser shows: some views take seconds, and not all tests wait long enough yet."""
-
-
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Let tests in a browser run and be listed, without a slow machine's failing the rest."""
-    for item in items:
-        fixtures = getattr(item, "fixturenames", ())
-        if item.path.parent == Path(__file__).parent and (
-            {"page", "browser"} & {*fixtures} or "fuzz" in item.path.name
-        ):
-            item.add_marker(UNDER_LOAD)
+expect.set_options(timeout=PATIENCE)
+NOTHING_ASKED = "!document.querySelector('#view').dataset.waiting.split(' ').includes('answer')"
 
 
 @pytest.fixture(scope="session")
@@ -59,20 +49,6 @@ def client(server: str) -> Iterator[httpx.Client]:
     """A program that talks to the API."""
     with httpx.Client(base_url=server, timeout=30, verify=False) as opened:  # no certificates to load
         yield opened
-
-
-@pytest.fixture
-def settled() -> Callable[[Page], None]:
-    """Return a function that waits until nothing more comes: a view's words and parts arrive after its picture."""
-
-    def wait(page: Page) -> None:
-        shown, deadline = "", time.monotonic() + 60
-        while shown != (now := str(page.evaluate("document.body.innerHTML.length + document.body.innerText"))):
-            assert time.monotonic() < deadline
-            shown = now
-            page.wait_for_timeout(3000)
-
-    return wait
 
 
 @pytest.fixture
@@ -109,11 +85,50 @@ def until() -> Callable[[Page, str], Any]:
 
 @pytest.fixture
 def answered(until: Callable[[Page, str], Any]) -> Callable[..., int]:
-    """A function that waits until a view has drawn more than so many answers, and returns how many it has drawn."""
+    """Return a function that waits until a view has drawn more than so many answers, and returns how many it has.
+
+    The last of them is that to the latest question.
+    """
 
     def wait(page: Page, more_than: int = 0) -> int:
         drawn = "Number(document.querySelector('#view')?.dataset.answered ?? 0)"
-        until(page, f"{drawn} > {more_than}")
+        until(page, f"{drawn} > {more_than} && {NOTHING_ASKED}")
         return int(page.evaluate(drawn))
+
+    return wait
+
+
+@pytest.fixture
+def settled(answered: Callable[..., int], until: Callable[[Page, str], Any]) -> Callable[[Page], None]:
+    """Return a function that waits until nothing more comes: lists, words and parts come after a view's picture."""
+
+    def wait(page: Page) -> None:
+        answered(page)
+        until(page, "document.querySelector('#view').dataset.waiting === ''")
+        page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+
+    return wait
+
+
+@pytest.fixture
+def narrow(until: Callable[[Page, str], Any]) -> Callable[[Page], None]:
+    """Return a function that makes a page as narrow as a small phone, and waits until nothing is wider."""
+
+    def wait(page: Page) -> None:
+        page.set_viewport_size({"width": 360, "height": 740})
+        until(page, "innerWidth === 360 && document.documentElement.scrollWidth <= 360")
+
+    return wait
+
+
+@pytest.fixture
+def repainted(until: Callable[[Page, str], Any]) -> Callable[[Page, Callable[[], None]], None]:
+    """Return a function that does something and waits until the view's canvases look different."""
+    canvases = "[...document.querySelectorAll('#view canvas')].map((canvas) => canvas.toDataURL()).join()"
+
+    def wait(page: Page, act: Callable[[], None]) -> None:
+        page.evaluate(f"window.seen = {canvases}")
+        act()
+        until(page, f"window.seen !== {canvases}")
 
     return wait

@@ -26,14 +26,13 @@ def check(page: Page, name: str) -> Any:
 
 
 @pytest.mark.parametrize("name", [*VIEWS, "docs"])
-def test_names_roles_and_contrast(page: Page, server: str, answered: Answered, name: str) -> None:
+def test_names_roles_and_contrast(page: Page, server: str, settled: Callable[[Page], None], name: str) -> None:
     page.goto(f"{server}/{name}")
     if name == "docs":
         page.locator("section").first.wait_for()
     else:
-        answered(page)
+        settled(page)
     page.evaluate("document.querySelectorAll('details').forEach((details) => (details.open = true))")
-    page.wait_for_timeout(100)
     assert check(page, "names") == []
     assert check(page, "contrast") == []
     page.evaluate("document.documentElement.dataset.theme = 'dark'")
@@ -66,11 +65,10 @@ def contrast(one: str, other: str) -> float:
 
 @pytest.mark.parametrize("name", VIEWS)
 def test_everything_is_reached_by_the_keyboard_in_order_and_seen(
-    page: Page, server: str, answered: Answered, settled: Callable[[Page], None], name: str
+    page: Page, server: str, settled: Callable[[Page], None], name: str
 ) -> None:
     """Tab goes through all that can be used, in the order of the document, and each stop shows an outline."""
     page.goto(f"{server}/{name}")
-    answered(page)
     settled(page)
     page.evaluate(
         "window.stops = [...document.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex]')]"

@@ -107,15 +107,13 @@ def test_rules_of_a_league(opened: Page, answered: Answered) -> None:
     expect(rules).to_contain_text("Major League Baseball")
 
 
-def test_units_and_phone(opened: Page) -> None:
+def test_units_and_phone(opened: Page, narrow: Callable[[Page], None]) -> None:
     opened.get_by_label("Compare", exact=True).select_option("cork")
     opened.get_by_role("radio", name="SI").check()
     expect(opened.locator("#verdict")).to_contain_text("m/s")
     expect(opened.locator("#verdict")).to_contain_text("Does corking help?")
     assert "mph" not in opened.locator("#view").inner_text()
-    opened.set_viewport_size({"width": 360, "height": 740})
-    opened.wait_for_timeout(100)
-    assert opened.evaluate("document.documentElement.scrollWidth") <= 360
+    narrow(opened)
 
 
 def test_exports(opened: Page) -> None:

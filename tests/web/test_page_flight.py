@@ -115,14 +115,12 @@ def test_from_the_swing(opened: Page, answered: Answered) -> None:
     expect(opened.locator("[data-field=tilt_deg] .fault")).to_contain_text("no path in a plane")
 
 
-def test_units_phone_and_lines(opened: Page, answered: Answered) -> None:
+def test_units_phone_and_lines(opened: Page, narrow: Callable[[Page], None]) -> None:
     opened.get_by_role("radio", name="SI").check()
     expect(opened.locator("#verdict")).to_contain_text(" m ")
     text = opened.locator("#view").inner_text()
     assert "mph" not in text and " ft" not in text
-    opened.set_viewport_size({"width": 360, "height": 740})
-    opened.wait_for_timeout(100)
-    assert opened.evaluate("document.documentElement.scrollWidth") <= 360
+    narrow(opened)
     opened.get_by_role("button", name="Export").click()
     expect(opened.locator("dialog pre").first).to_contain_text("sweetspot fly --exit-speed 98mph")
     with opened.expect_download() as saved:

@@ -94,13 +94,11 @@ def test_a_bat_that_cannot_be_drilled_is_explained(page: Page, server: str) -> N
     expect(page.locator("[data-field=bat] .fault")).to_contain_text("choose a solid wood bat")
 
 
-def test_units_phone_and_lines(opened: Page, answered: Answered) -> None:
+def test_units_phone_and_lines(opened: Page, narrow: Callable[[Page], None]) -> None:
     opened.get_by_role("radio", name="SI").check()
     expect(opened.locator("#verdict")).to_contain_text("m/s")
     assert "mph" not in opened.locator("#view").inner_text()
-    opened.set_viewport_size({"width": 360, "height": 740})
-    opened.wait_for_timeout(100)
-    assert opened.evaluate("document.documentElement.scrollWidth") <= 360
+    narrow(opened)
     opened.get_by_role("button", name="Export").click()
     expect(opened.locator("dialog pre").first).to_contain_text("sweetspot paper r161-ash --entry-angle 10deg")
     expect(opened.locator("dialog pre").nth(1)).to_contain_text('PARTS["end"]')

@@ -25,16 +25,14 @@ def field(page: Page, name: str) -> Any:
 
 @pytest.mark.parametrize("name", VIEWS)
 def test_every_view_opens_by_its_address_draws_and_fits_a_phone(
-    page: Page, server: str, answered: Answered, name: str
+    page: Page, server: str, settled: Callable[[Page], None], narrow: Callable[[Page], None], name: str
 ) -> None:
     page.goto(f"{server}/{name}")
-    answered(page)
+    settled(page)
     expect(page).to_have_title(re.compile(re.escape(VIEWS[name].title)))
     expect(page.locator("#views [aria-current=page]")).to_have_text(VIEWS[name].title)
     expect(page.locator("#fault")).to_be_hidden()
-    page.set_viewport_size({"width": 360, "height": 740})
-    page.wait_for_timeout(100)
-    assert page.evaluate("document.documentElement.scrollWidth") <= 360
+    narrow(page)
 
 
 def test_the_address_is_the_state(page: Page, server: str, answered: Answered) -> None:
@@ -95,7 +93,7 @@ def test_light_and_dark(page: Page, server: str, answered: Answered) -> None:
     assert page.evaluate(ground) != light  # remembered
 
 
-def test_the_first_visit_is_guided(browser: Browser, server: str) -> None:
+def test_the_first_visit_is_guided(browser: Browser, server: str, answered: Answered) -> None:
     context = browser.new_context()
     page = context.new_page()
     page.goto(f"{server}/explorer")
@@ -104,7 +102,7 @@ def test_the_first_visit_is_guided(browser: Browser, server: str) -> None:
         page.locator("dialog .next").click()
     expect(page.locator("dialog")).to_have_count(0)
     page.reload()
-    page.wait_for_timeout(200)
+    answered(page)
     expect(page.locator("dialog")).to_have_count(0)
     page.get_by_role("button", name="Guide").click()
     expect(page.locator("dialog")).to_be_visible()

@@ -21,6 +21,18 @@ class Refusal(BaseModel):
     error: Fault
 
 
+class Later(Fault):
+    """Why there is no answer yet."""
+
+    again: bool
+
+
+class Unfinished(BaseModel):
+    """The body of an answer that takes long: it is being worked out, and there when asked for again."""
+
+    error: Later
+
+
 class BatText(BaseModel):
     """A bat file's text."""
 
@@ -64,4 +76,11 @@ REFUSALS: dict[int | str, dict[str, Any]] = {
         422: "A control has a value that does not work.",
         429: "Too many requests; wait a second.",
     }.items()
+}
+UNFINISHED: dict[int | str, dict[str, Any]] = {
+    503: {
+        "model": Unfinished,
+        "description": "This takes long and is still being worked out: ask again after the seconds of Retry-After.",
+        "headers": {"retry-after": {"description": "s", "schema": {"type": "integer"}}},
+    }
 }

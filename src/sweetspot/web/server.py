@@ -20,7 +20,7 @@ from sweetspot.web.catalogue import catalogue_routes
 from sweetspot.web.errors import fault
 from sweetspot.web.files import File, shell, static_files
 from sweetspot.web.limits import EMBEDDED_POLICY, Guard
-from sweetspot.web.schemas import REFUSALS
+from sweetspot.web.schemas import REFUSALS, UNFINISHED
 from sweetspot.web.socket import Sockets
 from sweetspot.web.view import View
 from sweetspot.web.views import VIEWS
@@ -89,7 +89,10 @@ def _view_route(api: APIRouter, view: View, answers: Answers) -> None:
 
         endpoint.__annotations__["state"] = view.state
         endpoint.__doc__ = asked.__doc__
-        api.post(path, name=name, response_class=JSONResponse, response_model=dict[str, Any], tags=["views"])(endpoint)
+        api.post(
+            path, name=name, response_class=JSONResponse, response_model=dict[str, Any], responses=UNFINISHED,
+            tags=["views"],
+        )(endpoint)  # fmt: skip
 
     route(f"/{view.name}", view.title, view.answer, "")
     for name, asked in view.asides.items():

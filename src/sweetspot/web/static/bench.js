@@ -22,7 +22,7 @@ export function unchanged(app) {
 export function batChoice(app, label = "Bat") {
   return choice(app, "bat", {
     label,
-    options: app.lists().then(({ bats }) => bats.map(({ key, name }) => [key, name])),
+    options: app.lists("bats").then(({ bats }) => bats.map(({ key, name }) => [key, name])),
     shown: (state) => (state.bat_toml === null || state.bat_toml === undefined ? state.bat : OWN),
     take: (bat) => bat !== OWN && app.setState({ ...unchanged(app), bat }),
   });
@@ -63,7 +63,7 @@ export function swingGroup(app, { open = true, title = "Swing and pitch" } = {})
 export function ballGroup(app) {
   const known = (name) => () => app.answer?.ball?.[name] ?? null;
   return group("Ball", [
-    choice(app, "ball", { label: "Ball", options: app.lists().then(({ balls }) => balls.map(({ key, name }) => [key, name])) }),
+    choice(app, "ball", { label: "Ball", options: app.lists("balls").then(({ balls }) => balls.map(({ key, name }) => [key, name])) }),
     slider(app, "ball_cor", { label: "Restitution (COR) as bought", step: 0.005, empty: known("cor") }),
     slider(app, "ball_humidity", { label: "Stored at humidity", step: 0.01, empty: known("humidity") }),
     slider(app, "ball_temperature_degf", { label: "Temperature", step: 1, empty: known("temperature_degf") }),

@@ -18,7 +18,8 @@
 // are the same for every chart and for the bat above it.
 
 import { between, limits, paintArea, paintAxis, paintGrid, paintLine, paintPoints, shownPlace, shownValues, stack, vertical } from "./chartpaint.js";
-import { make, tableOf } from "./parts.js";
+import { Numbers } from "./numbers.js";
+import { make } from "./parts.js";
 import { Surface, FONT, haloText } from "./surface.js";
 import { kindOf, unitOf } from "./units.js";
 import { Zoom } from "./zoom.js";
@@ -39,9 +40,8 @@ export class Chart {
       this.surface.element.style.cursor = "ew-resize";
       this.surface.drags(({ x, last }) => onPick(this.xAt(x), { last }));
     }
-    this.numbers = make("details", { className: "numbers" }, make("summary", { textContent: "These curves as a table" }));
-    this.numbers.addEventListener("toggle", () => this.fillTable());
-    const foot = make("div", { className: "chart-foot" }, ...(zoom ? [] : [this.zoom.buttons()]), this.numbers);
+    this.numbers = new Numbers("These curves as a table", () => this.tabled());
+    const foot = make("div", { className: "chart-foot" }, ...(zoom ? [] : [this.zoom.buttons()]), this.numbers.element);
     this.element = make("div", { className: "chart" }, this.surface.element, foot);
   }
 
@@ -50,7 +50,7 @@ export class Chart {
     this.data = data;
     if (!this.zoom.shared) this.zoom.set(data.range, data.usual ?? null);
     this.surface.draw();
-    if (this.numbers.open) this.fillTable();
+    this.numbers.redraw();
   }
   figure(name) { return this.surface.figure(name); }
   label(words) { this.surface.label(words); }
@@ -202,10 +202,9 @@ export class Chart {
     context.setLineDash([]);
   }
 
-  // The numbers of what is shown, for those who do not see the curves: even places along the axis.
-  fillTable() {
-    this.numbers.querySelector(".scroll")?.remove();
-    if (!this.numbers.open || !this.data) return;
+  // The numbers of what is shown, at even places along the axis.
+  tabled() {
+    if (!this.data) return null;
     const { units } = this.app;
     const [least, most] = this.range;
     const lines = this.panels.flatMap((panel) => panel.lines.map((line) => ({ panel, line, values: shownValues(panel, this.data.lines[line.key], units) })));
@@ -214,6 +213,6 @@ export class Chart {
     const rows = Array.from({ length: ROWS }, (_, i) => least + (i / (ROWS - 1)) * (most - least)).map((x) => [
       shownPlace(this.axis, x, units).toFixed(kindOf(this.axis.kind)[units].digits),
       ...lines.map(({ panel, line, values }) => between(this.data.xs?.[line.key] ?? this.data.x, values, x)?.toFixed(kindOf(panel.kind)[units].digits) ?? "–")]);
-    this.numbers.append(tableOf(this.surface.element.getAttribute("aria-label") ?? "Curves", [head, ...columns], rows));
+    return { caption: this.surface.element.getAttribute("aria-label") ?? "Curves", columns: [head, ...columns], rows };
   }
 }

@@ -56,7 +56,7 @@ export class Chip {
 
   async look(bat, text) {
     try {
-      const facts = text ? await posted("/api/v1/bat", { toml: text }) : (await this.app.lists()).bats.find(({ key }) => key === bat);
+      const facts = text ? await posted("/api/v1/bat", { toml: text }) : (await this.app.lists("bats")).bats.find(({ key }) => key === bat);
       return facts?.name ?? bat;
     } catch {
       this.names.delete(text ?? bat); // so that the next who asks tries again

@@ -14,8 +14,9 @@
 import { LEFT, RIGHT } from "./chart.js";
 import { paintAxis, shownPlace } from "./chartpaint.js";
 import { heat } from "./heat.js";
+import { Numbers, evenly } from "./numbers.js";
 import { FONT, Surface, haloText, ticks } from "./surface.js";
-import { fromShown, toShown, unitOf } from "./units.js";
+import { fromShown, kindOf, toShown, unitOf } from "./units.js";
 
 const HEAD = 22, FOOT = 34;
 
@@ -24,6 +25,7 @@ export class HeatMap {
     Object.assign(this, { app, title, tall: height, x, y, z, zoom, data: null, axis: x });
     this.surface = new Surface(app, { label, height: () => HEAD + height + FOOT, paint: (...all) => this.paint(...all) });
     this.element = this.surface.element;
+    this.numbers = new Numbers("This map as a table", () => this.tabled());
     if (zoom) zoom.listen(this.surface, (pixel) => this.xAt(pixel));
     this.hover = null;
     this.surface.hovers((at) => {
@@ -38,9 +40,28 @@ export class HeatMap {
   draw(data) {
     this.data = data;
     this.surface.draw();
+    this.numbers.redraw();
   }
   label(words) { this.surface.label(words); }
   figure(name) { return this.surface.figure(name); }
+
+  // A row for each of some values upwards, a column for each of some across.
+  tabled() {
+    if (!this.data) return null;
+    const { units } = this.app;
+    const words = (axis, value) => shownPlace(axis, value, units).toFixed(kindOf(axis.kind)[units].digits).replace("-", "−");
+    const places = (values, count) => evenly([...values.keys()], count);
+    const { x, y, z } = this.data;
+    const columns = places(x, 9).map((column) => [column, `${words(this.x, x[column])} ${unitOf(this.x.kind, units)}`]);
+    return {
+      caption: [this.title, unitOf(this.z.kind, units)].filter(Boolean).join(", "),
+      columns: [`${this.y.label} (${unitOf(this.y.kind, units)}) ↓, ${this.x.label} →`, ...columns.map(([, name]) => name)],
+      rows: places(y, 12).reverse().map((row) => [words(this.y, y[row]), ...columns.map(([column]) => {
+        const value = z[row][column];
+        return value === null ? "–" : toShown(this.z.kind, value, units).toFixed(kindOf(this.z.kind)[units].digits);
+      })]),
+    };
+  }
 
   get range() { return this.zoom ? this.zoom.range : [this.data.x[0], this.data.x.at(-1)]; }
   get height() { return [this.data.y[0], this.data.y.at(-1)]; }

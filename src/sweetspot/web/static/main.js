@@ -25,7 +25,7 @@
 //   app.announce(text)  says something to a screen reader, at most twice a second
 //   app.ask(view, state)     a promise of another answer, over the API
 //   app.aside(name, but, wait, onAnswer)   asks for one of the view's asides (web/view.py) once the state has rested
-//   app.lists()    a promise of { bats, balls, materials, leagues, parks, implements, pitches }
+//   app.lists("bats", "parks")   a promise of { bats, parks }; there are also balls, materials, leagues, implements, pitches
 //   app.bounds(field)        [least, most] that the bat of the last answer allows, undefined where it sets none
 //   app.signal     an AbortSignal that ends when the view goes: give it to listeners on what outlives the view
 //   app.control(control)     registers a control made by controls.js; those made with (app, field, ...) do it themselves
@@ -46,6 +46,7 @@ const LONGEST_ADDRESS = 16000;
 const LONG_TEXT = 2000; // letters of a field beyond which it does not go into an address that is too long
 const EMBED = "/embed/";
 const LISTS = ["bats", "balls", "materials", "leagues", "parks", "implements", "pitches"];
+const QUESTION = "answer";
 const element = (id) => document.getElementById(id);
 
 class App {
@@ -59,6 +60,8 @@ class App {
     this.asides = new Map(); // what was asked apart: about what, and the timer that waits
     this.carried = {}; // what goes along from view to view: the bat, how it is swung, where the ball meets it
     this.left = new Map(); // view -> its own controls as they were left
+    this.known = new Map(); // list -> a promise of it
+    this.awaited = new Set(); // what is asked for and not there yet; #view says it as data-waiting
     this.turn = 0;
     this.step = this.lastStep = history.state?.step ?? 0; // of what was done since this page was opened
     this.embedded = location.pathname.startsWith(EMBED);
@@ -85,7 +88,14 @@ class App {
     else this.dragged = true;
   }
 
+  // Note that something has been asked for, or is there.
+  waits(what, yes = true) {
+    this.awaited[yes ? "add" : "delete"](what);
+    element("view").dataset.waiting = [...this.awaited].join(" ");
+  }
+
   take(state) {
+    this.waits(QUESTION);
     this.state = state;
     for (const field of facts.carried) if (Object.hasOwn(this.schema, field)) this.carried[field] = state[field];
     this.left.set(this.name, state);
@@ -155,27 +165,43 @@ class App {
     const last = this.asides.get(name);
     if (last?.about === about) return;
     clearTimeout(last?.timer);
+    this.waits(name);
     const asked = { about, timer: setTimeout(async () => {
+      let found = null;
+      let again = false;
       try {
-        const found = await this.ask(`${this.name}/${name}`, this.state);
-        if (this.asides.get(name) === asked) onAnswer(found);
+        found = await this.ask(`${this.name}/${name}`, this.state);
       } catch (fault) {
-        if (this.asides.get(name) !== asked) return;
-        this.asides.delete(name);
-        if (fault?.again) this.aside(name, but, 2000, onAnswer); // it is still being worked out; otherwise the next answer asks
+        again = fault?.again; // it is still being worked out; otherwise the next answer asks
       }
+      if (this.asides.get(name) !== asked) return;
+      if (found) onAnswer(found);
+      else this.asides.delete(name);
+      if (again) this.aside(name, but, 2000, onAnswer);
+      else this.waits(name, false);
     }, wait) };
     this.asides.set(name, asked);
   }
 
-  lists() {
-    this.known ??= Promise.all(LISTS.map((name) => fetch(`/api/v1/${name}`).then((r) => r.json())))
-      .then((lists) => Object.fromEntries(LISTS.map((name, i) => [name, lists[i]])))
-      .catch((error) => {
-        this.known = null; // so that the next who asks tries again
-        throw error;
-      });
-    return this.known;
+  // Each list is fetched when first wanted, and by itself: none waits for another.
+  async lists(...names) {
+    const wanted = names.length ? names : LISTS;
+    const found = await Promise.all(wanted.map((name) => this.list(name)));
+    return Object.fromEntries(wanted.map((name, i) => [name, found[i]]));
+  }
+
+  list(name) {
+    if (!this.known.has(name)) {
+      const what = `list of ${name}`;
+      this.waits(what);
+      this.known.set(name, fetch(`/api/v1/${name}`).then((response) => response.json())
+        .catch((error) => {
+          this.known.delete(name); // so that the next who asks tries again
+          throw error;
+        })
+        .finally(() => setTimeout(() => this.waits(what, false)))); // once those who waited for it have drawn it
+    }
+    return this.known.get(name);
   }
 
   redraw() {
@@ -184,6 +210,7 @@ class App {
 
   // Show the view that the address names; without its files, when the connection is back.
   async go() {
+    this.waits(QUESTION);
     this.turn += 1;
     const turn = this.turn;
     const name = location.pathname.split("/").at(-1) || "explorer";
@@ -215,6 +242,8 @@ class App {
     this.signal = this.mounted.signal;
     this.controls.clear();
     this.frames.clear();
+    for (const { timer } of this.asides.values()) clearTimeout(timer);
+    for (const name of this.asides.keys()) this.waits(name, false);
     this.asides.clear();
     this.answer = null;
     this.name = entry.name;
@@ -244,7 +273,7 @@ class App {
       link.href = this.addressFor(link.dataset.name);
       if (link.dataset.name === this.name) {
         link.setAttribute("aria-current", "page");
-        link.parentElement.scrollIntoView({ block: "nearest", inline: "center" });
+        centre(link);
       }
       else link.removeAttribute("aria-current");
     }
@@ -256,6 +285,7 @@ class App {
     this.answer = answer;
     this.answered = state;
     if (state === this.state) this.faults([]);
+    if (state === this.state || first) this.waits(QUESTION, false);
     for (const control of this.controls.values()) if (control.follows) control.sync(this.state);
     this.view.update(answer, state);
     this.chip.sync();
@@ -271,6 +301,7 @@ class App {
     if (state !== this.state) return;
     this.faults([fault, ...(fault.more ?? [])]);
     if (this.answer === null) this.line.ask(this.name, this.defaults);
+    else this.waits(QUESTION, false);
   }
 
   faults(faults) {
@@ -407,6 +438,13 @@ function fetched(name) {
 
 function fetchOthers(names) {
   for (const name of names) fetched(name).catch(() => {}); // who goes there asks again
+}
+
+// Bring a link into the middle of a bar that is too narrow for all of them; the page itself stays where it is.
+function centre(link) {
+  const bar = link.closest("header");
+  const [all, own] = [bar.getBoundingClientRect(), link.getBoundingClientRect()];
+  bar.scrollLeft += own.left + own.width / 2 - all.left - all.width / 2;
 }
 
 // On a phone the controls are a drawer at the foot of the screen.

@@ -79,7 +79,7 @@ export function scoped(app, list, index, bounds) {
   return {
     schema,
     bounds,
-    lists: () => app.lists(),
+    lists: (...names) => app.lists(...names),
     text: (...all) => app.text(...all),
     get units() { return app.units; },
     get state() { return { ...defaults, ...app.state[list][index] }; },

@@ -182,4 +182,4 @@ export const view = {
   },
 };
 
-const leagues = (app) => app.lists().then((lists) => [["all", "all leagues"], ...(lists.leagues ?? []).map(({ key, name }) => [key, name])]);
+const leagues = (app) => app.lists("leagues").then((lists) => [["all", "all leagues"], ...(lists.leagues ?? []).map(({ key, name }) => [key, name])]);

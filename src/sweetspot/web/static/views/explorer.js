@@ -75,7 +75,7 @@ export const view = {
     this.heatSwitch = button("Colours off", () => this.switchHeat());
     const tools = make("div", { className: "row tight" }, barrel, whole, this.zoom.buttons(), this.heatSwitch);
     const picture = make("section", { className: "picture", ariaLabel: "Bat and curves" },
-      tools, this.picture.element, this.facts.element, this.why, this.power.element, this.chart.element, this.report);
+      tools, this.picture.element, this.facts.element, this.why, this.power.element, this.power.numbers.element, this.chart.element, this.report);
     root.append(this.words, side, picture);
     this.handle();
   },

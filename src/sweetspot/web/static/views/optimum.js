@@ -18,8 +18,8 @@ export const view = {
   mount(root, app) {
     Object.assign(this, { app, answer: null });
     this.bench = new Bench(app, { open: false });
-    const pitches = app.lists().then(({ pitches: all }) => all.map(({ key, name }) => [key, name]));
-    const parks = app.lists().then((lists) => lists.parks.map(({ key, name }) => [key, name]));
+    const pitches = app.lists("pitches").then(({ pitches: all }) => all.map(({ key, name }) => [key, name]));
+    const parks = app.lists("parks").then((lists) => lists.parks.map(({ key, name }) => [key, name]));
     const side = make("div", { className: "side" },
       group("The pitch and the swing", [
         choice(app, "pitch", { label: "Pitch", options: pitches }),
@@ -40,7 +40,7 @@ export const view = {
     this.parks = new DocumentPlace(app, "Searching every park …");
     const section = (title, ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
     root.append(side, make("div", { className: "stack" },
-      section("How high to send it", this.words, this.map.element), section("How to swing", this.swing.element),
+      section("How high to send it", this.words, this.map.element, this.map.numbers.element), section("How to swing", this.swing.element),
       section("The slowest home run of every park", this.parks.element)));
   },
 

@@ -3,6 +3,7 @@
 import { Bench } from "../bench.js";
 import { button, choice, group, reveal, slider } from "../controls.js";
 import { DocumentPlace } from "../document.js";
+import { Numbers } from "../numbers.js";
 import { make } from "../parts.js";
 import { FONT, Surface, ticks } from "../surface.js";
 import { fromShown, toShown, unitOf } from "../units.js";
@@ -41,9 +42,10 @@ export const view = {
     this.bad = make("ul", { className: "note" });
     this.points = new Surface(app, { height: () => 260, paint: (...all) => this.paint(...all) });
     this.points.element.classList.add("pinned");
+    this.numbers = new Numbers("These swings as a table", () => this.tabled());
     this.report = new DocumentPlace(app, "Reading the swings; this takes a few seconds …");
     root.append(side, make("div", { className: "stack" },
-      make("section", { className: "picture" }, this.words, this.points.element, this.bad),
+      make("section", { className: "picture" }, this.words, this.points.element, this.numbers.element, this.bad),
       make("section", { className: "picture" }, this.report.element)));
   },
 
@@ -68,8 +70,16 @@ export const view = {
     this.bad.replaceChildren(...[...notes, ...bad.map(({ row, reason }) => `row ${row}: ${reason}`)].map((words) => make("li", { textContent: words })));
     this.points.label(`Exit speed against bat speed of ${count} swings.`);
     this.points.draw();
+    this.numbers.redraw();
     this.report.redraw();
     this.app.aside("fit", [], 400, (found) => this.report.show(found));
+  },
+
+  tabled() {
+    if (!this.answer) return null;
+    const { bat_speed_m_s: bat, exit_speed_m_s: ball } = this.answer;
+    const words = (value) => (typeof value === "number" ? this.app.text("v_m_s", value) : "–");
+    return { caption: "Measured swings", columns: ["Swing", "Bat speed", "Exit speed"], rows: bat.map((one, i) => [String(i + 1), words(one), words(ball[i])]) };
   },
 
   paint(context, width, height) {

@@ -28,7 +28,7 @@ export const view = {
 
   mount(root, app) {
     Object.assign(this, { app, answer: null });
-    const tools = app.lists().then(({ implements: all }) => all.map(({ key, name }) => [key, name]));
+    const tools = app.lists("implements").then(({ implements: all }) => all.map(({ key, name }) => [key, name]));
     const usual = (name) => () => app.answer?.[name] ?? null;
     const side = make("div", { className: "side" },
       group("What one hits with", [choice(app, "implement", { label: "Implement", options: tools,
@@ -54,7 +54,7 @@ export const view = {
       { title: "Vibration at the hands", kind: "sting", height: 80, zero: true, lines: [{ key: "sting_m_s", color: "purple" }] }] });
     this.report = make("div", { className: "words" });
     root.append(side, make("div", { className: "stack" },
-      make("section", { className: "picture" }, this.words, this.map.element, this.facts.element, this.chart.element),
+      make("section", { className: "picture" }, this.words, this.map.element, this.map.numbers.element, this.facts.element, this.chart.element),
       make("section", { className: "picture" }, make("h2", { textContent: "Where it hits best, and why" }), this.report)));
   },
 
@@ -82,7 +82,7 @@ export const view = {
     this.app.announce(this.words.textContent);
     this.facts.fill(answer);
     paragraphs(this.report, answer.sentences[this.app.units]);
-    this.map.element.hidden = !face;
+    this.map.element.hidden = this.map.numbers.element.hidden = !face;
     if (face) {
       this.map.draw({ x: face.position_m, y: face.lateral_m, z: face.exit_speed_m_s, cross: [hit.position_m, hit.lateral_m] });
       this.map.label(`How fast the ball leaves from every place of the face. ${this.words.textContent}`);
