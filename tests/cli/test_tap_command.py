@@ -30,7 +30,7 @@ def test_there_and_back(run_json: Callable[..., Any], sound: str, tmp_path: Path
         one = tones["bending", harmonic]
         assert one["frequency_hz"] == pytest.approx(published, rel=0.02)
         assert one["frequency_low_hz"] < one["expected_hz"] < one["frequency_high_hz"]
-    assert {path.name for path in out.iterdir()} == {"tap.png", "tap.svg", "tap.json"}
+    assert {path.name for path in out.iterdir()} == {"tap.html", "tap.png", "tap.svg", "tap.json"}
     assert json.loads((out / "tap.json").read_text()) == found
 
 

@@ -3,107 +3,144 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
-from sweetspot.cli.options.swing import Format
+from sweetspot.cli.options.output import DEFAULT_ANSWER, AnswerOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
     from sweetspot.calibration.measured import Measured
     from sweetspot.calibration.measurements import Measurement
+    from sweetspot.calibration.posterior import Posterior
     from sweetspot.calibration.unknowns import Unknown
     from sweetspot.equipment.bat import Bat
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class WeighedOptions:
+    """What scale, balance and pendulum say."""
+
+    mass: Annotated[str | None, Parameter(help="Weight: 31.2oz, or 31.2oz±0.05oz; without ± the last digit.")] = None
+    balance_point: Annotated[str | None, Parameter(help="From the knob end: 22.4in±0.1in.")] = None
+    pendulum: Annotated[str | None, Parameter(help="Period of one full swing about --pivot: 1.572s±0.003s.")] = None
+    moi: Annotated[str | None, Parameter(help="Moment of inertia about --pivot: 11200oz*in^2±50oz*in^2.")] = None
+    pivot: Annotated[str, Parameter(help="Where it hangs, from the knob end.")] = "6in"
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class RungOptions:
+    """What it rings with."""
+
+    tap: Annotated[list[Path] | None, Parameter(help="Sound files of taps; may be given again.")] = None
+    at: Annotated[list[str] | None, Parameter(help="Where it was tapped: 1in-from-tip; may be given again.")] = None
+    tone: Annotated[
+        list[str] | None, Parameter(help="A frequency measured otherwise: bending-1:171.3Hz±0.5Hz; may be given again.")
+    ] = None
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class ShotOptions:
+    """What shots at it say."""
+
+    shots: Annotated[
+        Path | None, Parameter(help="CSV of shots at places: ball_in_mph, ball_out_mph, position_in_from_tip.")
+    ] = None
+    ball: Annotated[str | None, Parameter(help="Ball of the shots; default: the sport's.")] = None
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class TrustOptions:
+    """What is believed of the description and the measurements."""
+
+    diameter_error: Annotated[str, Parameter(help="How well the diameters are known, of handle and barrel each.")] = (
+        "0.3%"
+    )
+    leave_out: Annotated[
+        list[str] | None, Parameter(help="A measurement that is not to count: 'bending 2'; may be given again.")
+    ] = None
+
+
+DEFAULT_WEIGHED, DEFAULT_RUNG, DEFAULT_SHOTS, DEFAULT_TRUST = (
+    WeighedOptions(), RungOptions(), ShotOptions(), TrustOptions(),
+)  # fmt: skip
 
 
 def calibrate(
     bat: Annotated[str, Parameter(help="The bat as described: a TOML file or a name of the catalogue.")],
     /,
     *,
-    mass: Annotated[str | None, Parameter(help="Weight: 31.2oz, or 31.2oz±0.05oz; without ± the last digit.")] = None,
-    balance_point: Annotated[str | None, Parameter(help="From the knob end: 22.4in±0.1in.")] = None,
-    pendulum: Annotated[str | None, Parameter(help="Period of one full swing about --pivot: 1.572s±0.003s.")] = None,
-    moi: Annotated[str | None, Parameter(help="Moment of inertia about --pivot: 11200oz*in^2±50oz*in^2.")] = None,
-    pivot: Annotated[str, Parameter(help="Where it hangs, from the knob end.")] = "6in",
-    tap: Annotated[list[Path] | None, Parameter(help="Sound files of taps; may be given again.")] = None,
-    at: Annotated[list[str] | None, Parameter(help="Where it was tapped: 1in-from-tip; may be given again.")] = None,
-    tone: Annotated[
-        list[str] | None, Parameter(help="A frequency measured otherwise: bending-1:171.3Hz±0.5Hz; may be given again.")
-    ] = None,
-    shots: Annotated[
-        Path | None, Parameter(help="CSV of shots at places: ball_in_mph, ball_out_mph, position_in_from_tip.")
-    ] = None,
-    ball: Annotated[str | None, Parameter(help="Ball of the shots; default: the sport's.")] = None,
-    diameter_error: Annotated[str, Parameter(help="How well the diameters are known, of handle and barrel each.")] = (
-        "0.3%"
-    ),
-    leave_out: Annotated[
-        list[str] | None, Parameter(help="A measurement that is not to count: 'bending 2'; may be given again.")
-    ] = None,
+    weighed: WeighedOptions = DEFAULT_WEIGHED,
+    rung: RungOptions = DEFAULT_RUNG,
+    shot: ShotOptions = DEFAULT_SHOTS,
+    trust: TrustOptions = DEFAULT_TRUST,
     out: Annotated[Path | None, Parameter(help="Bat file to write.")] = None,
-    format: Annotated[Format, Parameter(name="--format", help="table for people, json or csv for programs.")] = "table",
+    answer: AnswerOptions = DEFAULT_ANSWER,
 ) -> int:
     """Fit a bat to what was measured on it, and say how sure each value is. Exit 1 when measurements contradict."""
     from sweetspot import catalog
-    from sweetspot.calibration.calibrated_file import calibrated_table
     from sweetspot.calibration.posterior import calibrate as fitted
     from sweetspot.calibration.unknowns import described, unknowns_of
-    from sweetspot.cli.output import print_json, print_rows_csv, print_table
-    from sweetspot.report.calibration.calibration_report import calibration_json, calibration_table
+    from sweetspot.cli.output import present
+    from sweetspot.report.calibration.document import calibration_document
     from sweetspot.units import parse
 
     own = catalog.load_bat(bat)
-    unknowns = unknowns_of(own, diameter_spread=parse(diameter_error, "ratio", "--diameter-error"))
-    measurements = _weighed(own, mass=mass, balance_point=balance_point, pendulum=pendulum, moi=moi, pivot=pivot)
-    tapped, damping = _tapped(own, tap or [], at or [])
-    measurements += tapped + [_tone(text) for text in tone or []]
-    if shots is not None:
-        shot, of_ball = _shot(own, shots, ball)
-        measurements += shot
+    unknowns = unknowns_of(own, diameter_spread=parse(trust.diameter_error, "ratio", "--diameter-error"))
+    measurements = _weighed(own, weighed)
+    tapped, damping = _tapped(own, rung.tap or [], rung.at or [])
+    measurements += tapped + [_tone(text) for text in rung.tone or []]
+    if shot.shots is not None:
+        told, of_ball = _shot(own, shot.shots, shot.ball)
+        measurements += told
         unknowns = (*unknowns, of_ball)
-    elif ball is not None:
+    elif shot.ball is not None:
         raise InputError("--ball was given without --shots; name the file of shots")
-    posterior = fitted(described(own), unknowns, _without(measurements, leave_out or []))
-    if format == "json":
-        print_json(calibration_json(posterior, damping))
-    elif format == "csv":
-        print_rows_csv(calibration_json(posterior, damping)["measurements"])
-    else:
-        print_table(calibration_table(posterior, damping))
+    posterior = fitted(described(own), unknowns, _without(measurements, trust.leave_out or []))
     if posterior.contradictions:
         print("sweetspot: measurements contradict each other; no bat was written", file=sys.stderr)
-        return 1
-    if out is not None:
-        import tomli_w
-
-        from sweetspot.report.file_set import write_all
-
-        write_all({out: tomli_w.dumps(calibrated_table(posterior, damping)).encode()})
-        print(f"sweetspot: wrote {out}", file=sys.stderr)
-    return 0
+    elif out is not None:
+        _write(posterior, damping, out)
+    return present(calibration_document(posterior, damping), answer.into(None))
 
 
-def _weighed(
-    own: Bat, *, mass: str | None, balance_point: str | None, pendulum: str | None, moi: str | None, pivot: str
-) -> list[Measurement]:
+def _write(posterior: Posterior, damping: Measured | None, path: Path) -> None:
+    """Write the calibrated bat's file."""
+    import tomli_w
+
+    from sweetspot.calibration.calibrated_file import calibrated_table
+    from sweetspot.report.file_set import write_all
+
+    write_all({path: tomli_w.dumps(calibrated_table(posterior, damping)).encode()})
+    print(f"sweetspot: wrote {path}", file=sys.stderr)
+
+
+def _weighed(own: Bat, weighed: WeighedOptions) -> list[Measurement]:
     """Return what scale, balance and pendulum say."""
     from sweetspot.calibration.measurements import Measurement
     from sweetspot.calibration.written import parse_measured
     from sweetspot.units import parse_position
 
-    axis = parse_position(pivot, length=own.length, what="--pivot")
-    found = []
-    if mass is not None:
-        found.append(Measurement("mass", parse_measured(mass, "mass", "--mass")))
-    if balance_point is not None:
-        found.append(Measurement("balance_point", parse_measured(balance_point, "length", "--balance-point")))
-    if pendulum is not None:
-        found.append(Measurement("period", parse_measured(pendulum, "time", "period"), axis=axis))
-    if moi is not None:
-        found.append(Measurement("moi", parse_measured(moi, "moi", "--moi"), axis=axis))
-    return found
+    axis = parse_position(weighed.pivot, length=own.length, what="--pivot")
+    measurements = []
+    if weighed.mass is not None:
+        measurements.append(Measurement("mass", parse_measured(weighed.mass, "mass", "--mass")))
+    if weighed.balance_point is not None:
+        place = parse_measured(weighed.balance_point, "length", "--balance-point")
+        measurements.append(Measurement("balance_point", place))
+    if weighed.pendulum is not None:
+        period = parse_measured(weighed.pendulum, "time", "period")
+        measurements.append(Measurement("period", period, axis=axis))
+    if weighed.moi is not None:
+        measurements.append(Measurement("moi", parse_measured(weighed.moi, "moi", "--moi"), axis=axis))
+    return measurements
 
 
 def _tapped(own: Bat, recordings: list[Path], at: list[str]) -> tuple[list[Measurement], Measured | None]:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.ranges import spread
-from sweetspot.cli.options.swing import SwingOptions
+from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
@@ -20,35 +21,81 @@ if TYPE_CHECKING:
     from sweetspot.report.document import Document
     from sweetspot.units import Kind
 
-DEFAULT_SWING = SwingOptions()
 KINDS: dict[Variation, Kind] = {
     "mass": "mass", "bore_diameter": "length", "bore_depth": "length", "wall_factor": "ratio", "bat_speed": "speed",
     "pitch_speed": "speed",
 }  # fmt: skip
 
 
-def compare(
-    *bats: Annotated[str, Parameter(help="Names in the catalogue or TOML files; the first is the reference.")],
+@Parameter(name="*")
+@dataclass(frozen=True)
+class EffortOptions:
+    """How hard each bat is swung."""
+
     same_speed: Annotated[
         bool, Parameter(negative="", help="Swing every bat at the same speed instead of with the same effort.")
-    ] = False,
+    ] = False
     swing_law: Annotated[
         str | None, Parameter(help="How bat speed depends on the bat: baseball or slow-pitch; default: its sport's.")
-    ] = None,
+    ] = None
+
+    def law(self, bat: Implement) -> SwingLaw | None:
+        """Return how the speed depends on the bat; None: not at all."""
+        from sweetspot import catalog
+
+        return None if self.same_speed else catalog.swing_law(self.swing_law or catalog.sport(bat.sport).swing_law)
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class CorkingOptions:
+    """One bat, drilled and filled."""
+
     what_if: Annotated[
         Literal["cork"] | None,
         Parameter(help="For one bat: compare it drilled, corked, and filled with rubber or foam."),
-    ] = None,
-    bore_diameter: Annotated[str, Parameter(help="Width of the hole of --what-if.")] = "1in",
-    bore_depth: Annotated[str, Parameter(help="Depth of the hole of --what-if.")] = "10in",
-    plug: Annotated[str, Parameter(help="Length of wood that closes a filled hole.")] = "1in",
+    ] = None
+    bore_diameter: Annotated[str, Parameter(help="Width of the hole of --what-if.")] = "1in"
+    bore_depth: Annotated[str, Parameter(help="Depth of the hole of --what-if.")] = "10in"
+    plug: Annotated[str, Parameter(help="Length of wood that closes a filled hole.")] = "1in"
+
+    def corked(self, bat: Bat) -> list[Bat]:
+        """Return the bat as it is and with each filling of the catalogue."""
+        from sweetspot.catalog.corking import corkings
+        from sweetspot.units import parse
+
+        return list(
+            corkings(
+                bat,
+                diameter=parse(self.bore_diameter, "length", "--bore-diameter"),
+                depth=parse(self.bore_depth, "length", "--bore-depth"),
+                plug=parse(self.plug, "length", "--plug"),
+            )
+        )
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class TableOptions:
+    """One bat, varied in two ways at once."""
+
     rows: Annotated[
         str | None, Parameter(help="For one bat: what a what-if table varies down, as mass=29oz:33oz:5.")
-    ] = None,
-    columns: Annotated[str | None, Parameter(help="What it varies across, as bore-depth=0in:12in:7.")] = None,
+    ] = None
+    columns: Annotated[str | None, Parameter(help="What it varies across, as bore-depth=0in:12in:7.")] = None
     cell: Annotated[str, Parameter(help="What its cells show: exit-speed, bbcor, collision-efficiency, ...")] = (
         "exit-speed"
-    ),
+    )
+
+
+DEFAULT_EFFORT, DEFAULT_CORKING, DEFAULT_TABLE = EffortOptions(), CorkingOptions(), TableOptions()
+
+
+def compare(
+    *bats: Annotated[str, Parameter(help="Names in the catalogue or TOML files; the first is the reference.")],
+    effort: EffortOptions = DEFAULT_EFFORT,
+    corking: CorkingOptions = DEFAULT_CORKING,
+    table: TableOptions = DEFAULT_TABLE,
     uncertainty: Annotated[
         bool, Parameter(negative="", help="Say how sure each gain is, for what is not known of bats and ball.")
     ] = False,
@@ -58,43 +105,38 @@ def compare(
     """Put bats side by side for one player's swing: what each gains or loses, and how surely."""
     from sweetspot import catalog
     from sweetspot.analysis.comparison import compare as compared
-    from sweetspot.catalog.corking import LABELS, corkings
-    from sweetspot.catalog.swing_laws import swing_law as law_named
+    from sweetspot.catalog.corking import LABELS
     from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.output import patience, present
     from sweetspot.report.comparison.document import comparison_document
-    from sweetspot.units import parse
 
     if not bats:
         raise InputError("no bat was given; name one or more, for example: sweetspot compare r161-ash youth-30")
-    described = [catalog.load_implement(name) for name in bats]
-    law = None if same_speed else law_named(swing_law or catalog.sport(described[0].sport).swing_law)
-    if rows is not None or columns is not None:
-        if len(bats) != 1 or what_if is not None or rows is None or columns is None:
+    described, corked = [catalog.load_implement(name) for name in bats], corking.what_if is not None
+    law = effort.law(described[0])
+    if table.rows is not None or table.columns is not None:
+        if len(bats) != 1 or corked or table.rows is None or table.columns is None:
             raise InputError("a what-if table takes one bat, --rows and --columns, and no --what-if")
-        return present(_table(_bat(described[0]), (rows, columns, cell), law, swing), output)
-    labels = None
-    if what_if is not None:
+        return present(_table(_bat(described[0]), table, law, swing), output)
+    if corked:
         if len(bats) != 1:
             raise InputError(f"--what-if was given with {len(bats)} bats; it takes one")
-        diameter, depth = parse(bore_diameter, "length", "--bore-diameter"), parse(bore_depth, "length", "--bore-depth")
-        closed, labels = parse(plug, "length", "--plug"), LABELS
-        described = list(corkings(_bat(described[0]), diameter=diameter, depth=depth, plug=closed))
+        described = list(corking.corked(_bat(described[0])))
     with patience():
-        comparison = compared(described, conditions=conditions_for(described[0], swing), law=law, labels=labels)
-    document = comparison_document(comparison, corking=what_if is not None)
+        comparison = compared(
+            described, conditions=conditions_for(described[0], swing), law=law, labels=LABELS if corked else None
+        )
+    document = comparison_document(comparison, corking=corked)
     return present(_with_doubt(document, comparison, bats) if uncertainty else document, output)
 
 
 def _with_doubt(document: Document, comparison: Comparison[Implement], names: tuple[str, ...]) -> Document:
     """Return a comparison with how sure each bat's gain over the first is."""
-    from dataclasses import replace
-
     from sweetspot.calibration.calibrated_file import deviations_of
     from sweetspot.calibration.uncertainty import difference, doubt
     from sweetspot.report.calibration.doubt_report import difference_words
+    from sweetspot.report.calibration.intervals import measured_json
     from sweetspot.report.document import Paragraph
-    from sweetspot.report.tap.tap_report import measured_json
 
     if len(names) != len(comparison.compared):
         raise InputError("--uncertainty compares bats that are given by name or file; leave out --what-if")
@@ -122,31 +164,30 @@ def _bat(described: Implement) -> Bat:
     return described
 
 
-def _table(bat: Bat, asked: tuple[str, str, str], law: SwingLaw | None, swing: SwingOptions) -> Document:
+def _table(bat: Bat, asked: TableOptions, law: SwingLaw | None, swing: SwingOptions) -> Document:
     from sweetspot import catalog
     from sweetspot.analysis.two_way import Answers, what_if_table
     from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.output import patience, progress
     from sweetspot.report.comparison.two_way import two_way_document
 
-    rows, columns, cell = asked
-    answer = cell.replace("-", "_")
+    answer = asked.cell.replace("-", "_")
     if answer not in Answers.__dataclass_fields__:
         allowed = ", ".join(name.replace("_", "-") for name in Answers.__dataclass_fields__)
-        raise InputError(f"--cell was given as {cell}; allowed is one of {allowed}")
+        raise InputError(f"--cell was given as {asked.cell}; allowed is one of {allowed}")
     with patience(), progress("cells") as report:
         table = what_if_table(
-            bat, rows=_axis(rows, "--rows"), columns=_axis(columns, "--columns"), conditions=conditions_for(bat, swing),
-            law=law, fill=catalog.material("cork"), progress=report,
+            bat, rows=_axis(asked.rows, "--rows"), columns=_axis(asked.columns, "--columns"),
+            conditions=conditions_for(bat, swing), law=law, fill=catalog.material("cork"), progress=report,
         )  # fmt: skip
     return two_way_document(table, answer)
 
 
-def _axis(text: str, what: str) -> Axis:
+def _axis(text: str | None, what: str) -> Axis:
     """Return an axis written as ``mass=29oz:33oz:5``: what is varied, from, to, and how many values."""
     from sweetspot.analysis.two_way import VARIATIONS, Axis
 
-    name, _, span = text.partition("=")
+    name, _, span = (text or "").partition("=")
     variation = next((known for known in VARIATIONS if known == name.strip().replace("-", "_")), None)
     if variation is None or span.count(":") != 2:
         allowed = ", ".join(known.replace("_", "-") for known in VARIATIONS)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
-from sweetspot.cli.options.weather import AirOptions
+from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
@@ -21,8 +21,9 @@ if TYPE_CHECKING:
     from sweetspot.player.posterior import Posterior
     from sweetspot.player.swings import Swings
 
-DEFAULT_AIR = AirOptions()
 ALL = "all"
+FASTEST = 110
+"""mph of a pitch at the plate."""
 
 
 @Parameter(name="*")
@@ -187,16 +188,12 @@ def _measured_at(own: Bat, given: FileOptions) -> float:
 
 def _arriving(given: FileOptions) -> float | None:
     """Return the speed in m/s of pitches whose row has none; None: not said."""
-    from sweetspot.units import parse
+    from sweetspot.units import MPH, parse
 
     text = given.pitch_speed
     if text is None:
         return None
     arriving = 0.0 if text.strip().lower() == "tee" else parse(text, "speed", "--pitch-speed")
-    if not 0 <= arriving <= MAX_PITCH:
-        raise InputError(f"--pitch-speed was given as {text}; allowed is tee, or up to 110mph at the plate")
+    if not 0 <= arriving <= FASTEST * MPH:
+        raise InputError(f"--pitch-speed was given as {text}; allowed is tee, or up to {FASTEST}mph at the plate")
     return arriving
-
-
-MAX_PITCH = 110 * 0.44704
-"""m/s."""

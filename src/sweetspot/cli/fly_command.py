@@ -9,7 +9,7 @@ from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.ranges import spread
-from sweetspot.cli.options.weather import AirOptions, park_of, pressure_of
+from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions, park_of, pressure_of
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from sweetspot.report.document import Document
     from sweetspot.units import Kind
 
-DEFAULT_AIR = AirOptions()
 KINDS: dict[str, Kind] = {
     "exit_speed": "speed", "launch_angle": "angle", "spray": "angle", "bearing": "angle", "backspin": "angular speed",
     "sidespin": "angular speed", "gyrospin": "angular speed", "height": "length", "forward": "length",

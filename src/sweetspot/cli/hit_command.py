@@ -7,10 +7,8 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
-from sweetspot.cli.options.swing import SwingOptions
+from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
 from sweetspot.cli.options.uncertainty import Uncertainty, with_doubt_of
-
-DEFAULT_SWING = SwingOptions()
 
 
 def hit(

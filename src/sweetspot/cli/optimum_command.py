@@ -9,7 +9,7 @@ from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.swing import SwingOptions
-from sweetspot.cli.options.weather import AirOptions
+from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
@@ -46,25 +46,40 @@ class ContactOptions:
     ball: Annotated[str | None, Parameter(help="Ball of the catalogue; default: the first of the bat's sport.")] = None
 
 
-DEFAULT_CONTACT = ContactOptions()
-DEFAULT_AIR = AirOptions()
+@Parameter(name="*")
+@dataclass(frozen=True)
+class PitchOptions:
+    """What is thrown, for the first question."""
+
+    pitch: Annotated[
+        tuple[str, ...],
+        Parameter(help="Pitches by name or letters; may be given again; default: its sport's.", negative=""),
+    ] = ()
+    release_speed: Annotated[str | None, Parameter(help="Throw them all this fast; default: as is usual.")] = None
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class SentOptions:
+    """How the ball leaves, for the other two questions."""
+
+    exit_speed: Annotated[
+        tuple[str, ...],
+        Parameter(help="For the best launch angle; may be given again; 90, 100, 110mph in baseball.", negative=""),
+    ] = ()
+    backspin: Annotated[str, Parameter(help="Of the ball in the last two questions.")] = "2200rpm"
+
+
+DEFAULT_CONTACT, DEFAULT_PITCH, DEFAULT_SENT = ContactOptions(), PitchOptions(), SentOptions()
 
 
 def optimum(
     bat: Annotated[str, Parameter(help="Name in the catalogue (see `sweetspot bats`) or a TOML file.")] = "r161-ash",
     /,
     *,
-    pitch: Annotated[
-        tuple[str, ...],
-        Parameter(help="Pitches by name or letters; may be given again; default: its sport's.", negative=""),
-    ] = (),
-    release_speed: Annotated[str | None, Parameter(help="Throw them all this fast; default: as is usual.")] = None,
+    pitch: PitchOptions = DEFAULT_PITCH,
     contact: ContactOptions = DEFAULT_CONTACT,
-    exit_speed: Annotated[
-        tuple[str, ...],
-        Parameter(help="For the best launch angle; may be given again; 90, 100, 110mph in baseball.", negative=""),
-    ] = (),
-    backspin: Annotated[str, Parameter(help="Of the ball in the last two questions.")] = "2200rpm",
+    sent: SentOptions = DEFAULT_SENT,
     air: AirOptions = DEFAULT_AIR,
     show: Annotated[
         Literal["all", "swing", "launch", "parks"],
@@ -86,20 +101,20 @@ def optimum(
     described, parks = catalog.load_bat(bat), everywhere or air.park is not None
     its = catalog.sport(described.sport)
     ball = contact.ball or its.balls[0]
-    contact, thrown = replace(contact, ball=ball), pitch or its.pitches
-    speeds = exit_speed or (SPEEDS if its.key == "baseball" else SLOWER)
+    contact, pitch = replace(contact, ball=ball), replace(pitch, pitch=pitch.pitch or its.pitches)
+    sent = replace(sent, exit_speed=sent.exit_speed or (SPEEDS if its.key == "baseball" else SLOWER))
     with patience():
         optimum = Optimum(
             described,
-            swings=_swings(described, thrown, release_speed, contact, weather) if "swing" in asked else None,
-            launches=_launches(speeds, backspin, ball, weather) if "launch" in asked else None,
-            parks=_parks(backspin, ball, weather, everywhere) if "parks" in asked and parks else None,
+            swings=_swings(described, pitch, contact, weather) if "swing" in asked else None,
+            launches=_launches(sent, ball, weather) if "launch" in asked else None,
+            parks=_parks(sent.backspin, ball, weather, everywhere) if "parks" in asked and parks else None,
         )
     return present(optimum_document(optimum), output)
 
 
 def _swings(
-    bat: Bat, pitches: tuple[str, ...], release_speed: str | None, contact: ContactOptions, weather: AirOptions
+    bat: Bat, pitch: PitchOptions, contact: ContactOptions, weather: AirOptions
 ) -> list[tuple[BestSwing, PitchFlight]]:
     from sweetspot.analysis.optimum import best_swing
     from sweetspot.analysis.optimum.swing import Held
@@ -122,8 +137,8 @@ def _swings(
     steep = None if contact.attack_angle is None else parse(contact.attack_angle, "angle", "--attack-angle")
     model = reduced_bat(bat, ball=conditions.ball).held(conditions.hands)
     rows = []
-    for name in pitches:
-        thrown = pitched(name, release_speed, flying)
+    for name in pitch.pitch:
+        thrown = pitched(name, pitch.release_speed, flying)
         best = best_swing(
             model,
             flying,
@@ -136,16 +151,16 @@ def _swings(
     return rows
 
 
-def _launches(speeds: tuple[str, ...], backspin: str, ball: str, weather: AirOptions) -> list[AskedLaunch]:
+def _launches(sent: SentOptions, ball: str, weather: AirOptions) -> list[AskedLaunch]:
     from sweetspot.analysis.optimum import best_launch
     from sweetspot.cli.options.weather import through
     from sweetspot.report.optimum.answers import AskedLaunch
     from sweetspot.units import parse
 
-    spin = parse(backspin, "angular speed", "--backspin")
+    spin = parse(sent.backspin, "angular speed", "--backspin")
     flying = through(weather, ball)
     rows = []
-    for text in speeds:
+    for text in sent.exit_speed:
         speed = parse(text, "speed", "--exit-speed")
         best = best_launch(speed, flying, backspin=spin)
         rows.append(AskedLaunch(speed, spin, best))

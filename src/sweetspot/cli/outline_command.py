@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
-from sweetspot.cli.options.output import Format
+from sweetspot.cli.options.output import DEFAULT_ANSWER, AnswerOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
@@ -17,6 +18,37 @@ if TYPE_CHECKING:
     from sweetspot.report.quantities import Reader
 
 BAT_FILE = ".toml"
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class SizeOptions:
+    """Sizes that a table, drawing or photograph does not hold itself."""
+
+    length: Annotated[
+        str | None,
+        Parameter(help="Of the bat: 34in; needed where places count from the tip or nothing else has units."),
+    ] = None
+    ruler: Annotated[
+        str | None, Parameter(help="Whole length of a straight ruler beside the bat in a photograph: 30cm.")
+    ] = None
+    camera_distance: Annotated[
+        str | None, Parameter(help="From camera to bat: 2.5m; default: as the photograph's lens tells.")
+    ] = None
+
+    def given(self) -> dict[str, float]:
+        """Return the sizes that were given, in m by name."""
+        from sweetspot.units import parse
+
+        texts = {one.name: getattr(self, one.name) for one in fields(self)}
+        return {
+            name: parse(text, "length", f"--{name.replace('_', '-')}")
+            for name, text in texts.items()
+            if text is not None
+        }
+
+
+DEFAULT_SIZES = SizeOptions()
 
 
 def outline(
@@ -30,16 +62,7 @@ def outline(
     ],
     /,
     *,
-    length: Annotated[
-        str | None,
-        Parameter(help="Of the bat: 34in; needed where places count from the tip or nothing else has units."),
-    ] = None,
-    ruler: Annotated[
-        str | None, Parameter(help="Whole length of a straight ruler beside the bat in a photograph: 30cm.")
-    ] = None,
-    camera_distance: Annotated[
-        str | None, Parameter(help="From camera to bat: 2.5m; default: as the photograph's lens tells.")
-    ] = None,
+    sizes: SizeOptions = DEFAULT_SIZES,
     material: Annotated[str, Parameter(help="Material of the catalogue.")] = "white-ash",
     name: Annotated[str | None, Parameter(help="What to call the bat; default: the file's name.")] = None,
     out: Annotated[
@@ -48,52 +71,41 @@ def outline(
             help="Bat file (.toml), stations (.csv), drawing 1:1 (.svg, .dxf) or solid (.stl); may be given again."
         ),
     ] = None,
-    units: Annotated[
-        Literal["us", "si"] | None, Parameter(help="Units of the answer and of a written table or drawing.")
-    ] = None,
-    format: Annotated[Format, Parameter(name="--format", help="table for people, json or csv for programs.")] = "table",
+    answer: AnswerOptions = DEFAULT_ANSWER,
 ) -> int:
     """Turn a table of diameters, a drawing or a photograph into a bat file, and bats into drawings."""
-    from sweetspot.cli.options.output import OutputOptions
     from sweetspot.cli.output import present
     from sweetspot.dynamics.beam import beam_model
     from sweetspot.dynamics.rigid import rigid_body
     from sweetspot.report.calibration.outline_report import outline_document
 
-    sizes = {"length": length, "ruler": ruler, "camera_distance": camera_distance}
     measured, bat = _measured(source, sizes, material=material, name=name)
     document = outline_document(measured, bat, rigid_body(beam_model(bat)))
-    contents = {path: _content(path, bat, document.reader_of(units)) for path in out or []}
+    contents = {path: _content(path, bat, document.reader_of(answer.units)) for path in out or []}
     if contents:
         from sweetspot.report.file_set import write_all
 
         for path, content in contents.items():
             write_all({path: content})
         print(f"sweetspot: wrote {', '.join(map(str, contents))}", file=sys.stderr)
-    return present(document, OutputOptions(format=format, units=units))
+    return present(document, answer.into(None))
 
 
-def _measured(source: str, sizes: dict[str, str | None], *, material: str, name: str | None) -> tuple[Outline, Bat]:
+def _measured(source: str, sizes: SizeOptions, *, material: str, name: str | None) -> tuple[Outline, Bat]:
     """Return the outline and its bat: of a table, drawing or photograph, of a bat file, or of the catalogue."""
     from sweetspot import catalog
     from sweetspot.calibration.outline.measured_outline import Outline
     from sweetspot.calibration.outline.outline_file import ENDINGS, read_outline
     from sweetspot.equipment.bat import Bat
-    from sweetspot.units import parse
 
     if Path(source).suffix.lower() in ENDINGS:
-        given = {
-            what: parse(text, "length", f"--{what.replace('_', '-')}")
-            for what, text in sizes.items()
-            if text is not None
-        }
-        measured = read_outline(Path(source), **given)
+        measured = read_outline(Path(source), **sizes.given())
         bat = Bat(
             name=name or Path(source).stem, length=measured.profile[-1][0], material=catalog.material(material),
             profile=measured.profile,
         )  # fmt: skip
         return measured, bat
-    if any(sizes.values()):
+    if sizes.given():
         raise InputError(f"--length or --ruler was given, but {source} is a bat and has its own; leave it out")
     from sweetspot.report.drawing.contour import outline_stations
 

@@ -8,12 +8,10 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
-from sweetspot.cli.options.swing import SwingOptions
+from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
 
 if TYPE_CHECKING:
     from sweetspot.paper.chain import Choices
-
-DEFAULT_SWING = SwingOptions()
 
 
 @Parameter(name="*")

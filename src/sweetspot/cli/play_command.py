@@ -8,16 +8,13 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
-from sweetspot.cli.options.swing import SwingOptions
-from sweetspot.cli.options.weather import AirOptions
+from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
+from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
     from sweetspot.motion.ball_motion import BallMotion
     from sweetspot.motion.swing_path import SwingPath
-
-DEFAULT_SWING = SwingOptions()
-DEFAULT_AIR = AirOptions()
 
 
 @Parameter(name="*", allow_leading_hyphen=True)
@@ -53,17 +50,25 @@ class ArrivalOptions:
     forward: Annotated[str, Parameter(help="Of contact in front of the plate's tip.")] = "2ft"
 
 
-DEFAULT_PATH, DEFAULT_ARRIVAL = PathOptions(), ArrivalOptions()
+@Parameter(name="*", allow_leading_hyphen=True)
+@dataclass(frozen=True)
+class MeetingOptions:
+    """Where bat and ball meet."""
+
+    at: Annotated[str, Parameter(help="Where the ball meets the bat: 27in, 6in-from-tip.")] = "6in-from-tip"
+    offset: Annotated[
+        str, Parameter(help="How far the bat is under the ball's centre, square to its path; negative: over it.")
+    ] = "0.6in"
+
+
+DEFAULT_MEETING, DEFAULT_PATH, DEFAULT_ARRIVAL = MeetingOptions(), PathOptions(), ArrivalOptions()
 
 
 def play(
     bat: Annotated[str, Parameter(help="Name in the catalogue (see `sweetspot bats`) or a TOML file.")] = "r161-ash",
     /,
     *,
-    at: Annotated[str, Parameter(help="Where the ball meets the bat: 27in, 6in-from-tip.")] = "6in-from-tip",
-    offset: Annotated[
-        str, Parameter(help="How far the bat is under the ball's centre, square to its path; negative: over it.")
-    ] = "0.6in",
+    meeting: MeetingOptions = DEFAULT_MEETING,
     swing: SwingOptions = DEFAULT_SWING,
     path: PathOptions = DEFAULT_PATH,
     arrival: ArrivalOptions = DEFAULT_ARRIVAL,
@@ -89,8 +94,8 @@ def play(
     conditions = conditions_for(described, swing)
     model = reduced_bat(described, ball=conditions.ball).held(conditions.hands)
     check_conditions(described, conditions, body=model.body)
-    position = parse_position(at, length=described.length, what="--at")
-    under, park = parse(offset, "length", "--offset"), park_of(air)
+    position = parse_position(meeting.at, length=described.length, what="--at")
+    under, park = parse(meeting.offset, "length", "--offset"), park_of(air)
     if arrival.pitch is not None and swing.pitch_speed is not None:
         raise InputError("--pitch and --pitch-speed were both given; say --release-speed for a named pitch")
     if arrival.pitch is None and arrival.release_speed is not None:

@@ -8,13 +8,11 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
-from sweetspot.cli.options.swing import SwingOptions
+from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
     from sweetspot.calibration.measurements import Measurement
-
-DEFAULT_SWING = SwingOptions()
 
 
 def rank(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -15,55 +16,114 @@ if TYPE_CHECKING:
     from sweetspot.season.season_table import Season
 
 
+@Parameter(name="*")
+@dataclass(frozen=True)
+class SwungOptions:
+    """What was swung, and what else to try."""
+
+    bat: Annotated[str | None, Parameter(help="Bat of all hitters: a name of the catalogue or a TOML file.")] = None
+    bats: Annotated[
+        Path | None, Parameter(help="CSV with columns batter and bat; a row without a batter is all others' bat.")
+    ] = None
+    try_bat: Annotated[
+        list[str] | None, Parameter(name="--try", help="Another bat that every swing is tried with; may be repeated.")
+    ] = None
+    flight_only: Annotated[bool, Parameter(negative="", help="Leave the bats out.")] = False
+
+    def named(self) -> dict[str, str] | None:
+        """Return the bat of each batter, under "" that of all others; None: nothing was said."""
+        from sweetspot.season.bat_table import read_bats
+
+        if self.bat is not None and self.bats is not None:
+            raise InputError(
+                "--bat and --bats were both given; put the bat of all others into the table, without a batter"
+            )
+        if self.bats is not None:
+            return read_bats(self.bats)
+        return None if self.bat is None else {"": self.bat}
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class ColumnOptions:
+    """What the columns of the tables mean."""
+
+    column: Annotated[
+        list[str] | None,
+        Parameter(help="What a heading means, where it is not understood: exit_speed=EV:mph; may be repeated."),
+    ] = None
+    show_columns: Annotated[
+        bool, Parameter(negative="", help="Print what the columns of the files mean, and stop.")
+    ] = False
+
+    def given(self) -> dict[str, str]:
+        """Return the heading of each quantity that was named."""
+        headings = {}
+        for text in self.column or []:
+            quantity, equals, heading = text.partition("=")
+            if not equals or not heading:
+                raise InputError(
+                    f"--column was given as {text!r}; give quantity=heading, for example exit_speed=EV:mph"
+                )
+            headings[quantity.strip()] = heading.strip()
+        return headings
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class WorkOptions:
+    """Who does the work, and what of it is done already."""
+
+    resume: Annotated[
+        bool, Parameter(negative="", help="Keep answers that are in --out already and of the same plan.")
+    ] = False
+    workers: Annotated[
+        int, Parameter(help="Processes that share the work (needs Dask, sweetspot[cluster]); 0: this one alone.")
+    ] = 0
+    scheduler: Annotated[
+        str | None, Parameter(help="A running Dask scheduler, tcp://HOST:8786, whose workers see the same folders.")
+    ] = None
+
+    def __post_init__(self) -> None:
+        """Refuse a number of processes that nobody can start."""
+        if self.workers < 0:
+            raise InputError(f"--workers was given as {self.workers}; allowed is 0 (this process alone) and up")
+
+    @property
+    def needs_folder(self) -> str:
+        """Why --out must be given; "": it need not."""
+        if self.resume:
+            return "--resume needs --out, the folder that holds the answers so far"
+        if self.workers or self.scheduler:
+            return "--workers and --scheduler need --out, the folder that all of them write to"
+        return ""
+
+
+DEFAULT_SWUNG, DEFAULT_COLUMNS, DEFAULT_WORK = SwungOptions(), ColumnOptions(), WorkOptions()
+
+
 def season(
     files: Annotated[list[Path], Parameter(help="Tables: Statcast exports, Trackman, plain; CSV, .csv.gz, Parquet.")],
     /,
     *,
-    bat: Annotated[str | None, Parameter(help="Bat of all hitters: a name of the catalogue or a TOML file.")] = None,
-    bats: Annotated[
-        Path | None, Parameter(help="CSV with columns batter and bat; a row without a batter is all others' bat.")
-    ] = None,
-    try_bat: Annotated[
-        list[str] | None, Parameter(name="--try", help="Another bat that every swing is tried with; may be repeated.")
-    ] = None,
-    column: Annotated[
-        list[str] | None,
-        Parameter(help="What a heading means, where it is not understood: exit_speed=EV:mph; may be repeated."),
-    ] = None,
-    show_columns: Annotated[
-        bool, Parameter(negative="", help="Print what the columns of the files mean, and stop.")
-    ] = False,
+    bats: SwungOptions = DEFAULT_SWUNG,
+    columns: ColumnOptions = DEFAULT_COLUMNS,
     temperature: Annotated[str, Parameter(help="Of the air at all games: 72degF.")] = "72degF",
-    flight_only: Annotated[bool, Parameter(negative="", help="Leave the bats out.")] = False,
     player: Annotated[
         str | None, Parameter(help="A batter's number or name: a page to print of that player alone.")
     ] = None,
-    resume: Annotated[
-        bool, Parameter(negative="", help="Keep answers that are in --out already and of the same plan.")
-    ] = False,
-    workers: Annotated[
-        int, Parameter(help="Processes that share the work (needs Dask, sweetspot[cluster]); 0: this one alone.")
-    ] = 0,
-    scheduler: Annotated[
-        str | None, Parameter(help="A running Dask scheduler, tcp://HOST:8786, whose workers see the same folders.")
-    ] = None,
+    work: WorkOptions = DEFAULT_WORK,
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Tell every ball in play of tables of any size: where on the bat it was hit, how far it carries, who did what."""
     from sweetspot.season.season_table import temporary_folder
 
-    given = _given(column)
-    if show_columns:
+    given = columns.given()
+    if columns.show_columns:
         return _show_columns(files, given)
-    if resume and output.out is None:
-        raise InputError("--resume needs --out, the folder that holds the answers so far")
-    if bat is not None and bats is not None:
-        raise InputError("--bat and --bats were both given; put the bat of all others into the table, without a batter")
-    if (workers or scheduler) and output.out is None:
-        raise InputError("--workers and --scheduler need --out, the folder that all of them write to")
-    if workers < 0:
-        raise InputError(f"--workers was given as {workers}; allowed is 0 (this process alone) and up")
-    names = _bats(bat, bats)
+    if output.out is None and work.needs_folder:
+        raise InputError(work.needs_folder)
+    names = bats.named()
 
     def computed(folder: Path) -> Season:
         from functools import partial
@@ -76,27 +136,19 @@ def season(
 
         with patience():
             setting = season_setting(
-                bats=names, others=try_bat or (), contact=not flight_only, system=output.units or "us",
+                bats=names, others=bats.try_bat or (), contact=not bats.flight_only, system=output.units or "us",
                 air=Air(temperature=parse(temperature, "temperature", "--temperature")),
             )  # fmt: skip
-        run = partial(run_on_cluster, workers=workers, scheduler=scheduler)
+        run = partial(run_on_cluster, workers=work.workers, scheduler=work.scheduler)
         with progress("season") as report:
             return analyse_season(
-                files, setting=setting, folder=folder, given=given, resume=resume, run=run, progress=report
+                files, setting=setting, folder=folder, given=given, resume=work.resume, run=run, progress=report
             )
 
     if output.out is not None:
         return _answered(computed(output.out), output, player)
     with temporary_folder() as folder:
         return _answered(computed(Path(folder)), output, player)
-
-
-def _bats(bat: str | None, bats: Path | None) -> dict[str, str] | None:
-    from sweetspot.season.bat_table import read_bats
-
-    if bats is not None:
-        return read_bats(bats)
-    return None if bat is None else {"": bat}
 
 
 def _answered(season: Season, output: OutputOptions, player: str | None) -> int:
@@ -115,16 +167,6 @@ def _answered(season: Season, output: OutputOptions, player: str | None) -> int:
     for path, reason in season.found.faults:
         print(f"sweetspot: not read: {path.name}: {reason}", file=sys.stderr)
     return code
-
-
-def _given(column: list[str] | None) -> dict[str, str]:
-    found = {}
-    for text in column or []:
-        quantity, equals, heading = text.partition("=")
-        if not equals or not heading:
-            raise InputError(f"--column was given as {text!r}; give quantity=heading, for example exit_speed=EV:mph")
-        found[quantity.strip()] = heading.strip()
-    return found
 
 
 def _show_columns(files: list[Path], given: dict[str, str]) -> int:

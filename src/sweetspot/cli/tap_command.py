@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
-from sweetspot.cli.options.swing import Format
+from sweetspot.cli.options.output import DEFAULT_ANSWER, AnswerOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
@@ -18,76 +19,85 @@ if TYPE_CHECKING:
     from sweetspot.equipment.implement import Implement
 
 
+@Parameter(name="*")
+@dataclass(frozen=True)
+class TappedOptions:
+    """What was tapped, and where."""
+
+    bat: Annotated[str | None, Parameter(help="Bat, racket, club or stick that was tapped: a name or a file.")] = None
+    at: Annotated[list[str] | None, Parameter(help="Where it was tapped: 1in-from-tip; may be given again.")] = None
+    bar: Annotated[
+        str | None, Parameter(help="A uniform bar was tapped: length x width x thickness, 114.36mm x 25.44mm x 3.12mm.")
+    ] = None
+    mass: Annotated[str | None, Parameter(help="Weight of the bar: 71.3g, or 71.3g±0.1g.")] = None
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class ListeningOptions:
+    """What counts as a tone."""
+
+    band: Annotated[str, Parameter(help="Frequencies looked at.")] = "60Hz:5kHz"
+    most_damping: Annotated[
+        str, Parameter(help="Damping ratio of the lowest loud tone above which the implement counts as held.")
+    ] = "2%"
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class SynthesisOptions:
+    """A sound that is made instead of read."""
+
+    synthesise: Annotated[str | None, Parameter(help="Write the sound of this bat instead of reading one.")] = None
+    listen_at: Annotated[str, Parameter(help="Where the microphone is, for --synthesise.")] = "1in-from-tip"
+    noise: Annotated[str, Parameter(help="Noise over the loudest sample, for --synthesise.")] = "0.2%"
+    seed: Annotated[int, Parameter(help="Of that noise.")] = 1
+
+
+DEFAULT_TAPPED, DEFAULT_LISTENING, DEFAULT_SYNTHESIS = TappedOptions(), ListeningOptions(), SynthesisOptions()
+
+
 def tap(
     recordings: Annotated[list[Path] | None, Parameter(help="Sound files of taps: WAV, FLAC, OGG or MP3.")] = None,
     /,
     *,
-    bat: Annotated[str | None, Parameter(help="Bat, racket, club or stick that was tapped: a name or a file.")] = None,
-    at: Annotated[list[str] | None, Parameter(help="Where it was tapped: 1in-from-tip; may be given again.")] = None,
-    bar: Annotated[
-        str | None, Parameter(help="A uniform bar was tapped: length x width x thickness, 114.36mm x 25.44mm x 3.12mm.")
-    ] = None,
-    mass: Annotated[str | None, Parameter(help="Weight of the bar: 71.3g, or 71.3g±0.1g.")] = None,
-    band: Annotated[str, Parameter(help="Frequencies looked at.")] = "60Hz:5kHz",
-    most_damping: Annotated[
-        str, Parameter(help="Damping ratio of the lowest loud tone above which the implement counts as held.")
-    ] = "2%",
+    tapped: TappedOptions = DEFAULT_TAPPED,
+    listening: ListeningOptions = DEFAULT_LISTENING,
+    synthesis: SynthesisOptions = DEFAULT_SYNTHESIS,
     out: Annotated[
-        Path | None, Parameter(help="Folder for tap.png, tap.svg, tap.json; with --synthesise the sound file.")
+        Path | None,
+        Parameter(help="Folder for the answer as page, picture and JSON; with --synthesise the sound file."),
     ] = None,
-    synthesise: Annotated[str | None, Parameter(help="Write the sound of this bat instead of reading one.")] = None,
-    listen_at: Annotated[str, Parameter(help="Where the microphone is, for --synthesise.")] = "1in-from-tip",
-    noise: Annotated[str, Parameter(help="Noise over the loudest sample, for --synthesise.")] = "0.2%",
-    seed: Annotated[int, Parameter(help="Of that noise.")] = 1,
-    format: Annotated[Format, Parameter(name="--format", help="table for people, json or csv for programs.")] = "table",
-) -> None:
+    answer: AnswerOptions = DEFAULT_ANSWER,
+) -> int:
     """Find the taps in sound recordings, reject the bad ones, and name the tones of the good ones."""
     from sweetspot import catalog
     from sweetspot.calibration.recording import read_recording
     from sweetspot.calibration.tap_analysis import tap_test
-    from sweetspot.cli.output import print_json, print_rows_csv, print_table
-    from sweetspot.report.tap.tap_report import tap_json, tap_table, tone_rows
+    from sweetspot.cli.output import present
+    from sweetspot.report.tap.document import tap_document
     from sweetspot.units import parse
 
-    if synthesise is not None:
-        if recordings or bat or bar:
+    if synthesis.synthesise is not None:
+        if recordings or tapped.bat or tapped.bar:
             raise InputError("--synthesise makes a sound and reads none; leave out recordings, --bat and --bar")
-        if seed < 0:
-            raise InputError(f"--seed was given as {seed}; allowed is a whole number from 0 up")
-        _synthesise(synthesise, at or [], listen_at, parse(noise, "ratio", "--noise"), seed, out)
-        return
+        return _synthesise(synthesis.synthesise, synthesis, tapped.at or ["1in-from-tip"], out)
     if not recordings:
         raise InputError("no recording was given; name at least one sound file, or use --synthesise BAT")
-    described = None if bat is None else catalog.load_implement(bat)
-    if at and described is None:
+    described = None if tapped.bat is None else catalog.load_implement(tapped.bat)
+    if tapped.at and described is None:
         raise InputError("--at was given without --bat; say what was tapped")
-    tapped_bar = _bar(bar, mass)
+    output, bar = answer.into(out), _bar(tapped.bar, tapped.mass)
     test = tap_test(
         [read_recording(path) for path in recordings],
         modes=None if described is None else modes_to_name(described),
-        positions=[] if described is None else tap_places(described, at or []),
-        bar=tapped_bar,
-        band=_band(band),
-        held=parse(most_damping, "ratio", "--most-damping"),
+        positions=[] if described is None else tap_places(described, tapped.at or []),
+        bar=bar,
+        band=_band(listening.band),
+        held=parse(listening.most_damping, "ratio", "--most-damping"),
     )
-    if format == "json":
-        print_json(tap_json(test))
-    elif format == "csv":
-        print_rows_csv(tone_rows(test))
-    else:
-        print_table(tap_table(test))
-    if out is not None:
-        import json
-
-        from sweetspot.report.file_set import write_folder
-        from sweetspot.report.pictures.files import png_bytes, svg_bytes
-        from sweetspot.report.tap.picture import tap_figure
-
-        figure = tap_figure(test, "A tapped bar" if bar else described.name if described else "A tap")
-        content = {"tap.png": png_bytes(figure), "tap.svg": svg_bytes(figure),
-                   "tap.json": json.dumps(tap_json(test), indent=2).encode()}  # fmt: skip
-        written = ", ".join(str(path) for path in write_folder(out, content))
-        print(f"sweetspot: wrote {written}", file=sys.stderr)
+    title = "A tapped bar" if bar else described.name if described else "A tap"
+    return present(tap_document(test, title), output)
 
 
 def modes_to_name(described: Implement) -> Modes:
@@ -134,18 +144,25 @@ def _band(text: str) -> Band:
     return Band(low, high)
 
 
-def _synthesise(name: str, at: list[str], listen_at: str, noise: float, seed: int, out: Path | None) -> None:
+def _synthesise(name: str, synthesis: SynthesisOptions, at: list[str], out: Path | None) -> int:
     """Write three synthetic taps of a bat as a sound file."""
     from sweetspot import catalog
     from sweetspot.calibration.recording import write_recording
     from sweetspot.calibration.synthetic import synthesised
+    from sweetspot.units import parse
 
+    if synthesis.seed < 0:
+        raise InputError(f"--seed was given as {synthesis.seed}; allowed is a whole number from 0 up")
+    noise = parse(synthesis.noise, "ratio", "--noise")
     described = catalog.load_implement(name)
-    places = tap_places(described, at or ["1in-from-tip"])
+    places = tap_places(described, at)
     if len(places) > 1:
         raise InputError("--synthesise taps in one place; give --at once")
-    listened = tap_places(described, [listen_at])[0]
-    sound = synthesised(modes_to_name(described), position=places[0], listened=listened, noise=noise, seed=seed)
+    listened = tap_places(described, [synthesis.listen_at])[0]
+    sound = synthesised(
+        modes_to_name(described), position=places[0], listened=listened, noise=noise, seed=synthesis.seed
+    )
     path = out or Path(f"{Path(name).stem}-tap.wav")
     write_recording(sound, path)
     print(f"sweetspot: wrote {path}", file=sys.stderr)
+    return 0

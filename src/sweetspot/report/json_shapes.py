@@ -9,8 +9,8 @@ import numpy as np
 
 
 def as_columns(rows: list[dict[str, Any]]) -> dict[str, list[Any]]:
-    """Return rows with equal keys as columns; no columns where there are no rows."""
-    return {name: [row[name] for row in rows] for name in rows[0]} if rows else {}
+    """Return rows as columns, None where a row lacks a key; no columns where there are no rows."""
+    return {name: [row.get(name) for row in rows] for name in dict.fromkeys(name for row in rows for name in row)}
 
 
 def cleaned(table: dict[str, Any]) -> dict[str, Any]:

@@ -65,6 +65,7 @@ SCALES: Mapping[str, Scale] = {
     "mass": Scale("_kg", Unit("oz", OUNCE, 1), Unit("g", 1e-3, 0)),
     "moi": Scale("_kg_m2", Unit("oz in²", OUNCE_INCH_SQUARED, 0), Unit("kg cm²", 1e-4, 0)),
     "density": _same("_kg_m3", "kg/m³", 1.0, 4),
+    "modulus": _same("_pa", "GPa", 1e9, 2),
     "pressure": Scale("_pa", Unit("inHg", INCH_OF_MERCURY, 2), Unit("hPa", 100.0, 0)),
     "temperature": Scale("_degc", Unit("°F", 5 / 9, 0, zero=-160 / 9), Unit("°C", 1.0, 0)),
     "time": _same("_s", "s", 1.0, 1),

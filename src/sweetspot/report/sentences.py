@@ -79,11 +79,12 @@ class Span:
 
 @dataclass(frozen=True)
 class Doubtful:
-    """A number and its standard deviation, SI: two digits of that, and no more of the number."""
+    """A number and its doubt, SI: two digits of that, and no more of the number."""
 
     value: float
     doubt: float
     scale: str
+    sign: bool = False
 
     def read(self, reader: Reader) -> str:
         """Return both as a reader sees them."""
@@ -91,7 +92,7 @@ class Doubtful:
         places = 1 - math.floor(math.log10(self.doubt / unit.size))
         value, doubt = (round(number / unit.size, places) for number in (self.value, self.doubt))
         digits = max(places, 0)
-        return f"{value:,.{digits}f} ± {doubt:,.{digits}f}{reader.behind(self.scale)}"
+        return f"{value:{'+' if self.sign else ''}z,.{digits}f} ± {doubt:,.{digits}f}{reader.behind(self.scale)}"
 
 
 Part = str | Slot | Span | UnitName | Doubtful

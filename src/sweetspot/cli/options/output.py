@@ -13,13 +13,24 @@ Format = Literal["table", "json", "csv"]
 
 @Parameter(name="*")
 @dataclass(frozen=True)
-class OutputOptions:
+class AnswerOptions:
     """How an answer is told."""
 
     format: Annotated[Format, Parameter(help="table for people, json or csv for programs (SI).")] = "table"
     units: Annotated[
         Literal["us", "si"] | None, Parameter(help="Units that people are told in; default: those of the sport.")
     ] = None
+
+    def into(self, folder: Path | None) -> OutputOptions:
+        """Return the same with a folder for files, where one is given."""
+        return OutputOptions(format=self.format, units=self.units, out=folder)
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class OutputOptions(AnswerOptions):
+    """How an answer is told, and to which files it goes."""
+
     title: Annotated[str, Parameter(help="Heading of the answer and its page.")] = ""
     made_for: Annotated[str, Parameter(name="--for", help="Whom it is for, named at the head of the page.")] = ""
     out: Annotated[
@@ -34,4 +45,4 @@ class OutputOptions:
             check_folder(self.out, ())
 
 
-DEFAULT_OUTPUT = OutputOptions()
+DEFAULT_ANSWER, DEFAULT_OUTPUT = AnswerOptions(), OutputOptions()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
@@ -12,8 +12,6 @@ from sweetspot.errors import InputError
 if TYPE_CHECKING:
     from sweetspot.equipment.implement import Implement
     from sweetspot.motion.swing import Conditions
-
-Format = Literal["table", "json", "csv"]
 
 
 @Parameter(name="*", allow_leading_hyphen=True)
@@ -48,6 +46,9 @@ class SwingOptions:
         str | None, Parameter(help="Relative humidity the ball was stored at, as a ratio: 0.5 or 50%.")
     ] = None
     ball_temperature: Annotated[str | None, Parameter(help="Temperature of the ball, for example 40degF.")] = None
+
+
+DEFAULT_SWING = SwingOptions()
 
 
 def conditions_for(bat: Implement, options: SwingOptions) -> Conditions:

@@ -37,6 +37,9 @@ class AirOptions:
     )
 
 
+DEFAULT_AIR = AirOptions()
+
+
 def park_of(options: AirOptions) -> Park | None:
     """Return the park that the options name, if any."""
     from sweetspot import catalog

@@ -6,10 +6,10 @@ from typing import Any
 
 from sweetspot.calibration.measured import LEVEL, Measured
 from sweetspot.calibration.uncertainty import OUTPUTS, Doubt
+from sweetspot.report.calibration.intervals import half_width, measured_json
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.quantities import QUANTITIES, SCALES
 from sweetspot.report.sentences import Sentence, Slot, joined, say
-from sweetspot.report.tap.tap_report import measured_json
 
 LEAST_SHARE = 0.02
 
@@ -78,8 +78,3 @@ def difference_words(name: str, reference: str, apart: Measured) -> Sentence:
         reference=reference, half=Slot(half_width(apart), "speed_change"),
         sure="surely" if apart.low > 0 or apart.high < 0 else "not surely",
     )  # fmt: skip
-
-
-def half_width(value: Measured) -> float:
-    """Return half the width of a value's 90 % interval."""
-    return value.high - value.value

@@ -6,11 +6,10 @@ from typing import Any
 
 from sweetspot.calibration.measured import LEVEL
 from sweetspot.calibration.ranking import RankedBat, Ranking
-from sweetspot.report.calibration.doubt_report import half_width
+from sweetspot.report.calibration.intervals import half_width, measured_json
 from sweetspot.report.document import Block, Column, Document, Paragraph, Table
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.sentences import Sentence, Slot, joined, say
-from sweetspot.report.tap.tap_report import measured_json
 
 WORDS = {"mass": "weight", "balance_point": "balance", "moi": "swing weight", "modulus": "stiffness"}
 UNITS = {"mass": "_kg", "balance_point": "_m", "moi": "_kg_m2", "modulus": ""}

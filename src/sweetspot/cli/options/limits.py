@@ -1,0 +1,119 @@
+"""What a designed bat has to keep: bands of its weight and balance, its grip, its wood and a league's rules."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from cyclopts import Parameter
+
+from sweetspot.errors import InputError
+
+if TYPE_CHECKING:
+    from sweetspot.analysis.certification.rules import League
+    from sweetspot.design.limits import Limit
+    from sweetspot.design.measures import Bench
+    from sweetspot.design.variables import Space
+    from sweetspot.equipment.bat import Bat
+    from sweetspot.units import Kind
+
+Kept = Literal["mass", "moi", "balance", "grip", "nothing"]
+KINDS: dict[str, Kind] = {"mass": "mass", "moi": "moi", "balance_point": "length"}
+WITHIN = 0.01
+"""Share of the present bat's value that what is kept may change by."""
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class LimitOptions:
+    """Limits of a design."""
+
+    keep: Annotated[
+        list[Kept] | None,
+        Parameter(
+            negative="", help="What stays within 1 % of the present bat's; may be given again. Default: mass and moi."
+        ),
+    ] = None
+    mass: Annotated[str | None, Parameter(help="Band instead of --keep mass: 30oz:31.5oz, or 30oz: for at least.")] = (
+        None
+    )
+    moi: Annotated[
+        str | None, Parameter(help="Band of the moment of inertia about 6 in: 10500oz*in^2:11000oz*in^2.")
+    ] = None
+    balance: Annotated[str | None, Parameter(help="Band of the balance point, from the knob end: 22in:23in.")] = None
+    handle: Annotated[
+        str | None, Parameter(help="Smallest diameter of the grip; default: the present one's, for breaking's sake.")
+    ] = None
+    cup: Annotated[str, Parameter(help="Deepest cup that may be turned; 0in: none.")] = "1in"
+    wood: Annotated[str | None, Parameter(help="Species of the catalogue; default: the present bat's.")] = None
+    league: Annotated[
+        str,
+        Parameter(help="Whose rules to keep: a league of the catalogue, or nobody. Default: mlb for wood, else ncaa."),
+    ] = ""
+
+
+DEFAULT_LIMITS = LimitOptions()
+
+
+def space_of(bat: Bat, options: LimitOptions) -> Space:
+    """Return what may change of a bat."""
+    from sweetspot.design.variables import hollow_space, turned_space
+    from sweetspot.units import parse
+
+    if bat.shell is not None:
+        return hollow_space(bat)
+    deepest = parse(options.cup, "length", "--cup")
+    if not 0 <= deepest < bat.length / 4:
+        raise InputError(f"--cup was given as {options.cup}; allowed is 0in to a quarter of the bat")
+    return turned_space(bat, deepest_cup=deepest)
+
+
+def league_of(bat: Bat, options: LimitOptions) -> League | None:
+    """Return the league whose rules are kept, if any."""
+    from sweetspot.catalog.rules import league
+
+    if options.league == "nobody":
+        return None
+    return league(options.league or ("mlb" if bat.material.family == "wood" and bat.shell is None else "ncaa"))
+
+
+def limits_of(bench: Bench, options: LimitOptions, rules: League | None) -> tuple[Limit, ...]:
+    """Return every limit of the question."""
+    from sweetspot.design.gain import present_measured
+    from sweetspot.design.limits import Limit, band, lathe_limits, league_limits
+    from sweetspot.design.variables import TurnedSpace
+    from sweetspot.equipment.bat import Bat
+    from sweetspot.units import parse
+
+    present = bench.space.present
+    now = present_measured(bench).values
+    bands = {"mass": options.mass, "moi": options.moi, "balance_point": options.balance}
+    given = {name: text for name, text in bands.items() if text is not None}
+    keep = ("mass", "moi") if options.keep is None else options.keep
+    kept = [{"balance": "balance_point"}.get(name, name) for name in keep]
+    limits = [band(name, float(now[name][0]), part=WITHIN) for name in kept if name in KINDS and name not in given]
+    limits += [_band_of(name, text, KINDS[name]) for name, text in given.items()]
+    if rules is not None and isinstance(present, Bat):
+        limits += league_limits(rules, present)
+    if isinstance(bench.space, TurnedSpace):
+        least = float(now["handle"][0]) if options.handle is None else parse(options.handle, "length", "--handle")
+        if "grip" in kept:
+            limits.append(band("handle", float(now["handle"][0]), part=0.002))
+        else:
+            limits.append(Limit("handle", 0.999 * least, None, "breaking"))
+        limits += lathe_limits()
+    return tuple(limits)
+
+
+def _band_of(name: str, text: str, kind: Kind) -> Limit:
+    from sweetspot.design.limits import Limit
+    from sweetspot.units import parse
+
+    option = f"--{'balance' if name == 'balance_point' else name}"
+    parts = text.split(":")
+    if len(parts) != 2 or not any(part.strip() for part in parts):
+        raise InputError(
+            f"{option} was given as {text!r}; give a band LOW:HIGH, with a unit on either side of the colon"
+        )
+    low, high = (parse(part, kind, option) if part.strip() else None for part in parts)
+    return Limit(name, low, high, "as given")

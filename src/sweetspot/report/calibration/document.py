@@ -1,0 +1,190 @@
+"""A calibration as an answer: before and after, given and predicted, budget, contradictions."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sweetspot.calibration.calibrated_file import Value, material_values, properties
+from sweetspot.calibration.measured import LEVEL, REACH, Measured
+from sweetspot.calibration.measurements import MeasuredKind, Measurement, predicted
+from sweetspot.calibration.posterior import CONTRADICTION, Posterior, suspects
+from sweetspot.report.calibration.intervals import measured_json, measured_words
+from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Table
+from sweetspot.report.json_shapes import as_columns, cleaned
+from sweetspot.report.quantities import SCALES
+from sweetspot.report.sentences import Sentence, Slot, joined, say
+
+SCALE_OF: dict[MeasuredKind, tuple[str, int]] = {
+    "mass": ("mass", 2), "balance_point": ("length", 2), "moi": ("moi", 0), "period": ("time", 4),
+    "frequency": ("frequency", 1), "efficiency": ("ratio", 4),
+}  # fmt: skip
+"""How each kind of measurement is shown, and to how many digits."""
+VALUES = {
+    "mass": ("mass", "mass"), "balance_point": ("balance point from the knob", "length"),
+    "moi": ("MOI about 6 in", "moi"), "longitudinal_modulus": ("modulus E along the grain", "modulus"),
+    "shear_modulus": ("shear modulus G", "modulus"), "density": ("density", "density"),
+}  # fmt: skip
+"""What each value of the calibrated bat is called, and how it is shown."""
+WORDS = {
+    "modulus": "modulus E", "shear_modulus": "shear modulus G", "density": "density", "wall": "wall thickness",
+    "density_gradient": "density, middle to tip", "knob_mass": "mass at the knob", "end_mass": "mass of the end cap",
+    "ball_restitution": "restitution of the shot balls", "handle": "handle diameter", "barrel": "barrel diameter",
+}  # fmt: skip
+LEAST_SHARE = 0.01
+
+
+def calibration_document(posterior: Posterior, damping: Measured | None) -> Document:
+    """Return a calibration as an answer; it has not passed where measurements contradict each other.
+
+    Parameters
+    ----------
+    damping : measured damping ratio of the bending modes, if any.
+    """
+    findings = contradictions(posterior)
+    data = _data(posterior, damping)
+    sigma = say(
+        "Plus or minus: {level} intervals. Sigma: distance from all other sources together, one for the measurement's "
+        "and the model's error.",
+        level=Slot(LEVEL, "share"),
+    )
+    blocks: list[Block] = [Paragraph(words, "warning") for words in findings]
+    blocks += [_values(posterior, damping), _unknowns(posterior), _measured(posterior)]
+    blocks += [Paragraph(budget_words(posterior)), Paragraph(sigma, "note")]
+    return Document(
+        name="calibrate", title="The calibrated bat", kind="Calibration", blocks=blocks, data=data,
+        rows=as_columns(data["measurements"]), passed=not posterior.contradictions,
+    )  # fmt: skip
+
+
+def _values(posterior: Posterior, damping: Measured | None) -> Table:
+    values = {**properties(posterior), **material_values(posterior)}
+    rows: list[tuple[Cell, ...]] = [
+        (VALUES[name][0], measured_words(one.value, VALUES[name][1]), one.kind) for name, one in values.items()
+    ]
+    if damping is not None:
+        rows.append(("damping", measured_words(damping, "share"), "measured"))
+    return Table("", [Column("the bat"), Column("value", right=True), Column("known from")], rows)
+
+
+def _unknowns(posterior: Posterior) -> Table:
+    rows = [
+        (
+            WORDS[one.name],
+            say("± {spread}", spread=Slot(REACH * one.spread, "share", 1)),
+            _percent(posterior.deviation(one.name)),
+        )
+        for one in posterior.unknowns
+    ]
+    columns = [Column("what was not known"), Column("before", right=True), Column("off the description by", right=True)]
+    return Table("What the measurements changed", columns, rows)
+
+
+def _percent(value: Measured) -> Sentence:
+    return say(
+        "{value} ± {half}", value=Slot(value.value, "share", 1, sign=True).bare,
+        half=Slot(value.high - value.value, "share", 1),
+    )  # fmt: skip
+
+
+def _measured(posterior: Posterior) -> Table:
+    rows = [
+        (one.name, measured_words(one.value, SCALE_OF[one.kind][0]), Slot(fitted, *SCALE_OF[one.kind]), f"{pull:+.1f}")
+        for one, fitted, pull in _rows(posterior)
+    ]
+    columns = [
+        Column("measured"), Column("value", right=True), Column("the fitted bat", right=True),
+        Column("off by sigma", right=True),
+    ]  # fmt: skip
+    return Table("The measurements", columns, rows)
+
+
+def contradictions(posterior: Posterior) -> list[Sentence]:
+    """Return in words which measurement contradicts the others, by how much, and what it should have been."""
+    if not posterior.contradictions:
+        return []
+    name, pull = next(iter(posterior.contradictions.items()))
+    words = [
+        say(
+            "The measurements contradict each other: {name} lies {pull} sigma from what all the others say together; "
+            "allowed is {most}.", name=_source(name), pull=f"{abs(pull):.1f}", most=f"{CONTRADICTION:g}",
+        )
+    ]  # fmt: skip
+    for suspect, without in suspects(posterior).items():
+        one = next(one for one in posterior.measurements if one.name == suspect)
+        should = float(predicted(without.line, [one], livelier=without.livelier)[0])
+        words.append(
+            say(
+                "Without {name} all others agree; by them it should be {should} and not {given}. Measure it again, or "
+                "--leave-out '{name}'.", name=suspect, should=Slot(should, *SCALE_OF[one.kind]),
+                given=Slot(one.value.value, *SCALE_OF[one.kind]),
+            )
+        )  # fmt: skip
+    if len(words) == 1:
+        words.append(
+            say(
+                "No single measurement explains it: look for a wrong outline, another wood, or a bat that was not free."
+            )
+        )
+    return words
+
+
+def _rows(posterior: Posterior) -> list[tuple[Measurement, float, float]]:
+    """Return every measurement with what the fitted bat says to it, and its distance from the others in sigma."""
+    pulls = posterior.pulls[: len(posterior.measurements)]
+    return list(zip(posterior.measurements, posterior.predictions.tolist(), pulls.tolist(), strict=True))
+
+
+def budget_words(posterior: Posterior) -> Sentence:
+    """Return in words what the doubt about the modulus comes from, and what a wrong handle would do to it."""
+    shares = (
+        say("{name} {share}", name=_source(name), share=Slot(share, "share"))
+        for name, share in posterior.budget("modulus").items()
+        if share >= LEAST_SHARE
+    )
+    words = [say("What the doubt about E comes from: {shares}.", shares=joined(shares, ", "))]
+    names = posterior.sources
+    if "expected handle" in names:
+        index = [one.name for one in posterior.unknowns].index("handle")
+        gain = posterior.gains[0][names.index("expected handle")] / posterior.unknowns[index].spread
+        words.append(say("A handle 1 % thinner than drawn would raise E by {gain} %.", gain=f"{abs(gain):.1f}"))
+    return joined(words)
+
+
+def _source(name: str) -> str:
+    if not name.startswith("expected "):
+        return name
+    unknown = name.removeprefix("expected ")
+    return WORDS[unknown] if unknown in ("handle", "barrel") else f"{WORDS[unknown]} as expected"
+
+
+def _data(posterior: Posterior, damping: Measured | None) -> dict[str, Any]:
+    """Return everything that `sweetspot calibrate` knows, SI."""
+    values: dict[str, Value] = {**properties(posterior), **material_values(posterior)}
+    units = {name: SCALES[scale].ending for name, (_, scale) in VALUES.items()}
+    return cleaned(
+        {
+            "interval_level": LEVEL,
+            "consistent": not posterior.contradictions,
+            "contradictions": posterior.contradictions,
+            "findings": [str(words) for words in contradictions(posterior)],
+            "bat": {
+                name: {"kind": one.kind, **measured_json(one.value, name, units[name])} for name, one in values.items()
+            },
+            "damping_ratio": None if damping is None else measured_json(damping, "damping_ratio", ""),
+            "unknowns": [
+                {"name": one.name, "before_error": one.spread,
+                 **measured_json(posterior.deviation(one.name), "deviation", "")}
+                for one in posterior.unknowns
+            ],
+            "measurements": [_measurement_data(*row) for row in _rows(posterior)],
+            "budget": {one.name: posterior.budget(one.name) for one in posterior.unknowns},
+        }
+    )  # fmt: skip
+
+
+def _measurement_data(one: Measurement, fitted: float, pull: float) -> dict[str, Any]:
+    ending = SCALES[SCALE_OF[one.kind][0]].ending
+    return {
+        "name": one.name, **measured_json(one.value, "measured", ending), f"fitted{ending}": fitted,
+        "off_by_sigma": pull,
+    }  # fmt: skip

@@ -1,0 +1,119 @@
+"""A tap test as an answer: which taps were used, the tones, and the modulus of a bar."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sweetspot.calibration.bar import BarModulus
+from sweetspot.calibration.measured import LEVEL
+from sweetspot.calibration.naming import NamedTone
+from sweetspot.calibration.tap_analysis import TapTest
+from sweetspot.report.calibration.intervals import measured_json, measured_words
+from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Picture, Table
+from sweetspot.report.json_shapes import as_columns, cleaned
+from sweetspot.report.sentences import Sentence, Slot, joined, say
+
+LEAST_SHARE = 0.005
+
+
+def tap_document(test: TapTest, title: str) -> Document:
+    """Return a tap test as an answer: the taps that were not used and why, the tones, the bar."""
+    blocks: list[Block] = [Paragraph(f"{len(test.good)} of {len(test.taps)} taps used.")]
+    blocks += [Paragraph(_fault(test, number), "warning") for number, tap in enumerate(test.taps) if not tap.good]
+    blocks.append(_tones(test))
+    if test.bar is not None:
+        blocks += [_bar(test.bar), Paragraph(_budget(test.bar))]
+    level = say(
+        "Plus or minus: {level} intervals. Level: loudness over the loudest tone's.", level=Slot(LEVEL, "share")
+    )
+    picture = Picture("tap", lambda _: _drawn(test, title), "The recording, its spectrum and how its tones decay")
+    return Document(
+        name="tap", title=title, kind="Tap test", blocks=[*blocks, Paragraph(level, "note"), picture],
+        data=_data(test), rows=as_columns([cleaned(_tone_data(one)) for one in test.tones]), drawing=picture,
+    )  # fmt: skip
+
+
+def _fault(test: TapTest, number: int) -> Sentence:
+    tap = test.taps[number]
+    return say("{name}, {start}: {fault}", name=tap.recording, start=Slot(tap.start, "time", 2), fault=tap.fault)
+
+
+def _tones(test: TapTest) -> Table:
+    columns = [
+        Column("mode"), Column("frequency", right=True), Column("expected", "frequency", digits=1),
+        Column("damping", right=True), Column("Q", right=True), Column("level", "ratio"), Column("taps", "count"),
+    ]  # fmt: skip
+    return Table("Tones", columns, [_tone_row(one) for one in test.tones])
+
+
+def _tone_row(one: NamedTone) -> tuple[Cell, ...]:
+    tone = one.tone
+    quality = f"{tone.quality:.0f}" if tone.damping_ratio.low > 0 else f"> {_least_quality(one):.0f}"
+    return (
+        str(one.name) if one.name else "?", measured_words(tone.frequency, "frequency"), one.expected,
+        measured_words(tone.damping_ratio, "share"), quality, tone.level, tone.taps,
+    )  # fmt: skip
+
+
+def _least_quality(one: NamedTone) -> float:
+    return 0.5 / max(one.tone.damping_ratio.high, 1e-12)
+
+
+def _bar(bar: BarModulus) -> Table:
+    rows: list[tuple[Cell, Cell]] = [
+        ("Young's modulus E", measured_words(bar.modulus, "modulus")),
+        ("density", measured_words(bar.density, "density")),
+        ("E / G", measured_words(bar.modulus_ratio, "ratio")),
+    ]
+    return Table("The bar", [Column("quantity"), Column("value", right=True)], rows)
+
+
+def _budget(bar: BarModulus) -> Sentence:
+    ranked = sorted(bar.budget.items(), key=lambda entry: -entry[1])
+    told = (say("{name} {share}", name=name, share=Slot(share, "share")) for name, share in ranked
+            if share >= LEAST_SHARE)  # fmt: skip
+    return say("What the doubt about E comes from: {shares}.", shares=joined(told, ", "))
+
+
+def _drawn(test: TapTest, title: str) -> Any:
+    from sweetspot.report.tap.picture import tap_figure
+
+    return tap_figure(test, title)
+
+
+def _data(test: TapTest) -> dict[str, Any]:
+    """Return everything that `sweetspot tap` knows, SI."""
+    return cleaned(
+        {
+            "interval_level": LEVEL,
+            "taps": [
+                {"recording": tap.recording, "time_s": tap.start, "used": tap.good, "fault": tap.fault}
+                for tap in test.taps
+            ],
+            "tones": [_tone_data(one) for one in test.tones],
+            "bar": None if test.bar is None else _bar_data(test.bar),
+        }
+    )
+
+
+def _tone_data(one: NamedTone) -> dict[str, Any]:
+    tone = one.tone
+    return {
+        "family": one.name.family if one.name else None,
+        "harmonic": one.name.harmonic if one.name else None,
+        **measured_json(tone.frequency, "frequency", "_hz"),
+        **measured_json(tone.damping_ratio, "damping_ratio", ""),
+        "q_factor": tone.quality,
+        "level": tone.level,
+        "taps": tone.taps,
+        "expected_hz": one.expected,
+    }
+
+
+def _bar_data(bar: BarModulus) -> dict[str, Any]:
+    return {
+        **measured_json(bar.modulus, "modulus", "_pa"),
+        **measured_json(bar.density, "density", "_kg_m3"),
+        **measured_json(bar.modulus_ratio, "modulus_ratio", ""),
+        "budget": bar.budget,
+    }
