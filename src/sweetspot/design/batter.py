@@ -24,6 +24,8 @@ OFFSETS = np.linspace(-2.0, 2.0, 41)
 FARTHEST = 16 * INCH
 MOST_BYTES = 5_000_000
 LEARNED = ("position", "position_spread", "offset", "offset_spread", "bat_speed")
+USUAL = {"position": 0.1651, "position_spread": 0.04572, "offset": 0.00508, "offset_spread": 0.02794}
+"""m: the middles of what is known of players before any swing (`player_priors.toml`)."""
 PLACE_HEADS = {"from_tip_in": INCH, "from_tip_m": 1.0, "from_tip_cm": 0.01, "from_tip_mm": 1e-3}
 
 

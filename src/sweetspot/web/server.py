@@ -19,6 +19,7 @@ from sweetspot.web.answers import Answers, TooSlowError, answer_json
 from sweetspot.web.catalogue import catalogue_routes
 from sweetspot.web.errors import fault
 from sweetspot.web.files import File, shell, static_files
+from sweetspot.web.jobs import Jobs, job_routes
 from sweetspot.web.limits import EMBEDDED_POLICY, Guard
 from sweetspot.web.schemas import REFUSALS, UNFINISHED
 from sweetspot.web.socket import Sockets
@@ -44,13 +45,14 @@ def create_app(*, names: Iterable[str] = ()) -> FastAPI:
     ----------
     names : host names, besides localhost and number addresses, under which browsers may ask for it.
     """
-    answers = Answers()
+    answers, jobs = Answers(), Jobs()
 
     @asynccontextmanager
     async def life(_: FastAPI) -> AsyncIterator[None]:
         threading.Thread(target=answers.prepare, daemon=True, name="prepare").start()
         yield
         answers.close()
+        jobs.close()
 
     app = FastAPI(
         title="sweetspot",
@@ -71,6 +73,8 @@ def create_app(*, names: Iterable[str] = ()) -> FastAPI:
     catalogue_routes(api)
     for view in VIEWS.values():
         _view_route(api, view, answers)
+        _job_routes(api, view, jobs)
+    job_routes(api, jobs)
     app.include_router(api)
     sockets = Sockets(answers)
 
@@ -108,6 +112,19 @@ def _view_route(api: APIRouter, view: View, answers: Answers) -> None:
     lines.__annotations__["state"] = view.state
     lines.__doc__ = "Return the lines that give the same numbers without the page, and the bat's file."
     api.post(f"/{view.name}/recipe", name=f"{view.title}: recipe", tags=["views"])(lines)
+
+
+def _job_routes(api: APIRouter, view: View, jobs: Jobs) -> None:
+    def route(name: str, work: Callable[..., dict[str, Any]]) -> None:
+        def endpoint(state: Any, request: Request) -> dict[str, str]:
+            return {"job": jobs.start(request.client.host if request.client else "", work, state)}
+
+        endpoint.__annotations__["state"] = view.state
+        endpoint.__doc__ = work.__doc__
+        api.post(f"/{view.name}/{name}", name=f"{view.title}: {name}", tags=["long work"])(endpoint)
+
+    for name, work in view.jobs.items():
+        route(name, work)
 
 
 def _page_routes(app: FastAPI) -> None:

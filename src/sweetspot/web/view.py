@@ -22,6 +22,7 @@ class View:
         raises `FieldError` where a control does not work.
     recipe : from its controls to the lines that give the same numbers without the page; see `web.recipes`.
     slow : states whose first answer takes long, worked out once before anyone asks.
+    jobs : by name, work of minutes that POST /api/v1/VIEW/NAME begins in a process of its own; see `web.jobs`.
     asides : by name, what is asked apart once the answer is drawn, since it may take longer: POST /api/v1/VIEW/NAME.
     """
 
@@ -32,3 +33,4 @@ class View:
     recipe: Callable[[Any], dict[str, str]] | None = None
     slow: tuple[ViewState, ...] = ()
     asides: Mapping[str, Callable[[Any], dict[str, Any]]] = field(default_factory=dict)
+    jobs: Mapping[str, Callable[..., dict[str, Any]]] = field(default_factory=dict)

@@ -44,13 +44,11 @@ class BatterOptions:
 
 
 DEFAULT_BATTER = BatterOptions()
-USUAL = {"position": 0.1651, "position_spread": 0.04572, "offset": 0.00508, "offset_spread": 0.02794}
-"""m: the middles of what is known of players before any swing (`player_priors.toml`)."""
 
 
 def batter_of(options: BatterOptions, bat: Implement, conditions: Conditions) -> Batter:
     """Return the batter that the options describe, with the present bat under these conditions."""
-    from sweetspot.design.batter import Batter, contacts_of_file, fitted_player, normal_contact
+    from sweetspot.design.batter import USUAL, Batter, contacts_of_file, fitted_player, normal_contact
     from sweetspot.units import parse
 
     ways = [name for name in ("contact", "contacts", "player") if getattr(options, name) is not None]

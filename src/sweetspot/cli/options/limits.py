@@ -19,8 +19,6 @@ if TYPE_CHECKING:
 
 Kept = Literal["mass", "moi", "balance", "grip", "nothing"]
 KINDS: dict[str, Kind] = {"mass": "mass", "moi": "moi", "balance_point": "length"}
-WITHIN = 0.01
-"""Share of the present bat's value that what is kept may change by."""
 
 
 @Parameter(name="*")
@@ -57,15 +55,13 @@ DEFAULT_LIMITS = LimitOptions()
 
 def space_of(bat: Bat, options: LimitOptions) -> Space:
     """Return what may change of a bat."""
-    from sweetspot.design.variables import hollow_space, turned_space
+    from sweetspot.design.usual_limits import space_of as space_around
     from sweetspot.units import parse
 
-    if bat.shell is not None:
-        return hollow_space(bat)
     deepest = parse(options.cup, "length", "--cup")
     if not 0 <= deepest < bat.length / 4:
         raise InputError(f"--cup was given as {options.cup}; allowed is 0in to a quarter of the bat")
-    return turned_space(bat, deepest_cup=deepest)
+    return space_around(bat, deepest_cup=deepest)
 
 
 def league_of(bat: Bat, options: LimitOptions) -> League | None:
@@ -79,30 +75,17 @@ def league_of(bat: Bat, options: LimitOptions) -> League | None:
 
 def limits_of(bench: Bench, options: LimitOptions, rules: League | None) -> tuple[Limit, ...]:
     """Return every limit of the question."""
-    from sweetspot.design.gain import present_measured
-    from sweetspot.design.limits import Limit, band, lathe_limits, league_limits
-    from sweetspot.design.variables import TurnedSpace
-    from sweetspot.equipment.bat import Bat
+    from sweetspot.design.usual_limits import kept_limits
     from sweetspot.units import parse
 
-    present = bench.space.present
-    now = present_measured(bench).values
     bands = {"mass": options.mass, "moi": options.moi, "balance_point": options.balance}
     given = {name: text for name, text in bands.items() if text is not None}
     keep = ("mass", "moi") if options.keep is None else options.keep
-    kept = [{"balance": "balance_point"}.get(name, name) for name in keep]
-    limits = [band(name, float(now[name][0]), part=WITHIN) for name in kept if name in KINDS and name not in given]
-    limits += [_band_of(name, text, KINDS[name]) for name, text in given.items()]
-    if rules is not None and isinstance(present, Bat):
-        limits += league_limits(rules, present)
-    if isinstance(bench.space, TurnedSpace):
-        least = float(now["handle"][0]) if options.handle is None else parse(options.handle, "length", "--handle")
-        if "grip" in kept:
-            limits.append(band("handle", float(now["handle"][0]), part=0.002))
-        else:
-            limits.append(Limit("handle", 0.999 * least, None, "breaking"))
-        limits += lathe_limits()
-    return tuple(limits)
+    names = [{"balance": "balance_point", "grip": "handle"}.get(name, name) for name in keep if name != "nothing"]
+    kept = [name for name in names if name not in given]
+    limits = [_band_of(name, text, KINDS[name]) for name, text in given.items()]
+    handle = None if options.handle is None else parse(options.handle, "length", "--handle")
+    return kept_limits(bench, kept, bands=limits, league=rules, handle=handle)
 
 
 def _band_of(name: str, text: str, kind: Kind) -> Limit:

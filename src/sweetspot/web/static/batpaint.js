@@ -62,6 +62,18 @@ export function radiusAt(bat, x) {
   return (widths[i - 1] + part * (widths[i] - widths[i - 1])) / 2;
 }
 
+// The outline of another bat, dashed over this one.
+export function paintOutline(context, { outline: { position_m: places, diameter_m: widths } }, { left, scale, middle }, color) {
+  Object.assign(context, { strokeStyle: color, lineWidth: 1.1 });
+  context.setLineDash([4, 3]);
+  for (const side of [-1, 1]) {
+    context.beginPath();
+    places.forEach((place, i) => context.lineTo(left + place * scale, middle + (side * widths[i] * scale) / 2));
+    context.stroke();
+  }
+  context.setLineDash([]);
+}
+
 // The bat alone, cut open: wood, wall, holes, what fills them, and the cup.
 export function paintBat(context, bat, { left, scale, middle }, colors, warm = null) {
   const { position_m: places, diameter_m: widths } = bat.outline;

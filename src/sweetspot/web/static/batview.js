@@ -3,13 +3,13 @@
 //   const picture = new BatView(app, { onBall(position_m, { last }) {}, onStations(stations, { last }) {} });
 //   root.append(picture.element);
 //   picture.draw({ bat, sweet_spots, hands_m, ball: { position_m, radius_m } });   // bat as in web/outline.py
-//   picture.drawing = true;     // the outline's stations can be dragged
+//   picture.drawing = true;     // the outline's stations can be dragged; draw({ ghost }): another bat's outline, dashed
 //   paintBat in batpaint.js: the bat alone; place = { left, scale, middle } in pixels and pixels per m
 //
 // In onStations, stations are [{ position_m, diameter_m }]. Everything but drawing stations has a control of its own.
 
 import { LEFT, RIGHT } from "./chart.js";
-import { WIDEST, paintBall, paintBat, paintMeeting, radiusAt } from "./batpaint.js";
+import { WIDEST, paintBall, paintBat, paintMeeting, paintOutline, radiusAt } from "./batpaint.js";
 import table from "./quantities.js";
 import { FONT, Surface, haloText } from "./surface.js";
 import { text } from "./units.js";
@@ -108,6 +108,7 @@ export class BatView {
     context.clip();
     if (spots?.zone_m) this.paintZone(context, spots.zone_m, across, place, bottom);
     paintBat(context, bat, place, colors, warm);
+    if (this.data.ghost) paintOutline(context, this.data.ghost, place, colors.ink);
     this.paintBelow(context, bat, hands, across, place);
     if (ball) paintBall(context, ball, bat, place, colors);
     if (this.drawing) this.paintStations(context, bat, across, place);

@@ -20,7 +20,7 @@ from sweetspot.player.advice import advise
 from sweetspot.player.goal import Goal
 from sweetspot.player.model import bats_of, player_model
 from sweetspot.player.player_swing import check_enough
-from sweetspot.player.posterior import fit_player
+from sweetspot.player.posterior import Posterior, fit_player
 from sweetspot.player.swings import MOST_SWINGS, Swings, evenly, read_swings
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.player.document import player_document
@@ -80,6 +80,15 @@ def fit(state: PlayerState) -> dict[str, Any]:
 
 @lru_cache(maxsize=16)
 def _fitted(state: PlayerState) -> dict[str, Any]:
+    own, posterior = described(state), learned(state)
+    law = catalog.aerodynamics_of_ball(catalog.sport(own.sport).balls[0])
+    advice = advise(posterior, goal=Goal(state.goal, None), aerodynamics=law, air=Air(), others=[])
+    return told(player_document(posterior, advice, _swings(state)))
+
+
+@lru_cache(maxsize=16)
+def learned(state: PlayerState) -> Posterior:
+    """Return what the swings of a state say about the player; a second or so."""
     swings, own = _swings(state), described(state)
     with about("swings_csv"):
         model = player_model(
@@ -87,10 +96,7 @@ def _fitted(state: PlayerState) -> dict[str, Any]:
                 swings.swings, load=listed_bat
             )[1], speed_from_tip=SPEED_FROM_TIP,
         )  # fmt: skip
-        posterior = fit_player(model, method="draws", seed=1)
-        law = catalog.aerodynamics_of_ball(catalog.sport(own.sport).balls[0])
-        advice = advise(posterior, goal=Goal(state.goal, None), aerodynamics=law, air=Air(), others=[])
-    return told(player_document(posterior, advice, swings))
+        return fit_player(model, method="draws", seed=1)
 
 
 @lru_cache(maxsize=16)

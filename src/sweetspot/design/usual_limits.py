@@ -1,0 +1,61 @@
+"""The limits of an ordinary question: what stays as it is, what a league allows, what breaks, what a lathe can turn."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from sweetspot.analysis.certification.rules import League
+from sweetspot.design.gain import present_measured
+from sweetspot.design.limits import Limit, band, lathe_limits, league_limits
+from sweetspot.design.measures import Bench
+from sweetspot.design.variables import Space, TurnedSpace, hollow_space, turned_space
+from sweetspot.equipment.bat import Bat
+
+WITHIN = 0.01
+"""Part of a value by which what is kept may still differ."""
+GRIP_WITHIN = 0.002
+"""The same for the grip, which hands know better."""
+KEPT = ("mass", "moi", "balance_point", "handle")
+"""What can be kept as it is; the length always is."""
+
+
+def space_of(bat: Bat, *, deepest_cup: float) -> Space:
+    """Return the bats that a present one can become: other outlines of wood, or other walls of a hollow one.
+
+    Parameters
+    ----------
+    deepest_cup : m, of a turned bat; 0: no cup.
+    """
+    return hollow_space(bat) if bat.shell is not None else turned_space(bat, deepest_cup=deepest_cup)
+
+
+def kept_limits(
+    bench: Bench,
+    kept: Sequence[str],
+    *,
+    bands: Sequence[Limit] = (),
+    league: League | None,
+    handle: float | None = None,
+) -> tuple[Limit, ...]:
+    """Return the limits of a question about the bats of a bench.
+
+    Parameters
+    ----------
+    kept : some of `KEPT`, which stay as the present bat has them.
+    bands : other limits that somebody gave.
+    league : whose rules are kept; None: nobody's.
+    handle : smallest diameter of the grip, m; None: the present one's, so that the bat breaks no sooner.
+    """
+    present, now = bench.space.present, present_measured(bench).values
+    found = [band(name, float(now[name][0]), part=WITHIN) for name in kept if name != "handle"]
+    found += bands
+    if league is not None and isinstance(present, Bat):
+        found += [one for one in league_limits(league, present) if one.measure != "bbcor" or bench.tested]
+    if isinstance(bench.space, TurnedSpace):
+        if "handle" in kept:
+            found.append(band("handle", float(now["handle"][0]), part=GRIP_WITHIN))
+        else:
+            least = float(now["handle"][0]) if handle is None else handle
+            found.append(Limit("handle", 0.999 * least, None, "breaking"))
+        found += lathe_limits()
+    return tuple(found)

@@ -1,0 +1,193 @@
+"""Work of minutes: in a process of its own, gentle to the rest, looked at while it grows, stopped, and gone on with.
+
+What a page no longer asks about is stopped; what was found by then is kept a while, so that it can be gone on with.
+"""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import secrets
+import signal
+import threading
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from multiprocessing.connection import Connection
+from typing import Any
+
+from fastapi import APIRouter
+from pydantic import BaseModel, ConfigDict, Field
+
+from sweetspot.errors import InputError, SweetspotError
+from sweetspot.web.errors import fault
+
+MOST_RUNNING, MOST_OF_ONE = 2, 2
+"""Jobs that run at once, on the whole server and for one address."""
+MOST_KEPT = 16
+UNWATCHED = 30.0
+"""s after which a job that nobody asks about is stopped."""
+LONGEST = 1800.0
+"""s that a job may run."""
+GENTLE = 10
+"""By how much a job gives way to the page's own answers (nice)."""
+BROKEN = "this could not be computed; the fault is the program's. Please report it with what was asked"
+
+Say = Callable[..., None]
+"""say(progress, keep): what the page is shown, and what is needed to go on."""
+Work = Callable[..., dict[str, Any]]
+"""work(*arguments, after, say) gives the result; ``after``: what was kept when it was stopped, None: from the start."""
+
+
+class Look(BaseModel):
+    """A question about a job."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    seen: int = Field(0, ge=0, le=2**31, description="the count of the last answer; what came since is told")
+    stop: bool = Field(False, description="end it with what it has")
+    go_on: bool = Field(False, description="go on where it was stopped, or longer")
+
+
+class Job:
+    """One piece of work; where it runs, how far it is, and what it has found."""
+
+    def __init__(self, client: str, work: Work, arguments: tuple[Any, ...]) -> None:
+        self.client = client
+        self._work, self._arguments = work, arguments
+        self._count, self._found, self._kept, self._error = 0, None, None, None
+        self._looked = time.monotonic()
+        self.status = "stopped"
+        self._process: Any = None
+
+    def start(self) -> None:
+        """Begin, or go on."""
+        ours, its = multiprocessing.Pipe(duplex=False)
+        process = multiprocessing.get_context("spawn").Process(
+            target=_run, args=(its, self._work, self._arguments, self._kept), daemon=True
+        )
+        self.status, self._error, self._looked = "running", None, time.monotonic()
+        process.start()
+        its.close()
+        self._process = process
+        threading.Thread(target=self._listen, args=(process, ours), daemon=True, name="job").start()
+
+    def stop(self) -> None:
+        """End it with what it has."""
+        if self.status == "running":
+            self.status = "stopped"
+        if self._process is not None:
+            self._process.terminate()
+
+    def told(self, look: Look) -> dict[str, Any]:
+        """Return how it stands, and what was found since it was last looked at."""
+        self._looked = time.monotonic()
+        new = self._count > look.seen
+        return {"status": self.status, "count": self._count, "found": self._found if new else None,
+                "error": self._error}  # fmt: skip
+
+    def _listen(self, process: Any, ours: Connection) -> None:
+        """Take what the process says until it ends, or until nobody asks any more."""
+        begun = time.monotonic()
+        with suppress(EOFError, OSError):
+            while True:
+                if ours.poll(0.5):
+                    self._take(*ours.recv())
+                now = time.monotonic()
+                if now - self._looked > UNWATCHED or now - begun > LONGEST:
+                    break
+        if process is self._process and self.status == "running":
+            ended = process.exitcode is not None and process.exitcode != 0
+            self.status = "failed" if ended else "stopped"
+            self._error = {"field": "", "message": BROKEN} if ended else None
+        process.terminate()
+        process.join(5)
+        ours.close()
+
+    def _take(self, kind: str, found: Any, kept: Any) -> None:
+        if self.status != "running":  # it was stopped while this was on its way
+            return
+        if kind == "failed":
+            self.status, self._error = "failed", found
+            return
+        self._found, self._kept = found, kept if kept is not None else self._kept
+        self._count += 1
+        if kind == "done":
+            self.status = "done"
+
+
+class Jobs:
+    """Every job of a server."""
+
+    def __init__(self) -> None:
+        self._jobs: dict[str, Job] = {}
+        self._lock = threading.Lock()
+
+    def start(self, client: str, work: Work, *arguments: Any) -> str:
+        """Begin a piece of work for a client; return the name under which it is asked about."""
+        with self._lock:
+            self._check_room(client)
+            for key in [key for key, job in self._jobs.items() if job.status != "running"][: -MOST_KEPT + 1 or None]:
+                if len(self._jobs) >= MOST_KEPT:
+                    del self._jobs[key]
+            key = secrets.token_urlsafe(12)
+            self._jobs[key] = job = Job(client, work, arguments)
+            job.start()
+        return key
+
+    def look(self, key: str, look: Look) -> dict[str, Any]:
+        """Return how a job stands; stop it, or go on with it."""
+        with self._lock:
+            job = self._jobs.get(key)
+            if job is None:
+                raise InputError("this work is not known here any more; begin it anew")
+            if look.stop:
+                job.stop()
+            elif look.go_on and job.status != "running":
+                self._check_room(job.client)
+                job.start()
+            return job.told(look)
+
+    def close(self) -> None:
+        """Stop everything."""
+        for job in self._jobs.values():
+            job.stop()
+
+    def _check_room(self, client: str) -> None:
+        running = [job for job in self._jobs.values() if job.status == "running"]
+        if sum(job.client == client for job in running) >= MOST_OF_ONE:
+            raise InputError(f"{MOST_OF_ONE} long works of yours run already; stop one, or wait for it")
+        if len(running) >= MOST_RUNNING:
+            raise InputError(f"all {MOST_RUNNING} places for long work are taken; try again in a minute")
+
+
+def job_routes(api: APIRouter, jobs: Jobs) -> None:
+    """Add the route by which the page looks at long work."""
+
+    @api.post("/jobs/{key}", tags=["long work"])
+    def look(key: str, look: Look) -> dict[str, Any]:
+        """Return how a piece of long work stands: running, done, stopped or failed, and what is new."""
+        return jobs.look(key, look)
+
+
+def _run(line: Connection, work: Work, arguments: tuple[Any, ...], after: Any) -> None:
+    """Do the work in this process; what it finds goes up the line."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C ends the server, and it ends us
+    if hasattr(os, "nice"):
+        os.nice(GENTLE)
+
+    def say(progress: dict[str, Any], keep: Any = None) -> None:
+        line.send(("progress", progress, keep))
+
+    with suppress(BrokenPipeError):
+        try:
+            found = work(*arguments, after=after, say=say)
+        except SweetspotError as error:
+            line.send(("failed", fault(error), None))
+        except Exception:
+            import logging
+
+            logging.getLogger("sweetspot.web").exception("long work")
+            line.send(("failed", {"field": "", "message": BROKEN}, None))
+        else:
+            line.send(("done", found, None))

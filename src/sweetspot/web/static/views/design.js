@@ -1,0 +1,258 @@
+// Design: pull a bat into shape for a batter; what it weighs, whether it is allowed and what it gains follow at once.
+
+import { BatView } from "../batview.js";
+import { Bench, ballGroup, swingGroup, unchanged } from "../bench.js";
+import { Chart } from "../chart.js";
+import { button, choice, group, reveal, slider, toggle } from "../controls.js";
+import { download } from "../exports.js";
+import { Lights, stateOf } from "../lights.js";
+import { make, paragraphs, tableOf } from "../parts.js";
+import { Front, WANTS } from "./design_front.js";
+
+const LONGEST = 40000;
+const STEPS = { length: 0.000127, compression: 0.00005, ratio: 0.005, mass: 0.0005 };
+const PANELS = [
+  { title: "Exit speed", kind: "exit_speed_m_s", height: 120, lines: [
+    { key: "exit_speed_m_s", label: "this bat", color: "red", width: 2.4 },
+    { key: "present_exit_speed_m_s", label: "present bat", color: "muted", dash: [5, 4], width: 1.6 }] },
+  { title: "This bat less the present one", kind: "speed_change", height: 100, zero: true, lines: [
+    { key: "nothing", name: "no change", label: "band: two bats of one shape, 95 %", color: "green", width: 1, silent: true, band: ["noise_low_m_s", "noise_high_m_s"] },
+    { key: "difference_m_s", name: "change", label: "", color: "red", width: 2.4 }] },
+  { title: "Where this batter meets the ball", kind: "share", height: 50, zero: true, lines: [{ key: "contacts", color: "blue", fill: true }] },
+];
+const ELSEWHERE = ["league", "want", "also_want", "generations", "seed", "swings_csv"]; // what the gain does not depend on
+
+export const view = {
+  name: "design",
+  guide: [
+    ["Pull it into shape", "Pull the round handles on the outline. Weight, balance, swing weight, league rules and the curves follow at once; " +
+      "what is locked stays, and the other numbers give way."],
+    ["For this batter", "Tell where the batter meets the ball, or bring swings: the gain counts over these contacts, beside what two pieces of wood differ."],
+    ["Find better", "The search looks for bats that keep every limit; each small bat of the front can be taken with a click."],
+  ],
+
+  mount(root, app) {
+    Object.assign(this, { app, answer: null, sure: null, base: null, own: [] });
+    this.bench = new Bench(app, { open: false });
+    this.picture = new BatView(app, { onBall() {}, onStations: (stations, { last }) => this.pulled(stations, last), label: "The bat that is shaped" });
+    this.picture.drawing = true;
+    this.picture.element.classList.add("pinned");
+    const axis = { kind: "position_m", from: () => app.answer?.bat.length_m ?? 0.84, label: "from the tip" };
+    this.chart = new Chart(app, { label: "Exit speed along the bat", panels: PANELS, axis });
+    this.words = make("p", { className: "verdict", id: "verdict" });
+    this.note = make("p", { className: "note" });
+    this.gain = make("div", { className: "words", ariaBusy: "true" });
+    this.lights = { locks: new Lights("What must stay"), rules: new Lights("Rules"), limits: new Lights("Can be turned, will not break") };
+    this.beside = make("div");
+    this.numbers = make("div");
+    this.front = new Front(app, { state: () => ({ ...app.state, swings_csv: null }), onTake: (numbers) => this.take(numbers) });
+    root.append(this.side(app), make("div", { className: "stack" },
+      make("section", { className: "picture" }, this.words, this.picture.element, this.note,
+        make("div", { className: "light-rows" }, ...Object.values(this.lights).map(({ element }) => element)), this.tools(app)),
+      make("section", { className: "picture" }, make("h2", { textContent: "Find better" }), this.front.element),
+      make("section", { className: "picture" }, make("h2", { textContent: "What it does, beside the present bat" }), this.chart.element, this.gain, this.beside)));
+  },
+
+  side(app) {
+    const wants = Object.entries(WANTS).filter(([name]) => name !== "moi").map(([name, [, words]]) => [name, words]);
+    const leagues = app.lists().then(({ leagues: all }) => [["usual", "usual for this bat"], ["nobody", "nobody's"], ...all.map(({ key, name }) => [key, name])]);
+    return make("div", { className: "side" },
+      group("What must stay", [
+        toggle(app, "keep_mass", { label: "Weight" }), toggle(app, "keep_moi", { label: "Swing weight (MOI about 6 in)" }),
+        toggle(app, "keep_balance", { label: "Balance point" }), toggle(app, "keep_grip", { label: "Grip's smallest diameter" }),
+        make("p", { className: "note", textContent: "Within 1 %. The length always stays." }),
+        choice(app, "league", { label: "Rules of", options: leagues }),
+      ]),
+      group("The batter", [
+        slider(app, "contact_in", { label: "Meets the ball, from the tip", step: 0.1 }),
+        slider(app, "contact_spread_in", { label: "Give or take", step: 0.1 }), this.swings(app),
+        group("More of the batter", [
+          slider(app, "contact_doubt_in", { label: "How well that is known", step: 0.1 }),
+          slider(app, "miss_in", { label: "Ball above the axis", step: 0.05 }), slider(app, "miss_spread_in", { label: "Give or take", step: 0.05 }),
+          choice(app, "swing_law", { label: "A heavier bat is swung", options: [["baseball", "slower, by the players' law"], ["none", "just as fast"]] }),
+        ], { open: false }),
+      ]),
+      group("The search", [
+        choice(app, "want", { label: "Better in", options: wants }), choice(app, "also_want", { label: "And in", options: wants }),
+        slider(app, "generations", { label: "Generations", step: 5 }), slider(app, "deepest_cup_in", { label: "Deepest cup", step: 0.05 }),
+      ], { open: false }),
+      group("The bat's numbers", [this.numbers], { open: false }), this.bench.element, swingGroup(app, { open: false }), ballGroup(app));
+  },
+
+  // A batter from swings: a table, an answer of fit-player, or the table of the Player view.
+  swings(app) {
+    const file = make("input", { type: "file", id: "batter-file", accept: ".csv,.json,text/csv,application/json,text/plain" });
+    const wrong = make("p", { className: "fault", hidden: true });
+    const read = async (text) => {
+      wrong.hidden = true;
+      file.setAttribute("aria-busy", "true");
+      try {
+        app.setState(await app.ask("design/batter", { ...app.state, swings_csv: text }));
+      } catch (fault) {
+        wrong.textContent = fault?.message ?? "The server does not answer; try again.";
+        wrong.hidden = false;
+        reveal(wrong);
+      }
+      file.removeAttribute("aria-busy");
+    };
+    file.addEventListener("change", async () => {
+      const one = file.files[0];
+      if (!one) return;
+      const text = await one.text();
+      file.value = "";
+      if (text.length > LONGEST) {
+        wrong.textContent = `${one.name} has ${text.length} letters; at most ${LONGEST}. Give the answer of the command fit-player instead.`;
+        wrong.hidden = false;
+      } else read(text);
+    });
+    const known = app.left.get("player")?.swings_csv;
+    return make("div", { className: "own" }, make("label", { htmlFor: "batter-file", textContent: "Or from swings (CSV, or fit-player.json)" }), file, wrong,
+      ...(known ? [button("The swings of the view Player", () => read(known))] : []));
+  },
+
+  tools(app) {
+    const file = (words, ending, type) => button(words, async () => {
+      const found = await app.ask("design/files", { ...app.state, swings_csv: null });
+      download(`designed-bat.${ending}`, type, ending === "toml" ? found.toml : found[app.units][ending]);
+    });
+    this.drawings = [file("Drawing (SVG)", "svg", "image/svg+xml"), file("Drawing (DXF)", "dxf", "image/vnd.dxf"), file("Diameters (CSV)", "csv", "text/csv")];
+    return make("div", { className: "row tight" },
+      button("As the present bat", () => this.anew({ design_si: null, design_for: null, pulled: null })),
+      button("Put it on the bench", async () => {
+        const { toml } = await app.ask("design/files", { ...app.state, swings_csv: null });
+        this.anew({ ...unchanged(app), bat_toml: toml, design_si: null, design_for: null, pulled: null });
+      }, { title: "From now on it is the present bat in every view" }),
+      file("Bat file", "toml", "application/toml"), ...this.drawings);
+  },
+
+  anew(change) {
+    this.base = null;
+    this.app.setState(change);
+  },
+
+  take(numbers) { this.anew({ design_si: numbers, design_for: this.answer.key, pulled: null }); },
+
+  // One number pulled: the others as they were when the pulling began, so that back is back.
+  pull(index, value, options) {
+    if (!this.answer) return;
+    if (this.base?.index !== index) this.base = { index, numbers: this.answer.variables.map((one) => one.value) };
+    const numbers = this.base.numbers.map((one, i) => (i === index ? value : one));
+    this.app.setState({ design_si: numbers, design_for: this.answer.key, pulled: index }, options);
+    if (options?.commit !== false) this.base = null;
+  },
+
+  pulled(stations, last) {
+    const index = stations.findIndex(({ diameter_m: wide }, i) => wide !== this.answer.design.stations[i].diameter_m);
+    if (index < 0 && last) this.app.commit();
+    if (index < 0) {
+      if (last) this.base = null;
+      return;
+    }
+    const { low, high } = this.answer.variables[index];
+    this.pull(index, Math.min(high, Math.max(low, stations[index].diameter_m)), { commit: last });
+  },
+
+  // A slider a number, for the keyboard and for what has no handle; made anew where another kind of bat has others.
+  sliders(variables) {
+    const names = variables.map(({ name, low, high }) => `${name} ${low} ${high}`).join();
+    if (names !== this.made) {
+      this.made = names;
+      this.own = [];
+      const key = ({ name, ending }) => `${name}${ending}`;
+      const inner = {
+        schema: Object.fromEntries(variables.map((one) => [key(one), { minimum: one.low, maximum: one.high }])),
+        bounds: () => undefined, text: (...all) => this.app.text(...all), commit: (options) => {
+          this.base = null;
+          this.app.commit(options);
+        },
+        control: (control) => this.own.push(control),
+        setState: (partial, options) => {
+          const [[name, value]] = Object.entries(partial);
+          this.pull(this.answer.variables.findIndex((one) => key(one) === name), value, options);
+        },
+      };
+      Object.defineProperty(inner, "units", { get: () => this.app.units });
+      this.numbers.replaceChildren(...variables.map((one) => slider(inner, key(one), {
+        label: one.label[0].toUpperCase() + one.label.slice(1), step: STEPS[one.scale] ?? (one.high - one.low) / 100 })));
+    }
+    const state = Object.fromEntries(variables.map(({ name, ending, value }) => [`${name}${ending}`, value]));
+    for (const control of this.own) control.sync(state);
+  },
+
+  update(answer) {
+    this.answer = answer;
+    const { app } = this;
+    this.bench.update(answer);
+    this.sliders(answer.variables);
+    const { design, curves } = answer;
+    this.picture.draw({ bat: design, ghost: answer.present });
+    this.draw(curves, design);
+    this.light(answer);
+    this.compare(answer);
+    this.front.draw(answer.key, answer.own ? answer.variables.map(({ value }) => value) : null);
+    this.note.textContent = [...answer.left_out, design.stations.length ? "Dashed: the present bat. Pull a round handle." : "Dashed: the present bat. A hollow bat's wall is changed by its numbers, on the left."].join(" ");
+    for (const one of this.drawings) one.hidden = design.hollow;
+    this.say();
+    this.gain.ariaBusy = "true";
+    app.aside("gain", ELSEWHERE, 120, (found) => {
+      this.sure = found;
+      this.draw(this.answer.curves, this.answer.design);
+      this.say();
+    });
+  },
+
+  draw(curves, design) {
+    const lines = { ...curves, nothing: curves.position_m.map(() => 0), ...(this.sure ?? { noise_low_m_s: [], noise_high_m_s: [] }) };
+    const [least, most] = [curves.position_m[0], design.length_m];
+    this.chart.draw({ x: curves.position_m, lines, range: [least, most] });
+  },
+
+  light({ locks, rules, limits }) {
+    const { app } = this;
+    const words = ({ scale, value, kept, miss, why }) => `${app.text(scale, value)}${kept ? "" : `, beyond by ${app.text(scale, miss)}`}${why === "kept as it is" ? "" : ` (${why})`}`;
+    const lamp = (one) => ({ state: one.kept ? "pass" : "fail", name: one.label, words: words(one) });
+    const kinds = { m: "length", "kg m^2": "moi" };
+    this.lights.locks.show(locks.map(lamp));
+    this.lights.limits.show(limits.filter(({ why, kept }) => !kept || !rules.some(({ league_name: name }) => name === why)).map(lamp));
+    this.lights.rules.show(rules.map(({ verdict, title, value, unit, reason, most, least }) => {
+      const show = (one) => (kinds[unit] ? app.text(kinds[unit], one) : app.text("ratio", one));
+      const ends = [least === null ? "" : `at least ${show(least)}`, most === null ? "" : `at most ${show(most)}`].filter(Boolean).join(", ");
+      const known = typeof value === "number" && unit !== "yes or no" ? `${show(value)}, ${ends}` : "";
+      return { state: stateOf(verdict), name: title, words: [known, reason].filter(Boolean).join("; ") };
+    }));
+  },
+
+  compare({ measures }) {
+    const show = (scale, value, sign) => {
+      const words = this.app.text({ speed: "speed_change", place: "length" }[sign ? scale : ""] ?? scale, value, scale === "contact" ? 2 : undefined);
+      return sign && value > 0 && Number.parseFloat(words) !== 0 ? `+${words}` : words;
+    };
+    this.beside.replaceChildren(tableOf("Beside the present bat", ["", "present", "this bat", "change"], measures.map(({ label, scale, present, value, change }) => (
+      [label, show(scale, present), show(scale, value), show(scale, change, true)]))));
+  },
+
+  // First what is gained over this batter's contacts, and whether anybody could see it.
+  say() {
+    const { answer, app, sure } = this;
+    const of = (name) => answer.measures.find((one) => one.name === name);
+    const speed = of("exit_speed");
+    const change = `${app.text("speed_change", Math.abs(speed.change))} ${speed.change >= 0 ? "faster" : "slower"}`;
+    const seen = sure ? (Math.abs(speed.change) > sure.half_interval_m_s ? (speed.change > 0 ? ": a gain that you could see" : ": a loss") : ": no gain that you could see") : "";
+    const doubt = sure ? `, give or take ${app.text("speed_change", sure.half_interval_m_s)}` : "";
+    const design = answer.design;
+    const gained = answer.own ? `Over these contacts the ball leaves ${change}${doubt}${seen}.` : "This is the present bat still: pull a handle, or let the search find better.";
+    this.words.textContent = `${gained} ` +
+      `${app.text("mass_kg", design.mass_kg)}, balance ${app.text("balance_point_m", design.balance_point_m, 1)} from the knob, swing weight ${app.text("moi_kg_m2", design.moi_6in_kg_m2)}.`;
+    app.announce(this.words.textContent);
+    this.picture.label(`The bat that is shaped, its handles, and dashed the present one. ${this.words.textContent} The bat's numbers change it by keyboard.`);
+    this.chart.label(`Exit speed along the bat and what it gains on the present one. ${this.words.textContent}`);
+    if (sure) {
+      paragraphs(this.gain, sure.sentences[app.units]);
+      this.gain.ariaBusy = "false";
+    }
+  },
+
+  unmount() { Object.assign(this, { answer: null, sure: null, base: null, made: null }); },
+  figures() { return [this.picture.figure("bat"), this.chart.figure("curves"), ...(this.front.found ? [this.front.surface.figure("front")] : [])]; },
+  table() { return this.app.answer.curves; },
+};

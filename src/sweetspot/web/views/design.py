@@ -1,0 +1,243 @@
+"""Design: a bat pulled into shape for a batter, with what it weighs, whether it is allowed, and what it gains."""
+
+from __future__ import annotations
+
+import json
+import tempfile
+from pathlib import Path
+from shlex import quote
+from typing import Any
+
+from sweetspot.analysis.certification.rules import Finding, check_rules, construction_findings, title
+from sweetspot.catalog.files.write import bat_toml
+from sweetspot.design.answer import Designed
+from sweetspot.design.batter import FROM_TIP, fitted_player
+from sweetspot.design.fronts import Front
+from sweetspot.design.gain import gain_of
+from sweetspot.design.limits import Limit
+from sweetspot.design.measures import MEASURES, Measured
+from sweetspot.design.outline_curve import HANDLES
+from sweetspot.design.variables import TurnedSpace
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.bat import Bat
+from sweetspot.errors import SweetspotError
+from sweetspot.motion.swing_law import TWO_SIDED_95
+from sweetspot.numerics.arrays import Array
+from sweetspot.report.bat.json import bat_json
+from sweetspot.report.certification.numbers import check_json
+from sweetspot.report.design.document import BESIDE
+from sweetspot.report.design.sizes import drawing, tolerance_words
+from sweetspot.report.design.words import effort_words, moved_words, warning_words, worth_words
+from sweetspot.report.quantities import SCALES, SYSTEMS
+from sweetspot.units import INCH, MPH
+from sweetspot.web.bats import ball_of, reduced
+from sweetspot.web.drawings import bat_picture, outline
+from sweetspot.web.errors import FieldError, about
+from sweetspot.web.recipes import bat_name, bat_text, swing_options
+from sweetspot.web.states import BatState
+from sweetspot.web.view import View
+from sweetspot.web.views.design_search import search
+from sweetspot.web.views.design_state import (
+    USUAL_LEAGUE,
+    Asked,
+    DesignState,
+    asked,
+    league_of,
+    limits_of,
+    locks_of,
+    numbers_of,
+    question_of,
+)
+from sweetspot.web.views.player import PlayerState, learned
+
+CLOSE = 1e-3
+"""Grains by which a limit may be missed and still be called kept: rounding on the way to the page and back."""
+
+
+def answer(state: DesignState) -> dict[str, Any]:
+    """Return the bat that is being shaped beside the present one: sizes, weights, rules, and curves along both."""
+    found = asked(state)
+    bench, space = found.bench, found.bench.space
+    numbers, own = numbers_of(state, found)
+    measured = bench.measured(numbers)
+    bat = space.made(numbers, f"{space.present.name}, designed")
+    assert isinstance(bat, Bat)
+    return {
+        "bat": bat_picture(state, reduced(state, ball_of(state))),
+        "key": found.key,
+        "own": own,
+        "left_out": found.left_out,
+        "present": outline(_present(found)),
+        "variables": [
+            {"name": one.name, "label": one.label, "ending": SCALES[one.scale].ending, "scale": one.scale,
+             "low": one.low, "high": one.high, "present": one.start, "value": value}
+            for one, value in zip(space.variables, numbers.tolist(), strict=True)
+        ],
+        "design": {
+            **bat_json(bat.name, bat.length, rigid_body(beam_model(bat))), **outline(bat),
+            "stations": _handles(found, numbers),
+        },
+        "measures": [_beside(name, measured, found.now) for name in BESIDE if name in measured.values],
+        "locks": [_light(limit, measured) for limit in locks_of(state)],
+        "limits": [_light(limit, measured) for limit in limits_of(state) if limit.why != "kept as it is"],
+        "rules": _rules(state, found, bat, measured),
+        "curves": _curves(found, measured),
+    }  # fmt: skip
+
+
+def _present(found: Asked) -> Bat:
+    present = found.bench.space.present
+    assert isinstance(present, Bat)
+    return present
+
+
+def _handles(found: Asked, numbers: Array) -> list[dict[str, float]]:
+    """Return what can be pulled on the picture: the handles of an outline; hollow bats have none."""
+    space = found.bench.space
+    if not isinstance(space, TurnedSpace):
+        return []
+    return [
+        {"position_m": part * space.present.length, "diameter_m": width}
+        for part, width in zip(HANDLES.tolist(), numbers[: len(HANDLES)].tolist(), strict=True)
+    ]
+
+
+def _beside(name: str, measured: Measured, now: Measured) -> dict[str, Any]:
+    measure = MEASURES[name]
+    value, before = float(measured.values[name][0]), now.values.get(name)
+    present = None if before is None else float(before[0])
+    return {"name": name, "label": measure.label, "scale": measure.scale, "value": value, "present": present,
+            "change": None if present is None else value - present}  # fmt: skip
+
+
+def _light(limit: Limit, measured: Measured) -> dict[str, Any]:
+    """Return whether a limit is kept, by how much it is missed, and its ends."""
+    measure, value = MEASURES[limit.measure], measured.values[limit.measure]
+    miss = float(limit.excess(value)[0])
+    return {"measure": limit.measure, "label": measure.label, "scale": measure.scale, "least": limit.least,
+            "most": limit.most, "why": limit.why, "value": float(value[0]), "kept": miss <= CLOSE,
+            "miss": max(0.0, miss) * measure.grain}  # fmt: skip
+
+
+def _rules(state: DesignState, found: Asked, bat: Bat, measured: Measured) -> list[dict[str, Any]]:
+    league = league_of(state, found)
+    if league is None:
+        return []
+    known = construction_findings(bat, body=rigid_body(beam_model(bat)))
+    if "bbcor" in measured.values:
+        known["bbcor"] = Finding(float(measured.values["bbcor"][0]))
+    return [
+        {**check_json(league.key, check), "title": title(check.rule), "league_name": league.name}
+        for check in check_rules(league, bat=bat, findings=known)
+    ]
+
+
+def _curves(found: Asked, measured: Measured) -> dict[str, Any]:
+    """Return curves along the bat, knob end first, at places counted from the tip."""
+    design, now = measured.curve[0, ::-1], found.now.curve[0, ::-1]
+    return {
+        "position_m": _present(found).length - FROM_TIP[::-1],
+        "exit_speed_m_s": design,
+        "present_exit_speed_m_s": now,
+        "difference_m_s": design - now,
+        "contacts": found.bench.batter.weight[::-1],
+    }
+
+
+def gain(state: DesignState) -> dict[str, Any]:
+    """Return what the bat gains in this batter's hands beside wood that differs, in words and as a band."""
+    found = asked(state)
+    numbers, _ = numbers_of(state, found)
+    design = _designed(state, found, numbers)
+    words = [moved_words(design), worth_words(design), warning_words(design), effort_words(design)]
+    tolerance = tolerance_words(design)
+    every = [*words, *([] if tolerance is None else [tolerance])]
+    band = TWO_SIDED_95 * design.gain.noise[::-1]
+    return {
+        "sentences": {system: [one.read(reader) for one in every] for system, reader in SYSTEMS.items()},
+        "noise_low_m_s": -band,
+        "noise_high_m_s": band,
+        "expected_m_s": design.gain.expected,
+        "half_interval_m_s": design.gain.doubt,
+        "seen": design.gain.seen,
+    }
+
+
+def _designed(state: DesignState, found: Asked, numbers: Array) -> Designed:
+    """Return one bat as the only one of its front, with everything around it."""
+    bench = found.bench
+    measured = bench.measured(numbers)
+    front = Front(numbers[None], measured, 0, numbers[None])
+    bat = bench.space.made(numbers, f"{bench.space.present.name}, designed")
+    return Designed(bench, question_of(state), front, 0, found.now, gain_of(bench, numbers, measured, found.now),
+                    bat, ())  # fmt: skip
+
+
+def files(state: DesignState) -> dict[str, Any]:
+    """Return the bat's file and its drawings for the maker, in either system of units."""
+    found = asked(state)
+    numbers, _ = numbers_of(state, found)
+    present = _present(found)
+    bat = found.bench.space.made(numbers, f"{present.name}, designed")
+    assert isinstance(bat, Bat)
+    endings = ("svg", "dxf", "csv") if bat.shell is None else ()
+    return {
+        "toml": bat_toml(bat),
+        **{system: {ending: drawing(bat, ending, reader).decode() for ending in endings}
+           for system, reader in SYSTEMS.items()},
+    }  # fmt: skip
+
+
+def batter(state: DesignState) -> dict[str, Any]:
+    """Return the batter that a table of swings, or an answer of fit-player, tells of: as fields of a state."""
+    if state.swings_csv is None:
+        return {}
+    if state.swings_csv.lstrip().startswith("{"):
+        values = _of_json(state.swings_csv)
+    else:
+        own = {name: getattr(state, name) for name in BatState.model_fields}
+        posterior = learned(PlayerState(**own, swings_csv=state.swings_csv))
+        values = {name: posterior.learned[name].interval.value for name in
+                  ("position", "position_spread", "offset", "offset_spread", "bat_speed")}  # fmt: skip
+    scales = {"contact_in": ("position", INCH), "contact_spread_in": ("position_spread", INCH),
+              "miss_in": ("offset", INCH), "miss_spread_in": ("offset_spread", INCH),
+              "bat_speed_mph": ("bat_speed", MPH), "pitch_speed_mph": ("pitch_speed", MPH)}  # fmt: skip
+    return {field: round(values[name] / size, 2) for field, (name, size) in scales.items() if name in values}
+
+
+def _of_json(text: str) -> dict[str, float]:
+    with tempfile.TemporaryDirectory() as folder, about("swings_csv"):
+        path = Path(folder) / "fit-player.json"
+        path.write_text(text, encoding="utf-8")
+        try:
+            json.loads(text)
+            return fitted_player(path)
+        except ValueError as error:
+            if isinstance(error, SweetspotError):
+                raise FieldError("swings_csv", str(error).replace(str(path), "the file")) from None
+            raise FieldError("swings_csv", f"the file is no JSON: {error}") from None
+
+
+def recipe(state: DesignState) -> dict[str, str]:
+    """Return the command line that searches in the same way, and the present bat's file."""
+    kept = {"keep_mass": "mass", "keep_moi": "moi", "keep_balance": "balance", "keep_grip": "grip"}
+    keep = [word for field, word in kept.items() if getattr(state, field)] or ["nothing"]
+    wants = dict.fromkeys((state.want, state.also_want))
+    options = [
+        *(f"--want {want.replace('_', '-')}" for want in wants), *(f"--keep {one}" for one in keep),
+        f"--contact {state.contact_in:.12g}in", f"--contact-spread {state.contact_spread_in:.12g}in",
+        f"--doubt {state.contact_doubt_in:.12g}in", f"--offset {state.miss_in:.12g}in",
+        f"--offset-spread {state.miss_spread_in:.12g}in", f"--cup {state.deepest_cup_in:.12g}in",
+        f"--seed {state.seed}", f"--generations {state.generations}",
+        *([] if state.swing_law == "baseball" else ["--swing-law none"]),
+        *([] if state.league == USUAL_LEAGUE else [f"--league {quote(state.league)}"]),
+    ]  # fmt: skip
+    command = f"sweetspot design {bat_name(state)} {' '.join(options)}{swing_options(state)} --out design"
+    return {"command": command, "toml": bat_text(state)}
+
+
+VIEW = View(
+    "design", "Design", DesignState, answer, recipe, asides={"gain": gain, "files": files, "batter": batter},
+    jobs={"search": search},
+)  # fmt: skip

@@ -1,0 +1,54 @@
+"""Design's search for better bats: a front that grows, generation by generation, in a process of its own."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from sweetspot.design.answer import designed
+from sweetspot.design.fronts import Front
+from sweetspot.design.measures import Bench
+from sweetspot.design.variables import TurnedSpace
+from sweetspot.web.jobs import Say
+from sweetspot.web.views.design_state import DesignState, asked, question_of
+
+SHOWN = ("exit_speed", "best", "best_from_tip", "zone", "sting", "swing_time", "mass", "moi", "diameter")
+
+
+def search(state: DesignState, *, after: Any, say: Say) -> dict[str, Any]:
+    """Look for better bats: begins a search whose front the page sees growing."""
+    found = asked(state)
+    question = question_of(state)
+    if after is not None and after[0] >= question.generations:  # asked to go on beyond its end
+        question = replace(question, generations=min(2000, after[0] + state.generations))
+
+    def told(generation: int, front: Front) -> dict[str, Any]:
+        return {
+            "key": found.key, "generation": generation, "generations": question.generations,
+            "wants": list(question.wants), "front": _front(found.bench, front),
+            "present": {name: float(found.now.values[name][0]) for name in question.wants},
+        }  # fmt: skip
+
+    say({"key": found.key, "generation": 0 if after is None else after[0], "generations": question.generations,
+         "wants": list(question.wants), "front": [], "present": {}}, after)  # fmt: skip
+    front = designed(
+        found.bench, question, after=after,
+        progress=lambda generation, front: say(told(generation, front), (generation, front.population)),
+    )  # fmt: skip
+    return told(front.generation, front)
+
+
+def _front(bench: Bench, front: Front) -> list[dict[str, Any]]:
+    """Return every bat of a front: its numbers, what it does, and its outline where outlines differ."""
+    values = front.measured.values
+    rows = []
+    for index, numbers in enumerate(np.asarray(front.numbers)):
+        row: dict[str, Any] = {"numbers": numbers.tolist()}
+        row["values"] = {name: float(values[name][index]) for name in SHOWN if name in values}
+        if isinstance(bench.space, TurnedSpace):
+            shape = bench.space.outlines(numbers[None])
+            row["outline"] = {"position_m": shape.position[0].tolist(), "diameter_m": shape.diameter[0].tolist()}
+        rows.append(row)
+    return rows

@@ -1,0 +1,169 @@
+"""Design: its controls, and from them to the bench on which every bat is measured."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Annotated, Literal
+
+import numpy as np
+from pydantic import Field
+
+from sweetspot.analysis.certification.rules import League
+from sweetspot.catalog.rules import league
+from sweetspot.catalog.swing_laws import swing_law
+from sweetspot.design.batter import Batter, normal_contact
+from sweetspot.design.fronts import Question
+from sweetspot.design.gain import present_measured
+from sweetspot.design.limits import Limit
+from sweetspot.design.locks import locked
+from sweetspot.design.measures import Bench, Measured, bench_of
+from sweetspot.design.usual_limits import kept_limits, space_of
+from sweetspot.equipment.bat import Bat
+from sweetspot.numerics.arrays import Array
+from sweetspot.units import INCH
+from sweetspot.web.bats import conditions_of, described
+from sweetspot.web.errors import about
+from sweetspot.web.states import Name, SwungState
+
+LONGEST_TABLE = 40_000
+"""Letters of a table of swings, or of an answer of fit-player."""
+USUAL_LEAGUE, NOBODY = "usual", "nobody"
+Want = Literal["exit_speed", "zone", "best", "sting", "swing_time"]
+LOCKS = {"keep_mass": "mass", "keep_moi": "moi", "keep_balance": "balance_point", "keep_grip": "handle"}
+"""Fields that lock, and what they lock."""
+
+
+class DesignState(SwungState):
+    """The batter's present bat and swing, where the ball is met, the bat that is being shaped, and what must stay."""
+
+    contact_in: float = Field(6.5, gt=0.5, le=13, description="where the ball is met on average, from the tip")
+    contact_spread_in: float = Field(1.8, ge=0.2, le=6, description="standard deviation of that")
+    contact_doubt_in: float = Field(0.5, ge=0, le=4, description="how well the mean is known")
+    miss_in: float = Field(0.2, ge=-2, le=2, description="ball's centre above the bat's axis on average")
+    miss_spread_in: float = Field(1.1, ge=0.1, le=3.5, description="standard deviation of that")
+    swing_law: Literal["baseball", "none"] = Field("baseball", description="how bat speed depends on the bat")
+    design_si: Annotated[tuple[float, ...], Field(min_length=1, max_length=30)] | None = Field(
+        None, description="the bat's numbers, in the order of the answer's variables, SI; empty: the present bat's"
+    )
+    design_for: Annotated[str, Field(max_length=40)] | None = Field(
+        None, description="the answer's key of the present bat that design_si belongs to; empty: whatever bat it is"
+    )
+    pulled: Annotated[int, Field(ge=0, le=29)] | None = Field(None, description="which number is held by hand")
+    keep_mass: bool = Field(True, description="the weight stays within 1 %")
+    keep_moi: bool = Field(True, description="the moment of inertia about 6 in stays within 1 %")
+    keep_balance: bool = Field(False, description="the balance point stays within 1 %")
+    keep_grip: bool = Field(False, description="the smallest diameter of the grip stays")
+    deepest_cup_in: float = Field(1.0, ge=0, le=1.25, description="of a wooden bat")
+    league: Name = Field(USUAL_LEAGUE, description="whose rules hold: a league, usual for the bat, or nobody")
+    want: Want = Field("exit_speed", description="what is to be better first")
+    also_want: Want = Field("zone", description="and what besides; the same: nothing else")
+    generations: int = Field(30, ge=1, le=400, description="how long is searched")
+    seed: int = Field(1, ge=0, le=2**31 - 1, description="of the random numbers")
+    swings_csv: Annotated[str, Field(max_length=LONGEST_TABLE)] | None = Field(
+        None, description="a table of swings or an answer of fit-player, to read the batter from"
+    )
+
+
+_OF_BENCH = (*SwungState.model_fields, "contact_in", "contact_spread_in", "contact_doubt_in", "miss_in",
+             "miss_spread_in", "swing_law", "deepest_cup_in")  # fmt: skip
+_FIRST = DesignState()
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A bench with the present bat on it, and the bat that is being shaped.
+
+    Parameters
+    ----------
+    key : of the present bat.
+    now : the present bat, measured.
+    left_out : what of the present bat the design does not have, in words.
+    """
+
+    bench: Bench
+    key: str
+    now: Measured
+    left_out: tuple[str, ...]
+
+
+def asked(state: DesignState) -> Asked:
+    """Return the bench of a state; only another bat, swing or batter makes it anew."""
+    kept = {name: getattr(state, name) for name in _OF_BENCH}
+    return _asked(_FIRST.model_copy(update=kept))
+
+
+@lru_cache(maxsize=64)
+def _asked(state: DesignState) -> Asked:
+    bat, left_out = _plain(described(state))
+    conditions = conditions_of(state, bat)
+    with about("bat"):
+        space = space_of(bat, deepest_cup=state.deepest_cup_in * INCH)
+    with about("contact_in"):
+        weight = normal_contact(state.contact_in * INCH, state.contact_spread_in * INCH)
+    batter = Batter(
+        weight=weight, offset=state.miss_in * INCH, offset_spread=state.miss_spread_in * INCH,
+        bat_speed=conditions.swing.bat_speed, pitch_speed=conditions.pitch.speed,
+        law=None if state.swing_law == "none" else swing_law(state.swing_law), doubt=state.contact_doubt_in * INCH,
+        speed_from_tip=bat.length - conditions.swing.measured_at,
+    )  # fmt: skip
+    with about("bat"):
+        bench = bench_of(space, batter, conditions)
+    key = hashlib.blake2b(bat.model_dump_json().encode(), digest_size=9).hexdigest()
+    return Asked(bench, key, present_measured(bench), left_out)
+
+
+def _plain(bat: Bat) -> tuple[Bat, tuple[str, ...]]:
+    """Return a bat without what no design has, and what that was."""
+    if not bat.bores:
+        return bat, ()
+    return bat.replaced(bores=(), mass=None, balance_point=None, moi=None, original=None), (
+        "The hole in the barrel is left out: a design is one piece.",
+    )
+
+
+def limits_of(state: DesignState) -> tuple[Limit, ...]:
+    """Return every limit of the search."""
+    return _limits(_FIRST.model_copy(update={name: getattr(state, name) for name in (*_OF_BENCH, *LOCKS, "league")}))
+
+
+@lru_cache(maxsize=64)
+def _limits(state: DesignState) -> tuple[Limit, ...]:
+    found = asked(state)
+    kept = [measure for field, measure in LOCKS.items() if getattr(state, field)]
+    return kept_limits(found.bench, kept, league=league_of(state, found))
+
+
+def locks_of(state: DesignState) -> tuple[Limit, ...]:
+    """Return the limits that hold while a hand pulls."""
+    locks = {measure for field, measure in LOCKS.items() if getattr(state, field)}
+    return tuple(one for one in limits_of(state) if one.measure in locks and one.why == "kept as it is")
+
+
+def numbers_of(state: DesignState, found: Asked) -> tuple[Array, bool]:
+    """Return the numbers of the bat that is being shaped, and whether those of the state belong to it."""
+    space = found.bench.space
+    own = state.design_si is not None and len(state.design_si) == len(space.variables)
+    own = own and state.design_for in (None, found.key)
+    low, high = (np.array([getattr(one, end) for one in space.variables]) for end in ("low", "high"))
+    numbers = np.clip(np.array(state.design_si), low, high) if own else space.start
+    locks = locks_of(state)
+    return (locked(found.bench, numbers, locks, pulled=state.pulled) if own and locks else numbers), own
+
+
+def league_of(state: DesignState, found: Asked) -> League | None:
+    """Return the league whose rules hold; None: nobody's."""
+    if state.league == NOBODY:
+        return None
+    bat = found.bench.space.present
+    assert isinstance(bat, Bat)
+    usual = "mlb" if bat.material.family == "wood" and bat.shell is None else "ncaa"
+    with about("league"):
+        return league(usual if state.league == USUAL_LEAGUE else state.league)
+
+
+def question_of(state: DesignState) -> Question:
+    """Return what is looked for."""
+    wants = tuple(dict.fromkeys((state.want, state.also_want)))
+    return Question(wants, limits_of(state), seed=state.seed, generations=state.generations)
