@@ -55,7 +55,7 @@ export const view = {
 
   side(app) {
     const wants = Object.entries(WANTS).filter(([name]) => name !== "moi").map(([name, [, words]]) => [name, words]);
-    const leagues = app.lists().then(({ leagues: all }) => [["usual", "usual for this bat"], ["nobody", "nobody's"], ...all.map(({ key, name }) => [key, name])]);
+    const leagues = app.lists("leagues").then(({ leagues: all }) => [["usual", "usual for this bat"], ["nobody", "nobody's"], ...all.map(({ key, name }) => [key, name])]);
     return make("div", { className: "side" },
       group("What must stay", [
         toggle(app, "keep_mass", { label: "Weight" }), toggle(app, "keep_moi", { label: "Swing weight (MOI about 6 in)" }),
