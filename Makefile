@@ -74,7 +74,7 @@ lock: $(UV)  ## pin the newest versions that pyproject allows, for every Python 
 	echo uv | $(LOCK) --upgrade - -o requirements-uv.txt
 
 clean:
-	rm -rf $(VENV) $(LOWEST) docs/_build docs/_generated build report .mypy_cache .ruff_cache .pytest_cache .benchmarks
+	rm -rf $(VENV) $(LOWEST) docs/_build docs/_generated docs/gallery build report .mypy_cache .ruff_cache .pytest_cache .benchmarks
 
 $(UV):
 	@python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' \

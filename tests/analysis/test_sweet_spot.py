@@ -11,7 +11,7 @@ import pytest
 from sweetspot.analysis.bat_analysis import Analysis, analyse, check_conditions, exit_speed_of, hit_at
 from sweetspot.analysis.hand_weighting import acceleration_weight, velocity_weight
 from sweetspot.analysis.position_scan import Scan
-from sweetspot.analysis.sweet_spot import barrel_node, max_exit_speed, miss_cost, sweet_zone
+from sweetspot.analysis.sweet_spot import barrel_node, max_collision_efficiency, max_exit_speed, miss_cost, sweet_zone
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.impact import Outcome
 from sweetspot.equipment.bat import Bat
@@ -24,6 +24,18 @@ def made_up(exit_speed: np.ndarray, sting: np.ndarray) -> Scan:
     position = np.linspace(0.4, 0.8, len(exit_speed))
     same: dict[str, Any] = {field.name: position for field in dataclasses.fields(Scan)}
     return Scan(**{**same, "exit_speed": exit_speed, "sting": sting})
+
+
+def test_a_slender_handle_is_no_sweet_spot(analysis: Analysis) -> None:
+    """A thin hollow handle swings back against the ball and throws it as well as the barrel; nobody hits there."""
+    scan = analysis.scan
+    thrown = scan.collision_efficiency.copy()
+    thrown[scan.position < 0.35] = 0.9
+    changed = dataclasses.replace(scan, collision_efficiency=thrown)
+    usual = max_collision_efficiency(scan, body=analysis.body)
+    assert (
+        max_collision_efficiency(changed, body=analysis.body) == usual == analysis.sweet_spots.max_collision_efficiency
+    )
 
 
 def test_definitions_differ_and_lie_on_the_barrel(analysis: Analysis) -> None:

@@ -64,6 +64,13 @@ def test_a_limit_that_holds_no_more_is_said_to(run: Run) -> None:
     assert code == 0 and "since 1 January 2018 bats must keep the USABat standard" in " ".join(out.split())
 
 
+def test_where_nothing_can_be_decided_nothing_is_passed(run: Run) -> None:
+    code, out, _ = run("certify", "slow-pitch", "--league", "asa")
+    assert code == 1 and "No rule could be decided" in out
+    code, out, _ = run("certify", "youth-30", "--league", "usabat")
+    assert code == 0 and "2 of 3. Not decidable: performance like wood." in " ".join(out.split())
+
+
 def test_units_are_the_readers_and_a_page_is_written(run: Run, tmp_path: Path) -> None:
     code, out, _ = run("certify", "russell-b5", "--units", "si", "--out", str(tmp_path))
     words = " ".join(out.split())

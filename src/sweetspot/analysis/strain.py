@@ -17,7 +17,6 @@ from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.material import Material
 from sweetspot.numerics.arrays import Array
-from sweetspot.units import shown
 
 AFTER = 8e-3
 """s that are followed after release: about one swing of a bat's slowest bending mode (100 to 200 Hz)."""
@@ -41,7 +40,7 @@ class Damage:
     strain_limit : strength over modulus of the handle's material; None when its strength is not known.
     wall_strain : greatest bending strain of a hollow barrel's wall where it was hit; None without hoop modes.
     wall_limit : the same limit for the barrel's material.
-    warnings : one sentence for each limit that is passed.
+    warnings : one sentence for each limit that is passed; for wood the published strain to failure.
     """
 
     position: Array
@@ -92,7 +91,7 @@ def damage(impact: Impact, *, line: BeamModel, modes: Modes) -> Damage:
         strain_limit=limit,
         wall_strain=wall,
         wall_limit=wall_limit,
-        warnings=tuple(_warnings(float(strain[worst]), float(places[worst]), limit, material, wall, wall_limit)),
+        warnings=tuple(_warnings(float(strain[worst]), limit, material, wall, wall_limit)),
     )
 
 
@@ -171,20 +170,22 @@ def _material_at(bat: Bat, position: float) -> Material:
 
 def _warnings(
     strain: float,
-    position: float,
     limit: float | None,
     material: Material,
     wall: float | None,
     wall_limit: float | None,
 ) -> list[str]:
     found = []
-    if limit is not None and strain > limit:
-        low, high = PUBLISHED_FAILURE_STRAIN
-        wood = f" In a blow wood bears more: maple breaks at {100 * low:.1f} to {100 * high:.1f} % [umass2022]."
+    low, high = PUBLISHED_FAILURE_STRAIN
+    if material.family == "wood" and limit is not None and strain > low:
         found.append(
-            f"The handle bends to a strain of {100 * strain:.2f} % at {shown(position)}, beyond the "
-            f"{100 * limit:.2f} % at which {material.name} reaches its strength in a slow test; the model is linear "
-            "and says no more." + (wood if material.family == "wood" else "")
+            f"The handle bends to {100 * strain:.2f} %: bats of maple break at {100 * low:.1f} to {100 * high:.1f} % "
+            "[umass2022]."
+        )
+    elif material.family != "wood" and limit is not None and strain > limit:
+        found.append(
+            f"The handle bends to {100 * strain:.2f} %, beyond the {100 * limit:.2f} % at which {material.name} "
+            "reaches its strength; the model is linear and says no more."
         )
     if wall is not None and wall_limit is not None and wall > wall_limit:
         found.append(

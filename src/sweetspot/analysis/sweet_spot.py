@@ -47,7 +47,7 @@ def sweet_spots(scan: Scan, *, body: RigidBody, modes: Modes, conditions: Condit
         center_of_percussion=centre_of_percussion(body, pivot=conditions.hands.position),
         node_1=barrel_node(modes, harmonic=1),
         node_2=barrel_node(modes, harmonic=2),
-        max_collision_efficiency=max_collision_efficiency(scan),
+        max_collision_efficiency=max_collision_efficiency(scan, body=body),
         max_exit_speed=max_exit_speed(scan),
         min_sting=min_sting(scan, body=body),
         zone=sweet_zone(scan),
@@ -62,9 +62,13 @@ def barrel_node(modes: Modes, *, harmonic: int) -> float:
     raise InputError(f"bending mode {harmonic} was not computed; ask for more modes")
 
 
-def max_collision_efficiency(scan: Scan) -> float:
-    """Return where the bat gives back most of the ball's own speed: the best place on a bat at rest."""
-    return _top(scan.position, scan.collision_efficiency)
+def max_collision_efficiency(scan: Scan, *, body: RigidBody) -> float:
+    """Return where the bat gives back most of the ball's own speed: the best place on a bat at rest.
+
+    Looked for beyond the balance point: a slender handle swings back against the ball, and may throw it back as fast.
+    """
+    outer = scan.position > body.balance_point
+    return _top(scan.position[outer], scan.collision_efficiency[outer])
 
 
 def max_exit_speed(scan: Scan) -> float:

@@ -9,6 +9,11 @@ from sweetspot.equipment.material import Material
 from sweetspot.units import Kind, parse
 
 FILE = "materials.toml"
+CALLED = {
+    "ash": "white-ash", "maple": "sugar-maple", "hard-maple": "sugar-maple", "rock-maple": "sugar-maple",
+    "birch": "yellow-birch", "willow": "english-willow", "aluminium": "aluminium-7xxx", "aluminum": "aluminium-7xxx",
+}  # fmt: skip
+"""What shops call a material, and which of the catalogue is meant: the usual one for bats."""
 
 
 def material_names() -> list[str]:
@@ -23,7 +28,7 @@ def material(name: str) -> Material:
     >>> material("white ash").family
     'wood'
     """
-    _, found = entry(read_table(FILE), name, "material")
+    _, found = entry(read_table(FILE), CALLED.get(canonical(name), name), "material")
     what = found["name"]
     limits = unwrapped(found["density_range"]) if "density_range" in found else None
     return Material(

@@ -44,14 +44,15 @@ def certify(
     ] = False,
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
-    """Test a bat: BBCOR, BESR, BPF and a league's rules, with margin. Exit 1 when a rule fails."""
+    """Test a bat: BBCOR, BESR, BPF and a league's rules, with margin. Exit 1 when one fails or none can be decided."""
     from sweetspot import catalog
     from sweetspot.analysis.certification.rules import check_rules, construction_findings
     from sweetspot.analysis.certification.simulated_test import certify as simulate
     from sweetspot.cli.output import patience, present
     from sweetspot.dynamics.beam import beam_model
     from sweetspot.dynamics.rigid import rigid_body
-    from sweetspot.report.certification.document import TestedBat, tested_document
+    from sweetspot.report.certification.document import tested_document
+    from sweetspot.report.certification.tested_bat import TestedBat
 
     if bat is None:
         raise InputError("certify needs a bat: BBCOR takes the recoil from its weight, balance and moment of inertia")

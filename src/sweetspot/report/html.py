@@ -34,35 +34,48 @@ def page(document: parts.Document, reader: Reader, *, long: bool = False) -> str
 
 
 def fragment(document: parts.Document, reader: Reader) -> str:
-    """Return a document as a part of somebody else's page, such as a notebook's cell."""
+    """Return a document as a part of a page that has our style sheet."""
     return _rendered("fragment.html.j2", document, reader)
 
 
-def _rendered(template: str, document: parts.Document, reader: Reader, **more: Any) -> str:
+def notebook_cell(document: parts.Document, reader: Reader) -> str:
+    """Return a document as a part of somebody else's page: its few rules of style with it, its colours its own."""
+    return _rendered("notebook.html.j2", document, reader, style="notebook.css", colours={})
+
+
+def _rendered(
+    template: str, document: parts.Document, reader: Reader, *, style: str = "page.css",
+    colours: dict[str, str] | None = None, **more: Any,
+) -> str:  # fmt: skip
     return _environment().get_template(template).render(
         document=document, read=lambda words: read(words, reader), kind_of=lambda block: type(block).__name__,
         shown=lambda column, cell: column.shown(cell, reader), head=lambda column: column.head(reader),
-        drawn=partial(_drawn, reader=reader), cite=cite, reference=reference, version=__version__, **more,
+        drawn=partial(_drawn, reader=reader, colours=colours), cite=cite, reference=reference, version=__version__,
+        style=_style(style), **more,
     )  # fmt: skip
 
 
 @cache
+def _style(name: str) -> Markup:
+    return Markup((HERE / name).read_text(encoding="utf-8"))
+
+
+@cache
 def _environment() -> Environment:
-    environment = Environment(
+    return Environment(
         loader=FileSystemLoader(TEMPLATES), autoescape=True, undefined=StrictUndefined, trim_blocks=True,
         lstrip_blocks=True,
     )  # fmt: skip
-    environment.globals["style"] = Markup((HERE / "page.css").read_text(encoding="utf-8"))
-    return environment
 
 
-def _drawn(picture: parts.Picture, *, reader: Reader) -> Markup:
-    """Return a picture as SVG inside the page: its names its own, its colours the page's."""
+def _drawn(picture: parts.Picture, *, reader: Reader, colours: dict[str, str] | None) -> Markup:
+    """Return a picture as SVG inside the page: its names its own, its colours the page's unless others are given."""
     from sweetspot.report.pictures.files import svg_bytes
     from sweetspot.report.pictures.style import PAGE_COLOURS
 
     drawing = svg_bytes(picture.draw(reader)).decode()
-    return Markup(inlined(drawing, name=picture.name, label=read(picture.label, reader), colours=PAGE_COLOURS))
+    return Markup(inlined(drawing, name=picture.name, label=read(picture.label, reader),
+                          colours=PAGE_COLOURS if colours is None else colours))  # fmt: skip
 
 
 def inlined(drawing: str, *, name: str, label: str, colours: dict[str, str]) -> str:

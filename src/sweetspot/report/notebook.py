@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from sweetspot.errors import InputError
 from sweetspot.report.document import Document
-from sweetspot.report.html import fragment
+from sweetspot.report.html import notebook_cell
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -22,7 +22,7 @@ def html_of(answer: Any) -> str:
         for what has no document.
     """
     document = document_of(answer)
-    return fragment(document, document.reader)
+    return notebook_cell(document, document.reader)
 
 
 def figure_of(answer: Any) -> Figure:

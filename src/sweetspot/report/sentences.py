@@ -95,7 +95,27 @@ class Doubtful:
         return f"{value:{'+' if self.sign else ''}z,.{digits}f} ± {doubt:,.{digits}f}{reader.behind(self.scale)}"
 
 
-Part = str | Slot | Span | UnitName | Doubtful
+@dataclass(frozen=True)
+class Bounds:
+    """The ends of a number's interval in brackets, without units; nothing where a reader sees one number three times.
+
+    >>> Bounds(Slot(0.36, "speed"), 0.34, 0.36).read(US), Bounds(Slot(0.36, "speed"), 0.0, 0.36).read(US)
+    ('', ' (0.0 to 0.8)')
+    """
+
+    value: Slot
+    low: float
+    high: float
+
+    def read(self, reader: Reader) -> str:
+        """Return the brackets as a reader sees them."""
+        value, low, high = (
+            replace(self.value.bare, value=end).read(reader) for end in (self.value.value, self.low, self.high)
+        )
+        return "" if value == low == high else f" ({low} to {high})"
+
+
+Part = str | Slot | Span | UnitName | Doubtful | Bounds
 
 
 @dataclass(frozen=True)
@@ -146,7 +166,7 @@ def say(template: str, **slots: Part | float | Sentence) -> Sentence:
             parts += (
                 slot.parts
                 if isinstance(slot, Sentence)
-                else [slot if isinstance(slot, (Slot, Span, UnitName, Doubtful)) else str(slot)]
+                else [slot if isinstance(slot, (Slot, Span, UnitName, Doubtful, Bounds)) else str(slot)]
             )
     return Sentence(tuple(parts))
 
@@ -171,10 +191,7 @@ def within(
 ) -> Sentence:
     """Return a value with its interval, "+1.2 mph (+0.4 to +2.0)"; without one where the interval has no width."""
     value = Slot(interval.value, scale, digits, sign, unit)
-    if interval.low == interval.high:
-        return Sentence((value,))
-    low, high = (Slot(end, scale, digits, sign, unit=False) for end in (interval.low, interval.high))
-    return Sentence((value, " (", low, " to ", high, ")"))
+    return Sentence((value, Bounds(value, interval.low, interval.high)))
 
 
 def with_doubt(value: float, doubt: float, scale: str) -> Sentence:

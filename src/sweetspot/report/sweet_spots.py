@@ -30,6 +30,11 @@ class Spot:
         own = words.strongest if "{efficiency}" in self.name else ""
         return own or self.name.format(**words.model_dump())
 
+    def labelled(self, words: Words) -> str:
+        """Return the label as a sport's people have it."""
+        own = words.strongest if "{efficiency}" in self.name else ""
+        return own or self.label.format(**words.model_dump())
+
     def explained(self, words: Words) -> str:
         """Return the meaning as a sport's people have it."""
         return self.meaning.format(**words.model_dump())
@@ -37,7 +42,7 @@ class Spot:
 
 SPOTS: Mapping[str, Spot] = {
     "max_exit_speed": Spot(
-        "greatest {exit_speed}", "fastest ball", "where the ball leaves fastest for this swing", RED
+        "greatest {exit_speed}", "fastest {ball}", "where the ball leaves fastest for this swing", RED
     ),
     "max_collision_efficiency": Spot(
         "greatest {efficiency}", "greatest efficiency q", "where a {implement} at rest throws a ball back fastest",

@@ -55,7 +55,9 @@ def test_curves_are_the_scans_with_tips_aligned(picture: Figure, found: Comparis
     assert len(lines) == len(found.compared)
     for line, bat in zip(lines, reversed(found.compared), strict=True):
         assert np.asarray(line.get_xdata())[-1] == pytest.approx(length)
-        assert np.array_equal(np.asarray(line.get_ydata()), bat.analysis.scan.exit_speed / MPH, equal_nan=True)
+        drawn, speed = np.asarray(line.get_ydata()), bat.analysis.scan.exit_speed / MPH
+        outer = np.asarray(line.get_xdata()) > 0.6 * length  # nobody means to hit nearer the hands
+        assert np.array_equal(drawn[outer], speed[outer], equal_nan=True) and np.isnan(drawn[~outer]).all()
     looks = {(line.get_color(), str(line.get_linestyle()), line.is_dashed()) for line in lines}
     assert len(looks) == len(lines)
 

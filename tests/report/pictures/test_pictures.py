@@ -26,6 +26,7 @@ from sweetspot.report.hit.ledger import ENERGY_NAMES
 from sweetspot.report.hit.picture import hit_figure
 from sweetspot.report.pictures.files import png_bytes, save, svg_bytes
 from sweetspot.report.pictures.marks import ladder
+from sweetspot.report.sport_words import words_of
 from sweetspot.report.sweet_spots import SPOTS
 from sweetspot.units import INCH, MPH
 from tests.report.pictures.labels import check_labels, texts
@@ -120,7 +121,7 @@ def test_every_sweet_spot_is_marked_with_its_number(picture: Figure, analysed: A
     words = [text for text, _ in texts(picture)]
     for field, spot in SPOTS.items():
         inches = (analysed.bat.length - getattr(analysed.sweet_spots, field)) / INCH
-        assert spot.label in words
+        assert spot.labelled(words_of(analysed.bat)) in words
         assert f"{inches:.1f}" in words
     marked = [line for line in picture.axes[0].lines if line.get_marker() == "o"]
     drawn = sorted(float(np.asarray(line.get_xdata())[0]) for line in marked)

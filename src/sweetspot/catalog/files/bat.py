@@ -11,6 +11,7 @@ import numpy as np
 from pydantic import BeforeValidator, Field
 
 from sweetspot.catalog.files.like import resolved
+from sweetspot.catalog.files.sport_kind import check_sport
 from sweetspot.catalog.files.tables import FileTable, parsed
 from sweetspot.catalog.files.turned import turned_profile
 from sweetspot.catalog.materials import material
@@ -205,6 +206,8 @@ def bat_from_table(table: dict[str, Any], where: str) -> Bat:
             "has a wall, an end cap or a joint: put it into a [shell] table that has a wall"
         )
     try:
+        if table.get("sport", "baseball") != "baseball":
+            check_sport(str(unwrapped(table["sport"])), kind="bat")
         return _checked_drawing(_bat(BatFile(**{key: unwrapped(value) for key, value in table.items()})))
     except InputError as error:
         message = re.sub(r"\b\w*table: ", "", str(error).removeprefix("batfile: ").removeprefix("bat: "))

@@ -11,6 +11,7 @@ from pydantic import Field
 
 from sweetspot.catalog.files.bat import BatFile, PlyTable, bat_from_table, laminate_of, read_toml
 from sweetspot.catalog.files.like import resolved
+from sweetspot.catalog.files.sport_kind import check_sport
 from sweetspot.catalog.files.tables import (
     FORCE,
     FREQUENCY,
@@ -185,9 +186,14 @@ def implement_from_table(table: dict[str, Any], where: str) -> Implement:
         raise InputError(f"{where}: kind {repr(kind)[:60]} is not known. {known}")
     made_from, make = KINDS[kind]
     try:
+        check_sport(str(unwrapped(table.get("sport", ""))), kind=kind)
         return make(made_from(**{key: _unwrapped(value) for key, value in table.items()}))
     except InputError as error:
-        raise InputError(f"{where}: {re.sub(PREFIXES, '', str(error))}") from None
+        message = re.sub(PREFIXES, "", str(error))
+        if message.count("is missing") >= MANY_MISSING:
+            like = EXAMPLES.get(kind, kind)
+            message += f'. Or begin with like = "{like}" and write only what is different (sweetspot bats lists names)'
+        raise InputError(f"{where}: {message}") from None
 
 
 def read_implement(path: Path) -> Implement:
@@ -266,6 +272,9 @@ KINDS: dict[str, tuple[type[FileTable], Callable[[Any], Implement]]] = {
     "table-tennis-racket": (TableTennisRacketFile, _table_tennis_racket),
 }
 """What a file's ``kind`` says it is: the table it is read as, and what makes the thing of it."""
+MANY_MISSING = 3
+EXAMPLES = {"racket": "tennis-racket", "golf-club": "golf-driver"}
+"""Entry of the catalogue to begin with, where it has not the name of its kind."""
 PREFIXES = r"^(?:\w*file|\w*racket|cricketbat|hockeystick|golfclub|\w*table|outline|stringbed|clubhead|face): "
 FILES: dict[str, type[FileTable]] = {"bat": BatFile, **{kind: made_from for kind, (made_from, _) in KINDS.items()}}
 """The table of every kind, for schemas."""

@@ -29,7 +29,7 @@ from sweetspot.report.bat.words import WHY_TWO, Miss, answer, from_tip, misses_o
 from sweetspot.report.document import Block, Cards, Document, Paragraph, Picture, Section, Sources
 from sweetspot.report.hit.document import BattedHit, hit_picture, hit_table
 from sweetspot.report.quantities import Reader
-from sweetspot.report.sentences import Sentence, Slot, Words, joined, say
+from sweetspot.report.sentences import Bounds, Sentence, Slot, Words, joined, say
 from sweetspot.report.sport_words import in_words, reader_of, words_of
 
 COLUMNS, ROWS = 120, 90
@@ -90,9 +90,11 @@ def _cards(analysis: Analysis[Implement], misses: Sequence[Miss]) -> Cards:
     if len(misses) > 1:
         miss = misses[1]
         worse = miss.inside if miss.outside.value != miss.outside.value else max(miss.inside, miss.outside)
-        low, high = Slot(worse.low, "speed").bare, Slot(worse.high, "speed").bare
-        missed = Slot(miss.distance, "place", round=True)
-        told = say("for missing it by {missed} ({low} to {high})", missed=missed, low=low, high=high)
+        missed, bounds = (
+            Slot(miss.distance, "place", round=True),
+            Bounds(Slot(worse.value, "speed"), worse.low, worse.high),
+        )
+        told = say("for missing it by {missed}{bounds}", missed=missed, bounds=bounds)
         cards.append((Slot(-worse.value, "speed"), told))
     return Cards([(joined([number]), words) for number, words in cards])
 

@@ -13,6 +13,7 @@ from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.racket import Racket
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat import along_picture as along
 from sweetspot.report.bat.outline_picture import ABOVE, GUIDE_START, RULER, SIDE, WIDTH, bat_panel, draw_bat_panel
@@ -145,8 +146,11 @@ def _footer(figure: Figure, analysis: Analysis[Implement], height: float) -> Non
     words = words_of(analysis.bat)
     shaded = "" if analysis.sweet_spots.zone is None else f"Shaded: {words.zone}.  "
     near = "  Panels: the face alone." if ruler.is_zoomed(analysis.bat) else ""
+    strung = isinstance(analysis.bat, Racket) and analysis.bat.strings is not None
+    rigid = f"the same {words.implement} if it were rigid" + (", strings too" if strung else "")
+    frame = "  Steps at the ends: the ball is on the frame." if strung else ""
     text = (
-        f"{shaded}Red line: best place.  Dashed: the same {words.implement} if it were rigid.{near}\n"
+        f"{shaded}Orange line: best place.  Dashed: {rigid}.{near}{frame}\n"
         f"Free {words.implement}, {analysis.conditions.ball.name}, hit straight on."
     )
     figure.text(SIDE / WIDTH, 0.08 / height, text, color=MUTED, size=SMALL, parse_math=False)

@@ -15,8 +15,9 @@ from sweetspot.catalog.sports import sport
 from sweetspot.dynamics.rigid import effective_mass
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import ASSUMED_MARK, Words
+from sweetspot.motion.swing_law import Interval
 from sweetspot.paper.sports import dead_spot
-from sweetspot.report.sentences import Part, Sentence, Slot, joined, say
+from sweetspot.report.sentences import Part, Sentence, Slot, joined, say, within
 from sweetspot.report.sport_words import arriving, in_words, weight, words_of
 from sweetspot.units import INCH
 
@@ -65,8 +66,7 @@ def from_tip(analysis: Analysis[Implement], position: float) -> Slot:
 
 def cost(loss: Loss) -> Sentence:
     """Return a cost and its interval."""
-    value, low, high = (Slot(one, "speed") for one in loss)
-    return say("{value} ({low} to {high})", value=value, low=low.bare, high=high.bare)
+    return within(Interval(loss.value, loss.low, loss.high), "speed")
 
 
 def _by_ball(analysis: Analysis[Implement]) -> Sentence:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from sweetspot.analysis.certification.passing_wall import PassingWall
@@ -11,14 +10,13 @@ from sweetspot.analysis.certification.rules import QUANTITIES, Check, League, Ve
 from sweetspot.analysis.certification.shot_statistics import Estimate, Measured
 from sweetspot.analysis.certification.shots import Shots
 from sweetspot.analysis.certification.simulated_test import CLAMP, OLD_BALL_SPEED, OLD_BAT_SPEED, BatTest, Certification
-from sweetspot.dynamics.rigid import RigidBody
-from sweetspot.equipment.ball import Ball
-from sweetspot.equipment.bat import Bat
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.certification.numbers import check_json, measured_json, simulated_json, wall_json
-from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Marked, Paragraph, Table
+from sweetspot.report.certification.tested_bat import TestedBat
+from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Marked, Paragraph, Picture, Table
 from sweetspot.report.json_shapes import as_columns, cleaned
-from sweetspot.report.sentences import Sentence, Slot, Words, joined, say
+from sweetspot.report.quantities import Reader
+from sweetspot.report.sentences import Sentence, Slot, Span, Words, joined, say
 
 SCALES = {"m": ("length", 3), "m/s": ("speed", 1), "kg m^2": ("moi", None), "in - oz": ("ratio", 2)}
 """Scale and digits of what rules limit, by its unit; every other is a ratio with four digits."""
@@ -27,32 +25,6 @@ PATCH_NOTE = (
     "the test. The ball is the catalogue's; a test normalises to one."
 )
 MARKS = {Verdict.PASS: "hit", Verdict.FAIL: "missed"}
-
-
-@dataclass(frozen=True)
-class TestedBat:
-    """A bat, how it was tested, and every rule held against it.
-
-    Parameters
-    ----------
-    test : the simulated test, or what measured shots say.
-    shots : the file of measured shots; None for a simulated test.
-    checks : (league, rule held against the bat).
-    walls : (league, the barrel wall that would just pass its limit), where that was asked.
-    """
-
-    bat: Bat
-    ball: Ball
-    body: RigidBody
-    test: Certification | Measured
-    shots: Shots | None = None
-    checks: Sequence[tuple[League, Check]] = ()
-    walls: Sequence[tuple[League, PassingWall]] = ()
-
-    @property
-    def failed(self) -> list[tuple[League, Check]]:
-        """The rules that the bat breaks."""
-        return [(league, check) for league, check in self.checks if check.verdict is Verdict.FAIL]
 
 
 def tested_document(tested: TestedBat) -> Document:
@@ -69,11 +41,22 @@ def tested_document(tested: TestedBat) -> Document:
         blocks += _measured(test, tested.shots, length=tested.bat.length)
     if tested.checks:
         blocks += [_rules(tested.checks), *_listed(_reasons(tested.checks))]
+    picture = Picture(
+        "certify", lambda reading: _drawn(tested, reading),
+        label=say("What the rules limit, place for place along {bat}, and the limits.", bat=tested.bat.name),
+        caption="A test in the computer or on a bench; no certificate.",
+    )  # fmt: skip
     checks = [check_json(league.key, check) for league, check in tested.checks]
     return Document(
-        name="certify", title=tested.bat.name, subtitle=tested.ball.name, kind="Bat test", blocks=blocks,
-        data=cleaned(_json(tested, checks)), rows=as_columns(checks), passed=not tested.failed,
+        name="certify", title=tested.bat.name, subtitle=tested.ball.name, kind="Bat test", blocks=[*blocks, picture],
+        data=cleaned(_json(tested, checks)), rows=as_columns(checks), passed=tested.passed, drawing=picture,
     )  # fmt: skip
+
+
+def _drawn(tested: TestedBat, reading: Reader) -> Any:
+    from sweetspot.report.certification.picture import certification_figure
+
+    return certification_figure(tested, reading)
 
 
 def certification_document(certification: Certification) -> Document:
@@ -88,7 +71,7 @@ def _json(tested: TestedBat, checks: list[dict[str, Any]]) -> dict[str, Any]:
         told = {"shots": measured_json(test, tested.shots)}
     described = {"bat": bat_json(bat.name, bat.length, tested.body), "ball": tested.ball.name}
     walls = [wall_json(league.key, wall) for league, wall in tested.walls]
-    return described | told | {"checks": checks, "passed": not tested.failed} | ({"walls": walls} if walls else {})
+    return described | told | {"checks": checks, "passed": tested.passed} | ({"walls": walls} if walls else {})
 
 
 def _passing(tested: TestedBat, league: League, wall: PassingWall) -> Sentence:
@@ -113,10 +96,16 @@ def _headline(tested: TestedBat) -> Sentence:
     ]  # fmt: skip
     if broken:
         return say("{bat} fails: {rules}.", bat=tested.bat.name, rules=joined(broken, "; "))
-    passed = any(check.verdict is Verdict.PASS for _, check in tested.checks)
-    if not passed:
-        return say("No rule could be decided for {bat}.", bat=tested.bat.name)
-    return say("{bat} keeps every rule that can be decided here.", bat=tested.bat.name)
+    kept = sum(check.verdict is Verdict.PASS for _, check in tested.checks)
+    open_ones = [title(check.rule) for _, check in tested.checks if check.verdict is Verdict.NOT_DECIDABLE]
+    if not kept:
+        return say("No rule could be decided for {bat}, so nothing is passed.", bat=tested.bat.name)
+    if not open_ones:
+        return say("{bat} keeps every rule.", bat=tested.bat.name)
+    return say(
+        "{bat} keeps every rule that can be decided here, {kept} of {all}. Not decidable: {open}.", bat=tested.bat.name,
+        kept=kept, all=kept + len(open_ones), open=joined(open_ones, "; "),
+    )  # fmt: skip
 
 
 def _superseded(checks: Sequence[tuple[League, Check]]) -> list[str]:
@@ -145,8 +134,7 @@ def _simulated(test: Certification) -> list[Block]:
 
 
 def _range(spread: tuple[float, float], scale: str = "ratio", digits: int = 4) -> Sentence:
-    low, high = (Slot(value, scale, digits).bare for value in spread)
-    return say("{low} to {high}", low=low, high=high)
+    return Sentence((Span(*spread, scale, digits, unit=False),))
 
 
 def _old_test() -> Sentence:

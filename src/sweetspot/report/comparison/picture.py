@@ -76,7 +76,9 @@ def compare_figure(comparison: Comparison[Implement], reading: Reader = US) -> F
     _outlines(panel(HEADER, outlines), compared, length, scale * outlines / 2)
     if differences:
         _differences(panel(top + CURVES + BETWEEN, DIFFERENCES), compared, length, reading)
-    words = "Boxes: sweet zones. Dots: best places. Change: against the first. Hit straight on."
+    words = (
+        "Boxes: sweet zones. Dots: best places. Change: against the first. Hit straight on. Speeds do not begin at 0."
+    )
     figure.text(SIDE / WIDTH, 0.12 / height, words, color=MUTED, size=SMALL)
     return figure
 
@@ -120,11 +122,12 @@ def _curves(axes: Axes, compared: Sequence[Compared[Implement]], length: float, 
     for number, one in reversed(list(enumerate(compared))):  # the reference last, on top
         scan, (colour, dash) = one.analysis.scan, _look(number)
         places, speed = scan.position + length - one.analysis.bat.length, scan.exit_speed / size
+        speed = np.where(places > (1 - OUTER) * length, speed, np.nan)  # nobody means to hit nearer the hands
         axes.plot(places, speed, color=colour, linestyle=dash, linewidth=1.5)
         axes.plot(_best(one, length), one.exit_speed.value / size, "o", color=colour, markersize=5,
                   markeredgecolor=PAPER, markeredgewidth=0.8, zorder=5)  # fmt: skip
         tops.append(float(np.nanmax(speed)))
-        lows.append(float(np.nanmin(speed[places > (1 - OUTER) * length], initial=tops[-1])))
+        lows.append(float(np.nanmin(speed)))
     top, low = max(tops), min(lows)
     axes.set_ylim(low - 0.05 * (top - low), top + 0.08 * (top - low))
 

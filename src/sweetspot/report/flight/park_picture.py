@@ -19,7 +19,8 @@ COLOURS = (RED, BLUE, GREEN, ORANGE, PURPLE, SKY)
 BASE_PATH = 90 * FOOT
 """m between bases."""
 RINGS = {"ft": (300, 350, 400), "m": (90, 105, 120)}
-"""From home plate, in the unit of the readers."""
+SMALL_RINGS = {"ft": (100, 150, 200, 250), "m": (30, 45, 60, 75)}
+"""From home plate, in the unit of the readers; on a field for youth."""
 REACH = 440 * FOOT
 """m that is drawn towards centre field."""
 
@@ -45,16 +46,21 @@ def parks_figure(parks: Sequence[Park], named: Sequence[Park] = (), reading: Rea
     return figure
 
 
-def draw_field(axes: Axes, reading: Reader = US) -> None:
-    """Draw foul lines, the infield and distance rings in the readers' unit, and fix the axes' shape."""
+def draw_field(axes: Axes, reading: Reader = US, *, small: bool = False) -> None:
+    """Draw foul lines, the infield and distance rings in the readers' unit, and fix the axes' shape.
+
+    Parameters
+    ----------
+    small : a field for youth, whose bases are 60 ft apart.
+    """
     unit = reading.units["distance"].size
     line = np.array([0.0, 0.95 * REACH / unit]) * math.sin(FOUL_LINE)
     for side in (-1, 1):
         axes.plot(side * line, line, color=INK, linewidth=0.8)
-    half = BASE_PATH / unit * math.sin(FOUL_LINE)
+    half = BASE_PATH * (2 / 3 if small else 1) / unit * math.sin(FOUL_LINE)
     axes.plot([0, half, 0, -half, 0], [0, half, 2 * half, half, 0], color=INK, linewidth=0.8)
     turn = np.linspace(-FOUL_LINE, FOUL_LINE, 91)
-    for ring in RINGS[reading.unit("distance")]:
+    for ring in (SMALL_RINGS if small else RINGS)[reading.unit("distance")]:
         axes.plot(ring * np.sin(turn), ring * np.cos(turn), color=MUTED, linewidth=0.5, linestyle=":")
         axes.annotate(
             f"{ring} {reading.unit('distance')}",

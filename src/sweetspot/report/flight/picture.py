@@ -16,6 +16,8 @@ from sweetspot.report.pictures.style import INK, LARGE, MUTED, SMALL, halo, head
 from sweetspot.report.quantities import GREEN, RED, US, Reader
 from sweetspot.units import FOOT
 
+SMALL_FIELD = 260 * FOOT
+"""m to the fence in centre field; youth fields are smaller."""
 MARKS = 1.0
 """s between the dots on a path."""
 
@@ -44,18 +46,19 @@ def draw_side(axes: Axes, flight: Flight, park: Park | None = None, reading: Rea
     dots = np.arange(0, flight.times[-1], MARKS)
     axes.plot(np.interp(dots, flight.times, over_ground), np.interp(dots, flight.times, up), "o", color=RED, ms=3)
     top = int(np.argmax(up))
-    axes.annotate(
-        f"{shown(flight.apex_height)} after {reading.shown(flight.apex_time, 'time')}", (over_ground[top], up[top]),
-        xytext=(0, 5), textcoords="offset points", ha="center", size=SMALL, color=MUTED, path_effects=halo(),
-    )  # fmt: skip
+    if top > 0:  # a ball that is hit down is highest where it is hit
+        axes.annotate(
+            f"{shown(flight.apex_height)} after {reading.shown(flight.apex_time, 'time')}", (over_ground[top], up[top]),
+            xytext=(0, 5), textcoords="offset points", ha="center", size=SMALL, color=MUTED, path_effects=halo(),
+        )  # fmt: skip
     if park is not None and (met := landing(flight.positions, park)).outcome != "foul":
         distance, height = park.distance_at(met.direction), park.height_at(met.direction)
         axes.plot(
             [distance / unit, distance / unit], [0, height / unit], color=GREEN, linewidth=3, solid_capstyle="butt"
         )
         axes.annotate(
-            f"{shown(distance)}, {shown(height)} high", (distance / unit, height / unit), xytext=(-4, 3),
-            textcoords="offset points", size=SMALL, color=GREEN, ha="right", path_effects=halo(),
+            f"{shown(distance)},\n{shown(height)} high", (distance / unit, height / unit), xytext=(5, 2),
+            textcoords="offset points", size=SMALL, color=GREEN, ha="left", va="center", path_effects=halo(),
         )  # fmt: skip
     axes.axhline(0, color=INK, linewidth=0.8)
     heading(axes, "From the side", "to scale; a dot every second")
@@ -65,21 +68,26 @@ def draw_side(axes: Axes, flight: Flight, park: Park | None = None, reading: Rea
         aspect="equal",
     )
     axes.set_ylim(0, max(60.0 * foot, 1.15 * float(up.max())))
+    axes.set_xlim(right=max(150.0 * foot, 1.14 * float(over_ground.max()), axes.get_xlim()[1]))
     light_grid(axes)
 
 
 def draw_above(axes: Axes, flight: Flight, park: Park | None = None, reading: Reader = US) -> None:
     """Draw the path over the field, with the park's fence."""
-    draw_field(axes, reading)
+    small = park is not None and park.distance_at(0.0) < SMALL_FIELD
+    draw_field(axes, reading, small=small)
     if park is not None:
         draw_fence(axes, park, colour=GREEN, thick=True, reading=reading)
     unit, foot = reading.units["distance"].size, FOOT / reading.units["distance"].size
     right, out, _ = flight.positions.T / unit
     axes.plot(right, out, color=RED)
-    reach = max(310.0 * foot, 1.1 * float(np.abs(right).max()))
+    reach = max((190.0 if small else 310.0) * foot, 1.1 * float(np.abs(right).max()))
     axes.set(
         xlim=(-reach, reach),
-        ylim=(min(-10.0 * foot, float(out.min()) - 20 * foot), max(440.0 * foot, 1.08 * float(out.max()))),
+        ylim=(
+            min(-10.0 * foot, float(out.min()) - 20 * foot),
+            max((270.0 if small else 440.0) * foot, 1.08 * float(out.max())),
+        ),
     )
     dots = np.arange(0, flight.times[-1], MARKS)
     axes.plot(np.interp(dots, flight.times, right), np.interp(dots, flight.times, out), "o", color=RED, ms=3)

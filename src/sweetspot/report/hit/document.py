@@ -140,6 +140,12 @@ def _damage_blocks(damage: Damage | None, words: Words) -> list[Block]:
     )  # fmt: skip
     if damage.wall_strain is not None:
         text += say("; of the barrel's wall {strain}", strain=Slot(damage.wall_strain, "strain"))
+    limit = damage.strain_limit
+    if limit is not None and damage.handle_strain > limit and not damage.warnings:
+        text += say(
+            ". In a slow test its wood reaches its strength at {limit}; in a blow it bears two or three times as much",
+            limit=Slot(limit, "strain"),
+        )  # fmt: skip
     return [Paragraph(text + "."), *(Paragraph(f"Warning: {words}", "warning") for words in damage.warnings)]
 
 

@@ -68,7 +68,8 @@ def draw_marks(axes: Axes, analysis: Analysis[Implement], reading: Reader, scale
             mark.place, dot, "o", color=colour, markersize=5.2, markeredgecolor=PAPER, markeredgewidth=0.8, zorder=4
         )
         distance = reading.number(analysis.bat.length - mark.place, "place")
-        _label(axes, distance, mark, (start, level), scale, ahead=ahead)
+        name = SPOTS[mark.field].labelled(words_of(analysis.bat))
+        _label(axes, distance, name, (start, level), scale, ahead=ahead, best=mark.field == "max_exit_speed")
     if right:
         axes.text(
             column - 0.06 * scale, top - 0.5 * ROW * scale, from_the_tip(analysis.bat, reading), ha="right",
@@ -76,10 +77,11 @@ def draw_marks(axes: Axes, analysis: Analysis[Implement], reading: Reader, scale
         )  # fmt: skip
 
 
-def _label(axes: Axes, distance: str, mark: Mark, at: tuple[float, float], scale: float, *, ahead: bool) -> None:
+def _label(
+    axes: Axes, distance: str, name: str, at: tuple[float, float], scale: float, *, ahead: bool, best: bool
+) -> None:
     place, level = at
-    best = mark.field == "max_exit_speed"
-    name, step = SPOTS[mark.field].label, 0.06 * scale
+    step = 0.06 * scale
     look: dict[str, Any] = {"va": "center_baseline", "color": INK, "size": NORMAL, "zorder": 5}
     weight = "bold" if best else "normal"
     if ahead:

@@ -15,6 +15,8 @@ from sweetspot.report.quantities import BLUE, GREEN, RED, US, Reader
 WOOD = "#ecd9b8"
 ARROW = 0.0016
 """m of drawing per m/s."""
+GAP = 0.004
+"""m of drawing between things that must not touch."""
 
 
 def draw_contact(axes: Axes, played: PlayedPitch, reading: Reader = US) -> None:
@@ -40,29 +42,48 @@ def draw_contact(axes: Axes, played: PlayedPitch, reading: Reader = US) -> None:
     axes.add_patch(Circle(tuple(centre), ball.radius, facecolor=PAPER, edgecolor=INK, linewidth=1.0))
     ends = np.array([[0, 0], centre]) * 1.0
     axes.plot(*ends.T, color=MUTED, linewidth=0.8, linestyle=(0, (4, 3)))
-    _arrow(axes, np.zeros(2), strike.bat_speed * turned(forward), RED, f"bat {speed(strike.bat_speed)}")
+    _arrow(axes, np.zeros(2), strike.bat_speed * turned(forward), RED)
+    axes.text(0, -bat_radius - GAP, f"bat {speed(strike.bat_speed)}", color=RED, size=SMALL, ha="center", va="top")
     arriving = turned(played.pitch.velocity)
-    _arrow(axes, centre - ARROW * arriving, arriving, BLUE, f"pitch {speed(played.pitch.speed)}", at_tail=True)
-    if strike.launched is not None:
-        leaving = turned(strike.launched.velocity)
-        rising = reading.shown(strike.launched.launch_angle, "angle", digits=0)
-        words = f"ball {speed(strike.launched.speed)}, {rising} up"
-        _arrow(axes, centre, leaving, GREEN, words)
+    tail = _beyond(centre, -ARROW * arriving, ball.radius)
+    _arrow(axes, tail, centre + (ball.radius + GAP / 2) * _along(-arriving) - tail, BLUE, scale=1)
+    leaving = None if strike.launched is None else turned(strike.launched.velocity)
+    rises = leaving is None or _along(leaving)[1] >= _along(-arriving)[1]
+    _label(axes, tail, f"pitch {speed(played.pitch.speed)}", BLUE, under=rises)
+    top, low = float(centre[1]) + ball.radius, min(-bat_radius, float(centre[1]) - ball.radius) - 5 * GAP
+    if strike.launched is not None and leaving is not None:
+        climb = strike.launched.launch_angle
+        rising = f"{reading.shown(abs(climb), 'angle', digits=0)} {'up' if climb >= 0 else 'down'}"
+        _arrow(axes, centre, leaving, GREEN)
+        head = _beyond(centre, ARROW * leaving, ball.radius)
+        _label(axes, head, f"ball {speed(strike.launched.speed)}, {rising}", GREEN, under=not rises)
+        top, low = max(top, float(head[1]) + 4 * GAP), min(low, float(head[1]) - 5 * GAP)
     side = "above" if offset >= 0 else "below"
     aside = reading.shown(abs(offset), "offset")
     heading(axes, "Contact", f"seen along the bat; ball's centre {aside} {side} the bat's axis")
     axes.set_aspect("equal")
-    axes.set(xlim=(-0.07, 0.19), ylim=(-0.075, 0.125))
+    axes.set(xlim=(-bat_radius - GAP, float(centre[0]) + ball.radius + 0.105), ylim=(low, top + 2 * GAP))
     axes.set_axis_off()
 
 
-def _arrow(
-    axes: Axes, start: np.ndarray, velocity: np.ndarray, color: str, words: str, *, at_tail: bool = False
-) -> None:
-    """Draw a velocity as an arrow, with its words at the head, or at the tail."""
-    end = start + ARROW * velocity
-    axes.annotate("", tuple(end), tuple(start), arrowprops={"arrowstyle": "-|>", "color": color, "linewidth": 1.6})
-    place = start if at_tail else end
+def _along(vector: np.ndarray) -> np.ndarray:
+    return vector / max(float(np.hypot(*vector)), 1e-9)
+
+
+def _beyond(centre: np.ndarray, arrow: np.ndarray, radius: float) -> np.ndarray:
+    """Return where an arrow from a ball's centre ends, or a place just outside the ball where that lies inside."""
+    return centre + max(float(np.hypot(*arrow)), radius + 2 * GAP) * _along(arrow)
+
+
+def _label(axes: Axes, place: np.ndarray, words: str, colour: str, *, under: bool) -> None:
+    """Write beside the end of an arrow, on the side where the other arrow is not."""
     axes.annotate(
-        words, tuple(place), xytext=(2, 4), textcoords="offset points", color=color, size=SMALL, path_effects=halo()
-    )
+        words, tuple(place), xytext=(3, -3 if under else 3), textcoords="offset points", color=colour, size=SMALL,
+        va="top" if under else "bottom", path_effects=halo(),
+    )  # fmt: skip
+
+
+def _arrow(axes: Axes, start: np.ndarray, velocity: np.ndarray, colour: str, *, scale: float = ARROW) -> None:
+    """Draw a velocity as an arrow."""
+    end = start + scale * velocity
+    axes.annotate("", tuple(end), tuple(start), arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 1.6})

@@ -7,7 +7,7 @@ import textwrap
 from matplotlib.figure import Figure
 
 from sweetspot.report.flight.picture import draw_above, draw_side
-from sweetspot.report.pictures.style import NORMAL, styled
+from sweetspot.report.pictures.style import LARGE, NORMAL, styled
 from sweetspot.report.play.contact_picture import draw_contact
 from sweetspot.report.play.played_pitch import PlayedPitch
 from sweetspot.report.quantities import US, Reader
@@ -25,8 +25,10 @@ def play_figure(played: PlayedPitch, words: Sentence, reading: Reader = US) -> F
     ----------
     words : for the foot of the page.
     """
-    figure = Figure(figsize=(9.0, 7.4), layout="constrained")
-    grid = figure.add_gridspec(3, 2, height_ratios=(2.3, 1.25, 0.4), width_ratios=(1, 1.15))
+    figure = Figure(figsize=(9.0, 6.9), layout="constrained")
+    figure.get_layout_engine().set(rect=(0.01, 0, 0.98, 0.95))  # type: ignore[union-attr, call-arg]
+    figure.text(0.02, 0.965, played.bat.name, weight="bold", size=LARGE, parse_math=False)
+    grid = figure.add_gridspec(3, 2, height_ratios=(2.3, 1.25, 0.45), width_ratios=(1.2, 1))
     contact = figure.add_subplot(grid[0, 0])
     draw_contact(contact, played, reading)
     flight = played.play.flight

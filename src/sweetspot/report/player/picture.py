@@ -95,11 +95,12 @@ def _contact(axes: Axes, posterior: Posterior, advice: Advice, reading: Reader) 
     axes.axvspan(now.low / inch, now.high / inch, color=SKY, alpha=0.25, linewidth=0)
     axes.axvline(now.value / inch, color=BLUE, linewidth=0.8)
     axes.axvline(best.value / inch, color=RED, linewidth=0.8)
+    between = (now.value + best.value) / 2  # labels on the outer sides: the axis runs down to the tip
     low, high = bottom + 0.12 * (top - bottom), bottom + 0.22 * (top - bottom)
     for place, height, words, colour in ((now.value, low, "now", BLUE), (best.value, high, "best", RED)):
         axes.annotate(
-            words, (place / inch, height), xytext=(4, 0), textcoords="offset points", color=colour, ha="left",
-            va="bottom", size=SMALL,
+            words, (place / inch, height), xytext=(-4 if place >= between else 4, 0), textcoords="offset points",
+            color=colour, ha="right" if place >= between else "left", va="bottom", size=SMALL,
         )  # fmt: skip
     rug = posterior.draws[:: max(1, len(posterior.draws) // 400), NAMES.index("position")] / inch
     axes.plot(rug, np.full_like(rug, bottom), "|", color=BLUE, alpha=0.25, markersize=7)

@@ -10,10 +10,11 @@ from typing import Any
 import numpy as np
 import polars as pl
 
+from sweetspot.motion.swing_law import Interval
 from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Picture, Section, Table
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.quantities import Reader
-from sweetspot.report.sentences import Sentence, Slot, joined, say
+from sweetspot.report.sentences import Sentence, Slot, say, within
 from sweetspot.season.counted import WITH
 from sweetspot.season.place_relation import PlaceRelation
 from sweetspot.season.rows import REASONS, USED
@@ -189,8 +190,7 @@ def _pooled(row: Mapping[str, Any], name: str) -> Cell:
     if row[name] is None:
         return None
     scale = MEASURES[name][0]
-    return joined([Slot(row[name], scale), say("({low} to {high})", low=Slot(row[f"{name}_low90"], scale).bare,
-                   high=Slot(row[f"{name}_high90"], scale).bare)])  # fmt: skip
+    return within(Interval(row[name], row[f"{name}_low90"], row[f"{name}_high90"]), scale)
 
 
 def _drag(months: Sequence[DragOfMonth]) -> Table:

@@ -1,0 +1,146 @@
+"""A bat test in one picture: what the rules limit, along the barrel, the limits, and the best place."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from sweetspot.analysis.certification.rules import Verdict
+from sweetspot.analysis.certification.shot_statistics import Measured
+from sweetspot.analysis.certification.simulated_test import BatTest, Certification
+from sweetspot.numerics.arrays import Array
+from sweetspot.report.certification.tested_bat import TestedBat
+from sweetspot.report.pictures.ruler import from_the_tip
+from sweetspot.report.pictures.style import (
+    HUGE,
+    INK,
+    MUTED,
+    NORMAL,
+    PAPER,
+    SMALL,
+    axes_in_inches,
+    fitted,
+    halo,
+    heading,
+    light_grid,
+    styled,
+)
+from sweetspot.report.quantities import BLUE, GREEN, ORANGE, RED, SKY, US, Reader
+
+WIDTH, SIDE, HEADER, PANEL, FOOTER = 8.0, 0.62, 1.05, 2.6, 0.95
+"""Inches of paper: page, margins, title, the panel, the foot."""
+ROOM = 0.12
+"""Part of the panel's range left free above and below."""
+COLOURS = {Verdict.PASS: GREEN, Verdict.FAIL: ORANGE}
+
+
+@dataclass(frozen=True)
+class _Curve:
+    """What is drawn: a measure along the barrel, its band, and its best place, SI."""
+
+    measure: str
+    position: Array
+    value: Array
+    low: Array
+    high: Array
+    best: tuple[float, float]
+
+
+@styled
+def certification_figure(tested: TestedBat, reading: Reader = US) -> Figure:
+    """Return the figure of a test from the model or from shots."""
+    height = HEADER + PANEL + FOOTER
+    figure = Figure(figsize=(WIDTH, height))
+    words, size = fitted(tested.bat.name, width=WIDTH - 2 * SIDE, size=HUGE)
+    figure.text(SIDE / WIDTH, 1 - 0.42 / height, words, size=size, weight="bold", parse_math=False)
+    curve = _curve(tested)
+    name = curve.measure.upper()
+    axes = axes_in_inches(figure, left=SIDE, top=HEADER, width=WIDTH - 2 * SIDE, height=PANEL)
+    heading(axes, name, "along the barrel, on a bat at rest; the scale does not begin at 0")
+    inch = reading.units["place"].size
+    from_tip = (tested.bat.length - curve.position) / inch
+    if isinstance(tested.test, Certification):
+        axes.fill_between(from_tip, curve.low, curve.high, color=SKY, alpha=0.35, linewidth=0)
+        axes.plot(from_tip, curve.value, color=BLUE)
+    else:
+        axes.plot(from_tip, curve.value, "o", color=BLUE, markersize=4)
+    limits = _limits(tested, curve.measure)
+    values = np.concatenate([curve.low, curve.high, curve.value, [limit for _, limit, _ in limits]])
+    low, high = float(values.min()), float(values.max())
+    room = ROOM * (high - low)
+    axes.set_ylim(low - room, high + 2 * room)
+    far, near = float(from_tip.max()), float(from_tip.min())
+    pad = 0.04 * (far - near) or 1.0
+    axes.set_xlim(far + pad, near - pad)
+    _draw_limits(axes, limits)
+    place, value = (tested.bat.length - curve.best[0]) / inch, curve.best[1]
+    axes.plot(place, value, "o", color=RED, markersize=6, markeredgecolor=PAPER, markeredgewidth=0.8, zorder=5)
+    axes.annotate(
+        f"{value:.3f}", (place, value), xytext=(0, -8), textcoords="offset points", color=INK, weight="bold",
+        ha="center", va="top", path_effects=halo(),
+    )  # fmt: skip
+    axes.set_xlabel(from_the_tip(tested.bat, reading))
+    light_grid(axes)
+    kind = (
+        "Computed. Band: what the size of the ball's patch leaves open."
+        if isinstance(tested.test, Certification) else "Measured: each dot is a place, the mean of its shots."
+    )  # fmt: skip
+    verdicts = ", ".join(
+        f"{sum(check.verdict is one for _, check in tested.checks)} {one.value}"
+        for one in Verdict
+        if any(check.verdict is one for _, check in tested.checks)
+    )
+    figure.text(SIDE / WIDTH, 1 - 0.68 / height, f"{tested.ball.name}. {_capital(verdicts)}", color=MUTED, size=NORMAL,
+                parse_math=False)  # fmt: skip
+    figure.text(SIDE / WIDTH, 0.12 / height, f"{kind} Orange dot: the best place.", color=MUTED, size=SMALL)
+    return figure
+
+
+def _capital(verdicts: str) -> str:
+    return f"Rules: {verdicts}." if verdicts else "No rules were held against it."
+
+
+def _curve(tested: TestedBat) -> _Curve:
+    """Return what is drawn: what the rules limit, BBCOR where they limit something else."""
+    asked = {check.rule.quantity for _, check in tested.checks if check.rule.most is not None}
+    test = tested.test
+    if isinstance(test, Measured):
+        places = np.array([place.position for place in test.places])
+        values = np.array([place.bbcor for place in test.places])
+        return _Curve("bbcor", places, values, values, values, (test.best_position, test.bbcor.mean))
+    measure = "bpf" if "bpf" in asked and "bbcor" not in asked else "bbcor"
+    tests = [(test.slow if measure == "bpf" else test.fast)]
+    tests += [slow if measure == "bpf" else fast for fast, slow in test.other_patches]
+    curves = np.array([_values(one, measure) for one in tests])
+    best = test.bpf if measure == "bpf" else test.bbcor
+    return _Curve(measure, tests[0].position, curves[0], curves.min(axis=0), curves.max(axis=0),
+                  (tests[0].best_position, best))  # fmt: skip
+
+
+def _values(test: BatTest, measure: str) -> Array:
+    return test.bbcor / test.ball_restitution if measure == "bpf" else test.bbcor
+
+
+def _limits(tested: TestedBat, measure: str) -> list[tuple[str, float, str]]:
+    """Return the leagues that limit a measure, the limit, and its colour; leagues with one limit share a line."""
+    found: dict[float, tuple[list[str], str]] = {}
+    for league, check in tested.checks:
+        if check.rule.quantity == measure and check.rule.most is not None:
+            names, _ = found.setdefault(check.rule.most, ([], COLOURS.get(check.verdict, MUTED)))
+            names.append(league.key)
+    return [(", ".join(names), limit, colour) for limit, (names, colour) in found.items()]
+
+
+def _draw_limits(axes: Axes, limits: list[tuple[str, float, str]]) -> None:
+    """Draw each limit as a line with its league: the lowest named below its line, the others above, side by side."""
+    for number, (names, limit, colour) in enumerate(sorted(limits, key=lambda one: one[1])):
+        under = number == 0 and len(limits) > 1
+        axes.axhline(limit, color=colour, linewidth=1.2, linestyle=(0, (5, 2)))
+        axes.annotate(
+            f"{names}: at most {limit:.3f}", ((0.01, 0.65)[number % 2], limit),
+            xycoords=("axes fraction", "data"), xytext=(0, -4 if under else 3), textcoords="offset points",
+            color=colour, size=SMALL, ha="left", va="top" if under else "bottom", path_effects=halo(),
+        )  # fmt: skip

@@ -1,0 +1,47 @@
+"""A bat that was tested, and every rule that was held against it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from sweetspot.analysis.certification.passing_wall import PassingWall
+from sweetspot.analysis.certification.rules import Check, League, Verdict
+from sweetspot.analysis.certification.shot_statistics import Measured
+from sweetspot.analysis.certification.shots import Shots
+from sweetspot.analysis.certification.simulated_test import Certification
+from sweetspot.dynamics.rigid import RigidBody
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.bat import Bat
+
+
+@dataclass(frozen=True)
+class TestedBat:
+    """A bat, how it was tested, and every rule held against it.
+
+    Parameters
+    ----------
+    test : the simulated test, or what measured shots say.
+    shots : the file of measured shots; None for a simulated test.
+    checks : (league, rule held against the bat).
+    walls : (league, the barrel wall that would just pass its limit), where that was asked.
+    """
+
+    bat: Bat
+    ball: Ball
+    body: RigidBody
+    test: Certification | Measured
+    shots: Shots | None = None
+    checks: Sequence[tuple[League, Check]] = ()
+    walls: Sequence[tuple[League, PassingWall]] = ()
+
+    @property
+    def failed(self) -> list[tuple[League, Check]]:
+        """The rules that the bat breaks."""
+        return [(league, check) for league, check in self.checks if check.verdict is Verdict.FAIL]
+
+    @property
+    def passed(self) -> bool:
+        """Whether no rule is broken, and where rules were asked for at least one is surely kept."""
+        kept = any(check.verdict is Verdict.PASS for _, check in self.checks)
+        return not self.failed and (kept or not self.checks)
