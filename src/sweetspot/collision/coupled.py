@@ -29,7 +29,7 @@ import numpy as np
 
 from sweetspot.collision.contact_law import ContactLaw, Hysteretic, compression_in_series
 from sweetspot.collision.impact import CONTACT_FORCE, EnergyLedger, Impact, Outcome, bat_energy
-from sweetspot.collision.modal_propagator import dashed, dashpot_factors, modal_propagator_of
+from sweetspot.collision.modal_propagator import dashed, dashpot_factors, modal_propagator_of, moved
 from sweetspot.collision.time_step import contact_step
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
@@ -87,6 +87,7 @@ def hit(
     done = _integrated(modes, ball, struck, closing_speed, step, law or Hysteretic(ball))
     translation, rotation, bending, hoop, face = map(float, bat_energy(modes, done.displacement, done.velocity))
     separated = done.outcome is Outcome.SEPARATED
+    displacement, velocity = moved(modes, done.displacement, done.velocity, -done.late)
     return Impact(
         outcome=done.outcome,
         position=position,
@@ -107,8 +108,8 @@ def hit(
             damping=done.damping,
             face=face,
         ),
-        displacement=done.displacement,
-        velocity=done.velocity,
+        displacement=displacement,
+        velocity=velocity,
         times=np.concatenate([[0.0], (np.arange(len(done.forces) - 1) + 0.5) * step]),
         force=np.array(done.forces),
         compression=np.array(done.compressions),
@@ -119,10 +120,11 @@ def hit(
 
 @dataclass(frozen=True)
 class _Contact:
-    """How the integration ended, and its history kick by kick."""
+    """How the integration ended, ``late`` s after release, and its history kick by kick."""
 
     outcome: Outcome
     release: float
+    late: float
     ball_speed: float
     displacement: Array
     velocity: Array
@@ -154,18 +156,19 @@ def _integrated(
     peak, greatest = 0.0, 0.0
     turned_at: float | None = None
     approaches, compressions, forces, impulses = [0.0], [0.0], [0.0], [0.0]
-    outcome, release = Outcome.STILL_IN_CONTACT, math.nan
+    outcome, release, late = Outcome.STILL_IN_CONTACT, math.nan, 0.0
     while len(forces) <= round(TIME_LIMIT / step):
         approach = motion.ball_position - float(shape @ motion.displacement)
         if approach <= 0:
             outcome = Outcome.SEPARATED
             before = approaches[-2] if len(approaches) > 1 else 0.0
-            release = (len(forces) - 1.5 + crossing(before, approaches[-1], approach)) * step
+            late = (1 - crossing(before, approaches[-1], approach)) * step
+            release = (len(forces) - 0.5) * step - late
             again = flow.overtaken(motion, shape, kicks=round(TIME_LIMIT / step) - len(forces))
             if again is None:
                 break
             apart, motion = again
-            outcome, peak, turned_at = Outcome.STILL_IN_CONTACT, 0.0, None
+            outcome, peak, turned_at, late = Outcome.STILL_IN_CONTACT, 0.0, None, 0.0
             for history in (compressions, forces, impulses):
                 history.extend([0.0] * apart)
             approaches = [0.0]
@@ -191,7 +194,7 @@ def _integrated(
             )
         )
     return _Contact(
-        outcome, release, motion.ball_speed, motion.displacement, motion.velocity, greatest or max(compressions),
+        outcome, release, late, motion.ball_speed, motion.displacement, motion.velocity, greatest or max(compressions),
         motion.damping, forces, compressions, impulses,
     )  # fmt: skip
 

@@ -8,8 +8,8 @@ import numpy as np
 
 from sweetspot.collision.coupled import TIME_LIMIT
 from sweetspot.collision.impact import Impacts
-from sweetspot.collision.kernel import LANES, RESULT_ROWS, STEP, Bat, Output, numbers_of, solve
-from sweetspot.collision.modal_propagator import free_steps
+from sweetspot.collision.kernel import LANES, LATE, RESULT_ROWS, STEP, Bat, Output, numbers_of, solve
+from sweetspot.collision.modal_propagator import free_steps, moved_freely
 from sweetspot.dynamics.batch.reduction import ReducedBats
 from sweetspot.equipment.ball import Ball
 from sweetspot.numerics.arrays import Array
@@ -56,4 +56,7 @@ def struck(
             solve(lanes, speeds[i], bat, constants, step, limit, Output(outcome[i], results[:, i], motion[:, i]))
 
     in_parts(work, count, size=BATS, threads=threads)
-    return Impacts(outcome, *results, *motion)
+    if keep_motion:
+        late = np.nan_to_num(results[LATE])
+        motion = np.array(moved_freely(omega[:, None], bats.damping_rate[:, None], *motion, -late))
+    return Impacts(outcome, *results[:LATE], *motion)

@@ -17,7 +17,7 @@ from sweetspot.collision import contact_law
 from sweetspot.collision.contact_law import NEWTON_STEPS
 from sweetspot.collision.coupled import SLOW, TIME_LIMIT, check_step
 from sweetspot.collision.impact import CONTACT_FORCE, Impacts, Outcome
-from sweetspot.collision.modal_propagator import dashpot_factors, modal_propagator_of
+from sweetspot.collision.modal_propagator import dashpot_factors, modal_propagator_of, moved
 from sweetspot.collision.time_step import contact_step
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball, restitution_at
@@ -111,9 +111,11 @@ def _hits(
         limit = float(round(TIME_LIMIT / step))
         bat = Bat(shapes, give, omega, drift, modes.dashpots, half_dash)
         solve(lanes, speed, bat, numbers, step, limit, output)
+        if keep_motion:
+            motion[:, part] = moved(modes, *motion[:, part], -np.nan_to_num(results[LATE, part]))
 
     in_parts(work, count, size=CHUNK, threads=threads)
-    return Impacts(outcome, *results, *motion)
+    return Impacts(outcome, *results[:LATE], *motion)
 
 
 class RestitutionNumbers(NamedTuple):
@@ -146,8 +148,8 @@ PEAK, RISING, OFFSET, POWER, IMPULSE, LARGEST, KICKS, INVERSE_MASS, FORCE, CONTA
 GIVE, FORMER, PRESSED, STEEPNESS, DEEPEST, UNTIL = range(17, 23)
 STATE_ROWS = 23
 # rows of the results
-EFFICIENCY, CONTACT_TIME, RELEASE_TIME, GREATEST_FORCE, GREATEST_COMPRESSION = range(5)
-RESULT_ROWS = 5
+EFFICIENCY, CONTACT_TIME, RELEASE_TIME, GREATEST_FORCE, GREATEST_COMPRESSION, LATE = range(6)
+RESULT_ROWS = 6
 
 
 class Bat(NamedTuple):
@@ -180,7 +182,10 @@ class Lanes(NamedTuple):
 
 
 class Output(NamedTuple):
-    """Where results go: outcome (n,), results (5, n), motion (2, n, modes) or (2, 0, modes) to leave it out."""
+    """Where results go: outcome (n,), results (6, n), motion (2, n, modes) or (2, 0, modes) to leave it out.
+
+    The motion is that at the first kick after release, by the seconds of the row `LATE` after it.
+    """
 
     outcome: IntArray
     results: Array
@@ -475,7 +480,7 @@ def _finish(lane: int, ball: BallNumbers, step: float, lanes: Lanes, output: Out
     state, results, row = lanes.state, output.results, lanes.hit_of[lane]
     separated = state[APPROACH, lane] <= 0
     output.outcome[row] = SEPARATED if separated else STILL_IN_CONTACT
-    results[: RELEASE_TIME + 1, row] = np.nan
+    results[: RELEASE_TIME + 1, row], results[LATE, row] = np.nan, 0.0
     results[GREATEST_FORCE, row] = state[LARGEST, lane]
     if state[DEEPEST, lane] == 0:
         state[DEEPEST, lane], _ = _loaded(state[PEAK, lane], state[GIVE, lane], state[FORCE, lane], ball)
@@ -487,7 +492,8 @@ def _finish(lane: int, ball: BallNumbers, step: float, lanes: Lanes, output: Out
         crossing = _crossing(state[EARLIER, lane], state[BEFORE, lane], state[APPROACH, lane])
         results[EFFICIENCY, row] = -state[BALL_SPEED, lane] / state[CLOSING, lane]
         results[CONTACT_TIME, row] = (state[CONTACT, lane] - 1.5) * step
-        results[RELEASE_TIME, row] = (state[KICKS, lane] - 1.5 + crossing) * step
+        results[LATE, row] = (1 - crossing) * step
+        results[RELEASE_TIME, row] = (state[KICKS, lane] - 0.5) * step - results[LATE, row]
     if output.motion.shape[1]:
         output.motion[0, row] = lanes.displacement[:, lane]
         output.motion[1, row] = lanes.velocity[:, lane]

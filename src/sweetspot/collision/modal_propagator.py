@@ -47,6 +47,44 @@ def dashpot_factors(modes: Modes, step: float) -> Array:
     )
 
 
+def moved(modes: Modes, displacement: Array, velocity: Array, time: Array | float) -> tuple[Array, Array]:
+    """Return modal displacements and velocities of bats that nothing touches, ``time`` s later or, below zero, earlier.
+
+    Dashpots act for half the time before the free motion and half after it, as between two kicks.
+
+    Parameters
+    ----------
+    displacement, velocity : sqrt(kg) m and sqrt(kg) m/s, shape (..., n).
+    time : s, shape (...).
+    """
+    half = np.asarray(time, float)[..., None] / 2
+    displacement, velocity = moved_freely(
+        modes.angular_frequency, modes.damping_rate, displacement, _dashed_for(modes, velocity, half), time
+    )
+    return displacement, _dashed_for(modes, velocity, half)
+
+
+def moved_freely(
+    angular_frequency: Array, damping_rate: Array, displacement: Array, velocity: Array, time: Array | float
+) -> tuple[Array, Array]:
+    """Return the same for oscillators by their numbers, of shapes that go with (..., n); no dashpots."""
+    span = np.asarray(time, float)[..., None]
+    ahead = free_steps(angular_frequency, np.broadcast_to(damping_rate, displacement.shape), span)
+    return (
+        ahead[..., 0, 0] * displacement + ahead[..., 0, 1] * velocity,
+        ahead[..., 1, 0] * displacement + ahead[..., 1, 1] * velocity,
+    )
+
+
+def _dashed_for(modes: Modes, velocity: Array, span: Array) -> Array:
+    """Return the modal velocities after the dashpots alone have acted for ``span`` s, shape (..., 1)."""
+    if not len(modes.dashpots):
+        return velocity
+    squares = np.sum(modes.dashpots**2, axis=1)
+    parts = np.where(squares > 0, -np.expm1(-squares * span) / np.where(squares > 0, squares, 1.0), span)
+    return np.asarray(velocity - (parts * (velocity @ modes.dashpots.T)) @ modes.dashpots)
+
+
 def dashed(modes: Modes, factors: Array, velocity: Array) -> Array:
     """Return the modal velocities after the dashpots have acted, with ``factors`` from `dashpot_factors`."""
     if not len(factors):

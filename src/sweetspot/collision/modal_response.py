@@ -30,10 +30,10 @@ class Motion(NamedTuple):
 
 
 def replayed(impact: Impact, modes: Modes) -> Motion:
-    """Return the modes' motion from first touch to the end of a hit: at every kick, and where the hit left them.
+    """Return the modes' motion from first touch to the end of a hit: at every kick, the last one after release.
 
-    The kicks are the ones the collision recorded, so the last row is `Impact.displacement` and `Impact.velocity`
-    again. A velocity at a kick is the mean of those before and after it.
+    The kicks are the ones the collision recorded, so the last row, moved back to the release, is
+    `Impact.displacement` and `Impact.velocity` again. A velocity at a kick is the mean of those before and after it.
 
     Parameters
     ----------
