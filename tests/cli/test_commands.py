@@ -219,8 +219,16 @@ material = "white ash"
 profile = [["0 in", "0.75 in"], ["14 in", "0.75 in"]]
 """
     (tmp_path / "twig.toml").write_text(light)
-    code, _, err = run("report", str(tmp_path / "twig.toml"))
+    twig = str(tmp_path / "twig.toml")
+    code, _, err = run("hit", twig, "--at", "3in-from-tip")
     assert code == 2 and "a ball lighter than the bat" in err
+    code, out, _ = run("report", twig)
+    assert code == 0 and "No hit is computed" in out and "bending 5" in out
+    code, out, _ = run("report", twig, "--format", "json")
+    found = json.loads(out)
+    assert code == 0 and "scan" not in found
+    # exact: a uniform free rod's first node lies at 0.2242 of its length from its end (slender; shear moves it little)
+    assert (0.3556 - found["sweet_spots"]["node_1_m"]) / 0.3556 == pytest.approx(0.2242, abs=2e-3)
 
 
 def test_output_folder_that_cannot_be_written(run: Run, tmp_path: Path) -> None:

@@ -17,6 +17,7 @@ from sweetspot.dynamics.hands import check_hands, gripped
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.reduction import Given, ReducedBat, Tool_co, reduced_bat
 from sweetspot.dynamics.rigid import RigidBody
+from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import Conditions, Hands
@@ -108,8 +109,13 @@ def exit_speed_of(impact: Impact, conditions: Conditions) -> float:
     return exit_speed(impact.collision_efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed)
 
 
-def check_conditions(bat: Implement, conditions: Conditions, *, body: RigidBody) -> None:
-    """Refuse conditions that do not go with the bat: hands or swing off it, a ball that outweighs it."""
+def outweighed(body: RigidBody, ball: Ball) -> bool:
+    """Return whether the ball weighs as much as what would hit it: then it is not hit, it goes through."""
+    return ball.mass >= body.mass
+
+
+def check_swing(bat: Implement, conditions: Conditions) -> None:
+    """Refuse a swing or hands that do not go with the bat."""
     check_hands(bat, conditions.hands)
     swing = conditions.swing
     if swing.measured_at > bat.length + 1e-9:
@@ -127,7 +133,12 @@ def check_conditions(bat: Implement, conditions: Conditions, *, body: RigidBody)
             f"hands are at {shown(conditions.hands.position)}, beyond the middle of the bat at "
             f"{shown(bat.length / 2)}; hold the handle"
         )
-    if conditions.ball.mass >= body.mass:
+
+
+def check_conditions(bat: Implement, conditions: Conditions, *, body: RigidBody) -> None:
+    """Refuse conditions that do not go with the bat: hands or swing off it, a ball that outweighs it."""
+    check_swing(bat, conditions)
+    if outweighed(body, conditions.ball):
         raise InputError(
             f"the ball weighs {conditions.ball.mass:.4g} kg and {bat.name} {body.mass:.4g} kg; "
             "allowed is a ball lighter than the bat"

@@ -24,10 +24,12 @@ def report(
 ) -> int:
     """Say where a bat hits best, why there and not at the end, and what each inch of miss costs."""
     from sweetspot import catalog
-    from sweetspot.analysis.bat_analysis import analyse
+    from sweetspot.analysis.bat_analysis import analyse_reduced, check_swing, outweighed
     from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.output import patience, present
+    from sweetspot.dynamics.reduction import reduced_bat
     from sweetspot.report.bat.document import report_document
+    from sweetspot.report.bat.unhit import unhit_document
 
     if output.out is not None:
         from sweetspot.report.file_set import check_folder
@@ -35,8 +37,13 @@ def report(
 
         check_folder(output.out, files_of("report"))
     implement = catalog.load_implement(bat)
+    conditions = conditions_for(implement, swing)
     with patience():
-        analysis = analyse(implement, conditions_for(implement, swing))
+        reduced = reduced_bat(implement, ball=conditions.ball)
+        if outweighed(reduced.body, conditions.ball):
+            check_swing(implement, conditions)
+            return present(unhit_document(reduced, conditions), output, long=appendix)
+        analysis = analyse_reduced(reduced, conditions)
         document = report_document(analysis)
         if uncertainty:
             document = with_doubt_of(

@@ -133,7 +133,7 @@ def _details(analysis: Analysis[Implement]) -> list[Block]:
         Section("sweet-spots", "Every sweet spot", [spots_table(analysis)]),
         Section("along", f"Along the {words.implement}", [along_table(analysis)]),
         Section("mass", "Weight and balance", [mass_table(analysis.bat, analysis.body)]),
-        Section("modes", "How it rings", [modes_table(analysis)]),
+        Section("modes", "How it rings", [modes_table(analysis.bat, analysis.modes)]),
         Section("best-hit", where, [hit_table(best), hit_picture(analysis.best, words, caption)]),
         Section("conditions", "Conditions", [conditions_table(analysis)]),
     ]

@@ -8,6 +8,7 @@ from typing import Any
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.face_maps import FaceMap, face_map
 from sweetspot.catalog.swing_weights import swing_weight
+from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.implement import Implement
@@ -25,7 +26,7 @@ def report_json(analysis: Analysis[Implement]) -> dict[str, Any]:
                 **bat_json(analysis.bat.name, analysis.bat.length, analysis.body),
                 "moi_6in_doubt_kg_m2": moi_doubt(analysis.bat, analysis.body, STANDARD_AXIS),
             },
-            "modes": modes_json(analysis),
+            "modes": modes_json(analysis.modes),
             "sweet_spots": {
                 **{f"{name}_m": value for name, value in asdict(spots).items() if name != "zone"},
                 "zone_m": spots.zone,
@@ -85,9 +86,8 @@ def bat_json(name: str, length: float, body: RigidBody) -> dict[str, Any]:
     }
 
 
-def modes_json(analysis: Analysis[Implement]) -> list[dict[str, Any]]:
+def modes_json(modes: Modes) -> list[dict[str, Any]]:
     """Return the bat's vibrating modes; rigid motions and the hands' own are left out."""
-    modes = analysis.modes
     ratio = modes.damping_ratio
     return [
         {

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.sweet_spot import ZONE_LOSS, ZONE_STING
 from sweetspot.catalog.swing_weights import swing_weight
-from sweetspot.dynamics.modes import Family
+from sweetspot.dynamics.modes import Family, Modes
 from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.dynamics.swing_weight import SwingWeight
@@ -34,14 +35,10 @@ SHOWN_MODES: dict[Family, int] = {"bending": 5, "hoop": 3, "face": 2}
 
 def spots_table(analysis: Analysis[Implement]) -> Table:
     """Return every meaning of "sweet spot" with its place."""
-    words, spots, length = words_of(analysis.bat), analysis.sweet_spots, analysis.bat.length
-    ends = [(words.tip, length), (words.butt, 0.0)]
-    heads = [Column(say("{unit} from the {end}", unit=UnitName("place"), end=end), right=True) for end, _ in ends]
-    rows: list[list[Cell]] = []
-    for field, spot in SPOTS.items():
-        place = getattr(spots, field)
-        numbers = [Slot(abs(place - end), "place").bare for _, end in ends]
-        rows.append([Marked(spot.named(words), field), *numbers, spot.explained(words)])
+    words, spots = words_of(analysis.bat), analysis.sweet_spots
+    ends = _ends(analysis.bat)
+    table = places_table(analysis.bat, {field: getattr(spots, field) for field in SPOTS})
+    rows = list(table.rows)
     measure = say(
         "within {loss} of the best, and less than {sting} of the mean sting", loss=Slot(ZONE_LOSS, "speed", round=True),
         sting=Slot(ZONE_STING, "share"),
@@ -52,7 +49,25 @@ def spots_table(analysis: Analysis[Implement]) -> Table:
         reaches = [joined((Slot(abs(place - end), "place").bare for place in order), " to ")
                    for (_, end), order in zip(ends, (spots.zone[::-1], spots.zone), strict=True)]  # fmt: skip
         rows.append([Marked(words.zone, "zone"), *reaches, measure])
+    return replace(table, rows=rows)
+
+
+def places_table(bat: Implement, places: Mapping[str, float]) -> Table:
+    """Return some of the meanings, by field of `SweetSpots`, with their places in m from the butt end."""
+    words = words_of(bat)
+    ends = _ends(bat)
+    heads = [Column(say("{unit} from the {end}", unit=UnitName("place"), end=end), right=True) for end, _ in ends]
+    rows: list[list[Cell]] = []
+    for field, place in places.items():
+        numbers = [Slot(abs(place - end), "place").bare for _, end in ends]
+        rows.append([Marked(SPOTS[field].named(words), field), *numbers, SPOTS[field].explained(words)])
     return Table("", [Column("sweet spot"), *heads, Column("what it means")], rows, name="spots")
+
+
+def _ends(bat: Implement) -> list[tuple[str, float]]:
+    """Return both ends from which places are told."""
+    words = words_of(bat)
+    return [(words.tip, bat.length), (words.butt, 0.0)]
 
 
 def along_table(analysis: Analysis[Implement]) -> Table:
@@ -128,13 +143,13 @@ def _swing_weight(bat: Implement, body: RigidBody, convention: SwingWeight) -> t
     return name, convention.shown(body).replace("^2", "²")
 
 
-def modes_table(analysis: Analysis[Implement]) -> Table:
+def modes_table(bat: Implement, modes: Modes) -> Table:
     """Return the lowest vibrations with their damping and nodes."""
-    modes, words = analysis.modes, words_of(analysis.bat)
+    words = words_of(bat)
     shown = [index for family, most in SHOWN_MODES.items() for index in modes.of_family(family)[:most]]
     rows: list[list[Cell]] = []
     for index in shown:
-        nodes = joined((from_tip(analysis, float(node)).bare for node in modes.nodes(index)[::-1]), ", ")
+        nodes = joined((Slot(bat.length - float(node), "place").bare for node in modes.nodes(index)[::-1]), ", ")
         name = f"{modes.families[index]} {modes.harmonics[index]}"
         rows.append([name, float(modes.frequency[index]), float(modes.damping_ratio[index]), nodes])
     columns = [
