@@ -59,6 +59,18 @@ def test_the_park_brings_its_elevation(run_json: RunJson) -> None:
     assert 25 < (high["carry_m"] - low["carry_m"]) / FOOT < 35
 
 
+def test_under_a_roof_that_never_opens_no_breeze_blows(run: Run, run_json: RunJson) -> None:
+    """There a ball flies by the law of still air; the mean park's breeze would cost it 5 ft."""
+    hit = ("fly", "--elevation", "15ft")
+    roofed, still, usual = (
+        run_json(*hit, *more)["carry_m"]
+        for more in (("--park", "tropicana"), ("--law", "baseball-in-still-air"), ("--park", "wrigley"))
+    )
+    assert roofed == pytest.approx(still) and 3 < (roofed - usual) / FOOT < 8
+    _, out, _ = run(*hit, "--park", "tropicana")
+    assert "still, under the roof" in " ".join(out.split())
+
+
 def test_the_bearing_is_where_it_lands(run: Run, run_json: RunJson) -> None:
     found = run_json("fly", "--bearing", "-30deg")
     assert found["bearing_rad"] == pytest.approx(math.radians(-30), abs=1e-4)

@@ -3,7 +3,7 @@
 Data live in TOML files beside this module; physics never reads them.
 """
 
-from sweetspot.catalog.aerodynamic_laws import aerodynamics, aerodynamics_names
+from sweetspot.catalog.aerodynamic_laws import aerodynamics, aerodynamics_in, aerodynamics_names
 from sweetspot.catalog.ballparks import park, park_names, parks
 from sweetspot.catalog.balls import ball, ball_names, ball_sport
 from sweetspot.catalog.bats import bat, bat_names, load_bat
@@ -15,6 +15,7 @@ from sweetspot.catalog.swing_laws import swing_law, swing_law_names
 
 __all__ = [
     "aerodynamics",
+    "aerodynamics_in",
     "aerodynamics_names",
     "aerodynamics_of_ball",
     "ball",

@@ -8,6 +8,7 @@ from typing import Any
 from sweetspot.catalog.records import canonical, entry, quantity, read_table
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.batted_spin import SHEET, TRACKED, SpinLine
+from sweetspot.flight.park import Park
 from sweetspot.units import Kind
 
 FILE = "aerodynamics.toml"
@@ -43,6 +44,22 @@ def aerodynamics(name: str = DEFAULT_AERODYNAMICS) -> Aerodynamics:
     _, found = entry(read_table(FILE), name, "aerodynamics")
     values: dict[str, Any] = {field: quantity(found, field, kind, found["name"]) for field, kind in FIELDS.items()}
     return Aerodynamics(name=found["name"], **{field: value for field, value in values.items() if value is not None})
+
+
+def aerodynamics_in(park: Park | None, law: Aerodynamics) -> Aerodynamics:
+    """Return a law as it holds in a park: under a roof that never opens no breeze blows on a baseball.
+
+    The baseball's own law has the mean park's breeze in it; any other stays as it is, and so does it under a roof that
+    may be open.
+
+    >>> from sweetspot.catalog import park
+    >>> aerodynamics_in(park("tropicana"), aerodynamics()) == aerodynamics("baseball-in-still-air")
+    True
+    >>> aerodynamics_in(park("wrigley"), aerodynamics()) == aerodynamics()
+    True
+    """
+    covered = park is not None and park.roof == "fixed"
+    return aerodynamics(STILL_AIR) if covered and law == aerodynamics() else law
 
 
 def usual_spin_line(name: str = DEFAULT_AERODYNAMICS) -> SpinLine:

@@ -94,7 +94,7 @@ def fly(
         raise InputError(
             f"{named} were given as ranges; a table has rows and columns, so at most two options can be ranges"
         )
-    document = _table(hit, ranges, cell, launch) if ranges else _single(hit, air, launch)
+    document = _table(hit, ranges, cell, launch, air) if ranges else _single(hit, air, launch)
     return present(document, output)
 
 
@@ -149,7 +149,7 @@ def _single(hit: BattedBall, air: AirOptions, launch: LaunchOptions) -> Document
     return batted_document(flown)
 
 
-def _table(hit: BattedBall, ranges: list[Varied], cell: str, launch: LaunchOptions) -> Document:
+def _table(hit: BattedBall, ranges: list[Varied], cell: str, launch: LaunchOptions, air: AirOptions) -> Document:
     from sweetspot import catalog
     from sweetspot.cli.output import patience
     from sweetspot.flight.sweep import flight_table
@@ -158,6 +158,6 @@ def _table(hit: BattedBall, ranges: list[Varied], cell: str, launch: LaunchOptio
     with patience():
         table = flight_table(
             hit, rows=ranges[0], columns=ranges[1] if len(ranges) > 1 else None, ball=catalog.ball(launch.ball),
-            aerodynamics=_law(launch),
+            aerodynamics=catalog.aerodynamics_in(park_of(air), _law(launch)),
         )  # fmt: skip
     return sweep_document(table, cell.replace("-", "_"))

@@ -91,7 +91,7 @@ def through(options: AirOptions, ball: str) -> FlightConditions:
 
     return FlightConditions(
         ball=catalog.ball(ball),
-        aerodynamics=catalog.aerodynamics_of_ball(ball),
+        aerodynamics=catalog.aerodynamics_in(park_of(options), catalog.aerodynamics_of_ball(ball)),
         air=air_of(options),
         wind=wind_of(options),
     )

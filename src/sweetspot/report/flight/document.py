@@ -73,27 +73,28 @@ def batted_flight(
 
     Parameters
     ----------
+    aerodynamics : of the ball in the open; under a roof that never opens `catalog.aerodynamics_in` holds.
     park : where it is hit; its fence counts, and the hit is tried in every other park too.
     own_elevation : whether the other parks lie at their own elevation, or all where the hit says.
     """
-    hit = directed(hit, ball=ball, aerodynamics=aerodynamics)
-    conditions = FlightConditions(ball=ball, aerodynamics=aerodynamics, air=hit.air, wind=hit.wind)
+    law = catalog.aerodynamics_in(park, aerodynamics)
+    hit = directed(hit, ball=ball, aerodynamics=law)
+    outdoors = FlightConditions(ball=ball, aerodynamics=aerodynamics, air=hit.air, wind=hit.wind)
+    conditions = replace(outdoors, aerodynamics=law)
     flight = fly(hit.motion, conditions)
     landed = flight.outcome is FlightOutcome.LANDED and sport.key == "baseball"
     flown = BattedFlight(hit, flight, ball, sport, spread=carry_spread(hit.motion, conditions) if landed else 0.0)
     if park is None or flight.outcome is not FlightOutcome.LANDED:
         return flown
     motion, parks = hit.motion, catalog.parks()
-    everywhere = landings_everywhere(
+    out_in = 0
+    for one in parks:
+        there = replace(outdoors, aerodynamics=catalog.aerodynamics_in(one, aerodynamics))
+        (ends,) = landings_everywhere(motion, there, parks=(one,), own_elevation=own_elevation)
+        out_in += bool(ends.out.all())
+    chances = home_run_chances(  # its scatter knows of roofs
         motion,
-        conditions,
-        parks=parks,
-        own_elevation=own_elevation,
-    )
-    out_in = sum(bool(one.out.all()) for one in everywhere)
-    chances = home_run_chances(
-        motion,
-        conditions,
+        outdoors,
         parks=(park, *parks),
         own_elevation=own_elevation,
     ).chance[0]
@@ -110,7 +111,7 @@ def batted_document(flown: BattedFlight) -> Document:
         blocks=[
             Paragraph(_words(flown)),
             _picture(flown.flight, flown.park),
-            Paragraph(_weather(flown.hit), "note"),
+            Paragraph(_weather(flown), "note"),
         ],
         data=_json(flown), rows=path_columns(flown.flight), reader=reader(None, flown.sport.words),
         drawing=_picture(flown.flight, flown.park),
@@ -192,8 +193,10 @@ def _bend(flight: Flight) -> Sentence:
     )  # fmt: skip
 
 
-def _weather(hit: BattedBall) -> Sentence:
-    wind = say("no wind")
+def _weather(flown: BattedFlight) -> Sentence:
+    hit = flown.hit
+    roofed = flown.park is not None and flown.park.roof == "fixed"
+    wind = say("still, under the roof" if roofed else "no wind")
     if hit.wind_speed:
         blowing = Slot(hit.wind_speed, "speed", digits=0)
         wind = say("wind {speed} {where}", speed=blowing, where=direction_words(hit.wind_direction))

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from sweetspot import catalog
+from sweetspot.catalog.aerodynamic_laws import aerodynamics_in
 from sweetspot.catalog.sports import aerodynamics_of_ball
 from sweetspot.collision.hit_in_space import Contact, strikes
 from sweetspot.equipment.ball import Ball
@@ -123,7 +124,7 @@ def _conditions(state: FlightState, park: Park, ball: Ball) -> FlightConditions:
         )
     wind = Wind(speed=state.wind_speed_mph * MPH, direction=math.radians(state.wind_direction_deg))
     with about("ball"):
-        law = aerodynamics_of_ball(state.ball)
+        law = aerodynamics_in(park, aerodynamics_of_ball(state.ball))
     return FlightConditions(ball=ball, aerodynamics=law, air=air, wind=wind)
 
 

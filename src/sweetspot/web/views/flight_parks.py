@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
 from sweetspot import catalog
+from sweetspot.catalog.aerodynamic_laws import STILL_AIR
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence import landing
 from sweetspot.flight.home_runs import NONE, home_run_chances
@@ -56,7 +58,7 @@ def in_parks(
     ----------
     path : m, shape (points, 3), of this very flight, which says where it ends in the park ``here``.
     """
-    parks = catalog.parks()
+    parks, conditions = catalog.parks(), _outdoors(conditions)
     law = home_run_chances(motion, conditions, parks=parks, own_elevation=own_elevation, scatter=NONE)
     chance = home_run_chances(motion, conditions, parks=parks, own_elevation=own_elevation)
     end = landing(path, here)
@@ -94,6 +96,13 @@ def in_parks(
     }
 
 
+def _outdoors(conditions: FlightConditions) -> FlightConditions:
+    """Return the same in the open: the scatter of chances knows by itself what a roof does."""
+    if conditions.aerodynamics != catalog.aerodynamics(STILL_AIR):
+        return conditions
+    return replace(conditions, aerodynamics=catalog.aerodynamics())
+
+
 @lru_cache(maxsize=4096)
 def _fence_at(park: Park, step: int) -> tuple[float, float]:
     distance, height = fence_at(park, step * DEGREE / 4)
@@ -116,7 +125,7 @@ def carries(motion: BallMotion, *, conditions: FlightConditions, park: Park) -> 
     )
     shape = (len(ANGLES), len(SPEEDS))
     flown = flights(many, conditions)
-    chance = home_run_chances(many, conditions, parks=(park,), own_elevation=False).chance
+    chance = home_run_chances(many, _outdoors(conditions), parks=(park,), own_elevation=False).chance
     return {
         "exit_speed_m_s": SPEEDS,
         "launch_angle_rad": ANGLES,

@@ -75,7 +75,9 @@ def _field_python(state: FlightState) -> str:
         f"          pressure={state.pressure_inhg!r} * 3386.389, elevation={elevation})\n"
         f"wind = Wind(speed={state.wind_speed_mph!r} * MPH, direction=radians({state.wind_direction_deg!r}))\n"
         f"through = FlightConditions(ball=catalog.ball({state.ball!r}),\n"
-        f"                           aerodynamics=catalog.aerodynamics_of_ball({state.ball!r}), air=air, wind=wind)\n"
+        f"                           aerodynamics=catalog.aerodynamics_in(park, "
+        f"catalog.aerodynamics_of_ball({state.ball!r})),\n"
+        "                           air=air, wind=wind)\n"
     )
 
 
