@@ -2,8 +2,8 @@
 
 How drag changes with active spin and Reynolds's number comes from pitches, compared only within a game, so that weather
 and a park's cameras drop out, and within a kind of pitch, so that its grip on the seams does. Their active spin is read
-from their movement with the lift of the trajectory calculator, which is everybody's lift. Two numbers come from balls
-hit in the air: their level of drag, under a roof and in the open, and the intercept of the line of usual backspin. Each
+from their movement with the lift of the trajectory calculator, which is everybody's lift. The rest comes from balls
+hit in the air: their level of drag, under a roof and in the open, and four numbers of the line of usual spin. Each
 is launched so that it comes down at its bearing; a caught ball's distance ends at the glove. Nothing is written: what
 is printed goes into ``catalog/aerodynamics.toml`` and ``flight/batted_spin.py`` by hand.
 """
@@ -52,7 +52,7 @@ FAIR = 45.5 * DEGREE
 """The map is drawn by hand; three home runs are marked farther out than this."""
 KRPM = 1000 * RPM
 BOOTSTRAPS = 40
-STEPS = {"roof": 0.004, "open": 0.004, "backspin": 40.0}
+STEPS = {"roof": 0.004, "open": 0.004, "backspin": 40.0, "opposite": 4.0, "hook": 10.0, "slice": 10.0}
 ROUNDS = 6
 COVERED = 4.5 / 30
 """Part of games under a closed roof: of thirty parks one has a fixed one, seven one that is taken as half closed."""
@@ -73,17 +73,27 @@ class Pitches:
 
 @dataclass(frozen=True)
 class Level:
-    """What is fitted to hits: drag of the law under the roof and in the open, and the usual backspin at 0 deg, rpm."""
+    """What is fitted to hits: drag under the roof and in the open, and four numbers of the line of usual spin.
+
+    Parameters
+    ----------
+    backspin : at 0 deg, rpm.
+    opposite, hook, slice : rpm a degree: backspin with spray, sidespin with spray and with launch angle.
+    """
 
     law: Aerodynamics
     roof: float = 0.32
     open: float = 0.32
     backspin: float = -1000.0
+    opposite: float = 21.0
+    hook: float = -94.0
+    slice: float = 0.0
 
     @property
     def line(self) -> SpinLine:
         """The line of usual spin."""
-        return replace(TRACKED, backspin=(self.backspin, *TRACKED.backspin[1:]))
+        back = (self.backspin, TRACKED.backspin[1], self.opposite)
+        return SpinLine(backspin=back, sidespin=(TRACKED.sidespin[0], self.hook, self.slice))
 
     @property
     def mean(self) -> float:
@@ -255,7 +265,8 @@ def flown(hits: Hits, level: Level) -> tuple[Array, Flights]:
 def fit_level(hits: Hits, start: Level, names: Sequence[str] = tuple(STEPS)) -> Level:
     """Return the drag and the usual backspin that fit the distances best, both halves (roof, open) counting alike."""
     weight = np.where(hits.roof, 1 / max(hits.roof.sum(), 1), 1 / max((~hits.roof).sum(), 1)) ** 0.5
-    names = [name for name in names if name == "backspin" or (hits.roof if name == "roof" else ~hits.roof).any()]
+    rows = {"roof": hits.roof, "open": ~hits.roof}
+    names = [name for name in names if rows.get(name, hits.roof | True).any()]
     level = start
     for _ in range(ROUNDS):
         now = flown(hits, level)[0]
