@@ -252,12 +252,9 @@ def test_home_runs_add_up() -> None:
 
 @pytest.mark.parametrize(("low", "high"), [(0.0, 0.1), (0.1, 0.4), (0.4, 0.7), (0.7, 0.9), (0.9, 1.01)])
 def test_chances_are_frequencies(low: float, high: float) -> None:
-    """Calibration: in each band as many home runs as chances say, to 3 standard errors of a count.
-
-    Without parks whose fences, known as they stand in 2024 or 2025, have been moved since 2022.
-    """
+    """Calibration: in each band as many home runs as chances say, to 3 standard errors of a count."""
     chance, hit, _ = chances()
-    band = (chance >= low) & (chance < high) & ~np.isin(tracked_flies()["home"], ("BAL", "DET", "TOR"))
+    band = (chance >= low) & (chance < high)
     expected, error = chance[band].sum(), np.sqrt(np.sum((chance * (1 - chance))[band]))
     assert band.sum() > 20 and abs(hit[band].sum() - expected) < 3 * error + 2
 
