@@ -95,6 +95,29 @@ def edge_slope(*, bat: str) -> float:
     return float(np.polyfit(middle, edge, 1)[0])
 
 
+def edge_over_own_ceiling(*, bat: str) -> float:
+    """Return the 98th percentile of exit speed over the best head-on hit of the measured bat speed at 82 mph pitches.
+
+    Measured speeds, bat speeds above 60 mph, deflections within 20 degrees.
+    """
+    hits = _league(bat)
+    chosen = (np.abs(hits.deflection) < 20 * DEGREE) & (hits.measured_bat_speed > 60 * MPH)
+    return float(np.percentile(hits.measured_speed[chosen] / _ceiling(bat, hits.measured_bat_speed[chosen]), 98))
+
+
+def _ceiling(bat: str, bat_speed: Array) -> Array:
+    """Return the exit speed of the best head-on hit at an 82 mph pitch for bat speeds 6 in from the tip, m/s."""
+    model, from_tip = _model(bat), np.linspace(2 * INCH, 10 * INCH, 33)
+    places, swings = model.bat.length - from_tip, np.linspace(40, 110, 15) * MPH
+    speed = swings[:, None] * places / (model.bat.length - FROM_TIP)
+    closing = (speed + 82 * MPH).ravel()
+    done = hits(
+        model.modes, ball=catalog.ball(), position=np.tile(places, len(swings)), closing_speed=closing
+    ).collision_efficiency.reshape(speed.shape)
+    best = exit_speed(done, ball_speed=82 * MPH, bat_speed=speed).max(axis=1)
+    return np.interp(bat_speed, swings, best)
+
+
 def below_edge(*, bat: str, percentile: str) -> float:
     """Return a percentile of exit speeds over their 98th, for balls that leave in line with a 71.5 mph swing.
 
@@ -223,5 +246,6 @@ def _league(bat: str, left_handed: float = 0.4, count: int = 60_000, seed: int =
 
 COMPUTATIONS = (
     tangential_recoil, tee_spin, ceiling_ratio, league_backspin, league_backspin_slope, league_sidespin_slope,
-    league_sidespin, league_backspin_spray_slope, edge_slope, below_edge,
+    league_sidespin, league_backspin_spray_slope, edge_slope, edge_over_own_ceiling,
+    below_edge,
 )  # fmt: skip
