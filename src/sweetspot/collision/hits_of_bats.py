@@ -57,6 +57,6 @@ def struck(
 
     in_parts(work, count, size=BATS, threads=threads)
     if keep_motion:
-        late = np.nan_to_num(results[LATE])
-        motion = np.array(moved_freely(omega[:, None], bats.damping_rate[:, None], *motion, -late))
+        late, (displacement, velocity) = np.nan_to_num(results[LATE]), motion
+        motion = np.array(moved_freely(omega[:, None], bats.damping_rate[:, None], displacement, velocity, -late))
     return Impacts(outcome, *results[:LATE], *motion)

@@ -112,7 +112,8 @@ def _hits(
         bat = Bat(shapes, give, omega, drift, modes.dashpots, half_dash)
         solve(lanes, speed, bat, numbers, step, limit, output)
         if keep_motion:
-            motion[:, part] = moved(modes, *motion[:, part], -np.nan_to_num(results[LATE, part]))
+            displacement, velocity = motion[:, part]
+            motion[:, part] = moved(modes, displacement, velocity, -np.nan_to_num(results[LATE, part]))
 
     in_parts(work, count, size=CHUNK, threads=threads)
     return Impacts(outcome, *results[:LATE], *motion)

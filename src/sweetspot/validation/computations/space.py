@@ -115,7 +115,7 @@ def _ceiling(bat: str, bat_speed: Array) -> Array:
         model.modes, ball=catalog.ball(), position=np.tile(places, len(swings)), closing_speed=closing
     ).collision_efficiency.reshape(speed.shape)
     best = exit_speed(done, ball_speed=82 * MPH, bat_speed=speed).max(axis=1)
-    return np.interp(bat_speed, swings, best)
+    return np.asarray(np.interp(bat_speed, swings, best))
 
 
 def below_edge(*, bat: str, percentile: str) -> float:
