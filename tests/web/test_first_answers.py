@@ -8,18 +8,17 @@ from typing import Any
 import pytest
 
 from sweetspot.web import first_answers
-from sweetspot.web.states import ViewState
 
 
 def test_without_another_process_this_one_does_the_work(monkeypatch: pytest.MonkeyPatch) -> None:
     def no_process(*_: Any, **__: Any) -> None:
         raise OSError(errno.EAGAIN, "Resource temporarily unavailable")
 
-    kept: dict[tuple[str, ViewState], bytes] = {}
+    kept: dict[first_answers.Question, bytes] = {}
     monkeypatch.setattr(first_answers, "ProcessPoolExecutor", no_process)
-    monkeypatch.setattr(first_answers, "kept_answer", lambda name, state: kept.get((name, state)))
-    monkeypatch.setattr(first_answers, "keep", lambda name, state, answer: kept.update({(name, state): answer}))
+    monkeypatch.setattr(first_answers, "kept_answer", lambda *question: kept.get(question))
+    monkeypatch.setattr(first_answers, "keep", lambda question, answer: kept.update({question: answer}))
     words: list[str] = []
     first_answers.prepare(lambda name, *_: name.encode(), words.append)
-    assert kept == {(name, state): name.encode() for name, state in first_answers.first_states()}
+    assert kept == {question: question[0].encode() for question in first_answers.first_questions()}
     assert "in this process alone" in words[-1]

@@ -12,7 +12,7 @@ from playwright.sync_api import Page, expect
 
 from sweetspot import catalog
 from sweetspot.catalog.files.write import bat_toml
-from sweetspot.web.first_answers import first_states, keep, kept_answer
+from sweetspot.web.first_answers import first_questions, keep, kept_answer
 from sweetspot.web.states import CARRIED
 from sweetspot.web.views import VIEWS
 
@@ -154,13 +154,16 @@ def test_first_answers_are_kept_for_this_state_of_the_package_only(
     from sweetspot.web import first_answers
 
     monkeypatch.setattr(first_answers, "kernel_folder", lambda: tmp_path)
-    name, state = next(first_states())
-    assert kept_answer(name, state) is None
-    keep(name, state, b"{}")
+    questions = [*first_questions()]
+    name, state, _ = first = questions[0]
+    assert ("player", VIEWS["player"].state(), "fit") in questions  # what comes apart, and takes longest
+    assert kept_answer(*first) is None
+    keep(first, b"{}")
     assert kept_answer(name, state) == b"{}"
+    assert kept_answer(name, state, "why") is None
     assert kept_answer(name, state.model_copy(update={"pitch_speed_mph": 80.0})) is None
     monkeypatch.setattr(first_answers, "_package_digest", lambda: "another")
     assert kept_answer(name, state) is None
-    keep(name, state, b"{1}")
+    keep(first, b"{1}")
     monkeypatch.undo()
     assert len([*tmp_path.iterdir()]) == 1

@@ -12,6 +12,7 @@ from typing import Any
 import pydantic_core
 from pydantic import ValidationError
 
+from sweetspot.web.catalogue import load_lists
 from sweetspot.web.errors import FieldError, fault
 from sweetspot.web.first_answers import kept_answer, work_out
 from sweetspot.web.states import ViewState
@@ -50,7 +51,7 @@ class Answers:
         FieldError
             for bad input; `TooSlowError` after the limit.
         """
-        kept = None if aside else kept_answer(name, state)
+        kept = kept_answer(name, state, aside)
         if kept is not None:
             return kept
         loop = asyncio.get_running_loop()
@@ -61,8 +62,9 @@ class Answers:
             raise TooSlowError from None
 
     def prepare(self) -> None:
-        """Load every kernel, or compile it, and keep the first answers."""
+        """Load the catalogue's lists and every kernel, or compile it, and keep the first answers."""
         try:
+            load_lists()
             for name, view in VIEWS.items():
                 answer_json(name, view.state())  # loads the kernels, also where the answer is kept
             work_out(answer_json, tuple(VIEWS))

@@ -83,6 +83,12 @@ def catalogue_routes(api: APIRouter) -> None:
             return _facts(found.name, found)
 
 
+def load_lists() -> None:
+    """Read what the longest lists are made of, before anyone asks."""
+    _bats()
+    _implements()
+
+
 @cache
 def _bats() -> tuple[BatFacts, ...]:
     return tuple(_facts(name, catalog.bat(name)) for name in catalog.bat_names())

@@ -1,4 +1,4 @@
-"""The first picture of every view, worked out once for this installation and kept beside its compiled kernels.
+"""The first picture of every view and what comes apart for it, worked out once and kept beside the compiled kernels.
 
 Working one out compiles every kernel that its view needs, so that afterwards nothing waits. What is kept belongs to
 this very state of the package: another version, or a changed file, finds nothing.
@@ -22,19 +22,22 @@ from sweetspot.web.views import VIEWS
 
 Answer = Callable[..., bytes]
 """From a view's name and state, and the name of an aside if one is meant, to the answer as JSON."""
+Question = tuple[str, ViewState, str]
+"""A view's name, its state, and the name of an aside or nothing."""
 APART = "flight"
 """The one view whose kernel no other needs: compiled in a process of its own, beside the others."""
 
 
-def first_states() -> Iterator[tuple[str, ViewState]]:
-    """Yield the states that are kept: every view's first, and those whose answers take long."""
+def first_questions() -> Iterator[Question]:
+    """Yield what is kept: every view's first answer with all its asides, and the answers that take long."""
     for name, view in VIEWS.items():
-        yield from ((name, state) for state in (view.state(), *view.slow))
+        yield from ((name, view.state(), aside) for aside in ("", *view.asides))
+        yield from ((name, state, "") for state in view.slow)
 
 
-def kept_answer(name: str, state: ViewState) -> bytes | None:
-    """Return an answer that was kept for a state; None where there is none."""
-    path = _path(name, state)
+def kept_answer(name: str, state: ViewState, aside: str = "") -> bytes | None:
+    """Return an answer that was kept; None where there is none."""
+    path = _path(name, state, aside)
     if path is None:
         return None
     with suppress(OSError):
@@ -42,9 +45,9 @@ def kept_answer(name: str, state: ViewState) -> bytes | None:
     return None
 
 
-def keep(name: str, state: ViewState, answer: bytes) -> None:
+def keep(question: Question, answer: bytes) -> None:
     """Keep an answer; where nothing can be written the next start works it out again."""
-    path = _path(name, state)
+    path = _path(*question)
     if path is None:
         return
     with suppress(OSError):
@@ -59,7 +62,7 @@ def keep(name: str, state: ViewState, answer: bytes) -> None:
 
 def prepare(answer: Answer, say: Callable[[str], None]) -> None:
     """Compile every kernel and keep every first answer, in two processes; ``say`` hears how far it is."""
-    missing = [name for name, state in first_states() if kept_answer(name, state) is None]
+    missing = [question[0] for question in first_questions() if kept_answer(*question) is None]
     shares = [share for share in ({APART} & {*missing}, {*missing} - {APART}) if share]
     if not shares:
         say("the solver is ready")
@@ -76,24 +79,22 @@ def prepare(answer: Answer, say: Callable[[str], None]) -> None:
 
 def work_out(answer: Answer, names: tuple[str, ...]) -> tuple[str, ...]:
     """Work out and keep the first answers of some views; return their names."""
-    for name, state in first_states():
-        if name in names and kept_answer(name, state) is None:
-            keep(name, state, answer(name, state))
-            for aside in VIEWS[name].asides if state == VIEWS[name].state() else ():
-                answer(name, state, aside)  # compiles what it needs
+    for question in first_questions():
+        if question[0] in names and kept_answer(*question) is None:
+            keep(question, answer(*question))
     return names
 
 
-def _path(name: str, state: ViewState) -> Path | None:
-    """Return the file of a state's answer; states that are not among the first ones have none."""
-    number = _numbers().get((name, state))
+def _path(name: str, state: ViewState, aside: str) -> Path | None:
+    """Return the file of an answer; what is not among the first questions has none."""
+    number = _numbers().get((name, state, aside))
     folder = kernel_folder()
     return None if folder is None or number is None else folder / f"{name}-{number}-{_package_digest()}.json"
 
 
 @cache
-def _numbers() -> dict[tuple[str, ViewState], int]:
-    return {key: number for number, key in enumerate(first_states())}
+def _numbers() -> dict[Question, int]:
+    return {question: number for number, question in enumerate(first_questions())}
 
 
 @cache
