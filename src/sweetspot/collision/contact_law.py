@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Protocol
 
 from scipy.optimize import brentq
@@ -75,8 +75,9 @@ def unloading_power(ball: LossyBall, peak: float, force: float) -> float:
 
 
 def compression_in_series(
-    law: ContactLaw, *, approach: float, compliance: float, rate: float, turned_at: float | None
-) -> float:
+    law: ContactLaw, *, approach: float, compliance: float, rate: float, turned_at: float | None,
+    force: float = 0.0,
+) -> float:  # fmt: skip
     """Return the ball's compression u where ball and surface have approached by w: u + C F(u) = w, by Newton's method.
 
     The surface under the ball gives way at once by C F: a spring without mass in series with the ball. What it
@@ -87,10 +88,11 @@ def compression_in_series(
     approach : w in m, > 0.
     compliance : C in m/N, >= 0.
     rate : of the approach, m/s.
+    force : about the one expected, N, from which Newton's method starts.
     """
-    compression = approach
     if compliance == 0:
-        return compression
+        return approach
+    compression = max(approach - compliance * force, approach / 4)
     for _ in range(NEWTON_STEPS):
         force = law.force(compression, rate, turned_at)
         steepness = 1 + compliance * law.slope(compression, rate, turned_at)
@@ -109,18 +111,26 @@ class Hysteretic:
     """
 
     ball: Ball
+    _turns: dict[float, tuple[float, float]] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def force(self, compression: float, rate: float, turned_at: float | None) -> float:  # noqa: ARG002 - the law ignores rate
         """Return the force in N; see `ContactLaw`."""
         if turned_at is None:
             return loading_force(self.ball, compression)
-        ratio, force = compression / turned_at, loading_force(self.ball, turned_at)
-        return float(force * ratio ** unloading_power(self.ball, turned_at, force))
+        force, power = self._turn(turned_at)
+        return float(force * (compression / turned_at) ** power)
 
     def slope(self, compression: float, rate: float, turned_at: float | None) -> float:
         """Return dF/du in N/m; see `ContactLaw`."""
-        power = self.ball.exponent if turned_at is None else unloading_exponent(self.ball, turned_at)
+        power = self.ball.exponent if turned_at is None else self._turn(turned_at)[1]
         return power * self.force(compression, rate, turned_at) / compression
+
+    def _turn(self, turned_at: float) -> tuple[float, float]:
+        """Return the force where the ball began to spring back, N, and the power of its way down."""
+        if turned_at not in self._turns:
+            force = loading_force(self.ball, turned_at)
+            self._turns[turned_at] = force, unloading_power(self.ball, turned_at, force)
+        return self._turns[turned_at]
 
 
 @dataclass(frozen=True)

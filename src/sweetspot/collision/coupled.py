@@ -136,13 +136,26 @@ class _Contact:
 
 
 class _Motion(NamedTuple):
-    """Ball and bat between two kicks, seen from the undisturbed bat: m and m/s, sqrt(kg) m and sqrt(kg) m/s, J."""
+    """Ball and bat between two kicks, seen from the undisturbed bat: m and m/s, sqrt(kg) m and sqrt(kg) m/s.
+
+    ``energy`` is the bat's and ``damping`` what it has lost so far, J.
+    """
 
     ball_position: float
     ball_speed: float
     displacement: Array
     velocity: Array
+    energy: float = 0.0
     damping: float = 0.0
+
+    def kicked(self, struck: _Struck, impulse: float, mass: float) -> _Motion:
+        """Return the motion after an impulse in N s between ball and bat."""
+        velocity = self.velocity + struck.shape * impulse
+        given = impulse * float(struck.shape @ (self.velocity + velocity)) / 2
+        return _Motion(
+            self.ball_position, self.ball_speed - impulse / mass, self.displacement, velocity, self.energy + given,
+            self.damping,
+        )  # fmt: skip
 
 
 def _integrated(
@@ -181,18 +194,14 @@ def _integrated(
             peak -= correction * law.force(struck.compression(law, peak, 0.0, None), 0.0, None)
             turned_at = struck.compression(law, peak, 0.0, None)
             greatest = max(greatest, turned_at)
-        compression = struck.compression(law, approach, rate, turned_at)
+        compression = struck.compression(law, approach, rate, turned_at, forces[-1])
         force, slope = law.force(compression, rate, turned_at), law.slope(compression, rate, turned_at)
         impulse = force * (1 - correction * slope / (1 + struck.compliance * slope)) * step
         approaches.append(approach)
         compressions.append(compression)
         forces.append(force)
         impulses.append(impulse)
-        motion = flow.drifted(
-            motion._replace(
-                ball_speed=motion.ball_speed - impulse / ball.mass, velocity=motion.velocity + shape * impulse
-            )
-        )
+        motion = flow.drifted(motion.kicked(struck, impulse, ball.mass))
     return _Contact(
         outcome, release, late, motion.ball_speed, motion.displacement, motion.velocity, greatest or max(compressions),
         motion.damping, forces, compressions, impulses,
@@ -205,9 +214,13 @@ class _Struck(NamedTuple):
     shape: Array
     compliance: float
 
-    def compression(self, law: ContactLaw, approach: float, rate: float, turned_at: float | None) -> float:
-        """Return what the ball is pressed in, m, of an approach that it shares with the surface."""
-        return compression_in_series(law, approach=approach, compliance=self.compliance, rate=rate, turned_at=turned_at)
+    def compression(
+        self, law: ContactLaw, approach: float, rate: float, turned_at: float | None, force: float = 0.0
+    ) -> float:
+        """Return what the ball is pressed in, m, of an approach that it shares with the surface; N are expected."""
+        return compression_in_series(
+            law, approach=approach, compliance=self.compliance, rate=rate, turned_at=turned_at, force=force
+        )
 
 
 class _Flow:
@@ -215,20 +228,24 @@ class _Flow:
 
     def __init__(self, modes: Modes, step: float) -> None:
         self.modes, self.step = modes, step
-        self.drift, self.half_dash = modal_propagator_of(modes, step), dashpot_factors(modes, step / 2)
+        drift, self.half_dash = modal_propagator_of(modes, step), dashpot_factors(modes, step / 2)
+        self.place, self.place_of_speed, self.speed_of_place, self.speed = (
+            np.ascontiguousarray(drift[:, row, column]) for row in (0, 1) for column in (0, 1)
+        )
         self.stiffness = modes.angular_frequency**2
 
     def drifted(self, motion: _Motion) -> _Motion:
         """Return the motion one step later."""
         velocity = dashed(self.modes, self.half_dash, motion.velocity)
         displacement, velocity = (
-            self.drift[:, 0, 0] * motion.displacement + self.drift[:, 0, 1] * velocity,
-            self.drift[:, 1, 0] * motion.displacement + self.drift[:, 1, 1] * velocity,
+            self.place * motion.displacement + self.place_of_speed * velocity,
+            self.speed_of_place * motion.displacement + self.speed * velocity,
         )
         velocity = dashed(self.modes, self.half_dash, velocity)
-        lost = self._energy(motion.displacement, motion.velocity) - self._energy(displacement, velocity)
+        energy = float(velocity @ velocity + displacement @ (self.stiffness * displacement)) / 2
         place = motion.ball_position + motion.ball_speed * self.step
-        return _Motion(place, motion.ball_speed, displacement, velocity, motion.damping + lost)
+        lost = motion.damping + motion.energy - energy
+        return _Motion(place, motion.ball_speed, displacement, velocity, energy, lost)
 
     def overtaken(self, motion: _Motion, shape: Array, *, kicks: int) -> tuple[int, _Motion] | None:
         """Return after how many kicks the bat catches up with a ball that has just left it, and the motion then.
@@ -249,9 +266,6 @@ class _Flow:
                 return kick, motion
             motion = self.drifted(motion)
         return None
-
-    def _energy(self, displacement: Array, velocity: Array) -> float:
-        return float(velocity @ velocity + displacement @ (self.stiffness * displacement)) / 2
 
 
 def check_step(step: float) -> None:

@@ -8,9 +8,10 @@ import numpy as np
 
 from sweetspot.collision.coupled import check_step
 from sweetspot.collision.impact import Impact, bat_energy
-from sweetspot.collision.modal_propagator import dashed, dashpot_factors, modal_propagator_of
+from sweetspot.collision.modal_propagator import dashpot_factors, modal_propagator_of
 from sweetspot.dynamics.modes import Modes
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.kernel_cache import compiled
 
 
 class Motion(NamedTuple):
@@ -51,27 +52,38 @@ def replayed(impact: Impact, modes: Modes) -> Motion:
     step = kick_step(impact)
     drift, half_dash = modal_propagator_of(modes, step), dashpot_factors(modes, step / 2)
     shape = modes.shape_at(impact.position, impact.lateral, closing_speed=impact.closing_speed)
-    displacement, velocity = still, still
-    places, before, after = [still], [still], [still]
-    for push in impact.impulse[1:]:
-        kicked = velocity + shape * push
-        places.append(displacement)
-        before.append(velocity)
-        after.append(kicked)
-        velocity = dashed(modes, half_dash, kicked)
-        displacement, velocity = (
-            drift[:, 0, 0] * displacement + drift[:, 0, 1] * velocity,
-            drift[:, 1, 0] * displacement + drift[:, 1, 1] * velocity,
-        )
-        velocity = dashed(modes, half_dash, velocity)
-    path, incoming, outgoing = np.array([*places, displacement]), np.array([*before, velocity]), np.array(after)
-    lost = _energy(modes, path[:-1], outgoing) - _energy(modes, path[1:], incoming[1:])
+    path, incoming, outgoing = np.zeros((3, len(impact.times) + 1, len(modes)))
+    _drive(shape, impact.impulse, drift, modes.dashpots, half_dash, path, incoming, outgoing)
+    lost = _energy(modes, path[:-1], outgoing[:-1]) - _energy(modes, path[1:], incoming[1:])
     return Motion(
         times=np.append(impact.times, impact.times[-1] + step),
         displacement=path,
-        velocity=np.vstack([(incoming[:-1] + outgoing) / 2, velocity]),
+        velocity=np.vstack([(incoming + outgoing)[:-1] / 2, incoming[-1]]),
         damping=np.cumsum([0.0, *lost]),
     )
+
+
+@compiled(error_model="numpy")
+def _drive(
+    shape: Array, impulses: Array, drift: Array, dashpots: Array, half_dash: Array, path: Array, incoming: Array,
+    outgoing: Array,
+) -> None:  # fmt: skip
+    """Fill places, and velocities before and after each kick, in rows of one per kick and one at the end."""
+    size = len(shape)
+    for row in range(1, len(impulses) + 1):
+        if row > 1:
+            velocity = outgoing[row - 1].copy()
+            for half in range(2):
+                for k in range(len(half_dash)):
+                    velocity -= half_dash[k] * dashpots[k] * (dashpots[k] @ velocity)
+                if half == 0:
+                    for i in range(size):
+                        place, speed = path[row - 1, i], velocity[i]
+                        path[row, i] = drift[i, 0, 0] * place + drift[i, 0, 1] * speed
+                        velocity[i] = drift[i, 1, 0] * place + drift[i, 1, 1] * speed
+            incoming[row] = velocity
+        if row < len(impulses):
+            outgoing[row] = incoming[row] + shape * impulses[row]
 
 
 def free_motion(modes: Modes, *, displacement: Array, velocity: Array, step: float, count: int) -> Motion:

@@ -187,8 +187,9 @@ def _inside_ball(ball: Ball, force: Array, compression: Array) -> tuple[Array, A
     """Return the energies stored and lost in the ball at the kicks and at the end, J."""
     work = np.concatenate([[0.0], np.cumsum(np.diff(compression) * (force[1:] + force[:-1]) / 2)])
     deepest = _deepest_yet(compression)
-    powers = np.array([unloading_exponent(ball, float(peak)) if peak > 0 else ball.exponent for peak in deepest])
-    stored = force * compression / (powers + 1)
+    peaks, place = np.unique(deepest, return_inverse=True)
+    powers = np.array([unloading_exponent(ball, float(peak)) if peak > 0 else ball.exponent for peak in peaks])
+    stored = force * compression / (powers[place] + 1)
     return stored, work - stored
 
 
