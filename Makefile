@@ -20,7 +20,7 @@ browser:  ## Chromium for the page's tests, where apt-get may install it
 	echo "No Chromium here and none could be installed: tests of the page in a browser are skipped (with CI=true: fail)."
 
 test: $(VENV)/.dev browser  ## all tests
-	$(BIN)/python -m pytest -q -n 2
+	$(BIN)/python -m pytest -q -n 2 --dist worksteal
 
 LOWEST := .venv-lowest
 UNDER_LOWEST := $(addprefix tests/,catalog collision dynamics equipment flight motion numerics units report cli calibration)
@@ -28,7 +28,7 @@ UNDER_LOWEST := $(addprefix tests/,catalog collision dynamics equipment flight m
 test-lowest: $(UV)  ## tests of all but the page and the fits with the lowest versions that pyproject allows
 	@test -d $(LOWEST) || python3 -m venv --without-pip $(LOWEST)
 	VIRTUAL_ENV=$(LOWEST) $(UV) pip install -q --resolution lowest-direct --only-binary :all: --no-binary sweetspot -e ".[dev]"
-	$(LOWEST)/bin/python -m pytest -q -n 2 --benchmark-disable $(UNDER_LOWEST)
+	$(LOWEST)/bin/python -m pytest -q -n 2 --dist worksteal --benchmark-disable $(UNDER_LOWEST)
 
 lint: $(VENV)/.dev
 	$(BIN)/ruff check .

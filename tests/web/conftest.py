@@ -17,7 +17,7 @@ from typing import Any
 
 import httpx
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Browser, BrowserContext, Page, expect
 
 from sweetspot.web.run_server import listening, server_for
 
@@ -50,18 +50,26 @@ def client(server: str) -> Iterator[httpx.Client]:
         yield opened
 
 
-@pytest.fixture
-def page(browser: Browser) -> Iterator[Page]:
-    """A fresh page, 1280 by 900, that has been here before; what it complains about fails the test."""
+@pytest.fixture(scope="session")
+def visitor(browser: Browser) -> BrowserContext:
+    """One visitor's browser, 1280 by 900, who has been here before; what it has fetched stays in its cache."""
     context = browser.new_context(viewport={"width": 1280, "height": 900})
     context.set_default_timeout(PATIENCE)
     context.add_init_script("localStorage.setItem('guided', 'yes')")
-    opened = context.new_page()
+    return context
+
+
+@pytest.fixture
+def page(visitor: BrowserContext) -> Iterator[Page]:
+    """A fresh page that remembers nothing; what it complains about fails the test."""
+    opened = visitor.new_page()
     complaints: list[str] = []
     opened.on("pageerror", lambda error: complaints.append(str(error)))
     opened.on("console", lambda said: complaints.append(said.text) if said.type == "error" else None)
     yield opened
-    context.close()
+    if opened.url.startswith("http"):
+        opened.evaluate("localStorage.clear()")
+    opened.close()
     # lost connections and refusals, which tests ask for; 503 where an answer takes long and the page asks again
     expected = ("WebSocket", "ERR_CONNECTION", "status of 4", "status of 503")
     surprises = [words for words in complaints if not any(part in words for part in expected)]

@@ -24,7 +24,7 @@ from sweetspot.report.bat.json import report_json
 from sweetspot.report.bat.provenance import bat_records, own_values, shown, sources_of, used_records
 from sweetspot.report.bat.words import misses_of
 from sweetspot.report.document import Section
-from sweetspot.report.file_set import check_folder
+from sweetspot.report.file_set import check_folder, write_folder
 from sweetspot.report.files import files_of, write_document
 from sweetspot.report.html import page
 from sweetspot.report.pictures.style import INK
@@ -91,6 +91,11 @@ def write_report(analysis: Analysis, folder: Path) -> list[Path]:
 def written(analysis: Analysis, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     paths = write_report(analysis, tmp_path_factory.mktemp("report") / "new" / "folder")
     return {path.name: path for path in paths}
+
+
+@pytest.fixture(scope="module")
+def contents(written: dict[str, Path]) -> dict[str, bytes]:
+    return {name: path.read_bytes() for name, path in written.items()}
 
 
 @pytest.fixture(scope="module")
@@ -252,22 +257,22 @@ def test_a_bat_with_no_zone_and_the_end_close_by(cone: Bat, tmp_path: Path) -> N
     assert read.row("3 in")[2] == "off the bat"
 
 
-def test_a_file_in_the_way_is_refused_and_left_alone(analysis: Analysis, tmp_path: Path) -> None:
+def test_a_file_in_the_way_is_refused_and_left_alone(contents: dict[str, bytes], tmp_path: Path) -> None:
     taken = tmp_path / "taken"
     taken.write_text("mine")
     for folder in (taken, taken / "below"):
         with pytest.raises(InputError, match="is not a folder"):
             check_folder(folder, NAMES)
         with pytest.raises(InputError, match="cannot be"):
-            write_report(analysis, folder)
+            write_folder(folder, contents)
     assert taken.read_text() == "mine"
     assert list(tmp_path.iterdir()) == [taken]
 
 
-def test_a_folder_where_a_file_would_go_is_refused(analysis: Analysis, tmp_path: Path) -> None:
+def test_a_folder_where_a_file_would_go_is_refused(contents: dict[str, bytes], tmp_path: Path) -> None:
     (tmp_path / "report.svg").mkdir()
     with pytest.raises(InputError, match=r"report\.svg is a folder"):
-        write_report(analysis, tmp_path)
+        write_folder(tmp_path, contents)
     assert [path.name for path in tmp_path.iterdir()] == ["report.svg"]
 
 
@@ -278,7 +283,9 @@ def test_no_permission_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     assert not list(tmp_path.iterdir())
 
 
-def test_a_full_disk_leaves_nothing(analysis: Analysis, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_full_disk_leaves_nothing(
+    contents: dict[str, bytes], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     write = file_set._write_to_disk
 
     def full(path: Path, content: bytes) -> None:
@@ -288,20 +295,20 @@ def test_a_full_disk_leaves_nothing(analysis: Analysis, tmp_path: Path, monkeypa
 
     monkeypatch.setattr(file_set, "_write_to_disk", full)
     with pytest.raises(InputError, match=r"report\.json cannot be written: no space left"):
-        write_report(analysis, tmp_path / "a" / "b")
+        write_folder(tmp_path / "a" / "b", contents)
     assert not list(tmp_path.iterdir())
 
 
-def test_an_unmakeable_folder_is_refused(analysis: Analysis, tmp_path: Path) -> None:
+def test_an_unmakeable_folder_is_refused(contents: dict[str, bytes], tmp_path: Path) -> None:
     with pytest.raises(InputError, match="cannot be made"):
-        write_report(analysis, tmp_path / "a" / ("x" * 300))
+        write_folder(tmp_path / "a" / ("x" * 300), contents)
     assert not list(tmp_path.iterdir())
 
 
-def test_an_old_report_is_replaced(analysis: Analysis, tmp_path: Path) -> None:
+def test_an_old_report_is_replaced(contents: dict[str, bytes], tmp_path: Path) -> None:
     for name in NAMES:
         (tmp_path / name).write_text("old")
-    for path in write_report(analysis, tmp_path):
+    for path in write_folder(tmp_path, contents):
         assert path.stat().st_size > 1000
     assert len(list(tmp_path.iterdir())) == len(NAMES)
 
