@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Protocol
 
 from scipy.optimize import brentq
@@ -111,7 +112,10 @@ class Hysteretic:
     """
 
     ball: Ball
-    _turns: dict[float, tuple[float, float]] = field(default_factory=dict, init=False, repr=False, compare=False)
+
+    @cached_property
+    def _turns(self) -> dict[float, tuple[float, float]]:
+        return {}
 
     def force(self, compression: float, rate: float, turned_at: float | None) -> float:  # noqa: ARG002 - the law ignores rate
         """Return the force in N; see `ContactLaw`."""
