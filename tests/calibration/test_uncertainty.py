@@ -10,6 +10,7 @@ import pytest
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
 from sweetspot.analysis.position_scan import scan
+from sweetspot.calibration.ball_doubt import speed_by_ball
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.naming import ModeName
@@ -21,7 +22,6 @@ from sweetspot.calibration.uncertainty import (
     difference,
     doubt,
     expected_deviations,
-    speed_by_ball,
 )  # fmt: skip
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.catalog.balls import ball_spreads

@@ -47,7 +47,7 @@ def test_every_prior_reads_and_turns_round() -> None:
     """Exact: natural and standardised are inverse; the exponent's centre is the baseball law's."""
     draws = prior_draws(200, seed=3)
     assert np.allclose(standardised(natural(draws)), draws)
-    assert priors()["exponent"].centre == catalog.swing_laws.swing_law().exponent
+    assert priors()["exponent"].centre == catalog.swing_law().exponent
     outside = np.zeros(10)
     outside[NAMES.index("exponent")] = -4
     assert log_prior(outside) == -np.inf
@@ -185,7 +185,7 @@ def test_off_centre_hits_lose_speed_and_turn(table: ContactTable) -> None:
 
 def test_speed_ratio_is_the_swing_law(table: ContactTable) -> None:
     """Exact: omega as the law says, at equal distances from the tip."""
-    law = catalog.swing_laws.swing_law()
+    law = catalog.swing_law()
     choked = contact_table(OWN.choked_up(INCH), ball=BALL, axis=law.axis, like=table)
     found = speed_ratio(choked, table, law=law, speed_from_tip=6 * INCH, exponent=np.array([0.2, 0.4]))
     for exponent, ratio in zip((0.2, 0.4), found, strict=True):

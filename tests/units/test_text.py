@@ -8,6 +8,7 @@ import subprocess
 import sys
 from contextlib import suppress
 from pathlib import Path
+from typing import cast
 
 import pytest
 from hypothesis import given
@@ -16,6 +17,7 @@ from hypothesis import strategies as st
 from sweetspot.errors import InputError
 from sweetspot.units import Kind, parse, parse_position
 from sweetspot.units import text as units
+from sweetspot.units.written import TEMPERATURES, WRITTEN, written
 
 
 @pytest.mark.parametrize(
@@ -41,6 +43,18 @@ from sweetspot.units import text as units
 )
 def test_parses(text: str | float, kind: Kind, expected: float) -> None:
     assert parse(text, kind) == pytest.approx(expected, rel=1e-6)
+
+
+def test_the_short_table_says_what_pint_says() -> None:
+    """Both read every unit of the table alike, to rounding; what is no number and unit is left to `pint`."""
+    for kind, sizes in WRITTEN.items():
+        for unit in sizes:
+            text = f"12.5 {unit}"
+            assert written(text, kind) == pytest.approx(units._in_si(text, cast(Kind, kind)), rel=1e-13), text
+    for unit in TEMPERATURES:
+        text = f"-4.5 {unit}"
+        assert written(text, "temperature") == pytest.approx(units._in_si(text, "temperature"), rel=1e-12)
+    assert [written(text, "length") for text in ("33 1/2 in", "33 oz", "2 in 3", "1 in^2", "in")] == [None] * 5
 
 
 @pytest.mark.parametrize(
@@ -114,7 +128,7 @@ def test_only_the_text_is_blamed_for_what_it_says(monkeypatch: pytest.MonkeyPatc
 
     monkeypatch.setattr(units, "_registry", broken)
     with pytest.raises(OSError, match="No space left"):
-        parse("33 in", "length")
+        parse("33 furlong", "length")
 
 
 @pytest.mark.parametrize("number", [10**400, -(10**400), float("nan"), float("inf")])

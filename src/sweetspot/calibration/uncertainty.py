@@ -12,10 +12,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.stats
 
-from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
 from sweetspot.analysis.position_scan import scan
+from sweetspot.calibration.ball_doubt import ball_off
 from sweetspot.calibration.measured import REACH, Measured
 from sweetspot.calibration.measurements import Measurement
 from sweetspot.calibration.posterior import calibrate
@@ -24,7 +23,6 @@ from sweetspot.catalog.balls import ball_spreads
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.rigid import rigid_body
-from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
@@ -91,6 +89,8 @@ class Doubt:
         ----------
         count : a power of two.
         """
+        import scipy.stats
+
         even = scipy.stats.qmc.Sobol(len(self.sources), seed=seed).random(count)
         normal = scipy.stats.norm.ppf(np.clip(even, 1e-9, 1 - 1e-9))
         values, vectors = np.linalg.eigh(self.covariance)
@@ -140,7 +140,7 @@ def doubt(
 
     def answers(deviations: Array) -> Array:
         other = line if count == 0 else deviated(line, unknowns, deviations[:count])
-        with_ball = _ball(conditions.ball, dict(zip(ball, deviations[count:].tolist(), strict=True)))
+        with_ball = ball_off(conditions.ball, dict(zip(ball, deviations[count:].tolist(), strict=True)))
         return _along(other, conditions.replaced(ball=with_ball), places)
 
     base = answers(np.zeros(len(sigma)))
@@ -159,25 +159,6 @@ def doubt(
         slopes={name: slopes[:, index] for index, name in enumerate(OUTPUTS)},
         bends={name: bends[:, index] for index, name in enumerate(OUTPUTS)},
     )
-
-
-def speed_by_ball(analysis: Analysis[Implement]) -> Measured | None:
-    """Return the best hit's exit speed in m/s with the error that the ball alone leaves; None where no spread is known.
-
-    Balls of a kind differ, and what one returns at game speed is not known better; the bat's modes are as they are.
-    """
-    conditions, place = analysis.conditions, np.array([analysis.sweet_spots.max_exit_speed])
-    spreads = ball_spreads(conditions.ball)
-    if not spreads:
-        return None
-
-    def speed(name: str, off: float) -> float:
-        with_ball = conditions.replaced(ball=_ball(conditions.ball, {name: off}))
-        hit = scan(analysis.bat, body=analysis.body, modes=analysis.modes, conditions=with_ball, positions=place)
-        return float(hit.exit_speed[0])
-
-    halves = [(speed(name, size / REACH) - speed(name, -size / REACH)) / 2 for name, size in spreads.items()]
-    return Measured(exit_speed_of(analysis.best, conditions), float(np.linalg.norm(halves)))
 
 
 def expected_deviations(bat: Implement) -> tuple[tuple[Unknown, ...], Array]:
@@ -225,20 +206,6 @@ def _barrel(bat: Implement) -> Array:
     if outline is not None:
         return np.linspace(outline.start, outline.end, PLACES)
     return np.linspace(bat.length - REACHED, bat.length, PLACES)
-
-
-def _ball(ball: Ball, off: dict[str, float]) -> Ball:
-    """Return a ball with deviations: of restitution and its slope, and of the logarithms of mass and stiffness."""
-    law = ball.restitution
-    law = law.replaced(
-        reference=min(law.reference + off.get("restitution", 0.0), 1.0),
-        slope=max(law.slope + off.get("restitution_slope", 0.0), 0.0),
-    )
-    return ball.replaced(
-        restitution=law,
-        mass=ball.mass * float(np.exp(off.get("mass", 0.0))),
-        stiffness=ball.stiffness * float(np.exp(off.get("stiffness", 0.0))),
-    )
 
 
 def _along(line: BeamModel, conditions: Conditions, places: Array) -> Array:

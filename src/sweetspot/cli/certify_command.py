@@ -79,10 +79,11 @@ def certify(
 def _leagues(name: str, ball_name: str | None) -> tuple[list[League], Ball]:
     """Return the leagues asked for and the ball; ``all`` means every league that uses the ball."""
     from sweetspot import catalog
+    from sweetspot.catalog.balls import DEFAULT_BALL
     from sweetspot.catalog.rules import league, league_names
 
     if name.strip().lower() == ALL:
-        ball_name = ball_name or catalog.balls.DEFAULT_BALL
+        ball_name = ball_name or DEFAULT_BALL
         sport = catalog.ball(ball_name)
         using = [one for one in map(league, league_names()) if catalog.ball(one.ball) == sport]
         if not using:

@@ -25,6 +25,7 @@ import numpy as np
 from numba import njit
 from numba.core.caching import NullCache
 from numba.core.compiler import CompileResult
+from numba.core.runtime import rtsys
 from numba.core.serialize import dumps
 from numba.misc.appdirs import AppDirs
 
@@ -104,7 +105,7 @@ class _KernelFiles(NullCache):
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
         """Return what was kept for a signature; None where there is nothing whole."""
-        target_context.refresh()
+        rtsys.initialize(target_context)  # of all that compiling needs, what running needs
         path = self.path(sig, target_context.codegen())
         if path is None:
             return None

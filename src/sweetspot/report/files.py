@@ -26,10 +26,12 @@ def write_document(document: Document, folder: Path, *, reader: Reader, long: bo
     InputError
         when the folder cannot be made or written; it is then as it was.
     """
-    contents = {".html": page(document, reader, long=long).encode(), ".json": as_json(document)}
+    pictures: dict[str, bytes] = {}
     if document.drawing is not None:
         figure = document.drawing.draw(reader)
-        contents |= {".png": png_bytes(figure), ".svg": svg_bytes(figure)}
+        pictures = {".png": png_bytes(figure), ".svg": svg_bytes(figure)}
+    html = page(document, reader, long=long, drawing=pictures.get(".svg"))
+    contents = {".html": html.encode(), ".json": as_json(document), **pictures}
     named = {document.name + ending: content for ending, content in contents.items()}
     return write_folder(folder, named | {name: make(reader) for name, make in document.attachments.items()})
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache, partial
+from functools import cache
 from io import StringIO
 from pathlib import Path
 from typing import Any
@@ -23,14 +23,15 @@ SVG = "http://www.w3.org/2000/svg"
 XLINK = "{http://www.w3.org/1999/xlink}href"
 
 
-def page(document: parts.Document, reader: Reader, *, long: bool = False) -> str:
+def page(document: parts.Document, reader: Reader, *, long: bool = False, drawing: bytes | None = None) -> str:
     """Return a document as a whole page, style and pictures inside it.
 
     Parameters
     ----------
     long : whether details and appendix are open; else they open by a click and do not print.
+    drawing : the document's drawing as SVG for this reader, where it was drawn already.
     """
-    return _rendered("page.html.j2", document, reader, long=long)
+    return _rendered("page.html.j2", document, reader, drawing=drawing, long=long)
 
 
 def fragment(document: parts.Document, reader: Reader) -> str:
@@ -45,13 +46,15 @@ def notebook_cell(document: parts.Document, reader: Reader) -> str:
 
 def _rendered(
     template: str, document: parts.Document, reader: Reader, *, style: str = "page.css",
-    colours: dict[str, str] | None = None, **more: Any,
+    colours: dict[str, str] | None = None, drawing: bytes | None = None, **more: Any,
 ) -> str:  # fmt: skip
+    def drawn(picture: parts.Picture) -> Markup:
+        return _drawn(picture, reader, colours, drawing if picture is document.drawing else None)
+
     return _environment().get_template(template).render(
         document=document, read=lambda words: read(words, reader), kind_of=lambda block: type(block).__name__,
         shown=lambda column, cell: column.shown(cell, reader), head=lambda column: column.head(reader),
-        drawn=partial(_drawn, reader=reader, colours=colours), cite=cite, reference=reference, version=__version__,
-        style=_style(style), **more,
+        drawn=drawn, cite=cite, reference=reference, version=__version__, style=_style(style), **more,
     )  # fmt: skip
 
 
@@ -68,13 +71,13 @@ def _environment() -> Environment:
     )  # fmt: skip
 
 
-def _drawn(picture: parts.Picture, *, reader: Reader, colours: dict[str, str] | None) -> Markup:
+def _drawn(picture: parts.Picture, reader: Reader, colours: dict[str, str] | None, drawing: bytes | None) -> Markup:
     """Return a picture as SVG inside the page: its names its own, its colours the page's unless others are given."""
     from sweetspot.report.pictures.files import svg_bytes
     from sweetspot.report.pictures.style import PAGE_COLOURS
 
-    drawing = svg_bytes(picture.draw(reader)).decode()
-    return Markup(inlined(drawing, name=picture.name, label=read(picture.label, reader),
+    drawn = (drawing or svg_bytes(picture.draw(reader))).decode()
+    return Markup(inlined(drawn, name=picture.name, label=read(picture.label, reader),
                           colours=PAGE_COLOURS if colours is None else colours))  # fmt: skip
 
 

@@ -1,6 +1,7 @@
 """Units at the border: text with a unit in, SI out; SI in, people's units out.
 
-Inside the package every number is SI and in radians. ``pint`` does the parsing and loads only when a text is parsed.
+Inside the package every number is SI and in radians. Usual units are read from a short table; ``pint`` reads
+all others and loads only then.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from typing import Any, Literal
 from sweetspot.errors import InputError
 from sweetspot.units.sizes import INCH
 from sweetspot.units.usual import check_usual, example_of
+from sweetspot.units.written import written
 
 Kind = Literal[
     "length", "mass", "speed", "moi", "density", "pressure", "force", "time", "angle", "angular speed",
@@ -135,22 +137,30 @@ def parse(text: str | float, kind: Kind, what: str = "value") -> float:
 
 def _understood(text: str, kind: Kind, what: str) -> float:
     """Return a text in SI; only what the reading of the text raises is the text's fault."""
+    spelled = _spelled_out(text)
+    if kind == "ratio":
+        percent = spelled.removesuffix("%")
+        try:
+            return float(percent) / (100 if percent != spelled else 1)
+        except ValueError:
+            raise InputError(_not_a_number(text, kind, what)) from None
+    value = written(spelled, kind)
+    return _by_pint(text, spelled, kind, what) if value is None else value
+
+
+def _by_pint(text: str, spelled: str, kind: Kind, what: str) -> float:
     from tokenize import TokenError
 
     from pint import PintError
 
     _registry()  # what fails here fails for every text
     try:
-        return _in_si(text, kind)
+        return _in_si(spelled, kind)
     except (PintError, TokenError, ValueError, ArithmeticError, AssertionError, SyntaxError, TypeError) as error:
         raise InputError(_not_understood(text, kind, what, error)) from None
 
 
-def _in_si(text: str, kind: Kind) -> float:
-    number = _spelled_out(text)
-    if kind == "ratio":
-        percent = number.removesuffix("%")
-        return float(percent) / (100 if percent != number else 1)
+def _in_si(number: str, kind: Kind) -> float:
     registry = _registry()
     if kind == "temperature":
         match = re.match(r"^\s*([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s*(\S+)\s*$", number)
@@ -188,7 +198,11 @@ def _not_understood(text: str, kind: Kind, what: str, error: Exception) -> str:
         return f"{what} was given as {text!r}, which is not a {kind}; write for example {example}"
     if isinstance(error, pint.UndefinedUnitError):
         return f"{what} was given as {text!r}, whose unit is not known; write for example {example}"
-    return f"{what} was given as {text!r}, which is not a number with a unit; write for example {example}"
+    return _not_a_number(text, kind, what)
+
+
+def _not_a_number(text: str, kind: Kind, what: str) -> str:
+    return f"{what} was given as {text!r}, which is not a number with a unit; write for example {SI[kind][1]}"
 
 
 def parse_position(text: str, *, length: float, what: str = "position") -> float:

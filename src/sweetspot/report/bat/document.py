@@ -7,16 +7,12 @@ from functools import partial
 from typing import Any
 
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
-from sweetspot.analysis.face_maps import face_map
 from sweetspot.catalog.sports import sport
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
-from sweetspot.report.bat.appendix import assumptions_section, constants_section
-from sweetspot.report.bat.beside_published import chosen, published_section
 from sweetspot.report.bat.json import bat_json, report_json
-from sweetspot.report.bat.provenance import sources_of, used_records
 from sweetspot.report.bat.tables import (
     along_table,
     conditions_table,
@@ -141,6 +137,10 @@ def _details(analysis: Analysis[Implement]) -> list[Block]:
 
 def _appendix(analysis: Analysis[Implement], misses: Sequence[Miss]) -> list[Block]:
     """Return what only an opened page shows: maps, misses, limits, published numbers, constants, sources."""
+    from sweetspot.report.bat.appendix import assumptions_section, constants_section
+    from sweetspot.report.bat.beside_published import chosen, published_section
+    from sweetspot.report.bat.provenance import sources_of, used_records
+
     face, published = analysis.bat.face, chosen(analysis.bat.sport)
     keys = sources_of(used_records(analysis)) + [result.source for result in published]
     return [
@@ -163,6 +163,7 @@ def _face_picture(analysis: Analysis[Implement]) -> Picture:
 
 
 def _drawn_face(analysis: Analysis[Implement], reading: Reader) -> Any:
+    from sweetspot.analysis.face_maps import face_map
     from sweetspot.report.bat.face_picture import face_figure
 
     hits = face_map(analysis.reduced, analysis.conditions, columns=COLUMNS, rows=ROWS)

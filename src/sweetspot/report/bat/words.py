@@ -10,7 +10,7 @@ import numpy as np
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
 from sweetspot.analysis.miss_cost import Loss, miss_costs
 from sweetspot.analysis.sweet_spot import ZONE_LOSS
-from sweetspot.calibration.uncertainty import speed_by_ball
+from sweetspot.calibration.ball_doubt import speed_by_ball
 from sweetspot.catalog.sports import sport
 from sweetspot.dynamics.rigid import effective_mass
 from sweetspot.equipment.implement import Implement

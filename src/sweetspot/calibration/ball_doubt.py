@@ -1,0 +1,45 @@
+"""How sure an exit speed is for the ball alone: balls of a kind differ."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
+from sweetspot.analysis.position_scan import scan
+from sweetspot.calibration.measured import REACH, Measured
+from sweetspot.catalog.balls import ball_spreads
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.implement import Implement
+
+
+def speed_by_ball(analysis: Analysis[Implement]) -> Measured | None:
+    """Return the best hit's exit speed in m/s with the error that the ball alone leaves; None where no spread is known.
+
+    Balls of a kind differ, and what one returns at game speed is not known better; the bat's modes are as they are.
+    """
+    conditions, place = analysis.conditions, np.array([analysis.sweet_spots.max_exit_speed])
+    spreads = ball_spreads(conditions.ball)
+    if not spreads:
+        return None
+
+    def speed(name: str, off: float) -> float:
+        with_ball = conditions.replaced(ball=ball_off(conditions.ball, {name: off}))
+        hit = scan(analysis.bat, body=analysis.body, modes=analysis.modes, conditions=with_ball, positions=place)
+        return float(hit.exit_speed[0])
+
+    halves = [(speed(name, size / REACH) - speed(name, -size / REACH)) / 2 for name, size in spreads.items()]
+    return Measured(exit_speed_of(analysis.best, conditions), float(np.linalg.norm(halves)))
+
+
+def ball_off(ball: Ball, off: dict[str, float]) -> Ball:
+    """Return a ball with deviations: of restitution and its slope, and of the logarithms of mass and stiffness."""
+    law = ball.restitution
+    law = law.replaced(
+        reference=min(law.reference + off.get("restitution", 0.0), 1.0),
+        slope=max(law.slope + off.get("restitution_slope", 0.0), 0.0),
+    )
+    return ball.replaced(
+        restitution=law,
+        mass=ball.mass * float(np.exp(off.get("mass", 0.0))),
+        stiffness=ball.stiffness * float(np.exp(off.get("stiffness", 0.0))),
+    )
