@@ -19,7 +19,7 @@ author = "The sweetspot developers"
 project_copyright = author
 version = release = PACKAGE["version"]
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "docstrings", "mathtext"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "docstrings", "mathtext"]
 exclude_patterns = ["_build", "_generated", "Thumbs.db", ".DS_Store"]
 default_role = "code"
 nitpicky = False
@@ -35,6 +35,8 @@ html_css_files = ["sweetspot.css"]
 html_show_sourcelink = False
 html_copy_source = False
 
+napoleon_google_docstring = False
+napoleon_use_rtype = False
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_preserve_defaults = True

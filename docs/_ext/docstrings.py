@@ -1,62 +1,34 @@
-"""Turn the package's docstrings into field lists: sections of ``name : text`` lines, source keys in square brackets."""
+"""The package's docstrings for napoleon: words of an entry below its name, source keys in square brackets as links."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
 from importlib import import_module
 from typing import Any
 
 from sphinx.application import Sphinx
 
 CITATION = re.compile(r"\[([a-z][a-z0-9_]*(?:[,;] [^\]]*)?)\]")
-FIELDS = {"Parameters": "param", "Raises": "raises", "Returns": "returns"}
-RUBRICS = ("Notes",)
+SECTIONS = {"Parameters", "Returns"}
+ENTRY = re.compile(r"(\S.*?) : (.+)")
 
 
-def converted(lines: list[str]) -> list[str]:
-    """Return a docstring with its underlined sections as reStructuredText fields."""
+def for_napoleon(lines: list[str]) -> list[str]:
+    """Return a docstring as napoleon reads it: types stand in signatures, so ``name : words`` is no type but words.
+
+    They go below the name, and running text after a section stands apart from it.
+    """
     result: list[str] = []
-    index = 0
-    while index < len(lines):
-        title = lines[index].strip()
-        underlined = index + 1 < len(lines) and re.fullmatch(r"-{3,}", lines[index + 1].strip())
-        if underlined and title in FIELDS:
-            end = _section_end(lines, index + 2)
-            result += ["", *_fields(FIELDS[title], lines[index + 2 : end]), ""]
-            index = end
-        elif underlined and title in RUBRICS:
-            result += ["", f".. rubric:: {title}", ""]
-            index += 2
-        else:
-            result.append(lines[index])
-            index += 1
+    section = ""
+    for index, line in enumerate(lines):
+        if index and re.fullmatch(r"-{3,}", line.strip()):
+            section = lines[index - 1].strip()
+        elif section and line[:1].strip() and not lines[index - 1].strip():
+            section = ""
+            result.append("")
+        entry = ENTRY.fullmatch(line) if section in SECTIONS else None
+        result += [entry[1], f"    {entry[2]}"] if entry else [line]
     return result
-
-
-def _section_end(lines: list[str], start: int) -> int:
-    """Return where a section ends: before the next underlined title, or text after an empty line, or at the end."""
-    for index in range(start, len(lines)):
-        next_title = index + 1 < len(lines) and re.fullmatch(r"-{3,}", lines[index + 1].strip())
-        after_gap = index > start and not lines[index - 1].strip() and lines[index].strip()
-        if next_title or after_gap:
-            return index
-    return len(lines)
-
-
-def _fields(field: str, lines: list[str]) -> Iterable[str]:
-    """Yield one field per entry: ``names : text`` with continuation lines indented, or a name with text below it."""
-    for line in lines:
-        if line[:1].strip():  # not indented: a new entry
-            names, colon, text = line.partition(" : ")
-            if field == "param":
-                yield from (f":param {name}: {text if colon else ''}" for name in names.split(", "))
-            elif field == "raises":
-                yield f":raises {names}: {text}"
-            else:
-                yield f":returns: {names}: {text}".rstrip(": ") + (":" if not colon else "")
-        elif line.strip():
-            yield "    " + line.strip()
 
 
 def linked(line: str, keys: set[str]) -> str:
@@ -73,7 +45,7 @@ def process(*event: Any) -> None:
     """Convert in place the docstring that an autodoc event carries last."""
     lines: list[str] = event[-1]
     keys = set(import_module("sweetspot.references").keys())
-    lines[:] = [line if ">>>" in line else linked(line.replace("|", r"\|"), keys) for line in converted(lines)]
+    lines[:] = [line if ">>>" in line else linked(line.replace("|", r"\|"), keys) for line in for_napoleon(lines)]
 
 
 def named(*given: Any) -> tuple[str | None, str | None]:
@@ -88,6 +60,6 @@ ALIAS = re.compile(r"TypeAliasForwardRef\('(\w+)'\)")
 
 def setup(app: Sphinx) -> dict[str, Any]:
     """Listen to autodoc."""
-    app.connect("autodoc-process-docstring", process)
+    app.connect("autodoc-process-docstring", process, priority=400)  # napoleon listens at 500
     app.connect("autodoc-process-signature", named)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

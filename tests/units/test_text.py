@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from sweetspot.errors import InputError
 from sweetspot.units import Kind, parse, parse_position
 from sweetspot.units import text as units
-from sweetspot.units.written import TEMPERATURES, WRITTEN, written
+from sweetspot.units.usual_units import TEMPERATURES, WRITTEN, written
 
 
 @pytest.mark.parametrize(

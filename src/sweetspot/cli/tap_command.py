@@ -101,6 +101,7 @@ def tap(
 
 
 def modes_to_name(described: Implement) -> Modes:
+    """Return the modes that tones may be, with the ball of the implement's sport."""
     from sweetspot.catalog.standard_hit import standard_conditions
     from sweetspot.dynamics.beam import beam_model
     from sweetspot.dynamics.mode_assembly import all_modes
@@ -109,6 +110,7 @@ def modes_to_name(described: Implement) -> Modes:
 
 
 def tap_places(described: Implement, texts: list[str]) -> list[float]:
+    """Return the places in m from the knob end that texts of --at name."""
     from sweetspot.equipment.implement import check_position
     from sweetspot.units import parse_position
 

@@ -43,7 +43,7 @@ MOST_FAULTS, LONGEST_INPUT = 5, 80
 class Validated(BaseModel):  # noqa: PLW1641  # pydantic hashes what is frozen
     """An immutable, validated value; a wrong one raises `InputError` with one clear message."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, defer_build=True)
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
     def __init__(self, **values: Any) -> None:
         try:

@@ -69,7 +69,7 @@ DECIMAL_COMMA = re.compile(r"\s*[-+]?\d+,\d+\s*")
 def table_rows(
     text: str, path: Path, *, is_heading: Callable[[Sequence[str]], bool]
 ) -> Iterator[tuple[int, list[str]]]:
-    """Yield (line, cells) of every line of a CSV text that is not blank.
+    r"""Yield (line, cells) of every line of a CSV text that is not blank.
 
     Cells are separated as the line of headings is: by commas, semicolons or tabs. Where commas do not separate them, a
     number may have a decimal comma.

@@ -15,7 +15,7 @@ from typing import Any, Literal
 from sweetspot.errors import InputError
 from sweetspot.units.sizes import INCH
 from sweetspot.units.usual import check_usual, example_of
-from sweetspot.units.written import written
+from sweetspot.units.usual_units import written
 
 Kind = Literal[
     "length", "mass", "speed", "moi", "density", "pressure", "force", "time", "angle", "angular speed",

@@ -69,7 +69,8 @@ class Bucket:
 def host_allowed(host: str, names: Iterable[str]) -> bool:
     """Say whether a Host header names this server: a number address, or one of the allowed names.
 
-    A name that someone else's server resolves to this machine (DNS rebinding) is neither.
+    A name that someone else's server resolves to this machine (DNS rebinding) is neither. Starlette's
+    `TrustedHostMiddleware` cannot serve: it knows no number addresses, and does not say what to do.
 
     >>> [host_allowed(host, ["localhost"]) for host in ("localhost:8000", "127.0.0.1", "[::1]:80", "evil.example")]
     [True, True, True, False]

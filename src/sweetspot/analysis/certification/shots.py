@@ -73,7 +73,7 @@ class Shot:
 
     @property
     def collision_efficiency(self) -> float:
-        """q = (v_out - v_bat) / (v_in + v_bat); for a bat at rest v_out / v_in."""
+        """Collision efficiency q = (v_out - v_bat) / (v_in + v_bat); for a bat at rest v_out / v_in."""
         return (self.rebound_speed - self.bat_speed) / self.closing_speed
 
 

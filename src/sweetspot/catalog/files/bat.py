@@ -330,6 +330,7 @@ def _ring(table: RingTable, own: Material) -> Ring:
 
 
 def laminate_of(plies: tuple[PlyTable, ...], what: str) -> Laminate:
+    """Return the laminate of a file's plies; ``what`` holds them, for messages."""
     return Laminate(
         plies=tuple(
             Ply(

@@ -11,6 +11,7 @@ from sweetspot.calibration.tap_analysis import TapTest
 from sweetspot.report.calibration.intervals import measured_json, measured_words
 from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Picture, Table
 from sweetspot.report.json_shapes import as_columns, cleaned
+from sweetspot.report.quantities import NOTHING
 from sweetspot.report.sentences import Sentence, Slot, joined, say
 
 LEAST_SHARE = 0.005
@@ -35,7 +36,9 @@ def tap_document(test: TapTest, title: str) -> Document:
 
 def _fault(test: TapTest, number: int) -> Sentence:
     tap = test.taps[number]
-    return say("{name}, {start}: {fault}", name=tap.recording, start=Slot(tap.start, "time", 2), fault=tap.fault)
+    return say(
+        "{name}, {start}: {fault}", name=tap.recording, start=Slot(tap.start, "time", 2), fault=tap.fault or NOTHING
+    )
 
 
 def _tones(test: TapTest) -> Table:
