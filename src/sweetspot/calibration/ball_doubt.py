@@ -31,15 +31,15 @@ def speed_by_ball(analysis: Analysis[Implement]) -> Measured | None:
     return Measured(exit_speed_of(analysis.best, conditions), float(np.linalg.norm(halves)))
 
 
-def ball_off(ball: Ball, off: dict[str, float]) -> Ball:
+def ball_off(ball: Ball, deviations: dict[str, float]) -> Ball:
     """Return a ball with deviations: of restitution and its slope, and of the logarithms of mass and stiffness."""
     law = ball.restitution
     law = law.replaced(
-        reference=min(law.reference + off.get("restitution", 0.0), 1.0),
-        slope=max(law.slope + off.get("restitution_slope", 0.0), 0.0),
+        reference=min(law.reference + deviations.get("restitution", 0.0), 1.0),
+        slope=max(law.slope + deviations.get("restitution_slope", 0.0), 0.0),
     )
     return ball.replaced(
         restitution=law,
-        mass=ball.mass * float(np.exp(off.get("mass", 0.0))),
-        stiffness=ball.stiffness * float(np.exp(off.get("stiffness", 0.0))),
+        mass=ball.mass * float(np.exp(deviations.get("mass", 0.0))),
+        stiffness=ball.stiffness * float(np.exp(deviations.get("stiffness", 0.0))),
     )
