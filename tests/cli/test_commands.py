@@ -258,6 +258,14 @@ def test_as_a_program() -> None:
 
 def test_start_up_stays_light() -> None:
     """Heavy libraries load only when a command needs them."""
-    code = "import sys, sweetspot, sweetspot.cli.app; print(*sorted({name.split('.')[0] for name in sys.modules}))"
-    loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
-    assert not {"numpy", "scipy", "numba", "skfem", "matplotlib", "pint"} & set(loaded)
+    assert not {"numpy", "scipy", "numba", "skfem", "matplotlib", "pint"} & loaded("sweetspot, sweetspot.cli.app")
+    assert not {"matplotlib", "rich"} & loaded("sweetspot.report.html, sweetspot.report.document")
+    loading_a_bat = loaded("sweetspot; sweetspot.catalog.load_implement('r161-ash')")
+    assert not {"pint", "matplotlib", "rich", "scipy.stats", "scipy.signal"} & loading_a_bat
+
+
+def loaded(what: str) -> set[str]:
+    """Return the modules that an interpreter holds after an import."""
+    code = f"import sys, {what}; print(*sys.modules)"
+    result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    return set(result.stdout.split())

@@ -39,7 +39,7 @@ def polished(bench: Bench, question: Question, numbers: Array) -> tuple[Array, M
     want, sign = question.wants[0], MEASURES[question.wants[0]].better
     size = 100 * MEASURES[want].grain
     cached: dict[bytes, tuple[Measured, Array]] = {}
-    best = [(*_rank(question.limits, begin, want, sign), numbers)]
+    best = [(*_ranks(question.limits, begin, want, sign)[0], numbers)]
 
     def looked(parts: Array) -> tuple[Measured, Array]:
         key = parts.tobytes()
@@ -49,7 +49,7 @@ def polished(bench: Bench, question: Question, numbers: Array) -> tuple[Array, M
             here = low + np.clip(parts, 0, 1) * (high - low)
             cached[key] = _with_slopes(bench, here, question.limits, want)
             seen = cached[key][0]
-            best.append((*_rank(question.limits, seen, want, sign), here))
+            best.append((*_ranks(question.limits, seen, want, sign)[0], here))
         return cached[key]
 
     def value(parts: Array) -> float:
@@ -74,17 +74,17 @@ def polished(bench: Bench, question: Question, numbers: Array) -> tuple[Array, M
     nearly = sorted((one for one in best if one[0] > -NEARLY), key=lambda one: one[1])[-WAYS:]
     for _, _, end in nearly:
         every = numbers + np.linspace(0, 1, POINTS)[1:, None] * (end - numbers)
-        seen = bench.measured(every)
-        for row, here in enumerate(every):
-            best.append((*_rank(question.limits, measured_rows(seen, [row]), want, sign), here))
-    found = max(best, key=lambda one: one[:2])[2]
-    return found, bench.measured(found)
+        ranks = _ranks(question.limits, bench.measured(every), want, sign)
+        best += [(*rank, here) for rank, here in zip(ranks, every, strict=True)]
+    first = max(best, key=lambda one: one[:2])[2]
+    return first, bench.measured(first)
 
 
-def _rank(limits: Sequence[Limit], measured: Measured, want: str, sign: int) -> tuple[float, float]:
-    """Return what is compared first and second: how far limits are missed, and the want."""
-    missed = np.maximum(_margins(limits, measured), 0.0).sum()
-    return -float(missed), float(sign * measured.values[want][0])
+def _ranks(limits: Sequence[Limit], measured: Measured, want: str, sign: int) -> list[tuple[float, float]]:
+    """Return what is compared first and second of every bat: how far limits are missed, and the want."""
+    wanted = sign * measured.values[want]
+    missed = np.maximum(_margins(limits, measured), 0.0).sum(axis=0) if limits else np.zeros_like(wanted)
+    return list(zip((-missed).tolist(), wanted.tolist(), strict=True))
 
 
 def gradient(bench: Bench, numbers: Array, measure: str, *, step: float = STEP) -> Array:

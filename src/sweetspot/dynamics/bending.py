@@ -147,9 +147,6 @@ def _element_edges(breakpoints: tuple[float, ...], size: float) -> Array:
 
 @cache
 def _elements() -> tuple[Any, Any]:
-    import logging
-
-    logging.getLogger("skfem").setLevel(logging.ERROR)  # its hint about ElementLineP2 does not apply here
     return ElementLinePp(DEGREE), ElementLinePp(DEGREE - 1)
 
 

@@ -12,7 +12,6 @@ The slope of the taper is left out, as is rotary inertia of the wall. Rings are 
 
 from __future__ import annotations
 
-import logging
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -161,7 +160,6 @@ def shell_harmonic(line: BeamModel, n: int, *, start: float, elements: int, capp
     elements : at least; where walls and rings begin, bend or end, elements do as well.
     capped : whether a cap holds the tip round (w = v = 0); the taper always does at the other end.
     """
-    logging.getLogger("skfem").setLevel(logging.ERROR)  # its hint about faster low orders does not apply here
     outward = Basis(_mesh(line, start, elements), ElementLineHermite(), intorder=8)  # a new one: it remembers its mesh
     plane = Basis(outward.mesh, ElementLinePp(3), quadrature=outward.quadrature)
     place = outward.global_coordinates()[0]
