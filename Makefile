@@ -5,7 +5,7 @@ UV := $(BIN)/uv
 BAT := r161-ash
 OUT := report
 
-.PHONY: report app browser test test-lowest lint types docs pins mutants bench bench-quick format lock fuzz clean
+.PHONY: report app browser test test-lowest quick-lowest coverage lint types docs pins mutants bench bench-quick format lock fuzz clean
 
 report: $(VENV)/.run  ## where does this bat hit best? BAT=name or file, OUT=folder
 	$(BIN)/sweetspot report $(BAT) --out $(OUT)
@@ -24,11 +24,27 @@ test: $(VENV)/.dev browser  ## all tests
 
 LOWEST := .venv-lowest
 UNDER_LOWEST := $(addprefix tests/,catalog collision dynamics equipment flight motion numerics units report cli calibration)
+QUICK_LOWEST := $(addprefix tests/,units motion equipment catalog/files collision/test_contact_law.py dynamics/test_bending.py \
+	flight/test_trajectory.py cli/test_hostile_files.py)
 
-test-lowest: $(UV)  ## tests of all but the page and the fits with the lowest versions that pyproject allows
-	@test -d $(LOWEST) || python3 -m venv --without-pip $(LOWEST)
-	VIRTUAL_ENV=$(LOWEST) $(UV) pip install -q --resolution lowest-direct --only-binary :all: --no-binary sweetspot -e ".[dev]"
-	$(LOWEST)/bin/python -m pytest -q -n 2 --dist worksteal --benchmark-disable $(UNDER_LOWEST)
+test-lowest: $(LOWEST)/.installed  ## tests of all but the page and the fits with the lowest versions that pyproject allows
+	$(LOWEST)/bin/python -m pytest -q $(UNDER_LOWEST)
+
+quick-lowest: $(LOWEST)/.installed  ## a part of them, and a report; a minute
+	$(LOWEST)/bin/python -m pytest -q $(QUICK_LOWEST)
+	$(LOWEST)/bin/sweetspot report $(BAT) > /dev/null
+
+# every branch of the physics at least once; what numba compiles is run as Python for it
+COVERED := $(addprefix tests/,motion numerics equipment collision dynamics flight analysis)
+COVERED_AS_PYTHON := $(addprefix tests/,numerics/test_banded.py collision/test_kernel_agreement.py dynamics/batch \
+	flight/test_kernel.py flight/test_all_parks.py flight/test_fence.py flight/test_home_runs.py)
+WITH_COVERAGE := -q -p no:xdist --benchmark-disable --hypothesis-profile=few --cov --cov-append --cov-report=
+
+coverage: $(VENV)/.dev  ## branches of the physics that the tests of the physics reach; minutes
+	$(BIN)/coverage erase
+	$(BIN)/python -m pytest $(WITH_COVERAGE) $(COVERED)
+	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest $(WITH_COVERAGE) -W ignore::RuntimeWarning $(COVERED_AS_PYTHON)
+	$(BIN)/coverage report --show-missing --fail-under=95
 
 lint: $(VENV)/.dev
 	$(BIN)/ruff check .
@@ -72,6 +88,7 @@ lock: $(UV)  ## pin the newest versions that pyproject allows, for every Python 
 	$(LOCK) --upgrade pyproject.toml -o requirements.txt
 	$(LOCK) --upgrade --extra dev -c requirements.txt pyproject.toml -o requirements-dev.txt
 	echo uv | $(LOCK) --upgrade - -o requirements-uv.txt
+	printf 'pytest>=9.0\nhypothesis>=6.150\n' | $(LOCK) --resolution lowest-direct pyproject.toml - -o requirements-lowest.txt
 
 clean:
 	rm -rf $(VENV) $(LOWEST) docs/_build docs/_generated docs/gallery build report .mypy_cache .ruff_cache .pytest_cache .benchmarks
@@ -83,6 +100,12 @@ $(UV):
 		|| { echo "python3 here lacks venv with pip; on Debian or Ubuntu: sudo apt install python3-venv"; exit 2; }
 	python3 -m venv $(VENV)
 	$(BIN)/python -m pip install -q --disable-pip-version-check -r requirements-uv.txt
+
+$(LOWEST)/.installed: requirements-lowest.txt pyproject.toml | $(UV)
+	test -d $(LOWEST) || python3 -m venv --without-pip $(LOWEST)
+	VIRTUAL_ENV=$(LOWEST) $(UV) pip sync -q --only-binary :all: requirements-lowest.txt
+	VIRTUAL_ENV=$(LOWEST) $(UV) pip install -q --no-deps -e .
+	@touch $@
 
 $(VENV)/.run: requirements.txt pyproject.toml | $(UV)
 	$(UV) pip install -q --compile-bytecode -r requirements.txt

@@ -28,6 +28,7 @@ BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 FLAGS = ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"]
 
 settings.register_profile("sweetspot", deadline=None)  # how long an example takes says how busy the machine is
+settings.register_profile("few", deadline=None, max_examples=8)  # for `make coverage`: each branch once is enough
 settings.load_profile("sweetspot")
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sweetspot.calibration.recording import BAT_BAND, Band, Recording, in_band, read_recording, write_recording
+from sweetspot.calibration.recording import BAT_BAND, Band, Recording, in_band, read_recording, recording_bytes
 from sweetspot.errors import InputError
 
 
@@ -18,7 +18,7 @@ def tone(frequency: float, rate: float, seconds: float = 0.5) -> Recording:
 @pytest.mark.parametrize("ending", ["wav", "flac", "aiff"])
 def test_what_is_written_is_read_again(tmp_path: Path, ending: str) -> None:
     path = tmp_path / f"tone.{ending}"
-    write_recording(tone(440, 44100), path)
+    path.write_bytes(recording_bytes(tone(440, 44100), path))
     sound = read_recording(path)
     assert (sound.name, sound.rate, sound.duration) == (f"tone.{ending}", 44100, 0.5)
     np.testing.assert_allclose(sound.samples, tone(440, 44100).samples, atol=2**-23)
@@ -71,6 +71,6 @@ def test_bad_files_are_refused(tmp_path: Path) -> None:
         with pytest.raises(InputError, match=message):
             read_recording(tmp_path / name)
     with pytest.raises(InputError, match="louder than a sound file"):
-        write_recording(Recording("loud", np.array([1.5]), 8000), tmp_path / "loud.wav")
+        recording_bytes(Recording("loud", np.array([1.5]), 8000), tmp_path / "loud.wav")
     with pytest.raises(InputError, match="0 < low < high"):
         Band(500.0, 100.0)

@@ -12,6 +12,7 @@ import math
 import os
 import random
 import tempfile
+import zlib
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -41,6 +42,8 @@ LINES = (
     'profile = [["0 in", "1 in"], ["33 in", "2.5 in"]]', "[cup]", 'diameter = "1 in"', 'depth = "1 in"',
 )  # fmt: skip
 UNITS = ("in", "mm", "m", "oz", "g", "kg", "mph", "deg", "oz*in^2", "kg*m^2", "Hz", "GPa", "kg/m^3", "%", "furlong", "")
+MODES_EVERY = 1
+"""Of so many tables one rings; its modes cost more than all else."""
 SIGNS = "0123456789.eE+-*/^() \t\n\0\"'=[]{},;:#_~@é棒½²\u202e\x1b"
 
 
@@ -58,7 +61,8 @@ def quantity(chance: random.Random) -> str:
 
 
 def take_quantity(text: str) -> None:
-    for kind in SI:
+    kinds, first = list(SI), zlib.crc32(text.encode("utf-8", "surrogatepass"))
+    for kind in (kinds * 2)[first % len(kinds) :][:4]:
         _quietly(lambda kind=kind: _finite(parse(text, kind)))  # type: ignore[misc]
 
 
@@ -75,8 +79,10 @@ def take_table(text: str) -> None:
     described = implement_from_table(json.loads(text), "fuzz")
     line = beam_model(described)
     body = rigid_body(line)
-    _finite(body.mass, body.balance_point, body.moi_cm, body.roll_moi, *bending_modes(line, count=3).frequency)
+    _finite(body.mass, body.balance_point, body.moi_cm, body.roll_moi)
     assert body.mass > 0 and body.moi_cm > 0
+    if zlib.crc32(text.encode("utf-8", "surrogatepass")) % MODES_EVERY == 0:
+        _finite(*bending_modes(line, count=3).frequency)
 
 
 def toml(chance: random.Random) -> str:

@@ -84,3 +84,18 @@ def test_inches_and_degrees_in_python_are_told_of(r161: Bat) -> None:
     with pytest.raises(InputError, match="measured_at"):
         Swing(bat_speed=31.0, measured_at=27.0)
     assert math.isfinite(hit(modes, ball=ball, position=0.69, closing_speed=50.0).collision_efficiency)
+
+
+def test_a_stroke_far_from_its_sports_is_told_of(run: Run) -> None:
+    for words in (("--bat-speed", "30m/s"), ("--pitch-speed", "tee"), ("--bat-speed", "70m/s", "--force")):
+        assert "warning" not in run("hit", "r161-ash", "--at", "6in-from-tip", *words)[2]
+    for words in (("--bat-speed", "70m/s"), ("--bat-speed", "7mph"), ("--pitch-speed", "9.0mph")):
+        code, _, said = run("hit", "r161-ash", "--at", "6in-from-tip", *words)
+        assert code == 0 and f"{words[0]} was given as {words[1]}" in said
+
+
+def test_a_hanging_bat_that_no_bat_is_like(run: Run) -> None:
+    for words in ("--mass 86g --moi 10100oz*in^2", "--mass 860g --moi 101000oz*in^2"):
+        code, _, said = run("pendulum", *words.split(), "--balance-point", "57cm")
+        assert code == 2 and "radius of gyration" in said
+    assert run("pendulum", "--mass", "860g", "--moi", "10100oz*in^2", "--balance-point", "57cm")[0] == 0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import math
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,9 +12,14 @@ import scipy.signal
 
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.text_files import check_ordinary
 
 LONGEST = 600.0
 """s of a recording at most."""
+MOST_SAMPLES = 120_000_000
+"""Of all channels: ten minutes of two at 96 kHz."""
+LARGEST = 500_000_000
+"""Bytes of a file."""
 SLOWEST_RATE = 2000.0
 """Hz; below, even the first mode of a bat is lost."""
 OVERSAMPLING = 2.56
@@ -69,6 +75,7 @@ def read_recording(path: Path) -> Recording:
     """
     import soundfile
 
+    check_ordinary(path, most=LARGEST, advice="record WAV, FLAC, OGG or MP3, and cut out the taps")
     try:
         with soundfile.SoundFile(path) as sound:
             if sound.frames > LONGEST * sound.samplerate:
@@ -76,9 +83,11 @@ def read_recording(path: Path) -> Recording:
                     f"{path} lasts {sound.frames / sound.samplerate:.0f} s; allowed is up to {LONGEST:g} s. "
                     "Cut out the taps"
                 )
+            if sound.frames * sound.channels > MOST_SAMPLES:
+                raise InputError(f"{path} has {sound.channels} channels of {sound.frames} samples; keep one of them")
             channels, rate = sound.read(dtype="float64", always_2d=True), float(sound.samplerate)
     except (soundfile.SoundFileError, OSError, RuntimeError) as error:
-        reason = "there is no such file" if not path.exists() else str(error).removeprefix(f"Error opening {path!r}: ")
+        reason = str(error).removeprefix(f"Error opening {path!r}: ")
         raise InputError(f"{path} cannot be read as a sound: {reason}; record WAV, FLAC, OGG or MP3") from None
     if rate < SLOWEST_RATE:
         raise InputError(f"{path} has {rate:g} samples per second; allowed is {SLOWEST_RATE:g} or more")
@@ -112,13 +121,16 @@ def in_band(recording: Recording, band: Band) -> Recording:
     return Recording(recording.name, np.asarray(scipy.signal.sosfilt(highpass, samples)), rate)
 
 
-def write_recording(recording: Recording, path: Path) -> None:
-    """Write a recording as a sound file of 24 bit, by the name's ending; louder than full scale is refused."""
+def recording_bytes(recording: Recording, path: Path) -> bytes:
+    """Return a recording as a sound file of 24 bit, by its name's ending; louder than full scale is refused."""
     import soundfile
 
     if np.abs(recording.samples).max(initial=0.0) >= 1:
         raise InputError(f"{recording.name} is louder than a sound file can hold; make it quieter")
+    held = io.BytesIO()
     try:
-        soundfile.write(path, recording.samples, round(recording.rate), subtype="PCM_24")
+        ending = path.suffix[1:]
+        soundfile.write(held, recording.samples, round(recording.rate), subtype="PCM_24", format=ending or "none")
+        return held.getvalue()
     except (soundfile.SoundFileError, OSError, RuntimeError, TypeError, ValueError) as error:
         raise InputError(f"{path} cannot be written as a sound: {error}; write to a name that ends in .wav") from None

@@ -45,6 +45,7 @@ USUAL_SIZES: dict[str, dict[str, Usual]] = {
         "head.length": _centimetres(15, 45),
         "head.width": _centimetres(12, 35),
         "head.rim": _centimetres(0.3, 3),
+        "strings.tension": Usual(50, 450, "N", above=0),
         "strings.linear_density": Usual(0.2, 3, "g/m", GRAM, above=0),
         "strings.patch": _centimetres(0.4, 4),
     },

@@ -40,6 +40,10 @@ def main(arguments: list[str] | None = None) -> None:
     except (SweetspotError, CycloptsError, OutputError) as error:
         _complain(_one_line(error))
         sys.exit(EXIT_BAD_INPUT)
+    except OSError as error:  # what no command foresaw: a disk full of a run's own temporary files
+        where = f"{error.filename}: " if error.filename else ""
+        _complain(f"{where}{(error.strerror or str(error)).lower()}; make room or choose another place")
+        sys.exit(EXIT_BAD_INPUT)
     except MemoryError:
         _complain("there is not enough memory for this; nothing was written. Ask for less at once")
         sys.exit(EXIT_BAD_INPUT)

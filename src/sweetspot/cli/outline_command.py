@@ -85,8 +85,8 @@ def outline(
     if contents:
         from sweetspot.report.file_set import write_all
 
-        for path, content in contents.items():
-            write_all({path: content})
+        for folder in dict.fromkeys(path.parent for path in contents):  # those of one folder together
+            write_all({path: content for path, content in contents.items() if path.parent == folder})
         print(f"sweetspot: wrote {', '.join(map(str, contents))}", file=sys.stderr)
     return present(document, answer.into(None))
 

@@ -9,12 +9,14 @@ import shlex
 import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+from sweetspot.numerics.text_files import harmless
 
 if TYPE_CHECKING:
     from sweetspot.cli.options.output import OutputOptions
@@ -37,21 +39,6 @@ def print_csv(columns: Mapping[str, Sequence[Any]]) -> None:
     writer = csv.writer(sys.stdout, lineterminator="\n")
     writer.writerow(columns)
     writer.writerows([harmless(cell) for cell in row] for row in zip(*columns.values(), strict=True))
-
-
-def harmless(cell: Any) -> Any:
-    """Return a cell of a CSV file so that a spreadsheet shows it: text that it would take as a formula is quoted.
-
-    >>> harmless("=1+1"), harmless("-1.5"), harmless("r161-ash"), harmless(-2.0)
-    ("'=1+1", '-1.5', 'r161-ash', -2.0)
-    """
-    if not isinstance(cell, str) or not cell.startswith(("=", "+", "-", "@", "\t", "\r")):
-        return cell
-    try:
-        float(cell)
-    except ValueError:
-        return f"'{cell}"
-    return cell
 
 
 def print_rows_csv(rows: Sequence[Mapping[str, Any]]) -> None:
@@ -151,7 +138,8 @@ def patience() -> Iterator[None]:
 
     timer = threading.Timer(PATIENCE, say)
     timer.daemon = True
-    timer.start()
+    with suppress(RuntimeError):  # the system may refuse another thread; then nobody is told
+        timer.start()
     try:
         yield
     finally:

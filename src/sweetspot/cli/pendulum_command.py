@@ -9,6 +9,9 @@ from cyclopts import Parameter
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.errors import InputError
 
+USUAL_GYRATIONS = (0.04, 0.4)
+"""m, from table-tennis rackets to golf drivers."""
+
 
 def pendulum(
     *,
@@ -46,6 +49,13 @@ def pendulum(
             f"moment of {inertia / OUNCE_INCH_SQUARED:.0f} oz in^2, less than this weight has when all of it sits at "
             f"its balance point, {least / OUNCE_INCH_SQUARED:.0f} oz in^2. A period is there and back: check that, the "
             "weight and the balance point, or add --force if it is meant"
+        )
+    gyration = max(inertia - least, 0.0) ** 0.5 / weight**0.5
+    if not USUAL_GYRATIONS[0] <= gyration <= USUAL_GYRATIONS[1] and not insisted():
+        raise InputError(
+            f"what was given makes a radius of gyration of {100 * gyration:.1f} cm about the balance point; usual is "
+            f"{100 * USUAL_GYRATIONS[0]:g} to {100 * USUAL_GYRATIONS[1]:g} cm. Check the units, or add --force if it "
+            "is meant"
         )
     percussion = axis + inertia / (weight * (balance - axis))
     about = say("moment of inertia about {pivot}", pivot=Slot(axis, "place", round=True))

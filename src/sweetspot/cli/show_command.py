@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from pathlib import Path
 from typing import Annotated
@@ -26,13 +27,11 @@ def show(
 
     text = entry_toml(name, of, sources=sources)
     if out is not None:
-        try:
-            with out.open("x", encoding="utf-8") as file:
-                file.write(text)
-        except FileExistsError:
-            raise InputError(f"{out} is there already; choose another name for --out") from None
-        except OSError as error:
-            raise InputError(f"{out} cannot be written: {(error.strerror or str(error)).lower()}") from None
+        from sweetspot.report.file_set import write_all
+
+        if os.path.lexists(out):
+            raise InputError(f"{out} is there already; choose another name for --out")
+        write_all({out: text.encode()})
         print(f"sweetspot: wrote {out}", file=sys.stderr)
         return 0
     sys.stdout.write(text)

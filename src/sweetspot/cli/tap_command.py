@@ -149,8 +149,9 @@ def _band(text: str) -> Band:
 def _synthesise(name: str, synthesis: SynthesisOptions, at: list[str], out: Path | None) -> int:
     """Write three synthetic taps of a bat as a sound file."""
     from sweetspot import catalog
-    from sweetspot.calibration.recording import write_recording
+    from sweetspot.calibration.recording import recording_bytes
     from sweetspot.calibration.synthetic import synthesised
+    from sweetspot.report.file_set import write_all
     from sweetspot.units import parse
 
     if synthesis.seed < 0:
@@ -165,6 +166,6 @@ def _synthesise(name: str, synthesis: SynthesisOptions, at: list[str], out: Path
         modes_to_name(described), position=places[0], listened=listened, noise=noise, seed=synthesis.seed
     )
     path = out or Path(f"{Path(name).stem}-tap.wav")
-    write_recording(sound, path)
+    write_all({path: recording_bytes(sound, path)})
     print(f"sweetspot: wrote {path}", file=sys.stderr)
     return 0

@@ -1,4 +1,7 @@
-"""Text and tables that people hand in as files: never more than is allowed, whatever the file is or claims to be."""
+"""Text and tables that people hand in as files: never more than is allowed, whatever the file is or claims to be.
+
+And tables that they are given: whatever a name in them says, a spreadsheet shows it.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +13,7 @@ import re
 import zlib
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 from sweetspot.errors import InputError
 
@@ -36,6 +40,29 @@ def read_text(path: Path, *, most: int, advice: str) -> str:
     InputError
         when it cannot be read, is larger, damaged, or no text.
     """
+    content = read_bytes(path, most=most, advice=advice)
+    sheet = content.startswith((b"PK\x03\x04", b"\xd0\xcf\x11\xe0"))
+    if sheet:
+        raise InputError(f"{path} is a spreadsheet, no text; save it as CSV, and {advice}")
+    wide = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+    try:
+        return content.decode("utf-16" if wide else "utf-8-sig")
+    except UnicodeDecodeError:
+        raise InputError(f"{path} is not a text file in UTF-8; {advice}") from None
+
+
+def read_bytes(path: Path, *, most: int, advice: str) -> bytes:
+    """Return what a file holds, unpacked where its name ends in .gz; never more than ``most`` bytes are read.
+
+    Parameters
+    ----------
+    most, advice : as in `read_text`.
+
+    Raises
+    ------
+    InputError
+        when it cannot be read, is larger or damaged.
+    """
     try:
         with gzip.open(path) if path.suffix == ".gz" else path.open("rb") as file:
             content = file.read(most + 1)
@@ -49,14 +76,27 @@ def read_text(path: Path, *, most: int, advice: str) -> str:
         raise InputError(f"{str(path)[:LONGEST_NAME]} cannot be read: {reason.lower()}") from None
     if len(content) > most:
         raise InputError(f"{path} is larger than {most / 1e6:g} MB; {advice}")
-    sheet = content.startswith((b"PK\x03\x04", b"\xd0\xcf\x11\xe0"))
-    if sheet:
-        raise InputError(f"{path} is a spreadsheet, no text; save it as CSV, and {advice}")
-    wide = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
-    try:
-        return content.decode("utf-16" if wide else "utf-8-sig")
-    except UnicodeDecodeError:
-        raise InputError(f"{path} is not a text file in UTF-8; {advice}") from None
+    return content
+
+
+def check_ordinary(path: Path, *, most: int, advice: str) -> None:
+    """Refuse what a library that reads files by itself must not be given: devices, pipes, folders, huge files.
+
+    Parameters
+    ----------
+    most, advice : as in `read_text`.
+
+    Raises
+    ------
+    InputError
+        when it is not there, is no ordinary file, or is larger.
+    """
+    if not path.exists():
+        raise InputError(f"{str(path)[:LONGEST_NAME]} is not a file; it cannot be read: there is no such file")
+    if not path.is_file():
+        raise InputError(f"{path} is not an ordinary file; {advice}")
+    if path.stat().st_size > most:
+        raise InputError(f"{path} is larger than {most / 1e6:g} MB; {advice}")
 
 
 SEPARATORS = ",;\t"
@@ -96,6 +136,21 @@ def table_rows(
                 yield reader.line_num, cells if separator == "," else [_pointed(cell) for cell in cells]
     except csv.Error as error:
         raise InputError(f"{path} cannot be read as CSV text: {error}") from None
+
+
+def harmless(cell: Any) -> Any:
+    """Return a cell of a CSV file so that a spreadsheet shows it: text that it would take as a formula is quoted.
+
+    >>> harmless("=1+1"), harmless("-1.5"), harmless("r161-ash"), harmless(-2.0)
+    ("'=1+1", '-1.5', 'r161-ash', -2.0)
+    """
+    if not isinstance(cell, str) or not cell.startswith(("=", "+", "-", "@", "\t", "\r")):
+        return cell
+    try:
+        float(cell)
+    except ValueError:
+        return f"'{cell}"
+    return cell
 
 
 def _cells(text: str, separator: str) -> list[list[str]]:

@@ -5,11 +5,12 @@ The C library's versions are called once per number; these are straight arithmet
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Callable
 from typing import Any, cast
 
 from llvmlite import ir
-from numba import types
+from numba import config, types
 from numba.extending import intrinsic
 
 from sweetspot.numerics.kernel_cache import compiled
@@ -29,10 +30,16 @@ def _float_of(typing_context: Any, bits: Any) -> Any:  # noqa: ARG001 - numba's 
     return types.float64(types.int64), generate
 
 
-bits_of = cast("Callable[[float], int]", intrinsic(_bits_of))
-"""The 64 bits of a float as an integer (in compiled code only)."""
-float_of = cast("Callable[[int], float]", intrinsic(_float_of))
-"""The float that has these 64 bits (in compiled code only)."""
+bits_of: Callable[[float], int]
+"""The 64 bits of a float as an integer (in compiled code only, unless NUMBA_DISABLE_JIT is set)."""
+float_of: Callable[[int], float]
+"""The float that has these 64 bits (in compiled code only, unless NUMBA_DISABLE_JIT is set)."""
+if config.DISABLE_JIT:  # type: ignore[attr-defined] # numba's switch for looking into compiled functions
+    bits_of = lambda value: int(struct.unpack("<q", struct.pack("<d", value))[0])  # noqa: E731
+    float_of = lambda bits: float(struct.unpack("<d", struct.pack("<q", bits))[0])  # noqa: E731
+else:
+    bits_of = cast("Callable[[float], int]", intrinsic(_bits_of))
+    float_of = cast("Callable[[int], float]", intrinsic(_float_of))
 
 ROOT_HALF_BITS = 0x3FE6A09E667F3BCD
 MAGIC = 6755399441055744.0  # 1.5 * 2^52: adding it leaves the nearest integer in the low bits

@@ -11,6 +11,7 @@ import hashlib
 import json
 import os
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -19,6 +20,7 @@ import numpy as np
 import polars as pl
 from numpy.typing import NDArray
 
+from sweetspot.errors import InputError
 from sweetspot.season.answers import SeasonSetting, answer_columns, answers_of
 from sweetspot.season.counted import counted_rows
 from sweetspot.season.rows import USED, rows_of
@@ -117,15 +119,19 @@ def do_task(plan: Plan, task: Task) -> int:
 
 
 def _write(frame: pl.DataFrame, path: Path, plan: Plan) -> None:
-    path.parent.mkdir(parents=True, exist_ok=True)
     waiting = path.with_name(f".{path.name}.{os.getpid()}")
     try:
+        path.parent.mkdir(parents=True, exist_ok=True)
         frame.write_parquet(waiting, metadata={MARK: json.dumps({"plan": plan.fingerprint, "rows": len(frame)})})
         with waiting.open("rb") as file:
             os.fsync(file.fileno())
         waiting.replace(path)
+    except (pl.exceptions.PolarsError, OSError) as error:
+        reason = (getattr(error, "strerror", None) or str(error)).lower()
+        raise InputError(f"{path} cannot be written: {reason}; make room, and go on with --resume") from None
     finally:
-        waiting.unlink(missing_ok=True)
+        with suppress(OSError):
+            waiting.unlink(missing_ok=True)
 
 
 def plan_fingerprint(tables: tuple[TableFile, ...], setting: SeasonSetting, *, task_rows: int) -> str:

@@ -6,7 +6,8 @@ import os
 import shutil
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor, as_completed
+from concurrent.futures import Future, ThreadPoolExecutor, as_completed
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -179,8 +180,12 @@ def run_here(plan: Plan, progress: Progress | None = None, *, workers: int | Non
     workers : tasks at a time; None: one per core, at most two.
     """
     total, done = sum(table.rows for table in plan.tables), 0
+    tasks = list(plan.tasks())
     with ThreadPoolExecutor(workers or min(os.cpu_count() or 1, 2)) as pool:
-        waiting = {pool.submit(do_task, plan, task) for task in plan.tasks()}
+        waiting: set[Future[int]] = set()
+        with suppress(RuntimeError):  # the system may refuse another thread
+            while len(waiting) < len(tasks):
+                waiting.add(pool.submit(do_task, plan, tasks[len(waiting)]))
         try:
             for one in as_completed(waiting):
                 done += one.result()
@@ -189,6 +194,10 @@ def run_here(plan: Plan, progress: Progress | None = None, *, workers: int | Non
         except BaseException:
             pool.shutdown(wait=True, cancel_futures=True)
             raise
+    for task in tasks[len(waiting) :]:
+        done += do_task(plan, task)
+        if progress is not None:
+            progress(done, total)
 
 
 def learn_relation(found: Survey, setting: SeasonSetting) -> PlaceRelation:

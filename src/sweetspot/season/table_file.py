@@ -20,6 +20,8 @@ MISSING = ["", "NA", "N/A", "NaN", "nan", "null", "NULL", "None", "-", "--"]
 """Words that mean that there is nothing. Missing is never zero."""
 TAIL = 1 << 20
 """Bytes of the end of a file in which its last line is looked for."""
+BOMB, MOST_PACKED = 50_000_000, 100
+"""Bytes from which on a packed table is none when it unpacks to more than so many times its size (exports: 5 to 20)."""
 CUTS = (25_000, 40_000)
 """Rows at which public exports end."""
 
@@ -88,6 +90,8 @@ def _parquet(path: Path, given: Mapping[str, str] | None) -> TableFile:
         frame = pl.scan_parquet(path)
         names = frame.collect_schema().names()
         rows = int(frame.select(pl.len()).collect().item())
+        if rows > path.stat().st_size:
+            raise InputError(f"{path} claims {rows:,} rows in {path.stat().st_size:,} bytes; give a row per ball")
     except (pl.exceptions.PolarsError, OSError) as error:
         raise InputError(f"{path} is no whole Parquet file: {_first_line(error)}; write or copy it anew") from None
     headings = headings_of(names, given=given, file_name=str(path))
@@ -144,13 +148,19 @@ def _ends(path: Path) -> tuple[str, str]:
     try:
         with gzip.open(path) if path.name.lower().endswith(".gz") else path.open("rb") as file:
             first = file.readline(TAIL)
-            tail = b""
+            if len(first) == TAIL:
+                raise InputError(f"{path} begins with a line of more than {TAIL / 1e6:.0f} MB; give a table")
+            tail, unpacked = b"", 0
             if not path.name.lower().endswith(".gz"):
                 file.seek(max(file.tell(), path.stat().st_size - TAIL))
             while block := file.read(TAIL):
-                tail = (tail + block)[-TAIL:]
+                tail, unpacked = (tail + block)[-TAIL:], unpacked + len(block)
+                if unpacked > max(BOMB, MOST_PACKED * path.stat().st_size):
+                    raise InputError(f"{path} unpacks to more than {MOST_PACKED} times its size; give a table")
     except (OSError, EOFError, zlib.error) as error:
         raise InputError(f"{path} is damaged: {error}; get it anew") from None
+    if b"\0" in first or b"\0" in tail:
+        raise InputError(f"{path} is no text in UTF-8; save it as CSV, or give Parquet")
     lines = tail.splitlines()
     return first.decode("utf-8-sig", "replace"), lines[-1].decode("utf-8", "replace") if lines else ""
 

@@ -8,13 +8,14 @@ import numpy as np
 
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.text_files import check_ordinary
 
 DRAWN = {"LINE", "LWPOLYLINE", "POLYLINE", "ARC", "ELLIPSE", "SPLINE"}
 LAYERS = ("OUTLINE", "PROFILE", "CONTOUR")
 """Of the bat's outline; where there is one, all others are left out."""
 FLATNESS = 2e-5
 """Of the drawing's size, by which straight pieces may miss a curve."""
-LARGEST = 50_000_000
+LARGEST = 4_000_000
 """Bytes of a drawing."""
 
 
@@ -32,9 +33,8 @@ def dxf_curves(path: Path) -> tuple[list[Array], float | None]:
     from ezdxf.filemanagement import readfile
     from ezdxf.lldxf.const import DXFError
 
+    check_ordinary(path, most=LARGEST, advice="keep only the bat's outline")
     try:
-        if path.stat().st_size > LARGEST:
-            raise InputError(f"{path} has more than {LARGEST / 1e6:.0f} MB; keep only the bat's outline")
         drawing = readfile(path)
     except OSError as error:
         if error.strerror is None:  # what ezdxf raises for other files

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import csv
 import math
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from sweetspot.calibration.outline.measured_outline import Outline, closed
 from sweetspot.errors import InputError
+from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text, table_rows
 from sweetspot.units import INCH
 
 UNITS = {"in": INCH, "inch": INCH, "inches": INCH, "mm": 1e-3, "cm": 1e-2, "m": 1.0}
@@ -43,13 +44,8 @@ def read_stations(path: Path, *, length: float | None = None) -> Outline:
     InputError
         when the file has no such columns, a value that is no number, or stations off the bat.
     """
-    try:
-        with path.open(encoding="utf-8-sig", newline="") as file:
-            rows = [row for row in csv.reader(file) if any(cell.strip() for cell in row)]
-    except OSError as error:
-        raise InputError(f"{path} cannot be read: {(error.strerror or str(error)).lower()}") from None
-    except (UnicodeDecodeError, csv.Error) as error:
-        raise InputError(f"{path} is not a CSV file in UTF-8: {error}") from None
+    text = read_text(path, most=MOST_TABLE_BYTES, advice="give a CSV file of a heading and a line for each station")
+    rows = [cells for _, cells in table_rows(text, path, is_heading=_is_heading)]
     if len(rows) < FEWEST_STATIONS + 1 or len(rows) > MOST_STATIONS:
         raise InputError(
             f"{path} has {len(rows)} lines; allowed are a heading and {FEWEST_STATIONS} to {MOST_STATIONS} stations"
@@ -62,6 +58,10 @@ def read_stations(path: Path, *, length: float | None = None) -> Outline:
             raise InputError(f"{path} counts from the tip; say how long the bat is with --length")
         stations = sorted((length - place, size) for place, size in stations)
     return closed(stations, length or stations[-1][0], str(path))
+
+
+def _is_heading(cells: Sequence[str]) -> bool:
+    return sum(any(word in UNITS for word in re.findall(r"[a-z]+", cell.lower())) for cell in cells) > 1
 
 
 def _columns(heading: list[str], path: Path) -> tuple[_Column, _Column]:

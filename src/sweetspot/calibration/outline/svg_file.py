@@ -13,6 +13,7 @@ import numpy as np
 
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.text_files import read_bytes
 from sweetspot.units import INCH
 
 UNITS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "in": INCH, "pt": INCH / 72, "pc": INCH / 6, "px": INCH / 96, "": INCH / 96}
@@ -25,8 +26,10 @@ PIECES = 40
 """Straight pieces of a curved segment."""
 NAMED = ("outline", "profile", "contour")
 """Of an element that is the bat's outline; where there is one, all others are left out."""
-LARGEST = 50_000_000
-"""Bytes of a drawing."""
+LARGEST = 20_000_000
+"""Bytes of a drawing; a picture may lie in it."""
+LONGEST_CURVES = 300_000
+"""Letters of all its curves."""
 IDENTITY = np.eye(3)
 
 
@@ -38,21 +41,24 @@ def svg_curves(path: Path) -> tuple[list[Array], float | None]:
     InputError
         when the file is no SVG.
     """
+    content = read_bytes(path, most=LARGEST, advice="keep only the bat's outline")
     try:
-        content = path.read_bytes()
-        if len(content) > LARGEST:
-            raise InputError(f"{path} has {len(content) / 1e6:.0f} MB; allowed are {LARGEST / 1e6:.0f} MB")
         root = ElementTree.fromstring(content)
-    except OSError as error:
-        raise InputError(f"{path} cannot be read: {(error.strerror or str(error)).lower()}") from None
     except (ElementTree.ParseError, ValueError, LookupError) as error:
         raise InputError(f"{path} is not an SVG drawing: {error}") from None
     if _tag(root) != "svg":
         raise InputError(f"{path} is not an SVG drawing: it begins with <{_tag(root)}>")
     try:
         elements = list(_shapes(root, IDENTITY))
-        named = [entry for entry in elements if str(entry[0].get("id", "")).lower() in NAMED]
-        curves = [curve for element, matrix in named or elements for curve in _curves(element, matrix)]
+        chosen = [entry for entry in elements if str(entry[0].get("id", "")).lower() in NAMED] or elements
+        letters = sum(len(element.get("d", "")) + len(element.get("points", "")) for element, _ in chosen)
+        if letters > LONGEST_CURVES:
+            raise InputError(f"{path} has {letters:,} letters of curves; keep only the bat's outline")
+        curves = [curve for element, matrix in chosen for curve in _curves(element, matrix)]
+    except InputError:
+        raise
+    except RecursionError:
+        raise InputError(f"{path} has groups within groups within groups; keep only the bat's outline") from None
     except (ValueError, IndexError, TypeError, AssertionError, NotImplementedError) as error:
         raise InputError(f"{path} has a curve that cannot be understood: {error}") from None
     return curves, _unit(root)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import polars as pl
 
+from sweetspot.numerics.text_files import harmless
 from sweetspot.report.file_set import write_all
 from sweetspot.report.quantities import SCALES
 from sweetspot.report.season.document import SeasonReport
@@ -29,7 +30,9 @@ def write_tables(report: SeasonReport, folder: Path) -> list[str]:
     for key, one in report.standings.items():
         table = with_units(one, system=report.season.setting.system)
         stem = GROUPS[key].replace(" ", "_")
-        contents[folder / f"{stem}.csv"] = table.write_csv().encode()
+        texts = [column.name for column in table if column.dtype == pl.String]
+        shown = table.with_columns(pl.col(texts).map_elements(harmless, return_dtype=pl.String))
+        contents[folder / f"{stem}.csv"] = shown.write_csv().encode()
         held = io.BytesIO()
         table.write_parquet(held)
         contents[folder / f"{stem}.parquet"] = held.getvalue()

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,8 +12,13 @@ import numpy as np
 
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.text_files import check_ordinary
 
 MOST_PIXELS = 120_000_000
+LARGEST = 200_000_000
+"""Bytes of a file."""
+MOST_PER_BYTE = 500
+"""Pixels in a byte of a file; a drawing of three plain colours has about 200."""
 LONGEST_SIDE, SHORTEST_SIDE = 6000, 300
 """Pixels; larger pictures are made smaller, smaller ones show nothing."""
 DIAGONAL = 43.2666
@@ -70,13 +78,20 @@ def read_picture(path: Path) -> Picture:
     """
     from PIL import Image, ImageOps, UnidentifiedImageError
 
+    check_ordinary(path, most=LARGEST, advice="give a photograph as a camera writes it")
     try:
-        with Image.open(path) as file:
+        with _untold(Image.DecompressionBombWarning), Image.open(path) as file:
             if file.width * file.height > MOST_PIXELS:
                 raise InputError(f"{path} has {file.width} x {file.height} pixels; make it smaller than 120 megapixels")
+            if file.width * file.height > MOST_PER_BYTE * path.stat().st_size:
+                raise InputError(
+                    f"{path} is nearly empty for its {file.width} x {file.height} pixels; give a photograph"
+                )
             exif = file.getexif().get_ifd(EXIF)
             image = ImageOps.exif_transpose(file)
             opaque = image.convert("RGBA") if image.has_transparency_data else image.convert("RGB")
+    except InputError:
+        raise
     except UnidentifiedImageError:
         raise InputError(f"{path} is not a picture; save it as JPEG or PNG") from None
     except (OSError, ValueError, SyntaxError, Image.DecompressionBombError) as error:
@@ -89,6 +104,14 @@ def read_picture(path: Path) -> Picture:
     pixels = np.asarray(opaque, dtype=np.float64) / 255
     opacity = pixels[..., 3] if pixels.shape[2] == 4 and pixels[..., 3].min() < SEEN else None
     return Picture(path.name, pixels[..., :3], opacity, _focal_length(exif, opaque.size))
+
+
+@contextmanager
+def _untold(category: type[Warning]) -> Iterator[None]:
+    """Say nothing of warnings of a kind; what is too large is refused."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", category)
+        yield
 
 
 def _focal_length(exif: dict[int, object], size: tuple[int, int]) -> float | None:
