@@ -6,6 +6,8 @@ import io
 import json
 import subprocess
 import sys
+import threading
+import time
 from pathlib import Path
 
 import pytest
@@ -109,3 +111,30 @@ def test_a_folder_that_cannot_be_is_refused_before_anything_is_computed(
         main([*command, "--out", str(tmp_path / "file" / "folder")])
     assert stopped.value.code == 2
     assert "is not a folder; choose another place" in capsys.readouterr().err
+
+
+def test_long_work_says_that_it_goes_on(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    heard = ""
+
+    def slow(*words: object, **options: object) -> str:
+        nonlocal heard
+        while heard.count("still working") < 2:
+            time.sleep(0.01)
+            heard += capsys.readouterr().err
+        return "done"
+
+    monkeypatch.setattr("sweetspot.cli.output.BEAT", 0.02)
+    monkeypatch.setattr("sweetspot.catalog.entries.entry_toml", slow)
+    with pytest.raises(SystemExit) as stopped:
+        main(["show", "r161-ash"])
+    assert stopped.value.code == 0
+    assert capsys.readouterr().out.endswith("done")
+    assert not any(thread.name == "heartbeat" and thread.is_alive() for thread in ended())
+
+
+def ended() -> list[threading.Thread]:
+    """Threads that are left after those that end have had their time."""
+    for thread in threading.enumerate():
+        if thread.name == "heartbeat":
+            thread.join(20)
+    return threading.enumerate()

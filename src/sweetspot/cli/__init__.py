@@ -6,7 +6,7 @@ import os
 import sys
 import warnings
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager, nullcontext, suppress
 from typing import Any
 
 from sweetspot.errors import SweetspotError, UnusualWarning
@@ -14,6 +14,8 @@ from sweetspot.units.usual import insisting
 
 EXIT_BAD_INPUT = 2
 EXIT_INTERRUPTED = 130
+SERVER = "app"
+"""The command that is done when somebody ends it."""
 FORCE = "--force"
 """Takes every number as it is given, whatever is usual; every command understands it."""
 
@@ -28,12 +30,13 @@ def main(arguments: list[str] | None = None) -> None:
     from cyclopts import CycloptsError
 
     from sweetspot.cli.app import app
-    from sweetspot.cli.output import ASKED
+    from sweetspot.cli.output import ASKED, heartbeat
     from sweetspot.cli.standard_output import OutputError, held_output
 
     given = sys.argv[1:] if arguments is None else arguments
     try:
-        with held_output(), insisting(FORCE in given), _warnings_told(FORCE in given):
+        beating = nullcontext() if given[:1] == [SERVER] else heartbeat()
+        with held_output(), insisting(FORCE in given), _warnings_told(FORCE in given), beating:
             words = [word for word in given if word != FORCE]
             ASKED.set(tuple(given))
             result = app(words, exit_on_error=False, print_error=False, result_action="return_value")

@@ -8,6 +8,7 @@ import os
 import shlex
 import sys
 import threading
+import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
 
 PATIENCE = 3.0
 """s before a run says why it takes a while."""
+BEAT = 8.0
+"""s after which a run that shows no bar says that it goes on, and again and again."""
 LONG = 50
 """Steps of work from which on a log hears of it."""
 
@@ -117,6 +120,7 @@ def progress(what: str) -> Iterator[Callable[..., None]]:
         return
     from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
+    _bars.append(what)
     percent = TextColumn("{task.percentage:>3.0f} %")
     with Progress(
         TextColumn("{task.description}"), BarColumn(), percent, TimeRemainingColumn(), console=console, transient=True
@@ -126,7 +130,32 @@ def progress(what: str) -> Iterator[Callable[..., None]]:
         def show(done: int, total: int, words: str = "") -> None:
             bar.update(task, completed=done, total=total, description=f"{what}, {words}" if words else what)
 
-        yield show
+        try:
+            yield show
+        finally:
+            _bars.remove(what)
+
+
+_bars: list[str] = []
+"""What bars on the terminal are about."""
+
+
+@contextmanager
+def heartbeat() -> Iterator[None]:
+    """Say on stderr every `BEAT` seconds that the work inside goes on, unless a bar shows it."""
+    over, start = threading.Event(), time.monotonic()
+
+    def beat() -> None:
+        while not over.wait(BEAT):
+            if not _bars:
+                print(f"sweetspot: still working ({time.monotonic() - start:.0f} s)", file=sys.stderr, flush=True)
+
+    with suppress(RuntimeError):  # the system may refuse another thread; then nobody is told
+        threading.Thread(target=beat, daemon=True, name="heartbeat").start()
+    try:
+        yield
+    finally:
+        over.set()
 
 
 @contextmanager
