@@ -20,8 +20,10 @@ def run(*arguments: object) -> int:
 
 def test_tables_in_answers_out(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     table, out = tmp_path / "table.csv", tmp_path / "out"
-    made_up(300).write_csv(table)
+    made_up(300).with_columns(player_name=pl.lit("=HYPERLINK(1)")).write_csv(table)
     assert run(table, "--try", "mlb-a", "--out", out) == 0
+    texts = "\n".join(path.read_text("utf-8") for path in out.glob("*.csv"))
+    assert "'=HYPERLINK(1)" in texts and texts.count("=HYPERLINK") == texts.count("'=HYPERLINK")  # no formula
     shown = capsys.readouterr()
     assert "300 rows in 1 files; 300 balls in play" in shown.out
     balls = pl.read_parquet(out / "balls")
