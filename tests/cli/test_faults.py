@@ -143,7 +143,9 @@ def test_every_command_under_every_fault(
         raise RuntimeError("can't start new thread")
 
     def some_cases() -> list[Any]:
-        return [judged(row, case) for case in sources() for row in case.rows if row.computation == "exit_speed_from_besr"]
+        return [
+            judged(row, case) for case in sources() for row in case.rows if row.computation == "exit_speed_from_besr"
+        ]
 
     words = words_of(command, tmp_path)
     monkeypatch.setattr(files, "png_bytes", lambda _: b"a picture, which would take long and is not what fails")
