@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -22,8 +23,10 @@ from sweetspot.dynamics.face_vibration import face_modes, give
 from sweetspot.dynamics.hands import gripped
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes, Surface, joined
+from sweetspot.dynamics.patch import contact_patch
 from sweetspot.dynamics.rigid import effective_mass, rigid_body
 from sweetspot.equipment.ball import Ball, RestitutionLaw
+from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.face import Face, Outline, damping_coefficient
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.racket import Racket
@@ -238,3 +241,46 @@ def test_a_quick_contact_has_enough_modes() -> None:
         for modes, step in ((usual, None), (many, 1e-6))
     )
     assert np.abs(found - converged).max() < 2e-4
+
+
+def test_what_the_bounce_near_the_throat_hangs_on(racket: Racket) -> None:
+    """Agreement with docs/sports/tennis.md: 5 cm from the throat the frame's bending costs 0.14 of q, and the best
+    place moves out with it; in the middle of the strings, at the node of the first mode, it costs nothing.
+    """
+    ball = standard_conditions(racket).ball
+    places = racket.head.start + np.array([0.01, 0.03, 0.05, 0.08, 0.11, 0.14, 0.165])
+
+    def bounce(made: Racket, *, bending: bool = True) -> np.ndarray:
+        modes = all_modes(beam_model(made), ball)
+        kept = [row for row, family in enumerate(modes.families) if bending or family != "bending"]
+        modes = modes if bending else modes.kept(kept)
+        return hits(modes, ball=ball, position=places, closing_speed=np.full(len(places), 20.0)).collision_efficiency
+
+    usual, stiff, rigid = bounce(racket), bounce(racket.replaced(first_frequency=200.0)), bounce(racket, bending=False)
+    assert (rigid - usual)[2] == pytest.approx(0.14, abs=0.02) and abs(rigid - usual)[-1] < 0.02
+    assert usual[2] < 0.40 and 0.47 < stiff[2] < rigid[2]
+    assert places[np.argmax(rigid)] < places[np.argmax(stiff)] + 1e-9 <= places[np.argmax(usual)] + 1e-9
+
+
+def test_the_blade_is_dented() -> None:
+    """Agreement: a cricket bat's willow holds 1 to 4 % of the energy for a moment and gives it back, 0.01 to 0.02 of q.
+
+    Between a half space as stiff as the mean of along and across the grain, and one as soft as across it.
+    """
+    bat = catalog.implement("cricket-bat")
+    assert isinstance(bat, CricketBat)
+    conditions = standard_conditions(bat)
+    line, ball = beam_model(bat), conditions.ball
+    closing = np.full(5, 45.0)
+    places = bat.length - np.linspace(0.10, 0.30, 5)
+    modes = all_modes(line, ball)
+    bare = replace(modes, compliances=modes.compliances[:1])
+    dent = modes.compliance_at(places, closing_speed=closing) - bare.compliance_at(places)
+    along = bat.material.longitudinal_modulus
+    patch = contact_patch(ball, 45.0)
+    soft, stiff = (0.6 * 0.9 / (patch * modulus) for modulus in (0.085 * along, math.sqrt(0.085) * along))
+    assert np.all((dent > stiff) & (dent < soft))
+    gained = [
+        hits(one, ball=ball, position=places, closing_speed=closing).collision_efficiency for one in (bare, modes)
+    ]
+    assert np.all((gained[1] - gained[0] > 0.008) & (gained[1] - gained[0] < 0.02))

@@ -13,7 +13,7 @@ def modal_propagator_of(modes: Modes, step: float) -> Array:
     return free_steps(modes.angular_frequency, modes.damping_rate, step)
 
 
-def free_steps(angular_frequency: Array, damping_rate: Array, step: float) -> Array:
+def free_steps(angular_frequency: Array, damping_rate: Array, step: float | Array) -> Array:
     """Return the matrices that take (q, q') of oscillators over ``step`` seconds, shape (..., 2, 2).
 
     Solves q'' + 2 g q' + omega^2 q = 0 exactly, below, at and above critical damping; rigid motions drift.

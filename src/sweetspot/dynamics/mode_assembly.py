@@ -9,11 +9,12 @@ import numpy as np
 
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.bending import MODES, bending_modes
-from sweetspot.dynamics.dent import dent_compliance
+from sweetspot.dynamics.dent import blade_dent, dent_compliance
 from sweetspot.dynamics.modes import Modes, joined
 from sweetspot.dynamics.patch import patch_law
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.cricket_bat import CricketBat
 
 AHEAD = 2.0
 """Highest bending mode over the frequency at which ball and face swing against each other: q is then within 2e-4 of
@@ -41,7 +42,11 @@ def all_modes(line: BeamModel, ball: Ball, *, patch_factor: float = 1.0) -> Mode
         from sweetspot.dynamics.face_vibration import face_modes
 
         face = face_modes(line, ball)
-        return joined(_enough(line, bending, face, ball), face)
+        bending = _enough(line, bending, face, ball)
+        if isinstance(line.bat, CricketBat):
+            dent = blade_dent(line, law=patch_law(ball, factor=patch_factor))
+            bending = replace(bending, compliances=(*bending.compliances, dent))
+        return joined(bending, face)
     if not isinstance(line.bat, Bat):
         return bending
     law = patch_law(ball, factor=patch_factor)

@@ -92,7 +92,7 @@ class CricketBat(OfMaterial):
 
     @property
     def face(self) -> Face:
-        """Flat and, but for what is counted as the ball's restitution, rigid."""
+        """Flat, without a motion of its own; its wood is dented (`dynamics.dent.blade_dent`)."""
         return Face()
 
     @property
