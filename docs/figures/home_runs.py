@@ -7,10 +7,10 @@ from matplotlib.figure import Figure
 from figures.style import BLUE, GREY, INK, new_figure
 
 BANDS = (
-    (831, 0.001, 0.006), (68, 0.049, 0.059), (51, 0.167, 0.098), (51, 0.351, 0.314), (32, 0.631, 0.688),
-    (28, 0.826, 0.821), (23, 0.951, 0.826), (80, 0.997, 0.963),
+    (844, 0.001, 0.007), (65, 0.054, 0.031), (53, 0.157, 0.113), (48, 0.375, 0.354), (23, 0.630, 0.739),
+    (30, 0.809, 0.833), (22, 0.947, 1.000), (79, 0.997, 0.962),
 )  # fmt: skip
-"""Balls in a band of chances, their mean chance, the part that were home runs: from tools/fit_aerodynamics.py."""
+"""Balls in a band of chances, their mean chance, the part that were home runs: by tests/flight/test_flight_data.py."""
 
 
 def calibration_figure() -> Figure:
