@@ -13,6 +13,7 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import httpx
@@ -139,3 +140,28 @@ def repainted(until: Callable[[Page, str], Any]) -> Callable[[Page, Callable[[],
         until(page, f"window.seen !== {canvases}")
 
     return wait
+
+
+@pytest.fixture(scope="session")
+def taps(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A sound file of three taps of a bat 1 in from its tip, the last of which is doubled."""
+    import numpy as np
+
+    from sweetspot import catalog
+    from sweetspot.calibration.recording import Recording, write_recording
+    from sweetspot.calibration.synthetic import synthesised
+    from sweetspot.catalog.standard_hit import standard_conditions
+    from sweetspot.dynamics.beam import beam_model
+    from sweetspot.dynamics.mode_assembly import all_modes
+    from sweetspot.units import INCH
+
+    bat = catalog.bat("r161-ash")
+    modes = all_modes(beam_model(bat), standard_conditions(bat).ball)
+    place = bat.length - INCH
+    sound = synthesised(modes, position=place, listened=place)
+    samples = sound.samples.copy()
+    blow, late = round(2.3 * sound.rate), round(0.1 * sound.rate)
+    samples[blow + late :] += 0.7 * samples[blow:-late]
+    path = tmp_path_factory.mktemp("taps") / "taps.wav"
+    write_recording(Recording("taps", 0.6 * samples / np.abs(samples).max(), sound.rate), path)
+    return path

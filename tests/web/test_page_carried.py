@@ -28,6 +28,7 @@ STARTS = {
     "paper": "question=corking&mass_oz=31.5",
     "optimum": "bat=mlb-a&cup_diameter_in=1&pitch=curve",
     "player": "bat=mlb-b&goal=carry",
+    "own": "bat=russell-b1&weighed_oz=31&balanced_in=22",
     "design": "bat=single-wall&contact_in=5",
     "sports": "implement=cricket-bat&aside_in=0.5",
 }

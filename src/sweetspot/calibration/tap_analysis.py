@@ -69,7 +69,24 @@ def tap_test(
     """
     if bar is not None and modes is not None:
         raise InputError("give either a bar or a bat, and only one of them")
-    taps = tuple(tap for recording in recordings for tap in find_taps(recording, band=band, held=held))
+    taps = [tap for recording in recordings for tap in find_taps(recording, band=band, held=held)]
+    return told_taps(recordings, taps, modes=modes, positions=positions, bar=bar)
+
+
+def told_taps(
+    recordings: Sequence[Recording],
+    taps: Sequence[Tap],
+    *,
+    modes: Modes | None = None,
+    positions: Sequence[float] = (),
+    bar: Bar | None = None,
+) -> TapTest:
+    """Average taps that were found already and name their tones; see `tap_test`.
+
+    Parameters
+    ----------
+    taps : of all recordings, good and bad.
+    """
     if bar is not None:
         expected = [uniform_bar()]
     elif modes is None:
@@ -79,7 +96,9 @@ def tap_test(
     tones = named(tones_of(taps), expected)
     if bar is None and modes is None:
         tones = _like_a_bat(tones)
-    return TapTest(tuple(recordings), taps, tones, tuple(expected), None if bar is None else bar_modulus(bar, tones))
+    return TapTest(
+        tuple(recordings), tuple(taps), tones, tuple(expected), None if bar is None else bar_modulus(bar, tones)
+    )
 
 
 def _like_a_bat(tones: tuple[NamedTone, ...]) -> tuple[NamedTone, ...]:

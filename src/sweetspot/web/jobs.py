@@ -55,7 +55,9 @@ class Job:
     def __init__(self, client: str, work: Work, arguments: tuple[Any, ...]) -> None:
         self.client = client
         self._work, self._arguments = work, arguments
-        self._count, self._found, self._kept, self._error = 0, None, None, None
+        self._count, self._kept = 0, None
+        self._found: dict[str, Any] | None = None
+        self._error: dict[str, Any] | None = None
         self._looked = time.monotonic()
         self.status = "stopped"
         self._process: Any = None

@@ -12,7 +12,10 @@ from urllib.parse import urlsplit
 
 LARGEST_BODY = 64 * 1024
 """Bytes of a request or of one message on a socket."""
-TOO_LARGE = 413, f"the message is too large; allowed are {LARGEST_BODY} bytes"
+LARGEST_PIECE = 4 * 1024 * 1024
+"""Bytes of one piece of a file that is handed in; see `web.uploads`."""
+PIECES = "/api/v1/uploads/"
+"""Where pieces go; everything else is a message."""
 LONGEST_QUERY = 32 * 1024
 REQUESTS_PER_SECOND, REQUESTS_AT_ONCE = 100.0, 300.0
 """Of one address, after which it is told to wait."""
@@ -29,7 +32,7 @@ EMBEDDED_POLICY = _POLICY + "*"
 """Of the pictures that other pages may show: they have no controls and nothing that only their owner may do."""
 SECURITY_HEADERS = (
     ("content-security-policy", _POLICY + "'none'"),
-    ("permissions-policy", "camera=(), microphone=(), geolocation=(), usb=(), payment=()"),
+    ("permissions-policy", "camera=(), microphone=(self), geolocation=(), usb=(), payment=()"),
     ("x-content-type-options", "nosniff"),
     ("referrer-policy", "no-referrer"),
     ("cross-origin-opener-policy", "same-origin"),
@@ -125,7 +128,7 @@ class Guard:
         headers = {name.decode("latin-1"): value.decode("latin-1") for name, value in scope["headers"]}
         refusal = self._refusal(scope, headers)
         if refusal is None and scope["type"] == "http":
-            body = _Body(receive, _with_headers(send))
+            body = _Body(receive, _with_headers(send), _most(scope))
             await self._app(scope, body.receive, body.send)
         elif refusal is None:
             await self._app(scope, receive, _with_headers(send))
@@ -143,8 +146,8 @@ class Guard:
         if len(scope.get("query_string", b"")) > LONGEST_QUERY:
             return 414, f"the address is too long; allowed are {LONGEST_QUERY} bytes after the question mark"
         length = headers.get("content-length", "0")
-        if not length.isdecimal() or int(length[:20]) > LARGEST_BODY:
-            return TOO_LARGE
+        if not length.isdecimal() or int(length[:20]) > _most(scope):
+            return _too_large(_most(scope))
         if not self._bucket(scope).take():
             return 429, "too many requests from one address; wait a second"
         return None
@@ -158,6 +161,15 @@ class Guard:
         return bucket
 
 
+def _most(scope: Scope) -> int:
+    """Return how many bytes a request may have."""
+    return LARGEST_PIECE if str(scope.get("path", "")).startswith(PIECES) else LARGEST_BODY
+
+
+def _too_large(most: int) -> tuple[int, str]:
+    return 413, f"the message is too large; allowed are {most} bytes"
+
+
 class TooLargeError(Exception):
     """A body without an honest length has grown beyond the limit."""
 
@@ -168,22 +180,22 @@ class _Body:
     What the application says of the body that broke off is not sent.
     """
 
-    def __init__(self, receive: Receive, send: Send) -> None:
-        self._receive, self._send = receive, send
+    def __init__(self, receive: Receive, send: Send, most: int) -> None:
+        self._receive, self._send, self._most = receive, send, most
         self._taken = 0
 
     async def receive(self) -> Message:
         message = await self._receive()
         self._taken += len(message.get("body", b""))
-        if self._taken > LARGEST_BODY:
+        if self._taken > self._most:
             raise TooLargeError
         return message
 
     async def send(self, message: Message) -> None:
-        if self._taken <= LARGEST_BODY:
+        if self._taken <= self._most:
             await self._send(message)
         elif message["type"] == "http.response.start":
-            await _refuse(self._send, *TOO_LARGE)
+            await _refuse(self._send, *_too_large(self._most))
 
 
 def _with_headers(send: Send) -> Send:

@@ -23,6 +23,7 @@ from sweetspot.web.jobs import Jobs, job_routes
 from sweetspot.web.limits import EMBEDDED_POLICY, Guard
 from sweetspot.web.schemas import REFUSALS, UNFINISHED
 from sweetspot.web.socket import Sockets
+from sweetspot.web.uploads import UPLOADS, upload_routes
 from sweetspot.web.view import View
 from sweetspot.web.views import VIEWS
 
@@ -53,6 +54,7 @@ def create_app(*, names: Iterable[str] = ()) -> FastAPI:
         yield
         answers.close()
         jobs.close()
+        UPLOADS.close()
 
     app = FastAPI(
         title="sweetspot",
@@ -75,6 +77,7 @@ def create_app(*, names: Iterable[str] = ()) -> FastAPI:
         _view_route(api, view, answers)
         _job_routes(api, view, jobs)
     job_routes(api, jobs)
+    upload_routes(api)
     app.include_router(api)
     sockets = Sockets(answers)
 

@@ -9,14 +9,13 @@ from matplotlib.figure import Figure
 from sweetspot.calibration.naming import NamedTone
 from sweetspot.calibration.sinusoids import Fit
 from sweetspot.calibration.tap_analysis import TapTest
+from sweetspot.calibration.tap_curves import spectrum, waveform
 from sweetspot.report.pictures.style import HUGE, INK, MUTED, SMALL, axes_in_inches, halo, heading, light_grid, styled
 from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY
 
 WIDTH, HEIGHT, SIDE, HEADER = 8.0, 7.6, 0.75, 0.95
 """Inches of paper."""
 COLOURS = (RED, BLUE, GREEN, PURPLE, ORANGE, SKY)
-POINTS = 4000
-"""Of a waveform, at most."""
 SHOWN = 4
 """Tones whose decay is drawn, the lowest."""
 
@@ -40,10 +39,7 @@ def _waveform(axes: Axes, test: TapTest) -> None:
     name = next(tap.recording for tap in test.taps if tap.good)
     recording = next(one for one in test.recordings if one.name == name)
     heading(axes, "The recording", "green: taps that were used; orange: not used")
-    size = max(1, len(recording.samples) // POINTS)
-    pieces = recording.samples[: len(recording.samples) // size * size].reshape(-1, size)
-    time = np.arange(len(pieces)) * size / recording.rate
-    axes.fill_between(time, pieces.min(axis=1), pieces.max(axis=1), color=MUTED, linewidth=0.3)
+    axes.fill_between(*waveform(recording), color=MUTED, linewidth=0.3)
     for tap in test.taps:
         if tap.recording == name:
             axes.axvline(tap.start, color=GREEN if tap.good else ORANGE, linewidth=1.2)
@@ -53,10 +49,7 @@ def _waveform(axes: Axes, test: TapTest) -> None:
 
 def _spectrum(axes: Axes, test: TapTest, fit: Fit) -> None:
     heading(axes, "What rings", "dashed: the modes as described; words: the tones found")
-    size = 4 * len(fit.samples)
-    power = np.abs(np.fft.rfft(fit.samples, size)) ** 2
-    frequency = np.fft.rfftfreq(size, 1 / fit.rate)
-    level = 10 * np.log10(power / power.max() + 1e-12)
+    frequency, level = spectrum(fit)
     axes.plot(frequency, level, color=INK, linewidth=0.7)
     for family in test.expected:
         if np.isfinite(family.spread):

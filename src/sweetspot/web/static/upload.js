@@ -1,0 +1,22 @@
+// Files to the server, piece by piece (web/uploads.py): to this machine's own, where the page comes from, and nowhere else.
+//
+//   const key = await upload(file, (part) => ..., signal);      // part: how much has gone, 0 to 1; a refusal is thrown
+
+import { posted } from "./post.js";
+
+export async function upload(file, onPart = () => {}, signal = undefined) {
+  const { upload: key, piece } = await posted("/api/v1/uploads", { name: file.name || "file", size: file.size });
+  for (let offset = 0; offset < file.size; offset += piece) {
+    signal?.throwIfAborted();
+    const response = await fetch(`/api/v1/uploads/${key}/${offset}`, { method: "POST", body: file.slice(offset, offset + piece), signal });
+    if (!response.ok) throw (await response.json()).error;
+    onPart(Math.min(1, (offset + piece) / file.size));
+  }
+  return key;
+}
+
+// Where files go, in words.
+export function whereTo() {
+  const own = ["localhost", "127.0.0.1", "[::1]"].includes(location.hostname);
+  return own ? "It goes to the program on this machine that shows this page, and nowhere else." : `It goes to the server at ${location.hostname}, which shows this page, and nowhere else.`;
+}

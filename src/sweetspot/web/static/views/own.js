@@ -1,0 +1,170 @@
+// Own bat: from a scale, a balance point, a pendulum and a tap to the bat that one has in hand, and how sure each value is.
+
+import { BatView } from "../batview.js";
+import { Bench, unchanged } from "../bench.js";
+import { button, choice, group, slider } from "../controls.js";
+import { download } from "../exports.js";
+import { Lights, stateOf } from "../lights.js";
+import { make, paragraphs, tableOf } from "../parts.js";
+import { TapPlace } from "./own_tap.js";
+
+const DIGITS = { mass: 2, density: 0 };
+const SOUND = /\.(wav|flac|ogg|mp3|aiff)$/i;
+
+export const view = {
+  name: "own",
+  guide: [
+    ["Describe it, then measure it", "Begin with a bat like yours: of the list, by questions, or by its outline. Then weigh it, balance it on an edge, let it swing, tap it."],
+    ["How sure", "Each measurement has its error. The table says what is known, from what, and how far each measurement lies from all the others."],
+    ["Tap", "Hang the bat freely, press Listen, tap. Each tap freezes the picture; bad ones are left out and told why. Nothing leaves this machine."],
+  ],
+
+  mount(root, app) {
+    Object.assign(this, { app, answer: null });
+    this.bench = new Bench(app);
+    this.picture = new BatView(app, { label: "The bat" });
+    this.picture.element.classList.add("pinned");
+    this.tap = new TapPlace(app);
+    this.words = make("p", { className: "verdict", id: "verdict" });
+    this.against = make("div", { className: "words against", hidden: true });
+    this.against.setAttribute("role", "alert");
+    this.values = make("div");
+    this.residuals = make("div");
+    this.doubt = make("div", { className: "words" });
+    this.rules = new Lights("Rules");
+    this.said = make("p", { className: "note" });
+    this.said.setAttribute("role", "status");
+    const section = (title, ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
+    root.append(this.side(app), make("div", { className: "stack" },
+      make("section", { className: "picture" }, this.words, this.picture.element, this.against, this.residuals, this.tools(app), this.said),
+      section("Tap it", this.tap.element), section("How sure", this.values, this.doubt, this.rules.element)));
+    root.addEventListener("drop", (event) => {
+      const sounds = [...event.dataTransfer.files].filter(({ name }) => SOUND.test(name));
+      if (!sounds.length) return;
+      event.preventDefault();
+      event.stopPropagation();
+      root.classList.remove("drop");
+      this.tap.add(sounds);
+    }, { capture: true, signal: app.signal });
+  },
+
+  side(app) {
+    const guess = (field) => () => app.answer?.guesses[field] ?? null;
+    // Where what was measured is just what stands there already, the slider need not be moved.
+    const none = (field, shown) => make("div", { className: "row tight" }, button("As shown", () => app.setState({ [field]: app.state[field] ?? Math.round(1000 * shown()) / 1000 })),
+      button("Not measured", () => app.setState({ [field]: null })));
+    const leagues = app.lists("leagues").then(({ leagues: all }) => [["usual", "usual for this bat"], ...all.map(({ key, name }) => [key, name])]);
+    return make("div", { className: "side" }, this.bench.element,
+      group("Scale", [slider(app, "weighed_oz", { label: "It weighs", step: 0.05, empty: guess("weighed_oz") }),
+        slider(app, "weighed_error_oz", { label: "Give or take (one sigma)", step: 0.005 }), none("weighed_oz", guess("weighed_oz"))]),
+      group("Balance", [slider(app, "balanced_in", { label: "Balances, from the knob's end", step: 0.05, empty: guess("balanced_in") }),
+        slider(app, "balanced_error_in", { label: "Give or take (one sigma)", step: 0.01 }), none("balanced_in", guess("balanced_in"))]),
+      group("Pendulum", [slider(app, "pendulum_ms", { label: "One full swing takes", step: 0.5, empty: 1450, note: "Time ten swings there and back; a tenth of that. Small swings." }),
+        slider(app, "pendulum_error_ms", { label: "Give or take (one sigma)", step: 0.5 }),
+        slider(app, "pivot_in", { label: "Hung, from the knob's end", step: 0.05 }), none("pendulum_ms", () => 1450)]),
+      group("Tap and trust", [slider(app, "tap_from_tip_in", { label: "Tapped, from the tip", step: 0.25 }),
+        slider(app, "diameter_error", { label: "Diameters known to (part)", step: 0.0005 }), choice(app, "league", { label: "Rules of", options: leagues })], { open: false }));
+  },
+
+  tools(app) {
+    const file = async (then) => {
+      this.said.textContent = "";
+      try {
+        const { toml } = await app.ask("own/file", app.state);
+        if (toml) then(toml);
+        else this.said.textContent = "Nothing was measured yet: weigh, balance, swing or tap the bat first.";
+      } catch (fault) {
+        this.said.textContent = fault?.message ?? "The server does not answer; try again.";
+      }
+    };
+    this.bringers = [
+      button("Put it on the bench", () => file((toml) => {
+        app.setState({ ...unchanged(app), bat_toml: toml, weighed_oz: null, balanced_in: null, pendulum_ms: null, tones: [], damping: null, left_out: [] });
+        this.said.textContent = "It lies on the bench now, for every view. Measuring it again begins anew.";
+      }), { primary: true, title: "From now on it is the bat of every view" }),
+      button("Bat file, with intervals", () => file((toml) => download("my-bat.toml", "application/toml", toml))),
+    ];
+    return make("div", { className: "row" }, ...this.bringers,
+      button("Nothing measured", () => app.setState({ weighed_oz: null, balanced_in: null, pendulum_ms: null, tones: [], damping: null, left_out: [] })));
+  },
+
+  update(answer) {
+    this.answer = answer;
+    const { app } = this;
+    this.bench.update(answer);
+    this.picture.draw({ bat: { ...answer.bat, balance_point_m: answer.fitted.balance_point_m } });
+    this.tap.draw(answer);
+    const off = answer.contradictions[app.units];
+    this.against.hidden = off.length === 0;
+    paragraphs(this.against, off.map((words) => words.replace(/, or --leave-out '[^']*'/, ", or leave it out")));
+    this.measurements(answer.measurements);
+    this.sure(answer);
+    this.light(answer.rules);
+    for (const one of this.bringers) one.disabled = !answer.values.length || off.length > 0;
+    this.say(answer);
+  },
+
+  measurements(rows) {
+    const { app } = this;
+    const left = app.state.left_out;
+    if (!rows.length) {
+      this.residuals.replaceChildren(make("p", { className: "note", textContent: "Nothing measured yet: move a slider on the left to what you measured, or tap." }));
+      return;
+    }
+    const show = (one, value) => app.text(one.scale, value, one.digits);
+    const box = tableOf("What was measured, and what the bat that fits all of it says", ["Measured", "value (90 %)", "the fitted bat", "off by", ""], rows.map((one) => [
+      one.name, `${show(one, one.value)} ± ${show(one, one.half)}`, show(one, one.fitted),
+      one.counts ? { text: `${one.sigma >= 0 ? "+" : "−"}${Math.abs(one.sigma).toFixed(1)} sigma`, className: Math.abs(one.sigma) > 3 ? "bad" : "" } : "left out", ""]));
+    box.querySelectorAll("tbody tr").forEach((row, i) => {
+      const { name, counts } = rows[i];
+      const act = button(counts ? "Leave out" : "Count it", () => app.setState({ left_out: counts ? [...left, name] : left.filter((one) => one !== name) }));
+      act.setAttribute("aria-label", `${counts ? "Leave out" : "Count"}: ${name}`);
+      row.lastElementChild.replaceChildren(act);
+    });
+    this.residuals.replaceChildren(box);
+  },
+
+  // What is known now, and beside it how the intervals have shrunk.
+  sure({ values, unknowns, budget }) {
+    const { app } = this;
+    const told = values.length ? [tableOf("The bat, with 90 % intervals", ["", "value", "known from"], values.map(({ label, scale, value, half, known_from: from }) => (
+      [label, `${app.text(scale, value, DIGITS[scale])} ± ${app.text(scale, half, DIGITS[scale])}`, from])))] : [make("p", { className: "note", textContent: "What the catalogue knows of such wood or metal is all that is known so far." })];
+    if (unknowns.length) {
+      const share = (part) => app.text("share", part, 1);
+      const box = tableOf("What was not known: 90 % intervals before and now", ["", "before", "now", "off the description", "what is left comes from"], unknowns.map((one) => [
+        one.label, `± ${share(one.before)}`, `± ${share(one.after)}`, share(one.off), one.budget.slice(0, 2).map(({ name, share: part }) => `${name} ${share(part)}`).join(", ")]));
+      box.querySelectorAll("tbody tr").forEach((row, i) => {
+        const bar = make("span", { className: "shrunk", ariaHidden: "true" }, make("span"));
+        bar.firstChild.style.width = `${100 * Math.min(1, unknowns[i].after / unknowns[i].before)}%`;
+        row.children[2].append(bar);
+      });
+      told.push(box);
+    }
+    this.values.replaceChildren(...told);
+    paragraphs(this.doubt, budget[app.units]);
+  },
+
+  light(rules) {
+    const { app } = this;
+    const kinds = { m: "length", "kg m^2": "moi" };
+    this.rules.show(rules.map(({ verdict, title, value, unit, reason }) => ({
+      state: stateOf(verdict), name: title, words: [typeof value === "number" && unit !== "yes or no" ? app.text(kinds[unit] ?? "ratio", value) : "", reason].filter(Boolean).join("; ") })));
+  },
+
+  say({ fitted, values, contradictions, measurements }) {
+    const { app } = this;
+    const moi = values.find(({ name }) => name === "moi");
+    const swing = `${app.text("moi_kg_m2", fitted.moi_6in_kg_m2)}${moi ? ` ± ${app.text("moi_kg_m2", moi.half)}` : ""}`;
+    const state = contradictions.us.length ? "The measurements contradict each other. " : measurements.length ? "The measurements agree. " : "As described, not measured: ";
+    this.words.textContent = `${state}${app.text("mass_kg", fitted.mass_kg)}, balance ${app.text("balance_point_m", fitted.balance_point_m, 1)} from the knob, swing weight ${swing}.`;
+    app.announce(this.words.textContent);
+    this.picture.label(`The bat and its balance point. ${this.words.textContent}`);
+  },
+
+  unmount() { this.answer = null; },
+  figures() { return [this.picture.figure("bat"), this.tap.chart.figure("spectrum")]; },
+  table() {
+    const rows = this.app.answer.unknowns;
+    return { before: rows.map(({ before }) => before), now: rows.map(({ after }) => after), off: rows.map(({ off }) => off) };
+  },
+};

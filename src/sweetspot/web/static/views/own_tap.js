@@ -1,0 +1,139 @@
+// The tap: microphone or sound files, which taps can be used and why not, the spectrum with the tones that are expected.
+
+import { Chart } from "../chart.js";
+import { button } from "../controls.js";
+import { Lights } from "../lights.js";
+import { Listening } from "../listening.js";
+import { make, tableOf } from "../parts.js";
+import { upload, whereTo } from "../upload.js";
+
+const LARGEST = 60e6; // bytes of a sound
+const PANELS = [{ title: "What rings, dB below the loudest", kind: "share", height: 150, lines: [{ key: "level", label: "the first good tap", color: "blue", width: 1.4 }] }];
+const kept = { recordings: [], found: null }; // as long as the page is open
+
+export class TapPlace {
+  constructor(app) {
+    Object.assign(this, { app, turn: 0 });
+    this.ear = new Listening({
+      onLevel: (part) => (this.level.value = Math.min(1, part)),
+      onTap: (file) => this.add([file]),
+      onEnd: () => this.heard(),
+    });
+    app.signal.addEventListener("abort", () => this.ear.stop());
+    this.listen = button("Listen", () => this.toggle(), { primary: true });
+    this.level = make("meter", { min: 0, max: 1, high: 0.98, value: 0, ariaLabel: "Loudness" });
+    this.file = make("input", { type: "file", id: "tap-file", accept: ".wav,.flac,.ogg,.mp3,.aiff,audio/*", multiple: true });
+    this.file.addEventListener("change", () => {
+      this.add([...this.file.files]);
+      this.file.value = "";
+    });
+    this.clear = button("Forget the taps", () => this.forget());
+    this.words = make("p", { className: "note" });
+    this.words.setAttribute("role", "status");
+    this.fault = make("p", { className: "fault", hidden: true });
+    this.fault.setAttribute("role", "alert");
+    this.lights = new Lights("The taps");
+    this.tones = make("div");
+    this.chart = new Chart(app, { label: "Spectrum of the tap", panels: [{ ...PANELS[0], kind: "level_db" }], axis: { kind: "frequency_hz", label: "" } });
+    this.element = make("div", {}, make("div", { className: "row" }, this.listen, this.level, this.clear),
+      make("p", { className: "own" }, make("label", { htmlFor: "tap-file", textContent: "Or sound files of taps; drop them anywhere" }), this.file),
+      this.words, this.fault, this.chart.element, this.lights.element, this.tones);
+    this.heard();
+  }
+
+  async toggle() {
+    this.say("");
+    if (this.ear.on) {
+      this.ear.stop();
+      return;
+    }
+    try {
+      await this.ear.start();
+    } catch (fault) {
+      this.say(fault.message);
+    }
+    this.heard();
+  }
+
+  heard() {
+    this.listen.textContent = this.ear.on ? "Stop listening" : "Listen";
+    this.listen.setAttribute("aria-pressed", String(this.ear.on));
+    this.level.hidden = !this.ear.on;
+    const count = kept.recordings.length;
+    this.clear.disabled = count === 0;
+    this.words.textContent = `${this.ear.on ? "Listening: hang the bat from rubber bands, tap it on the tip with something small and hard, let it ring. " : ""}` +
+      `${count ? `${count} recording${count > 1 ? "s" : ""}. ` : ""}The dashed lines are where a bat like the one described rings. ${whereTo()}`;
+  }
+
+  say(words) {
+    this.fault.textContent = words;
+    this.fault.hidden = words === "";
+  }
+
+  // Sounds handed to the server, then all of them heard anew.
+  async add(files) {
+    for (const file of files) {
+      if (file.size > LARGEST) {
+        this.say(`${file.name} has ${(file.size / 1e6).toFixed(0)} MB; at most ${LARGEST / 1e6}. Cut out the taps.`);
+        continue;
+      }
+      try {
+        kept.recordings.push(await upload(file));
+      } catch (fault) {
+        this.say(fault?.message ?? "The server does not answer; try again.");
+      }
+    }
+    this.heard();
+    await this.hear();
+  }
+
+  async hear() {
+    if (!kept.recordings.length) return;
+    this.turn += 1;
+    const turn = this.turn;
+    this.app.waits("taps");
+    this.words.textContent = "Listening to what was recorded …";
+    try {
+      const found = await this.app.ask("own/tap", { ...this.app.state, recordings: kept.recordings });
+      if (turn !== this.turn) return;
+      kept.found = found;
+      this.heard();
+      this.say(found.fault ?? "");
+      this.draw(this.app.answer);
+      if (found.damping) this.app.setState({ tones: found.measured.map(([name, hertz, error]) => [name, tidy(hertz), tidy(error)]), damping: tidy(found.damping[0]), damping_error: tidy(found.damping[1]) });
+      const good = found.taps.filter((one) => one.good).length;
+      this.app.announce(`${good} of ${found.taps.length} taps used.`);
+    } catch (fault) {
+      if (turn === this.turn && fault?.again) return void setTimeout(() => turn === this.turn && this.hear(), 1000); // still being listened to
+      if (turn === this.turn) this.say(fault?.message ?? "The server does not answer; try again.");
+      if (fault?.field === "upload") kept.recordings.length = 0;
+    }
+    if (turn === this.turn) this.app.waits("taps", false);
+  }
+
+  forget() {
+    Object.assign(kept, { recordings: [], found: null });
+    this.say("");
+    this.heard();
+    this.app.setState({ tones: [], damping: null });
+  }
+
+  draw(answer) {
+    if (!answer) return;
+    const { found } = kept;
+    const { app } = this;
+    const spectrum = found?.spectrum;
+    const most = spectrum ? spectrum.frequency_hz.at(-1) : Math.min(2600, 1.1 * answer.expected.at(-1).frequency_hz);
+    this.chart.draw({ x: spectrum?.frequency_hz ?? [0, most], lines: { level: spectrum?.level_db ?? [null, null] }, range: [0, most],
+      marks: answer.expected.filter(({ frequency_hz: at }) => at < most).map(({ name, frequency_hz: at }) => ({ at, color: "muted", label: name })) });
+    const said = answer.expected.slice(0, 4).map(({ name, frequency_hz: at }) => `${name} ${app.text("frequency_hz", at)}`).join(", ");
+    this.chart.label(`Spectrum of the tap; expected: ${said}.`);
+    this.lights.show((found?.taps ?? []).map(({ recording, time_s: time, good, fault }) => ({
+      state: good ? "pass" : "fail", name: `${recording}, ${time.toFixed(2)} s`, words: good ? "used" : fault })));
+    this.tones.replaceChildren(...(found?.tones.length ? [tableOf("The tones of all good taps", ["Mode", "heard", "expected", "damping", "taps"], found.tones.map((one) => [
+      one.name ?? "no mode of this bat", `${one.frequency_hz.toFixed(1)} ± ${one.half_hz.toFixed(1)} Hz`, one.expected_hz ? `${one.expected_hz.toFixed(0)} Hz` : "–",
+      app.text("share", one.damping_ratio, 2), String(one.taps)]))] : []));
+  }
+}
+
+const tidy = (value) => Number(value.toPrecision(7));

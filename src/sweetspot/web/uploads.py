@@ -1,0 +1,131 @@
+"""Files that a page hands in, piece by piece, into a folder of this server's own: sounds of taps, tables of a season.
+
+A name of ours stands for each file, never a path; what nobody used for an hour is thrown away, and everything is when
+the server ends. Nothing leaves this machine.
+"""
+
+from __future__ import annotations
+
+import secrets
+import shutil
+import tempfile
+import threading
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Request
+from pydantic import BaseModel, ConfigDict, Field
+
+from sweetspot.errors import InputError
+from sweetspot.web.errors import FieldError
+from sweetspot.web.limits import LARGEST_PIECE
+
+LARGEST_FILE = 2_000_000_000
+"""Bytes of one file."""
+MOST_FILES = 200
+FORGOTTEN = 3600.0
+"""s after which a file that nobody used is thrown away."""
+SPARE = 500_000_000
+"""Bytes of the disk that are never filled."""
+ENDINGS = (".csv", ".gz", ".parquet", ".wav", ".flac", ".ogg", ".mp3", ".aiff", ".txt")
+UploadKey = Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{16}$")]
+
+
+class NewFile(BaseModel):
+    """What is about to come."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    name: Annotated[str, Field(min_length=1, max_length=200)]
+    size: int = Field(ge=1, le=LARGEST_FILE, description="bytes")
+
+
+@dataclass
+class _File:
+    name: str
+    path: Path
+    size: int
+    taken: int = 0
+    used: float = field(default_factory=time.monotonic)
+
+
+class Uploads:
+    """Every file that was handed in."""
+
+    def __init__(self) -> None:
+        self._files: dict[str, _File] = {}
+        self._lock = threading.Lock()
+        self._folder: Path | None = None
+
+    def begin(self, new: NewFile) -> str:
+        """Make room for a file; return the key under which its pieces, and then it, are known."""
+        suffixes = Path(new.name.lower()).suffixes
+        ending = "".join(suffixes[-2:] if suffixes[-1:] == [".gz"] else suffixes[-1:])
+        if not ending.endswith(ENDINGS):
+            raise FieldError("name", f"{new.name[:60]!r} ends in none of {', '.join(ENDINGS)}")
+        with self._lock:
+            self._forget()
+            if len(self._files) >= MOST_FILES:
+                raise InputError(f"{MOST_FILES} files lie here already; close what is not needed, or wait")
+            self._folder = self._folder or Path(tempfile.mkdtemp(prefix="sweetspot-"))
+            if shutil.disk_usage(self._folder).free - new.size < SPARE:
+                raise FieldError("size", "there is not enough room on this machine's disk for that file")
+            key = secrets.token_urlsafe(12)
+            safe = "".join(one if one.isalnum() or one in "._-" else "_" for one in ending)[-20:]
+            self._files[key] = _File(Path(new.name).name, self._folder / f"{key}{safe}", new.size)
+        return key
+
+    def add(self, key: str, offset: int, piece: bytes) -> int:
+        """Add a piece where the last one ended; return how many bytes are here."""
+        found = self._found(key)
+        if offset != found.taken or found.taken + len(piece) > found.size:
+            raise FieldError("offset", f"the next piece begins at {found.taken} and the file ends at {found.size}")
+        with found.path.open("ab") as file:
+            file.write(piece)
+        found.taken += len(piece)
+        return found.taken
+
+    def path_of(self, key: str) -> tuple[Path, str]:
+        """Return where a whole file lies, and what it was called."""
+        found = self._found(key)
+        if found.taken != found.size:
+            raise FieldError("upload", f"only {found.taken} of {found.size} bytes of that file have come")
+        return found.path, found.name
+
+    def close(self) -> None:
+        """Throw everything away."""
+        with self._lock:
+            if self._folder is not None:
+                shutil.rmtree(self._folder, ignore_errors=True)
+            self._files, self._folder = {}, None
+
+    def _found(self, key: str) -> _File:
+        found = self._files.get(key)
+        if found is None:
+            raise FieldError("upload", "that file is not here any more; hand it in again")
+        found.used = time.monotonic()
+        return found
+
+    def _forget(self) -> None:
+        for key in [key for key, one in self._files.items() if time.monotonic() - one.used > FORGOTTEN]:
+            self._files.pop(key).path.unlink(missing_ok=True)
+
+
+UPLOADS = Uploads()
+"""Those of this process's server."""
+
+
+def upload_routes(api: APIRouter) -> None:
+    """Add the routes by which files come."""
+
+    @api.post("/uploads", tags=["files"])
+    def begin(new: NewFile) -> dict[str, Any]:
+        """Announce a file; pieces of it follow, each no larger than said here."""
+        return {"upload": UPLOADS.begin(new), "piece": LARGEST_PIECE}
+
+    @api.post("/uploads/{key}/{offset}", tags=["files"])
+    async def add(key: str, offset: int, request: Request) -> dict[str, int]:
+        """Take a piece of a file, as it is, from a place on."""
+        return {"taken": UPLOADS.add(key, offset, await request.body())}

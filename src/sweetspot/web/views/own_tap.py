@@ -1,0 +1,126 @@
+"""Own bat: the sounds of taps, which of them can be used and why not, and the tones that they hold."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from sweetspot.calibration.measured import REACH, pooled
+from sweetspot.calibration.measurements import of_tones
+from sweetspot.calibration.naming import expected_of
+from sweetspot.calibration.recording import BAT_BAND, Recording, read_recording
+from sweetspot.calibration.tap_analysis import FAMILIES, told_taps
+from sweetspot.calibration.tap_curves import spectrum, waveform
+from sweetspot.calibration.taps import Tap, find_taps
+from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.modes import Modes
+from sweetspot.equipment.bat import Bat
+from sweetspot.errors import InputError
+from sweetspot.units import INCH
+from sweetspot.web.errors import FieldError
+from sweetspot.web.uploads import UPLOADS
+from sweetspot.web.views.own_state import OwnState, bat_of, name_of
+
+DRAWN = 500
+"""Points of a waveform on the page."""
+HIGHEST = 1.3
+"""Times the highest expected tone, up to where the spectrum is drawn."""
+
+
+def expected_tones(state: OwnState) -> list[dict[str, Any]]:
+    """Return the tones that a free bat as described would have, and how strongly the tap excites each."""
+    bat, _ = bat_of(state)
+    modes, place = _modes(bat), _place(state, bat)
+    found = []
+    for family in FAMILIES:
+        if modes.of_family(family):
+            told = expected_of(modes, family, positions=[place])
+            found += [
+                {"name": str(name), "frequency_hz": float(hertz), "excitation": float(part)}
+                for name, hertz, part in zip(told.names, told.frequency, told.excitation, strict=True)
+                if hertz < BAT_BAND.high
+            ]
+    return sorted(found, key=lambda one: float(one["frequency_hz"]))
+
+
+def tap(state: OwnState) -> dict[str, Any]:
+    """Return what the recorded taps say: which are good, why others are not, and the named tones of all together."""
+    if not state.recordings:
+        return {"taps": [], "tones": [], "spectrum": None, "fault": None}
+    sounds = [_recording(key) for key in state.recordings]
+    bat, _ = bat_of(state)
+    taps = [one for sound in sounds for one in _taps(sound)]
+    head: dict[str, Any] = {"taps": [_told(one) for one in taps], "waveforms": [_wave(one) for one in sounds],
+                            "tones": [], "spectrum": None, "fault": None}  # fmt: skip
+    try:
+        test = told_taps([sound.recording for sound in sounds], taps, modes=_modes(bat), positions=[_place(state, bat)])
+    except InputError as error:
+        return head | {"fault": str(error)}
+    named = of_tones(test.tones)
+    bending = [one.tone.damping_ratio for one in test.tones if one.name and one.name.family == "bending"]
+    damping = pooled(bending) if bending else None
+    first = next(one for one in test.taps if one.good)
+    assert first.fit is not None
+    frequency, level = spectrum(first.fit)
+    shown = frequency < HIGHEST * max(one.tone.frequency.value for one in test.tones)
+    return head | {
+        "tones": [
+            {"name": None if one.name is None else str(one.name), "frequency_hz": one.tone.frequency.value,
+             "half_hz": REACH * one.tone.frequency.error, "damping_ratio": one.tone.damping_ratio.value,
+             "expected_hz": one.expected, "taps": one.tone.taps}
+            for one in test.tones
+        ],
+        "measured": [[name_of(one.mode), one.value.value, one.value.error] for one in named if one.mode is not None],
+        "damping": None if damping is None else [damping.value, damping.error],
+        "fault": None if bending else "no tone is a bending mode of this bat; hang it freely and tap it 1 in from the "
+                                      "tip, or describe the bat better",
+        "spectrum": {"frequency_hz": np.round(frequency[shown], 2), "level_db": np.round(level[shown], 2)},
+    }  # fmt: skip
+
+
+class _Sound:
+    """A recording under the key of its file; two of one key are one."""
+
+    def __init__(self, key: str, recording: Recording) -> None:
+        self.key, self.recording = key, recording
+
+
+@lru_cache(maxsize=64)
+def _recording(key: str) -> _Sound:
+    path, name = UPLOADS.path_of(key)
+    try:
+        read = read_recording(path)
+    except InputError as error:
+        raise FieldError("recordings", str(error).replace(str(path), name)) from None
+    return _Sound(key, Recording(name, read.samples, read.rate))
+
+
+@lru_cache(maxsize=128)
+def _taps(sound: _Sound) -> tuple[Tap, ...]:
+    return find_taps(sound.recording, band=BAT_BAND)
+
+
+def _told(one: Tap) -> dict[str, Any]:
+    return {"recording": one.recording, "time_s": one.start, "good": one.good, "fault": one.fault}
+
+
+def _wave(sound: _Sound) -> dict[str, Any]:
+    time, low, high = waveform(sound.recording, points=DRAWN)
+    return {"name": sound.recording.name, "time_s": np.round(time, 5), "low": np.round(low, 4),
+            "high": np.round(high, 4)}  # fmt: skip
+
+
+@lru_cache(maxsize=32)
+def _modes(bat: Bat) -> Modes:
+    return all_modes(beam_model(bat), standard_conditions(bat).ball)
+
+
+def _place(state: OwnState, bat: Bat) -> float:
+    place = bat.length - state.tap_from_tip_in * INCH
+    if place < 0:
+        raise FieldError("tap_from_tip_in", f"the bat is {bat.length / INCH:.4g} in long; tap it nearer the tip")
+    return place
