@@ -13,7 +13,7 @@ const kept = { recordings: [], found: null }; // as long as the page is open
 
 export class TapPlace {
   constructor(app) {
-    Object.assign(this, { app, turn: 0 });
+    Object.assign(this, { app, signal: app.signal, asking: false, more: false });
     this.ear = new Listening({
       onLevel: (part) => (this.level.value = Math.min(1, part)),
       onTap: (file) => this.add([file]),
@@ -87,28 +87,46 @@ export class TapPlace {
     await this.hear();
   }
 
+  // All recordings together, one question at a time: a tap that comes meanwhile is asked about next.
   async hear() {
-    if (!kept.recordings.length) return;
-    this.turn += 1;
-    const turn = this.turn;
-    this.app.waits("taps");
-    this.words.textContent = "Listening to what was recorded …";
-    try {
-      const found = await this.app.ask("own/tap", { ...this.app.state, recordings: kept.recordings });
-      if (turn !== this.turn) return;
-      kept.found = found;
-      this.heard();
-      this.say(found.fault ?? "");
-      this.draw(this.app.answer);
-      if (found.damping) this.app.setState({ tones: found.measured.map(([name, hertz, error]) => [name, tidy(hertz), tidy(error)]), damping: tidy(found.damping[0]), damping_error: tidy(found.damping[1]) });
-      const good = found.taps.filter((one) => one.good).length;
-      this.app.announce(`${good} of ${found.taps.length} taps used.`);
-    } catch (fault) {
-      if (turn === this.turn && fault?.again) return void setTimeout(() => turn === this.turn && this.hear(), 1000); // still being listened to
-      if (turn === this.turn) this.say(fault?.message ?? "The server does not answer; try again.");
-      if (fault?.field === "upload") kept.recordings.length = 0;
+    if (this.asking) {
+      this.more = true;
+      return;
     }
-    if (turn === this.turn) this.app.waits("taps", false);
+    this.asking = true;
+    this.app.waits("taps");
+    do {
+      this.more = false;
+      await this.ask([...kept.recordings]);
+    } while (this.more && !this.signal.aborted);
+    this.asking = false;
+    if (!this.signal.aborted) this.app.waits("taps", false);
+  }
+
+  async ask(recordings) {
+    if (!recordings.length) return;
+    this.words.textContent = "Listening to what was recorded …";
+    let found = null;
+    try {
+      found = await this.app.ask("own/tap", { ...this.app.state, recordings });
+    } catch (fault) {
+      if (fault?.again) { // still being listened to
+        this.more = true;
+        await new Promise((done) => setTimeout(done, 1000));
+        return;
+      }
+      this.heard();
+      this.say(fault?.message ?? "The server does not answer; try again.");
+      if (fault?.field === "upload") kept.recordings = [];
+      return;
+    }
+    if (!kept.recordings.length || this.signal.aborted) return; // forgotten, or gone elsewhere, meanwhile
+    kept.found = found;
+    this.heard();
+    this.say(found.fault ?? "");
+    this.draw(this.app.answer);
+    if (found.damping) this.app.setState({ tones: found.measured.map(([name, hertz, error]) => [name, tidy(hertz), tidy(error)]), damping: tidy(found.damping[0]), damping_error: tidy(found.damping[1]) });
+    this.app.announce(`${found.taps.filter((one) => one.good).length} of ${found.taps.length} taps used.`);
   }
 
   forget() {
