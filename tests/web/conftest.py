@@ -35,7 +35,7 @@ def server() -> Iterator[str]:
     running = server_for()
     thread = threading.Thread(target=running.run, kwargs={"sockets": [opened]}, daemon=True)
     thread.start()
-    deadline = time.monotonic() + 120
+    deadline = time.monotonic() + 900  # without kept kernels they are compiled first
     while not (running.started and running.config.app.state.answers.prepared):  # type: ignore[union-attr]
         assert time.monotonic() < deadline
         time.sleep(0.01)

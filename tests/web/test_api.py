@@ -17,7 +17,7 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import analyse, exit_speed_of, hit_at
 from sweetspot.catalog.files.write import bat_toml
 from sweetspot.catalog.standard_hit import standard_conditions
-from sweetspot.units import INCH
+from sweetspot.units import INCH, MPH
 from sweetspot.web.limits import LARGEST_BODY
 from sweetspot.web.views import VIEWS
 
@@ -371,6 +371,10 @@ def test_why_here_adds_up_and_is_what_the_report_says(client: httpx.Client) -> N
     assert parts["motion"] + parts["giving"] + parts["keeping"] == pytest.approx(parts["whole"], abs=1e-12)
     assert parts["motion"] > 0 > parts["keeping"]  # nearer to the tip it moves faster, and bends more
     assert parts["whole"] == pytest.approx(-found["lost_m_s"], abs=0.02)
+    above = client.post("/api/v1/explorer", json={"impact_from_tip_in": 5.8, "offset_in": 0.7}).json()
+    best, missed = above["why"]["us"]
+    assert best.startswith("This is the best place along the bat")
+    assert f"({-above['lost_m_s'] / MPH:.1f} mph)" in missed  # all that is lost here
     told = client.post("/api/v1/explorer/why", json={}).json()["sentences"]
     assert any("Why not at the tip?" in one for one in told["us"])
     assert any("What a miss costs" in one for one in told["si"])

@@ -67,7 +67,7 @@ def prepare(answer: Answer, say: Callable[[str], None]) -> None:
     if not shares:
         say("the solver is ready")
         return
-    say("preparing the solver for this machine, about half a minute, once")
+    say("preparing the solver for this machine, about a minute, once")
     try:
         with ProcessPoolExecutor(len(shares), mp_context=multiprocessing.get_context("spawn")) as pool:
             for done in as_completed([pool.submit(work_out, answer, tuple(sorted(share))) for share in shares]):

@@ -62,8 +62,8 @@ def why_here(
     here, there = float(effective_mass(body, place)), float(effective_mass(body, best))
     if abs(place - best) < NEAR:
         return in_words(
-            "This is the best place: further out the {implement} moves faster but gives way more and bends more, "
-            "further in it moves slower. The {ball} meets {mass} of {whole}.", words,
+            "This is the best place along the {implement}: further out it moves faster but gives way more and bends "
+            "more, further in it moves slower. The {ball} meets {mass} of {whole}.", words,
             mass=weight(here), whole=weight(body.mass),
         )  # fmt: skip
     swing = conditions.swing
@@ -87,3 +87,12 @@ def why_here(
         )  # fmt: skip
     total = in_words("together {whole}.", words, whole=Slot(difference.whole, "speed", sign=True))
     return joined([joined([*parts[:-1], "and"], ", ") + " " + parts[-1] + ":", total])
+
+
+def why_off_axis(offset: float, cost: float, *, words: Words) -> Sentence:
+    """Return what it costs that the ball's centre lies off the implement's axis by so much; m and m/s."""
+    return in_words(
+        f"Met {{offset}} {'above' if offset > 0 else 'below'} the middle, the {{ball}} gets less of the swing "
+        "({cost}).",
+        words, offset=Slot(abs(offset), "length"), cost=Slot(cost, "speed", sign=True),
+    )  # fmt: skip

@@ -471,7 +471,7 @@ function clearFault() {
 function showStatus(status) {
   const words = {
     open: "",
-    preparing: "First start: the solver is being compiled for this machine. That takes about half a minute, once; the picture then comes by itself.",
+    preparing: "First start: the solver is being compiled for this machine. That takes about a minute, once; the picture then comes by itself.",
     lost: "The connection to the server is lost. Trying again; the page then goes on by itself.",
     slow: "The server is taking its time with this answer.",
   }[status];

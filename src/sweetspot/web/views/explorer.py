@@ -11,7 +11,7 @@ from sweetspot.analysis.bat_analysis import analyse_reduced
 from sweetspot.collision.closed_form import bbcor, exit_speed
 from sweetspot.collision.impact import Impacts, Outcome
 from sweetspot.collision.kernel import hits
-from sweetspot.report.bat.place_words import speed_difference, why_here
+from sweetspot.report.bat.place_words import speed_difference, why_here, why_off_axis
 from sweetspot.report.bat.words import answer as words_about
 from sweetspot.report.bat.words import misses_of
 from sweetspot.report.hit.json import conditions_json
@@ -38,10 +38,12 @@ def answer(state: ExplorerState) -> dict[str, Any]:
     hit = _hit(state, met)
     fastest = np.nanmax(met.scan.exit_speed)
     difference = speed_difference(met.scan, hit["position_m"], best=spots.max_exit_speed)
-    why = why_here(
-        difference, body=met.reduced.body, conditions=conditions, best=spots.max_exit_speed,
-        words=words_of(met.reduced.bat),
-    )  # fmt: skip
+    words, lost = words_of(met.reduced.bat), None
+    why = [why_here(difference, body=met.reduced.body, conditions=conditions, best=spots.max_exit_speed, words=words)]
+    if hit["exit_speed_m_s"] is not None:
+        lost = float(fastest) - hit["exit_speed_m_s"]
+        if state.offset_in != 0:
+            why.append(why_off_axis(state.offset_in * INCH, -lost - difference.whole, words=words))
     return {
         "bat": bat_picture(state, met.reduced),
         "hands_m": conditions.hands.places,
@@ -52,10 +54,10 @@ def answer(state: ExplorerState) -> dict[str, Any]:
         "scan": shown["curves"],
         "energy_shares": shown["energy"],
         "hit": hit,
-        "why": _both([why]),
+        "why": _both(why),
         "difference_m_s": {name: getattr(difference, name) for name in ("motion", "giving", "keeping", "whole")},
         "best_exit_speed_m_s": float(fastest),
-        "lost_m_s": None if hit["exit_speed_m_s"] is None else float(fastest) - hit["exit_speed_m_s"],
+        "lost_m_s": lost,
         "ball": ball_picture(state, conditions.ball),
         "conditions": conditions_json(conditions),
     }
