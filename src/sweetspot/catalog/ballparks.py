@@ -95,11 +95,6 @@ def _keys() -> dict[str, str]:
     return found
 
 
-def former_park_names() -> list[str]:
-    """Return the names of the parks that clubs have left."""
-    return [canonical(name) for name in read_table(FORMER)]
-
-
 def field_names() -> list[str]:
     """Return the names of the fields of other leagues, whose fences have recommended or usual distances."""
     return [canonical(name) for name in read_table(FIELDS)]

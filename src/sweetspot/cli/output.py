@@ -44,11 +44,6 @@ def print_csv(columns: Mapping[str, Sequence[Any]]) -> None:
     writer.writerows([harmless(cell) for cell in row] for row in zip(*columns.values(), strict=True))
 
 
-def print_rows_csv(rows: Sequence[Mapping[str, Any]]) -> None:
-    """Print equal rows as CSV on stdout."""
-    print_csv({name: [row[name] for row in rows] for name in rows[0]})
-
-
 def print_table(renderable: Any) -> None:
     """Print a rich table on stdout, as wide as the terminal, or 110 columns where there is none."""
     from rich.console import Console

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Literal
 
 from sweetspot.equipment.sport import Words
@@ -205,8 +205,3 @@ def reader(system: System | None, words: Words) -> Reader:
     usual = PLACES[words.place_unit]
     speeds = {"speed": SPEEDS[words.speed_unit], "speed_change": SPEED_CHANGES[words.speed_unit]}
     return Reader({**usual.units, **speeds, "distance": DISTANCES[words.distance_unit]})
-
-
-def with_digits(reading: Reader, **digits: int) -> Reader:
-    """Return a reader who is shown other digits for some scales."""
-    return Reader({name: replace(unit, digits=digits.get(name, unit.digits)) for name, unit in reading.units.items()})

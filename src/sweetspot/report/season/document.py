@@ -23,6 +23,7 @@ from sweetspot.season.season_table import Season
 from sweetspot.season.standings import GROUPS, MEASURES, Standing, above_expected, standing
 from sweetspot.season.survey import WARNINGS
 from sweetspot.season.untracked import Untracked, untracked_bias
+from sweetspot.units import FOOT
 
 SHOWN = 15
 """Players in the printed table."""
@@ -127,7 +128,7 @@ def _relation(relation: PlaceRelation) -> Sentence:
         "the pitch's place says; a pitch 1 ft further outside is met {slope} nearer the tip; exit speeds are {level} "
         "beside the bat's and scatter by {noise} more than measuring errors do.",
         balls=f"{relation.balls:,}", mean=Slot(relation.marginal[0], "place"), spread=Slot(relation.spread, "place"),
-        slope=Slot(-relation.weights[1] * 0.3048 / 0.3, "place"), level=f"{100 * relation.level:+.1f} %",
+        slope=Slot(-relation.weights[1] * FOOT / 0.3, "place"), level=f"{100 * relation.level:+.1f} %",
         noise=Slot(relation.noise, "speed"),
     )  # fmt: skip
 
