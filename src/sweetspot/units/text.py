@@ -137,7 +137,10 @@ def parse(text: str | float, kind: Kind, what: str = "value") -> float:
 
 def _understood(text: str, kind: Kind, what: str) -> float:
     """Return a text in SI; only what the reading of the text raises is the text's fault."""
-    spelled = _spelled_out(text)
+    try:
+        spelled = _spelled_out(text)
+    except ArithmeticError:  # a fraction of nothing
+        raise InputError(_not_a_number(text, kind, what)) from None
     if kind == "ratio":
         percent = spelled.removesuffix("%")
         try:
