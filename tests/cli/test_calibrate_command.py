@@ -89,14 +89,36 @@ def test_shots_are_measurements_too(run_json: Callable[..., Any], tmp_path: Path
 
 
 def test_how_sure_a_report_a_hit_and_a_comparison_are(run: Run, run_json: Callable[..., Any]) -> None:
+    """One mechanism: the same interval of the best hit in a report and in a hit, and beside the numbers of both."""
     report = run_json("report", "russell-b1", "--uncertainty")
-    sure, best = report["uncertainty"], report["sweet_spots"]["max_exit_speed_m"]
-    assert sure["position_m"] == best
-    assert sure["exit_speed_low_m_s"] < sure["exit_speed_m_s"] < sure["exit_speed_high_m_s"]
-    assert abs(sure["max_exit_speed_place_m"] - best) < 0.01
-    hit = run_json("hit", "russell-b1", "--at", f"{best}m", "--uncertainty")
-    assert hit["uncertainty"]["exit_speed_m_s"] == pytest.approx(hit["exit_speed_m_s"], rel=1e-3)
-    assert hit["uncertainty"]["exit_speed_error_m_s"] == pytest.approx(sure["exit_speed_error_m_s"], rel=0.02)
-    code, out, _ = run("compare", "r161-ash", "russell-b1", "--uncertainty")
+    best, at = report["best_hit"], report["sweet_spots"]["max_exit_speed_m"]
+    assert best["exit_speed_low_m_s"] < best["exit_speed_m_s"] < best["exit_speed_high_m_s"]
+    assert report["sweet_spots"]["max_exit_speed_low_m"] < at < report["sweet_spots"]["max_exit_speed_high_m"]
+    assert len(report["scan"]["exit_speed_low_m_s"]) == len(report["scan"]["position_m"])
+    assert next(iter(report["uncertainty"]["shares"])) == "ball restitution"
+    hit = run_json("hit", "russell-b1", "--at", f"{at}m", "--uncertainty")
+    for end in ("low", "high"):
+        assert hit[f"exit_speed_{end}_m_s"] == pytest.approx(best[f"exit_speed_{end}_m_s"], rel=2e-3)
+    code, out, _ = run("compare", "r161-ash", "russell-b1", "--uncertainty", "--units", "si")
     assert code == 0
-    assert "with the same ball" in " ".join(out.split())
+    assert "probability" in out
+    assert "swing law" in out
+
+
+def test_a_certificate_says_how_sure_passing_is(run: Run, run_json: Callable[..., Any]) -> None:
+    sure = run_json("certify", "college-alloy", "--uncertainty")
+    assert sure["test"]["bbcor_low"] < sure["test"]["bbcor"] < sure["test"]["bbcor_high"]
+    passes = {one["quantity"]: one["passes_probability"] for one in sure["passes"]}
+    assert 0.5 < passes["bbcor"] < 0.99, "it passes by 0.0016, less than its doubt"
+    assert sure["uncertainty"]["sources"].keys().isdisjoint({"ball restitution", "swing"}), "a test normalises the ball"
+    assert "probability" in run("certify", "college-alloy", "--uncertainty")[1]
+
+
+def test_speeds_written_with_errors_widen_the_intervals(run_json: Callable[..., Any]) -> None:
+    flown = {error: run_json("fly", "--exit-speed", f"100mph±{error}", "--uncertainty") for error in ("0.1mph", "3mph")}
+    narrow, wide = (one["carry_high_m"] - one["carry_low_m"] for one in flown.values())
+    assert wide > 1.5 * narrow
+    assert next(iter(flown["3mph"]["uncertainty"]["shares"])) == "exit speed"
+    played = run_json("play", "--bat-speed", "70mph±2mph", "--uncertainty")
+    assert played["flight"]["carry_low_m"] < played["flight"]["carry_m"] < played["flight"]["carry_high_m"]
+    assert "swing" in played["uncertainty"]["shares"]

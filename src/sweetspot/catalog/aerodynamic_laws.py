@@ -62,6 +62,17 @@ def aerodynamics_in(park: Park | None, law: Aerodynamics) -> Aerodynamics:
     return aerodynamics(STILL_AIR) if covered and law == aerodynamics() else law
 
 
+def drag_spread(law: Aerodynamics) -> float:
+    """Return how well the drag of a law of the catalogue is known, as a part of it; 0 for a law that it does not have.
+
+    >>> round(drag_spread(aerodynamics("baseball")), 4)
+    0.0061
+    """
+    record = next((one["drag"] for one in read_table(FILE).values() if one["name"] == law.name), None)
+    spread = record.get("spread") if isinstance(record, dict) else None
+    return float(spread) / law.drag if spread is not None and law.drag > 0 else 0.0
+
+
 def usual_spin_line(name: str = DEFAULT_AERODYNAMICS) -> SpinLine:
     """Return the line of usual spin that a law was drawn up with: the sheet's own for the trajectory calculator.
 

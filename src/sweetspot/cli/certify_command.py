@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
+from sweetspot.cli.options.uncertainty import Uncertainty
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
     from sweetspot.dynamics.rigid import RigidBody
     from sweetspot.equipment.ball import Ball
     from sweetspot.equipment.bat import Bat
+    from sweetspot.report.certification.document import TestedBat
+    from sweetspot.report.document import Document
 
 ALL = "all"
 DEFAULT_LEAGUE = "ncaa"
@@ -42,6 +45,7 @@ def certify(
     wall_that_passes: Annotated[
         bool, Parameter(negative="", help="Also say which barrel wall of a hollow bat would just pass.")
     ] = False,
+    uncertainty: Uncertainty = False,
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Test a bat: BBCOR, BESR, BPF and a league's rules, with margin. Exit 1 when one fails or none can be decided."""
@@ -73,7 +77,33 @@ def certify(
         with patience():
             walls = _walls(leagues, described, chosen)
     checks = [(one, check) for one in leagues for check in check_rules(one, bat=described, findings=findings)]
-    return present(tested_document(TestedBat(described, chosen, body, test, read, checks, walls)), output)
+    tested = TestedBat(described, chosen, body, test, read, checks, walls)
+    document = tested_document(tested)
+    if uncertainty:
+        with patience():
+            document = _with_doubt(document, tested, bat)
+    return present(document, output)
+
+
+def _with_doubt(document: Document, tested: TestedBat, name: str) -> Document:
+    """Return a test with intervals, and how probable it is that the bat passes each rule."""
+    from sweetspot.analysis.certification.simulated_test import Certification
+    from sweetspot.catalog.standard_hit import standard_conditions
+    from sweetspot.cli.options.swing import SwingOptions
+    from sweetspot.cli.options.uncertainty import sources_for
+    from sweetspot.report.uncertainty.passing_words import with_chances
+
+    if not isinstance(tested.test, Certification):
+        return with_chances(document, tested)
+    from sweetspot.calibration.draws.drawn_tests import drawn_test, sources_of_test
+    from sweetspot.dynamics.beam import beam_model
+    from sweetspot.report.uncertainty.uncertainty_section import uncertain
+
+    conditions = standard_conditions(tested.bat).replaced(ball=tested.ball)
+    sources = sources_of_test(sources_for(name, tested.bat, conditions, SwingOptions()))
+    answers = drawn_test(beam_model(tested.bat), conditions, sources, tested.test)
+    told = uncertain(document, answers, main="test.bbcor", named="BBCOR", where=sources.described)
+    return with_chances(told, tested, answers)
 
 
 def _leagues(name: str, ball_name: str | None) -> tuple[list[League], Ball]:

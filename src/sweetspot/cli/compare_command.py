@@ -127,32 +127,42 @@ def compare(
             described, conditions=conditions_for(described[0], swing), law=law, labels=LABELS if corked else None
         )
     document = comparison_document(comparison, corking=corked)
-    return present(_with_doubt(document, comparison, bats) if uncertainty else document, output)
+    if uncertainty:
+        with patience():
+            document = _with_doubt(document, comparison, bats, swing)
+    return present(document, output)
 
 
-def _with_doubt(document: Document, comparison: Comparison[Implement], names: tuple[str, ...]) -> Document:
-    """Return a comparison with how sure each bat's gain over the first is."""
-    from sweetspot.calibration.calibrated_file import deviations_of
-    from sweetspot.calibration.uncertainty import difference, doubt
-    from sweetspot.report.calibration.doubt_report import difference_words
-    from sweetspot.report.calibration.intervals import measured_json
+def _with_doubt(
+    document: Document, comparison: Comparison[Implement], names: tuple[str, ...], swing: SwingOptions
+) -> Document:
+    """Return a comparison with intervals, and how sure each bat's gain over the first is."""
+    from sweetspot.calibration.draws.comparison_draws import LAW, drawn_comparison
+    from sweetspot.cli.options.uncertainty import sources_for
     from sweetspot.report.document import Paragraph
+    from sweetspot.report.uncertainty.gains import gain_json, gain_words
+    from sweetspot.report.uncertainty.uncertainty_section import uncertain
 
-    if len(names) != len(comparison.compared):
-        raise InputError("--uncertainty compares bats that are given by name or file; leave out --what-if")
     found = comparison.compared
-    sure = [
-        doubt(one.analysis.line, one.analysis.conditions, known=deviations_of(name))
-        for one, name in zip(found, names, strict=True)
+    files = names if len(names) == len(found) else (None,) * len(found)
+    sources = [
+        sources_for(name, one.analysis.bat, one.analysis.conditions, swing if number == 0 else SwingOptions())
+        for number, (one, name) in enumerate(zip(found, files, strict=True))
     ]
-    best = [one.analysis.sweet_spots.max_exit_speed for one in found]
-    gains = {
-        one.label: difference(sure[0], doubts, (best[0], place))
-        for one, doubts, place in zip(found[1:], sure[1:], best[1:], strict=True)
-    }
-    words = [Paragraph(difference_words(label, found[0].label, gain)) for label, gain in gains.items()]
-    data = [{"label": label, **measured_json(gain, "exit_speed_gain", "_m_s")} for label, gain in gains.items()]
-    return replace(document, blocks=[*document.blocks, *words], data={**document.data, "uncertainty": data})
+    answers = drawn_comparison(comparison, sources)
+    where = {f"bat {number}": one.bat_where for number, one in enumerate(sources, start=1)} | sources[0].described
+    where[LAW] = "spread of its exponent in the catalogue"
+    last = len(found) - 1
+    main, named = (
+        (f"bats.{last}.change_m_s", f"change of {found[-1].label}") if last else ("bats.0.exit_speed_m_s", "exit speed")
+    )
+    told = uncertain(document, answers, main=main, named=named, where=where)
+    gains = [(one.label, index) for index, one in enumerate(found) if index]
+    words = [Paragraph(gain_words(label, found[0].label, answers, index)) for label, index in gains]
+    data = {**told.data, "uncertainty": {**told.data["uncertainty"], "gains": [
+        {"label": label, **gain_json(answers, index)} for label, index in gains
+    ]}}  # fmt: skip
+    return replace(told, blocks=[*words, *told.blocks], data=data)
 
 
 def _bat(described: Implement) -> Bat:

@@ -9,7 +9,9 @@ from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.ranges import spread
+from sweetspot.cli.options.uncertainty import Uncertainty
 from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions, park_of, pressure_of
+from sweetspot.cli.options.written_errors import error_of, without_error
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
@@ -59,6 +61,8 @@ class LaunchOptions:
 
 
 DEFAULT_LAUNCH = LaunchOptions()
+WITH_ERRORS = ("exit_speed", "launch_angle")
+"""What may be written with an error, 100mph±1mph."""
 
 
 def fly(
@@ -69,6 +73,7 @@ def fly(
         Literal["carry", "hang-time", "apex", "landing-angle", "landing-speed"],
         Parameter(help="What the cells of a table show."),
     ] = "carry",
+    uncertainty: Uncertainty = False,
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Say how far a hit ball carries. Any one or two options may be ranges (from:to:count); the answer is a table."""
@@ -94,7 +99,9 @@ def fly(
         raise InputError(
             f"{named} were given as ranges; a table has rows and columns, so at most two options can be ranges"
         )
-    document = _table(hit, ranges, cell, launch, air) if ranges else _single(hit, air, launch)
+    if uncertainty and ranges:
+        raise InputError("--uncertainty is told of one flight; leave it out, or leave out the ranges")
+    document = _table(hit, ranges, cell, launch, air) if ranges else _single(hit, air, launch, sure=uncertainty)
     return present(document, output)
 
 
@@ -129,7 +136,7 @@ def _option(name: str) -> str:
 def _number(name: str, text: str) -> float:
     from sweetspot.units import parse
 
-    return parse(text, KINDS[name], _option(name))
+    return parse(without_error(text) if name in WITH_ERRORS else text, KINDS[name], _option(name))
 
 
 def _law(launch: LaunchOptions) -> Aerodynamics:
@@ -138,7 +145,7 @@ def _law(launch: LaunchOptions) -> Aerodynamics:
     return catalog.aerodynamics(launch.law) if launch.law else catalog.aerodynamics_of_ball(launch.ball)
 
 
-def _single(hit: BattedBall, air: AirOptions, launch: LaunchOptions) -> Document:
+def _single(hit: BattedBall, air: AirOptions, launch: LaunchOptions, *, sure: bool) -> Document:
     from sweetspot import catalog
     from sweetspot.report.flight.document import batted_document, batted_flight
 
@@ -146,7 +153,26 @@ def _single(hit: BattedBall, air: AirOptions, launch: LaunchOptions) -> Document
         hit, ball=catalog.ball(launch.ball), sport=catalog.sport(catalog.ball_sport(launch.ball)),
         aerodynamics=_law(launch), park=park_of(air), own_elevation=air.elevation is None,
     )  # fmt: skip
-    return batted_document(flown)
+    document = batted_document(flown)
+    if not sure:
+        return document
+    from sweetspot.calibration.draws.drawn_plays import drawn_flight
+    from sweetspot.catalog.aerodynamic_laws import drag_spread
+    from sweetspot.flight.conditions import FlightConditions
+    from sweetspot.report.uncertainty.uncertainty_section import uncertain
+
+    law = _law(launch)
+    flying = FlightConditions(ball=catalog.ball(launch.ball), aerodynamics=law, air=hit.air, wind=hit.wind)
+    asked = {name: getattr(launch, name) for name in WITH_ERRORS}
+    errors = {
+        name: error_of(None if text == getattr(DEFAULT_LAUNCH, name) else text, KINDS[name], _option(name))
+        for name, text in asked.items()
+    }
+    answers, sources = drawn_flight(
+        flown.flight.launch, flying, spread=drag_spread(law), speed_error=errors["exit_speed"],
+        angle_error=errors["launch_angle"],
+    )  # fmt: skip
+    return uncertain(document, answers, main="carry_m", named="carry", where=sources.described)
 
 
 def _table(hit: BattedBall, ranges: list[Varied], cell: str, launch: LaunchOptions, air: AirOptions) -> Document:

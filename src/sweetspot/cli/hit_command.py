@@ -8,7 +8,7 @@ from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
-from sweetspot.cli.options.uncertainty import Uncertainty, with_doubt_of
+from sweetspot.cli.options.uncertainty import Uncertainty, sources_for
 
 
 def hit(
@@ -50,7 +50,10 @@ def hit(
     strains = damage(impact, line=line, modes=modes) if isinstance(implement, Bat) else None
     document = hit_document(BattedHit(implement, body, conditions, impact, strains))
     if uncertainty:
-        document = with_doubt_of(
-            document, bat, line=line, conditions=conditions, length=implement.length, at=position, along=False
-        )
+        from sweetspot.calibration.draws.drawn_reports import drawn_hit
+        from sweetspot.report.uncertainty.uncertainty_section import uncertain
+
+        sources = sources_for(bat, implement, conditions, swing)
+        answers = drawn_hit(line, conditions, sources, position)
+        document = uncertain(document, answers, main="exit_speed_m_s", named="exit speed", where=sources.described)
     return present(document, output)

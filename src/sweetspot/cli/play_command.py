@@ -9,6 +9,7 @@ from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
+from sweetspot.cli.options.uncertainty import Uncertainty, sources_for
 from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions
 from sweetspot.errors import InputError
 
@@ -73,6 +74,7 @@ def play(
     path: PathOptions = DEFAULT_PATH,
     arrival: ArrivalOptions = DEFAULT_ARRIVAL,
     air: AirOptions = DEFAULT_AIR,
+    uncertainty: Uncertainty = False,
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Follow one pitch: how the bat meets it, how the ball leaves, how far it flies and whether it is out."""
@@ -119,7 +121,21 @@ def play(
         play=played, bat=described, ball=conditions.ball, position=position, offset=under, path=swung, pitch=pitch,
         park=park, landing=None if park is None or played.flight is None else landing(played.flight.positions, park),
     )  # fmt: skip
-    return present(play_document(result), output)
+    document = play_document(result)
+    if uncertainty and played.flight is not None:
+        from sweetspot.calibration.draws.drawn_plays import PlayAsked, drag_source, drawn_play
+        from sweetspot.catalog.aerodynamic_laws import drag_spread
+        from sweetspot.report.uncertainty.uncertainty_section import uncertain
+
+        thrown = conditions.replaced(pitch=conditions.pitch.replaced(speed=pitch.speed))
+        asked = PlayAsked(model, thrown, flying, swung, pitch, Contact(position, under))
+        sources = sources_for(bat, described, conditions, swing).with_source(
+            drag_source(drag_spread(flying.aerodynamics))
+        )
+        with patience():
+            answers = drawn_play(asked, sources)
+        document = uncertain(document, answers, main="flight.carry_m", named="carry", where=sources.described)
+    return present(document, output)
 
 
 def path_of(options: PathOptions) -> SwingPath:

@@ -8,7 +8,7 @@ from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
-from sweetspot.cli.options.uncertainty import Uncertainty, with_doubt_of
+from sweetspot.cli.options.uncertainty import Uncertainty, sources_for
 
 
 def report(
@@ -46,8 +46,12 @@ def report(
         analysis = analyse_reduced(reduced, conditions)
         document = report_document(analysis)
         if uncertainty:
-            document = with_doubt_of(
-                document, bat, line=analysis.line, conditions=analysis.conditions, length=implement.length,
-                at=analysis.sweet_spots.max_exit_speed, along=True,
+            from sweetspot.calibration.draws.drawn_reports import drawn_report
+            from sweetspot.report.uncertainty.uncertainty_section import uncertain
+
+            sources = sources_for(bat, implement, analysis.conditions, swing)
+            document = uncertain(
+                document, drawn_report(analysis, sources), main="best_hit.exit_speed_m_s", named="best exit speed",
+                where=sources.described,
             )  # fmt: skip
     return present(document, output, long=appendix)

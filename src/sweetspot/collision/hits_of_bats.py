@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from typing import Protocol
 
 import numpy as np
 
@@ -10,7 +12,6 @@ from sweetspot.collision.coupled import TIME_LIMIT
 from sweetspot.collision.impact import Impacts
 from sweetspot.collision.kernel import LANES, LATE, RESULT_ROWS, STEP, Bat, Output, numbers_of, solve
 from sweetspot.collision.modal_propagator import free_steps, moved_freely
-from sweetspot.dynamics.batch.reduction import ReducedBats
 from sweetspot.equipment.ball import Ball
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.threads import in_parts
@@ -19,10 +20,28 @@ BATS = 8
 """Per task handed to a thread."""
 
 
+class ManyBats(Protocol):
+    """Many free bats, as `ReducedBats` are: frequencies and damping of their motions, and what a ball feels of them."""
+
+    @property
+    def angular_frequency(self) -> Array:
+        """rad/s, shape (bats, n)."""
+
+    @property
+    def damping_rate(self) -> Array:
+        """2 zeta omega in 1/s, shape (bats, n)."""
+
+    def shapes_at(self, position: Array, *, closing_speed: Array | None = None) -> Array:
+        """Return the shapes at places (bats, places) in m, shape (bats, places, n), 1/sqrt(kg)."""
+
+    def compliance_at(self, position: Array, *, closing_speed: Array | None = None) -> Array:
+        """Return how far the surface gives way at once, m/N at places (bats, places) in m."""
+
+
 def struck(
-    bats: ReducedBats,
+    bats: ManyBats,
     *,
-    ball: Ball,
+    ball: Ball | Sequence[Ball],
     position: Array,
     closing_speed: Array,
     step: float = STEP,
@@ -33,6 +52,7 @@ def struck(
 
     Parameters
     ----------
+    ball : one for all bats, or one for each.
     position, closing_speed : m from the knob end and m/s, shape (bats, places).
     step : s; round bats do not need shorter ones than `STEP` (see `contact_step`).
     keep_motion : whether to return the bats' modal motion at release.
@@ -45,7 +65,8 @@ def struck(
     outcome = np.empty((count, places), np.int64)
     results = np.empty((RESULT_ROWS, count, places))
     motion = np.empty((2, count, places if keep_motion else 0, size))
-    constants, limit = numbers_of(ball), float(round(TIME_LIMIT / step))
+    limit = float(round(TIME_LIMIT / step))
+    constants = [numbers_of(ball)] * count if isinstance(ball, Ball) else [numbers_of(one) for one in ball]
     lanes = min(LANES, 4 * math.ceil(places / 4))
     nothing, none = np.zeros((0, size)), np.zeros(0)
     speeds = np.ascontiguousarray(closing_speed)
@@ -53,7 +74,8 @@ def struck(
     def work(part: slice) -> None:
         for i in range(part.start, part.stop):
             bat = Bat(shapes[i], give[i], omega[i], drift[i], nothing, none)
-            solve(lanes, speeds[i], bat, constants, step, limit, Output(outcome[i], results[:, i], motion[:, i]))
+            output = Output(outcome[i], results[:, i], motion[:, i])
+            solve(lanes, speeds[i], bat, constants[i], step, limit, output)
 
     in_parts(work, count, size=BATS, threads=threads)
     if keep_motion:

@@ -10,6 +10,13 @@ from dataclasses import dataclass, replace
 from sweetspot.motion.swing_law import Interval
 from sweetspot.report.quantities import NOTHING, US, Reader
 
+MOST_DIGITS = 6
+"""Of an interval that is narrower than the digits of its number."""
+SHARP = 1e-6
+"""An interval narrower than this part of its number is none."""
+LOPSIDED = 0.25
+"""An interval whose sides differ by more than this part of its width is told by its ends."""
+
 
 @dataclass(frozen=True)
 class Slot:
@@ -23,6 +30,9 @@ class Slot:
     sign : whether a plus is written.
     unit : whether its unit is written.
     round : whether a zero behind the point is left out: "3 mph", but "1.3 m/s".
+    of : where the number is in the document's data, "best_hit.exit_speed_m_s", so that an interval finds it; with a
+        minus in front where it is counted the other way round, and "@position" behind for one of a curve. "": nowhere.
+    reach : how far the interval goes below and above it, SI; None: there is none.
     """
 
     value: float
@@ -31,14 +41,35 @@ class Slot:
     sign: bool = False
     unit: bool = True
     round: bool = False
+    of: str = ""
+    reach: tuple[float, float] | None = None
 
     def read(self, reader: Reader) -> str:
-        """Return the number as a reader sees it."""
+        """Return the number as a reader sees it, its interval beside it."""
         number = reader.number(self.value, self.scale, digits=self.digits, sign=self.sign)
         if number == NOTHING:
             return number
         number = number.removesuffix(".0") if self.round else number
-        return number + reader.behind(self.scale) if self.unit else number
+        unit = reader.behind(self.scale) if self.unit else ""
+        return number + self._give_or_take(reader) + unit
+
+    def _give_or_take(self, reader: Reader) -> str:
+        """Return the interval: "± 2.1" where it is as wide either way, else its ends."""
+        if self.reach is None or not all(map(math.isfinite, self.reach)):
+            return ""
+        below, above = self.reach
+        if below + above <= SHARP * abs(self.value):
+            return ""
+        unit = reader.units[self.scale]
+        places = unit.digits if self.digits is None else self.digits
+        half = (below + above) / 2 / unit.size
+        while half and places < MOST_DIGITS and round(half, places) == 0:
+            places += 1
+        if abs(above - below) <= LOPSIDED * (above + below):
+            return f" ± {half:.{places}f}"
+        ends = (self.value - below, self.value + above)
+        low, high = (reader.number(end, self.scale, digits=self.digits, sign=self.sign) for end in ends)
+        return f" ({low} to {high})"
 
     @property
     def bare(self) -> Slot:
@@ -79,12 +110,13 @@ class Span:
 
 @dataclass(frozen=True)
 class Doubtful:
-    """A number and its doubt, SI: two digits of that, and no more of the number."""
+    """A number and its doubt, SI: two digits of that, and no more of the number; ``of`` as in `Slot`."""
 
     value: float
     doubt: float
     scale: str
     sign: bool = False
+    of: str = ""
 
     def read(self, reader: Reader) -> str:
         """Return both as a reader sees them."""
@@ -187,17 +219,26 @@ def read(words: Words, reader: Reader) -> str:
 
 
 def within(
-    interval: Interval, scale: str, *, digits: int | None = None, sign: bool = False, unit: bool = True
+    interval: Interval, scale: str, *, digits: int | None = None, sign: bool = False, unit: bool = True, of: str = ""
 ) -> Sentence:
-    """Return a value with its interval, "+1.2 mph (+0.4 to +2.0)"; without one where the interval has no width."""
-    value = Slot(interval.value, scale, digits, sign, unit)
+    """Return a value with its interval, "+1.2 mph (+0.4 to +2.0)"; without one where the interval has no width.
+
+    Parameters
+    ----------
+    of : see `Slot`; another interval that is found there takes this one's place.
+    """
+    value = Slot(interval.value, scale, digits, sign, unit, of=of)
     return Sentence((value, Bounds(value, interval.low, interval.high)))
 
 
-def with_doubt(value: float, doubt: float, scale: str) -> Sentence:
+def with_doubt(value: float, doubt: float, scale: str, *, of: str = "") -> Sentence:
     """Return a value with its standard deviation, with no more digits than are known; alone where there is none.
+
+    Parameters
+    ----------
+    of : see `Slot`.
 
     >>> with_doubt(1.88354e-1, 1.13e-2, "moi").read(US)
     '10,300 ± 620 oz in²'
     """
-    return Sentence((Doubtful(value, doubt, scale) if doubt > 0 else Slot(value, scale),))
+    return Sentence((Doubtful(value, doubt, scale, of=of) if doubt > 0 else Slot(value, scale, of=of),))

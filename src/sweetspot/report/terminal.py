@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from textwrap import fill
 
 from rich.console import Group, RenderableType
 from rich.padding import Padding
@@ -14,6 +15,8 @@ from sweetspot.report import document as parts
 from sweetspot.report.quantities import Reader
 from sweetspot.report.sentences import read
 
+NARROW = 8
+"""Characters of a column that its heading may take at least."""
 STYLES = {"text": "", "note": "dim", "warning": "yellow"}
 
 
@@ -59,7 +62,11 @@ def table(block: parts.Table, reader: Reader) -> RichTable:
     made = RichTable(header_style="bold", box=None, pad_edge=False)
     for number, column in enumerate(block.columns):
         whole = column.is_number or (number == 0 and len(block.columns) < 7)
-        made.add_column(column.head(reader), justify="right" if column.is_number else "left", no_wrap=whole)
+        texts = [column.shown(row[number], reader) for row in block.rows]
+        head = column.head(reader)
+        if column.is_number and any("±" in text for text in texts):  # intervals take the room that headings had
+            head = fill(head, max(*map(len, texts), NARROW), break_long_words=False)
+        made.add_column(head, justify="right" if column.is_number else "left", no_wrap=whole)
     for row in block.rows:
         cells = zip(block.columns, row, strict=True)
         made.add_row(*(Text(column.shown(cell, reader)) for column, cell in cells))

@@ -56,6 +56,7 @@ def conditions_for(bat: Implement, options: SwingOptions) -> Conditions:
     """Return the conditions that the options describe for a bat."""
     from sweetspot import catalog
     from sweetspot.catalog.standard_hit import standard_conditions
+    from sweetspot.cli.options.written_errors import without_error
     from sweetspot.motion.swing import Conditions, Hands, Pitch, Swing
     from sweetspot.units import parse, parse_position
 
@@ -83,7 +84,9 @@ def conditions_for(bat: Implement, options: SwingOptions) -> Conditions:
         pitch=usual.pitch if options.pitch_speed is None else Pitch(speed=_pitch_speed(options.pitch_speed)),
         swing=Swing(
             bat_speed=(
-                usual.swing.bat_speed if options.bat_speed is None else parse(options.bat_speed, "speed", "--bat-speed")
+                usual.swing.bat_speed
+                if options.bat_speed is None
+                else parse(without_error(options.bat_speed), "speed", "--bat-speed")
             ),
             measured_at=place(options.bat_speed_at, usual.swing.measured_at, "--bat-speed-at"),
             pivot=place(options.pivot, usual.swing.pivot, "--pivot"),
@@ -123,11 +126,12 @@ def say_if_of_another_sport(bat: Implement, ball_name: str) -> None:
 
 def _pitch_speed(text: str) -> float:
     """Return the pitch speed in m/s; 0 must be meant, so it is written ``tee``."""
+    from sweetspot.cli.options.written_errors import without_error
     from sweetspot.units import parse
 
     if text.strip().lower() == "tee":
         return 0.0
-    speed = parse(text, "speed", "--pitch-speed")
+    speed = parse(without_error(text), "speed", "--pitch-speed")
     if speed <= 0:
         raise InputError(
             f"--pitch-speed was given as {text!r}; allowed is a speed above zero towards the bat, "

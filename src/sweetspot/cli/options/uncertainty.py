@@ -1,40 +1,38 @@
-"""How sure an answer is: the option, and what it adds to a document."""
+"""How sure an answer is: the option, and the speeds that were written with an error."""
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
 if TYPE_CHECKING:
-    from sweetspot.dynamics.beam import BeamModel
+    from sweetspot.calibration.draws.sources import Sources
+    from sweetspot.cli.options.swing import SwingOptions
+    from sweetspot.equipment.implement import Implement
     from sweetspot.motion.swing import Conditions
-    from sweetspot.report.document import Document
 
-Uncertainty = Annotated[bool, Parameter(negative="", help="Say how sure the answer is, and what its doubt comes from.")]
+Uncertainty = Annotated[
+    bool,
+    Parameter(negative="", help="Put intervals beside the numbers, and say what they come from. Speeds: 70mph±2mph."),
+]
 
 
-def with_doubt_of(
-    document: Document, name: str, *, line: BeamModel, conditions: Conditions, length: float, at: float, along: bool
-) -> Document:
-    """Return a document that also says how sure it is; a calibrated bat's file knows its own part.
+def sources_for(name: str | None, bat: Implement, conditions: Conditions, swing: SwingOptions) -> Sources:
+    """Return what is not known about a hit; a calibrated bat's file knows its own part.
 
     Parameters
     ----------
-    name : of the bat's file or catalogue entry.
-    length, at : m, of the bat, and where its exit speed is in question.
-    along : whether the best place is in question too, so that the whole bat is hit.
+    name : of the bat's file or catalogue entry; None: it has none of its own.
+    swing : as it was asked for; a speed without ± is known to one unit of its last digit, and what was not given is as
+        usual and taken as it is.
     """
-    import numpy as np
-
     from sweetspot.calibration.calibrated_file import deviations_of
-    from sweetspot.calibration.uncertainty import doubt
-    from sweetspot.report.calibration.doubt_report import doubt_json, doubt_words
-    from sweetspot.report.document import Paragraph
+    from sweetspot.calibration.draws.sources import sources_of
+    from sweetspot.cli.options.written_errors import error_of
 
-    sure = doubt(line, conditions, known=deviations_of(name), positions=None if along else np.array([at]))
-    place = sure.best_place() if along else None
-    words = Paragraph(doubt_words(sure, at, length=length, place=place))
-    data = {**document.data, "uncertainty": doubt_json(sure, at, place=place)}
-    return replace(document, blocks=[*document.blocks, words], data=data)
+    return sources_of(
+        bat, conditions, known=None if name is None else deviations_of(name),
+        bat_speed_error=error_of(swing.bat_speed, "speed", "--bat-speed"),
+        pitch_speed_error=error_of(swing.pitch_speed, "speed", "--pitch-speed"),
+    )  # fmt: skip

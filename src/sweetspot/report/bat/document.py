@@ -21,7 +21,7 @@ from sweetspot.report.bat.tables import (
     modes_table,
     spots_table,
 )
-from sweetspot.report.bat.words import WHY_TWO, Miss, answer, from_tip, misses_of
+from sweetspot.report.bat.words import BEST_PLACE, BEST_SPEED, WHY_TWO, Miss, answer, from_tip, misses_of
 from sweetspot.report.document import Block, Cards, Document, Paragraph, Picture, Section, Sources
 from sweetspot.report.hit.document import BattedHit, hit_picture, hit_table
 from sweetspot.report.quantities import Reader
@@ -79,8 +79,11 @@ def _cards(analysis: Analysis[Implement], misses: Sequence[Miss]) -> Cards:
     spots, words = analysis.sweet_spots, words_of(analysis.bat)
     width: Words | Slot = "none" if spots.zone is None else Slot(spots.zone[1] - spots.zone[0], "place")
     cards: list[tuple[Words | Slot, Words]] = [
-        (from_tip(analysis, spots.max_exit_speed), in_words("from the {tip}: where it hits best", words)),
-        (Slot(exit_speed_of(analysis.best, analysis.conditions), "speed"), f"{words.exit_speed} of the best hit"),
+        (from_tip(analysis, spots.max_exit_speed, BEST_PLACE), in_words("from the {tip}: where it hits best", words)),
+        (
+            Slot(exit_speed_of(analysis.best, analysis.conditions), "speed", of=BEST_SPEED),
+            f"{words.exit_speed} of the best hit",
+        ),
         (width, in_words("wide: the {zone}, fast and quiet", words)),
     ]
     if len(misses) > 1:
@@ -130,7 +133,7 @@ def _details(analysis: Analysis[Implement]) -> list[Block]:
         Section("along", f"Along the {words.implement}", [along_table(analysis)]),
         Section("mass", "Weight and balance", [mass_table(analysis.bat, analysis.body)]),
         Section("modes", "How it rings", [modes_table(analysis.bat, analysis.modes)]),
-        Section("best-hit", where, [hit_table(best), hit_picture(analysis.best, words, caption)]),
+        Section("best-hit", where, [hit_table(best, at="best_hit."), hit_picture(analysis.best, words, caption)]),
         Section("conditions", "Conditions", [conditions_table(analysis)]),
     ]
 

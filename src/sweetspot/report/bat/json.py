@@ -16,6 +16,9 @@ from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.hit.json import conditions_json, hit_json
 from sweetspot.report.json_shapes import cleaned
 
+WRITTEN_MODES = ("bending", "hoop", "face")
+"""Families whose modes are in the data; rigid motions and the hands' own are not."""
+
 
 def report_json(analysis: Analysis[Implement]) -> dict[str, Any]:
     """Return everything `sweetspot report` knows, with the keys of the border contract."""
@@ -98,5 +101,5 @@ def modes_json(modes: Modes) -> list[dict[str, Any]]:
             "nodes_m": modes.nodes(index).tolist(),
         }
         for index in range(len(modes))
-        if modes.families[index] in ("bending", "hoop", "face")
+        if modes.families[index] in WRITTEN_MODES
     ]

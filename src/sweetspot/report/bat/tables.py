@@ -18,6 +18,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.report.bat.json import WRITTEN_MODES
 from sweetspot.report.bat.words import Miss, cost, from_tip
 from sweetspot.report.document import Cell, Column, Marked, Table
 from sweetspot.report.sentences import Slot, UnitName, joined, say, with_doubt
@@ -59,7 +60,10 @@ def places_table(bat: Implement, places: Mapping[str, float]) -> Table:
     heads = [Column(say("{unit} from the {end}", unit=UnitName("place"), end=end), right=True) for end, _ in ends]
     rows: list[list[Cell]] = []
     for field, place in places.items():
-        numbers = [Slot(abs(place - end), "place").bare for _, end in ends]
+        numbers = [
+            Slot(abs(place - end), "place", unit=False, of=f"{'-' if end else ''}sweet_spots.{field}_m")
+            for _, end in ends
+        ]
         rows.append([Marked(SPOTS[field].named(words), field), *numbers, SPOTS[field].explained(words)])
     return Table("", [Column("sweet spot"), *heads, Column("what it means")], rows, name="spots")
 
@@ -87,11 +91,20 @@ def along_table(analysis: Analysis[Implement]) -> Table:
         *([Column("BBCOR at this speed", "ratio")] if analysis.bat.face is None else []),
         Column("jolt", "impulse", sign=True), Column("vibration", "vibration"),
     ]  # fmt: skip
-    curves = [scan.exit_speed, scan.rigid_exit_speed, scan.collision_efficiency,
-              *([scan.bbcor] if analysis.bat.face is None else []), scan.hand_impulse, scan.sting]  # fmt: skip
+    curves = [
+        (scan.exit_speed, "speed", "exit_speed_m_s"), (scan.rigid_exit_speed, "speed", ""),
+        (scan.collision_efficiency, "ratio", "collision_efficiency"),
+        *([(scan.bbcor, "ratio", "bbcor")] if analysis.bat.face is None else []),
+        (scan.hand_impulse, "impulse", "hand_impulse_n_s"), (scan.sting, "vibration", "sting"),
+    ]  # fmt: skip
+
+    def cell(values: Array, scale: str, name: str, place: float) -> Slot:
+        of = f"scan.{name}@{length - place!r}" if name else ""
+        return Slot(at(values, place), scale, sign=scale == "impulse", unit=False, of=of)
+
     rows: list[list[Cell]] = [
-        [Slot(float(place), "place", round=True).bare, *(at(curve, float(place)) for curve in curves)]
-        for place in stations[:MOST_STATIONS]
+        [Slot(place, "place", round=True).bare, *(cell(*curve, place) for curve in curves)]
+        for place in stations[:MOST_STATIONS].tolist()
     ]
     return Table("", columns, rows)
 
@@ -121,14 +134,17 @@ def mass_table(bat: Implement, body: RigidBody) -> Table:
     words = words_of(bat)
     convention = swing_weight(bat.sport)
     standard = in_words("{axis} from the {butt}", words, axis=Slot(STANDARD_AXIS, "place", round=True))
-    axes = ((standard, STANDARD_AXIS), (f"{words.butt} end", 0.0), ("balance point", body.balance_point))
+    axes = (
+        (standard, STANDARD_AXIS, "bat.moi_6in_kg_m2"), (f"{words.butt} end", 0.0, "bat.moi_knob_kg_m2"),
+        ("balance point", body.balance_point, "bat.moi_cm_kg_m2"),
+    )  # fmt: skip
     rows: list[tuple[Cell, Cell]] = [
         ("length", Slot(bat.length, "length")),
-        ("mass", Slot(body.mass, "mass", 2 if words.place_unit == "in" else 1)),
-        (f"balance point, from the {words.butt}", Slot(body.balance_point, "length")),
+        ("mass", Slot(body.mass, "mass", 2 if words.place_unit == "in" else 1, of="bat.mass_kg")),
+        (f"balance point, from the {words.butt}", Slot(body.balance_point, "length", of="bat.balance_point_m")),
         *([] if isinstance(bat, Bat) else [_swing_weight(bat, body, convention)]),
         *((say("moment of inertia, {axis}", axis=axis),
-           with_doubt(body.moi(place), moi_doubt(bat, body, place), "moi")) for axis, place in axes),
+           with_doubt(body.moi(place), moi_doubt(bat, body, place), "moi", of=of)) for axis, place, of in axes),
         ("moment of inertia, about its own axis", Slot(body.roll_moi, "moi", 1)),
     ]  # fmt: skip
     return Table("", [Column(""), Column("value", right=True)], rows)
@@ -147,11 +163,14 @@ def modes_table(bat: Implement, modes: Modes) -> Table:
     """Return the lowest vibrations with their damping and nodes."""
     words = words_of(bat)
     shown = [index for family, most in SHOWN_MODES.items() for index in modes.of_family(family)[:most]]
+    written = [index for index, family in enumerate(modes.families) if family in WRITTEN_MODES]
     rows: list[list[Cell]] = []
     for index in shown:
         nodes = joined((Slot(bat.length - float(node), "place").bare for node in modes.nodes(index)[::-1]), ", ")
         name = f"{modes.families[index]} {modes.harmonics[index]}"
-        rows.append([name, float(modes.frequency[index]), float(modes.damping_ratio[index]), nodes])
+        of = f"modes.{written.index(index)}.frequency_hz"
+        frequency = Slot(float(modes.frequency[index]), "frequency", unit=False, of=of)
+        rows.append([name, frequency, float(modes.damping_ratio[index]), nodes])
     columns = [
         Column("mode"), Column("frequency", "frequency"), Column("damping", "share", 2),
         Column(say("nodes, {unit} from the {tip}", unit=UnitName("place"), tip=words.tip)),
@@ -171,9 +190,9 @@ def conditions_table(analysis: Analysis[Implement]) -> Table:
     )  # fmt: skip
     held = any((hands.mass, hands.stiffness, hands.damping))
     rows: list[tuple[Cell, Cell]] = [
-        (f"{words.incoming} comes at", Slot(conditions.pitch.speed, "speed")),
+        (f"{words.incoming} comes at", Slot(conditions.pitch.speed, "speed", of="conditions.pitch_speed_m_s")),
         (in_words("{implement} speed, {place} from the {tip}", words, place=from_tip(analysis, swing.measured_at)),
-         Slot(swing.bat_speed, "speed")),
+         Slot(swing.bat_speed, "speed", of="conditions.bat_speed_m_s")),
         (f"turns about, from the {words.butt}", Slot(swing.pivot, "place")),
         (f"top hand, from the {words.butt}", Slot(hands.position, "place")),
         (words.ball, say("{name}, {mass}", name=ball.name, mass=weight(ball.mass))),

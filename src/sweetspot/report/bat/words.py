@@ -27,6 +27,8 @@ WHY_TWO = (
     "In brackets: what a ball that loses its energy by how fast it is pressed, not by how far, allows as well; no "
     "measurement has settled that."
 )
+BEST_PLACE, BEST_SPEED = "sweet_spots.max_exit_speed_m", "best_hit.exit_speed_m_s"
+"""Where the answer is in the data."""
 SMALL = 1e-3
 """Relative change of a speed that is told as less than this."""
 FOLLOWS = 0.005
@@ -59,9 +61,9 @@ def answer(analysis: Analysis[Implement], misses: Sequence[Miss]) -> list[Senten
     return [words for words in paragraphs if words.parts]
 
 
-def from_tip(analysis: Analysis[Implement], position: float) -> Slot:
-    """Return how far from the tip a position is."""
-    return Slot(analysis.bat.length - position, "place")
+def from_tip(analysis: Analysis[Implement], position: float, of: str = "") -> Slot:
+    """Return how far from the tip a position is; ``of`` as in `Slot`."""
+    return Slot(analysis.bat.length - position, "place", of=f"-{of}" if of else "")
 
 
 def cost(loss: Loss) -> Sentence:
@@ -82,8 +84,8 @@ def _where(analysis: Analysis[Implement], words: Words) -> Sentence:
     leaves, swung = exit_speed_of(best, conditions), conditions.swing.speed_at(best.position)
     text = in_words(
         "This {implement} hits best {place} from the {tip}: {coming} leaves at {speed}{doubt}.", words,
-        place=from_tip(analysis, spots.max_exit_speed), coming=arriving(words, conditions.pitch.speed),
-        speed=Slot(leaves, "speed"), doubt=_by_ball(analysis),
+        place=from_tip(analysis, spots.max_exit_speed, BEST_PLACE), coming=arriving(words, conditions.pitch.speed),
+        speed=Slot(leaves, "speed", of=BEST_SPEED), doubt=_by_ball(analysis),
     )  # fmt: skip
     if words.smash_factor and swung:
         text += in_words(

@@ -117,16 +117,18 @@ def _simulated(test: Certification) -> list[Block]:
     fast, slow, length, spreads = test.fast, test.slow, test.bat.length, test.spreads
     at = Slot(fast.closing_speed, "speed", 0)
     rows: list[list[Cell]] = [
-        ["BBCOR of the test", Slot(test.bbcor, "ratio", 4), _range(spreads["bbcor"]), _place(fast, length),
+        ["BBCOR of the test", Slot(test.bbcor, "ratio", 4, of="test.bbcor"), _range(spreads["bbcor"]),
+         _place(fast, length),
          say("ball at {speed}, best of {count} places", speed=at, count=len(fast.position))],
-        ["collision efficiency q", Slot(fast.best_efficiency, "ratio", 4), "", _place(fast, length), "there"],
-        ["BESR", Slot(test.besr, "ratio", 4), _range(spreads["besr"]), _place(fast, length), "q + 1/2"],
-        ["BPF", Slot(test.bpf, "ratio"), _range(spreads["bpf"], digits=3), _place(slow, length),
+        ["collision efficiency q", Slot(fast.best_efficiency, "ratio", 4, of="test.collision_efficiency"), "",
+         _place(fast, length), "there"],
+        ["BESR", Slot(test.besr, "ratio", 4, of="test.besr"), _range(spreads["besr"]), _place(fast, length), "q + 1/2"],
+        ["BPF", Slot(test.bpf, "ratio", of="test.bpf"), _range(spreads["bpf"], digits=3), _place(slow, length),
          say("ball at {speed}, whose own restitution is {own}", speed=Slot(slow.closing_speed, "speed", 0),
              own=Slot(slow.ball_restitution, "ratio", 4))],
-        ["batted-ball speed", Slot(test.batted_ball_speed, "speed"),
+        ["batted-ball speed", Slot(test.batted_ball_speed, "speed", of="test.batted_ball_speed_m_s"),
          _range(spreads["batted_ball_speed"], "speed", 1), _place(fast, length), _old_test()],
-        ["MOI about 6 in", Slot(test.body.moi(CLAMP), "moi"), "", "", "the clamp's axis"],
+        ["MOI about 6 in", Slot(test.body.moi(CLAMP), "moi", of="bat.moi_6in_kg_m2"), "", "", "the clamp's axis"],
     ]  # fmt: skip
     columns = [Column("measure"), Column("value", right=True), Column("by the patch", right=True)]
     columns += [Column("from the tip", "length"), Column("test")]

@@ -18,7 +18,7 @@ from sweetspot.report.document import Cell, Column, Document, Paragraph, Picture
 from sweetspot.report.hit.json import conditions_json
 from sweetspot.report.json_shapes import as_columns, cleaned
 from sweetspot.report.quantities import Reader, reader
-from sweetspot.report.sentences import Words, read, within
+from sweetspot.report.sentences import Slot, Words, read, within
 
 BBCOR_OF_PLAY = (
     "BBCOR in play is at this swing's closing speed. The number that rules limit is measured otherwise, in a test with "
@@ -70,11 +70,17 @@ def _things(compared: Sequence[Compared[Implement]]) -> Table:
     columns += [weighed, Column("f1", "frequency"), Column("q max", "ratio")]
     columns += [Column("BBCOR in play", "ratio")] if isinstance(bat, Bat) else []
     rows: list[list[Cell]] = []
-    for one in compared:
-        body = one.analysis.body
-        weight = body.moi(STANDARD_AXIS) if isinstance(bat, Bat) else convention.shown(body)
-        row: list[Cell] = [one.label, body.mass, body.balance_point, weight, first_frequency(one, "bending")]
-        row += [one.collision_efficiency, *([one.bbcor] if isinstance(bat, Bat) else [])]
+    for number, one in enumerate(compared):
+        body, at = one.analysis.body, f"bats.{number}."
+        mois = Slot(body.moi(STANDARD_AXIS), "moi", unit=False, of=f"{at}bat.moi_6in_kg_m2")
+        row: list[Cell] = [
+            one.label, Slot(body.mass, "mass", unit=False, of=f"{at}bat.mass_kg"),
+            Slot(body.balance_point, "length", unit=False, of=f"{at}bat.balance_point_m"),
+            mois if isinstance(bat, Bat) else convention.shown(body),
+            Slot(first_frequency(one, "bending"), "frequency", unit=False, of=f"{at}bending_1_hz"),
+            Slot(one.collision_efficiency, "ratio", of=f"{at}max_collision_efficiency"),
+        ]  # fmt: skip
+        row += [Slot(one.bbcor, "ratio", of=f"{at}max_bbcor")] if isinstance(bat, Bat) else []
         rows.append(row)
     return Table(f"The {tool}s", columns, rows)
 
@@ -88,8 +94,11 @@ def _in_play(compared: Sequence[Compared[Implement]]) -> Table:
     ]  # fmt: skip
     rows: list[list[Cell]] = [
         [
-            one.label, within(one.bat_speed, "speed", unit=False), within(one.exit_speed, "speed", unit=False),
-            within(one.change, "speed_change", sign=True, unit=False) if number else "reference", one.break_even,
+            one.label, within(one.bat_speed, "speed", unit=False, of=f"bats.{number}.bat_speed_m_s"),
+            within(one.exit_speed, "speed", unit=False, of=f"bats.{number}.exit_speed_m_s"),
+            within(one.change, "speed_change", sign=True, unit=False, of=f"bats.{number}.change_m_s")
+            if number else "reference",
+            one.break_even,
         ]
         for number, one in enumerate(compared)
     ]  # fmt: skip

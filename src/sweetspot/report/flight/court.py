@@ -38,10 +38,10 @@ def _mark_json(passage: Passage) -> dict[str, Any]:
 def court_words(flight: Flight, sport: Sport, *, ball: Ball) -> Sentence:
     """Return a flight and what it is on this sport's court or field, in sentences."""
     if flight.outcome is not FlightOutcome.LANDED:
-        return flight_words(flight)
+        return flight_words(flight, at="")
     start = flight.positions[0]
     reached = math.hypot(flight.landing.position[0] - start[0], flight.landing.position[1] - start[1])
-    return joined([flight_words(flight, carry=reached), *_sentences(passages(flight, sport.marks, ball=ball))])
+    return joined([flight_words(flight, carry=reached, at=""), *_sentences(passages(flight, sport.marks, ball=ball))])
 
 
 def _sentences(passed: Sequence[Passage]) -> list[Sentence]:

@@ -123,7 +123,7 @@ def flight_document(flight: Flight) -> Document:
     words = say("A ball leaves {launch}.", launch=launch_words(flight.launch))
     return Document(
         name="flight", title="", kind="Flight",
-        blocks=[Paragraph(joined([words, flight_words(flight), _bend(flight)])), _picture(flight, None)],
+        blocks=[Paragraph(joined([words, flight_words(flight, at=""), _bend(flight)])), _picture(flight, None)],
         data=flight_json(flight), rows=path_columns(flight), drawing=_picture(flight, None),
     )  # fmt: skip
 
@@ -160,7 +160,7 @@ def _words(flown: BattedFlight) -> Sentence:
     sentences = [say("A ball leaves {launch}{usual}.", launch=launch_words(flown.flight.launch), usual=usual)]
     if flown.sport.key != "baseball":
         return joined([*sentences, court_words(flown.flight, flown.sport, ball=flown.ball)])
-    sentences += [flight_words(flown.flight), _bend(flown.flight)]
+    sentences += [flight_words(flown.flight, at=""), _bend(flown.flight)]
     if flown.spread:
         sentences.append(
             say(

@@ -53,20 +53,23 @@ def landing_json(landing: Landing, park: Park) -> dict[str, Any]:
     )
 
 
-def flight_words(flight: Flight, carry: float | None = None) -> Sentence:
+def flight_words(flight: Flight, carry: float | None = None, *, at: str = "flight.") -> Sentence:
     """Return a flight in a sentence.
 
     Parameters
     ----------
     carry : m over the ground where it counts from another place than home plate.
+    at : what its numbers' names begin with in the document's data.
     """
     if flight.outcome is not FlightOutcome.LANDED:
         return say(flight.outcome.sentence[0].upper() + flight.outcome.sentence[1:] + ".")
     return say(
         "It carries {carry} in {time}, at most {apex} high, and comes down {angle} steep at {speed}.",
-        carry=Slot(flight.carry if carry is None else carry, "distance"), time=Slot(flight.hang_time, "time"),
-        apex=Slot(flight.apex_height, "distance"), angle=Slot(flight.landing_angle, "angle", digits=0),
-        speed=Slot(flight.landing.speed, "speed", digits=0),
+        carry=Slot(flight.carry if carry is None else carry, "distance", of=f"{at}carry_m"),
+        time=Slot(flight.hang_time, "time", of=f"{at}hang_time_s"),
+        apex=Slot(flight.apex_height, "distance", of=f"{at}apex_m"),
+        angle=Slot(flight.landing_angle, "angle", digits=0, of=f"{at}landing_angle_rad"),
+        speed=Slot(flight.landing.speed, "speed", digits=0, of=f"{at}landing_speed_m_s"),
     )  # fmt: skip
 
 
@@ -87,8 +90,10 @@ def landing_words(landing: Landing, park: Park) -> Sentence:
 def launch_words(ball: BallMotion) -> Sentence:
     """Return how a ball leaves: "at 105.8 mph, 24.8° up and 11.7° to right field, with 3249 rpm of backspin ..."."""
     return say(
-        "at {speed}, {up} and {aside}, with {spin}", speed=Slot(ball.speed, "speed"),
-        up=signed(ball.launch_angle, "angle", "up", "down"), aside=direction_words(ball.spray), spin=spin_words(ball),
+        "at {speed}, {up} and {aside}, with {spin}",
+        speed=Slot(ball.speed, "speed", of="exit_speed_m_s"),
+        up=signed(ball.launch_angle, "angle", "up", "down", of="launch_angle_rad"),
+        aside=direction_words(ball.spray), spin=spin_words(ball),
     )  # fmt: skip
 
 
@@ -113,6 +118,7 @@ def spin_words(ball: BallMotion) -> Sentence:
     return turning[0] if len(turning) == 1 else say("{back} and {side}", back=turning[0], side=turning[1])
 
 
-def signed(value: float, scale: str, positive: str, negative: str) -> Sentence:
-    """Return a number's size with the words that say its sign."""
-    return say("{size} {words}", size=Slot(abs(value), scale), words=positive if value >= 0 else negative)
+def signed(value: float, scale: str, positive: str, negative: str, *, of: str = "") -> Sentence:
+    """Return a number's size with the words that say its sign; ``of`` as in `Slot`."""
+    at = f"-{of}" if of and value < 0 else of
+    return say("{size} {words}", size=Slot(abs(value), scale, of=at), words=positive if value >= 0 else negative)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from sweetspot.analysis.bat_analysis import exit_speed_of
@@ -68,22 +68,27 @@ def impact_document(impact: Impact) -> Document:
     )  # fmt: skip
 
 
-def hit_table(hit: BattedHit, title: str | Sentence = "") -> Table:
-    """Return one hit in the words of its sport."""
+def hit_table(hit: BattedHit, title: str | Sentence = "", *, at: str = "") -> Table:
+    """Return one hit in the words of its sport.
+
+    Parameters
+    ----------
+    at : what its numbers' names begin with in the document's data.
+    """
     impact, conditions, words = hit.impact, hit.conditions, words_of(hit.implement)
     leaves, swung = exit_speed_of(impact, conditions), conditions.swing.speed_at(impact.position)
     restitution = bbcor(impact.collision_efficiency, body=hit.body, ball=conditions.ball, position=impact.position)
     rows: Rows = [
         ("outcome", impact.outcome.sentence.replace(" bat ", f" {words.implement} ")),
-        (f"{words.implement} speed there", Slot(swung, "speed")),
-        (words.exit_speed, Slot(leaves, "speed")),
-        (words.efficiency, Slot(impact.collision_efficiency, "ratio", 4)),
+        (f"{words.implement} speed there", Slot(swung, "speed", of=f"{at}bat_speed_m_s")),
+        (words.exit_speed, Slot(leaves, "speed", of=f"{at}exit_speed_m_s")),
+        (words.efficiency, Slot(impact.collision_efficiency, "ratio", 4, of=f"{at}collision_efficiency")),
     ]
     if words.smash_factor and swung:
         rows.append((words.smash_factor, Slot(leaves / swung, "ratio")))
     if hit.implement.face is None:
-        rows.append(("BBCOR at this speed", Slot(restitution, "ratio")))
-    rows += [*_contact_rows(impact, words), *_energy_rows(impact, words)]
+        rows.append(("BBCOR at this speed", Slot(restitution, "ratio", of=f"{at}bbcor")))
+    rows += [*_contact_rows(impact, words, at), *_energy_rows(impact, words)]
     masses = in_words(
         "{implement} {tool}, {ball} {thrown}", words, tool=Slot(hit.body.mass, "mass"),
         thrown=weight(conditions.ball.mass),
@@ -107,11 +112,12 @@ def _drawn(impact: Impact, words: Words) -> Any:
     return hit_figure(impact, words)
 
 
-def _contact_rows(impact: Impact, words: Words) -> Rows:
+def _contact_rows(impact: Impact, words: Words, at: str = "") -> Rows:
+    pressed = Slot(impact.peak_compression, "compression", of=f"{at}peak_compression_m")
     return [
-        ("contact, force above 1 % of its peak", Slot(impact.contact_time, "contact")),
-        ("peak force", _force(impact.peak_force)),
-        (in_words("peak compression of the {ball}", words), Slot(impact.peak_compression, "compression")),
+        ("contact, force above 1 % of its peak", Slot(impact.contact_time, "contact", of=f"{at}contact_time_s")),
+        ("peak force", replace(_force(impact.peak_force), of=f"{at}peak_force_n")),
+        (in_words("peak compression of the {ball}", words), pressed),
     ]
 
 

@@ -1,0 +1,92 @@
+"""A comparison of many bats that may be meant, all hit by the same balls with the same effort.
+
+What is not known of ball, pitch and swing is the same for all bats of a draw and mostly cancels; each bat has its own
+doubt, and the swing law's exponent is drawn too.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from sweetspot.analysis.comparison import Comparison
+from sweetspot.calibration.draws.drawn_hits import Draws, draws_of, hits_along
+from sweetspot.calibration.draws.intervals import DrawnAnswers
+from sweetspot.calibration.draws.sources import DRAWS, Source, Sources
+from sweetspot.equipment.implement import Implement
+from sweetspot.motion.swing_law import GREATEST_EXPONENT, SwingLaw
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.numerics.parabola import peak
+
+PLACES = 41
+LAW = "swing law"
+
+
+def drawn_comparison(comparison: Comparison[Implement], sources: list[Sources], *, count: int = DRAWS) -> DrawnAnswers:
+    """Return the answers of draws to a comparison, by their names in its data.
+
+    Parameters
+    ----------
+    sources : of every bat; those that are not a bat's are taken from the first.
+    """
+    first, law = sources[0], comparison.law
+    shared = Sources((), np.zeros((0, 0)), (*first.others, *_of_law(law))).normal(count)
+    normals = [one.normal(count, seed=index + 2)[:, : len(one.unknowns)] for index, one in enumerate(sources)]
+    power = np.zeros(count + 1)
+    if law is not None:
+        power[1:] = law.exponent_spread * shared[:, -1]
+        power = np.clip(law.exponent + power, 0.0, GREATEST_EXPONENT)
+    of_others = shared[:, : len(first.others)]
+    values: dict[str, Array] = {}
+    reference: Draws | None = None
+    for index, (one, own, normal) in enumerate(zip(comparison.compared, sources, normals, strict=True)):
+        joint = Sources(own.unknowns, own.covariance, first.others)
+        analysis = one.analysis
+        draws = draws_of(analysis.line, analysis.conditions, joint, count=count, normal=np.hstack([normal, of_others]))
+        if reference is not None and law is not None:
+            draws = draws.swung(reference.bat_speed / reference.bat_speed[0] * _ratios(law, draws, reference, power))
+        reference = reference or draws
+        values |= _of_bat(draws, index, analysis.scan.position[analysis.scan.position > analysis.body.balance_point])
+    known = values["bats.0.exit_speed_m_s"]
+    for index in range(len(sources)):
+        values[f"bats.{index}.change_m_s"] = values[f"bats.{index}.exit_speed_m_s"] - known
+    names = tuple(f"bat {index + 1}" for index, one in enumerate(normals) for _ in range(one.shape[1]))
+    names += tuple(one.name for one in first.others) + tuple(one.name for one in _of_law(law))
+    normal = np.hstack([*normals, shared])
+    return DrawnAnswers(np.vstack([np.zeros((1, normal.shape[1])), normal]), names, values)
+
+
+def _of_law(law: SwingLaw | None) -> tuple[Source, ...]:
+    return () if law is None else (Source(LAW, law.exponent_spread, f"spread of the exponent of {law.name}"),)
+
+
+def _ratios(law: SwingLaw, draws: Draws, reference: Draws, power: Array) -> Array:
+    """Return every draw's omega against the reference's, over that of the bats as described."""
+    own, known = (one.moi(one.line.bat.choke + law.axis) for one in (draws, reference))
+    ratios = [
+        law.speed_ratio(float(moi), reference_moi=float(before), exponent=float(exponent))
+        for moi, before, exponent in zip(own, known, power, strict=True)
+    ]
+    return np.array(ratios) / ratios[0]
+
+
+def _of_bat(draws: Draws, index: int, barrel: Array) -> dict[str, Array]:
+    """Return what is told of one bat."""
+    along = hits_along(draws, np.linspace(barrel[0], barrel[-1], PLACES))
+    body = draws.bats.bending
+    found = {
+        "bat_speed_m_s": draws.bat_speed,
+        "exit_speed_m_s": _peaks(along.exit_speed), "max_bbcor": _peaks(along.bbcor),
+        "max_collision_efficiency": _peaks(along.collision_efficiency),
+        "bat.mass_kg": body.mass, "bat.balance_point_m": body.balance_point,
+        "bat.moi_6in_kg_m2": body.moi(STANDARD_AXIS),
+    }  # fmt: skip
+    if draws.sources.unknowns:
+        found["bending_1_hz"] = draws.bats.angular_frequency[:, 2] / (2 * np.pi)
+    else:
+        found = {name: value for name, value in found.items() if not name.startswith("bat.")}
+    return {f"bats.{index}.{name}": value for name, value in found.items()}
+
+
+def _peaks(curves: Array) -> Array:
+    return np.array([peak(curve) for curve in curves])

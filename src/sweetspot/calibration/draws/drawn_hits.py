@@ -1,0 +1,183 @@
+"""Hits with many bats, balls and swings that may be meant."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from sweetspot.analysis.hand_weighting import velocity_weight
+from sweetspot.calibration.ball_doubt import ball_off
+from sweetspot.calibration.draws.bat_draws import DrawnBats, drawn_bats
+from sweetspot.calibration.draws.sources import OF_BALL, PATCH, PITCH, SWING, Sources
+from sweetspot.collision.closed_form import exit_speed, restitution_from_efficiency
+from sweetspot.collision.hits_of_bats import struck
+from sweetspot.collision.impact import Impacts
+from sweetspot.collision.kernel import STEP
+from sweetspot.collision.time_step import contact_step
+from sweetspot.dynamics.beam import BeamModel
+from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.patch import contact_patch
+from sweetspot.equipment.ball import Ball
+from sweetspot.motion.swing import MAX_SPEED, Conditions
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.constants import STANDARD_AXIS
+
+SLOWEST = 0.1
+"""m/s that a drawn bat is swung at least."""
+
+
+@dataclass(frozen=True)
+class Draws:
+    """What may be meant: the first is everything as described.
+
+    Parameters
+    ----------
+    sources : what is drawn.
+    normal : standard normal numbers behind every draw, shape (draws, n); the first row is 0.
+    line, conditions : as described.
+    bats, balls : drawn.
+    patch : factor on the radius of the patch beside that of each ball, shape (draws,).
+    bat_speed, pitch_speed : m/s, where the swing is measured and of the ball, shape (draws,).
+    """
+
+    sources: Sources
+    normal: Array
+    line: BeamModel
+    conditions: Conditions
+    bats: DrawnBats
+    balls: tuple[Ball, ...]
+    patch: Array
+    bat_speed: Array
+    pitch_speed: Array
+
+    def __len__(self) -> int:
+        return len(self.normal)
+
+    def moi(self, axis: float) -> Array:
+        """Return moments of inertia about an axis in m from the knob end, kg m^2, shape (draws,)."""
+        return self.bats.bending.moi(axis)
+
+    def swung(self, faster: Array) -> Draws:
+        """Return the same draws swung ``faster`` times as fast, shape (draws,)."""
+        speed = np.clip(self.bat_speed[0] * faster, SLOWEST, MAX_SPEED)
+        return replace(self, bat_speed=speed)
+
+    @cached_property
+    def ball_mass(self) -> Array:
+        """Of every ball in kg, shape (draws,)."""
+        return np.array([ball.mass for ball in self.balls])
+
+    def struck(self, position: Array, closing_speed: Array, *, keep_motion: bool = False) -> Impacts:
+        """Return hits, every array shaped (draws, places).
+
+        Parameters
+        ----------
+        position, closing_speed : m from the knob end and m/s, broadcast together to (draws, places).
+        """
+        shape = np.broadcast_shapes(position.shape, closing_speed.shape, (len(self), 1))
+        places, speeds = (np.ascontiguousarray(np.broadcast_to(one, shape)) for one in (position, closing_speed))
+        return struck(
+            self.bats, ball=self.balls, position=places, closing_speed=speeds,
+            keep_motion=keep_motion, step=self._step,
+        )  # fmt: skip
+
+    @cached_property
+    def _step(self) -> float:
+        """Time step in s: a light face needs shorter ones than a bat's barrel."""
+        if self.line.bat.face is None:
+            return STEP
+        return contact_step(all_modes(self.line, self.conditions.ball), self.conditions.ball, longest=STEP)
+
+
+def draws_of(
+    line: BeamModel,
+    conditions: Conditions,
+    sources: Sources,
+    *,
+    count: int,
+    seed: int = 1,
+    normal: Array | None = None,
+) -> Draws:
+    """Return draws of what is not known, after one of everything as described.
+
+    Parameters
+    ----------
+    line, conditions : as described.
+    count : a power of two.
+    normal : standard normal numbers to draw by, shape (count, n); None: Sobol's sequence.
+    """
+    drawn = sources.normal(count, seed=seed) if normal is None else normal
+    normal = np.concatenate([np.zeros((1, len(sources.names))), drawn])
+    off = sources.deviations(normal)
+    off[0] = 0.0
+    bats = len(sources.unknowns)
+    of_ball = {name.removeprefix(OF_BALL).replace(" ", "_"): sources.of(name, off).tolist()
+               for name in sources.names if name.startswith(OF_BALL)}  # fmt: skip
+    ball = conditions.ball
+    balls = tuple(
+        ball_off(ball, {name: values[row] for name, values in of_ball.items()}) if of_ball else ball
+        for row in range(len(off))
+    )
+    swung, thrown = conditions.swing.bat_speed + sources.of(SWING, off), conditions.pitch.speed + sources.of(PITCH, off)
+    drawn_ones = drawn_bats(
+        line, sources.unknowns, off[:, :bats], spreads=np.sqrt(np.diag(sources.covariance)), ball=ball
+    )
+    patch = np.exp(sources.of(PATCH, off))
+    own = patch * np.array([contact_patch(one) for one in balls]) / contact_patch(ball)
+    # a patch goes as v^(1 / (n + 1)): another radius at this speed is that of another speed
+    pressing = (own ** (ball.exponent + 1))[:, None]
+    return Draws(
+        sources, normal, line, conditions, replace(drawn_ones, pressing=pressing), balls, patch,
+        np.clip(swung, SLOWEST, MAX_SPEED), np.clip(thrown, 0.0, MAX_SPEED),
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class HitsAlong:
+    """Hits of every draw at the same places; arrays have shape (draws, places), SI; see `Scan`."""
+
+    position: Array
+    collision_efficiency: Array
+    bbcor: Array
+    exit_speed: Array
+    bat_speed: Array
+    hand_impulse: Array
+    sting: Array
+    contact_time: Array
+    peak_force: Array
+    peak_compression: Array
+
+
+def hits_along(draws: Draws, places: Array) -> HitsAlong:
+    """Return hits of every draw at places in m from the knob end, shape (m,)."""
+    conditions, body = draws.conditions, draws.bats.bending
+    swing, hands = conditions.swing, conditions.hands
+    turning = draws.bat_speed / (swing.measured_at - swing.pivot)
+    bat = turning[:, None] * (places - swing.pivot)
+    thrown, mass = draws.pitch_speed[:, None], draws.ball_mass[:, None]
+    closing = thrown + bat
+    done = draws.struck(places[None, :], closing, keep_motion=True)
+    efficiency = done.collision_efficiency
+    recoil = mass * (places - STANDARD_AXIS) ** 2 / body.moi(STANDARD_AXIS)[:, None]
+    held = 1 - (body.mass * (body.balance_point - hands.position) / body.moi(hands.position))[:, None] * (
+        places - hands.position
+    )
+    return HitsAlong(
+        position=places, collision_efficiency=efficiency, bbcor=restitution_from_efficiency(efficiency, recoil=recoil),
+        exit_speed=exit_speed(efficiency, ball_speed=0.0, bat_speed=closing) - thrown,  # seen by the flying ball
+        bat_speed=bat, hand_impulse=held * mass * closing * (1 + efficiency),
+        sting=_sting(draws, done), contact_time=done.contact_time, peak_force=done.peak_force,
+        peak_compression=done.peak_compression,
+    )  # fmt: skip
+
+
+def _sting(draws: Draws, done: Impacts) -> Array:
+    """Return the vibration at the hands in m/s of every hit; see `position_scan.sting`."""
+    omega = draws.bats.angular_frequency
+    amplitude = done.velocity**2 + (omega[:, None, :] * done.displacement) ** 2
+    places = np.broadcast_to(np.array(draws.conditions.hands.places), (len(draws), 2))
+    shapes = draws.bats.shapes_at(np.ascontiguousarray(places)) ** 2
+    weights = velocity_weight(omega / (2 * np.pi)) ** 2 * shapes.mean(axis=1)
+    return np.asarray(np.sqrt(np.einsum("bpm,bm->bp", amplitude, weights) / 2))

@@ -1,0 +1,164 @@
+"""One play or one flight, for bats, balls and speeds that may be meant.
+
+Along the line of centres every draw has its own collision; what friction does to the ball there is that of the bat as
+described, at the speeds of the draw. Drag moves all that a flight is asked for as much as it does one standard
+deviation up and down.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from sweetspot.calibration.draws.drawn_hits import draws_of
+from sweetspot.calibration.draws.intervals import DrawnAnswers
+from sweetspot.calibration.draws.sources import DRAWS, Source, Sources
+from sweetspot.collision.hit_in_space import Contact, strikes
+from sweetspot.collision.oblique_contact import contact_frame
+from sweetspot.dynamics.reduction import ReducedBat
+from sweetspot.equipment.bat import Bat
+from sweetspot.flight.conditions import FlightConditions
+from sweetspot.flight.kernel import Flights, flights
+from sweetspot.motion.ball_motion import BallMotion, BallMotions
+from sweetspot.motion.swing import Conditions
+from sweetspot.motion.swing_path import SwingPath, Swings
+from sweetspot.numerics.arrays import Array
+
+DRAG, LAUNCH_SPEED, LAUNCH_ANGLE = "drag of the ball", "exit speed", "launch angle"
+OTHER_BALLS = 0.03
+"""One sigma of the drag's logarithm: months and seasons of balls differ by 0.01 of 0.33 [savant_2022rays]."""
+
+
+def drag_source(spread: float) -> Source:
+    """Return the drag as a source, as a part of itself; never surer than balls of one kind are alike.
+
+    Parameters
+    ----------
+    spread : that the catalogue knows the mean to, as a part of it.
+    """
+    return Source(DRAG, float(np.hypot(spread, OTHER_BALLS)), "the catalogue's spread, and that of seasons of balls")
+
+
+@dataclass(frozen=True)
+class PlayAsked:
+    """A play as it is described; see `sweetspot.analysis.full_play.play`."""
+
+    reduced: ReducedBat[Bat]
+    conditions: Conditions
+    flying: FlightConditions
+    path: SwingPath
+    pitch: BallMotion
+    contact: Contact
+
+
+def drawn_play(asked: PlayAsked, sources: Sources, *, count: int = DRAWS) -> DrawnAnswers:
+    """Return the answers of draws to a play, by their names in its data.
+
+    Parameters
+    ----------
+    sources : of the hit, and `drag_source`.
+    """
+    reduced, conditions, pitch = asked.reduced, asked.conditions, asked.pitch
+    draws = draws_of(reduced.line, conditions, sources, count=count)
+    place, offset = (float(np.asarray(value)) for value in asked.contact)
+    faster = draws.pitch_speed / draws.pitch_speed[0] if draws.pitch_speed[0] > 0 else np.ones(len(draws))
+    swing, thrown = conditions.swing, faster[:, None] * np.asarray(pitch.velocity)
+    speed = draws.bat_speed * (place - swing.pivot) / (swing.measured_at - swing.pivot)
+    axes = asked.path.axes
+    met = strikes(
+        reduced, ball=conditions.ball, swings=Swings(speed, axes, swing.pivot),
+        pitches=BallMotions(velocity=thrown, spin=np.asarray(pitch.spin), position=np.asarray(pitch.position)),
+        contact=Contact(np.full(len(draws), place), np.full(len(draws), offset)),
+    )  # fmt: skip
+    closing = np.nan_to_num(met.closing_speed, nan=1.0)[:, None]
+    own = draws.struck(np.array([[place]]), closing).collision_efficiency[:, 0]
+    reach = conditions.ball.radius + float(reduced.bat.diameter_at(np.array(place))) / 2
+    normal = contact_frame(*axes, lift=np.arcsin(np.clip(offset / reach, -1.0, 1.0))).normal
+    more = (own - met.collision_efficiency) * met.closing_speed
+    velocity = met.velocity + more[:, None] * np.asarray(normal)
+    off = sources.deviations(draws.normal)
+    off[0] = 0.0
+    left = BallMotions(velocity=velocity, spin=met.spin, position=np.asarray(pitch.position))
+    values = {
+        "bat_speed_m_s": speed, "pitch_speed_m_s": draws.pitch_speed, "closing_speed_m_s": met.closing_speed,
+        "collision_efficiency": own, **launch_values(velocity),
+        **{f"flight.{name}": value for name, value in drawn_flights(left, asked.flying, sources.of(DRAG, off)).items()},
+    }  # fmt: skip
+    return DrawnAnswers(draws.normal, sources.names, values)
+
+
+def drawn_flight(
+    left: BallMotion,
+    flying: FlightConditions,
+    *,
+    spread: float,
+    speed_error: float,
+    angle_error: float,
+    count: int = DRAWS,
+) -> tuple[DrawnAnswers, Sources]:
+    """Return the answers of draws to one flight, by their names in its data, and what was drawn.
+
+    Parameters
+    ----------
+    left : the ball as it leaves the bat.
+    spread : that the catalogue knows the mean drag to, as a part of it; see `drag_source`.
+    speed_error, angle_error : one standard deviation of its speed and its launch angle, m/s and rad; 0: exact.
+    """  # fmt: skip
+    given = [(LAUNCH_SPEED, speed_error), (LAUNCH_ANGLE, angle_error)]
+    written = tuple(Source(name, error, "as it was written") for name, error in given if error > 0)
+    sources = Sources((), np.zeros((0, 0)), (drag_source(spread), *written))
+    normal = np.vstack([np.zeros((1, len(sources.names))), sources.normal(count)])
+    off = sources.deviations(normal)
+    speed = np.maximum(left.speed + sources.of(LAUNCH_SPEED, off), 0.0)
+    angle = left.launch_angle + sources.of(LAUNCH_ANGLE, off)
+    level = np.stack(
+        [math.sin(left.spray) * np.cos(angle), math.cos(left.spray) * np.cos(angle), np.sin(angle)], axis=1
+    )
+    velocity = speed[:, None] * level
+    balls = BallMotions(velocity=velocity, spin=np.asarray(left.spin), position=np.asarray(left.position))
+    values = {**launch_values(velocity), **drawn_flights(balls, flying, sources.of(DRAG, off))}
+    return DrawnAnswers(normal, sources.names, values), sources
+
+
+def launch_values(velocity: Array) -> dict[str, Array]:
+    """Return speed and directions of balls that leave with these velocities, shape (n, 3)."""
+    right, out, up = velocity.T
+    return {
+        "exit_speed_m_s": np.linalg.norm(velocity, axis=1), "launch_angle_rad": np.arctan2(up, np.hypot(right, out)),
+        "spray_rad": np.arctan2(right, out),
+    }  # fmt: skip
+
+
+def drawn_flights(left: BallMotions, flying: FlightConditions, drag: Array) -> dict[str, Array]:
+    """Return what flights are asked for, each with its own drag.
+
+    Parameters
+    ----------
+    left : balls as they leave, n of them.
+    drag : logarithm of each drag over the law's, shape (n,).
+    """
+    size = float(np.std(drag))
+    found = _flown(flights(left, flying))
+    if size == 0:
+        return found
+    law = flying.aerodynamics
+    ends: list[Mapping[str, Array]] = []
+    for sign in (1.0, -1.0):
+        other = law.replaced(drag=law.drag * float(np.exp(sign * size)))
+        ends.append(_flown(flights(left, FlightConditions(
+            ball=flying.ball, aerodynamics=other, air=flying.air, wind=flying.wind,
+        ))))  # fmt: skip
+    up, down = ends
+    return {name: value + drag / size * (up[name] - down[name]) / 2 for name, value in found.items()}
+
+
+def _flown(found: Flights) -> dict[str, Array]:
+    speed = np.linalg.norm(found.landing_velocity, axis=1)
+    steep = np.arctan2(-found.landing_velocity[:, 2], np.hypot(*found.landing_velocity[:, :2].T))
+    return {
+        "carry_m": found.carry, "hang_time_s": found.hang_time, "apex_m": found.apex_height,
+        "landing_speed_m_s": speed, "landing_angle_rad": steep,
+    }  # fmt: skip

@@ -1,0 +1,114 @@
+"""From answers of many draws to an interval beside each number, and to what each of them comes from.
+
+The draws are standard normal numbers z and what followed from them. An answer is fitted, by least squares over the
+draws, with Hermite polynomials of z up to the second degree, c0 + sum c_i z_i + sum c_ii (z_i^2 - 1) / sqrt 2 +
+sum c_ij z_i z_j, which are orthonormal: its variance is the sum of the squares c^2, and the part that a source causes
+alone is its first Sobol index, sum c^2 over the terms of that source only over the variance [sudret2008]. All of a
+bat's unknowns, which depend on each other once the bat was weighed, are one source.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from sweetspot.calibration.measured import LEVEL
+from sweetspot.numerics.arrays import Array
+
+ENDS = ((1 - LEVEL) / 2, (1 + LEVEL) / 2)
+TOGETHER = "together"
+"""What sources cause only together with others, or more crookedly than the second degree."""
+
+
+@dataclass(frozen=True)
+class Reach:
+    """How far an interval goes below and above its number, SI; shapes () or (n,) as the number's own."""
+
+    below: Array
+    above: Array
+
+
+@dataclass(frozen=True)
+class DrawnAnswers:
+    """What many draws answer.
+
+    Parameters
+    ----------
+    normal : standard normal numbers behind every draw, shape (draws, n); the first draw is everything as described.
+    names : of the source of each, shape (n,).
+    values : by the answer's name in a document's data, SI, shapes (draws,) or (draws, m).
+    """
+
+    normal: Array
+    names: tuple[str, ...]
+    values: Mapping[str, Array]
+
+    def reach(self, name: str) -> Reach:
+        """Return how far the interval of an answer goes from what the described bat answers."""
+        low, high = self.ends(name)
+        centre = self.values[name][0]
+        return Reach(np.maximum(centre - low, 0.0), np.maximum(high - centre, 0.0))
+
+    def ends(self, name: str) -> tuple[Array, Array]:
+        """Return the ends of an answer's 90 % interval; draws without an answer are left out."""
+        values = self.values[name][1:]
+        known = np.isfinite(values).any(axis=0)
+        with np.errstate(all="ignore"):
+            low, high = np.nanquantile(np.where(known, values, 0.0), ENDS, axis=0)
+        return np.where(known, low, np.nan), np.where(known, high, np.nan)
+
+    def reaches(self) -> dict[str, Reach]:
+        """Return `reach` of every answer."""
+        return {name: self.reach(name) for name in self.values}
+
+    def shares(self, name: str) -> dict[str, float]:
+        """Return the first Sobol index of every source for an answer that is one number, the greatest first.
+
+        What is left of 1 has the name `TOGETHER`.
+        """
+        return variance_shares(self.normal[1:], self.names, self.values[name][1:])
+
+    def chance(self, name: str, *, least: float | None, most: float | None) -> float:
+        """Return the part of the draws whose answer keeps limits."""
+        values = self.values[name][1:]
+        kept = np.ones(len(values), bool)
+        if least is not None:
+            kept &= values >= least
+        if most is not None:
+            kept &= values <= most
+        return float(np.mean(kept))
+
+
+def variance_shares(normal: Array, names: Sequence[str], values: Array) -> dict[str, float]:
+    """Return which part of the variance of an answer each source causes alone, the greatest first.
+
+    Parameters
+    ----------
+    normal : independent standard normal numbers, shape (draws, n).
+    names : of the source of each.
+    values : the answer to each draw, shape (draws,); those that are not finite are left out.
+
+    >>> normal = np.random.default_rng(1).standard_normal((500, 2))
+    >>> shares = variance_shares(normal, ("a", "b"), 3 * normal[:, 0] + normal[:, 1])
+    >>> {name: round(share, 3) for name, share in shares.items()}  # 9 and 1 of 10
+    {'a': 0.9, 'b': 0.1, 'together': 0.0}
+    """
+    known = np.isfinite(values)
+    z, answer = normal[known], values[known]
+    count = z.shape[1]
+    pairs = list(combinations(range(count), 2))
+    terms = [(i,) for i in range(count)] * 2 + pairs
+    columns = [z, (z**2 - 1) / np.sqrt(2), *(np.stack([z[:, i] * z[:, j] for i, j in pairs], axis=1),) * bool(pairs)]
+    design = np.hstack([np.ones((len(z), 1)), *columns])
+    coefficients = np.linalg.lstsq(design, answer - answer.mean(), rcond=None)[0][1:]
+    whole = max(float(np.var(answer)), float(coefficients @ coefficients), 1e-300)
+    found = dict.fromkeys(names, 0.0)
+    for term, size in zip(terms, coefficients.tolist(), strict=True):
+        sources = {names[index] for index in term}
+        if len(sources) == 1:
+            found[sources.pop()] += size**2 / whole
+    left = max(1.0 - sum(found.values()), 0.0)
+    return {**dict(sorted(found.items(), key=lambda one: -one[1])), TOGETHER: left}

@@ -1,0 +1,155 @@
+"""What an answer does not know exactly: bat, ball, the ball's patch, swing and pitch, each with its distribution."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.stats
+
+from sweetspot.calibration.measured import REACH
+from sweetspot.calibration.uncertainty import expected_deviations
+from sweetspot.calibration.unknowns import Unknown
+from sweetspot.catalog.balls import ball_spreads
+from sweetspot.dynamics.patch import PATCH_SPREAD
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
+from sweetspot.motion.swing import Conditions
+from sweetspot.numerics.arrays import Array
+
+BAT, PATCH, SWING, PITCH = "bat", "patch of the ball", "swing", "pitch"
+"""Names of the sources that are no property of the ball."""
+OF_BALL = "ball "
+"""What the names of the ball's properties begin with."""
+DRAWS = 1024
+"""A power of two, as Sobol's sequence wants."""
+
+
+@dataclass(frozen=True)
+class Source:
+    """One thing that is not known exactly.
+
+    Parameters
+    ----------
+    name : of what; all unknowns of a bat are together "bat".
+    spread : one standard deviation; of an even distribution, between which its values lie.
+    where : what the distribution rests on, in words.
+    """
+
+    name: str
+    spread: float | tuple[float, float]
+    where: str
+
+
+@dataclass(frozen=True)
+class Sources:
+    """Everything that an answer does not know exactly.
+
+    Parameters
+    ----------
+    unknowns : of the bat.
+    covariance : of them, shape (k, k).
+    others : ball, patch, swing and pitch, independent of each other and of the bat.
+    bat_where : what the bat's covariance rests on, in words.
+    """
+
+    unknowns: tuple[Unknown, ...]
+    covariance: Array
+    others: tuple[Source, ...]
+    bat_where: str = ""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Name of every column of a draw."""
+        return (BAT,) * len(self.unknowns) + tuple(one.name for one in self.others)
+
+    @property
+    def described(self) -> dict[str, str]:
+        """What each source's distribution rests on, by its name."""
+        bat = {BAT: self.bat_where} if self.unknowns else {}
+        return bat | {one.name: one.where for one in self.others}
+
+    def without(self, *names: str) -> Sources:
+        """Return the sources but those of these names."""
+        others = tuple(one for one in self.others if one.name not in names)
+        return Sources(self.unknowns, self.covariance, others, self.bat_where)
+
+    def with_source(self, one: Source) -> Sources:
+        """Return the sources and one more."""
+        return Sources(self.unknowns, self.covariance, (*self.others, one), self.bat_where)
+
+    def normal(self, count: int, *, seed: int = 1) -> Array:
+        """Return independent standard normal numbers, shape (count, n), spread evenly by Sobol's sequence.
+
+        Parameters
+        ----------
+        count : a power of two.
+        """
+        even = scipy.stats.qmc.Sobol(len(self.names), seed=seed).random(count)
+        return np.asarray(scipy.stats.norm.ppf(np.clip(even, 1e-9, 1 - 1e-9)))
+
+    def deviations(self, normal: Array) -> Array:
+        """Return deviations from what was described for standard normal numbers, both of shape (count, n)."""
+        count = len(self.unknowns)
+        values, vectors = np.linalg.eigh(self.covariance)
+        found = np.empty_like(normal)
+        found[:, :count] = normal[:, :count] @ (vectors * np.sqrt(np.maximum(values, 0.0))).T
+        for column, one in enumerate(self.others, start=count):
+            if isinstance(one.spread, tuple):
+                low, high = one.spread
+                found[:, column] = low + (high - low) * scipy.stats.norm.cdf(normal[:, column])
+            else:
+                found[:, column] = one.spread * normal[:, column]
+        return found
+
+    def of(self, name: str, deviations: Array) -> Array:
+        """Return the deviations of one source that is not the bat's, shape (count,); 0 where it is no source."""
+        names = self.names
+        return deviations[:, names.index(name)] if name in names else np.zeros(len(deviations))
+
+
+def sources_of(
+    bat: Implement,
+    conditions: Conditions,
+    *,
+    known: tuple[Sequence[Unknown], Array] | None = None,
+    bat_speed_error: float = 0.0,
+    pitch_speed_error: float = 0.0,
+) -> Sources:
+    """Return what is not known about a hit.
+
+    Parameters
+    ----------
+    bat, conditions : what hits, and how.
+    known : what is not known of the bat and its covariance, as `sweetspot calibrate` left it; None: what the catalogue
+        allows for bats of this kind, after the weight, balance point and moment of inertia in its file.
+    bat_speed_error, pitch_speed_error : one standard deviation in m/s; 0: exactly as given.
+    """
+    unknowns, covariance = expected_deviations(bat) if known is None else known
+    where = "materials of the catalogue, after what its file says was measured" if known is None else "its calibration"
+    return Sources(
+        tuple(unknowns), np.asarray(covariance, dtype=np.float64),
+        (*ball_sources(conditions), *patch_sources(bat), *_speeds(bat_speed_error, pitch_speed_error)), where,
+    )  # fmt: skip
+
+
+def ball_sources(conditions: Conditions) -> tuple[Source, ...]:
+    """Return what is not known of the ball: the catalogue's spreads are half widths of 90 % intervals."""
+    where = f"spread of {conditions.ball.name} in the catalogue"
+    spreads = ball_spreads(conditions.ball)
+    return tuple(Source(f"{OF_BALL}{name}".replace("_", " "), size / REACH, where) for name, size in spreads.items())
+
+
+def patch_sources(bat: Implement) -> tuple[Source, ...]:
+    """Return how large the patch is through which a ball presses a round bat: its logarithm, even between limits."""
+    if not isinstance(bat, Bat):
+        return ()
+    low, high = (math.log(limit) for limit in PATCH_SPREAD)
+    return (Source(PATCH, (low, high), "even between the shapes that a pressed ball can take"),)
+
+
+def _speeds(bat: float, pitch: float) -> list[Source]:
+    where = "as the speed was written"
+    return [Source(name, error, where) for name, error in ((SWING, bat), (PITCH, pitch)) if error > 0]

@@ -1,0 +1,1 @@
+"""Intervals beside the numbers of any document, and what they come from."""

@@ -1,0 +1,49 @@
+"""How sure one bat's gain over another is, in words and as JSON."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from sweetspot.calibration.draws.intervals import DrawnAnswers
+from sweetspot.report.sentences import Sentence, Slot, say
+
+SURE = 0.95
+"""Chance from which on a difference is called sure."""
+
+
+def gain_words(name: str, reference: str, answers: DrawnAnswers, index: int) -> Sentence:
+    """Return how sure a bat's change of exit speed is, hit by the same ball.
+
+    Parameters
+    ----------
+    index : of the bat in the comparison.
+    """
+    key = f"bats.{index}.change_m_s"
+    low, high = (float(end) for end in answers.ends(key))
+    change = float(answers.values[key][0])
+    chance = _chance(answers, index)
+    likely = max(chance, 1 - chance)
+    verdict = "surely a difference" if likely >= SURE else "not surely a difference"
+    return say(
+        "{name} against {reference}: {change} ({low} to {high}) with the same ball and player; it is faster with a "
+        "probability of {chance}: {verdict}.",
+        name=name, reference=reference, change=Slot(change, "speed_change", sign=True),
+        low=Slot(low, "speed_change", sign=True).bare, high=Slot(high, "speed_change", sign=True).bare,
+        chance=Slot(chance, "share"), verdict=verdict,
+    )  # fmt: skip
+
+
+def gain_json(answers: DrawnAnswers, index: int) -> dict[str, Any]:
+    """Return a bat's change of exit speed, the ends of its interval, and how probable it is that it is faster."""
+    key = f"bats.{index}.change_m_s"
+    low, high = (float(end) for end in answers.ends(key))
+    return {
+        "exit_speed_gain_m_s": float(answers.values[key][0]), "exit_speed_gain_low_m_s": low,
+        "exit_speed_gain_high_m_s": high, "faster_probability": _chance(answers, index),
+    }  # fmt: skip
+
+
+def _chance(answers: DrawnAnswers, index: int) -> float:
+    return float(np.mean(answers.values[f"bats.{index}.change_m_s"][1:] > 0))

@@ -1,0 +1,76 @@
+"""What a number's doubt comes from: ranked bars, in words, as a table and as a picture."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from sweetspot.calibration.draws.intervals import TOGETHER, DrawnAnswers
+from sweetspot.calibration.measured import LEVEL
+from sweetspot.report.document import Cell, Column, Document, Paragraph, Picture, Section, Table
+from sweetspot.report.json_shapes import cleaned
+from sweetspot.report.sentences import Slot, say
+from sweetspot.report.uncertainty.document_intervals import with_intervals
+
+LEAST_SHARE = 0.005
+LONGEST_BAR = 30
+"""Characters."""
+
+
+def uncertain(
+    document: Document, answers: DrawnAnswers, *, main: str, named: str, where: Mapping[str, str]
+) -> Document:
+    """Return a document with intervals beside its numbers, and what the interval of its main one comes from.
+
+    Parameters
+    ----------
+    answers : of draws, by the names of the document's data.
+    main, named : the answer whose doubt is taken apart, and what people call it.
+    where : what the distribution of every source rests on, in words.
+    """
+    told = with_intervals(document, answers.reaches())
+    shares = {name: share for name, share in answers.shares(main).items() if share >= LEAST_SHARE}
+    section = Section("how-sure", "How sure", [
+        Paragraph(say(
+            "Numbers with ± or with ends in brackets: {level} intervals from {count} draws of what is not known. What "
+            "the interval of the {named} comes from (the rest of the conditions is taken as given):",
+            level=Slot(LEVEL, "share"), count=str(len(answers.normal) - 1), named=named,
+        )),
+        shares_table(shares, where), shares_picture(shares, named),
+    ])  # fmt: skip
+    data = {**told.data, "uncertainty": cleaned({
+        "interval_level": LEVEL, "draws": len(answers.normal) - 1, "of": main, "shares": answers.shares(main),
+        "sources": dict(where),
+    })}  # fmt: skip
+    return replace(told, blocks=[*told.blocks, section], data=data)
+
+
+def shares_table(shares: Mapping[str, float], where: Mapping[str, str]) -> Table:
+    """Return sources ranked by the part of the variance that they cause, each with a bar."""
+    most = max(shares.values(), default=1.0)
+    rows: list[list[Cell]] = [
+        [
+            _name(name), Slot(share, "share"), "█" * max(1, round(LONGEST_BAR * share / most)),
+            where.get(name, "more than one of them at once"),
+        ]
+        for name, share in shares.items()
+    ]  # fmt: skip
+    columns = [Column("source"), Column("part", right=True), Column(""), Column("rests on")]
+    return Table("", columns, rows, name="shares")
+
+
+def shares_picture(shares: Mapping[str, float], named: str) -> Picture:
+    """Return the ranked bars as a picture."""
+    ranked = ", ".join(f"{_name(name)} {100 * share:.0f} %" for name, share in shares.items())
+    return Picture("doubt", lambda _: _drawn(shares, named), label=f"What the doubt comes from: {ranked}.")
+
+
+def _drawn(shares: Mapping[str, float], named: str) -> Any:
+    from sweetspot.report.uncertainty.shares_picture import shares_figure
+
+    return shares_figure({_name(name): share for name, share in shares.items()}, named)
+
+
+def _name(source: str) -> str:
+    return "several together" if source == TOGETHER else "the bat" if source == "bat" else source

@@ -1,0 +1,78 @@
+"""Draws of hits against every hit worked out the whole way."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from sweetspot import catalog
+from sweetspot.analysis.position_scan import scan
+from sweetspot.calibration.draws.drawn_hits import draws_of, hits_along
+from sweetspot.calibration.draws.sources import OF_BALL, PATCH, Sources, sources_of
+from sweetspot.calibration.unknowns import deviated
+from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.bat import Bat
+from sweetspot.units import MPH
+
+
+@pytest.mark.parametrize(
+    ("name", "most"),
+    [("r161-ash", 0.1 * MPH), ("college-alloy", 0.25 * MPH), ("cricket-bat", 0.01 * MPH), ("tennis-racket", 0.1 * MPH)],
+)
+def test_draws_against_the_whole_way(name: str, most: float) -> None:
+    """Exit speed, BBCOR, jolt and sting of a few draws; the interval of an exit speed is several mph wide."""
+    bat = catalog.load_implement(name)
+    conditions, line = standard_conditions(bat), beam_model(bat)
+    sources = sources_of(bat, conditions, bat_speed_error=0.5, pitch_speed_error=0.5)
+    places = np.linspace(bat.length - 0.25, bat.length - 0.05, 5)
+    draws = draws_of(line, conditions, sources, count=4)
+    found = hits_along(draws, places)
+    off = sources.deviations(draws.normal)
+    off[0] = 0.0
+    for row in (0, 2, 4):
+        other = deviated(line, sources.unknowns, off[row, : len(sources.unknowns)]) if sources.unknowns else line
+        ball = draws.balls[row]
+        own = conditions.replaced(
+            ball=ball, pitch=conditions.pitch.replaced(speed=float(draws.pitch_speed[row])),
+            swing=conditions.swing.replaced(bat_speed=float(draws.bat_speed[row])),
+        )  # fmt: skip
+        factor = float(draws.patch[row])
+        modes = all_modes(other, ball, patch_factor=factor) if isinstance(bat, Bat) else all_modes(other, ball)
+        exact = scan(other.bat, body=rigid_body(other), modes=modes, conditions=own, positions=places)
+        assert found.exit_speed[row] == pytest.approx(exact.exit_speed, abs=0.002 if row == 0 else most)
+        assert found.bbcor[row] == pytest.approx(exact.bbcor, abs=most / (30 * MPH))
+        assert found.hand_impulse[row] == pytest.approx(exact.hand_impulse, abs=0.02)
+        assert found.sting[row] == pytest.approx(exact.sting, rel=0.01, abs=0.02)
+
+
+def test_one_row_of_everything_as_described_comes_first() -> None:
+    bat = catalog.bat()
+    conditions = standard_conditions(bat)
+    draws = draws_of(beam_model(bat), conditions, sources_of(bat, conditions, bat_speed_error=1.0), count=4)
+    assert draws.bat_speed[0] == conditions.swing.bat_speed
+    assert draws.balls[0] == conditions.ball
+    assert draws.patch[0] == 1.0
+
+
+def test_deviations_have_the_distributions_that_are_named() -> None:
+    bat = catalog.bat()
+    sources = sources_of(bat, standard_conditions(bat), pitch_speed_error=0.4)
+    off = sources.deviations(sources.normal(1024))
+    count = len(sources.unknowns)
+    assert np.cov(off[:, :count].T) == pytest.approx(sources.covariance, abs=0.02 * sources.covariance.max())
+    assert np.std(sources.of("pitch", off)) == pytest.approx(0.4, rel=0.02)
+    patch = np.exp(sources.of(PATCH, off))
+    assert (patch.min(), patch.max()) == pytest.approx((0.83, 1.25), abs=0.002)
+    assert set(sources.described) == {*sources.names}
+
+
+def test_sources_can_be_left_out_and_put_in() -> None:
+    bat = catalog.bat()
+    sources = sources_of(bat, standard_conditions(bat))
+    assert f"{OF_BALL}restitution" in sources.names
+    assert f"{OF_BALL}restitution" not in sources.without(f"{OF_BALL}restitution").names
+    nothing = Sources((), np.zeros((0, 0)), ())
+    assert nothing.of("swing", np.zeros((3, 0))).tolist() == [0.0, 0.0, 0.0]

@@ -1,0 +1,54 @@
+"""Intervals and Sobol indices of draws against closed forms and another program."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+import scipy.stats
+
+from sweetspot.calibration.draws.intervals import TOGETHER, DrawnAnswers, variance_shares
+from sweetspot.calibration.measured import REACH
+from sweetspot.numerics.arrays import Array
+
+NAMES = ("a", "b", "c")
+
+
+@pytest.fixture(scope="module")
+def normal() -> Array:
+    even = scipy.stats.qmc.Sobol(3, seed=3).random(1024)
+    return np.vstack([np.zeros((1, 3)), scipy.stats.norm.ppf(np.clip(even, 1e-9, 1 - 1e-9))])
+
+
+def crooked(z: Array) -> Array:
+    return np.asarray(2 * z[0] + z[1] ** 2 + z[0] * z[2])
+
+
+def test_shares_of_a_known_function(normal: Array) -> None:
+    """2 a + b^2 + a c has the variance 4 + 2 + 1."""
+    shares = variance_shares(normal[1:], NAMES, crooked(normal[1:].T))
+    assert shares == pytest.approx({"a": 4 / 7, "b": 2 / 7, "c": 0.0, TOGETHER: 1 / 7}, abs=0.02)
+    assert list(shares)[:2] == ["a", "b"]
+
+
+def test_shares_against_the_estimator_of_scipy(normal: Array) -> None:
+    """Saltelli's way with its own 5 x 4096 calls of the function, as `scipy.stats` has it."""
+    independent: list[Any] = [scipy.stats.norm()] * 3
+    theirs = scipy.stats.sobol_indices(func=crooked, n=4096, dists=independent, random_state=1).first_order
+    ours = variance_shares(normal[1:], NAMES, crooked(normal[1:].T))
+    assert [ours[name] for name in NAMES] == pytest.approx(np.ravel(theirs).tolist(), abs=0.04)
+
+
+def test_sources_of_one_name_are_one(normal: Array) -> None:
+    shares = variance_shares(normal[1:], ("bat", "bat", "bat"), crooked(normal[1:].T))
+    assert shares["bat"] == pytest.approx(1.0, abs=0.02)
+
+
+def test_interval_of_a_normal_answer(normal: Array) -> None:
+    answers = DrawnAnswers(normal, NAMES, {"x_m": 5 + 0.1 * normal[:, 0], "y": np.full((len(normal), 2), np.nan)})
+    reach = answers.reach("x_m")
+    assert (float(reach.below), float(reach.above)) == pytest.approx((0.1 * REACH, 0.1 * REACH), rel=0.01)
+    assert np.isnan(answers.ends("y")[0]).all()
+    assert answers.chance("x_m", least=None, most=5.0) == pytest.approx(0.5, abs=0.002)
+    assert answers.chance("x_m", least=4.9, most=5.1) == pytest.approx(0.6827, abs=0.005)
