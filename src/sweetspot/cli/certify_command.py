@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -20,11 +21,25 @@ if TYPE_CHECKING:
     from sweetspot.dynamics.rigid import RigidBody
     from sweetspot.equipment.ball import Ball
     from sweetspot.equipment.bat import Bat
-    from sweetspot.report.certification.document import TestedBat
+    from sweetspot.report.certification.tested_bat import TestedBat
     from sweetspot.report.document import Document
 
 ALL = "all"
 DEFAULT_LEAGUE = "ncaa"
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class ShotOptions:
+    """Measured shots, in the place of a computed test."""
+
+    shots: Annotated[Path | None, Parameter(help="CSV file of measured shots; without it the test is computed.")] = None
+    standard_ball_cor: Annotated[
+        str | None, Parameter(help="Restitution that shots are normalised to; default: the ball's at 60 mph.")
+    ] = None
+
+
+DEFAULT_SHOTS = ShotOptions()
 
 
 def certify(
@@ -35,13 +50,8 @@ def certify(
         str | None,
         Parameter(help="League of the catalogue, or all that use the ball; default: that of the bat's sport."),
     ] = None,
-    shots: Annotated[
-        Path | None, Parameter(help="CSV file of measured shots; without it the test is computed.")
-    ] = None,
+    shooting: ShotOptions = DEFAULT_SHOTS,
     ball: Annotated[str | None, Parameter(help="Ball of the catalogue; default: the league's.")] = None,
-    standard_ball_cor: Annotated[
-        str | None, Parameter(help="Restitution that shots are normalised to; default: the ball's at 60 mph.")
-    ] = None,
     wall_that_passes: Annotated[
         bool, Parameter(negative="", help="Also say which barrel wall of a hollow bat would just pass.")
     ] = False,
@@ -60,6 +70,7 @@ def certify(
 
     if bat is None:
         raise InputError("certify needs a bat: BBCOR takes the recoil from its weight, balance and moment of inertia")
+    shots, standard_ball_cor = shooting.shots, shooting.standard_ball_cor
     if standard_ball_cor is not None and shots is None:
         raise InputError("--standard-ball-cor normalises measured shots; give them with --shots")
     described = catalog.load_bat(bat)

@@ -60,6 +60,7 @@ class MeetingOptions:
     offset: Annotated[
         str, Parameter(help="How far the bat is under the ball's centre, square to its path; negative: over it.")
     ] = "0.6in"
+    uncertainty: Uncertainty = False
 
 
 DEFAULT_MEETING, DEFAULT_PATH, DEFAULT_ARRIVAL = MeetingOptions(), PathOptions(), ArrivalOptions()
@@ -74,7 +75,6 @@ def play(
     path: PathOptions = DEFAULT_PATH,
     arrival: ArrivalOptions = DEFAULT_ARRIVAL,
     air: AirOptions = DEFAULT_AIR,
-    uncertainty: Uncertainty = False,
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Follow one pitch: how the bat meets it, how the ball leaves, how far it flies and whether it is out."""
@@ -122,7 +122,7 @@ def play(
         park=park, landing=None if park is None or played.flight is None else landing(played.flight.positions, park),
     )  # fmt: skip
     document = play_document(result)
-    if uncertainty and played.flight is not None:
+    if meeting.uncertainty and played.flight is not None:
         from sweetspot.calibration.draws.drawn_plays import PlayAsked, drag_source, drawn_play
         from sweetspot.catalog.aerodynamic_laws import drag_spread
         from sweetspot.report.uncertainty.uncertainty_section import uncertain

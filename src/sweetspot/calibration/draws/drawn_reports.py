@@ -82,7 +82,7 @@ def _spots(draws: Draws, curves: dict[str, Array], analysis: Analysis[Implement]
         "center_of_percussion_m": hands + body.moi(hands) / (body.mass * arm),
         "node_1_m": _nodes(draws, 1), "node_2_m": _nodes(draws, 2),
         "max_exit_speed_m": np.array([max_exit_speed(row) for row in rows]),
-        "max_collision_efficiency_m": np.array([max_collision_efficiency(row) for row in rows]),
+        "max_collision_efficiency_m": np.array([max_collision_efficiency(row, body=analysis.body) for row in rows]),
         "min_sting_m": np.array([min_sting(row, body=analysis.body) for row in rows]),
     }  # fmt: skip
     along = {f"scan.{told}": curves[name] for name, told in CURVES.items()}

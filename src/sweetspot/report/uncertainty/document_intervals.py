@@ -30,11 +30,9 @@ def with_intervals(document: Document, reaches: Mapping[str, Reach]) -> Document
     def changed(part: Any) -> Any:
         if isinstance(part, (Slot, Doubtful)):
             return _slot(part, reaches, curves)
-        if isinstance(part, Sentence) and part.parts and isinstance(part.parts[0], Slot) and part.parts[0].of:
-            first = _slot(part.parts[0], reaches, curves)
-            if (
-                first is not part.parts[0] and len(part.parts) > 1 and isinstance(part.parts[1], Bounds)
-            ):  # the interval it had gives way
+        if isinstance(part, Sentence) and len(part.parts) > 1 and isinstance(part.parts[1], Bounds):
+            first = changed(part.parts[0])
+            if first is not part.parts[0]:  # the interval that it had gives way
                 return Sentence((first, *part.parts[2:]))
         if isinstance(part, (list, tuple)):
             return type(part)(changed(one) for one in part)

@@ -11,7 +11,7 @@ from sweetspot.analysis.certification.rules import Check, League, title
 from sweetspot.analysis.certification.shot_statistics import Estimate, Measured
 from sweetspot.calibration.draws.drawn_tests import RULED
 from sweetspot.calibration.draws.intervals import DrawnAnswers
-from sweetspot.report.certification.document import TestedBat
+from sweetspot.report.certification.tested_bat import TestedBat
 from sweetspot.report.document import Document, Paragraph
 from sweetspot.report.sentences import Sentence, Slot, joined, say
 
