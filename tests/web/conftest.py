@@ -148,7 +148,7 @@ def taps(tmp_path_factory: pytest.TempPathFactory) -> Path:
     import numpy as np
 
     from sweetspot import catalog
-    from sweetspot.calibration.recording import Recording, write_recording
+    from sweetspot.calibration.recording import Recording, recording_bytes
     from sweetspot.calibration.synthetic import synthesised
     from sweetspot.catalog.standard_hit import standard_conditions
     from sweetspot.dynamics.beam import beam_model
@@ -163,5 +163,6 @@ def taps(tmp_path_factory: pytest.TempPathFactory) -> Path:
     blow, late = round(2.3 * sound.rate), round(0.1 * sound.rate)
     samples[blow + late :] += 0.7 * samples[blow:-late]
     path = tmp_path_factory.mktemp("taps") / "taps.wav"
-    write_recording(Recording("taps", 0.6 * samples / np.abs(samples).max(), sound.rate), path)
+    made = Recording("taps", 0.6 * samples / np.abs(samples).max(), sound.rate)
+    path.write_bytes(recording_bytes(made, path))
     return path

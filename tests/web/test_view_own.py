@@ -9,7 +9,7 @@ from typing import Any
 import httpx
 import pytest
 
-WEIGHED = {"weighed_oz": 31.0, "balanced_in": 22.05, "pendulum_ms": 1454.5}
+WEIGHED: dict[str, Any] = {"weighed_oz": 31.0, "balanced_in": 22.05, "pendulum_ms": 1454.5}
 
 
 def asked(client: httpx.Client, path: str = "", **fields: Any) -> dict[str, Any]:

@@ -30,4 +30,5 @@ def spectrum(fit: Fit) -> tuple[Array, Array]:
     """Return frequencies in Hz and the ringing's level in dB below its loudest."""
     size = FILLED * len(fit.samples)
     power = np.abs(np.fft.rfft(fit.samples, size)) ** 2
-    return np.fft.rfftfreq(size, 1 / fit.rate), 10 * np.log10(power / power.max() + 1e-12)
+    level = 10 * np.log10(power / power.max() + 1e-12)
+    return np.asarray(np.fft.rfftfreq(size, 1 / fit.rate), float), np.asarray(level, float)

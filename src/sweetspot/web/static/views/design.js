@@ -39,7 +39,7 @@ export const view = {
     this.picture.element.classList.add("pinned");
     const axis = { kind: "position_m", from: () => app.answer?.bat.length_m ?? 0.84, label: "from the tip" };
     this.chart = new Chart(app, { label: "Exit speed along the bat", panels: PANELS, axis });
-    this.words = make("p", { className: "verdict", id: "verdict" });
+    this.words = make("p", { className: "verdict flow", id: "verdict" });
     this.note = make("p", { className: "note" });
     this.gain = make("div", { className: "words", ariaBusy: "true" });
     this.lights = { locks: new Lights("What must stay"), rules: new Lights("Rules"), limits: new Lights("Can be turned, will not break") };

@@ -25,11 +25,11 @@ export const view = {
     this.picture = new BatView(app, { label: "The bat" });
     this.picture.element.classList.add("pinned");
     this.tap = new TapPlace(app);
-    this.words = make("p", { className: "verdict", id: "verdict" });
+    this.words = make("p", { className: "verdict flow", id: "verdict" });
     this.against = make("div", { className: "words against", hidden: true });
     this.against.setAttribute("role", "alert");
-    this.values = make("div");
-    this.residuals = make("div");
+    this.values = make("div", { className: "measured" });
+    this.residuals = make("div", { className: "measured" });
     this.doubt = make("div", { className: "words" });
     this.rules = new Lights("Rules");
     this.said = make("p", { className: "note" });
@@ -132,7 +132,7 @@ export const view = {
     if (unknowns.length) {
       const share = (part) => app.text("share", part, 1);
       const box = tableOf("What was not known: 90 % intervals before and now", ["", "before", "now", "off the description", "what is left comes from"], unknowns.map((one) => [
-        one.label, `± ${share(one.before)}`, `± ${share(one.after)}`, share(one.off), one.budget.slice(0, 2).map(({ name, share: part }) => `${name} ${share(part)}`).join(", ")]));
+        one.label, `±\u00a0${share(one.before)}`, `±\u00a0${share(one.after)}`, share(one.off), one.budget.slice(0, 2).map(({ name, share: part }) => `${name} ${share(part)}`).join(", ")]));
       box.querySelectorAll("tbody tr").forEach((row, i) => {
         const bar = make("span", { className: "shrunk", ariaHidden: "true" }, make("span"));
         bar.firstChild.style.width = `${100 * Math.min(1, unknowns[i].after / unknowns[i].before)}%`;

@@ -62,7 +62,7 @@ export class TapPlace {
     const count = kept.recordings.length;
     this.clear.disabled = count === 0;
     this.words.textContent = `${this.ear.on ? "Listening: hang the bat from rubber bands, tap it on the tip with something small and hard, let it ring. " : ""}` +
-      `${count ? `${count} recording${count > 1 ? "s" : ""}. ` : ""}The dashed lines are where a bat like the one described rings. ${whereTo()}`;
+      `${count ? `${count} recording${count > 1 ? "s" : ""}. ` : ""}The dashed lines are where a bat like the one described rings. ${whereTo("The sound")}`;
   }
 
   say(words) {
