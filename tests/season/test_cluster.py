@@ -62,11 +62,9 @@ def test_a_plan_has_every_row_once(alone: dict[str, str]) -> None:
     assert len(alone) == 3 * (5 + 4)
 
 
-@pytest.mark.parametrize("workers", [1, 2])
-def test_the_same_bytes_from_any_number_of_workers(
-    workers: int, compute: Callable[..., Season], alone: dict[str, str], tmp_path: Path
-) -> None:
-    compute(tmp_path, partial(run_on_cluster, workers=workers))
+def test_a_worker_gives_the_same_bytes(compute: Callable[..., Season], alone: dict[str, str], tmp_path: Path) -> None:
+    """Two of them do so below."""
+    compute(tmp_path, partial(run_on_cluster, workers=1))
     assert files_of(tmp_path) == alone
 
 
