@@ -257,6 +257,7 @@ class App {
     document.title = `${entry.title} – sweetspot`;
     clearFault();
     view.mount(root, this);
+    if (!root.querySelector("h1")) root.prepend(Object.assign(document.createElement("h1"), { className: "unseen", textContent: entry.title }));
     drawerOf(root.querySelector(":scope > .side"));
   }
 
