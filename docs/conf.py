@@ -19,8 +19,10 @@ author = "The sweetspot developers"
 project_copyright = author
 version = release = PACKAGE["version"]
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "docstrings", "mathtext"]
-exclude_patterns = ["_build", "_generated", "Thumbs.db", ".DS_Store"]
+extensions = [
+    "myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx_gallery.gen_gallery", "docstrings", "mathtext",
+]  # fmt: skip
+exclude_patterns = ["notebooks", "_build", "_generated", "Thumbs.db", ".DS_Store"]
 default_role = "code"
 nitpicky = False
 suppress_warnings = ["ref.python"]  # a word of a `Literal` such as "mass" is no reference to a field of that name
@@ -42,6 +44,24 @@ autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_preserve_defaults = True
 autodoc_type_aliases = {"Array": "Array", "ArrayLike": "ArrayLike"}
+
+sphinx_gallery_conf = {
+    "examples_dirs": ["notebooks"],
+    "gallery_dirs": ["gallery"],
+    "filename_pattern": r"\.py$",  # all are run
+    "within_subsection_order": "FileNameSortKey",
+    "abort_on_example_error": True,
+    "image_scrapers": ("matplotlib", "plotted.last_figure"),
+    "capture_repr": ("_repr_html_", "__repr__"),
+    "ignore_repr_types": r"matplotlib\.|builtins\.int",
+    "first_notebook_cell": "%matplotlib inline",
+    "remove_config_comments": True,
+    "min_reported_time": 600,
+    "write_computation_times": False,
+    "download_all_examples": False,
+    "show_signature": False,
+    "show_memory": False,
+}
 
 
 def generate(app: Any) -> None:

@@ -47,7 +47,7 @@ COMMANDS: dict[str, tuple[str, ...]] = {
     "drop": ("drop", "--out", "OUT"),
     "fit-player": ("fit-player", "SWINGS", "--bat", "r161-ash", "--out", "OUT"),
     "fly": ("fly", "--exit-speed", "100mph", "--out", "OUT"),
-    "hit": ("hit", "r161-ash", "--at", "6in", "--out", "OUT"),
+    "hit": ("hit", "r161-ash", "--at", "6in-from-tip", "--out", "OUT"),
     "optimum": ("optimum", "--out", "OUT"),
     "outline": ("outline", "r161-ash", "--out", "OUT.toml", "--out", "OUT.svg"),
     "paper": ("paper", "--out", "OUT"),

@@ -97,6 +97,16 @@ def test_cut_exports_and_missing_days(table: Write) -> None:
     ]
 
 
+def test_swapped_columns_and_other_units_are_doubted(table: Write) -> None:
+    frame = made_up()
+    ball, bat = frame["launch_speed"], pl.Series("bat_speed", [72.0] * len(frame))
+    swapped = frame.with_columns(launch_speed=bat, bat_speed=ball.fill_null(95.0) + 20)
+    assert warned(look(table("swapped.csv", swapped)), "swapped") > 0
+    flat = frame.with_columns(launch_angle=pl.col("launch_angle") * 0.01745)
+    assert warned(look(table("flat.csv", flat)), "unit") > 0
+    assert not {"swapped", "unit"} & {warning.name for warning in look(table("good.csv", frame)).warnings}
+
+
 def test_a_torn_file_says_so(table: Write) -> None:
     path = table()
     path.write_bytes(path.read_bytes()[:-120])

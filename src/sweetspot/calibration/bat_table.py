@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Sequence
+from difflib import get_close_matches
 from pathlib import Path
 
 from sweetspot.calibration.measured import Measured
@@ -22,7 +23,7 @@ from sweetspot.calibration.written import parse_measured
 from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text, table_rows
-from sweetspot.units import Kind
+from sweetspot.units import Kind, check_usual
 
 UNITS: dict[str, tuple[Kind, dict[str, str]]] = {
     "mass": ("mass", {"oz": "oz", "g": "g", "kg": "kg", "lb": "lb"}),
@@ -35,6 +36,9 @@ UNITS: dict[str, tuple[Kind, dict[str, str]]] = {
 }
 """Columns that are understood: name without its unit, its kind, and its units as `parse` writes them."""
 HINT = "name, mass_oz, balance_point_in, pendulum_s, bending_1_hz, moisture_percent"
+THOUSANDS = re.compile(r"\d,\d{3}(?!\d)")
+MISSPELT = 0.8
+"""Likeness of a heading to one of ours from which it counts as a slip of the pen."""
 DECIMAL_COMMA = re.compile(r"(\d),(\d)")
 USUAL_MOISTURE = 0.12
 STIFFER = 1.5
@@ -86,6 +90,10 @@ def _column(cell: str) -> tuple[str, str] | None:
         if name == quantity or (name.startswith(f"{quantity}_") and not unit[:1].isdigit()):
             allowed = ", ".join(f"{quantity}_{one}" for one in units)
             raise InputError(f"column {name} has no unit that is understood; allowed: {allowed}")
+    known = [f"{quantity}_{unit}" for quantity, (_, units) in UNITS.items() for unit in units]
+    near = get_close_matches(name, known, n=1, cutoff=MISSPELT)
+    if near:
+        raise InputError(f"column {name} is not understood; did you mean {near[0]}? Mend the heading, or rename it")
     return None
 
 
@@ -94,6 +102,9 @@ def _measurements(given: dict[tuple[str, str], str], what: str) -> list[Measurem
         quantity: parse_measured(_with_unit(cell, unit), UNITS[quantity][0], f"{what}, {quantity}")
         for (quantity, unit), cell in given.items()
     }
+    for (quantity, unit), cell in given.items():
+        usual = {"pendulum": "period"}.get(quantity, quantity)
+        check_usual(values[quantity].value, usual, f"{cell} {unit} ({what})")
     moisture = values.pop("moisture", None)
     if moisture is not None and not MOISTURES[0] <= moisture.value <= MOISTURES[1]:
         raise InputError(f"{what}: the moisture is {100 * moisture.value:.3g} %; allowed is 2 to 30 % of the dry wood")
@@ -110,6 +121,8 @@ def _measurements(given: dict[tuple[str, str], str], what: str) -> list[Measurem
 
 
 def _with_unit(cell: str, unit: str) -> str:
+    if THOUSANDS.search(cell):
+        raise InputError(f"{cell!r} was given; write thousands without a comma, or decimals after a point")
     value, sign, error = DECIMAL_COMMA.sub(r"\1.\2", cell).partition("±")
     if unit == "%":  # an error of a ratio has its own sign
         return f"{value.strip()}%" + (f"{sign}{error.strip()}%" if sign else "")

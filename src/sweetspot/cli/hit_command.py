@@ -9,6 +9,7 @@ from cyclopts import Parameter
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
 from sweetspot.cli.options.uncertainty import Uncertainty, sources_for
+from sweetspot.errors import InputError
 
 
 def hit(
@@ -43,6 +44,7 @@ def hit(
     position = parse_position(at, length=implement.length, what="--at")
     check_position(implement, position, "--at")
     check_on_face(implement, position, "--at")
+    check_beyond_hands(position, conditions.hands.position, at)
     modes = all_modes(line, conditions.ball)
     lateral = 0.0 if beside is None else parse(beside, "length", "--beside")
     check_lateral(implement, position, lateral)
@@ -57,3 +59,14 @@ def hit(
         answers = drawn_hit(line, conditions, sources, position)
         document = uncertain(document, answers, main="exit_speed_m_s", named="exit speed", where=sources.described)
     return present(document, output)
+
+
+def check_beyond_hands(position: float, hands: float, given: str) -> None:
+    """Refuse a hit on the hands: a place that was meant from the tip counts from the knob end."""
+    from sweetspot.units import INCH, insisted
+
+    if position <= hands and not insisted():
+        raise InputError(
+            f"--at was given as {given}; there the hands are, {hands / INCH:.3g} in from the end of the grip, from "
+            "which places count. From the tip write it as 6in-from-tip, or add --force if it is meant"
+        )

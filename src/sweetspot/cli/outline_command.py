@@ -96,6 +96,7 @@ def _measured(source: str, sizes: SizeOptions, *, material: str, name: str | Non
     from sweetspot import catalog
     from sweetspot.calibration.outline.measured_outline import Outline
     from sweetspot.calibration.outline.outline_file import ENDINGS, read_outline
+    from sweetspot.catalog.files.bat import checked_drawing
     from sweetspot.equipment.bat import Bat
 
     if Path(source).suffix.lower() in ENDINGS:
@@ -104,7 +105,7 @@ def _measured(source: str, sizes: SizeOptions, *, material: str, name: str | Non
             name=name or Path(source).stem, length=measured.profile[-1][0], material=catalog.material(material),
             profile=measured.profile,
         )  # fmt: skip
-        return measured, bat
+        return measured, checked_drawing(bat)
     if sizes.given():
         raise InputError(f"--length or --ruler was given, but {source} is a bat and has its own; leave it out")
     from sweetspot.report.drawing.contour import outline_stations

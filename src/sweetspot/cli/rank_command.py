@@ -35,6 +35,7 @@ def rank(
 ) -> int:
     """Rank bats of one model that were weighed, hung and tapped: how fast each hits, how surely, what differs."""
     from sweetspot import catalog
+    from sweetspot.calibration.likeness import check_likeness
     from sweetspot.calibration.posterior import calibrate
     from sweetspot.calibration.ranking import rank_bats
     from sweetspot.calibration.unknowns import described, unknowns_of
@@ -46,6 +47,7 @@ def rank(
 
     model = catalog.load_bat(like)
     measured = _measured(table)
+    check_likeness(measured, model)
     unknowns = unknowns_of(model, diameter_spread=parse(diameter_error, "ratio", "--diameter-error"))
     line, law = described(model), None if same_speed else swing_law(catalog.sport(model.sport).swing_law)
     with progress("bats") as step, patience():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from statistics import median
 
@@ -23,6 +23,8 @@ FEWEST = 5
 """Swings below which there is nothing of a player to be told. Our choice."""
 FROM_TIP = 6 * INCH
 """m from the tip where bat speeds are measured, near enough to tell whether a ball can have been met at a place."""
+LEVEL = math.radians(1.6)
+"""rad; five balls or more that all leave flatter than this were written in radians: 1.6 is straight up. Our choice."""
 SWAPPED = 1.1
 """Median bat speed over median exit speed from which the two columns must have been swapped. Our choice: a ball leaves
 slower than the bat came only when it is met badly."""
@@ -121,6 +123,17 @@ def check_speeds(swings: Sequence[PlayerSwing], path: Path) -> None:
             middle[quantity] = median(values)
             name = f"median_{quantity}"
             check_usual(middle[quantity], name.replace("_", " "), f"{middle[quantity] / MPH:.1f} mph by {path}")
+    angles = [abs(one.launch_angle) for one in swings if one.launch_angle is not None]
+    if len(angles) >= FEWEST and 0 < max(angles) < LEVEL and not insisted():
+        raise InputError(
+            f"{path}: no ball left at more than {math.degrees(max(angles)):.2f} degrees up or down; are the launch "
+            "angles in radians? Write _rad behind the heading, or add --force if it is meant"
+        )
+    if len(swings) >= FEWEST and len({replace(one, row=0) for one in swings}) == 1 and not insisted():
+        raise InputError(
+            f"{path}: all {len(swings)} swings are the same to the last digit; is one row copied? Give each swing "
+            "as it was measured, or add --force if it is meant"
+        )
     if len(middle) == len(NEEDED) and not insisted() and middle["bat_speed"] > SWAPPED * middle["exit_speed"]:
         bat, ball = (f"{middle[quantity] / MPH:.1f} mph" for quantity in NEEDED)
         raise InputError(

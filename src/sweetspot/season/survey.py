@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import date
@@ -13,11 +14,13 @@ import polars as pl
 from numpy.typing import NDArray
 
 from sweetspot.errors import InputError
+from sweetspot.flight.bearing import bearing_of_place
 from sweetspot.season.balls import FIRST_MIDDLE_SEASON
 from sweetspot.season.fields import home_park
 from sweetspot.season.headings import Headings
 from sweetspot.season.rows import REASONS, USED, pitch_key, rows_of
 from sweetspot.season.table_file import TableFile, open_table
+from sweetspot.units import MPH, is_usual
 
 PART = 65_536
 """Rows that are read together."""
@@ -29,6 +32,14 @@ FEW = 50
 """Balls below which their ending alike may be chance."""
 LONGEST_GAP = 5
 """Days without a game inside a table before it is said; an all-star break has four."""
+
+
+ENOUGH_TO_DOUBT = 30
+"""Balls of a part of a table from which columns are doubted."""
+LEVEL, FAIR = math.radians(1.6), math.radians(50)
+"""rad; no launch angle above the first: they are written in radians; bearings beyond the second are foul."""
+MOST_FOUL = 0.3
+"""Part of the balls in play that may come down foul; caught ones are a tenth at most."""
 
 
 @dataclass
@@ -69,6 +80,8 @@ WARNINGS: Mapping[str, str] = {
     "part off": "a column is missing that a part of the answers needs",
     "headings": "headings that needed care",
     "unreadable": "measurements that are no numbers are taken as missing",
+    "swapped": "columns seem to stand in each other's place: mend the headings, every answer hangs on it",
+    "unit": "numbers that are usual in another unit: check the unit of the column, every answer hangs on it",
     "impossible": "exit speeds or launch angles that cannot be",
     "empty column": "a column that is understood holds nothing",
     "side unknown": "it is not known on which side the batter stood; taken as right-handed",
@@ -245,8 +258,31 @@ class _Look:
             for club, year, count in used.group_by("home_team", "season").len().iter_rows():
                 if club is not None and home_park(club, year) is None:
                     self.lost[club] = self.lost.get(club, 0) + count
+        self._doubt(used)
         if headings.has("event"):
             self.endings |= set(used["event"].drop_nulls().unique())
+
+    def _doubt(self, used: pl.DataFrame) -> None:
+        """Note columns that seem to stand in each other's place, or in another unit."""
+        has = self.table.headings.has
+        if len(used) < ENOUGH_TO_DOUBT:
+            return
+
+        def middle(name: str) -> float:
+            return float(used[name].median() or 0.0) if has(name) else 0.0  # type: ignore[arg-type]
+
+        ball, bat = middle("exit_speed"), middle("bat_speed")
+        if bat and ball and bat > ball:
+            self.note("swapped", used, detail="bats faster than the balls they hit: bat speed and exit speed")
+        if ball and not is_usual(ball, "median_exit_speed"):
+            self.note("unit", used, detail=f"exit speeds are {ball / MPH:.0f} mph in the median")
+        if has("launch_angle") and 0 < float(used["launch_angle"].abs().max() or 0.0) < LEVEL:  # type: ignore[arg-type]
+            self.note("unit", used, detail="no launch angle is above 1.6 degrees: are they radians?")
+        if has("map_x") and has("map_y"):
+            places = used.select("map_x", "map_y").drop_nulls()
+            bearing = bearing_of_place(places["map_x"].to_numpy(), places["map_y"].to_numpy())
+            if len(places) >= ENOUGH_TO_DOUBT and float((abs(bearing) > FAIR).mean()) > MOST_FOUL:
+                self.note("swapped", used, detail="most balls in play came down foul: hc_x and hc_y")
 
     def found(self) -> list[TableWarning]:
         table, number = self.table, self.number

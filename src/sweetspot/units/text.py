@@ -70,6 +70,7 @@ POWER_OF_NUMBER = re.compile(r"[\d.)]\s*(\*\*|\^|[⁰¹²³⁴⁵⁶⁷⁸⁹])"
 """`pint` calculates, and 9**9**9 would keep it busy for good."""
 DIFFERENCE = re.compile(r"(?:[a-df-z]|(?<![\d.])e)\s*[-+]\s*\d", re.IGNORECASE)
 """A range in a person's eyes; `pint` would take the difference."""
+THOUSANDS = re.compile(r"\d,\d{3}(?!\d)")
 DECIMAL_COMMA = re.compile(r"\d,|,\d")
 """`pint` would drop what follows the comma."""
 NUMBER = re.compile(r"^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*$")
@@ -122,6 +123,11 @@ def parse(text: str | float, kind: Kind, what: str = "value") -> float:
         raise InputError(f"{what} was given as {text!r}; allowed is a finite number, for example {example}")
     if DIFFERENCE.search(text):
         raise InputError(f"{what} was given as {text!r}; write one number and its unit, as in {example}")
+    if THOUSANDS.search(text):
+        raise InputError(
+            f"{what} was given as {text!r}; a comma is no part of a number here: write thousands without it and "
+            f"decimals after a point, as in {example}"
+        )
     if DECIMAL_COMMA.search(text):
         raise InputError(f"{what} was given as {text!r}; write the decimals after a point, as in {example}")
     if NUMBER.match(text) and kind != "ratio":

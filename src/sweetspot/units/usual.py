@@ -60,8 +60,8 @@ class Usual:
         return within or not self.above * self.size < value < self.below * self.size
 
 
-MOST_BAT_SPEED = 70 / MPH
-"""mph; what a swing may have at all."""
+MOST_BAT_SPEED = 70.001 / MPH
+"""mph; just above what a swing may have at all, so that 70 m/s, a slip of 70 mph, is not usual."""
 FILE_UNITS = "write the unit that the file is in behind the heading: _mph, _m_s or _km_h"
 SPIN = "spins of balls stay below 15000 rpm; write rpm, or rad/s for radians"
 SEA_LEVEL = (
@@ -99,6 +99,8 @@ USUAL: dict[str, Usual] = {
     "ball_cor": Usual(0.2, 0.9, "", above=0),
     "mass": Usual(2, 80, "oz", OUNCE),
     "length": Usual(5, 60, "in", INCH, "the bats of grown-ups are 30 to 34in long"),
+    "bbcor": Usual(-0.2, 0.8, "", 1, "bats have 0.2 to 0.6; check the speeds and their columns"),
+    "bat_length": Usual(13.5, 50, "in", INCH, "the bats of grown-ups are 30 to 34in long"),
     "balance_point": Usual(4, 60, "in", INCH, "it counts from the knob end", above=0),
     "period": Usual(0.5, 3, "s", 1.0, "one swing is there and back; give the time of one, not of ten", above=0),
     "greatest_diameter": Usual(1.6, 5, "in", INCH, "a profile has diameters, not radii", above=1.1),

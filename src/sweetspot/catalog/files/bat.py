@@ -208,14 +208,15 @@ def bat_from_table(table: dict[str, Any], where: str) -> Bat:
     try:
         if table.get("sport", "baseball") != "baseball":
             check_sport(str(unwrapped(table["sport"])), kind="bat")
-        return _checked_drawing(_bat(BatFile(**{key: unwrapped(value) for key, value in table.items()})))
+        return checked_drawing(_bat(BatFile(**{key: unwrapped(value) for key, value in table.items()})))
     except InputError as error:
         message = re.sub(r"\b\w*table: ", "", str(error).removeprefix("batfile: ").removeprefix("bat: "))
         raise InputError(f"{where}: {message}") from None
 
 
-def _checked_drawing(bat: Bat) -> Bat:
+def checked_drawing(bat: Bat) -> Bat:
     """Return a bat whose drawing is drawn as drawings are: from the knob end, in diameters, a wall of millimetres."""
+    check_usual(bat.length, "bat length", shown(bat.length))
     if bat.profile is not None:
         greatest = max(diameter for _, diameter in bat.profile)
         check_usual(greatest, "greatest diameter", shown(greatest))

@@ -1,0 +1,61 @@
+"""
+Lesson 4: A bat that rings
+==========================
+
+Tap a bat at different places and listen: at a node a tone is missing. A bat is a beam with free ends, and its
+tones follow from outline and wood.
+"""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from sweetspot import bat, beam_model, bending_modes
+from sweetspot.units import INCH
+
+wood = bat("r161-ash")
+modes = bending_modes(beam_model(wood))
+bending = modes.of_family("bending")[:3]
+
+places = np.linspace(0, wood.length, 200)
+shapes = modes.shape_at(places)  # a row for each place, a column for each mode
+figure, axes = plt.subplots(figsize=(7, 3.2), layout="constrained")
+for index in bending:
+    shape = shapes[:, index]
+    axes.plot(places / INCH, shape / abs(shape).max(), label=f"{modes.frequency[index]:.0f} Hz")
+axes.axhline(0, color="grey", lw=0.8)
+axes.set(xlabel="inches from the knob", ylabel="how far it swings")
+axes.legend(loc="lower left")
+plt.show()
+
+# %%
+# Where the curves cross zero are the nodes. From the tip, in inches:
+
+for index in bending:
+    nodes = [(wood.length - node) / INCH for node in modes.nodes(index)]
+    print(f"{modes.frequency[index]:6.0f} Hz  " + "  ".join(f"{node:4.1f}" for node in nodes))
+
+# %%
+# A hit on the node of the first mode, and one at the tip. The same blow; see where the energy goes.
+
+from sweetspot import hit_at, standard_conditions
+
+conditions = standard_conditions(wood)
+hit_at(wood.length - 6.7 * INCH, modes=modes, conditions=conditions)
+
+# %%
+# At the tip:
+
+hit_at(wood.length - 1 * INCH, modes=modes, conditions=conditions)
+
+# %%
+# Is the computation itself fine enough? A plain rod has few sections of its own, so it shows what the elements do:
+
+rod = beam_model(bat("uniform-rod"))
+for elements in (4, 8, 16, 32):
+    coarse = bending_modes(rod, elements=elements)
+    print(f"{elements:3} elements  " + "  ".join(f"{f:8.2f}" for f in coarse.frequency[bending]))
+
+# %%
+# **Exercises.** Hold the handle in a vice: :func:`sweetspot.gripped` with ``Hands(mass=50, stiffness=5e6)``. What
+# becomes of the tones, and what of the ball's speed? Record a tapped bat with your telephone and give it to
+# ``sweetspot tap``.

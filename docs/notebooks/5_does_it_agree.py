@@ -1,0 +1,46 @@
+"""
+Lesson 5: Does it agree with measurements?
+==========================================
+
+A model that explains everything and predicts nothing is worth little. Every published number that this one was
+held against is kept with its source, misses included.
+"""
+
+from sweetspot import validation
+from sweetspot.validation.table import headline
+
+found = validation.results()
+print(headline(found))
+
+# %%
+# What each kind of row is worth, and how many miss:
+
+from sweetspot.validation.table import summary
+
+print(f"{'evidence':34} {'rows':>5} {'hold':>5} {'explained':>10} {'fail':>5}")
+for part in summary(found):
+    print(f"{part['evidence']:34} {part['rows']:5} {part['hold']:5} {part['explained_misses']:10} {part['fail']:5}")
+
+# %%
+# Predictions about bats, computed against printed. On the line they agree:
+
+import matplotlib.pyplot as plt
+
+bats = [
+    one
+    for one in found
+    if one.evidence == "prediction about bats" and one.printed.replace(".", "").isdigit() and float(one.printed)
+]
+figure, axes = plt.subplots(figsize=(5.5, 5), layout="constrained")
+ratio = [one.computed / float(one.printed) for one in bats]
+missed = [bool(one.expected_miss) for one in bats]
+axes.axhline(1, color="grey", lw=0.8)
+axes.scatter(range(len(bats)), ratio, s=12, c=["tab:red" if one else "tab:blue" for one in missed])
+axes.set(
+    xlabel="predictions, source by source (red: a miss that is explained)", ylabel="computed / printed", ylim=(0.5, 1.5)
+)
+plt.show()
+
+# %%
+# **Exercises.** Take one red point. Which source, and what does :doc:`the page on validation </validation>` say is
+# the reason? What measurement would decide?

@@ -1,0 +1,62 @@
+"""
+Maker: from a drawing to the test
+=================================
+
+Stations of a drawing go in; weight, balance, swing weight, tones and the test come out before any wood is turned.
+"""
+
+from pathlib import Path
+from tempfile import mkdtemp
+
+import sweetspot
+from sweetspot import beam_model, catalog, certify, compare, rigid_body, standard_conditions
+from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
+
+drawing = Path(mkdtemp()) / "drawing-12.toml"
+drawing.write_text("""name = "drawing 12"
+length = "34 in"
+material = "maple"
+profile = [
+  ["0 in", "1.75 in"], ["0.3 in", "2.0 in"], ["0.6 in", "1.95 in"], ["1.25 in", "0.97 in"], ["9 in", "0.97 in"],
+  ["15 in", "1.2 in"], ["20 in", "1.7 in"], ["25 in", "2.25 in"], ["30 in", "2.5 in"], ["32.8 in", "2.44 in"],
+  ["33.85 in", "2.0 in"], ["34 in", "1.65 in"],
+]
+""")
+bat = sweetspot.bat(drawing)
+bat
+
+# %%
+# A cup takes weight from where it counts most. How much, and what does it do?
+
+cupped = bat.cupped(diameter=1.4 * INCH, depth=0.9 * INCH)
+for one in (bat, cupped):
+    body = rigid_body(beam_model(one))
+    print(f"{body.mass / OUNCE:5.1f} oz, MOI about 6 in {body.moi(6 * INCH) / OUNCE_INCH_SQUARED:,.0f} oz in2")
+
+found = compare(
+    [bat, cupped, catalog.bat("torpedo")],
+    conditions=standard_conditions(bat),
+    law=catalog.swing_law(),
+    labels=["drawing 12", "with a cup", "torpedo"],
+)
+found
+
+# %%
+# The torpedo is better inside and worse outside: who meets the ball where decides.
+#
+# Would an alloy bat of ours pass? The simulated test, and the wall that would:
+
+from sweetspot.analysis.certification.passing_wall import wall_that_passes
+
+hollow, ball = catalog.bat("single-wall"), catalog.ball()
+certify(hollow, ball=ball)
+
+# %%
+
+wall = wall_that_passes(hollow, ball=ball, limit=0.5)
+print(f"{1e3 * wall.thickness:.2f} mm, {wall.factor:.2f} times the drawing's")
+print(f"the bat would weigh {wall.mass / OUNCE:.1f} oz")
+
+# %%
+# To the lathe: ``sweetspot outline drawing-12.toml --out bat.dxf --out bat.svg`` writes the drawing, and :doc:`the
+# maker's page </users/maker>` says how to read one back.

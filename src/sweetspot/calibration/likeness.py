@@ -1,0 +1,52 @@
+"""Whether what was measured on a bat can belong to the model that it is said to be like."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from sweetspot.calibration.measurements import Measurement
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.rigid import pendulum_period, rigid_body
+from sweetspot.equipment.bat import Bat
+from sweetspot.errors import InputError
+from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.units import insisted
+
+APART: Mapping[str, float] = {"mass": 1.5, "balance_point": 1.2, "moi": 1.7, "period": 1.2, "frequency": 1.7}
+"""Factor by which a bat of one model may differ from it, by kind of measurement. Our choice: wood of one profile
+differs by half of these; a slip of a unit or of a column by more."""
+
+
+def check_likeness(bats: Mapping[str, Sequence[Measurement]], model: Bat) -> None:
+    """Refuse measurements that no bat of a model comes near: in another unit, or in another column.
+
+    Raises
+    ------
+    InputError
+        with the bat, what was given, and what the model has.
+    """
+    line = beam_model(model)
+    body, modes = rigid_body(line), bending_modes(line)
+    axis = STANDARD_AXIS
+    own: dict[str, float] = {
+        "mass": body.mass, "balance_point": body.balance_point, "moi": body.moi(axis),
+        "period": pendulum_period(body.moi(axis), mass=body.mass, balance_point=body.balance_point, pivot=axis),
+    }  # fmt: skip
+    bending = [float(modes.frequency[index]) for index in modes.of_family("bending")]
+    for name, measured in bats.items():
+        for one in measured:
+            mode = one.mode
+            expected = own.get(one.kind)
+            if mode is not None:
+                known = mode.family == "bending" and mode.harmonic <= len(bending)
+                expected = bending[mode.harmonic - 1] if known else None
+            if expected is None or insisted():
+                continue
+            factor = one.value.value / expected
+            if not 1 / APART[one.kind] < factor < APART[one.kind]:
+                what = str(mode) if mode is not None else one.kind.replace("_", " ")
+                raise InputError(
+                    f"{name}: the {what} is {factor:.3g} times that of {model.name}; bats of one model come within a "
+                    f"factor of {APART[one.kind]:g}. Check the unit and the column, or add --force if it is meant"
+                )
