@@ -6,15 +6,19 @@ import time
 from collections.abc import Callable
 from typing import Any
 
+import pytest
+
 from benchmarks.cases import duration, measured
-from sweetspot import all_modes, beam_model, catalog, standard_conditions
+from sweetspot import all_modes, beam_model, catalog
+from sweetspot.calibration.draws.drawn_reports import drawn_report
+from sweetspot.calibration.draws.sources import DRAWS, sources_of
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, of_tones
 from sweetspot.calibration.posterior import calibrate
 from sweetspot.calibration.synthetic import synthesised
 from sweetspot.calibration.tap_analysis import tap_test
-from sweetspot.calibration.uncertainty import DRAWS, doubt
 from sweetspot.calibration.unknowns import described, unknowns_of
+from sweetspot.catalog.standard_hit import standard_analysis
 
 
 def test_a_tap_and_a_calibration(benchmark: Any, record: Callable[..., None]) -> None:
@@ -32,12 +36,11 @@ def test_a_tap_and_a_calibration(benchmark: Any, record: Callable[..., None]) ->
     record("weight and tones to a calibrated bat", duration(time.perf_counter() - start), goal="1 s")
 
 
-def test_how_sure_a_report_is(benchmark: Any, record: Callable[..., None]) -> None:
-    bat = catalog.bat()
-    line, conditions = beam_model(bat), standard_conditions(bat)
-
-    def draws() -> Any:
-        return doubt(line, conditions).draws("exit_speed")
-
-    seconds = measured(benchmark, draws)
-    record(f"{DRAWS:,} draws of a report's exit speeds", duration(seconds), goal="2 s")
+@pytest.mark.parametrize("name", ["r161-ash", "college-alloy"])
+def test_how_sure_a_report_is(benchmark: Any, record: Callable[..., None], name: str) -> None:
+    """Every draw's beam, surface and hits along the bat, wood and hollow."""
+    analysis = standard_analysis(name)
+    sources = sources_of(analysis.bat, analysis.conditions)
+    drawn_report(analysis, sources, count=4)
+    seconds = measured(benchmark, lambda: drawn_report(analysis, sources))
+    record(f"{DRAWS:,} draws of the report of {name}", duration(seconds), goal="2 s")
