@@ -14,6 +14,8 @@ from sweetspot.report.quantities import PALETTE, SI, US
 from sweetspot.web.files import FOLDER
 
 Answered = Callable[..., int]
+SOUND = ("recorder",)
+"""Modules that run where sound is heard, and nowhere else."""
 
 
 @pytest.fixture
@@ -22,7 +24,7 @@ def run(page: Page, server: str) -> Callable[[str], Any]:
     page.goto(f"{server}/docs")
 
     def evaluate(script: str) -> Any:
-        names = [path.stem for path in FOLDER.glob("*.js") if path.stem not in ("main", "docs")]
+        names = [path.stem for path in FOLDER.glob("*.js") if path.stem not in ("main", "docs", *SOUND)]
         parts = [f"{name}: await import('/static/{name}.js')" for name in names]
         return page.evaluate(f"(async () => {{ const m = {{ {', '.join(parts)} }}; return {script}; }})()")
 
