@@ -63,7 +63,8 @@ def test_kernel_is_the_readable_version(modes: Modes, place: float, closing: flo
     for name in ("displacement", "velocity"):
         expected = getattr(one, name)
         scale = np.abs(expected).max()
-        assert getattr(many, name)[0] == pytest.approx(expected, rel=0, abs=1e-8 * scale), name
+        # at release, an instant that the two find to 1e-8 of its own; quick modes move that much farther meanwhile
+        assert getattr(many, name)[0] == pytest.approx(expected, rel=0, abs=4e-8 * scale), name
 
 
 def crowd(count: int) -> dict[str, Any]:

@@ -37,16 +37,16 @@ def all_modes(line: BeamModel, ball: Ball, *, patch_factor: float = 1.0) -> Mode
     ----------
     patch_factor : on the radius of the ball's contact patch, > 0; 1 unless its doubt is asked for (`PATCH_SPREAD`).
     """
-    bending = bending_modes(line)
     if line.bat.face is not None:
         from sweetspot.dynamics.face_vibration import face_modes
 
         face = face_modes(line, ball)
-        bending = _enough(line, bending, face, ball)
+        bending = excited_bending(line, face, ball)
         if isinstance(line.bat, CricketBat):
             dent = blade_dent(line, law=patch_law(ball, factor=patch_factor))
             bending = replace(bending, compliances=(*bending.compliances, dent))
         return joined(bending, face)
+    bending = bending_modes(line)
     if not isinstance(line.bat, Bat):
         return bending
     law = patch_law(ball, factor=patch_factor)
@@ -57,11 +57,12 @@ def all_modes(line: BeamModel, ball: Ball, *, patch_factor: float = 1.0) -> Mode
     return joined(bending, hoop_modes(line, law=law))
 
 
-def _enough(line: BeamModel, bending: Modes, face: Modes, ball: Ball) -> Modes:
+def excited_bending(line: BeamModel, face: Modes, ball: Ball) -> Modes:
     """Return as many bending modes, by the dozen, as a quick contact excites: those up to `AHEAD` times its frequency.
 
     A hard ball of a few grams on light strings is over before a slender shaft's twelfth mode has swung once.
     """
+    bending = bending_modes(line)
     together = joined(bending, face)
     places = PLACES * line.bat.length
     inverse_mass = 1 / ball.mass + float((together.shape_at(places) ** 2).sum(axis=-1).max())

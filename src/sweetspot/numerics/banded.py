@@ -152,7 +152,7 @@ def lowest_pairs(
     _against(basis, known, work)
     _scaled(work, basis[known], size)
     product = np.zeros(size + WIDTH)
-    asked = min(FIRST_STEPS, most)
+    asked = min(max(FIRST_STEPS, 2 * count), most)
     for step in range(most):
         current = basis[known + step]
         work[:] = current
@@ -173,6 +173,8 @@ def lowest_pairs(
         beside[step + 1] = _scaled(product, basis[known + step + 1], size)
         if step + 1 >= asked or beside[step + 1] == 0.0:
             steps = step + 1
+            if steps < count:
+                return False
             roots[:steps], off[: steps + 1] = along[:steps], beside[: steps + 1]
             if not _tridiagonal(steps, roots, off, turned):
                 return False

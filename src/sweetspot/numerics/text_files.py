@@ -124,7 +124,7 @@ def table_rows(
         where the text is no CSV.
 
     >>> heading = lambda cells: "speed" in cells
-    >>> list(table_rows("speed;angle\\n66,5;3", Path("a.csv"), is_heading=heading))
+    >>> list(table_rows("speed;angle\n66,5;3", Path("a.csv"), is_heading=heading))
     [(1, ['speed', 'angle']), (2, ['66.5', '3'])]
     """
     beginning = "\n".join(text.splitlines()[:FIRST_LINES])

@@ -34,7 +34,7 @@ bits_of: Callable[[float], int]
 """The 64 bits of a float as an integer (in compiled code only, unless NUMBA_DISABLE_JIT is set)."""
 float_of: Callable[[int], float]
 """The float that has these 64 bits (in compiled code only, unless NUMBA_DISABLE_JIT is set)."""
-if config.DISABLE_JIT:  # numba's switch for looking into compiled functions
+if config.DISABLE_JIT:  # type: ignore[attr-defined]  # numba's switch, set as it is imported
     bits_of = lambda value: int(struct.unpack("<q", struct.pack("<d", value))[0])  # noqa: E731
     float_of = lambda bits: float(struct.unpack("<d", struct.pack("<q", bits))[0])  # noqa: E731
 else:

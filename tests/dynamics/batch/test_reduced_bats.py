@@ -52,6 +52,13 @@ def test_hits_of_many_bats_are_those_of_each(lines: list[BeamModel], bats: Reduc
         assert np.allclose(done.velocity[number, :, : len(modes)], one.velocity, atol=1e-9)
 
 
+def test_a_quick_contact_has_as_many_modes_as_in_the_readable_chain() -> None:
+    line, ball = beam_model(catalog.load_implement("badminton-racket")), catalog.ball("shuttle")
+    modes, ours = all_modes(line, ball), reduced_lines([line], ball=ball).modes(0)
+    assert len(ours) == len(modes) > 40
+    assert np.allclose(ours.frequency, modes.frequency, rtol=1e-8, atol=1e-9)
+
+
 def test_one_bat_for_everybody_who_takes_a_reduced_bat() -> None:
     line, ball = beam_model(catalog.bat("r161-ash")), catalog.ball()
     reduced = fast_reduced_bat(line, ball=ball)

@@ -76,11 +76,7 @@ def conditions_for(bat: Implement, options: SwingOptions) -> Conditions:
             humidity=None if humid is None else parse(humid, "ratio", "--ball-humidity"),
             temperature=None if warm is None else parse(warm, "temperature", "--ball-temperature"),
         )
-    if options.bat_speed is not None:
-        _say_if_unusual("--bat-speed", options.bat_speed, usual.swing.bat_speed)
-    if options.pitch_speed is not None:
-        _say_if_unusual("--pitch-speed", options.pitch_speed, usual.pitch.speed)
-    return Conditions(
+    conditions = Conditions(
         pitch=usual.pitch if options.pitch_speed is None else Pitch(speed=_pitch_speed(options.pitch_speed)),
         swing=Swing(
             bat_speed=(
@@ -94,20 +90,22 @@ def conditions_for(bat: Implement, options: SwingOptions) -> Conditions:
         hands=Hands(position=place(options.hands, usual.hands.position, "--hands")),
         ball=ball,
     )
+    if options.bat_speed is not None:
+        _say_if_unusual("--bat-speed", options.bat_speed, conditions.swing.bat_speed / usual.swing.bat_speed)
+    if options.pitch_speed is not None and usual.pitch.speed:
+        _say_if_unusual("--pitch-speed", options.pitch_speed, conditions.pitch.speed / usual.pitch.speed)
+    return conditions
 
 
 USUAL_STROKES = (0.5, 1.7)
 """Of the sport's usual speed, from children to the best: a warning outside, where miles per hour were often m/s."""
 
 
-def _say_if_unusual(option: str, text: str, usual: float) -> None:
-    """Warn of a speed that is far from its sport's; a ball at rest, and one that usually rests, is none."""
-    from sweetspot.units import parse
-
-    speed = 0.0 if text.strip().lower() == "tee" else parse(text, "speed", option)
+def _say_if_unusual(option: str, text: str, of_usual: float) -> None:
+    """Warn of a speed that is so many times its sport's usual; a ball at rest is none."""
     low, high = USUAL_STROKES
-    if speed and usual and not low <= speed / usual <= high:
-        words = f"{option} was given as {text}, {speed / usual:.2g} times its sport's usual; check the unit"
+    if of_usual and not low <= of_usual <= high:
+        words = f"{option} was given as {text}, {of_usual:.2g} times its sport's usual; check the unit"
         warnings.warn(words, UnusualWarning, stacklevel=2)
 
 

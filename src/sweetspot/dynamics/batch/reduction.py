@@ -12,14 +12,17 @@ from scipy.interpolate import CubicSpline
 from sweetspot.dynamics.batch.beams import BeamRow, SolidBats
 from sweetspot.dynamics.batch.bending import BendingBatch, bending_batch, even_splines, on_even_splines
 from sweetspot.dynamics.beam import BeamModel
-from sweetspot.dynamics.dent import PLACES, dent_compliance, round_compliance
+from sweetspot.dynamics.bending import MODES
+from sweetspot.dynamics.dent import PLACES, blade_dent, dent_compliance, round_compliance
 from sweetspot.dynamics.face_vibration import face_modes
 from sweetspot.dynamics.hoop import hoop_modes
+from sweetspot.dynamics.mode_assembly import excited_bending
 from sweetspot.dynamics.modes import Modes, joined
 from sweetspot.dynamics.patch import ByPatch, PatchLaw, patch_law
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.threads import in_parts
 
@@ -92,13 +95,11 @@ class ReducedBats:
     def modes(self, number: int) -> Modes:
         """Return one bat's motions as everybody else takes them."""
         modes, wall = self.bending.modes(number), self.walls[number]
-        if wall is not None:
-            return joined(modes, wall)
-        if not self.dent[number].any():
-            return modes
-        places = np.linspace(0.0, self.bending.length[number], PLACES)
-        dent = ByPatch(self.law, CubicSpline(places, self.dent[number]))
-        return replace(modes, compliances=(*modes.compliances, dent))
+        if self.dent[number].any():
+            places = np.linspace(0.0, self.bending.length[number], PLACES)
+            dent = ByPatch(self.law, CubicSpline(places, self.dent[number]))
+            modes = replace(modes, compliances=(*modes.compliances, dent))
+        return modes if wall is None else joined(modes, wall)
 
     @cached_property
     def _dents(self) -> list[Array]:
@@ -132,26 +133,32 @@ def reduced_outlines(bats: SolidBats, *, ball: Ball, threads: int | None = None)
 def reduced_lines(lines: Sequence[BeamModel], *, ball: Ball, threads: int | None = None) -> ReducedBats:
     """Return any implements, reduced to beams, with their motions under the patch that this ball presses.
 
-    See `all_modes`: a face adds roll and its own mode, a hollow barrel its hoop modes; a solid bat is dented.
+    See `all_modes`: a face adds roll and its own mode, a hollow barrel its hoop modes; solid wood is dented. All get as
+    many bending modes as the one of them that needs most.
     """
     law = patch_law(ball)
     dent, walls = np.zeros((len(lines), PLACES, len(law.radii))), dict[int, Modes]()
+    counts = np.full(len(lines), MODES)
+
+    def along(dented: ByPatch, line: BeamModel) -> Array:
+        return np.asarray(dented.tables(np.linspace(0.0, line.bat.length, PLACES)))
 
     def work(part: slice) -> None:
         for number in range(part.start, part.stop):
             line = lines[number]
             if line.bat.face is not None:
-                walls[number] = face_modes(line, ball)
+                walls[number] = face = face_modes(line, ball)
+                counts[number] = excited_bending(line, face, ball).families.count("bending")
             elif isinstance(line.bat, Bat) and line.bat.shell is not None:
                 walls[number] = hoop_modes(line, law=law)
-            elif isinstance(line.bat, Bat):
-                tables = dent_compliance(line, law=law).tables
-                dent[number] = tables(np.linspace(0.0, line.bat.length, PLACES))
+            if isinstance(line.bat, CricketBat):
+                dent[number] = along(blade_dent(line, law=law), line)
+            elif isinstance(line.bat, Bat) and line.bat.shell is None:
+                dent[number] = along(dent_compliance(line, law=law), line)
 
     in_parts(work, len(lines), size=4, threads=threads)
-    return ReducedBats(
-        bending_batch(BeamRow(lines), threads=threads), dent, law, tuple(walls.get(i) for i in range(len(lines)))
-    )
+    bending = bending_batch(BeamRow(lines), count=int(counts.max(initial=MODES)), threads=threads)
+    return ReducedBats(bending, dent, law, tuple(walls.get(i) for i in range(len(lines))))
 
 
 def fast_reduced_bat(line: BeamModel, *, ball: Ball) -> ReducedBat:
