@@ -78,6 +78,16 @@ def test_a_killed_worker_costs_nothing(
     assert files_of(tmp_path / "out") == alone
 
 
+def test_all_workers_lost_at_once_cost_nothing(
+    compute: Callable[..., Season], alone: dict[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With its last worker a cluster loses what was given to all of them, and forgets its tasks."""
+    monkeypatch.setattr("sweetspot.season.cluster._do", partial(dies_once, tmp_path / "died"))
+    compute(tmp_path / "out", partial(run_on_cluster, workers=1))
+    assert (tmp_path / "died").exists()
+    assert files_of(tmp_path / "out") == alone
+
+
 def dies_once(mark: Path, plan: Plan, task: object) -> int:
     if not mark.exists():
         mark.touch()

@@ -60,7 +60,18 @@ def run_on_cluster(
 
 
 def _run(plan: Plan, client: Any, progress: Progress | None) -> None:
-    """Give out what is not done, and wait; a task whose worker died is given out again."""
+    """Give out what is not done, and wait; what got lost with all workers at once is given out anew."""
+    for _ in range(TRIES):
+        if _given_out(plan, client, progress):
+            return
+    raise InputError("the workers were lost again and again; what is done is kept, --resume goes on")
+
+
+def _given_out(plan: Plan, client: Any, progress: Progress | None) -> bool:
+    """Give out every task that is not done; a task whose worker died is given out again. Return whether all are done.
+
+    With its last worker a cluster loses the plan too, and forgets the tasks without an error.
+    """
     dask: Any = import_module("distributed")
     shared = client.scatter(serial(plan), broadcast=True)
     total, done = sum(table.rows for table in plan.tables), 0
@@ -73,6 +84,8 @@ def _run(plan: Plan, client: Any, progress: Progress | None) -> None:
     if progress is not None and done:
         progress(done, total)
     for future in dask.as_completed(list(waiting)):
+        if future.cancelled():
+            continue
         error = future.exception()
         if error is not None:
             task = waiting[future]
@@ -83,6 +96,7 @@ def _run(plan: Plan, client: Any, progress: Progress | None) -> None:
         done += waiting[future].rows
         if progress is not None:
             progress(done, total)
+    return all(is_done(plan, task) for task in waiting.values())
 
 
 def _do(plan: Plan, task: Task) -> int:
