@@ -39,6 +39,13 @@ def test_a_design_with_its_files(run: Run, tmp_path: Path) -> None:
     assert code == 0 and float(rows[0]["exit_speed_m_s"]) > answer["present_measures"]["exit_speed_m_s"]
 
 
+@pytest.fixture
+def short_polish(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A search that begins with a start hardly polished: of a hollow bat every look costs a second or two."""
+    monkeypatch.setattr("sweetspot.design.polish.LOOKS", 3)
+
+
+@pytest.mark.usefixtures("short_polish")
 def test_a_hollow_bat_by_the_same_command(run_json: RunJson) -> None:
     answer = run_json("design", "single-wall", "--league", "nobody", *QUICK)
     assert 0.5 < answer["measures"]["bbcor"] < 0.6
@@ -64,6 +71,7 @@ def test_a_hollow_bat_by_the_same_command(run_json: RunJson) -> None:
         (("corked-r161",), "not turned from one piece of wood"),
     ],
 )
+@pytest.mark.usefixtures("short_polish")
 def test_bad_questions_are_one_line(run: Run, arguments: tuple[str, ...], fault: str) -> None:
     code, _, said = run("design", *arguments)
     assert code == 2
