@@ -25,7 +25,8 @@ test: $(VENV)/.dev browser  ## all tests
 LOWEST := .venv-lowest
 UNDER_LOWEST := $(addprefix tests/,catalog collision dynamics equipment flight motion numerics units report cli calibration)
 QUICK_LOWEST := $(addprefix tests/,units motion equipment catalog/files collision/test_contact_law.py dynamics/test_bending.py \
-	flight/test_trajectory.py)
+	flight/test_trajectory.py cli/test_hostile_files.py calibration/outline/test_drawings.py \
+	report/drawing/test_drawing_files.py)
 
 test-lowest: $(LOWEST)/.installed  ## tests of all but the page and the fits with the lowest versions that pyproject allows
 	$(LOWEST)/bin/python -m pytest -q $(UNDER_LOWEST)
