@@ -34,6 +34,14 @@ def test_a_stored_number_is_shown_as_readers_have_it(
     assert (shown, row["unit"]) == (reading.number(value, scale), reading.unit(scale))
 
 
+def test_labels_are_words() -> None:
+    """What a sport calls things is filled in: nobody reads "fastest {ball}"."""
+    data = quantity_data()
+    labels = [row["label"] for part in ("spots", "quantities") for row in data[part].values()]
+    assert "fastest ball" in labels
+    assert not [label for label in labels if "{" in label]
+
+
 def test_longer_endings_come_first() -> None:
     """A name is looked up by the first ending that fits."""
     endings = list(ENDINGS)

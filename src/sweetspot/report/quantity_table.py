@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Literal
 
+from sweetspot.equipment.sport import Words
 from sweetspot.report.quantities import PALETTE, QUANTITIES, SCALES, Unit
 from sweetspot.report.sweet_spots import SPOTS
 
@@ -51,7 +52,7 @@ def quantity_data() -> dict[str, Any]:
             name: {"label": one.label, "scale": one.scale, "colour": _hue(one.colour)}
             for name, one in QUANTITIES.items()
         },
-        "spots": {name: {"label": spot.label, "colour": _hue(spot.colour)} for name, spot in SPOTS.items()},
+        "spots": {name: {"label": spot.labelled(Words()), "colour": _hue(spot.colour)} for name, spot in SPOTS.items()},
         "palette": dict(PALETTE),
     }
 

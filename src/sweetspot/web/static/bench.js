@@ -79,7 +79,7 @@ export class Bench {
     const { controls, show } = workshop(app, () => app.answer?.bat?.mass_kg);
     this.show = show;
     this.element = group("Bat", [
-      batChoice(app), button("Describe your bat by questions …", async () => (await import("./wizard.js")).wizard(app)), this.own.element, this.outline.element,
+      batChoice(app), button("Describe your bat by questions\u00a0…", async () => (await import("./wizard.js")).wizard(app)), this.own.element, this.outline.element,
       group("Workshop", [...controls, button("As it was", () => app.setState(unchanged(app)))], { open: false }),
     ], { open });
   }

@@ -13,7 +13,7 @@
 //   chart.draw({ x: [...], lines: { exit_speed_m_s: [...] }, range: [0, 0.84], bands: [{ from, to }],
 //                marks: [{ at, color, label }], points: { exit_speed_m_s: [{ x, y, low, high, label }] }, cursor: 0.68 });
 //
-// A panel with stacked: true adds its lines up, as areas. kind is a name with a unit (units.js): values come in SI and
+// A panel with stacked: true adds its lines up, as areas; empty: [least, most] is its range while it has no values. kind is a name with a unit (units.js): values come in SI and
 // are shown in the chosen system. color names a colour of the theme. Missing values are null. The margins LEFT and RIGHT
 // are the same for every chart and for the bat above it.
 
@@ -150,25 +150,27 @@ export class Chart {
     }
   }
 
-  // Title, unit, names of the lines; on the right the values at the pointer, or else at the cursor.
+  // Title, unit, names of the lines; on the right, where there is room, the values at the pointer or else at the cursor.
   paintTitle(context, panel, box, { xs, bare }) {
     const { colors, units } = this.app;
     const at = this.hover ?? this.data.cursor ?? null;
     const digits = kindOf(panel.kind)[units].digits;
     const values = at === null ? [] : panel.lines.map((line, i) => ({ line, value: between(xs[i], bare[i], at) })).filter(({ value, line }) => value !== null && !line.silent);
     Object.assign(context, { textBaseline: "alphabetic", textAlign: "right", font: `600 12px ${FONT}` });
+    const words = values.map(({ value }) => value.toFixed(digits).replace("-", "−"));
+    const wanted = words.reduce((sum, word) => sum + context.measureText(word).width + (values.length > 1 ? 29 : 13), 0);
+    const fits = wanted <= box.right - box.left - context.measureText(panel.title).width - context.measureText(unitOf(panel.kind, units)).width - 8;
     let right = box.right;
-    for (const { line, value } of [...values].reverse()) {
-      const words = value.toFixed(digits).replace("-", "−");
+    for (const [i, { line }] of fits ? [...values.entries()].reverse() : []) {
       context.fillStyle = colors.ink;
-      context.fillText(words, right, box.top - 6);
-      right -= context.measureText(words).width + 5;
+      context.fillText(words[i], right, box.top - 6);
+      right -= context.measureText(words[i]).width + 5;
       if (values.length > 1) {
         this.sample(context, line, panel, right - 14, right, box.top - 10);
         right -= 24;
       } else right -= 8;
     }
-    if (this.hover !== null && values.length) {
+    if (this.hover !== null && values.length && fits) {
       Object.assign(context, { font: `11px ${FONT}`, fillStyle: colors.muted });
       const place = `at ${this.app.text(this.axis.kind, this.axis.from ? this.axis.from() - at : at)}`;
       context.fillText(place, right, box.top - 6);

@@ -3,6 +3,8 @@
 import { FONT, ticks } from "./surface.js";
 import { kindOf, toShown, unitOf } from "./units.js";
 
+const EDGE = 12; // pixels beside the last place of an axis that its number may take
+
 export function shownValues({ kind }, values, units) {
   return (values ?? []).map((value) => (value === null ? null : toShown(kind, value, units)));
 }
@@ -31,7 +33,7 @@ export function limits({ xs, shown, bands = [], points = [], range = [-Infinity,
     for (const each of [values, ...(bands[i] ?? [])]) each.forEach((value, j) => seen(xs[i][j]) && take(value));
     for (const point of points[i] ?? []) if (seen(point.x)) for (const value of [point.y, point.low, point.high]) take(value);
   });
-  if (!(high >= low)) return [0, 1];
+  if (!(high >= low)) return panel.empty ?? [0, 1];
   if (panel.zero || panel.stacked) [low, high] = [Math.min(0, low), Math.max(0, high)];
   const room = 0.06 * (high - low || Math.abs(high) || 1);
   return [low === 0 ? 0 : low - room, high === 0 ? 0 : high + room];
@@ -120,7 +122,8 @@ export function paintAxis(context, { app: { colors, units }, axis, range }, acro
     context.moveTo(x, top);
     context.lineTo(x, top + 4);
     context.stroke();
-    context.fillText(String(value).replace("-", "−"), x, top + 6);
+    const words = String(value).replace("-", "−");
+    context.fillText(words, Math.min(x, across(most) + EDGE - context.measureText(words).width / 2), top + 6);
   }
   context.textAlign = "right";
   context.fillText(axisWords(axis, units), across(most), top + 19);

@@ -240,7 +240,7 @@ export const view = {
     const seen = sure ? (Math.abs(speed.change) > sure.half_interval_m_s ? (speed.change > 0 ? ": a gain that you could see" : ": a loss") : ": no gain that you could see") : "";
     const doubt = sure ? `, give or take ${app.text("speed_change", sure.half_interval_m_s)}` : "";
     const design = answer.design;
-    const gained = answer.own ? `Over these contacts the ball leaves ${change}${doubt}${seen}.` : "This is the present bat still: pull a handle, or let the search find better.";
+    const gained = answer.own ? `Over these contacts the ball leaves ${change}${doubt}${seen}.` : "This is the present bat still, as smooth as its handles draw it: pull one, or let the search find better.";
     this.words.textContent = `${gained} ` +
       `${app.text("mass_kg", design.mass_kg)}, balance ${app.text("balance_point_m", design.balance_point_m, 1)} from the knob, swing weight ${app.text("moi_kg_m2", design.moi_6in_kg_m2)}.`;
     app.announce(this.words.textContent);

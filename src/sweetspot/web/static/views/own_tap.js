@@ -8,7 +8,7 @@ import { make, tableOf } from "../parts.js";
 import { upload, whereTo } from "../upload.js";
 
 const LARGEST = 60e6; // bytes of a sound
-const PANELS = [{ title: "What rings, dB below the loudest", kind: "share", height: 150, lines: [{ key: "level", label: "the first good tap", color: "blue", width: 1.4 }] }];
+const PANELS = [{ title: "What rings, dB below the loudest", kind: "level_db", height: 150, empty: [-60, 0], lines: [{ key: "level", label: "the first good tap", color: "blue", width: 1.4 }] }];
 const kept = { recordings: [], found: null }; // as long as the page is open
 
 export class TapPlace {
@@ -34,7 +34,7 @@ export class TapPlace {
     this.fault.setAttribute("role", "alert");
     this.lights = new Lights("The taps");
     this.tones = make("div");
-    this.chart = new Chart(app, { label: "Spectrum of the tap", panels: [{ ...PANELS[0], kind: "level_db" }], axis: { kind: "frequency_hz", label: "" } });
+    this.chart = new Chart(app, { label: "Spectrum of the tap", panels: PANELS, axis: { kind: "frequency_hz", label: "" } });
     this.element = make("div", {}, make("div", { className: "row" }, this.listen, this.level, this.clear),
       make("p", { className: "own" }, make("label", { htmlFor: "tap-file", textContent: "Or sound files of taps; drop them anywhere" }), this.file),
       this.words, this.fault, this.chart.element, this.lights.element, this.tones);

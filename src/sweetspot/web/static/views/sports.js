@@ -77,7 +77,7 @@ export const view = {
     const { tool, hit, scan, face, sweet_spots: spots, words, sport } = answer;
     const show = (name, value, digits) => this.app.text(name, value, digits);
     const length = tool.length_m;
-    this.words.textContent = `${sport}, ${tool.name}: hits best ${show("from_m", length - spots.max_exit_speed_m, 1)} from the ${words.tip}. ` +
+    this.words.textContent = `${tool.name.startsWith(sport) ? "" : `${sport}, `}${tool.name}: hits best ${show("from_m", length - spots.max_exit_speed_m, 1)} from the ${words.tip}. ` +
       `Here, ${show("from_m", length - hit.position_m, 1)} from it${hit.lateral_m ? ` and ${show("from_m", Math.abs(hit.lateral_m), 1)} off the line` : ""}, the ${words.ball} leaves at ${show("exit_speed_m_s", hit.exit_speed_m_s)}.`;
     this.app.announce(this.words.textContent);
     this.facts.fill(answer);
