@@ -126,21 +126,22 @@ def compare(
         comparison = compared(
             described, conditions=conditions_for(described[0], swing), law=law, labels=LABELS if corked else None
         )
-    document = comparison_document(comparison, corking=corked)
-    if uncertainty:
-        with patience():
-            document = _with_doubt(document, comparison, bats, swing)
+    if not uncertainty:
+        return present(comparison_document(comparison, corking=corked), output)
+    with patience():
+        document = _with_doubt(comparison, bats, swing, corked=corked)
     return present(document, output)
 
 
 def _with_doubt(
-    document: Document, comparison: Comparison[Implement], names: tuple[str, ...], swing: SwingOptions
+    comparison: Comparison[Implement], names: tuple[str, ...], swing: SwingOptions, *, corked: bool
 ) -> Document:
     """Return a comparison with intervals, and how sure each bat's gain over the first is."""
-    from sweetspot.calibration.draws.comparison_draws import LAW, drawn_comparison
+    from sweetspot.calibration.draws.comparison_draws import LAW, drawn_comparison, with_drawn_intervals
     from sweetspot.cli.options.uncertainty import sources_for
+    from sweetspot.report.comparison.document import comparison_document
     from sweetspot.report.document import Paragraph
-    from sweetspot.report.uncertainty.gains import gain_json, gain_words
+    from sweetspot.report.uncertainty.gains import INTERVAL_HOLDS, gain_json, gain_words
     from sweetspot.report.uncertainty.uncertainty_section import uncertain
 
     found = comparison.compared
@@ -156,13 +157,16 @@ def _with_doubt(
     main, named = (
         (f"bats.{last}.change_m_s", f"change of {found[-1].label}") if last else ("bats.0.exit_speed_m_s", "exit speed")
     )
+    document = comparison_document(
+        with_drawn_intervals(comparison, answers), corking=corked, interval_is=INTERVAL_HOLDS
+    )
     told = uncertain(document, answers, main=main, named=named, where=where)
     gains = [(one.label, index) for index, one in enumerate(found) if index]
     words = [Paragraph(gain_words(label, found[0].label, answers, index)) for label, index in gains]
     data = {**told.data, "uncertainty": {**told.data["uncertainty"], "gains": [
         {"label": label, **gain_json(answers, index)} for label, index in gains
     ]}}  # fmt: skip
-    return replace(told, blocks=[*words, *told.blocks], data=data)
+    return replace(told, blocks=[*told.blocks[:last], *words, *told.blocks[last:]], data=data)
 
 
 def _bat(described: Implement) -> Bat:

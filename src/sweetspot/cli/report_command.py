@@ -44,7 +44,7 @@ def report(
             check_swing(implement, conditions)
             return present(unhit_document(reduced, conditions), output, long=appendix)
         analysis = analyse_reduced(reduced, conditions)
-        document = report_document(analysis)
+        document = report_document(analysis, doubts=not uncertainty)
         if uncertainty:
             from sweetspot.calibration.draws.drawn_reports import drawn_report
             from sweetspot.report.uncertainty.uncertainty_section import uncertain

@@ -49,27 +49,25 @@ class Slot:
         number = reader.number(self.value, self.scale, digits=self.digits, sign=self.sign)
         if number == NOTHING:
             return number
-        number = number.removesuffix(".0") if self.round else number
         unit = reader.behind(self.scale) if self.unit else ""
-        return number + self._give_or_take(reader) + unit
+        if self.reach is not None and all(map(math.isfinite, self.reach)) and sum(self.reach) > SHARP * abs(self.value):
+            return self._give_or_take(self.reach, reader) + unit
+        return (number.removesuffix(".0") if self.round else number) + unit
 
-    def _give_or_take(self, reader: Reader) -> str:
-        """Return the interval: "± 2.1" where it is as wide either way, else its ends."""
-        if self.reach is None or not all(map(math.isfinite, self.reach)):
-            return ""
-        below, above = self.reach
-        if below + above <= SHARP * abs(self.value):
-            return ""
+    def _give_or_take(self, reach: tuple[float, float], reader: Reader) -> str:
+        """Return number and interval, "103.9 ± 2.1" where it is as wide either way, else with its ends."""
+        below, above = reach
         unit = reader.units[self.scale]
         places = unit.digits if self.digits is None else self.digits
         half = (below + above) / 2 / unit.size
         while half and places < MOST_DIGITS and round(half, places) == 0:
             places += 1
+        number = reader.number(self.value, self.scale, digits=places, sign=self.sign)
         if abs(above - below) <= LOPSIDED * (above + below):
-            return f" ± {half:.{places}f}"
+            return f"{number} ± {half:.{places}f}"
         ends = (self.value - below, self.value + above)
-        low, high = (reader.number(end, self.scale, digits=self.digits, sign=self.sign) for end in ends)
-        return f" ({low} to {high})"
+        low, high = (reader.number(end, self.scale, digits=places, sign=self.sign) for end in ends)
+        return f"{number} ({low} to {high})"
 
     @property
     def bare(self) -> Slot:

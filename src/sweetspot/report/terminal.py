@@ -60,12 +60,16 @@ def _rendered(blocks: Sequence[parts.Block], reader: Reader) -> Iterator[Rendera
 def table(block: parts.Table, reader: Reader) -> RichTable:
     """Return a table as `rich` prints it; the last column of words takes what room there is."""
     made = RichTable(header_style="bold", box=None, pad_edge=False)
+    doubted = any("±" in column.shown(row[number], reader) for number, column in enumerate(block.columns)
+                  if column.is_number for row in block.rows)  # fmt: skip
     for number, column in enumerate(block.columns):
-        whole = column.is_number or (number == 0 and len(block.columns) < 7)
         texts = [column.shown(row[number], reader) for row in block.rows]
+        lopsided = [text for text in texts if column.is_number and " (" in text]  # too long for a line among others
+        whole = (column.is_number and not lopsided) or (number == 0 and len(block.columns) < 7)
         head = column.head(reader)
-        if column.is_number and any("±" in text for text in texts):  # intervals take the room that headings had
-            head = fill(head, max(*map(len, texts), NARROW), break_long_words=False)
+        if column.is_number and doubted:  # intervals take the room that headings had
+            widths = [len(text) for text in texts if text not in lopsided]
+            head = fill(head, max([*widths, NARROW]), break_long_words=False)
         made.add_column(head, justify="right" if column.is_number else "left", no_wrap=whole)
     for row in block.rows:
         cells = zip(block.columns, row, strict=True)

@@ -80,5 +80,5 @@ def test_an_interval_replaces_a_standard_deviation() -> None:
 
 
 def test_narrow_intervals_get_digits_and_none_is_not_shown() -> None:
-    assert Slot(0.5, "ratio", reach=(2e-5, 2e-5)).read(US) == "0.500 ± 0.00002"
+    assert Slot(0.5, "ratio", reach=(2e-5, 2e-5)).read(US) == "0.50000 ± 0.00002"
     assert Slot(0.5, "ratio", reach=(0.0, 0.0)).read(US) == "0.500"

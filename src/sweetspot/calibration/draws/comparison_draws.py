@@ -6,6 +6,8 @@ doubt, and the swing law's exponent is drawn too.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from sweetspot.analysis.comparison import Comparison
@@ -13,7 +15,7 @@ from sweetspot.calibration.draws.drawn_hits import Draws, draws_of, hits_along
 from sweetspot.calibration.draws.intervals import DrawnAnswers
 from sweetspot.calibration.draws.sources import DRAWS, Source, Sources
 from sweetspot.equipment.implement import Implement
-from sweetspot.motion.swing_law import GREATEST_EXPONENT, SwingLaw
+from sweetspot.motion.swing_law import GREATEST_EXPONENT, Interval, SwingLaw
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.parabola import peak
@@ -54,6 +56,23 @@ def drawn_comparison(comparison: Comparison[Implement], sources: list[Sources], 
     names += tuple(one.name for one in first.others) + tuple(one.name for one in _of_law(law))
     normal = np.hstack([*normals, shared])
     return DrawnAnswers(np.vstack([np.zeros((1, normal.shape[1])), normal]), names, values)
+
+
+def with_drawn_intervals(comparison: Comparison[Implement], answers: DrawnAnswers) -> Comparison[Implement]:
+    """Return a comparison whose intervals are those of draws, in place of those of the swing law's exponent alone."""
+
+    def drawn(interval: Interval, name: str) -> Interval:
+        reach = answers.reach(name)
+        return Interval(interval.value, interval.value - float(reach.below), interval.value + float(reach.above))
+
+    return replace(comparison, compared=tuple(
+        replace(
+            one, bat_speed=drawn(one.bat_speed, f"bats.{index}.bat_speed_m_s"),
+            exit_speed=drawn(one.exit_speed, f"bats.{index}.exit_speed_m_s"),
+            change=drawn(one.change, f"bats.{index}.change_m_s"),
+        )
+        for index, one in enumerate(comparison.compared)
+    ))  # fmt: skip
 
 
 def _of_law(law: SwingLaw | None) -> tuple[Source, ...]:

@@ -32,15 +32,20 @@ COLUMNS, ROWS = 120, 90
 """Places of the maps of a face: enough for the eye."""
 
 
-def report_document(analysis: Analysis[Implement]) -> Document:
-    """Return the report of an analysis as a document."""
+def report_document(analysis: Analysis[Implement], *, doubts: bool = True) -> Document:
+    """Return the report of an analysis as a document.
+
+    Parameters
+    ----------
+    doubts : whether it says what is known of doubt without draws; not where intervals are put beside all numbers.
+    """
     bat, misses, data = analysis.bat, misses_of(analysis), report_json(analysis)
-    overview = _overview(analysis)
+    overview = _overview(analysis, doubts=doubts)
     return Document(
         name="report", title=bat.name, subtitle=_sizes(analysis), kind=f"{sport(bat.sport).name}: sweet spot report",
         blocks=[
             _cards(analysis, misses),
-            *(Paragraph(words) for words in answer(analysis, misses)),
+            *(Paragraph(words) for words in answer(analysis, misses, by_ball=doubts)),
             *(Paragraph(words) for words in remarks(bat)),
             overview,
         ],
@@ -98,7 +103,7 @@ def _cards(analysis: Analysis[Implement], misses: Sequence[Miss]) -> Cards:
     return Cards([(joined([number]), words) for number, words in cards])
 
 
-def _overview(analysis: Analysis[Implement]) -> Picture:
+def _overview(analysis: Analysis[Implement], *, doubts: bool) -> Picture:
     words = words_of(analysis.bat)
     label = in_words(
         "{name} drawn to scale, its sweet spots marked. Below it curves of exit speed, collision efficiency, jolt at "
@@ -109,13 +114,13 @@ def _overview(analysis: Analysis[Implement]) -> Picture:
     caption = in_words(
         "The {implement} to scale and, place for place, what a hit there does. Shaded: the {zone}.", words
     )
-    return Picture("overview", partial(_drawn_overview, analysis), label, caption)
+    return Picture("overview", partial(_drawn_overview, analysis, doubts=doubts), label, caption)
 
 
-def _drawn_overview(analysis: Analysis[Implement], reading: Reader) -> Any:
+def _drawn_overview(analysis: Analysis[Implement], reading: Reader, *, doubts: bool) -> Any:
     from sweetspot.report.bat.figure import report_figure
 
-    return report_figure(analysis, reading)
+    return report_figure(analysis, reading, doubts=doubts)
 
 
 def _details(analysis: Analysis[Implement]) -> list[Block]:

@@ -51,7 +51,7 @@ PANELS = (
 
 
 @styled
-def report_figure(analysis: Analysis[Implement], reading: Reader | None = None) -> Figure:
+def report_figure(analysis: Analysis[Implement], reading: Reader | None = None, *, doubts: bool = True) -> Figure:
     """Return the tall figure: title, bat to scale, then exit speed, q, jolt, sting and modes on the same axis."""
     bat, panel, reading = analysis.bat, bat_panel(analysis.bat), reading or reader_of(analysis.bat)
     across = WIDTH - 2 * SIDE
@@ -64,7 +64,7 @@ def report_figure(analysis: Analysis[Implement], reading: Reader | None = None) 
         + FOOTER
     )
     figure = Figure(figsize=(WIDTH, height))
-    _header(figure, analysis, reading, height)
+    _header(figure, analysis, reading, height, doubts=doubts)
     top = HEADER
     axes = axes_in_inches(figure, left=SIDE, top=top, width=across, height=panel.height)
     draw_bat_panel(axes, analysis, panel, reading)
@@ -86,7 +86,7 @@ def report_figure(analysis: Analysis[Implement], reading: Reader | None = None) 
     return figure
 
 
-def _header(figure: Figure, analysis: Analysis[Implement], reading: Reader, height: float) -> None:
+def _header(figure: Figure, analysis: Analysis[Implement], reading: Reader, height: float, *, doubts: bool) -> None:
     """Write the bat's name, its sizes and the answer."""
     bat, body, conditions = analysis.bat, analysis.body, analysis.conditions
     left, right = SIDE / WIDTH, 1 - SIDE / WIDTH
@@ -99,7 +99,7 @@ def _header(figure: Figure, analysis: Analysis[Implement], reading: Reader, heig
     sizes = f"{reading.shown(bat.length, 'length')}  ·  {reading.shown(body.mass, 'mass')}  ·  {bat.made_of}"
     sizes, _ = fitted(sizes, width=WIDTH - 2 * SIDE - SWING_ROOM, size=NORMAL, smallest=NORMAL)
     figure.text(left, 1 - 0.68 / height, sizes, **quiet)
-    figure.text(left, 1 - 0.86 / height, _swing_weight(analysis, reading), **quiet)
+    figure.text(left, 1 - 0.86 / height, _swing_weight(analysis, reading, doubts=doubts), **quiet)
     swing = conditions.swing
     swung = f"{arriving(words, conditions.pitch.speed).read(reading)}, {words.implement} at "
     swung += reading.shown(swing.bat_speed, "speed")
@@ -108,11 +108,12 @@ def _header(figure: Figure, analysis: Analysis[Implement], reading: Reader, heig
     figure.text(right, 1 - 0.86 / height, at, ha="right", **quiet)
 
 
-def _swing_weight(analysis: Analysis[Implement], reading: Reader) -> str:
+def _swing_weight(analysis: Analysis[Implement], reading: Reader, *, doubts: bool) -> str:
     """Say how heavy the swing is, as the sport weighs it."""
     bat, body = analysis.bat, analysis.body
     if isinstance(bat, Bat):
-        moi = with_doubt(body.moi(STANDARD_AXIS), moi_doubt(bat, body, STANDARD_AXIS), "moi").read(reading)
+        doubt = moi_doubt(bat, body, STANDARD_AXIS) if doubts else 0.0
+        moi = with_doubt(body.moi(STANDARD_AXIS), doubt, "moi").read(reading)
         return f"moment of inertia {moi} about {reading.shown(STANDARD_AXIS, 'place')} from the {words_of(bat).butt}"
     convention = swing_weight(bat.sport)
     return f"{convention.name} {convention.shown(body)}".replace("^2", "²")

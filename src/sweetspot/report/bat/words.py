@@ -51,12 +51,17 @@ def misses_of(analysis: Analysis[Implement]) -> list[Miss]:
     return [Miss(distance, *both) for distance, both in zip(distances, costs, strict=True)]
 
 
-def answer(analysis: Analysis[Implement], misses: Sequence[Miss]) -> list[Sentence]:
-    """Return the answer as a few paragraphs; every number that was assumed and not measured is said to be so."""
+def answer(analysis: Analysis[Implement], misses: Sequence[Miss], *, by_ball: bool = True) -> list[Sentence]:
+    """Return the answer as a few paragraphs; every number that was assumed and not measured is said to be so.
+
+    Parameters
+    ----------
+    by_ball : whether it is said how far the exit speed may be off by the ball alone.
+    """
     words = words_of(analysis.bat)
     paragraphs = (
-        _where(analysis, words), _bounce(analysis, words), _why_not_the_end(analysis, words), _miss(misses, words),
-        _hands(analysis, words), _wall(analysis), _assumed(analysis),
+        _where(analysis, words, by_ball=by_ball), _bounce(analysis, words), _why_not_the_end(analysis, words),
+        _miss(misses, words), _hands(analysis, words), _wall(analysis), _assumed(analysis),
     )  # fmt: skip
     return [words for words in paragraphs if words.parts]
 
@@ -79,13 +84,13 @@ def _by_ball(analysis: Analysis[Implement]) -> Sentence:
     return say(", give or take {half} by the ball alone", half=Slot(speed.high - speed.value, "speed"))
 
 
-def _where(analysis: Analysis[Implement], words: Words) -> Sentence:
+def _where(analysis: Analysis[Implement], words: Words, *, by_ball: bool) -> Sentence:
     spots, best, conditions = analysis.sweet_spots, analysis.best, analysis.conditions
     leaves, swung = exit_speed_of(best, conditions), conditions.swing.speed_at(best.position)
     text = in_words(
         "This {implement} hits best {place} from the {tip}: {coming} leaves at {speed}{doubt}.", words,
         place=from_tip(analysis, spots.max_exit_speed, BEST_PLACE), coming=arriving(words, conditions.pitch.speed),
-        speed=Slot(leaves, "speed", of=BEST_SPEED), doubt=_by_ball(analysis),
+        speed=Slot(leaves, "speed", of=BEST_SPEED), doubt=_by_ball(analysis) if by_ball else say(""),
     )  # fmt: skip
     if words.smash_factor and swung:
         text += in_words(

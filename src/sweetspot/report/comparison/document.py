@@ -26,12 +26,15 @@ BBCOR_OF_PLAY = (
 )
 
 
-def comparison_document(comparison: Comparison[Implement], *, corking: bool = False) -> Document:
+def comparison_document(
+    comparison: Comparison[Implement], *, corking: bool = False, interval_is: str = INTERVAL_MEANS
+) -> Document:
     """Return a comparison as a document.
 
     Parameters
     ----------
     corking : whether the bats are one bat unmodified, drilled, corked, ..., so that corking is answered too.
+    interval_is : what the intervals hold, in words.
     """
     reference = comparison.reference.analysis
     its = sport(reference.bat.sport)
@@ -42,7 +45,10 @@ def comparison_document(comparison: Comparison[Implement], *, corking: bool = Fa
         label=f"Outlines, exit speed along each {tool}, and the difference from the first one.",
         caption="Tips aligned. Boxes: sweet zones. Dots: best places.",
     )  # fmt: skip
-    notes: list[Words] = [assumptions(comparison), *([BBCOR_OF_PLAY] if isinstance(reference.bat, Bat) else [])]
+    notes: list[Words] = [
+        assumptions(comparison, by_law=interval_is == INTERVAL_MEANS),
+        *([BBCOR_OF_PLAY] if isinstance(reference.bat, Bat) else []),
+    ]
     return Document(
         name="compare", title=f"One {tool}" if number == 1 else f"{number} {tool}s, one player",
         subtitle=_effort(comparison), kind="Comparison",
@@ -50,7 +56,7 @@ def comparison_document(comparison: Comparison[Implement], *, corking: bool = Fa
             *map(Paragraph, words), picture, _things(comparison.compared), _in_play(comparison.compared),
             *(Paragraph(note, "note") for note in notes),
         ],
-        data=comparison_json(comparison, [read(sentence, reading) for sentence in words]),
+        data=comparison_json(comparison, [read(sentence, reading) for sentence in words], interval_is),
         rows=as_columns(comparison_rows(comparison)), reader=reading, drawing=picture,
     )  # fmt: skip
 
@@ -111,7 +117,9 @@ def _drawn(comparison: Comparison[Implement], reading: Reader) -> Any:
     return compare_figure(comparison, reading)
 
 
-def comparison_json(comparison: Comparison[Implement], verdict: Sequence[str]) -> dict[str, Any]:
+def comparison_json(
+    comparison: Comparison[Implement], verdict: Sequence[str], interval_is: str = INTERVAL_MEANS
+) -> dict[str, Any]:
     """Return everything about a comparison; the first bat is the reference."""
     law, reference = comparison.law, comparison.reference
     exponents = law.exponents if law else None
@@ -125,7 +133,7 @@ def comparison_json(comparison: Comparison[Implement], verdict: Sequence[str]) -
                 "axis_from_grip_m": law.axis,
                 "lightest_moi_kg_m2": law.lightest_moi,
             },
-            "interval": INTERVAL_MEANS,
+            "interval": interval_is,
             "bats": [_bat(compared) for compared in comparison.compared],
             "verdict": list(verdict),
             "conditions": conditions_json(reference.analysis.conditions),

@@ -55,8 +55,13 @@ def wall_verdict(comparison: Comparison) -> list[Sentence]:
     ]  # fmt: skip
 
 
-def assumptions(comparison: Comparison[Implement]) -> Sentence:
-    """Return what the numbers were computed under."""
+def assumptions(comparison: Comparison[Implement], *, by_law: bool = True) -> Sentence:
+    """Return what the numbers were computed under.
+
+    Parameters
+    ----------
+    by_law : whether the intervals are those of the swing law's exponent alone.
+    """
     reference, law = comparison.reference.analysis, comparison.law
     words, conditions = sport(reference.bat.sport).words, reference.conditions
     tool, pitch = words.implement, conditions.pitch.speed
@@ -72,10 +77,13 @@ def assumptions(comparison: Comparison[Implement]) -> Sentence:
         return text + f" Every {tool} is swung at the same speed, as no player does with unequal ones."
     foreign = "" if isinstance(reference.bat, Bat) else "; no law of this sport's own players is used"
     return text + say(
-        " Same effort: {tool} speed goes as the moment of inertia about {axis} to the power -{power} ({law}){foreign}. "
-        "In brackets: the interval from powers of -{low} to -{high}: {means}.",
+        " Same effort: {tool} speed goes as the moment of inertia about {axis} to the power -{power} ({law})"
+        "{foreign}.{brackets}",
         tool=tool, axis=_axis(law.axis, words.butt), power=f"{law.exponent:g}", law=law.name, foreign=foreign,
-        low=Slot(law.exponents.low, "ratio", 2), high=Slot(law.exponents.high, "ratio", 2), means=INTERVAL_MEANS,
+        brackets=say(
+            " In brackets: the interval from powers of -{low} to -{high}: {means}.",
+            low=Slot(law.exponents.low, "ratio", 2), high=Slot(law.exponents.high, "ratio", 2), means=INTERVAL_MEANS,
+        ) if by_law else "",
     )  # fmt: skip
 
 
@@ -116,10 +124,10 @@ def _answer(first: Compared[Implement], corked: Compared[Implement], comparison:
         sent = say("; swung no faster, it sends the ball off {speed}.", speed=_change(change.value, sign=True))
         return joined([text + sent, _needed(first, corked)])
     gained = corked.bat_speed.shifted(-first.bat_speed.value)
-    swung = say(
-        " and the same player swings it {speed} faster ({ends}).", speed=_change(gained.value),
-        ends=_ends(gained.low, gained.high),
-    )  # fmt: skip
+    swung = say(" and the same player swings it {speed} faster", speed=_change(gained.value))
+    if first.bat_speed.low == first.bat_speed.high:  # else the ends are those of both swings
+        swung += say(" ({ends})", ends=_ends(gained.low, gained.high))
+    swung += "."
     net = say("Net change of the exit speed: {change}.", change=within(change, "speed_change", sign=True))
     if change.high < 0:
         end = "No, the ball leaves slower. What remains is a quicker, later swing, which is not computed here."

@@ -7,31 +7,26 @@ from typing import Any
 import numpy as np
 
 from sweetspot.calibration.draws.intervals import DrawnAnswers
-from sweetspot.report.sentences import Sentence, Slot, say
+from sweetspot.report.sentences import Sentence, say
+from sweetspot.report.uncertainty.probability import chance_words
 
+INTERVAL_HOLDS = "90 % of draws of all that is not known: bats, ball, swing, swing law"
 SURE = 0.95
 """Chance from which on a difference is called sure."""
 
 
 def gain_words(name: str, reference: str, answers: DrawnAnswers, index: int) -> Sentence:
-    """Return how sure a bat's change of exit speed is, hit by the same ball.
+    """Return how probable it is that a bat's exit speed is higher, hit by the same ball.
 
     Parameters
     ----------
     index : of the bat in the comparison.
     """
-    key = f"bats.{index}.change_m_s"
-    low, high = (float(end) for end in answers.ends(key))
-    change = float(answers.values[key][0])
     chance = _chance(answers, index)
-    likely = max(chance, 1 - chance)
-    verdict = "surely a difference" if likely >= SURE else "not surely a difference"
+    verdict = "surely a difference" if max(chance, 1 - chance) >= SURE else "not surely a difference"
     return say(
-        "{name} against {reference}: {change} ({low} to {high}) with the same ball and player; it is faster with a "
-        "probability of {chance}: {verdict}.",
-        name=name, reference=reference, change=Slot(change, "speed_change", sign=True),
-        low=Slot(low, "speed_change", sign=True).bare, high=Slot(high, "speed_change", sign=True).bare,
-        chance=Slot(chance, "share"), verdict=verdict,
+        "Hit by the same ball, {name} is faster than {reference} with a probability of {chance}: {verdict}.",
+        name=name, reference=reference, chance=chance_words(chance), verdict=verdict,
     )  # fmt: skip
 
 

@@ -13,7 +13,8 @@ from sweetspot.calibration.draws.drawn_tests import RULED
 from sweetspot.calibration.draws.intervals import DrawnAnswers
 from sweetspot.report.certification.tested_bat import TestedBat
 from sweetspot.report.document import Document, Paragraph
-from sweetspot.report.sentences import Sentence, Slot, joined, say
+from sweetspot.report.sentences import Sentence, joined, say
+from sweetspot.report.uncertainty.probability import chance_words
 
 MEASURED = {"bbcor": "bbcor", "bpf": "bpf", "batted_ball_speed": "batted_ball_speed"}
 """Quantities of rules that shots estimate, by their fields."""
@@ -46,7 +47,7 @@ def with_chances(document: Document, tested: TestedBat, answers: DrawnAnswers | 
 def _chance_words(league: League, check: Check, chance: float) -> Sentence:
     return say(
         "How sure: it keeps the limit on {title} ({league}) with a probability of {chance}.",
-        title=title(check.rule), league=league.key, chance=Slot(chance, "share"),
+        title=title(check.rule), league=league.key, chance=chance_words(chance),
     )  # fmt: skip
 
 

@@ -33,8 +33,9 @@ def uncertain(
     shares = {name: share for name, share in answers.shares(main).items() if share >= LEAST_SHARE}
     section = Section("how-sure", "How sure", [
         Paragraph(say(
-            "Numbers with ± or with ends in brackets: {level} intervals from {count} draws of what is not known. What "
-            "the interval of the {named} comes from (the rest of the conditions is taken as given):",
+            "Numbers with ±, or with ends in brackets of which nothing else is said: {level} intervals from {count} "
+            "draws of what is not known. What the interval of the {named} comes from (the rest of the conditions is "
+            "taken as given):",
             level=Slot(LEVEL, "share"), count=str(len(answers.normal) - 1), named=named,
         )),
         shares_table(shares, where), shares_picture(shares, named),
