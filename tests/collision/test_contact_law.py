@@ -15,7 +15,7 @@ from sweetspot.collision.contact_law import (
     stored_energy,
     unloading_exponent,
 )
-from sweetspot.equipment.ball import Ball, stiffness_from_load
+from sweetspot.equipment.ball import COR_FLOOR, Ball, stiffness_from_load
 
 peaks = st.floats(1e-4, 0.03)
 
@@ -53,6 +53,15 @@ def test_hunt_crossley_of_an_elastic_ball_has_no_damper(baseball: Ball) -> None:
     assert HuntCrossley.for_speed(elastic, 30.0).damping == 0.0
     lossy = HuntCrossley.for_speed(baseball, 30.0)
     assert lossy.damping > 0 and lossy.force(0.01, -1e6, None) == 0.0  # never a pull
+
+
+def test_a_faster_ball_is_deader_within_what_a_ball_can_be(baseball: Ball) -> None:
+    """A straight line down from the reference, by hand; one speed as a number or as one of many."""
+    law = baseball.restitution.replaced(reference=0.5, reference_speed=25.0, slope=0.002)
+    speeds = np.array([25.0, 35.0, 15.0, -1e3, 1e4])
+    expected = [0.5, 0.48, 0.52, 1.0, COR_FLOOR]
+    assert law.at(speeds) == pytest.approx(expected)
+    assert [law.at(float(speed)) for speed in speeds] == pytest.approx(expected)
 
 
 def test_a_warm_and_a_dry_ball_are_livelier(baseball: Ball) -> None:
