@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import io
 from typing import Any
 
 import numpy as np
 import pytest
+from rich.console import Console
 
 from sweetspot.calibration.draws.intervals import Reach
 from sweetspot.motion.swing_law import Interval
+from sweetspot.report import terminal
 from sweetspot.report.document import Cell, Column, Document, Paragraph, Table
 from sweetspot.report.quantities import SI, US
 from sweetspot.report.sentences import Sentence, Slot, say, with_doubt, within
@@ -82,3 +85,12 @@ def test_an_interval_replaces_a_standard_deviation() -> None:
 def test_narrow_intervals_get_digits_and_none_is_not_shown() -> None:
     assert Slot(0.5, "ratio", reach=(2e-5, 2e-5)).read(US) == "0.50000 ± 0.00002"
     assert Slot(0.5, "ratio", reach=(0.0, 0.0)).read(US) == "0.500"
+
+
+def test_a_terminal_breaks_long_intervals_and_clips_none() -> None:
+    wide = Slot(0.106, "ratio", reach=(0.017, 0.034))
+    table = Table("", [Column(f"a heading of words {n}", "ratio") for n in range(9)], [[wide] * 9])
+    printed = io.StringIO()
+    Console(file=printed, width=110).print(terminal.table(table, US))
+    assert "…" not in printed.getvalue()
+    assert printed.getvalue().count("0.140)") == 9
