@@ -23,6 +23,8 @@ SHOTS = {
     "page-compare": ("/compare", "light", 1180, 980),
     "page-flight": ("/flight", "light", 1180, 760),
     "page-paper": ("/paper", "light", 1180, 900),
+    "page-own": ("/own", "light", 1180, 900),
+    "page-design": ("/design", "light", 1180, 900),
 }
 """Name of the picture: address, theme, width and height in pixels."""
 FLAGS = ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"]
