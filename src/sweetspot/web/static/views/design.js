@@ -247,7 +247,7 @@ export const view = {
     this.picture.label(`The bat that is shaped, its handles, and dashed the present one. ${this.words.textContent} The bat's numbers change it by keyboard.`);
     this.chart.label(`Exit speed along the bat and what it gains on the present one. ${this.words.textContent}`);
     if (sure) {
-      paragraphs(this.gain, sure.sentences[app.units]);
+      paragraphs(this.gain, answer.own ? sure.sentences[app.units] : []); // of the present bat's own smooth copy there is nothing to tell
       this.gain.ariaBusy = "false";
     }
   },
