@@ -31,7 +31,7 @@ def test_the_first_picture_has_three_bats_and_a_verdict(opened: Page) -> None:
     expect(opened.locator("#verdict")).to_contain_text("R161, corked")
     expect(opened.locator("#verdict")).to_contain_text(": a loss.")
     rows = opened.get_by_role("region", name=re.compile("what they do in play")).locator("tbody tr")
-    assert rows.count() == 3
+    expect(rows).to_have_count(3)
     expect(rows.nth(0)).to_contain_text("reference")
     expect(opened.get_by_role("img", name=re.compile("^Change of exit speed"))).to_be_visible()
 

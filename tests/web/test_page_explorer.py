@@ -51,7 +51,7 @@ def picture(page: Page) -> str:
 def test_the_first_picture_says_where_the_bat_hits_best(opened: Page, settled: Callable[[Page], None]) -> None:
     settled(opened)
     expect(opened.locator("#verdict")).to_contain_text("R161, white ash hits fastest 5.8 in from the tip")
-    assert opened.locator("#view canvas").count() == 3
+    expect(opened.locator("#view canvas")).to_have_count(3)
     assert number(opened, "Exit speed") == pytest.approx(103.3, abs=1)
     drawn = opened.evaluate(
         "[...document.querySelectorAll('#view canvas')].map((c) => new Set(c.getContext('2d')"

@@ -37,7 +37,7 @@ def moved(page: Page, answered: Answered, field: str, value: float) -> None:
 
 def test_the_first_picture_says_over_which_fences(opened: Page) -> None:
     expect(opened.locator("#verdict")).to_contain_text(re.compile(r"Fenway Park.*Out in \d+ of 30 parks"))
-    assert opened.get_by_role("region", name=re.compile("every park")).locator("tbody tr").count() == 30
+    expect(opened.get_by_role("region", name=re.compile("every park")).locator("tbody tr")).to_have_count(30)
     expect(opened.get_by_role("img", name=re.compile("^The flight from the side"))).to_be_visible()
     expect(opened.get_by_role("img", name=re.compile("^The field of Fenway Park"))).to_be_visible()
     assert number(opened, "Without air") > number(opened, "Carry") + 50

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Page
+from playwright.sync_api import Page, expect
 
 Until = Callable[[Page, str], Any]
 Answered = Callable[..., int]
@@ -90,7 +90,7 @@ def test_the_tap_can_be_dragged(still: Page, server: str, answered: Answered) ->
 def test_a_hollow_bat_has_hoop_motions_and_a_solid_one_has_not(still: Page, server: str, answered: Answered) -> None:
     still.goto(f"{server}/modes")
     drawn = answered(still)
-    assert still.get_by_label("Hoop 2.1", exact=True).count() == 0
+    expect(still.get_by_label("Hoop 2.1", exact=True)).to_have_count(0)
     still.get_by_label("Bat", exact=True).select_option("single-wall")
     drawn = answered(still, drawn)
     still.get_by_label("Hoop 2.2", exact=True).check()
@@ -105,7 +105,7 @@ def test_hands_damp(still: Page, server: str, answered: Answered) -> None:
     still.get_by_label("Typical hands hold the bat").check()
     answered(still, drawn)
     assert float(row(still, "Bending 1")[2].removesuffix(" %")) > 3 * free
-    assert still.get_by_label("Hands 1", exact=True).count() == 1
+    expect(still.get_by_label("Hands 1", exact=True)).to_have_count(1)
 
 
 def test_play_moves_it_and_pause_shows_both_ends(
