@@ -155,10 +155,10 @@ def heartbeat() -> Iterator[None]:
 
 @contextmanager
 def patience() -> Iterator[None]:
-    """Say on stderr that the first run compiles, when the work inside takes longer than `PATIENCE`."""
+    """Say on stderr that work goes on, when the work inside takes longer than `PATIENCE`."""
 
     def say() -> None:
-        print("sweetspot: working; the first run compiles the collision kernel and keeps it", file=sys.stderr)
+        print("sweetspot: working; a first run also compiles kernels, which are kept", file=sys.stderr)
 
     timer = threading.Timer(PATIENCE, say)
     timer.daemon = True
