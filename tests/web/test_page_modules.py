@@ -105,3 +105,20 @@ def test_a_bat_by_questions_and_what_words_mean(page: Page, server: str, answere
     word = page.locator("dt .term", has_text="BBCOR").first
     word.focus()
     expect(page.locator(".tip:visible")).to_contain_text("F2219")
+
+
+def test_words_keep_their_meanings_when_a_view_is_drawn_anew(
+    page: Page, server: str, settled: Callable[[Page], None]
+) -> None:
+    """Its tables are then other ones: another system of units or another width must not take the meanings away."""
+    page.goto(f"{server}/compare")
+    settled(page)
+    before = page.locator("th .term").all_text_contents()
+    assert "Swing weight" in before
+    for act in (
+        lambda: page.get_by_role("radio", name="SI").check(force=True),
+        lambda: page.set_viewport_size({"width": 900, "height": 900}),
+    ):
+        act()
+        settled(page)
+        assert page.locator("th .term").all_text_contents() == before

@@ -47,6 +47,7 @@ const LONG_TEXT = 2000; // letters of a field beyond which it does not go into a
 const EMBED = "/embed/";
 const LISTS = ["bats", "balls", "materials", "leagues", "parks", "implements", "pitches"];
 const QUESTION = "answer";
+const MEANINGS = "meanings of words";
 const element = (id) => document.getElementById(id);
 
 class App {
@@ -205,7 +206,16 @@ class App {
   }
 
   redraw() {
-    if (this.answer && this.view) this.view.update(this.answer, this.answered);
+    if (!this.answer || !this.view) return;
+    this.view.update(this.answer, this.answered);
+    this.explain();
+  }
+
+  // A view's tables are made anew whenever it is drawn, so the meanings of their words are put there anew.
+  async explain() {
+    this.waits(MEANINGS);
+    await explain(element("view"));
+    this.waits(MEANINGS, false);
   }
 
   // Show the view that the address names; without its files, when the connection is back.
@@ -288,9 +298,8 @@ class App {
     if (state === this.state) this.faults([]);
     if (state === this.state || first) this.waits(QUESTION, false);
     for (const control of this.controls.values()) if (control.follows) control.sync(this.state);
-    this.view.update(answer, state);
+    this.redraw();
     this.chip.sync();
-    explain(element("view"));
     element("view").dataset.answered = String(Number(element("view").dataset.answered ?? 0) + 1);
     if (!first || this.embedded) return;
     welcome(this);
