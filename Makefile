@@ -4,6 +4,7 @@ BIN := $(VENV)/bin
 UV := $(BIN)/uv
 BAT := r161-ash
 OUT := report
+unexport PYTHONDONTWRITEBYTECODE  # what one run has compiled the next need not, nor each program that a test starts
 
 .PHONY: report app browser test test-lowest quick-lowest coverage lint types docs pins mutants bench bench-quick format lock fuzz clean
 

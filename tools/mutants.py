@@ -24,6 +24,7 @@ import tomllib
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from queue import SimpleQueue
 
@@ -96,11 +97,16 @@ def _code_spans(name: str, package: Path) -> Iterator[tuple[Path, str, int, int]
         if outer not in text:
             continue
         starts = [0, *(match.end() for match in re.finditer("\n", text))]
-        for node in _named(ast.parse(text).body, outer):
+        for node in _named(_body(text), outer):
             for one in _named(node.body, inner) if inner and isinstance(node, ast.ClassDef) else [node]:
                 body = getattr(one, "body", None)
                 first = body[0] if body and ast.get_docstring(one) is None else body[1] if body else one  # type: ignore[arg-type]
                 yield path, text, starts[first.lineno - 1], starts[min(one.end_lineno or 0, len(starts) - 1)]
+
+
+@lru_cache(maxsize=512)
+def _body(text: str) -> list[ast.stmt]:
+    return ast.parse(text).body
 
 
 def _named(body: list[ast.stmt], name: str) -> Iterator[ast.stmt]:

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from sweetspot import catalog
 from sweetspot.errors import InputError
+from sweetspot.flight import trajectory
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import CALM, VACUUM, Air, Wind
 from sweetspot.flight.conditions import FlightConditions
@@ -168,11 +169,20 @@ def test_a_time_outside_the_flight_is_refused() -> None:
         flown(hit()).at(60.0)
 
 
+HANGING = launched(speed=0.0, launch_angle=0.0, position=(0.0, 0.0, 100.0))
+
+
 def test_a_balloon_is_still_flying() -> None:
-    balloon = BALL.replaced(mass=0.0001, radius=0.15)
-    found = flown(launched(speed=0.0, launch_angle=0.0, position=(0.0, 0.0, 100.0)), ball=balloon, step=0.5)
+    found = flown(HANGING, ball=BALL.replaced(mass=0.001, radius=0.15), step=0.5)
     assert found.outcome is FlightOutcome.STILL_FLYING and math.isnan(found.carry)
     assert str(round(TIME_LIMIT)) in found.outcome.sentence
+
+
+def test_what_would_take_too_many_steps_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Air moves a ball of 0.1 g so fast that the steps must be a thousandth of a second."""
+    monkeypatch.setattr(trajectory, "MOST_STEPS", 200)
+    found = flown(HANGING, ball=BALL.replaced(mass=0.0001, radius=0.15), step=0.5)
+    assert found.outcome is FlightOutcome.STILL_FLYING and math.isnan(found.carry)
 
 
 def test_the_wind_above_the_stands_counts_above_them() -> None:

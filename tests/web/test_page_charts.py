@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Page, expect
 
 from sweetspot.web.views import VIEWS
 
@@ -96,14 +96,16 @@ def test_a_picture_says_what_it_is_when_it_travels_alone(page: Page, server: str
     assert re.search(r"20\d\d-\d\d-\d\d", words)
 
 
-def test_the_guide_speaks_of_the_view_one_is_on(browser: Browser, server: str) -> None:
+def test_the_guide_speaks_of_the_view_one_is_on(page: Page, server: str, answered: Answered) -> None:
     titles = set()
-    context = browser.new_context()
-    context.add_init_script("localStorage.removeItem('guided')")
-    page = context.new_page()
-    for name in VIEWS:
-        page.goto(f"{server}/{name}")
+    page.goto(f"{server}/explorer")
+    for name, view in VIEWS.items():
+        page.get_by_role("link", name=view.title, exact=True).click()
+        expect(page.locator("#view")).to_have_attribute("data-view", name)
+        answered(page)
+        page.get_by_role("button", name="Guide").click()
         expect(page.locator("dialog")).to_contain_text("Step 1 of 3")
         titles.add(page.locator("#guide-title").text_content())
-    context.close()
+        page.get_by_role("button", name="Close").click()
+        expect(page.locator("dialog")).to_have_count(0)
     assert len(titles) == len(VIEWS)
