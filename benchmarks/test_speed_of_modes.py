@@ -23,7 +23,7 @@ print(min(times))
 
 
 def test_modes(benchmark: Any, record: Callable[..., None]) -> None:
-    edges = modes().shapes.x
+    edges = modes().shapes.ends
 
     def rival() -> Any:
         return thin_beam.frequencies(line(), edges, 12)

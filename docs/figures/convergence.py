@@ -39,7 +39,7 @@ def mesh_convergence() -> Figure:
         line = beam_model(catalog.bat(name))
         converged = bending_modes(line, elements=128).frequency[2:]
         meshes = [bending_modes(line, elements=elements) for elements in asked]
-        counts = np.array([len(modes.shapes.x) - 1 for modes in meshes])
+        counts = np.array([len(modes.shapes.ends) - 1 for modes in meshes])
         for mode, color in ((1, BLUE), (3, GREEN), (5, GREY), (12, RED)):
             errors = np.array([abs(modes.frequency[mode + 1] / converged[mode - 1] - 1) for modes in meshes])
             shown = errors > ROUNDING

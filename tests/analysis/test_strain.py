@@ -7,7 +7,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy.interpolate import PPoly
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import hit_at
@@ -30,6 +29,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.shell import Shell
+from sweetspot.numerics.piecewise import Piecewise
 from sweetspot.units import INCH
 
 
@@ -118,7 +118,7 @@ def test_wall_strain_is_the_rings(baseball: Ball) -> None:
         harmonics=(2,),
         frequency=np.array([1500.0]),
         damping_rate=np.zeros(1),
-        shapes=PPoly.construct_fast(np.full((1, 1, 1), 3.0), np.array([0.0, 0.8])),
+        shapes=Piecewise(np.full((1, 1, 1), 3.0), np.array([0.0, 0.8])),
         rigid_part=np.zeros((2, 1)),
         dashpots=np.zeros((0, 1)),
     )

@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 import pytest
-from scipy.interpolate import PPoly
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import analyse, exit_speed_of
@@ -18,6 +17,7 @@ from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
+from sweetspot.numerics.piecewise import Piecewise
 from sweetspot.paper import formulas as paper
 
 
@@ -27,7 +27,7 @@ def spring_wall(stiffness: float, frequency: float) -> Modes:
     A little damping lets the face follow the ball without shaking; what it takes vanishes with the frequency too.
     """
     shape = 2 * np.pi * frequency / math.sqrt(stiffness)
-    still = PPoly(np.array([[[0.0, shape]]]).reshape(1, 1, 2), [0.0, 1.0])
+    still = Piecewise(np.array([[[0.0, shape]]]).reshape(1, 1, 2), np.array([0.0, 1.0]))
     rate = np.array([0.0, 4 * np.pi * 0.05 * frequency])
     return Modes(("rigid", "hoop"), (0, 2), np.array([0.0, frequency]), rate, still, np.zeros((2, 2)), np.zeros((0, 2)))
 

@@ -10,7 +10,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import ArrayLike
-from scipy.interpolate import PPoly
 
 from sweetspot import catalog
 from sweetspot.collision.closed_form import rigid_efficiency
@@ -22,13 +21,17 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.rigid import effective_mass, rigid_body
 from sweetspot.equipment.ball import RestitutionLaw
+from sweetspot.numerics.piecewise import Piecewise
 
 BALL = catalog.ball()
 LINE = beam_model(catalog.bat("r161-ash"))
 BODY = rigid_body(LINE)
 MODES = bending_modes(LINE)
 WALL = replace(
-    MODES.kept([0]), frequency=np.zeros(1), damping_rate=np.zeros(1), shapes=PPoly(np.zeros((1, 1, 1)), [0.0, 1.0])
+    MODES.kept([0]),
+    frequency=np.zeros(1),
+    damping_rate=np.zeros(1),
+    shapes=Piecewise(np.zeros((1, 1, 1)), np.array([0.0, 1.0])),
 )
 """A bat that does not move at all: one motion with zero shape."""
 LINEAR = BALL.replaced(

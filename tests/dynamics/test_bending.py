@@ -33,7 +33,7 @@ def test_nobody_elses_logger_is_touched(r161: Bat, caplog: pytest.LogCaptureFixt
 def test_modes_are_orthonormal_in_mass(r161: Bat, modes: Modes) -> None:
     """int mu phi_i phi_j (with the sections' rotation, which is nearly the slope) is the unit matrix: exact."""
     line = beam_model(r161)
-    edges = modes.shapes.x
+    edges = modes.shapes.ends
     nodes, weights = np.polynomial.legendre.leggauss(12)
     places = (edges[:-1, None] + np.diff(edges)[:, None] * (nodes + 1) / 2).ravel()
     scale = (np.diff(edges)[:, None] * weights / 2).ravel()
@@ -64,7 +64,7 @@ def test_mode_n_has_n_plus_1_nodes(modes: Modes) -> None:
         assert len(nodes) == modes.harmonics[index] + 1
         assert np.all(np.diff(nodes) > 0)
         assert np.abs(modes.shape_at(nodes)[:, index]).max() < 1e-9
-        assert modes.shape_at(modes.shapes.x[-1])[index] > 0  # positive at the tip
+        assert modes.shape_at(modes.shapes.ends[-1])[index] > 0  # positive at the tip
 
 
 def test_turning_the_bat_round_changes_nothing(ash, cone: Bat) -> None:  # type: ignore[no-untyped-def]

@@ -11,7 +11,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
-from scipy.interpolate import PPoly
 
 from sweetspot import catalog
 from sweetspot.catalog.standard_hit import standard_conditions
@@ -32,6 +31,7 @@ from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.racket import Racket
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import Hands
+from sweetspot.numerics.piecewise import Piecewise
 
 
 @pytest.fixture(scope="module")
@@ -177,7 +177,7 @@ def test_a_hard_ball_keeps_the_restitution_of_a_clamped_face() -> None:
         harmonics=(1,),
         frequency=np.array([math.sqrt(stiffness / moving) / (2 * math.pi)]),
         damping_rate=np.array([lost / moving]),
-        shapes=PPoly.construct_fast(np.zeros((1, 1, 1)), np.array([0.0, 1.0])),
+        shapes=Piecewise(np.zeros((1, 1, 1)), np.array([0.0, 1.0])),
         rigid_part=np.zeros((3, 1)),
         dashpots=np.zeros((0, 1)),
         surface=Surface(lambda position, *_: np.full((*position.shape, 1), moving**-0.5), np.eye(1)),

@@ -9,7 +9,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import grey_opening
 
 from sweetspot.analysis.position_scan import Scan
 from sweetspot.dynamics.modes import Modes
@@ -90,7 +89,15 @@ def held_exit_speed(scan: Scan) -> Array:
     step = scan.position[1] - scan.position[0]
     window = max(3, 2 * round(NARROWEST / step / 2) + 1)
     known = np.where(np.isnan(scan.exit_speed), -np.inf, scan.exit_speed)
-    return np.minimum(scan.exit_speed, grey_opening(known, size=window, mode="nearest") + ZONE_LOSS)
+    return np.minimum(scan.exit_speed, _opened(known, window) + ZONE_LOSS)
+
+
+def _opened(values: Array, window: int) -> Array:
+    """Return values without peaks narrower than a window of an odd number of them: the greatest of the least ones."""
+    for extreme in (np.min, np.max):
+        padded = np.pad(values, window // 2, mode="edge")
+        values = extreme(np.lib.stride_tricks.sliding_window_view(padded, window), axis=-1)
+    return values
 
 
 def min_sting(scan: Scan, *, body: RigidBody) -> float:

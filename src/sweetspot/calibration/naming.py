@@ -88,7 +88,7 @@ class NamedTone:
 def expected_of(modes: Modes, family: Family, *, positions: Sequence[float]) -> Expected:
     """Return what a family of modes sounds like, tapped at places in m (none: anywhere)."""
     chosen = modes.of_family(family)
-    shapes = np.abs(modes.shape_at(np.linspace(0, modes.shapes.x[-1], 201))[:, chosen])
+    shapes = np.abs(modes.shape_at(np.linspace(0, modes.shapes.ends[-1], 201))[:, chosen])
     excitation = np.ones(len(chosen))
     if positions:
         excitation = np.abs(modes.shape_at(np.array(positions))[:, chosen]).max(axis=0) / shapes.max(axis=0)

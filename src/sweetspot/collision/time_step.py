@@ -24,7 +24,7 @@ def contact_step(modes: Modes, ball: Ball, *, longest: float) -> float:
     The ball's steepest slope F' = p F / u, at the peak, and the mass 1 / (1/m + sum s^2) that ball and surface show
     each other swing at omega^2 = F' / (1 + C F') (1/m + sum s^2); the step is no longer than `PHASE` / omega.
     """
-    places = modes.shapes.x[0] + PLACES * (modes.shapes.x[-1] - modes.shapes.x[0])
+    places = modes.shapes.ends[0] + PLACES * (modes.shapes.ends[-1] - modes.shapes.ends[0])
     inverse_mass = 1 / ball.mass + float((modes.shape_at(places) ** 2).sum(axis=-1).max())
     peak = ((ball.exponent + 1) * ball.mass * SPEED**2 / 2 / ball.stiffness) ** (1 / (ball.exponent + 1))
     slope = unloading_exponent(ball, peak) * loading_force(ball, peak) / peak

@@ -13,7 +13,6 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from scipy.interpolate import PPoly
 from skfem import Basis, ElementLinePp, MeshLine
 
 from sweetspot.dynamics.beam import BeamModel, moments, section
@@ -22,6 +21,7 @@ from sweetspot.dynamics.residual_flexibility import left_out
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.eigen import lowest
 from sweetspot.numerics.gauss_legendre import quadrature
+from sweetspot.numerics.piecewise import Piecewise
 
 ELEMENTS = 16
 """Elements at least; every bat of the catalogue then has twelve modes converged to 4e-4 and the first five to 1e-4."""
@@ -62,7 +62,7 @@ def bending_modes(line: BeamModel, *, count: int = MODES, elements: int = ELEMEN
     coefficients = np.concatenate([_rigid_polynomials(line, edges), bending], axis=2)
     widths = np.diff(edges)
     coefficients /= widths[None, :, None] ** np.arange(DEGREE, -1, -1)[:, None, None]
-    elastic = PPoly.construct_fast(np.ascontiguousarray(coefficients[..., 2:]), edges)
+    elastic = Piecewise(coefficients[..., 2:], edges)
     frequency = np.concatenate([[0.0, 0.0], omega / (2 * np.pi)])
     damping_rate = np.concatenate([[0.0, 0.0], 2 * line.bat.damping_ratio * omega])
     bending_families: list[Family] = ["bending"] * count
@@ -71,7 +71,7 @@ def bending_modes(line: BeamModel, *, count: int = MODES, elements: int = ELEMEN
         harmonics=(0, 0, *range(1, count + 1)),
         frequency=frequency,
         damping_rate=damping_rate,
-        shapes=PPoly.construct_fast(coefficients, edges),
+        shapes=Piecewise(coefficients, edges),
         rigid_part=np.eye(2, count + 2),
         dashpots=np.zeros((0, count + 2)),
         compliances=(left_out(line, shapes=elastic, omega=omega, softening=1 / stiffening),),

@@ -19,7 +19,6 @@ import numpy as np
 import scipy.linalg
 from numpy.polynomial import legendre
 from pydantic import model_validator
-from scipy.interpolate import PPoly
 
 from sweetspot.dynamics.modes import Family, Modes
 from sweetspot.equipment.ball import Ball
@@ -27,6 +26,7 @@ from sweetspot.equipment.base import Positive, Validated
 from sweetspot.equipment.material import Material
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.piecewise import Piecewise
 
 Support = Literal["clamped", "floor", "free"]
 
@@ -152,7 +152,7 @@ def modes_of_give(give: Give, *, damping_ratio: float = 0.0) -> Modes:
         harmonics=tuple(int(number) for number in numbers),
         frequency=give.frequency,
         damping_rate=4 * np.pi * damping_ratio * give.frequency,
-        shapes=PPoly.construct_fast(give.shape.reshape(1, 1, count), np.array([0.0, 1.0])),
+        shapes=Piecewise(give.shape.reshape(1, 1, count), np.array([0.0, 1.0])),
         rigid_part=np.vstack([rigid.astype(float), np.zeros(count)]),
         dashpots=np.zeros((0, count)),
     )

@@ -21,7 +21,6 @@ from itertools import pairwise
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
-from scipy.interpolate import CubicSpline
 
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.patch import ByPatch, PatchLaw, transform
@@ -30,6 +29,7 @@ from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.laminate_theory import DEFAULT_POISSON
 from sweetspot.equipment.material import Material
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.piecewise import cubic_spline
 
 ACROSS_POISSON = 0.4
 """Poisson's ratio of wood across its grain; 0.3 to 0.6 in its two directions: 6 % of the dent [recalled]."""
@@ -55,7 +55,7 @@ def dent_compliance(line: BeamModel, *, law: PatchLaw) -> ByPatch:
     """
     places = np.linspace(0.0, line.bat.length, PLACES)
     tables = np.stack([_along(line, places, radius) for radius in law.radii], axis=1)
-    return ByPatch(law, CubicSpline(places, tables))
+    return ByPatch(law, cubic_spline(places, tables))
 
 
 def blade_dent(line: BeamModel, *, law: PatchLaw) -> ByPatch:
@@ -74,7 +74,7 @@ def blade_dent(line: BeamModel, *, law: PatchLaw) -> ByPatch:
     places = np.linspace(0.0, blade.length, PLACES)
     radius = np.asarray(blade.width_at(places)) / 2
     tables = np.stack([round_compliance(blade.material, a / radius, void=0.0) / radius for a in law.radii], axis=1)
-    return ByPatch(law, CubicSpline(places, tables))
+    return ByPatch(law, cubic_spline(places, tables))
 
 
 def _along(line: BeamModel, places: Array, patch: float) -> Array:
@@ -104,7 +104,7 @@ def round_compliance(material: Material, patch_ratio: Array, *, void: float) -> 
     across = material.transverse_modulus or (ACROSS_RATIO * along if wood else along)
     across_poisson = ACROSS_POISSON if wood else poisson
     table = _table(along, across, shear, poisson, across_poisson, void)
-    return np.asarray(CubicSpline(PATCHES, table)(np.clip(patch_ratio, PATCHES[0], PATCHES[-1])))
+    return np.asarray(cubic_spline(PATCHES, table)(np.clip(patch_ratio, PATCHES[0], PATCHES[-1])))
 
 
 @cache

@@ -11,7 +11,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from scipy.interpolate import PPoly
 
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.modes import Family, Modes, Surface
@@ -20,6 +19,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.face import MEMBRANE_MEAN, Face, Outline, damping_coefficient
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.piecewise import Piecewise
 
 
 def face_modes(line: BeamModel, ball: Ball) -> Modes:
@@ -62,7 +62,7 @@ def face_modes(line: BeamModel, ball: Ball) -> Modes:
         harmonics=(0, 1)[:count],
         frequency=np.array(frequency),
         damping_rate=np.array(damping_rate),
-        shapes=PPoly.construct_fast(np.zeros((1, 1, count)), np.array([0.0, line.bat.length])),
+        shapes=Piecewise(np.zeros((1, 1, count)), np.array([0.0, line.bat.length])),
         rigid_part=rigid_part,
         dashpots=np.zeros((0, count)),
         surface=Surface(basis, np.eye(count)),

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import scipy.linalg
-from scipy.interpolate import PPoly
 
 from sweetspot.dynamics.modes import Family, Modes
 from sweetspot.equipment.implement import Implement, check_position
 from sweetspot.motion.swing import Hands
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.piecewise import Piecewise
 
 
 def gripped(modes: Modes, hands: Hands) -> Modes:
@@ -43,7 +43,7 @@ def gripped(modes: Modes, hands: Hands) -> Modes:
         harmonics=harmonics,
         frequency=np.sqrt(np.maximum(squares, 0.0)) / (2 * np.pi),
         damping_rate=modes.damping_rate @ vectors[:count] ** 2,
-        shapes=PPoly.construct_fast(modes.shapes.c @ vectors[:count], modes.shapes.x),
+        shapes=Piecewise(modes.shapes.coefficients @ vectors[:count], modes.shapes.ends),
         rigid_part=modes.rigid_part @ vectors[:count],
         dashpots=turn.T @ dashpots,
         surface=None if modes.surface is None else modes.surface.mixed(vectors[:count]),

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from itertools import repeat
 
 import numpy as np
-from scipy.interpolate import CubicSpline, PPoly
 
 from sweetspot.dynamics.beam import BeamModel, line_of_bat
 from sweetspot.dynamics.long_tube import local_compliance
@@ -15,6 +14,7 @@ from sweetspot.dynamics.patch import ByPatch, PatchLaw, transform
 from sweetspot.dynamics.shell_elements import PatchPoints, ShellHarmonic, shell_harmonic
 from sweetspot.dynamics.wall import wall_stiffness
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.piecewise import Piecewise, cubic_spline
 
 HARMONICS = (2, 3, 4)
 STATIC_HARMONICS = (5, 6, 7, 8)
@@ -91,7 +91,7 @@ class OtherPatch:
     def __call__(self, position: Array, lateral: Array, closing_speed: Array | float | None) -> Array:  # noqa: ARG002 - round
         """Return the difference, 1/sqrt(kg), shape (..., modes)."""
         if closing_speed is None:
-            return np.zeros((*np.shape(position), self.felt.tables.c.shape[-1]))
+            return np.zeros((*np.shape(position), self.felt.tables.coefficients.shape[-1]))
         return self.felt(position, closing_speed) - self.felt(position)
 
 
@@ -162,9 +162,9 @@ def is_capped(line: BeamModel) -> bool:
     return shell is not None and shell.end_cap_mass > 0
 
 
-def _over_the_whole_bat(grid: Array, values: Array, length: float) -> PPoly:
+def _over_the_whole_bat(grid: Array, values: Array, length: float) -> Piecewise:
     """Return values (places, ...) as polynomials from the knob to the tip, zero before the taper."""
-    spline = CubicSpline(grid, values)
+    spline = cubic_spline(grid, values)
     edges = np.concatenate([[0.0], grid[:-1], [length]])
     nothing = np.zeros((4, 1, *values.shape[1:]))
-    return PPoly.construct_fast(np.concatenate([nothing, spline.c], axis=1), edges)
+    return Piecewise(np.concatenate([nothing, spline.coefficients], axis=1), edges)

@@ -10,10 +10,10 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.interpolate import PPoly
 
 from sweetspot.dynamics.patch import ByPatch
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.piecewise import Piecewise
 
 Family = Literal["rigid", "bending", "hoop", "face", "hand"]
 
@@ -68,11 +68,11 @@ class Modes:
     harmonics: tuple[int, ...]
     frequency: Array
     damping_rate: Array
-    shapes: PPoly
+    shapes: Piecewise
     rigid_part: Array
     dashpots: Array
     surface: Surface | None = None
-    compliances: tuple[PPoly | ByPatch, ...] = field(default=(), repr=False)
+    compliances: tuple[Piecewise | ByPatch, ...] = field(default=(), repr=False)
 
     def __len__(self) -> int:
         return len(self.families)
@@ -126,7 +126,7 @@ class Modes:
         return np.asarray(self._slopes(np.asarray(position, float)))
 
     @cached_property
-    def _slopes(self) -> PPoly:
+    def _slopes(self) -> Piecewise:
         return self.shapes.derivative()
 
     def nodes(self, mode: int) -> Array:
@@ -141,10 +141,9 @@ class Modes:
         return {}
 
     def _roots(self, mode: int) -> Array:
-        alone = PPoly.construct_fast(self.shapes.c[:, :, mode], self.shapes.x, extrapolate=False)
-        found = np.asarray(alone.roots(discontinuity=False), dtype=np.float64)
-        found = np.unique(found[np.isfinite(found)])  # nan stands for a stretch where the shape is zero all along
-        return found[np.abs(alone.derivative()(found)) > 0]
+        alone = Piecewise(self.shapes.coefficients[:, :, mode], self.shapes.ends)
+        places = alone.roots()
+        return places[np.abs(alone(places, 1)) > 0]
 
     def of_family(self, family: Family) -> list[int]:
         """Return the indices of the modes of one family, lowest frequency first."""
@@ -157,7 +156,7 @@ class Modes:
             tuple(self.harmonics[index] for index in indices),
             self.frequency[indices],
             self.damping_rate[indices],
-            PPoly.construct_fast(self.shapes.c[:, :, indices], self.shapes.x),
+            Piecewise(self.shapes.coefficients[:, :, indices], self.shapes.ends),
             self.rigid_part[:, indices],
             self.dashpots[:, indices],
             None if self.surface is None else Surface(self.surface.basis, self.surface.weights[:, indices]),
@@ -166,8 +165,8 @@ class Modes:
 
 def joined(first: Modes, second: Modes) -> Modes:
     """Return the modes of both lists, one after the other, as one list over the same bat; one may have a surface."""
-    edges = np.union1d(first.shapes.x, second.shapes.x)
-    degree = max(len(first.shapes.c), len(second.shapes.c)) - 1
+    edges = np.union1d(first.shapes.ends, second.shapes.ends)
+    degree = max(len(first.shapes.coefficients), len(second.shapes.coefficients)) - 1
     shapes = np.concatenate([_refined(modes.shapes, edges, degree) for modes in (first, second)], axis=2)
     zeros = [np.zeros((len(other.dashpots), len(modes))) for modes, other in ((second, first), (first, second))]
     return Modes(
@@ -175,7 +174,7 @@ def joined(first: Modes, second: Modes) -> Modes:
         harmonics=first.harmonics + second.harmonics,
         frequency=np.concatenate([first.frequency, second.frequency]),
         damping_rate=np.concatenate([first.damping_rate, second.damping_rate]),
-        shapes=PPoly.construct_fast(shapes, edges),
+        shapes=Piecewise(shapes, edges),
         rigid_part=_side_by_side(first.rigid_part, second.rigid_part),
         dashpots=np.block([[first.dashpots, zeros[0]], [zeros[1], second.dashpots]]),
         surface=_joined_surface(first, second),
@@ -197,7 +196,7 @@ def _joined_surface(first: Modes, second: Modes) -> Surface | None:
     return None
 
 
-def _refined(shapes: PPoly, edges: Array, degree: int) -> Array:
+def _refined(shapes: Piecewise, edges: Array, degree: int) -> Array:
     """Return the same polynomials on more pieces: Taylor coefficients at the left end of each piece."""
     left = edges[:-1]
     terms = [shapes.derivative(order)(left) / math.factorial(order) for order in range(degree, 0, -1)]

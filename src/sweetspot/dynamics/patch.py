@@ -11,10 +11,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.interpolate import PPoly
 
 from sweetspot.equipment.ball import Ball
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.piecewise import Piecewise
 
 PATCH_SPEED = 60.0
 """m/s on a rigid wall, about what presses the ball as a hit at game speed does."""
@@ -115,7 +115,7 @@ class ByPatch:
     """
 
     law: PatchLaw
-    tables: PPoly
+    tables: Piecewise
 
     def __call__(self, position: Array, closing_speed: Array | float | None = None) -> Array:
         """Return values of shape (n, ...) at positions of shape (n,).
@@ -131,12 +131,10 @@ class ByPatch:
             (*np.shape(position), *values.shape[np.ndim(position) + 1 :])
         )
 
-    def nominal(self) -> PPoly:
+    def nominal(self) -> Piecewise:
         """Return the polynomials at `PATCH_SPEED`."""
         weights = self.law.weights_at(None)
-        return PPoly.construct_fast(
-            np.ascontiguousarray(np.tensordot(self.tables.c, weights, axes=(2, 0))), self.tables.x
-        )
+        return Piecewise(np.tensordot(self.tables.coefficients, weights, axes=(2, 0)), self.tables.ends)
 
 
 def transform(phase: Array) -> Array:

@@ -14,10 +14,10 @@ from __future__ import annotations
 from itertools import pairwise
 
 import numpy as np
-from scipy.interpolate import CubicSpline, PPoly
 
 from sweetspot.dynamics.beam import BeamModel, section
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.piecewise import Piecewise, cubic_spline
 
 CELLS = 960
 """Slices of the beam; the error of what twelve modes leave out is then below 3 % on the barrel of a wood bat."""
@@ -61,7 +61,7 @@ def static_compliance(line: BeamModel, position: Array, *, cells: int = CELLS) -
     return np.asarray((bending**2 / at.bending_stiffness + shear**2 / at.shear_stiffness) @ width)
 
 
-def left_out(line: BeamModel, *, shapes: PPoly, omega: Array, softening: float = 1.0) -> PPoly:
+def left_out(line: BeamModel, *, shapes: Piecewise, omega: Array, softening: float = 1.0) -> Piecewise:
     """Return the compliance in m/N by position that elastic modes leave out: G - sum_i s_i^2 / omega_i^2.
 
     Parameters
@@ -71,7 +71,7 @@ def left_out(line: BeamModel, *, shapes: PPoly, omega: Array, softening: float =
     """
     places = np.linspace(0.0, line.bat.length, PLACES)
     kept = np.asarray(shapes(places)) ** 2 @ omega**-2.0
-    return CubicSpline(places, softening * static_compliance(line, places) - kept)
+    return cubic_spline(places, softening * static_compliance(line, places) - kept)
 
 
 def _edges(breakpoints: tuple[float, ...], size: float) -> Array:

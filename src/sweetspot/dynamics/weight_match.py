@@ -8,8 +8,6 @@ from __future__ import annotations
 
 from typing import Literal
 
-from scipy.optimize import brentq
-
 from sweetspot.dynamics.beam import BeamModel, moments
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.shell import Shell, between
@@ -108,6 +106,8 @@ def _density_can(bat: Bat) -> bool:
 
 def _matched(bat: Bat, shell: Shell, way: WeightBy) -> Bat | str:
     """Return the bat of the measured mass, or what it can weigh this way."""
+    from scipy.optimize import brentq
+
     assert bat.mass is not None
     missing = bat.mass - _drawn_mass(bat)
     if way in ("knob", "end cap"):

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.interpolate import CubicSpline, PPoly
 
 from sweetspot.dynamics.batch.beams import Beams, Lumps
 from sweetspot.dynamics.batch.bending_kernel import Elements, Points, bend, give_slowly, merged, shapes_at
@@ -19,6 +18,7 @@ from sweetspot.equipment.section import Section
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.gauss_legendre import GAUSS_POINTS, rule
+from sweetspot.numerics.piecewise import Piecewise, cubic_spline
 from sweetspot.numerics.threads import in_parts
 
 CHUNK = 16
@@ -102,10 +102,10 @@ class BendingBatch:
             harmonics=(0, 0, *range(1, count + 1)),
             frequency=omega / (2 * np.pi),
             damping_rate=2 * self.damping_ratio[number] * omega,
-            shapes=PPoly.construct_fast(np.ascontiguousarray(coefficients), edges),
+            shapes=Piecewise(coefficients, edges),
             rigid_part=np.eye(2, count + 2),
             dashpots=np.zeros((0, count + 2)),
-            compliances=(CubicSpline(places, self.left_out[number]),),
+            compliances=(cubic_spline(places, self.left_out[number]),),
         )
 
     @cached_property
@@ -256,8 +256,8 @@ def _slowly(beams: Beams, slices: Mesh, points: Points, even: Array) -> Array:
 
 
 def even_splines(values: Array) -> Array:
-    """Return cubic splines through values at even places from 0 to 1, shape (beams, places); see `CubicSpline`."""
-    return np.asarray(CubicSpline(np.linspace(0.0, 1.0, values.shape[1]), values, axis=1).c)
+    """Return cubic splines through values at even places from 0 to 1, shape (beams, places); see `cubic_spline`."""
+    return np.asarray(cubic_spline(np.linspace(0.0, 1.0, values.shape[1]), values.T).coefficients)
 
 
 def on_even_splines(coefficients: Array, part: Array) -> Array:

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from scipy.interpolate import CubicSpline
 
 from sweetspot.dynamics.batch.beams import BeamRow, SolidBats
 from sweetspot.dynamics.batch.bending import BendingBatch, bending_batch, even_splines, on_even_splines
@@ -24,6 +23,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.piecewise import cubic_spline
 from sweetspot.numerics.threads import in_parts
 
 
@@ -97,7 +97,7 @@ class ReducedBats:
         modes, wall = self.bending.modes(number), self.walls[number]
         if self.dent[number].any():
             places = np.linspace(0.0, self.bending.length[number], PLACES)
-            dent = ByPatch(self.law, CubicSpline(places, self.dent[number]))
+            dent = ByPatch(self.law, cubic_spline(places, self.dent[number]))
             modes = replace(modes, compliances=(*modes.compliances, dent))
         return modes if wall is None else joined(modes, wall)
 

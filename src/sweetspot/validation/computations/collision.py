@@ -6,7 +6,6 @@ from dataclasses import replace
 from functools import cache
 
 import numpy as np
-from scipy.interpolate import PPoly
 from scipy.optimize import brentq
 
 from sweetspot import catalog
@@ -22,6 +21,7 @@ from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion, effective_mass
 from sweetspot.motion.swing import Conditions, Hands, Pitch
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.piecewise import Piecewise
 from sweetspot.validation.computations import shared
 
 
@@ -47,7 +47,7 @@ def wall_restitution_change(*, speed: float, other_speed: float) -> float:
 
 def rigid_wall() -> Modes:
     """Return a body with one motion that no force can excite: its shape is zero, as of an infinite mass."""
-    still = PPoly(np.zeros((1, 1, 1)), np.array([0.0, 1.0]))
+    still = Piecewise(np.zeros((1, 1, 1)), np.array([0.0, 1.0]))
     return Modes(
         ("rigid",), (0,), np.zeros(1), np.zeros(1), still, rigid_part=np.zeros((2, 1)), dashpots=np.zeros((0, 1))
     )
