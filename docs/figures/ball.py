@@ -19,8 +19,8 @@ def force_figure() -> Figure:
     for speed, color in ((60 * MPH, BLUE), (95 * MPH, GREEN), (150 * MPH, RED)):
         peak = (speed / equivalent_wall_speed(ball, 1.0)) ** (2 / (ball.exponent + 1))
         path = np.linspace(1e-6, peak, 200)
-        up = [law.force(u, 1.0, None) / 1e3 for u in path]
-        down = [law.force(u, -1.0, peak) / 1e3 for u in path[:-1]]
+        up = [law.force_and_slope(u, 1.0, None)[0] / 1e3 for u in path]
+        down = [law.force_and_slope(u, -1.0, peak)[0] / 1e3 for u in path[:-1]]
         restitution = ball.restitution.at(speed)
         plot.plot(1e3 * path, up, color=color, label=f"{speed / MPH:.0f} mph: gives back e² = {restitution**2:.2f}")
         plot.plot(1e3 * path[:-1], down, color=color, linestyle="--")

@@ -15,7 +15,7 @@ from sweetspot.collision.contact_law import (
     stored_energy,
     unloading_exponent,
 )
-from sweetspot.equipment.ball import COR_FLOOR, Ball, stiffness_from_load
+from sweetspot.equipment.ball import COR_FLOOR, Ball, RestitutionLaw, stiffness_from_load
 
 peaks = st.floats(1e-4, 0.03)
 
@@ -36,10 +36,14 @@ def test_force_is_continuous_and_slope_is_its_derivative(peak: float, part: floa
     from sweetspot import catalog
 
     law = Hysteretic(catalog.ball())
-    assert law.force(peak, 0.0, None) == pytest.approx(law.force(peak, 0.0, peak), rel=1e-12)
+
+    def force(place: float, turned_at: float | None) -> float:
+        return law.force_and_slope(place, 0.0, turned_at)[0]
+
+    assert force(peak, None) == pytest.approx(force(peak, peak), rel=1e-12)
     place, tiny = part * peak * 0.999, 1e-7 * peak
-    rise = law.force(place + tiny, 0.0, peak) - law.force(place - tiny, 0.0, peak)
-    assert law.slope(place, 0.0, peak) == pytest.approx(rise / (2 * tiny), rel=1e-5)
+    rise = force(place + tiny, peak) - force(place - tiny, peak)
+    assert law.force_and_slope(place, 0.0, peak)[1] == pytest.approx(rise / (2 * tiny), rel=1e-5)
 
 
 def test_stored_energy_is_the_area_under_loading(baseball: Ball) -> None:
@@ -52,7 +56,18 @@ def test_hunt_crossley_of_an_elastic_ball_has_no_damper(baseball: Ball) -> None:
     elastic = baseball.replaced(restitution=baseball.restitution.replaced(reference=1.0, slope=0.0))
     assert HuntCrossley.for_speed(elastic, 30.0).damping == 0.0
     lossy = HuntCrossley.for_speed(baseball, 30.0)
-    assert lossy.damping > 0 and lossy.force(0.01, -1e6, None) == 0.0  # never a pull
+    assert lossy.damping > 0 and lossy.force_and_slope(0.01, -1e6, None)[0] == 0.0  # never a pull
+
+
+@given(st.floats(COR_FLOOR, 0.999), st.floats(1.0, 70.0))
+def test_hunt_crossley_gives_back_what_a_wall_does(restitution: float, speed: float) -> None:
+    """d - ln(1 + d) = -e d - ln(1 - e d) on a rigid wall: exact."""
+    from sweetspot import catalog
+
+    ball = catalog.ball().replaced(restitution=RestitutionLaw(reference=restitution, slope=0.0, reference_speed=30.0))
+    damping = HuntCrossley.for_speed(ball, speed).damping * speed
+    back = restitution * damping
+    assert damping - np.log1p(damping) == pytest.approx(-back - np.log1p(-back), rel=1e-6)
 
 
 def test_a_faster_ball_is_deader_within_what_a_ball_can_be(baseball: Ball) -> None:

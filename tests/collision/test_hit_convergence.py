@@ -11,11 +11,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import ArrayLike, NDArray
 from scipy.integrate import solve_ivp
-from scipy.interpolate import PPoly
 
 from sweetspot import catalog
 from sweetspot.collision import coupled, kernel
-from sweetspot.collision.contact_law import Hysteretic, compression_in_series
+from sweetspot.collision.contact_law import Hysteretic, pressed_in_series
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Outcome
 from sweetspot.collision.kernel import hits, hits_with_motion
@@ -24,6 +23,7 @@ from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes, joined
 from sweetspot.equipment.ball import RestitutionLaw
+from sweetspot.numerics.piecewise import Piecewise
 
 Array = NDArray[np.float64]
 
@@ -119,7 +119,7 @@ def test_twelve_modes_and_what_gives_way_at_once_are_two_hundred_modes(name: str
 @settings(max_examples=40, deadline=None)
 @given(st.floats(0.0, 3e-7), st.floats(1.0, 90.0), st.sampled_from([0.45, 0.62, 0.7, 0.82]))
 def test_a_surface_that_gives_way_at_once_keeps_the_ledger_closed(give: float, closing: float, place: float) -> None:
-    soft = replace(MODES, compliances=(PPoly(np.full((1, 1), give), np.array([0.0, 1.0])),))
+    soft = replace(MODES, compliances=(Piecewise(np.full((1, 1), give), np.array([0.0, 1.0])),))
     impact = hit(soft, ball=BALL, position=place, closing_speed=closing)
     assert abs(impact.energy.imbalance) < 1e-4
     assert hits(soft, ball=BALL, position=place, closing_speed=closing, step=4e-6).collision_efficiency[0] == (
@@ -131,8 +131,8 @@ def test_a_soft_surface_before_a_lossless_one_is_two_springs_in_a_row() -> None:
     # exact: a linear ball without loss on a heavy bat touches for pi sqrt(m (1/k + C)) and keeps all its speed
     law = RestitutionLaw(reference=1.0, reference_speed=20.0)
     ball = BALL.replaced(restitution=law, stiffness=2e6, exponent=1.0)
-    heavy = replace(MODES.kept([0]), shapes=PPoly(np.full((1, 1, 1), 1e-4), np.array([0.0, 1.0])))
-    soft = replace(heavy, compliances=(PPoly(np.full((1, 1), 3e-7), np.array([0.0, 1.0])),))
+    heavy = replace(MODES.kept([0]), shapes=Piecewise(np.full((1, 1, 1), 1e-4), np.array([0.0, 1.0])))
+    soft = replace(heavy, compliances=(Piecewise(np.full((1, 1), 3e-7), np.array([0.0, 1.0])),))
     impact = hit(soft, ball=ball, position=0.7, closing_speed=30.0)
     assert impact.collision_efficiency == pytest.approx(1.0, abs=1e-5)
     assert impact.release_time == pytest.approx(np.pi * np.sqrt(ball.mass * (1 / 2e6 + 3e-7)), rel=1e-5)
@@ -158,8 +158,7 @@ def _integrated_until_gone(modes: Modes, place: float, closing: float, *, until:
             together = approach(state)
             if phase == "free" or together <= 0:
                 return 0.0
-            pressed = compression_in_series(law, approach=together, compliance=give, rate=0.0, turned_at=turned)
-            return law.force(pressed, 0.0, turned)
+            return pressed_in_series(law, approach=together, compliance=give, rate=0.0, turned_at=turned)[1]
 
         def motion(_: float, state: Array) -> Array:
             force, q, speed = push(state), state[2 : 2 + size], state[2 + size :]
@@ -172,7 +171,7 @@ def _integrated_until_gone(modes: Modes, place: float, closing: float, *, until:
         done = solve_ivp(motion, (now, until), state, method="DOP853", rtol=1e-8, atol=1e-10, events=turns)
         state, now = done.y[:, -1], float(done.t[-1])
         if phase == "load":
-            peak = compression_in_series(law, approach=approach(state), compliance=give, rate=0.0, turned_at=None)
+            peak, *_ = pressed_in_series(law, approach=approach(state), compliance=give, rate=0.0, turned_at=None)
         phase = {"load": "unload", "unload": "free", "free": "load"}[phase]
     return -float(state[1]) / closing
 

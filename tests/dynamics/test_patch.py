@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
-from sweetspot.collision.contact_law import Hysteretic, compression_in_series
+from sweetspot.collision.contact_law import Hysteretic, pressed_in_series
 from sweetspot.collision.kernel import hits
 from sweetspot.collision.modal_propagator import modal_propagator_of
 from sweetspot.dynamics.beam import beam_model
@@ -41,12 +41,12 @@ def test_a_slow_ball_presses_a_smaller_patch(baseball: Ball) -> None:
 
 def test_tables_are_interpolated_in_the_square_of_the_radius() -> None:
     """A cubic in a^2 through four radii is exact; it is evaluated for one speed and for many alike."""
-    from scipy.interpolate import PPoly
+    from sweetspot.numerics.piecewise import Piecewise
 
     law = patch_law(catalog.ball())
     squares = law.radii**2
     values = np.stack([1 + squares - 3e3 * squares**2 + 1e6 * squares**3, squares], axis=1)
-    table = ByPatch(law, PPoly.construct_fast(values[None, None], np.array([0.0, 1.0])))
+    table = ByPatch(law, Piecewise(values[None, None], np.array([0.0, 1.0])))
     speeds = np.array([12.0, 26.8, 60.8])
     found = table(np.full(3, 0.5), speeds)
     expected = law.radius_at(speeds) ** 2
@@ -76,7 +76,7 @@ def _grown(modes: Modes, place: float) -> _Grown:
     felt = modes.surface.basis.felt
     *steady, last = modes.compliances
     assert isinstance(last, ByPatch)
-    count = len(modes) - felt.tables.c.shape[-1]
+    count = len(modes) - felt.tables.coefficients.shape[-1]
     give = sum(float(np.asarray(one(np.array(place)))) for one in steady)
     return _Grown(modes.shapes(place)[:count], felt, give, last, place)
 
@@ -93,12 +93,14 @@ def growing_efficiency(modes: Modes, ball: Ball, *, place: float, speed: float, 
             approach = position - float(shape @ displacement)
             if approach <= 0:
                 return -ball_speed / speed
-            compression = compression_in_series(law, approach=approach, compliance=give, rate=0.0, turned_at=turned)
+            compression, force, _ = pressed_in_series(
+                law, approach=approach, compliance=give, rate=0.0, turned_at=turned
+            )
         if approach >= peak:
             peak = approach
         elif turned is None:
             turned = compression
-        impulse = law.force(compression, 0.0, turned) * step
+        impulse = force * step
         ball_speed -= impulse / ball.mass
         velocity = velocity + shape * impulse
         displacement, velocity = (

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Protocol
 
-from scipy.optimize import brentq
-
 from sweetspot.equipment.ball import Ball, RestitutionLine, restitution_at
 
-NEWTON_STEPS, NEWTON_ERROR = 60, 1e-13
+NEWTON_STEPS = 60
+NEARLY = 3e-8
+"""Relative change after which Newton's method is left: what then remains is about its square."""
 
 
 class ContactLaw(Protocol):
@@ -19,12 +19,10 @@ class ContactLaw(Protocol):
 
     ``compression`` is the present one in m, ``rate`` its speed in m/s, negative when the ball springs back, and
     ``turned_at`` the compression from which it springs back, None while it is pressed further than ever before.
-    ``force`` is in N, ``slope`` is its derivative by compression in N/m.
+    They return the force in N and its derivative by compression in N/m.
     """
 
-    def force(self, compression: float, rate: float, turned_at: float | None) -> float: ...
-
-    def slope(self, compression: float, rate: float, turned_at: float | None) -> float: ...
+    def force_and_slope(self, compression: float, rate: float, turned_at: float | None) -> tuple[float, float]: ...
 
 
 def loading_force(ball: Ball, compression: float) -> float:
@@ -75,11 +73,11 @@ def unloading_power(ball: LossyBall, peak: float, force: float) -> float:
     return (ball.exponent + 1) / restitution**2 - 1
 
 
-def compression_in_series(
+def pressed_in_series(
     law: ContactLaw, *, approach: float, compliance: float, rate: float, turned_at: float | None,
     force: float = 0.0,
-) -> float:  # fmt: skip
-    """Return the ball's compression u where ball and surface have approached by w: u + C F(u) = w, by Newton's method.
+) -> tuple[float, float, float]:  # fmt: skip
+    """Return how a ball is pressed by an approach w shared with the surface, u + C F(u) = w, by Newton's method.
 
     The surface under the ball gives way at once by C F: a spring without mass in series with the ball. What it
     stores it gives back.
@@ -90,18 +88,20 @@ def compression_in_series(
     compliance : C in m/N, >= 0.
     rate : of the approach, m/s.
     force : about the one expected, N, from which Newton's method starts.
+
+    Returns
+    -------
+    tuple
+        the ball's compression u in m, its force F in N and dF/du in N/m.
     """
-    if compliance == 0:
-        return approach
     compression = max(approach - compliance * force, approach / 4)
-    for _ in range(NEWTON_STEPS):
-        force = law.force(compression, rate, turned_at)
-        steepness = 1 + compliance * law.slope(compression, rate, turned_at)
-        step = (approach - compression - compliance * force) / steepness
-        compression = max(compression + step, compression / 4)
-        if abs(step) < NEWTON_ERROR * approach:
+    for _ in range(NEWTON_STEPS if compliance else 0):
+        force, slope = law.force_and_slope(compression, rate, turned_at)
+        change = (approach - compression - compliance * force) / (1 + compliance * slope)
+        compression = max(compression + change, compression / 4)
+        if abs(change) < NEARLY * compression:
             break
-    return compression
+    return compression, *law.force_and_slope(compression, rate, turned_at)
 
 
 @dataclass(frozen=True)
@@ -117,17 +117,14 @@ class Hysteretic:
     def _turns(self) -> dict[float, tuple[float, float]]:
         return {}
 
-    def force(self, compression: float, rate: float, turned_at: float | None) -> float:  # noqa: ARG002 - the law ignores rate
-        """Return the force in N; see `ContactLaw`."""
+    def force_and_slope(self, compression: float, rate: float, turned_at: float | None) -> tuple[float, float]:  # noqa: ARG002 - the law ignores rate
+        """Return force and slope; see `ContactLaw`."""
         if turned_at is None:
-            return loading_force(self.ball, compression)
-        force, power = self._turn(turned_at)
-        return float(force * (compression / turned_at) ** power)
-
-    def slope(self, compression: float, rate: float, turned_at: float | None) -> float:
-        """Return dF/du in N/m; see `ContactLaw`."""
-        power = self.ball.exponent if turned_at is None else self._turn(turned_at)[1]
-        return power * self.force(compression, rate, turned_at) / compression
+            force, power = loading_force(self.ball, compression), self.ball.exponent
+        else:
+            greatest, power = self._turn(turned_at)
+            force = float(greatest * (compression / turned_at) ** power)
+        return force, power * force / compression
 
     def _turn(self, turned_at: float) -> tuple[float, float]:
         """Return the force where the ball began to spring back, N, and the power of its way down."""
@@ -153,20 +150,26 @@ class HuntCrossley:
     def for_speed(cls, ball: Ball, speed: float) -> HuntCrossley:
         """Return the law whose ball leaves a rigid wall with e(speed) times ``speed`` (m/s, > 0)."""
         restitution = ball.restitution.at(speed)
-        if restitution >= 1:
-            return cls(ball, 0.0)
+        return cls(ball, 0.0 if restitution >= 1 else _wall_damping(restitution) / speed)
 
-        def imbalance(product: float) -> float:
-            left = product - math.log1p(product)
-            return left + restitution * product + math.log1p(-restitution * product)
+    def force_and_slope(self, compression: float, rate: float, turned_at: float | None) -> tuple[float, float]:  # noqa: ARG002 - no memory of the peak
+        """Return force, never a pull, and slope at constant rate; see `ContactLaw`."""
+        force = max(0.0, loading_force(self.ball, compression) * (1 + self.damping * rate))
+        return force, self.ball.exponent * force / compression
 
-        limit = (1 - 1e-12) / restitution
-        return cls(ball, float(brentq(imbalance, 1e-9, limit, xtol=1e-14)) / speed)
 
-    def force(self, compression: float, rate: float, turned_at: float | None) -> float:  # noqa: ARG002 - no memory of the peak
-        """Return the force in N, never a pull; see `ContactLaw`."""
-        return max(0.0, loading_force(self.ball, compression) * (1 + self.damping * rate))
+def _wall_damping(restitution: float) -> float:
+    """Return d > 0 with d - ln(1 + d) = -e d - ln(1 - e d) for 0 < e < 1: see `HuntCrossley`.
 
-    def slope(self, compression: float, rate: float, turned_at: float | None) -> float:
-        """Return dF/du in N/m at constant rate; see `ContactLaw`."""
-        return self.ball.exponent * self.force(compression, rate, turned_at) / compression
+    By Newton's method for s = ln(1 - e d) < 0: the imbalance rises with s up to the root, ever less steeply.
+    """
+    log_rest = -(1 + restitution) / restitution  # the imbalance is below zero there, whatever e
+    for _ in range(NEWTON_STEPS):
+        damping = -math.expm1(log_rest) / restitution
+        imbalance = (1 + restitution) * damping - math.log1p(damping) + log_rest
+        steepness = 1 - math.exp(log_rest) / restitution * (restitution + damping / (1 + damping))
+        change = imbalance / steepness
+        log_rest -= change
+        if abs(change) < NEARLY * abs(log_rest):
+            break
+    return -math.expm1(log_rest) / restitution

@@ -27,7 +27,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sweetspot.collision.contact_law import ContactLaw, Hysteretic, compression_in_series
+from sweetspot.collision.contact_law import ContactLaw, Hysteretic, pressed_in_series
 from sweetspot.collision.impact import CONTACT_FORCE, EnergyLedger, Impact, Outcome, bat_energy
 from sweetspot.collision.modal_propagator import dashed, dashpot_factors, modal_propagator_of, moved
 from sweetspot.collision.time_step import contact_step
@@ -138,24 +138,21 @@ class _Contact:
 class _Motion(NamedTuple):
     """Ball and bat between two kicks, seen from the undisturbed bat: m and m/s, sqrt(kg) m and sqrt(kg) m/s.
 
-    ``energy`` is the bat's and ``damping`` what it has lost so far, J.
+    ``work`` is what kicks have given the bat so far, J.
     """
 
     ball_position: float
     ball_speed: float
     displacement: Array
     velocity: Array
-    energy: float = 0.0
-    damping: float = 0.0
+    work: float = 0.0
 
     def kicked(self, struck: _Struck, impulse: float, mass: float) -> _Motion:
         """Return the motion after an impulse in N s between ball and bat."""
         velocity = self.velocity + struck.shape * impulse
         given = impulse * float(struck.shape @ (self.velocity + velocity)) / 2
-        return _Motion(
-            self.ball_position, self.ball_speed - impulse / mass, self.displacement, velocity, self.energy + given,
-            self.damping,
-        )  # fmt: skip
+        speed = self.ball_speed - impulse / mass
+        return _Motion(self.ball_position, speed, self.displacement, velocity, self.work + given)
 
 
 def _integrated(
@@ -191,11 +188,11 @@ def _integrated(
             peak, turned_at = approach, None
         elif turned_at is None:
             peak = max(peak, _vertex(approaches, approach))
-            peak -= correction * law.force(struck.compression(law, peak, 0.0, None), 0.0, None)
-            turned_at = struck.compression(law, peak, 0.0, None)
+            peak -= correction * struck.pressed(law, peak, 0.0, None)[1]
+            turned_at = struck.pressed(law, peak, 0.0, None)[0]
             greatest = max(greatest, turned_at)
-        compression = struck.compression(law, approach, rate, turned_at, forces[-1])
-        force, slope = law.force(compression, rate, turned_at), law.slope(compression, rate, turned_at)
+        expected = 2 * forces[-1] - forces[-2] if len(forces) > 1 else 0.0
+        compression, force, slope = struck.pressed(law, approach, rate, turned_at, expected)
         impulse = force * (1 - correction * slope / (1 + struck.compliance * slope)) * step
         approaches.append(approach)
         compressions.append(compression)
@@ -204,7 +201,7 @@ def _integrated(
         motion = flow.drifted(motion.kicked(struck, impulse, ball.mass))
     return _Contact(
         outcome, release, late, motion.ball_speed, motion.displacement, motion.velocity, greatest or max(compressions),
-        motion.damping, forces, compressions, impulses,
+        motion.work - flow.energy(motion), forces, compressions, impulses,
     )  # fmt: skip
 
 
@@ -214,11 +211,11 @@ class _Struck(NamedTuple):
     shape: Array
     compliance: float
 
-    def compression(
+    def pressed(
         self, law: ContactLaw, approach: float, rate: float, turned_at: float | None, force: float = 0.0
-    ) -> float:
-        """Return what the ball is pressed in, m, of an approach that it shares with the surface; N are expected."""
-        return compression_in_series(
+    ) -> tuple[float, float, float]:
+        """Return compression, force and slope under an approach shared with the surface; see `pressed_in_series`."""
+        return pressed_in_series(
             law, approach=approach, compliance=self.compliance, rate=rate, turned_at=turned_at, force=force
         )
 
@@ -242,10 +239,13 @@ class _Flow:
             self.speed_of_place * motion.displacement + self.speed * velocity,
         )
         velocity = dashed(self.modes, self.half_dash, velocity)
-        energy = float(velocity @ velocity + displacement @ (self.stiffness * displacement)) / 2
         place = motion.ball_position + motion.ball_speed * self.step
-        lost = motion.damping + motion.energy - energy
-        return _Motion(place, motion.ball_speed, displacement, velocity, energy, lost)
+        return _Motion(place, motion.ball_speed, displacement, velocity, motion.work)
+
+    def energy(self, motion: _Motion) -> float:
+        """Return the energy of the bat's motion, J."""
+        displacement, velocity = motion.displacement, motion.velocity
+        return float(velocity @ velocity + displacement @ (self.stiffness * displacement)) / 2
 
     def overtaken(self, motion: _Motion, shape: Array, *, kicks: int) -> tuple[int, _Motion] | None:
         """Return after how many kicks the bat catches up with a ball that has just left it, and the motion then.
