@@ -15,12 +15,14 @@ from sweetspot.flight.air import Air
 from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.parabola import top
+from sweetspot.player.bat_pairs import Pair, bat_pairs
 from sweetspot.player.candidate import Candidate, candidates
 from sweetspot.player.contact_tables import contact_table
 from sweetspot.player.expected import NO_CHANGE, Change, Expectation, expectation
 from sweetspot.player.goal import Goal, carry_table
 from sweetspot.player.posterior import Posterior, interval
 from sweetspot.player.prior import NAMES
+from sweetspot.player.swung import swung_bats
 from sweetspot.units import INCH, MPH
 
 PLACES = np.arange(2.0, 11.01, 0.5) * INCH
@@ -77,6 +79,8 @@ class Advice:
     now : what is expected with the player's own bat.
     options : bats tried, the best first.
     faults : bats that could not be tried, and why.
+    pairs : the bats of the file, every two of them, the best first.
+    seldom : names of bats of the file that were swung too seldom to be compared.
     end_loaded : an ounce at the tip against the same ounce at the knob.
     contact_point : m from the tip, where the mean contact should lie; with its interval.
     contact_gain : of the goal, from there against where the player meets the ball now.
@@ -91,6 +95,8 @@ class Advice:
     now: Interval
     options: tuple[Option, ...]
     faults: tuple[str, ...]
+    pairs: tuple[Pair, ...]
+    seldom: tuple[str, ...]
     end_loaded: Interval
     contact_point: Interval
     contact_gain: Interval
@@ -136,7 +142,7 @@ def advise(
     own = model.bats[0]
     now = asked.of(own)
     tried, faults = candidates(own.bat, others, swung=[table.bat for table in model.bats[1:]])
-    options, by_key = [], {}
+    options, by_key = [], {f"bat:{own.bat.name}": now}
     for number, candidate in enumerate(tried, start=1):
         try:
             table = contact_table(candidate.bat, ball=model.ball, axis=model.law.axis, like=own)
@@ -153,6 +159,8 @@ def advise(
         )  # fmt: skip
         if progress is not None:
             progress(number, len(tried))
+    named = {key.removeprefix("bat:"): gained for key, gained in by_key.items() if key.startswith("bat:")}
+    pairs, seldom = bat_pairs(swung_bats(model), named, goal_is_speed=goal.name == "exit-speed")
     place, place_gain, curve = _best_place(asked, PLACES, "position", now)
     height, height_gain, _ = _best_place(asked, OFFSETS, "offset", now)
     return Advice(
@@ -162,6 +170,8 @@ def advise(
         now=interval(now),
         options=tuple(sorted(options, key=lambda option: -option.change.value)),
         faults=faults,
+        pairs=pairs,
+        seldom=seldom,
         end_loaded=interval(by_key["end-loaded"] - by_key["knob-loaded"]),
         contact_point=place,
         contact_gain=place_gain,

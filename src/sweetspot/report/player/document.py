@@ -22,14 +22,13 @@ from sweetspot.report.document import (
     Table,
 )
 from sweetspot.report.json_shapes import as_columns
+from sweetspot.report.player.goal_words import GOALS, goal_shown, goal_words
 from sweetspot.report.player.numbers import option_rows, player_json
+from sweetspot.report.player.pair_words import pairs_table
 from sweetspot.report.player.words import (
-    GOALS,
     PARAMETERS,
     answers,
     findings,
-    goal_shown,
-    goal_words,
     notes,
     parameter_shown,
 )
@@ -61,6 +60,7 @@ def player_document(posterior: Posterior, advice: Advice, swings: Swings, *, pla
             Section("answers", "Questions and answers", [Question(*one) for one in answers(advice)]), picture,
         ],
         details=[
+            *([Section("pairs", "The bats swung, each against each", [pairs_table(advice)])] if advice.pairs else []),
             Section("bats", "Bats tried, the best first", [_bats(advice)]),
             Section("numbers", "The player in numbers", [_facts(posterior)]),
             Section("file", "About the file", [Bullets([*notes(swings), *untried, _means(advice.goal)])]),

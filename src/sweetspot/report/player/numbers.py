@@ -7,6 +7,7 @@ from typing import Any
 
 from sweetspot.motion.swing_law import Interval
 from sweetspot.player.advice import PLACES, Advice, Option
+from sweetspot.player.bat_pairs import Pair
 from sweetspot.player.posterior import Learned, Posterior
 from sweetspot.player.prior import PARAMETERS
 from sweetspot.player.swings import Swings
@@ -43,6 +44,8 @@ def player_json(posterior: Posterior, advice: Advice, swings: Swings) -> dict[st
             f"now{unit}": asdict(advice.now),
             "options": [_option(option, unit) for option in advice.options],
             "not_tried": advice.faults,
+            "pairs": [_pair(pair, unit) for pair in advice.pairs],
+            "swung_too_seldom": advice.seldom,
             f"end_loaded_against_knob_loaded{unit}": asdict(advice.end_loaded),
             "contact_point_from_tip_m": asdict(advice.contact_point),
             f"contact_point_gain{unit}": asdict(advice.contact_gain),
@@ -96,6 +99,13 @@ def _option(option: Option, unit: str) -> dict[str, Any]:
         "bat": bat_json(candidate.bat.name, candidate.bat.length, candidate.body), "choke_m": candidate.bat.choke,
         "bat_speed_m_s": asdict(option.bat_speed), f"goal{unit}": asdict(option.goal),
         f"change{unit}": asdict(option.change), "chance_better": option.chance,
+    }  # fmt: skip
+
+
+def _pair(pair: Pair, unit: str) -> dict[str, Any]:
+    return {
+        "better": pair.better, "other": pair.other, f"gain{unit}": asdict(pair.gain), "chance_better": pair.chance,
+        "measured_m_s": pair.measured and asdict(pair.measured), "verdict": pair.verdict,
     }  # fmt: skip
 
 

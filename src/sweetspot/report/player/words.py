@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections import defaultdict
 from collections.abc import Sequence
@@ -11,10 +10,11 @@ from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.player.advice import Advice, Option
-from sweetspot.player.goal import Goal
 from sweetspot.player.posterior import Learned, Posterior
 from sweetspot.player.swings import Swings
 from sweetspot.player.swung import swung_bats
+from sweetspot.report.player.goal_words import goal_shown, goal_words
+from sweetspot.report.player.pair_words import of_those_swung
 from sweetspot.report.sentences import Sentence, Slot, Words, joined, say, within
 from sweetspot.units import INCH, MPH, OUNCE
 
@@ -31,10 +31,6 @@ PARAMETERS: dict[str, tuple[str, str, int | None]] = {
     "exit_noise": ("exit speed beyond the model", "speed", None),
 }
 """Of every parameter: its name in words, its scale, and digits where others than usual."""
-GOALS: dict[str, tuple[str, int | None]] = {
-    "exit-speed": ("speed_change", None), "carry": ("distance", 1), "line": ("share", 1),
-}  # fmt: skip
-"""Scale and digits of every goal."""
 BADLY_MIXED = (
     "The draws have not mixed well: the intervals may be too narrow. Ask for more steps, or look for rows in the file "
     "that do not belong together."
@@ -48,24 +44,6 @@ REASONS, LONGEST_REASON = 3, 90
 ROWS_SHOWN = 8
 """Rows not used that are listed; the JSON has all."""
 NOTHING = 1e-9
-
-
-def goal_words(goal: Goal) -> Sentence:
-    """Return what a goal is in words.
-
-    >>> from sweetspot.report.quantities import US
-    >>> goal_words(Goal("line", line=91.44)).read(US)
-    'hits beyond 300 ft'
-    """
-    if goal.line is not None:
-        return say("hits beyond {line}", line=Slot(goal.line, "distance"))
-    return say({"exit-speed": "exit speed", "carry": "carry"}[goal.name])
-
-
-def goal_shown(interval: Interval, goal: Goal, *, sign: bool = False) -> Sentence:
-    """Return a value of the goal, or a change of it, with its interval."""
-    scale, digits = GOALS[goal.name]
-    return within(interval, scale, digits=digits, sign=sign)
 
 
 def parameter_shown(name: str, interval: Interval) -> Sentence:
@@ -196,60 +174,9 @@ def _verdict(interval: Interval) -> int:
 def _which(advice: Advice) -> Sentence:
     goal = advice.goal
     own = say("Expected {goal} with the bat now: {now}.", goal=goal_words(goal), now=goal_shown(advice.now, goal))
-    swung = [option for option in advice.options if option.candidate.family == "swung"]
     others = [option for option in advice.options if option.candidate.family != "swung"]
     told = advice.posterior.learned["exponent"].told
-    return joined(
-        [own, _of_those_swung(swung, advice), _of_those_tried(others, advice), "" if told else USUAL_EXPONENT]
-    )
-
-
-def _of_those_swung(swung: Sequence[Option], advice: Advice) -> Words:
-    """Compare the player's own bat with the others of the file."""
-    if not swung:
-        return ""
-    if otherwise := _measured_otherwise(swung, advice):
-        return otherwise
-    verdicts = [_verdict(option.change) for option in swung]
-    listed = joined(
-        [
-            say("{label} {change}", label=option.candidate.label,
-                change=goal_shown(option.change, advice.goal, sign=True))
-            for option in swung
-        ],
-        "; ",
-    )  # fmt: skip
-    if verdicts[0] > 0:
-        lead = f"Of the bats swung {swung[0].candidate.label} is best"
-    elif all(verdict < 0 for verdict in verdicts):
-        lead = "Of the bats swung the one now is best"
-    else:
-        lead = "Which of the bats swung is best the swings cannot tell"
-    return say("{lead}: against the one now {listed}.", lead=lead, listed=listed)
-
-
-def _measured_otherwise(swung: Sequence[Option], advice: Advice) -> Words:
-    """Say that the model does not hold where what was measured surely says the opposite; "" where it does not."""
-    if advice.goal.name != "exit-speed":
-        return ""
-    means = {one.bat.name: one.exit_speed for one in swung_bats(advice.posterior.model) if one.exit_speed is not None}
-    own = means.get(advice.posterior.model.bats[0].bat.name)
-    for option in swung:
-        other = means.get(option.candidate.label)
-        if own is None or other is None:
-            continue
-        gain = other.value - own.value
-        apart = abs(gain) > math.hypot(other.high - other.value, own.high - own.value)
-        if apart and gain * option.change.value < 0:
-            return say(
-                "Of the bats swung the swings say one thing and the model of ball and bat another: with {label} the "
-                "ball left {measured} {faster} on average than with the one now, where the model expects {change}. "
-                "Believe the measurement if pitches and days were alike, and check the bats' files.",
-                label=option.candidate.label, measured=Slot(abs(gain), "speed_change"),
-                faster="faster" if gain > 0 else "slower",
-                change=goal_shown(option.change, advice.goal, sign=True),
-            )  # fmt: skip
-    return ""
+    return joined([own, of_those_swung(advice), _of_those_tried(others, advice), "" if told else USUAL_EXPONENT])
 
 
 def _of_those_tried(others: Sequence[Option], advice: Advice) -> Words:
