@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -116,6 +117,39 @@ def test_what_if_table(run: Run, run_json: RunJson, tmp_path: Path) -> None:
     assert [failure["column"] for failure in result["failures"]] == [2, 2]
 
 
+def test_variants_of_a_bat_side_by_side(run: Run, run_json: RunJson) -> None:
+    """Rows alone: every answer has a column, and a cup takes weight from the tip."""
+    asked = ["r161-ash", "--rows", "cup-depth=0in:1.2in:3"]
+    code, out, _ = run("compare", *asked)
+    words = " ".join(out.split())
+    assert code == 0 and "cup depth in exit speed mph q BBCOR bat speed mph mass oz balance in" in words
+    assert "computes that of the test" in words and len(re.findall(r"^ *[\d.]{4} +1\d\d\.\d ", out, re.MULTILINE)) == 3
+    found = run_json("compare", *asked)
+    assert found["columns"] is None and found["rows"]["cup_depth_m"] == pytest.approx([0.0, 0.01524, 0.03048])
+    masses = [row[0] for row in found["answers"]["mass_kg"]]
+    assert masses == sorted(masses, reverse=True) and masses[0] - masses[2] > 0.005
+
+
+def test_every_bat_is_held_against_the_rules(run: Run, run_json: RunJson) -> None:
+    """The number and the verdict are those of `certify`; a corked bat is no piece of solid wood."""
+    bats = [bat["rules"] for bat in run_json("compare", "r161-ash", "corked-r161", "russell-b5")["bats"]]
+    assert [bat["verdict"] for bat in bats] == ["pass", "fail", "fail"]
+    assert bats[0]["passed"] and not bats[2]["passed"]
+    code, text, _ = run("certify", "russell-b5", "--format", "json")
+    certified = {check["quantity"]: check for check in json.loads(text)["checks"]}
+    here = {check["quantity"]: check for check in bats[2]["checks"]}
+    assert code == 1 and here["bbcor"] == certified["bbcor"]
+    _, out, _ = run("compare", "r161-ash", "corked-r161")
+    words = " ".join(out.split())
+    assert "one piece of solid wood (Major League" in words and "BBCOR of the test 0.49" in words
+
+
+def test_doubt_comes_from_bats_by_name(run: Run) -> None:
+    _, out, _ = run("compare", "r161-ash", "mlb-a", "--uncertainty")
+    rows = out.split("rests on")[1]
+    assert "MLB profile A" in rows and "R161, white ash" in rows and "bat 1" not in out
+
+
 def test_a_long_table_says_how_far_it_is(run: Run) -> None:
     asked = ["--rows", "mass=30oz:31oz:5", "--columns", "pitch-speed=80mph:95mph:10", "--format", "csv"]
     code, out, err = run("compare", "r161-ash", *asked)
@@ -132,7 +166,8 @@ def test_a_long_table_says_how_far_it_is(run: Run) -> None:
         (["r161-ash", "--what-if", "cork", "--bore-diameter", "3in"], "make it narrower"),
         (["r161-ash", "--what-if", "cork", "--bore-diameter", "1"], "without a unit"),
         (["r161-ash", "--swing-law", "golf"], "not in the catalogue"),
-        (["r161-ash", "--rows", "mass=30oz:31oz:2"], "--rows and --columns"),
+        (["r161-ash", "--columns", "mass=30oz:31oz:2"], "and --rows, with or without --columns"),
+        (["r161-ash", "--rows", "cup-depth=0in:9in:2"], "a deeper hole is a bore"),
         (["r161-ash", "--rows", "mass=30oz:31oz:2", "--columns", "mass=30oz:31oz:2"], "two different things"),
         (["r161-ash", "--rows", "colour=1:2:3", "--columns", "mass=30oz:31oz:2"], "write one of mass"),
         (["r161-ash", "--rows", "mass=30oz:31oz", "--columns", "bore-depth=0in:1in:2"], "write one of mass"),

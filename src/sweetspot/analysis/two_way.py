@@ -16,7 +16,7 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.hands import gripped
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
-from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.bat import USUAL_CUP, Bat
 from sweetspot.equipment.material import Material
 from sweetspot.errors import InputError, SweetspotError
 from sweetspot.motion.swing import Conditions
@@ -26,7 +26,7 @@ from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.parabola import peak
 from sweetspot.units import INCH
 
-Variation = Literal["mass", "bore_diameter", "bore_depth", "wall_factor", "bat_speed", "pitch_speed"]
+Variation = Literal["mass", "bore_diameter", "bore_depth", "cup_depth", "wall_factor", "bat_speed", "pitch_speed"]
 VARIATIONS: tuple[Variation, ...] = get_args(Variation)
 USUAL_DIAMETER, USUAL_DEPTH, USUAL_PLUG = 1 * INCH, 10 * INCH, 1 * INCH
 """m; the hole of the published corked-bat tests, used for what is not varied [nathan_corknote]."""
@@ -82,10 +82,13 @@ class Cell:
 
 @dataclass(frozen=True)
 class TwoWay:
-    """The whole table; ``cells[row][column]`` belongs to ``rows.values[row]`` and ``columns.values[column]``."""
+    """The whole table; ``cells[row][column]`` belongs to ``rows.values[row]`` and ``columns.values[column]``.
+
+    Without ``columns`` every row has one cell.
+    """
 
     rows: Axis
-    columns: Axis
+    columns: Axis | None
     cells: tuple[tuple[Cell, ...], ...]
 
     def values(self, answer: str) -> Array:
@@ -109,7 +112,7 @@ def what_if_table(
     bat: Bat,
     *,
     rows: Axis,
-    columns: Axis,
+    columns: Axis | None,
     conditions: Conditions,
     law: SwingLaw | None,
     fill: Material,
@@ -121,21 +124,22 @@ def what_if_table(
 
     Parameters
     ----------
-    rows, columns : what they vary; two different things.
+    rows, columns : what they vary; two different things, or only rows.
     conditions : of the unchanged bat.
     law : as which every other bat is swung; None: at the same speed.
     fill : material of a varied hole.
     progress : called with (cells done, cells in all) after each one.
     """
-    if rows.variation == columns.variation:
+    if columns is not None and rows.variation == columns.variation:
         raise InputError(f"rows and columns both vary {rows.variation}; vary two different things")
     body = rigid_body(beam_model(bat))
-
+    across = ((columns.variation, value) for value in columns.values) if columns is not None else ((None, 0.0),)
+    added: list[dict[Variation, float]] = [{} if name is None else {name: float(value)} for name, value in across]
     found: list[tuple[Cell, ...]] = []
     for row, first in enumerate(rows.values):
         cells: list[Cell] = []
-        for column, second in enumerate(columns.values):
-            settings: dict[Variation, float] = {rows.variation: float(first), columns.variation: float(second)}
+        for column, second in enumerate(added):
+            settings: dict[Variation, float] = {rows.variation: float(first)} | second
             try:
                 changed = varied(bat, settings, fill=fill)
                 answers = _answers(changed, settings, (bat, body), conditions, law)
@@ -143,16 +147,16 @@ def what_if_table(
             except SweetspotError as error:
                 cells.append(Cell(row, column, None, str(error)))
             if progress is not None:
-                progress(row * len(columns.values) + column + 1, len(rows.values) * len(columns.values))
+                progress(row * len(added) + column + 1, len(rows.values) * len(added))
         found.append(tuple(cells))
     return TwoWay(rows, columns, tuple(found))
 
 
 def varied(bat: Bat, settings: Mapping[Variation, float], *, fill: Material) -> Bat:
-    """Return a bat with its weight, wall and hole as the settings say; speeds among them are left to the swing.
+    """Return a bat with its weight, wall, cup and hole as the settings say; speeds among them are left to the swing.
 
-    The weight is that of the bat before it is drilled. A solid bat takes it by lighter or heavier wood, a hollow one
-    by a weight in its end cap. A hole of depth or width 0 is no hole.
+    The weight is that of the bat before it is cupped or drilled. A solid bat takes it by lighter or heavier wood, a
+    hollow one by a weight in its end cap. A hole of depth or width 0 is no hole, a cup of depth 0 no cup.
 
     Parameters
     ----------
@@ -163,6 +167,8 @@ def varied(bat: Bat, settings: Mapping[Variation, float], *, fill: Material) -> 
         changed = with_wall_factor(changed, settings["wall_factor"])
     if "mass" in settings:
         changed = _with_mass(changed, settings["mass"])
+    if "cup_depth" in settings:
+        changed = _with_cup(changed, settings["cup_depth"])
     if "bore_diameter" in settings or "bore_depth" in settings:
         diameter = settings.get("bore_diameter", USUAL_DIAMETER)
         depth = settings.get("bore_depth", USUAL_DEPTH)
@@ -171,6 +177,15 @@ def varied(bat: Bat, settings: Mapping[Variation, float], *, fill: Material) -> 
         if diameter > 0 and depth > 0:
             changed = changed.corked(diameter=diameter, depth=depth, fill=fill, plug=min(USUAL_PLUG, depth / 2))
     return changed
+
+
+def _with_cup(bat: Bat, depth: float) -> Bat:
+    """Return the bat with a cup of another depth, as wide as its own, turned from the same wood."""
+    if depth < 0:
+        raise InputError(f"the cup is {depth:g} m deep; allowed is zero or more")
+    if depth == 0:
+        return bat.uncupped() if bat.cup is not None else bat
+    return bat.cupped(diameter=USUAL_CUP if bat.cup is None else bat.cup.diameter, depth=depth)
 
 
 def _with_mass(bat: Bat, mass: float) -> Bat:

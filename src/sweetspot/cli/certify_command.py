@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from sweetspot.analysis.certification.rules import League
     from sweetspot.analysis.certification.shot_statistics import Measured
     from sweetspot.analysis.certification.shots import Shots
-    from sweetspot.analysis.certification.simulated_test import Certification
     from sweetspot.dynamics.rigid import RigidBody
     from sweetspot.equipment.ball import Ball
     from sweetspot.equipment.bat import Bat
@@ -61,12 +60,11 @@ def certify(
     """Test a bat: BBCOR, BESR, BPF and a league's rules, with margin. Exit 1 when one fails or none can be decided."""
     from sweetspot import catalog
     from sweetspot.analysis.certification.rules import check_rules, construction_findings
-    from sweetspot.analysis.certification.simulated_test import certify as simulate
     from sweetspot.cli.output import patience, present
     from sweetspot.dynamics.beam import beam_model
     from sweetspot.dynamics.rigid import rigid_body
     from sweetspot.report.certification.document import tested_document
-    from sweetspot.report.certification.tested_bat import TestedBat
+    from sweetspot.report.certification.tested_bat import TestedBat, tested_by_model
 
     if bat is None:
         raise InputError("certify needs a bat: BBCOR takes the recoil from its weight, balance and moment of inertia")
@@ -75,20 +73,18 @@ def certify(
         raise InputError("--standard-ball-cor normalises measured shots; give them with --shots")
     described = catalog.load_bat(bat)
     leagues, chosen = _leagues(league or catalog.sport(described.sport).rules or DEFAULT_LEAGUE, ball)
-    body, read = rigid_body(beam_model(described)), None
-    test: Certification | Measured
     if shots is None:
         with patience():
-            test = simulate(described, ball=chosen)
+            tested = tested_by_model(described, leagues, ball=chosen)
     else:
+        body = rigid_body(beam_model(described))
         read, test = _measured(shots, described, body=body, ball=chosen, standard=standard_ball_cor)
-    findings = {**construction_findings(described, body=body), **test.findings()}
-    walls = []
+        findings = {**construction_findings(described, body=body), **test.findings()}
+        checks = [(one, check) for one in leagues for check in check_rules(one, bat=described, findings=findings)]
+        tested = TestedBat(described, chosen, body, test, read, checks)
     if wall_that_passes:
         with patience():
-            walls = _walls(leagues, described, chosen)
-    checks = [(one, check) for one in leagues for check in check_rules(one, bat=described, findings=findings)]
-    tested = TestedBat(described, chosen, body, test, read, checks, walls)
+            tested = replace(tested, walls=_walls(leagues, described, chosen))
     document = tested_document(tested)
     if uncertainty:
         with patience():

@@ -8,23 +8,21 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
-from sweetspot.cli.options.ranges import spread
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
+from sweetspot.cli.options.what_if_table import TableOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from sweetspot.analysis.comparison import Comparison
-    from sweetspot.analysis.two_way import Axis, Variation
     from sweetspot.equipment.bat import Bat
     from sweetspot.equipment.implement import Implement
     from sweetspot.motion.swing_law import SwingLaw
+    from sweetspot.report.certification.tested_bat import TestedBat
     from sweetspot.report.document import Document
-    from sweetspot.units import Kind
 
-KINDS: dict[Variation, Kind] = {
-    "mass": "mass", "bore_diameter": "length", "bore_depth": "length", "wall_factor": "ratio", "bat_speed": "speed",
-    "pitch_speed": "speed",
-}  # fmt: skip
+DEFAULT_LEAGUE, WOODEN = "ncaa", "mlb"
 
 
 @Parameter(name="*")
@@ -74,20 +72,6 @@ class CorkingOptions:
         )
 
 
-@Parameter(name="*")
-@dataclass(frozen=True)
-class TableOptions:
-    """One bat, varied in two ways at once."""
-
-    rows: Annotated[
-        str | None, Parameter(help="For one bat: what a what-if table varies down, as mass=29oz:33oz:5.")
-    ] = None
-    columns: Annotated[str | None, Parameter(help="What it varies across, as bore-depth=0in:12in:7.")] = None
-    cell: Annotated[str, Parameter(help="What its cells show: exit-speed, bbcor, collision-efficiency, ...")] = (
-        "exit-speed"
-    )
-
-
 DEFAULT_EFFORT, DEFAULT_CORKING, DEFAULT_TABLE = EffortOptions(), CorkingOptions(), TableOptions()
 
 
@@ -108,6 +92,7 @@ def compare(
     from sweetspot.catalog.corking import LABELS
     from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.output import patience, present
+    from sweetspot.equipment.bat import Bat
     from sweetspot.report.comparison.document import comparison_document
 
     if not bats:
@@ -115,9 +100,9 @@ def compare(
     described, corked = [catalog.load_implement(name) for name in bats], corking.what_if is not None
     law = effort.law(described[0])
     if table.rows is not None or table.columns is not None:
-        if len(bats) != 1 or corked or table.rows is None or table.columns is None:
-            raise InputError("a what-if table takes one bat, --rows and --columns, and no --what-if")
-        return present(_table(_bat(described[0]), table, law, swing), output)
+        if len(bats) != 1 or corked or table.rows is None:
+            raise InputError("a what-if table takes one bat and --rows, with or without --columns, and no --what-if")
+        return present(table.document(_bat(described[0]), law, swing), output)
     if corked:
         if len(bats) != 1:
             raise InputError(f"--what-if was given with {len(bats)} bats; it takes one")
@@ -126,18 +111,42 @@ def compare(
         comparison = compared(
             described, conditions=conditions_for(described[0], swing), law=law, labels=LABELS if corked else None
         )
-    if not uncertainty:
-        return present(comparison_document(comparison, corking=corked), output)
     with patience():
-        document = _with_doubt(comparison, bats, swing, corked=corked)
+        tested = [_tested(one) for one in described if isinstance(one, Bat)]
+        if not uncertainty:
+            document = comparison_document(comparison, corking=corked, tested=tested)
+        else:
+            document = _with_doubt(comparison, bats, swing, corked=corked, tested=tested)
     return present(document, output)
 
 
+def _tested(bat: Bat) -> TestedBat:
+    """Return a bat held against the rules of its sport; a wooden one of baseball also against those of the majors."""
+    from sweetspot import catalog
+    from sweetspot.catalog.rules import league
+    from sweetspot.report.certification.tested_bat import tested_by_model
+
+    own = catalog.sport(bat.sport).rules or DEFAULT_LEAGUE
+    names = [own, WOODEN] if own == DEFAULT_LEAGUE and bat.material.family == "wood" else [own]
+    leagues = [league(name) for name in names]
+    return tested_by_model(bat, leagues, ball=catalog.ball(leagues[0].ball))
+
+
 def _with_doubt(
-    comparison: Comparison[Implement], names: tuple[str, ...], swing: SwingOptions, *, corked: bool
+    comparison: Comparison[Implement],
+    names: tuple[str, ...],
+    swing: SwingOptions,
+    *,
+    corked: bool,
+    tested: Sequence[TestedBat],
 ) -> Document:
     """Return a comparison with intervals, and how sure each bat's gain over the first is."""
-    from sweetspot.calibration.draws.comparison_draws import LAW, drawn_comparison, with_drawn_intervals
+    from sweetspot.calibration.draws.comparison_draws import (
+        LAW,
+        drawn_comparison,
+        names_of_bats,
+        with_drawn_intervals,
+    )
     from sweetspot.cli.options.uncertainty import sources_for
     from sweetspot.report.comparison.document import comparison_document
     from sweetspot.report.document import Paragraph
@@ -151,14 +160,15 @@ def _with_doubt(
         for number, (one, name) in enumerate(zip(found, files, strict=True))
     ]
     answers = drawn_comparison(comparison, sources)
-    where = {f"bat {number}": one.bat_where for number, one in enumerate(sources, start=1)} | sources[0].described
+    own = zip(names_of_bats(comparison), sources, strict=True)
+    where = {name: one.bat_where for name, one in own} | sources[0].described
     where[LAW] = "spread of its exponent in the catalogue"
     last = len(found) - 1
     main, named = (
         (f"bats.{last}.change_m_s", f"change of {found[-1].label}") if last else ("bats.0.exit_speed_m_s", "exit speed")
     )
     document = comparison_document(
-        with_drawn_intervals(comparison, answers), corking=corked, interval_is=INTERVAL_HOLDS
+        with_drawn_intervals(comparison, answers), corking=corked, interval_is=INTERVAL_HOLDS, tested=tested
     )
     told = uncertain(document, answers, main=main, named=named, where=where)
     gains = [(one.label, index) for index, one in enumerate(found) if index]
@@ -176,36 +186,3 @@ def _bat(described: Implement) -> Bat:
     if not isinstance(described, Bat):
         raise InputError(f"{described.name} is not a bat; only bats can be drilled, corked or varied in a table")
     return described
-
-
-def _table(bat: Bat, asked: TableOptions, law: SwingLaw | None, swing: SwingOptions) -> Document:
-    from sweetspot import catalog
-    from sweetspot.analysis.two_way import Answers, what_if_table
-    from sweetspot.cli.options.swing import conditions_for
-    from sweetspot.cli.output import patience, progress
-    from sweetspot.report.comparison.two_way import two_way_document
-
-    answer = asked.cell.replace("-", "_")
-    if answer not in Answers.__dataclass_fields__:
-        allowed = ", ".join(name.replace("_", "-") for name in Answers.__dataclass_fields__)
-        raise InputError(f"--cell was given as {asked.cell}; allowed is one of {allowed}")
-    with patience(), progress("cells") as report:
-        table = what_if_table(
-            bat, rows=_axis(asked.rows, "--rows"), columns=_axis(asked.columns, "--columns"),
-            conditions=conditions_for(bat, swing), law=law, fill=catalog.material("cork"), progress=report,
-        )  # fmt: skip
-    return two_way_document(table, answer)
-
-
-def _axis(text: str | None, what: str) -> Axis:
-    """Return an axis written as ``mass=29oz:33oz:5``: what is varied, from, to, and how many values."""
-    from sweetspot.analysis.two_way import VARIATIONS, Axis
-
-    name, _, span = (text or "").partition("=")
-    variation = next((known for known in VARIATIONS if known == name.strip().replace("-", "_")), None)
-    if variation is None or span.count(":") != 2:
-        allowed = ", ".join(known.replace("_", "-") for known in VARIATIONS)
-        raise InputError(
-            f"{what} was given as {text!r}; write one of {allowed}, from, to and how many values: mass=29oz:33oz:5"
-        )
-    return Axis(variation, spread(span, KINDS[variation], what))

@@ -13,14 +13,12 @@ from sweetspot.dynamics.batch.beams import SolidBats
 from sweetspot.dynamics.batch.reduction import ReducedBats, reduced_lines, reduced_outlines
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.equipment.ball import Ball
-from sweetspot.equipment.bat import Bat, Cup
+from sweetspot.equipment.bat import USUAL_CUP, Bat, Cup
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import INCH
 
-USUAL_CUP = 1.4 * INCH
-"""m, width of a cup where the present bat has none."""
 LEAST_CUP = 0.02 * INCH
 """m of depth below which a cup is left out."""
 REACH = 0.15

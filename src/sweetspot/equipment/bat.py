@@ -19,10 +19,13 @@ from sweetspot.equipment.material import Material
 from sweetspot.equipment.section import Section, of_solid, of_walls
 from sweetspot.equipment.shell import Shell, Stations, between, check_order
 from sweetspot.numerics.arrays import Array
+from sweetspot.units import INCH
 
 LENGTH_RANGE = (0.3, 1.3)
 MOST_COEFFICIENTS = 10
 DIAMETER_RANGE = (0.005, 0.12)
+USUAL_CUP = 1.4 * INCH
+"""m, width of a cup where none is named [our choice]."""
 IMPLAUSIBLE = "give it in the file's own unit, for example '2.5 in' or '64 mm'"
 
 
@@ -313,6 +316,10 @@ class Bat(OfMaterial):
     def cupped(self, *, diameter: float, depth: float) -> Self:
         """Return the bat with a cupped end (m)."""
         return self._changed(f"{self.name}, cupped", cup=Cup(diameter=diameter, depth=depth))
+
+    def uncupped(self) -> Self:
+        """Return the bat with its end left full."""
+        return self._changed(f"{self.name}, full end", cup=None)
 
     def weighted(self, *, position: float, mass: float) -> Self:
         """Return the bat with a small weight (kg) fixed at a position (m)."""

@@ -15,7 +15,6 @@ from sweetspot.flight.air import Air
 from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.parabola import top
-from sweetspot.player.bat_pairs import Pair, bat_pairs
 from sweetspot.player.candidate import Candidate, candidates
 from sweetspot.player.contact_tables import contact_table
 from sweetspot.player.expected import NO_CHANGE, Change, Expectation, expectation
@@ -23,6 +22,7 @@ from sweetspot.player.goal import Goal, carry_table
 from sweetspot.player.posterior import Posterior, interval
 from sweetspot.player.prior import NAMES
 from sweetspot.player.swung import swung_bats
+from sweetspot.player.swung_pairs import Pair, bat_pairs
 from sweetspot.units import INCH, MPH
 
 PLACES = np.arange(2.0, 11.01, 0.5) * INCH

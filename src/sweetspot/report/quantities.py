@@ -135,6 +135,7 @@ QUANTITIES: Mapping[str, Quantity] = {
     "wind_direction": Quantity("direction of the wind", "angle"),
     "bore_diameter": Quantity("width of the hole", "length"),
     "bore_depth": Quantity("depth of the hole", "length"),
+    "cup_depth": Quantity("depth of the cup", "length"),
     "wall_factor": Quantity("wall, times its own", "ratio"),
 }
 

@@ -113,6 +113,7 @@ USUAL: dict[str, Usual] = {
     "blade": Usual(3, 11, "mm in all", 1e-3, "plies are 0.2 to 4 mm thick"),
     "bore_diameter": Usual(0, 3, "in", INCH),
     "bore_depth": Usual(0, 40, "in", INCH),
+    "cup_depth": Usual(0, 2.5, "in", INCH, "the cup of an end is about 1in deep; a deeper hole is a bore"),
     "cup.depth": Usual(0, 2.5, "in", INCH, "the cup of an end is about 1in deep; deeper holes are a [[bore]]"),
 }
 """By the name of the quantity, as options and columns have it. [The widths of these bounds are our choice.]"""

@@ -52,10 +52,20 @@ def drawn_comparison(comparison: Comparison[Implement], sources: list[Sources], 
     known = values["bats.0.exit_speed_m_s"]
     for index in range(len(sources)):
         values[f"bats.{index}.change_m_s"] = values[f"bats.{index}.exit_speed_m_s"] - known
-    names = tuple(f"bat {index + 1}" for index, one in enumerate(normals) for _ in range(one.shape[1]))
+    names = tuple(
+        name for name, one in zip(names_of_bats(comparison), normals, strict=True) for _ in range(one.shape[1])
+    )
     names += tuple(one.name for one in first.others) + tuple(one.name for one in _of_law(law))
     normal = np.hstack([*normals, shared])
     return DrawnAnswers(np.vstack([np.zeros((1, normal.shape[1])), normal]), names, values)
+
+
+def names_of_bats(comparison: Comparison[Implement]) -> tuple[str, ...]:
+    """Return what every bat's own doubt is called: the bat's name, with its number where two are named alike."""
+    labels = [one.label for one in comparison.compared]
+    return tuple(
+        label if labels.count(label) == 1 else f"{label} (number {number})" for number, label in enumerate(labels, 1)
+    )
 
 
 def with_drawn_intervals(comparison: Comparison[Implement], answers: DrawnAnswers) -> Comparison[Implement]:

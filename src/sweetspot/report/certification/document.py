@@ -6,11 +6,12 @@ from collections.abc import Sequence
 from typing import Any
 
 from sweetspot.analysis.certification.passing_wall import PassingWall
-from sweetspot.analysis.certification.rules import QUANTITIES, Check, League, Verdict, title
+from sweetspot.analysis.certification.rules import Check, League, Verdict, title
 from sweetspot.analysis.certification.shot_statistics import Estimate, Measured
 from sweetspot.analysis.certification.shots import Shots
 from sweetspot.analysis.certification.simulated_test import CLAMP, OLD_BALL_SPEED, OLD_BAT_SPEED, BatTest, Certification
 from sweetspot.report.bat.json import bat_json
+from sweetspot.report.certification.limits_shown import limit_shown, value_shown
 from sweetspot.report.certification.numbers import check_json, measured_json, simulated_json, wall_json
 from sweetspot.report.certification.tested_bat import TestedBat
 from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Marked, Paragraph, Picture, Table
@@ -18,8 +19,6 @@ from sweetspot.report.json_shapes import as_columns, cleaned
 from sweetspot.report.quantities import Reader
 from sweetspot.report.sentences import Sentence, Slot, Span, Words, joined, say
 
-SCALES = {"m": ("length", 3), "m/s": ("speed", 1), "kg m^2": ("moi", None), "in - oz": ("ratio", 2)}
-"""Scale and digits of what rules limit, by its unit; every other is a ratio with four digits."""
 PATCH_NOTE = (
     "By the patch: with the smallest and the largest patch through which a ball can push; the least certain number of "
     "the test. The ball is the catalogue's; a test normalises to one."
@@ -91,7 +90,7 @@ def _passing(tested: TestedBat, league: League, wall: PassingWall) -> Sentence:
 def _headline(tested: TestedBat) -> Sentence:
     broken = [
         say("{rule} of {league} ({value}, allowed {limit})", rule=title(check.rule), league=league.name,
-            value=_value(check.rule.quantity, check.value), limit=_limit(check))
+            value=value_shown(check.rule.quantity, check.value), limit=limit_shown(check))
         for league, check in tested.failed
     ]  # fmt: skip
     if broken:
@@ -196,7 +195,8 @@ def _rules(checks: Sequence[tuple[League, Check]]) -> Table:
         reading = "" if rule.reading == "primary" else f", {rule.reading}"
         rows.append([
             league.key, title(rule), Marked(check.verdict.value, MARKS.get(check.verdict, "")),
-            _value(rule.quantity, check.value), _limit(check), _value(rule.quantity, check.margin, sign=True),
+            value_shown(rule.quantity, check.value), limit_shown(check),
+            value_shown(rule.quantity, check.margin, sign=True),
             f"{rule.source} {rule.year or ''}".strip() + reading,
         ])  # fmt: skip
     return Table("Rules", [*columns, Column("source")], rows)
@@ -213,25 +213,3 @@ def _reasons(checks: Sequence[tuple[League, Check]]) -> list[str]:
         for league, check in checks
         if check.reason
     ]
-
-
-def _limit(check: Check) -> Words:
-    rule = check.rule
-    if rule.quantity == "solid_wood":
-        return "yes"
-    sides = [("at least", rule.least), ("at most", rule.most)]
-    return joined(
-        say("{side} {limit}", side=side, limit=_value(rule.quantity, limit)) for side, limit in sides
-        if limit is not None
-    )  # fmt: skip
-
-
-def _value(quantity: str, value: float | None, *, sign: bool = False) -> Sentence:
-    """Return a value in the unit that people use for it."""
-    if value is None:
-        return Sentence(())
-    unit = QUANTITIES[quantity][1]
-    if unit == "yes or no":
-        return say("yes" if value else "no")
-    scale, digits = SCALES.get(unit, ("ratio", 4))
-    return Sentence((Slot(value, scale, digits, sign),))

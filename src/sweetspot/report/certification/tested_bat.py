@@ -6,11 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sweetspot.analysis.certification.passing_wall import PassingWall
-from sweetspot.analysis.certification.rules import Check, League, Verdict
+from sweetspot.analysis.certification.rules import Check, League, Verdict, check_rules, construction_findings
 from sweetspot.analysis.certification.shot_statistics import Measured
 from sweetspot.analysis.certification.shots import Shots
 from sweetspot.analysis.certification.simulated_test import Certification
-from sweetspot.dynamics.rigid import RigidBody
+from sweetspot.analysis.certification.simulated_test import certify as simulate
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 
@@ -45,3 +47,16 @@ class TestedBat:
         """Whether no rule is broken, and where rules were asked for at least one is surely kept."""
         kept = any(check.verdict is Verdict.PASS for _, check in self.checks)
         return not self.failed and (kept or not self.checks)
+
+
+def tested_by_model(bat: Bat, leagues: Sequence[League], *, ball: Ball) -> TestedBat:
+    """Return a bat with its computed test and every rule of some leagues held against it.
+
+    Parameters
+    ----------
+    ball : that the bat is tested with.
+    """
+    body, test = rigid_body(beam_model(bat)), simulate(bat, ball=ball)
+    findings = {**construction_findings(bat, body=body), **test.findings()}
+    checks = [(one, check) for one in leagues for check in check_rules(one, bat=bat, findings=findings)]
+    return TestedBat(bat, ball, body, test, checks=checks)

@@ -13,6 +13,8 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat.json import bat_json
+from sweetspot.report.certification.tested_bat import TestedBat
+from sweetspot.report.comparison.legality import legality_json, legality_table
 from sweetspot.report.comparison.words import INTERVAL_MEANS, assumptions, cork_verdict, verdict
 from sweetspot.report.document import Cell, Column, Document, Paragraph, Picture, Table
 from sweetspot.report.hit.json import conditions_json
@@ -22,12 +24,18 @@ from sweetspot.report.sentences import Slot, Words, read, within
 
 BBCOR_OF_PLAY = (
     "BBCOR in play is at this swing's closing speed. The number that rules limit is measured otherwise, in a test with "
-    "the bat at rest; `sweetspot certify` computes that one."
+    "the bat at rest{where}."
 )
+
+WITH_RULES, WITHOUT = ", as in the table of the rules", "; `sweetspot certify` computes that one"
 
 
 def comparison_document(
-    comparison: Comparison[Implement], *, corking: bool = False, interval_is: str = INTERVAL_MEANS
+    comparison: Comparison[Implement],
+    *,
+    corking: bool = False,
+    interval_is: str = INTERVAL_MEANS,
+    tested: Sequence[TestedBat] = (),
 ) -> Document:
     """Return a comparison as a document.
 
@@ -35,6 +43,7 @@ def comparison_document(
     ----------
     corking : whether the bats are one bat unmodified, drilled, corked, ..., so that corking is answered too.
     interval_is : what the intervals hold, in words.
+    tested : every bat held against the rules, in the comparison's order; none: no rules were asked.
     """
     reference = comparison.reference.analysis
     its = sport(reference.bat.sport)
@@ -47,18 +56,29 @@ def comparison_document(
     )  # fmt: skip
     notes: list[Words] = [
         assumptions(comparison, by_law=interval_is == INTERVAL_MEANS),
-        *([BBCOR_OF_PLAY] if isinstance(reference.bat, Bat) else []),
+        *([BBCOR_OF_PLAY.format(where=WITH_RULES if tested else WITHOUT)] if isinstance(reference.bat, Bat) else []),
     ]
     return Document(
         name="compare", title=f"One {tool}" if number == 1 else f"{number} {tool}s, one player",
         subtitle=_effort(comparison), kind="Comparison",
         blocks=[
             *map(Paragraph, words), picture, _things(comparison.compared), _in_play(comparison.compared),
+            *([legality_table([(one.label, test) for one, test in zip(comparison.compared, tested, strict=True)])]
+              if tested else []),
             *(Paragraph(note, "note") for note in notes),
         ],
-        data=comparison_json(comparison, [read(sentence, reading) for sentence in words], interval_is),
+        data=_data(comparison, [read(sentence, reading) for sentence in words], interval_is, tested),
         rows=as_columns(comparison_rows(comparison)), reader=reading, drawing=picture,
     )  # fmt: skip
+
+
+def _data(
+    comparison: Comparison[Implement], words: Sequence[str], interval_is: str, tested: Sequence[TestedBat]
+) -> dict[str, Any]:
+    data = comparison_json(comparison, words, interval_is)
+    for bat, test in zip(data["bats"], tested, strict=False):
+        bat["rules"] = cleaned(legality_json(test))
+    return data
 
 
 def _effort(comparison: Comparison[Implement]) -> str:

@@ -22,7 +22,7 @@ from sweetspot.report.document import (
     Table,
 )
 from sweetspot.report.json_shapes import as_columns
-from sweetspot.report.player.goal_words import GOALS, goal_shown, goal_words
+from sweetspot.report.player.goals import GOALS, goal_shown, goal_words
 from sweetspot.report.player.numbers import option_rows, player_json
 from sweetspot.report.player.pair_words import pairs_table
 from sweetspot.report.player.words import (

@@ -7,10 +7,10 @@ from typing import Any
 
 from sweetspot.motion.swing_law import Interval
 from sweetspot.player.advice import PLACES, Advice, Option
-from sweetspot.player.bat_pairs import Pair
 from sweetspot.player.posterior import Learned, Posterior
 from sweetspot.player.prior import PARAMETERS
 from sweetspot.player.swings import Swings
+from sweetspot.player.swung_pairs import Pair
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.player.words import answers, findings

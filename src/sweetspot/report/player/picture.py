@@ -25,7 +25,7 @@ from sweetspot.report.pictures.style import (
     light_grid,
     styled,
 )
-from sweetspot.report.player.goal_words import GOALS, goal_words
+from sweetspot.report.player.goals import GOALS, goal_words
 from sweetspot.report.player.words import changes
 from sweetspot.report.quantities import BLUE, GREEN, RED, SKY, US, Reader, Unit
 from sweetspot.report.sentences import Slot, say, within

@@ -11,7 +11,7 @@ from sweetspot.player.goal import Goal
 from sweetspot.player.posterior import Posterior
 from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Table
 from sweetspot.report.json_shapes import as_columns, cleaned
-from sweetspot.report.player.goal_words import GOALS, goal_words
+from sweetspot.report.player.goals import GOALS, goal_words
 from sweetspot.report.sentences import Sentence, Slot, Words, say
 
 MEANS = (

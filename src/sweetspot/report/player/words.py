@@ -13,7 +13,7 @@ from sweetspot.player.advice import Advice, Option
 from sweetspot.player.posterior import Learned, Posterior
 from sweetspot.player.swings import Swings
 from sweetspot.player.swung import swung_bats
-from sweetspot.report.player.goal_words import goal_shown, goal_words
+from sweetspot.report.player.goals import goal_shown, goal_words
 from sweetspot.report.player.pair_words import of_those_swung
 from sweetspot.report.sentences import Sentence, Slot, Words, joined, say, within
 from sweetspot.units import INCH, MPH, OUNCE

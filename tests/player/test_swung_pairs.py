@@ -11,9 +11,9 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.motion.swing_law import Interval
-from sweetspot.player.bat_pairs import Pair, bat_pairs
 from sweetspot.player.goal import Goal
 from sweetspot.player.swung import Swung
+from sweetspot.player.swung_pairs import Pair, bat_pairs
 from sweetspot.report.document import Table
 from sweetspot.report.player.pair_words import of_those_swung, pairs_table
 from sweetspot.report.quantities import US

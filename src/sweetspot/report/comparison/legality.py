@@ -1,0 +1,68 @@
+"""Whether the bats of a comparison keep the rules: one row a bat."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from sweetspot.analysis.certification.rules import Verdict, title
+from sweetspot.report.certification.limits_shown import limit_shown, value_shown
+from sweetspot.report.certification.numbers import check_json
+from sweetspot.report.certification.tested_bat import TestedBat
+from sweetspot.report.document import Cell, Column, Marked, Table
+from sweetspot.report.sentences import Sentence, joined, say
+
+NAMED = {"solid_wood"}
+"""Rules whose value says nothing beside their name."""
+
+
+def legality_table(tested: Sequence[tuple[str, TestedBat]]) -> Table:
+    """Return the verdict on every bat, and which rules make it or stay open.
+
+    Parameters
+    ----------
+    tested : label and test of every bat.
+    """
+    columns = [Column("bat"), Column("rules of"), Column("verdict"), Column("why")]
+    rows: list[list[Cell]] = [[label, _leagues(one), verdict(one), reason(one)] for label, one in tested]
+    return Table("By the rules, as the model sees it; no certificate", columns, rows)
+
+
+def legality_json(tested: TestedBat) -> dict[str, Any]:
+    """Return the verdict on one bat with every rule behind it."""
+    checks = [check_json(league.key, check) for league, check in tested.checks]
+    return {"passed": tested.passed, "verdict": str(verdict(tested).words), "checks": checks}
+
+
+def verdict(tested: TestedBat) -> Marked:
+    """Return pass, fail or not decidable for all rules together, marked."""
+    if tested.failed:
+        return Marked("fail", "missed")
+    return Marked("pass", "hit") if tested.passed else Marked("not decidable", "")
+
+
+def reason(tested: TestedBat) -> Sentence:
+    """Return the rules that are broken; of a bat that breaks none the limit on its liveliness, and what stays open."""
+    if tested.failed:
+        return joined(
+            [
+                say("{rule} ({league})", rule=title(check.rule), league=league.name)
+                if check.rule.quantity in NAMED
+                else say("{rule} {value}, allowed {limit}", rule=title(check.rule),
+                         value=value_shown(check.rule.quantity, check.value), limit=limit_shown(check))
+                for league, check in tested.failed
+            ], "; ",
+        )  # fmt: skip
+    lively = [
+        say("{rule} of the test {value}, allowed {limit}", rule=title(check.rule),
+            value=value_shown(check.rule.quantity, check.value), limit=limit_shown(check))
+        for _, check in tested.checks
+        if check.verdict is Verdict.PASS and check.rule.quantity in ("bbcor", "bpf", "besr")
+    ]  # fmt: skip
+    left = [title(check.rule) for _, check in tested.checks if check.verdict is Verdict.NOT_DECIDABLE]
+    return joined([*lively, *([say("open: {rules}", rules=", ".join(left))] if left else [])], "; ")
+
+
+def _leagues(tested: TestedBat) -> str:
+    names = {league.key: league.name for league, _ in tested.checks}
+    return "; ".join(names.values())
