@@ -138,7 +138,7 @@ def test_every_bat_is_held_against_the_rules(run: Run, run_json: RunJson) -> Non
     code, text, _ = run("certify", "russell-b5", "--format", "json")
     certified = {check["quantity"]: check for check in json.loads(text)["checks"]}
     here = {check["quantity"]: check for check in bats[2]["checks"]}
-    assert code == 1 and here["bbcor"] == certified["bbcor"]
+    assert code == 1 and here["bbcor"].items() <= certified["bbcor"].items()
     _, out, _ = run("compare", "r161-ash", "corked-r161")
     words = " ".join(out.split())
     assert "one piece of solid wood (Major League" in words and "BBCOR of the test 0.49" in words

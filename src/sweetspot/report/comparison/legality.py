@@ -12,6 +12,8 @@ from sweetspot.report.certification.tested_bat import TestedBat
 from sweetspot.report.document import Cell, Column, Marked, Table
 from sweetspot.report.sentences import Sentence, joined, say
 
+TOLD = ("league", "quantity", "verdict", "value", "unit")
+"""Of a decided rule in the JSON."""
 NAMED = {"solid_wood"}
 """Rules whose value says nothing beside their name."""
 
@@ -29,8 +31,12 @@ def legality_table(tested: Sequence[tuple[str, TestedBat]]) -> Table:
 
 
 def legality_json(tested: TestedBat) -> dict[str, Any]:
-    """Return the verdict on one bat with every rule behind it."""
-    checks = [check_json(league.key, check) for league, check in tested.checks]
+    """Return the verdict on one bat with the rules behind it; `certify` tells their limits and sources."""
+    checks = [
+        {name: value for name, value in check_json(league.key, check).items() if name in TOLD}
+        for league, check in tested.checks
+        if check.verdict in (Verdict.PASS, Verdict.FAIL)
+    ]
     return {"passed": tested.passed, "verdict": str(verdict(tested).words), "checks": checks}
 
 
