@@ -4,25 +4,35 @@ from __future__ import annotations
 
 import doctest
 import re
-import shlex
 import tomllib
 from pathlib import Path
 
 import pytest
 
 from sweetspot.catalog.files.implement import implement_from_table
+from sweetspot.cli import main
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
+from tests.documented import (
+    DOCS,
+    EXIT_CODES,
+    LONG,
+    NEEDS_ONE_S_OWN,
+    PAGES,
+    arguments,
+    blocks,
+    command_lines,
+    is_parsed_only,
+    name_of,
+    write_files,
+)
+from tests.golden.commands import commands as golden_commands
+from tests.test_readme import COMMANDS as README_COMMANDS
 
-DOCS = Path(__file__).parents[1] / "docs"
-PAGES = sorted(path for path in DOCS.rglob("*.md") if not {"_build", "_generated"} & set(path.relative_to(DOCS).parts))
 NAMES = [str(path.relative_to(DOCS)) for path in PAGES]
-BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-
-
-def blocks(page: Path, language: str) -> list[str]:
-    return [found[2] for found in BLOCK.finditer(page.read_text(encoding="utf-8")) if found[1] == language]
+RUN_ELSEWHERE = {*golden_commands(), *(line.removeprefix("sweetspot ") for line in README_COMMANDS)}
+"""Command lines that other tests run: numbers that are kept, and the README."""
 
 
 def fences_blanked(text: str) -> str:
@@ -48,20 +58,52 @@ def test_bat_files_of_a_page(page: Path) -> None:
         assert least < rigid_body(beam_model(made)).mass < 1.3, made.name
 
 
-def command_lines() -> list[str]:
-    lines = (line for page in PAGES for text in blocks(page, "console") for line in text.splitlines())
-    return sorted({line.removeprefix("$ ") for line in lines if line.startswith("$ sweetspot ")})
+WITH_COMMANDS = [page for page in PAGES if command_lines(page)]
 
 
-@pytest.mark.parametrize("line", command_lines())
-def test_commands_are_understood(line: str) -> None:
-    """Each command line parses: command, options and the number of arguments exist. It is not run here."""
+def is_run_elsewhere(line: str) -> bool:
+    return re.sub(r" --format json| [>#].*", "", line.removeprefix("sweetspot ")) in RUN_ELSEWHERE
+
+
+@pytest.mark.parametrize("page", WITH_COMMANDS, ids=name_of)
+def test_commands_of_a_page_run(
+    page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """One after the other, as a reader would; only those in `tests.documented` that name their reason are not run."""
+    monkeypatch.chdir(tmp_path)
+    write_files(tmp_path, page)
+    for line in command_lines(page):
+        if is_parsed_only(line) or is_run_elsewhere(line):
+            continue
+        with pytest.raises(SystemExit) as stopped:
+            main(arguments(line))
+        captured = capsys.readouterr()
+        assert (stopped.value.code or 0) == EXIT_CODES.get(line.removeprefix("sweetspot "), 0), captured.err
+        assert captured.out or "wrote" in captured.err, line
+
+
+@pytest.mark.parametrize("line", sorted({one for page in PAGES for one in command_lines(page) if is_parsed_only(one)}))
+def test_commands_that_are_not_run_are_understood(line: str) -> None:
+    """Each parses: command, options and the number of arguments exist."""
     from sweetspot.cli.app import app
 
-    words = shlex.split(re.sub(r" (>|#).*", "", line))[1:]
+    words = arguments(line)
     command, bound, _ = app.parse_args(words, exit_on_error=False, print_error=False)
     assert command.__name__.replace("_", "-") == words[0]
     assert bound.args or bound.kwargs or len(words) == 1
+
+
+def test_every_reason_not_to_run_a_command_is_used() -> None:
+    lines = [line.removeprefix("sweetspot ") for page in PAGES for line in command_lines(page)]
+    unused = [
+        start for start in (*NEEDS_ONE_S_OWN, *LONG, *EXIT_CODES) if not any(line.startswith(start) for line in lines)
+    ]
+    assert not unused
+
+
+def test_python_blocks_are_examples_that_run() -> None:
+    """A block without ``>>>`` would be run by nobody."""
+    assert not [(name_of(page), text) for page in PAGES for text in blocks(page, "python") if ">>>" not in text]
 
 
 def test_every_page_is_reached_from_the_contents() -> None:

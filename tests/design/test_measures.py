@@ -7,11 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from sweetspot import analyse
+from sweetspot import analyse, catalog
+from sweetspot.analysis.two_way import varied
 from sweetspot.design.batter import FROM_TIP
 from sweetspot.design.measures import Bench
 from sweetspot.design.outline_curve import HANDLES, STATIONS, stations, waist
-from sweetspot.design.variables import TurnedSpace
+from sweetspot.design.variables import TurnedSpace, turned_space
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.units import INCH
 
@@ -80,3 +81,18 @@ def test_stations_follow_the_handles() -> None:
     assert waist(diameters)[0] == 0
     diameters[0, 7] = 0.04
     assert waist(diameters)[0] == pytest.approx(diameters[0, 6] - 0.04)
+
+
+def test_a_cup_leaves_a_rim_at_a_narrow_tip() -> None:
+    """A usual cup is 1.4 in wide; at a tip of 1.4 in it is narrower, in a table of variants as in a search."""
+    bat = catalog.bat("mlb-a")
+    profile = (*(station for station in bat.profile or () if station[0] < bat.length - 0.02), (bat.length, 1.4 * INCH))
+    narrow = bat.replaced(profile=profile, cup=None, mass=None, balance_point=None, moi=None)
+    space = turned_space(narrow)
+    numbers = np.array([one.start for one in space.variables])
+    numbers[-2] = 0.8 * INCH
+    outlines = space.outlines(numbers[None])
+    assert outlines.cup_diameter[0] == pytest.approx(0.95 * outlines.diameter[0, -1])
+    cupped = varied(narrow, {"cup_depth": 0.8 * INCH}, fill=catalog.material("cork"))
+    assert cupped.cup is not None and cupped.cup.diameter == pytest.approx(0.95 * 1.4 * INCH)
+    assert varied(cupped, {"cup_depth": 0.0}, fill=catalog.material("cork")).cup is None

@@ -16,7 +16,7 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.hands import gripped
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
-from sweetspot.equipment.bat import USUAL_CUP, Bat
+from sweetspot.equipment.bat import USUAL_CUP, WIDEST_CUP, Bat
 from sweetspot.equipment.material import Material
 from sweetspot.errors import InputError, SweetspotError
 from sweetspot.motion.swing import Conditions
@@ -185,7 +185,8 @@ def _with_cup(bat: Bat, depth: float) -> Bat:
         raise InputError(f"the cup is {depth:g} m deep; allowed is zero or more")
     if depth == 0:
         return bat.uncupped() if bat.cup is not None else bat
-    return bat.cupped(diameter=USUAL_CUP if bat.cup is None else bat.cup.diameter, depth=depth)
+    usual = min(USUAL_CUP, WIDEST_CUP * float(bat.diameter_at(bat.length)))
+    return bat.cupped(diameter=usual if bat.cup is None else bat.cup.diameter, depth=depth)
 
 
 def _with_mass(bat: Bat, mass: float) -> Bat:

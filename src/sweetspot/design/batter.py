@@ -122,7 +122,7 @@ def fitted_player(path: Path) -> dict[str, float]:
     InputError
         when the file is no such answer.
     """
-    text = read_text(path, most=MOST_BYTES, advice="give the file that fit-player --out writes, fit-player.json")
+    text = read_text(path, most=MOST_BYTES, advice="give the file that fit-player --out writes, player.json")
     try:
         found: Any = json.loads(text)
         parameters = found["parameters"]

@@ -13,7 +13,7 @@ from sweetspot.dynamics.batch.beams import SolidBats
 from sweetspot.dynamics.batch.reduction import ReducedBats, reduced_lines, reduced_outlines
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.equipment.ball import Ball
-from sweetspot.equipment.bat import USUAL_CUP, Bat, Cup
+from sweetspot.equipment.bat import USUAL_CUP, WIDEST_CUP, Bat, Cup
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
@@ -113,7 +113,7 @@ class TurnedSpace:
         nothing = np.zeros((count, 0))
         return SolidBats(
             self.present.material, place, diameter, density, np.broadcast_to(np.asarray(stiffness, float), (count,)),
-            np.where(cupped, self._cup, 0.0), np.where(cupped, depth, 0.0), nothing, nothing,
+            np.where(cupped, self._cups(diameter), 0.0), np.where(cupped, depth, 0.0), nothing, nothing,
         )  # fmt: skip
 
     def reduced(self, numbers: Array, *, ball: Ball) -> ReducedBats:
@@ -129,7 +129,7 @@ class TurnedSpace:
             "diameter": bats.diameter.max(axis=1),
             "handle": diameters[:, :GRIP].min(axis=1),
             "cup_depth": depth,
-            "cup_diameter": np.full(len(depth), self._cup),
+            "cup_diameter": self._cups(bats.diameter),
             "slope": slope,
             "bend": bend,
             "waist": waist(diameters),
@@ -163,9 +163,10 @@ class TurnedSpace:
     def _knob(self) -> float:
         return float(self.present.diameter_at(np.linspace(0.0, 0.03 * self.present.length, 31)).max())
 
-    @property
-    def _cup(self) -> float:
-        return USUAL_CUP if self.present.cup is None else self.present.cup.diameter
+    def _cups(self, diameter: Array) -> Array:
+        """Return the widths of the cups: the present one's, or the usual, and no more than their tips allow."""
+        wide = USUAL_CUP if self.present.cup is None else self.present.cup.diameter
+        return np.minimum(wide, WIDEST_CUP * diameter[:, -1])
 
 
 def turned_space(bat: Bat, *, deepest_cup: float = 1.0 * INCH, keep_grip: bool = False) -> TurnedSpace:

@@ -26,6 +26,8 @@ MOST_COEFFICIENTS = 10
 DIAMETER_RANGE = (0.005, 0.12)
 USUAL_CUP = 1.4 * INCH
 """m, width of a cup where none is named [our choice]."""
+WIDEST_CUP = 0.95
+"""Of the tip's diameter, which a cup of no named width leaves a rim of [our choice]."""
 IMPLAUSIBLE = "give it in the file's own unit, for example '2.5 in' or '64 mm'"
 
 

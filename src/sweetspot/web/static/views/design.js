@@ -106,7 +106,7 @@ export const view = {
       } else read(text);
     });
     const known = app.left.get("player")?.swings_csv;
-    return make("div", { className: "own" }, make("label", { htmlFor: "batter-file", textContent: "Or from swings (CSV, or fit-player.json)" }), file, wrong,
+    return make("div", { className: "own" }, make("label", { htmlFor: "batter-file", textContent: "Or from swings (CSV, or player.json of fit-player)" }), file, wrong,
       ...(known ? [button("The swings of the view Player", () => read(known))] : []));
   },
 
