@@ -14,8 +14,12 @@ from sweetspot.dynamics.hoop import barrel_range, hoop_frequency, hoop_modes
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import joined
 from sweetspot.dynamics.patch import contact_patch, patch_law, transform
+from sweetspot.dynamics.shell_elements import OF_V, OF_W, barrel_elements
+from sweetspot.dynamics.shell_kernel import STEP, UNKNOWNS, Solved, solved_walls
+from sweetspot.dynamics.wall_push import wall_pushes
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.material import Material
+from sweetspot.numerics.eigen import lowest
 
 INCH = 0.0254
 LAW = patch_law(catalog.ball())
@@ -165,3 +169,35 @@ def test_few_modes_and_their_static_correction_are_enough() -> None:
         for harmonics, axial in (((2, 3, 4), 5), ((2, 3, 4, 5, 6), 14))
     )  # fmt: skip
     assert few == pytest.approx(many, abs=2e-4)
+
+
+def test_the_kernel_solves_what_the_elements_are() -> None:
+    """Modes and give from whole matrices, by LAPACK, against the band's: no assembly or support is lost."""
+    line = beam_model(catalog.bat("double-wall"))
+    start, end = barrel_range(line)
+    shell = barrel_elements(line, (2, 5), start=start, elements=12, capped=True)
+    places = np.array([start + 0.05, 0.6, end])
+    pushes = wall_pushes(shell, places, np.array([0.012]))
+    solved = Solved(np.empty((1, 4)), np.empty((1, 3, 4)), np.empty((2, 3)))
+    assert solved_walls(shell.stiffness, shell.inertia, shell.held, pushes, solved)
+    size = STEP * (len(shell.edges) - 1) + UNKNOWNS - STEP
+    free = np.setdiff1d(np.arange(size), shell.held)
+    for row in range(2):
+        stiffness, inertia, push = np.zeros((size, size)), np.zeros((size, size)), np.zeros((3, size))
+        for e in range(len(shell.edges) - 1):
+            own = slice(STEP * e, STEP * e + UNKNOWNS)
+            stiffness[own, own] += shell.stiffness[row, e]
+            inertia[own, own] += shell.inertia[row, e]
+        for place in range(3):
+            for point, e in enumerate(pushes.element[place]):
+                push[place, STEP * e + np.array(OF_V)] += pushes.around[row, place, point] * pushes.plane[place, point]
+                push[place, STEP * e + np.array(OF_W)] += (
+                    pushes.outwards[row, place, point] * pushes.outward[place, point]
+                )
+        stiffness, inertia, push = stiffness[np.ix_(free, free)], inertia[np.ix_(free, free)], push[:, free]
+        give = np.einsum("pi,ip->p", push, np.linalg.solve(stiffness, push.T))
+        assert solved.give[row] == pytest.approx(give, rel=1e-9)
+        if row == 0:
+            squares, vectors = lowest(stiffness, inertia, first=0, last=3)
+            assert solved.squares[0] == pytest.approx(squares, rel=1e-10)
+            assert np.abs(solved.felt[0]) == pytest.approx(np.abs(push @ vectors), rel=1e-8, abs=1e-9)

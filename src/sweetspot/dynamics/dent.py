@@ -203,13 +203,21 @@ def _work(give: Array, waves: Array, patch: float) -> Array:
     return np.asarray(work)
 
 
-def blunting(patch: float, *, bending: float, shearing: float) -> float:
+def blunting(patch: Array | float, *, bending: Array | float, shearing: Array | float) -> Array:
     """Return how much less a beam gives way under a patch than under a push at one point, m/N.
 
     Beside the point its deflection is less by S |x| / 2 - B |x|^3 / 12 (shear and bending compliances S and B); this is
     the mean over pairs of places with weights 1 - (x/a)^2.
     """
+    once, cubed = _mean_distances()
+    return np.asarray(shearing * patch * once / 2 - bending * np.power(patch, 3) * cubed / 12)
+
+
+@cache
+def _mean_distances() -> tuple[float, float]:
+    """Return the means of |x - y| and of its cube over pairs of places in a patch of radius 1."""
     nodes, weights = FINE
     weights = weights * (1 - nodes**2)
-    apart = patch * np.abs(nodes[:, None] - nodes)
-    return float(weights @ (shearing * apart / 2 - bending * apart**3 / 12) @ weights / weights.sum() ** 2)
+    apart = np.abs(nodes[:, None] - nodes)
+    once, cubed = (float(weights @ apart**power @ weights / weights.sum() ** 2) for power in (1, 3))
+    return once, cubed

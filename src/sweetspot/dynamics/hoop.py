@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import repeat
 
 import numpy as np
 
@@ -11,8 +10,11 @@ from sweetspot.dynamics.beam import BeamModel, line_of_bat
 from sweetspot.dynamics.long_tube import local_compliance
 from sweetspot.dynamics.modes import Family, Modes, Surface
 from sweetspot.dynamics.patch import ByPatch, PatchLaw, transform
-from sweetspot.dynamics.shell_elements import PatchPoints, ShellHarmonic, shell_harmonic
+from sweetspot.dynamics.shell_elements import ShellElements, barrel_elements
+from sweetspot.dynamics.shell_kernel import Pushes, Solved, solved_walls
 from sweetspot.dynamics.wall import wall_stiffness
+from sweetspot.dynamics.wall_push import wall_pushes
+from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.piecewise import Piecewise, cubic_spline
 
@@ -55,18 +57,17 @@ def hoop_modes(
     a cap the tip is free. At the handle's end the taper holds it round. Damping is the material's ratio.
     """
     start, end = barrel_range(line)
-    shells = [
-        shell_harmonic(line, n, start=start, elements=elements, capped=is_capped(line))
-        for n in (*harmonics, *STATIC_HARMONICS)
-    ]
-    solved = [shell.modes(axial_modes) for shell in shells[: len(harmonics)]]
-    omega = np.sqrt(np.concatenate([squares for squares, _ in solved]))
     grid = np.linspace(start, end, GRID)
-    tables = [_felt(shells, solved, shells[0].patch_points(grid, radius)) for radius in law.radii]
-    local = [_local(line, grid, radius) for radius in law.radii]
-    left_out = np.stack([table.left_out + own for table, own in zip(tables, local, strict=True)], axis=1)
+    shell = barrel_elements(
+        line, (*harmonics, *STATIC_HARMONICS), start=start, elements=elements, capped=is_capped(line)
+    )
+    solved = _solved(shell, wall_pushes(shell, grid, law.radii), followed=len(harmonics), modes=axial_modes)
+    omega = np.sqrt(solved.squares.ravel())
     order = np.argsort(omega)
-    shapes = np.stack([table.shapes[:, order] for table in tables], axis=1)
+    by_patch = (len(law.radii), GRID)
+    left_out = solved.give.sum(axis=0) - np.einsum("npm,nm->p", solved.felt**2, 1 / solved.squares)
+    left_out = left_out.reshape(by_patch).T + _local(line, grid, law.radii)
+    shapes = solved.felt.transpose(1, 0, 2).reshape(*by_patch, -1)[..., order].swapaxes(0, 1)
     felt = ByPatch(law, _over_the_whole_bat(grid, shapes, line.bat.length))
     families: list[Family] = ["hoop"] * len(omega)
     return Modes(
@@ -95,33 +96,26 @@ class OtherPatch:
         return self.felt(position, closing_speed) - self.felt(position)
 
 
-@dataclass(frozen=True)
-class _Felt:
-    """Under a patch of one radius: shapes (places, modes), and the give that they leave out (places,), m/N."""
-
-    shapes: Array
-    left_out: Array
-
-
-def _felt(shells: list[ShellHarmonic], solved: list[tuple[Array, Array]], points: PatchPoints) -> _Felt:
-    shapes, left_out = [], np.zeros(len(points.outer))
-    for shell, found in zip(shells, [*solved, *repeat(None, len(shells) - len(solved))], strict=True):
-        push = shell.push(points)
-        left_out += shell.static_compliance(push)
-        if found is not None:
-            squares, vectors = found
-            felt = push @ vectors
-            left_out -= felt**2 @ (1 / squares)
-            shapes.append(felt)
-    return _Felt(np.hstack(shapes), left_out)
+def _solved(shell: ShellElements, pushes: Pushes, *, followed: int, modes: int) -> Solved:
+    """Return so many modes of the first harmonics that are followed, and what all harmonics give way under pushes."""
+    count = len(pushes.element)
+    solved = Solved(
+        np.empty((followed, modes)), np.empty((followed, count, modes)), np.empty((len(shell.harmonics), count))
+    )
+    if not solved_walls(shell.stiffness, shell.inertia, shell.held, pushes, solved):
+        raise InputError(
+            f"the wall of {shell.line.bat.name} cannot be solved: its stiffness or mass is not positive; check its "
+            "thickness and material"
+        )
+    return solved
 
 
-def _local(line: BeamModel, grid: Array, radius: float) -> Array:
-    """Return the give in harmonics 0 and 1 at places in m."""
+def _local(line: BeamModel, grid: Array, radii: Array) -> Array:
+    """Return the give in harmonics 0 and 1 at places in m under patches, shape (places, radii)."""
     places = np.linspace(grid[0], grid[-1], LOCAL_PLACES)
     outer = np.asarray(line_of_bat(line).diameter_at(places)) / 2
-    local = local_compliance(wall_stiffness(line, places), outer=outer, patch=radius)
-    return np.asarray(np.interp(grid, places, local))
+    local = local_compliance(wall_stiffness(line, places), outer=outer, radii=radii)
+    return np.stack([np.interp(grid, places, one) for one in local.T], axis=1)
 
 
 def ring_felt(line: BeamModel, *, harmonic: int, patch: float) -> float:
@@ -147,8 +141,9 @@ def barrel_range(line: BeamModel) -> tuple[float, float]:
 
 def hoop_frequency(line: BeamModel) -> float:
     """Return the frequency in Hz of the lowest hoop mode of a hollow bat's barrel."""
-    shell = shell_harmonic(line, 2, start=barrel_range(line)[0], elements=ELEMENTS, capped=is_capped(line))
-    return float(np.sqrt(shell.modes(1)[0][0]) / (2 * np.pi))
+    shell = barrel_elements(line, HARMONICS[:1], start=barrel_range(line)[0], elements=ELEMENTS, capped=is_capped(line))
+    nowhere = wall_pushes(shell, np.empty(0), np.empty(0))
+    return float(np.sqrt(_solved(shell, nowhere, followed=1, modes=1).squares[0, 0]) / (2 * np.pi))
 
 
 def _barrel_radius(line: BeamModel) -> float:

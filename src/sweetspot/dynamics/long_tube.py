@@ -29,59 +29,72 @@ SLOWER = 0.02
 """k R at which the tube's bending compliance is read off."""
 
 
-def local_compliance(wall: WallSection, *, outer: Array, patch: float) -> Array:
-    """Return c in m/N at the places of a wall, shape (places,).
+def local_compliance(wall: WallSection, *, outer: Array, radii: Array) -> Array:
+    """Return c in m/N at the places of a wall under patches, shape (places, radii).
 
     Parameters
     ----------
     outer : radius of the outside there, m, shape (places,).
-    patch : radius in m of the ball's contact, > 0.
+    radii : of the ball's contact, m, > 0, shape (radii,).
     """
     law = np.block([[wall.stretching, wall.coupling], [wall.coupling, wall.bending]]) * EVEN_PART
-    return np.array([
-        _one(stiffness, middle, outside, patch)
-        for stiffness, middle, outside in zip(law, wall.mean_radius, outer, strict=True)
-    ])  # fmt: skip
-
-
-def _one(law: Array, middle: float, outer: float, patch: float) -> float:
     nodes, weights = GAUSS
     half, centre = np.diff(EDGES) / 2, (EDGES[1:] + EDGES[:-1]) / 2
+    middle = wall.mean_radius[:, None]
     waves = np.concatenate([[SLOWEST], (centre[:, None] + half[:, None] * nodes).ravel()]) / middle
     weights = np.concatenate([[SLOWEST], (half[:, None] * weights).ravel()]) / middle  # constant below the slowest
-    breathing = _work(0, law, waves, middle, outer, patch)
-    shifting = _work(1, law, waves, middle, outer, patch)
-    bending, shearing = _beam(law, middle, outer)
-    beam = transform(patch * waves) ** 2 * (bending / waves**4 + shearing / waves**2)
-    blunt = blunting(patch, bending=bending, shearing=shearing)
-    return float((breathing + shifting - beam) @ weights / np.pi - blunt)
+    bending, shearing = _beam(law, middle, outer[:, None])
+    tube = sum(work(law, waves, middle, outer[:, None], radii) for work in (_breathing, _shifting))
+    beam = transform(radii[:, None, None] * waves) ** 2 * (bending / waves**4 + shearing / waves**2)
+    blunt = blunting(radii, bending=bending, shearing=shearing)
+    return np.asarray(np.sum((tube - beam) * weights, axis=-1).T / np.pi - blunt)
 
 
-def _beam(law: Array, middle: float, outer: float) -> tuple[float, float]:
-    """Return B in 1/(N m^2) and S in 1/N of the tube under slow waves, pushed at a point."""
+def _beam(law: Array, middle: Array, outer: Array) -> tuple[Array, Array]:
+    """Return B in 1/(N m^2) and S in 1/N of the tube under slow waves, pushed at a point; shapes (places, 1)."""
     slow = np.array([SLOWER, SLOWEST]) / middle
-    give = _work(1, law, slow, middle, outer, 0.0)
-    bending, shearing = np.linalg.solve(np.stack([slow**-4.0, slow**-2.0], axis=1), give)
-    return float(bending), float(shearing)
+    give = _shifting(law, slow, middle, outer, np.zeros(1))[0]
+    both = np.linalg.solve(np.stack([slow**-4.0, slow**-2.0], axis=-1), give[..., None])
+    return both[:, 0], both[:, 1]
 
 
-def _work(n: int, law: Array, waves: Array, middle: float, outer: float, patch: float) -> Array:
-    """Return the work of harmonic ``n`` under the pressure of 1 N along the ball's path, m/N times 1/m, by wave."""
-    strain = np.zeros((len(waves), 6, 3))  # of (U sin kx, V cos kx, W cos kx)
-    strain[:, 0, 0] = waves
-    strain[:, 1, 1], strain[:, 1, 2] = n / middle, 1 / middle
-    strain[:, 2, 0], strain[:, 2, 1] = -n / middle, -waves
-    strain[:, 3, 2] = waves**2
-    strain[:, 4, 1], strain[:, 4, 2] = n / middle**2, n**2 / middle**2
-    strain[:, 5, 0], strain[:, 5, 1], strain[:, 5, 2] = (
-        n / (2 * middle**2),
-        -1.5 * waves / middle,
-        -2 * n * waves / middle,
-    )
-    stiffness = np.einsum("kai,ab,kbj->kij", strain, law, strain) * np.pi * middle
-    before, after = (transform(patch * np.hypot(m / outer, waves)) for m in (n - 1, n + 1))
-    outwards, around, lift = (before + after) / 2, (after - before) / 2, (outer - middle) / middle
-    push = np.stack([np.zeros_like(waves), around * (1 + lift), outwards + around * n * lift], axis=1)
-    if n == 0:  # no twist
-        stiffness, push = 2 * stiffness[:, [0, 2]][:, :, [0, 2]], push[:, [0, 2]]
-    return np.asarray(np.einsum("ki,ki->k", push, np.linalg.solve(stiffness, push[..., None])[..., 0]))
+def _breathing(law: Array, waves: Array, middle: Array, outer: Array, radii: Array) -> Array:
+    """Return the work of harmonic 0 under pressures of 1 N along the ball's path, m/N times 1/m, by wave.
+
+    Parameters
+    ----------
+    law : stiffnesses of the wall, shape (places, 6, 6).
+    waves : k in 1/m, shape (places, waves).
+    middle, outer : radii of the wall's middle and of the outside, m, shape (places, 1).
+    radii : of the patches, m, shape (radii,); the answer has shape (radii, places, waves).
+    """
+    strain = np.zeros((*waves.shape, 6, 2))  # of (U sin kx, W cos kx); there is no twist
+    strain[..., 0, 0] = waves
+    strain[..., 1, 1], strain[..., 3, 1] = 1 / middle, waves**2
+    outwards = transform(radii[:, None, None] * np.hypot(1 / outer, waves))
+    return _work(2 * law, strain, middle, np.stack([np.zeros_like(outwards), outwards], axis=-1))
+
+
+def _shifting(law: Array, waves: Array, middle: Array, outer: Array, radii: Array) -> Array:
+    """Return the work of harmonic 1; see `_breathing`.
+
+    With R the middle's radius the unknowns are U + k R V, V + W and (k R)^2 W instead of U sin kx, V cos kx and
+    W cos kx: a section that is only shifted, which costs nothing, is then one of them alone, and rounding does not
+    drown it.
+    """
+    turn = waves * middle
+    strain = np.zeros((*waves.shape, 6, 3))
+    strain[..., 0, 0], strain[..., 0, 1], strain[..., 0, 2] = waves, -waves * turn, 1 / middle
+    strain[..., 1, 1], strain[..., 2, 0] = 1 / middle, -1 / middle
+    strain[..., 3, 2], strain[..., 4, 1] = 1 / middle**2, 1 / middle**2
+    strain[..., 5, 0], strain[..., 5, 1] = 1 / (2 * middle**2), -2 * waves / middle
+    before, after = (transform(radii[:, None, None] * np.hypot(m / outer, waves)) for m in (0, 2))
+    around = (after - before) / 2 * outer / middle
+    return _work(law, strain, middle, np.stack([np.zeros_like(before), around, before / turn**2], axis=-1))
+
+
+def _work(law: Array, strain: Array, middle: Array, push: Array) -> Array:
+    """Return p^T K^-1 p of a ring of wall: pushes of shape (radii, places, waves, unknowns)."""
+    stiffness = strain.swapaxes(-1, -2) @ law[:, None] @ strain * np.pi * middle[..., None, None]
+    moved = np.linalg.solve(stiffness, np.moveaxis(push, 0, -1))
+    return np.asarray(np.einsum("rpwi,pwir->rpw", push, moved))

@@ -108,13 +108,8 @@ export class TapPlace {
     this.words.textContent = "Listening to what was recorded …";
     let found = null;
     try {
-      found = await this.app.ask("own/tap", { ...this.app.state, recordings });
+      found = await this.answerTo({ ...this.app.state, recordings });
     } catch (fault) {
-      if (fault?.again) { // still being listened to
-        this.more = true;
-        await new Promise((done) => setTimeout(done, 1000));
-        return;
-      }
       this.heard();
       this.say(fault?.message ?? "The server does not answer; try again.");
       if (fault?.field === "upload") kept.recordings = [];
@@ -127,6 +122,18 @@ export class TapPlace {
     this.draw(this.app.answer);
     if (found.damping) this.app.setState({ tones: found.measured.map(([name, hertz, error]) => [name, tidy(hertz), tidy(error)]), damping: tidy(found.damping[0]), damping_error: tidy(found.damping[1]) });
     this.app.announce(`${found.taps.filter((one) => one.good).length} of ${found.taps.length} taps used.`);
+  }
+
+  // The same question until it is answered: with the taps that came meanwhile it would be another, begun from the start.
+  async answerTo(question) {
+    for (;;) {
+      try {
+        return await this.app.ask("own/tap", question);
+      } catch (fault) {
+        if (!fault?.again || this.signal.aborted) throw fault;
+        await new Promise((done) => setTimeout(done, 1000));
+      }
+    }
   }
 
   forget() {
