@@ -78,6 +78,6 @@ def test_hollow_bats(record: Callable[..., None]) -> None:
     readable = processor(lambda: [all_modes(one, ball()) for one in lines[:4]]) / 4
     record(
         f"{HOLLOW} hollow bats to all modes", f"{HOLLOW / seconds:,.0f} bats/s", goal="200 bats/s",
-        rival=f"processor time of one, {duration(ours)}: scikit-fem and LAPACK {duration(readable)}",
+        rival=f"processor time of one, {duration(ours)}: bending by scikit-fem and LAPACK {duration(readable)}",
         ratio=f"{readable / ours:.1f}",
     )  # fmt: skip

@@ -8,7 +8,7 @@ from typing import Any
 from playwright.sync_api import Page, expect
 
 Answered = Callable[..., int]
-PATIENT = 120_000
+PATIENT = 300_000
 """ms for what a search takes on a slow machine."""
 
 
