@@ -6,7 +6,6 @@ from dataclasses import replace
 from functools import cache
 
 import numpy as np
-from scipy.optimize import brentq
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of, hit_at
@@ -99,6 +98,8 @@ def turned_contact_time(*, bat: str, ball_mass: float, ball_speed: float, exit_s
 @cache
 def turned(bat: str, ball_mass: float, ball_speed: float, exit_speed: float) -> Impact:
     """Return the hit at the bat's best place whose bat speed sends the ball back at ``exit_speed``."""
+    from scipy.optimize import brentq  # here: a report's page names these computations and runs few
+
     analysis = shared.standard(bat)
     place, modes = analysis.sweet_spots.max_exit_speed, analysis.modes
     ball = catalog.ball().replaced(mass=ball_mass)

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scipy.optimize import minimize_scalar
-
 from sweetspot import catalog
 from sweetspot.collision.closed_form import collision_efficiency, exit_speed
 from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion, effective_mass
@@ -62,6 +60,8 @@ def _rigid_best(
     **line: float,
 ) -> tuple[float, float]:  # fmt: skip
     """Return place from the tip and exit speed; the bat of a ``line`` turns about its knob end."""
+    from scipy.optimize import minimize_scalar
+
     body = listed_body(**line)
 
     def speed(place: float) -> float:

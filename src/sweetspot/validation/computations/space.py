@@ -6,8 +6,6 @@ from functools import cache
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import brentq, least_squares
-from scipy.special import ndtri
 
 from sweetspot import catalog
 from sweetspot.collision.closed_form import exit_speed
@@ -43,6 +41,8 @@ def tangential_recoil(*, bat: str) -> float:
 
 def tee_spin(*, bat: str, bat_speed: float, launch_angle: float) -> float:
     """Return the backspin of a ball at rest that a level bat sends off at ``launch_angle``."""
+    from scipy.optimize import brentq
+
     model = _model(bat)
     place = model.bat.length - FROM_TIP
     swing = Swing(bat_speed=bat_speed, measured_at=place)
@@ -135,6 +135,7 @@ TRACKED_QUARTILES = (0.8257, 0.9114)
 @cache
 def _places_of_league(bat: str) -> tuple[float, float]:
     """Return mean and standard deviation of the distance from the tip that give the tracked quartiles, m."""
+    from scipy.optimize import least_squares
 
     def misfit(guess: Array) -> Array:
         return _percentiles(bat, guess[0] * INCH, guess[1] * INCH, np.array([25.0, 50.0])) - TRACKED_QUARTILES
@@ -145,6 +146,8 @@ def _places_of_league(bat: str) -> tuple[float, float]:
 
 def _percentiles(bat: str, mean: float, spread: float, wanted: Array) -> Array:
     """Return percentiles over the 98th of what radars see of hits spread along the bat, shape of ``wanted``."""
+    from scipy.special import ndtri
+
     from_tip, speed = _along(bat)
     chance = (np.arange(4000) + 0.5) / 4000
     seen = np.interp(mean + spread * ndtri(chance), from_tip, speed) * (1 + _seen_spread())
