@@ -11,6 +11,7 @@ import subprocess
 import time
 from collections.abc import Callable, Coroutine, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
@@ -72,20 +73,27 @@ class Running:
         return int(re.findall(r"VmRSS:\s+(\d+)", status)[0]) / 1024
 
 
+@contextmanager
+def started() -> Iterator[tuple[str, subprocess.Popen[str]]]:
+    """Yield the address and the process of a server that has just said where it is."""
+    process = subprocess.Popen(command("app", "--port", "0", "--no-browser"), stderr=subprocess.PIPE, text=True)
+    assert process.stderr is not None
+    try:
+        yield re.findall(r"http://\S+", process.stderr.readline())[0].rstrip("/"), process
+    finally:
+        process.terminate()
+        process.communicate(timeout=10)
+
+
 @pytest.fixture(scope="module")
 def running() -> Iterator[Running]:
     begin = time.perf_counter()
-    words = command("app", "--port", "0", "--no-browser")
-    process = subprocess.Popen(words, stderr=subprocess.PIPE, text=True)
-    assert process.stderr is not None
-    address = re.findall(r"http://\S+", process.stderr.readline())[0].rstrip("/")
-    response = httpx.get(f"{address}/explorer", timeout=30)
-    start = time.perf_counter() - begin
-    assert response.status_code == 200
-    apart(_warm(address))
-    yield Running(address, process, start)
-    process.terminate()
-    process.communicate(timeout=10)
+    with started() as (address, process):
+        response = httpx.get(f"{address}/explorer", timeout=30)
+        start = time.perf_counter() - begin
+        assert response.status_code == 200
+        apart(_warm(address))
+        yield Running(address, process, start)
 
 
 @pytest.fixture(scope="module")
@@ -116,6 +124,25 @@ def test_start(benchmark: Any, record: Record, running: Running) -> None:
 def test_first_picture(benchmark: Any, record: Record, drawn: Any) -> None:
     measured(benchmark, lambda: None, 1)
     record("the page, opened to first picture", duration(drawn[1]), goal="1.5 s")
+
+
+def test_start_to_first_picture(benchmark: Any, record: Record, drawn: Any) -> None:
+    """From the command to the picture in a browser that is open already: the server has answered nobody before."""
+    browser = drawn[0].context.browser
+
+    def first_picture() -> float:
+        begin = time.perf_counter()
+        with started() as (address, _):
+            page = browser.new_page()
+            page.goto(f"{address}/explorer")
+            page.evaluate(FIRST)
+            waited = time.perf_counter() - begin
+            page.close()
+        return waited
+
+    waits = [first_picture() for _ in range(2 if QUICK else 5)]
+    measured(benchmark, lambda: None, 1)
+    record("sweetspot app, start to first picture", duration(min(waits)), goal="2.5 s")
 
 
 def test_slider_to_redraw(benchmark: Any, record: Record, drawn: Any) -> None:
