@@ -146,6 +146,24 @@ def test_third_parties_live_where_they_should() -> None:
     assert not wrong, "\n".join(wrong)
 
 
+SLOW_TO_LOAD = {f"scipy.{part}" for part in ("interpolate", "ndimage", "optimize", "signal", "stats")}
+"""Each costs a first answer a tenth of a second to half of one: a function that needs one loads it."""
+
+
+def test_no_module_loads_what_is_slow_to_load() -> None:
+    wrong = []
+    for path in files():
+        for node in ast.parse(path.read_text(encoding="utf-8")).body:
+            if isinstance(node, ast.Import):
+                names = {alias.name for alias in node.names}
+            elif isinstance(node, ast.ImportFrom):
+                names = {node.module or "", *(f"{node.module}.{alias.name}" for alias in node.names)}
+            else:
+                continue
+            wrong += [f"{path.relative_to(ROOT)} loads {name}" for name in names & SLOW_TO_LOAD]
+    assert not wrong, "\n".join(wrong)
+
+
 def test_no_module_is_named_like_its_function() -> None:
     """`from sweetspot.analysis import play` must never be a question of which one."""
     wrong = []

@@ -13,7 +13,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import least_squares
 
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.naming import NamedTone
@@ -105,6 +104,8 @@ def bar_modulus(bar: Bar, tones: Sequence[NamedTone]) -> BarModulus:
 
 def _solved(given: Array, heard: Sequence[tuple[int, Measured]]) -> Array:
     """Return ln E and ln E/G by least squares for sizes, weight, frequencies and expected ln E/G in this order."""
+    from scipy.optimize import least_squares
+
     length, width, thickness, mass = given[:4]
     tones, expected = given[4:-1], given[-1]
     density = mass / (length * width * thickness)

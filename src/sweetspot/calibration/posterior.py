@@ -13,7 +13,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import least_squares
 
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
@@ -183,6 +182,8 @@ def calibrate(line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequen
     InputError
         when nothing was measured, or no bat comes near the measurements.
     """
+    from scipy.optimize import least_squares
+
     if not measurements:
         raise InputError("nothing was measured; give at least a weight, a balance point, a pendulum's period or a tap")
     spreads = np.array([one.spread for one in unknowns])

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-import scipy.signal
 
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
@@ -105,6 +104,8 @@ def in_band(recording: Recording, band: Band) -> Recording:
 
     The high-pass is causal, so that nothing of a tap comes before it.
     """
+    import scipy.signal
+
     high = min(band.high, 0.45 * recording.rate)
     if band.low >= high:
         raise InputError(

@@ -13,9 +13,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.signal
 from numpy.typing import NDArray
-from scipy.optimize import least_squares
 
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.recording import Band
@@ -137,6 +135,7 @@ def _jacobian(parameters: Array, time: Array) -> Array:
 
 def _refined(parameters: Array, samples: Array, time: Array, *, trials: int) -> Array:
     """Return the least-squares parameters nearest to the given ones; fitted in log d: decays stay positive."""
+    from scipy.optimize import least_squares
 
     def unpacked(unknowns: Array) -> Array:
         rows = unknowns.reshape(-1, 4).copy()
@@ -240,6 +239,8 @@ def _with_errors(parameters: Array, left: Array, time: Array) -> tuple[Sinusoid,
 
 def _misfit(samples: Array, fitted: Array, rate: float, band: Band) -> float:
     """Return rms left over rms inside the band, of the part that holds nine tenths of the energy."""
+    import scipy.signal
+
     bandpass = scipy.signal.butter(4, (band.low, min(band.high, 0.46 * rate)), "bandpass", fs=rate, output="sos")
     left, whole = (scipy.signal.sosfiltfilt(bandpass, signal) for signal in (samples - fitted, samples))
     energy = np.cumsum(whole**2)

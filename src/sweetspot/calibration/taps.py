@@ -11,8 +11,6 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
-import scipy.linalg
-import scipy.ndimage
 
 from sweetspot.calibration.recording import Band, Recording, in_band
 from sweetspot.calibration.sinusoids import Fit, fit_sinusoids
@@ -173,6 +171,9 @@ def blows(samples: Array, rate: float) -> Array:
 
     A blow stands out of the 40 ms around it, and counts when it is no less than a tenth of the greatest.
     """
+    import scipy.linalg
+    import scipy.ndimage
+
     count = len(samples)
     if count < 4 * ORDER:
         return np.zeros(0)

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
-from scipy.optimize import minimize
 
 from sweetspot.analysis.certification.rules import League, applies
 from sweetspot.design.measures import MEASURES, Bench, weights_of
@@ -138,6 +137,8 @@ IN_PLAY = ("bat_speed", "swing_time")
 
 def _nearest(bench: Bench, limits: Sequence[Limit]) -> tuple[Array, float]:
     """Return the numbers that miss the limits by least, and their worst miss in grains (up to `INSIDE`: none)."""
+    from scipy.optimize import minimize
+
     variables = bench.space.variables
     low, high = (np.array([getattr(one, end) for one in variables]) for end in ("low", "high"))
     width = high - low

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.interpolate import PchipInterpolator
 
 from sweetspot.catalog.files.turned import HANDLE_START, KNOB, TIP
 from sweetspot.numerics.arrays import Array
@@ -43,6 +42,8 @@ def stations(diameters: Array, *, knob: Array, length: Array) -> tuple[Array, Ar
     diameters : at `HANDLES`, m, shape (n, 11).
     knob, length : diameter of the knob and length of the bat, m, shape (n,).
     """
+    from scipy.interpolate import PchipInterpolator
+
     curve = PchipInterpolator(HANDLES, diameters, axis=1)(SAMPLES)
     start = knob[:, None] * np.array([part for _, part in KNOB])
     end = diameters[:, -1:] * np.array([part for _, part in _ROUND])
@@ -51,6 +52,8 @@ def stations(diameters: Array, *, knob: Array, length: Array) -> tuple[Array, Ar
 
 def steepness(diameters: Array, *, length: Array) -> tuple[Array, Array]:
     """Return the steepest slope of the radius and its sharpest bend in 1/m between the handles, each of shape (n,)."""
+    from scipy.interpolate import PchipInterpolator
+
     curve = PchipInterpolator(HANDLES, diameters / 2, axis=1)
     slope = np.abs(curve(FINE, 1)).max(axis=1) / length
     bend = np.abs(curve(FINE, 2)).max(axis=1) / length**2

@@ -7,7 +7,6 @@ from contextlib import suppress
 from typing import Any
 
 import numpy as np
-from scipy.optimize import minimize
 
 from sweetspot.design.fronts import Question, measured_rows
 from sweetspot.design.limits import Limit
@@ -34,6 +33,8 @@ def polished(bench: Bench, question: Question, numbers: Array) -> tuple[Array, M
     ----------
     numbers : of a bat that keeps every limit that a drawing decides, shape (variables,).
     """
+    from scipy.optimize import minimize
+
     low, high = _ends(bench)
     begin = bench.measured(numbers)
     want, sign = question.wants[0], MEASURES[question.wants[0]].better

@@ -132,8 +132,7 @@ def _job_routes(api: APIRouter, view: View, jobs: Jobs) -> None:
 
 def _page_routes(app: FastAPI) -> None:
     files = static_files()
-    pages = {name: shell(files["index.html"]) for name in ("", *VIEWS)}
-    pages["docs"] = files["docs.html"]
+    pages = {**dict.fromkeys(("", *VIEWS), shell(files["index.html"])), "docs": files["docs.html"]}
 
     def hand_out(path: str, find: Callable[[str], File | None]) -> None:
         @app.api_route(path, methods=["GET", "HEAD"], include_in_schema=False)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import brentq
 
 from sweetspot.analysis.certification.simulated_test import BBCOR_SPEED, BPF_SPEED, bat_test, bpf
 from sweetspot.dynamics.beam import beam_model
@@ -59,6 +58,8 @@ def wall_that_passes(bat: Bat, *, ball: Ball, limit: float, measure: str = "bbco
     InputError
         for a solid bat, another measure, or when no wall up to `THICKEST` of the barrel's radius passes.
     """
+    from scipy.optimize import brentq
+
     if measure not in MEASURES:
         raise InputError(f"measure was given as {measure!r}; allowed are {' and '.join(MEASURES)}")
     if bat.shell is None:

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.stats
 
 from sweetspot.calibration.measured import REACH
 from sweetspot.calibration.uncertainty import expected_deviations
@@ -87,11 +86,15 @@ class Sources:
         ----------
         count : a power of two.
         """
+        import scipy.stats
+
         even = scipy.stats.qmc.Sobol(len(self.names), seed=seed).random(count)
         return np.asarray(scipy.stats.norm.ppf(np.clip(even, 1e-9, 1 - 1e-9)))
 
     def deviations(self, normal: Array) -> Array:
         """Return deviations from what was described for standard normal numbers, both of shape (count, n)."""
+        import scipy.stats
+
         count = len(self.unknowns)
         values, vectors = np.linalg.eigh(self.covariance)
         found = np.empty_like(normal)

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-import scipy.stats
-
 from sweetspot.analysis.certification.rules import Check, League, title
 from sweetspot.analysis.certification.shot_statistics import Estimate, Measured
 from sweetspot.calibration.draws.drawn_tests import RULED
@@ -66,6 +64,8 @@ def _chances(tested: TestedBat, answers: DrawnAnswers | None) -> Iterator[tuple[
 
 def _by_shots(estimate: Estimate, least: float | None, most: float | None) -> float:
     """Return the probability that the mean lies within limits: Student's t of the mean over its standard error."""
+    import scipy.stats
+
     law = scipy.stats.t(max(estimate.count - 1, 1), loc=estimate.mean, scale=estimate.standard_error)
     above = 1.0 if most is None else float(law.cdf(most))
     return above - (0.0 if least is None else float(law.cdf(least)))

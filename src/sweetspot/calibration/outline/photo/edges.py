@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.ndimage
-import scipy.signal
 
 from sweetspot.calibration.outline.photo.silhouette import Shape
 from sweetspot.numerics.arrays import Array
@@ -90,6 +88,8 @@ def _directions(start: Array, end: Array) -> tuple[Array, Array]:
 
 def _sampled(image: Array, places: Array) -> Array:
     """Return an image's values at (column, row) places, linear between pixels, shape (..., channels)."""
+    import scipy.ndimage
+
     coordinates = [places[..., 1], places[..., 0]]
     channels = image[..., None] if image.ndim == 2 else image
     values = [scipy.ndimage.map_coordinates(channels[..., k], coordinates, order=1, mode="nearest")
@@ -124,6 +124,8 @@ def _crossing(reach: Array, values: Array, level: float, near: int) -> float:
 
 def _flanks(pixels: Array, difference: Array, start: Array, end: Array, bat: Shape) -> tuple[Array, Array]:
     """Return the places of both edges across the axis, one pair per pixel of length."""
+    import scipy.ndimage
+
     along, across = _directions(start, end)
     place = np.arange(int(np.hypot(*(end - start)))) + 0.5
     half = BEYOND * bat.width.max() / 2 + 2 * NEAR_OUT[1]
@@ -172,6 +174,9 @@ def _refined(reach: Array, colours: Array, edge: Array) -> Array:
 
 def _smooth(edge: Array, window: int) -> Array:
     """Return an edge without outliers, smoothed by running parabolas."""
+    import scipy.ndimage
+    import scipy.signal
+
     running = scipy.ndimage.median_filter(edge, size=window, mode="nearest")
     off = np.abs(edge - running)
     limit = OUTLIER * max(float(np.median(off)), 0.1)

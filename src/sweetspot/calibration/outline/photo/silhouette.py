@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.ndimage
 from numpy.typing import NDArray
 
 from sweetspot.errors import InputError
@@ -59,6 +58,8 @@ class Shape:
 
 def find_shapes(difference: Array) -> Iterator[Shape]:
     """Yield the slender things that differ from the ground, by several thresholds."""
+    import scipy.ndimage
+
     factor = max(1, round(max(difference.shape) / COARSE))
     rows, columns = (size // factor * factor for size in difference.shape)
     coarse = difference[:rows, :columns].reshape(rows // factor, factor, columns // factor, factor).mean(axis=(1, 3))
