@@ -93,7 +93,7 @@ class OtherPatch:
         """Return the difference, 1/sqrt(kg), shape (..., modes)."""
         if closing_speed is None:
             return np.zeros((*np.shape(position), self.felt.tables.coefficients.shape[-1]))
-        return self.felt(position, closing_speed) - self.felt(position)
+        return self.felt.beyond_nominal(position, closing_speed)
 
 
 def _solved(shell: ShellElements, pushes: Pushes, *, followed: int, modes: int) -> Solved:

@@ -124,8 +124,15 @@ class ByPatch:
         ----------
         closing_speed : m/s, shape (n,) or one for all; None: that of `PATCH_SPEED`.
         """
+        return self.weighted(position, self.law.weights_at(closing_speed))
+
+    def beyond_nominal(self, position: Array, closing_speed: Array | float) -> Array:
+        """Return by how much the values differ from those at `PATCH_SPEED`; see `__call__`."""
+        return self.weighted(position, self.law.weights_at(closing_speed) - self.law.weights_at(None))
+
+    def weighted(self, position: Array, weights: Array) -> Array:
+        """Return the tables' sum with weights of shape (n, radii), or (radii,) for all places."""
         values = np.asarray(self.tables(position))
-        weights = self.law.weights_at(closing_speed)
         weights = np.broadcast_to(weights, (*np.shape(position), len(self.law.radii)))
         return np.asarray(np.einsum("...k,...km->...m", weights, values.reshape((*weights.shape, -1)))).reshape(
             (*np.shape(position), *values.shape[np.ndim(position) + 1 :])
