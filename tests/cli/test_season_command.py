@@ -27,7 +27,7 @@ def test_tables_in_answers_out(tmp_path: Path, capsys: pytest.CaptureFixture[str
     made_up(300).write_csv(table)
     assert run(table, "--try", "mlb-a", "--out", out) == 0
     shown = capsys.readouterr()
-    assert "300 rows in 1 files; 300 balls in play" in shown.out
+    assert "300 rows in one file; 300 balls in play" in shown.out
     balls = pl.read_parquet(out / "balls")
     assert len(balls) == 300
     assert {"umpire", "carry_ft", "home_run_here", "from_tip_in", "exit_speed_with_mlb_a_mph"} <= set(balls.columns)

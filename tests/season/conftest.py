@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import polars as pl
 import pytest
+
+from sweetspot.season.plan import Plan
+from sweetspot.season.season_table import Season, analyse_season, run_here, season_setting
 
 
 def made_up(count: int = 60, *, seed: int = 1, year: int = 2024) -> pl.DataFrame:
@@ -49,3 +54,43 @@ def table(tmp_path: Path) -> Callable[..., Path]:
         return path
 
     return write
+
+
+ROWS = 60
+"""Of a task: small tables, many tasks."""
+
+
+def files_of(folder: Path) -> dict[str, str]:
+    return {
+        str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
+        for path in sorted(folder.rglob("*.parquet"))
+    }
+
+
+@pytest.fixture(scope="session")
+def tables(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    folder = tmp_path_factory.mktemp("tables")
+    paths = [folder / "first.parquet", folder / "second.csv"]
+    made_up(300, seed=1).write_parquet(paths[0])
+    made_up(200, seed=2).with_columns(game_pk=pl.col("game_pk") + 1000).write_csv(paths[1])
+    return paths
+
+
+@pytest.fixture(scope="session")
+def compute(tables: list[Path]) -> Callable[..., Season]:
+    setting = season_setting(others=("mlb-a",))
+
+    def run(folder: Path, how: Callable[..., None] = run_here, resume: bool = False) -> Season:
+        def small(plan: Plan, progress: object) -> None:
+            how(replace(plan, task_rows=ROWS), progress)
+
+        return analyse_season(tables, setting=setting, folder=folder, run=small, resume=resume)
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def alone(compute: Callable[..., Season], tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    folder = tmp_path_factory.mktemp("alone")
+    compute(folder)
+    return files_of(folder)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
 import signal
+import socket
 from collections.abc import Callable
+from contextlib import ExitStack, suppress
 from functools import partial
 from pathlib import Path
 
@@ -15,47 +16,10 @@ import pytest
 from sweetspot.season.cluster import run_on_cluster
 from sweetspot.season.plan import Plan, do_task, is_done
 from sweetspot.season.season_table import Season, analyse_season, run_here, season_setting
-from tests.season.conftest import made_up
+from tests.season.conftest import files_of
 
-ROWS = 60
-
-
-def files_of(folder: Path) -> dict[str, str]:
-    return {
-        str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
-        for path in sorted(folder.rglob("*.parquet"))
-    }
-
-
-@pytest.fixture(scope="module")
-def tables(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    folder = tmp_path_factory.mktemp("tables")
-    paths = [folder / "first.parquet", folder / "second.csv"]
-    made_up(300, seed=1).write_parquet(paths[0])
-    made_up(200, seed=2).with_columns(game_pk=pl.col("game_pk") + 1000).write_csv(paths[1])
-    return paths
-
-
-@pytest.fixture(scope="module")
-def compute(tables: list[Path]) -> Callable[..., Season]:
-    setting = season_setting(others=("mlb-a",))
-
-    def run(folder: Path, how: Callable[..., None] = run_here, resume: bool = False) -> Season:
-        def small(plan: Plan, progress: object) -> None:
-            from dataclasses import replace
-
-            how(replace(plan, task_rows=ROWS), progress)
-
-        return analyse_season(tables, setting=setting, folder=folder, run=small, resume=resume)
-
-    return run
-
-
-@pytest.fixture(scope="module")
-def alone(compute: Callable[..., Season], tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
-    folder = tmp_path_factory.mktemp("alone")
-    compute(folder)
-    return files_of(folder)
+USUAL_PORT = 8787
+"""Of Dask's status."""
 
 
 def test_a_plan_has_every_row_once(alone: dict[str, str]) -> None:
@@ -63,8 +27,14 @@ def test_a_plan_has_every_row_once(alone: dict[str, str]) -> None:
 
 
 def test_a_worker_gives_the_same_bytes(compute: Callable[..., Season], alone: dict[str, str], tmp_path: Path) -> None:
-    """Two of them do so below."""
-    compute(tmp_path, partial(run_on_cluster, workers=1))
+    """Two of them do so below; another cluster on the usual port is no hindrance."""
+    with ExitStack() as held:
+        for host in ("127.0.0.1", "0.0.0.0"):
+            taken = held.enter_context(socket.socket())
+            with suppress(OSError):  # somebody has it already
+                taken.bind((host, USUAL_PORT))
+                taken.listen()
+        compute(tmp_path, partial(run_on_cluster, workers=1))
     assert files_of(tmp_path) == alone
 
 

@@ -50,8 +50,8 @@ def main(arguments: list[str] | None = None) -> None:
     except MemoryError:
         _complain("there is not enough memory for this; nothing was written. Ask for less at once")
         sys.exit(EXIT_BAD_INPUT)
-    except KeyboardInterrupt:
-        _complain("interrupted; nothing was written")
+    except KeyboardInterrupt as stopped:
+        _complain(str(stopped) or "interrupted; nothing was written")
         sys.exit(EXIT_INTERRUPTED)
     sys.exit(result if isinstance(result, int) else 0)
 

@@ -146,7 +146,11 @@ def season(
             )
 
     if output.out is not None:
-        return _answered(computed(output.out), output, player)
+        try:
+            return _answered(computed(output.out), output, player)
+        except KeyboardInterrupt:
+            words = f"interrupted; what is done lies in {output.out}, and --resume goes on"
+            raise KeyboardInterrupt(words) from None
     with temporary_folder() as folder:
         return _answered(computed(Path(folder)), output, player)
 

@@ -6,9 +6,12 @@ costs only the tasks under way; done again, or resumed, the answers are the same
 
 from __future__ import annotations
 
+import logging
+import signal
 from collections.abc import Callable
 from dataclasses import replace
 from importlib import import_module
+from multiprocessing import resource_tracker
 from typing import Any
 
 from sweetspot.errors import InputError
@@ -16,6 +19,8 @@ from sweetspot.season.answers import SeasonSetting
 from sweetspot.season.plan import Plan, Task, do_task, is_done
 
 Progress = Callable[[int, int], None]
+PATIENCE = "20s"
+"""How long a scheduler is waited for, at first and when it was lost."""
 TRIES = 5
 """How often a task is given out again when its worker died."""
 
@@ -46,17 +51,48 @@ def run_on_cluster(
     except ImportError:
         raise InputError("--workers and --scheduler need Dask; install sweetspot[cluster]") from None
     if scheduler is not None:
-        try:
-            with dask.Client(scheduler, timeout="20s") as client:
-                _run(plan, client, progress)
-        except OSError as error:
-            raise InputError(f"--scheduler was given as {scheduler}, and none answers there: {error}") from None
+        _run_there(plan, progress, scheduler)
         return
-    with (
-        dask.LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None, processes=True) as cluster,
-        dask.Client(cluster) as client,
-    ):
+    with _started(dask, workers) as cluster, dask.Client(cluster) as client:
         _run(plan, client, progress)
+
+
+def _started(dask: Any, workers: int) -> Any:
+    """Return a cluster of this machine whose workers know nothing of a Ctrl-C, which is this process' to answer.
+
+    Its status goes to the first free port, not the usual one: another cluster may have that.
+    """
+    holds = hasattr(signal, "pthread_sigmask")
+    if holds:
+        resource_tracker.ensure_running()  # it lets go of the signal when it starts
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT}) if holds else set()
+    try:  # what is held back here is held back in the processes that are started, too
+        return dask.LocalCluster(
+            n_workers=workers, threads_per_worker=1, processes=True, dashboard_address="127.0.0.1:0",
+            scheduler_kwargs={"dashboard": False}, silence_logs=logging.ERROR,
+        )  # fmt: skip
+    finally:
+        if holds:
+            signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+
+
+def _run_there(plan: Plan, progress: Progress | None, scheduler: str) -> None:
+    """Do all tasks on a cluster that runs already."""
+    dask: Any = import_module("distributed")
+    try:
+        client = dask.Client(scheduler, timeout=PATIENCE)
+    except OSError as error:
+        raise InputError(f"--scheduler was given as {scheduler}, and none answers there: {error}") from None
+    told = logging.getLogger("distributed.client")
+    level = told.level
+    told.setLevel(logging.CRITICAL)  # a lost scheduler is told below
+    try:
+        with client:
+            _run(plan, client, progress)
+    except OSError:
+        raise InputError(f"the scheduler {scheduler} was lost; what is done is kept, --resume goes on") from None
+    finally:
+        told.setLevel(level)
 
 
 def _run(plan: Plan, client: Any, progress: Progress | None) -> None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import re
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -127,7 +128,9 @@ def _write(frame: pl.DataFrame, path: Path, plan: Plan) -> None:
             os.fsync(file.fileno())
         waiting.replace(path)
     except (pl.exceptions.PolarsError, OSError) as error:
-        reason = (getattr(error, "strerror", None) or str(error)).lower()
+        told = re.search(r"\(os error (\d+)\)", str(error))
+        reason = os.strerror(int(told[1])) if told else getattr(error, "strerror", None) or str(error)
+        reason = reason.lower()
         raise InputError(f"{path} cannot be written: {reason}; make room, and go on with --resume") from None
     finally:
         with suppress(OSError):

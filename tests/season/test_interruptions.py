@@ -1,0 +1,163 @@
+"""Ctrl-C, a full disk and a lost scheduler lose nothing: --resume goes on, and the bytes are the same."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import distributed
+import pytest
+
+from sweetspot.cli import main
+from sweetspot.errors import InputError
+from sweetspot.season import cluster
+from sweetspot.season.cluster import run_on_cluster
+from sweetspot.season.plan import Plan, do_task
+from sweetspot.season.season_table import Season
+from tests.season.conftest import files_of, made_up
+
+ROOT = Path(__file__).parents[2]
+INTERRUPTED = 130
+STOPS = """
+import os, signal, sys
+from functools import partial
+from sweetspot.season import season_table
+
+def stops(done, rows):
+    if done < rows:
+        os.killpg(os.getpgrp(), signal.SIGINT)
+
+real = season_table.analyse_season
+season_table.analyse_season = lambda *given, **named: real(*given, **(named | {"progress": stops}))
+if __name__ == "__main__":
+    from sweetspot.cli import main
+    main(sys.argv[1:])
+"""
+"""The command, and a Ctrl-C to it and all its workers, as a terminal sends it, as soon as a task is done."""
+
+
+def season(*arguments: object) -> int:
+    with pytest.raises(SystemExit) as ended:
+        main(["season", *map(str, arguments), "--flight-only"])
+    return int(ended.value.code or 0)
+
+
+@pytest.fixture(scope="module")
+def months(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """Tables of four months; the last one is larger."""
+    folder = tmp_path_factory.mktemp("months")
+    paths = [folder / f"{number}.parquet" for number in range(4)]
+    for number, path in enumerate(paths):
+        made_up(3000 if number == 3 else 30, seed=number).write_parquet(path)
+    return paths
+
+
+@pytest.fixture(scope="module")
+def whole(months: list[Path], tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """What they give when nothing happens."""
+    folder = tmp_path_factory.mktemp("whole")
+    assert season(*months, "--out", folder) == 0
+    return files_of(folder)
+
+
+@pytest.mark.parametrize("workers", [0, 2])
+def test_ctrl_c_keeps_what_is_done(months: list[Path], whole: dict[str, str], tmp_path: Path, workers: int) -> None:
+    script, out = tmp_path / "stops.py", tmp_path / "out"
+    script.write_text(STOPS)
+    command = [sys.executable, script, "season", *months, "--out", out, "--flight-only", "--workers", workers]
+    ended = subprocess.run(
+        [*map(str, command)], capture_output=True, text=True, cwd=ROOT, start_new_session=True, check=False
+    )  # fmt: skip
+    assert ended.returncode == INTERRUPTED, ended.stderr
+    assert f"sweetspot: interrupted; what is done lies in {out}, and --resume goes on" in ended.stderr
+    assert "Traceback" not in ended.stderr
+    done = sorted((out / "balls").glob("[0-9]*.parquet"))
+    assert done
+    untouched = done[0].stat().st_mtime_ns
+    assert season(*months, "--out", out, "--resume") == 0
+    assert files_of(out) == whole and done[0].stat().st_mtime_ns == untouched
+
+
+@contextmanager
+def full_disk(most: int) -> Iterator[None]:
+    """No file can grow beyond so many bytes: the system itself refuses, as it does on a full disk."""
+    resource = pytest.importorskip("resource")
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (most, hard))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+
+
+def test_a_full_disk_keeps_what_is_done(
+    months: list[Path], whole: dict[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with full_disk(200_000):
+        assert season(*months, "--out", tmp_path) == 2
+    said = capsys.readouterr().err.splitlines()
+    assert len(said) == 1 and "cannot be written: file too large" in said[0] and "--resume" in said[0]
+    assert sorted(path.name for path in (tmp_path / "balls").iterdir()) == [
+        f"000{number}-0000000000.parquet" for number in range(3)
+    ]
+    assert season(*months, "--out", tmp_path, "--resume") == 0
+    assert files_of(tmp_path) == whole
+
+
+def kills(scheduler: Path, plan: Plan, task: object) -> int:
+    """Do a task; after the first one the scheduler dies by a real SIGKILL."""
+    rows = do_task(plan, task)  # type: ignore[arg-type]
+    if scheduler.exists():
+        number = int(scheduler.read_text())
+        scheduler.unlink()
+        os.kill(number, signal.SIGKILL)
+    return rows
+
+
+def hasty(make: Any, *given: Any, **named: Any) -> Any:
+    """Return a client that soon gives a lost scheduler up."""
+    client = make(*given, **named)
+    client._timeout = 1
+    return client
+
+
+def test_a_lost_scheduler_costs_nothing(
+    compute: Callable[..., Season], alone: dict[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told, number = tmp_path / "scheduler.json", tmp_path / "number"
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    start = partial(subprocess.Popen[bytes], stderr=subprocess.DEVNULL, env=environment, cwd=ROOT)
+    head = [sys.executable, "-m"]
+    scheduler = start([*head, "distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard",
+                       "--dashboard-address", "127.0.0.1:0", "--scheduler-file", told])  # fmt: skip
+    worker = start([*head, "distributed.cli.dask_worker", "--scheduler-file", told, "--no-nanny", "--nthreads", "1",
+                    "--no-dashboard", "--death-timeout", "60"])  # fmt: skip
+    try:
+        deadline = time.monotonic() + 120
+        while not told.exists() or not told.read_text():
+            assert time.monotonic() < deadline
+            time.sleep(0.05)
+        address = json.loads(told.read_text())["address"]
+        number.write_text(str(scheduler.pid))
+        monkeypatch.setattr(cluster, "_do", partial(kills, number))
+        monkeypatch.setattr(distributed, "Client", partial(hasty, distributed.Client))
+        with pytest.raises(InputError, match="was lost; what is done is kept, --resume goes on"):
+            compute(tmp_path / "out", partial(run_on_cluster, scheduler=address))
+    finally:
+        for process in (worker, scheduler):
+            process.kill()
+            process.wait()
+    done = sorted((tmp_path / "out" / "balls").glob("[0-9]*.parquet"))
+    assert 1 <= len(done) < 9
+    untouched = done[0].stat().st_mtime_ns
+    compute(tmp_path / "out", resume=True)
+    assert files_of(tmp_path / "out") == alone and done[0].stat().st_mtime_ns == untouched
