@@ -1,9 +1,13 @@
-"""Take the pictures of the page that the documentation shows: ``python tools/picture_page.py`` writes docs/pictures."""
+"""Take the pictures of the page that the documentation shows, or some of them, into docs/pictures.
+
+``python tools/picture_page.py [NAME…]``
+"""
 
 from __future__ import annotations
 
 import io
 import shutil
+import sys
 import threading
 import time
 from pathlib import Path
@@ -25,14 +29,19 @@ SHOTS = {
     "page-paper": ("/paper", "light", 1180, 900),
     "page-own": ("/own", "light", 1180, 900),
     "page-design": ("/design", "light", 1180, 900),
+    "page-season": ("/season", "light", 1180, 1130),
 }
 """Name of the picture: address, theme, width and height in pixels."""
+PRESSED = {"page-season": ("Look at a made-up season", "#view .facts")}
+"""What is pressed before a picture is taken, and what is there once that is done."""
+READING = 600_000
+"""ms that a reading may take, its kernels compiled first."""
 FLAGS = ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"]
 COLOURS = 256
 
 
-def main() -> None:
-    """Start a server, look at each view and keep what is seen."""
+def main(wanted: list[str]) -> None:
+    """Start a server, look at each view, or at those that are named, and keep what is seen."""
     opened = listening("127.0.0.1", 0)
     address = f"http://127.0.0.1:{opened.getsockname()[1]}"
     server = server_for()
@@ -41,11 +50,17 @@ def main() -> None:
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
         for name, (path, theme, width, height) in SHOTS.items():
+            if wanted and name not in wanted:
+                continue
             context = browser.new_context(viewport={"width": width, "height": height}, reduced_motion="reduce")
             context.add_init_script(f"localStorage.setItem('guided', 'yes'); localStorage.setItem('theme', '{theme}')")
             page = context.new_page()
             page.goto(address + path)
             page.locator("#view[data-answered]").wait_for()
+            if name in PRESSED:
+                words, there = PRESSED[name]
+                page.get_by_role("button", name=words).click()
+                page.locator(there).wait_for(timeout=READING)
             time.sleep(1.0)  # lists of bats and parks arrive after the first picture
             shot = Image.open(io.BytesIO(page.screenshot()))
             small = shot.convert("RGB").quantize(COLOURS, kmeans=3, dither=Image.Dither.NONE)
@@ -57,4 +72,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1:])

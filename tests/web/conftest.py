@@ -166,3 +166,17 @@ def taps(tmp_path_factory: pytest.TempPathFactory) -> Path:
     made = Recording("taps", 0.6 * samples / np.abs(samples).max(), sound.rate)
     path.write_bytes(recording_bytes(made, path))
     return path
+
+
+@pytest.fixture(scope="session")
+def balls(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A small made-up season of six hitters as a public export has it."""
+    import polars as pl
+
+    from sweetspot import catalog
+    from sweetspot.season.made_up import MadeSeason, made_season
+
+    path = tmp_path_factory.mktemp("balls") / "my balls.csv"
+    made = made_season(catalog.bat("r161-ash"), MadeSeason(players=6, balls=60))
+    made.select(pl.exclude("^true_.*$")).write_csv(path)
+    return path

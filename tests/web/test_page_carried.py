@@ -30,6 +30,7 @@ STARTS = {
     "player": "bat=mlb-b&goal=carry",
     "own": "bat=russell-b1&weighed_oz=31&balanced_in=22",
     "design": "bat=single-wall&contact_in=5",
+    "season": "bat=mlb-b&fence=oracle-park",
     "sports": "implement=cricket-bat&aside_in=0.5",
 }
 """An address of each view with what used to break the next one."""

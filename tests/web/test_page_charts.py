@@ -13,8 +13,8 @@ from sweetspot.web.views import VIEWS
 
 Answered = Callable[..., int]
 
-CHARTS = [name for name in VIEWS if name not in ("modes", "own")]
-"""Views with charts of curves, maps or points at once; the modes stand in a table anyway."""
+CHARTS = [name for name in VIEWS if name not in ("modes", "own", "season")]
+"""Views with charts of curves, maps or points at once; the modes stand in a table anyway, a season is read first."""
 SCROLLED = """new Promise((done) => {
   let last = NaN;
   const look = () => (scrollY === last ? done() : ((last = scrollY), requestAnimationFrame(look)));

@@ -121,8 +121,9 @@ def made_season(bat: Bat, made: MadeSeason | None = None, *, year: int = 2024, s
     out = np.zeros(count, bool)
     for number, name in enumerate(CLUBS):
         mine = club == number
-        far, _ = fence_at(_park(parks, name), np.clip(bearing[mine], -FOUL_LINE, FOUL_LINE))
-        out[mine] = carry[mine] > far
+        far, high = fence_at(_park(parks, name), np.clip(bearing[mine], -FOUL_LINE, FOUL_LINE))
+        above = (carry[mine] - far) * np.tan(flown[3][mine])  # a little more than it is: the way down is bent
+        out[mine] = above > high
     on_map = carry / FOOT / MAP_SCALE
     return table.with_columns(
         hc_x=pl.Series(HOME_X + on_map * np.sin(bearing)), hc_y=pl.Series(HOME_Y - on_map * np.cos(bearing)),
@@ -155,8 +156,8 @@ def _struck(
 
 def _flown(
     velocity: Array, spin: Array, how: MadeSeason, elevation: Array, rng: np.random.Generator
-) -> tuple[NDArray[np.bool_], Array, Array]:
-    """Return which balls came down, bearings, and carries with what single flights scatter by."""
+) -> tuple[NDArray[np.bool_], Array, Array, Array]:
+    """Return which balls came down, bearings, carries with what single flights scatter by, and angles of the fall."""
     from sweetspot.flight.air import air_density
 
     law = aerodynamics()
@@ -168,7 +169,8 @@ def _flown(
         BallMotions(velocity=np.nan_to_num(velocity), spin=np.nan_to_num(spin), position=(0.0, 2 * FOOT, 3 * FOOT)),
         FlightConditions(ball=catalogue_ball(), aerodynamics=changed, air=density),
     )
-    return found.landed, found.bearing, found.carry + rng.normal(0, 3.0, len(elevation)) * (found.hang_time > 1)
+    carry = found.carry + rng.normal(0, 3.0, len(elevation)) * (found.hang_time > 1)
+    return found.landed, found.bearing, carry, found.landing_angle
 
 
 def _park(parks: Sequence[Park], club: str) -> Park:

@@ -55,19 +55,25 @@ class Season:
 
     def balls(self) -> pl.LazyFrame:
         """Return the balls with all answers beside the tables' own columns; missing where a table lacks a column."""
-        return self._scan(BALLS)
+        return _scanned(self.folder / BALLS)
 
     def counted(self) -> pl.LazyFrame:
         """Return groups and measures of the balls, in SI."""
-        return self._scan(COUNTED)
+        return counted_in(self.folder)
 
     def ledger(self) -> pl.LazyFrame:
         """Return the reason of every row of every table."""
-        return self._scan(LEDGER)
+        return _scanned(self.folder / LEDGER)
 
-    def _scan(self, folder: str) -> pl.LazyFrame:
-        files = sorted((self.folder / folder).glob("[0-9]*.parquet"))
-        return pl.concat([pl.scan_parquet(file) for file in files], how="diagonal_relaxed")
+
+def counted_in(folder: Path) -> pl.LazyFrame:
+    """Return groups and measures of the balls whose answers lie in a folder, in SI."""
+    return _scanned(folder / COUNTED)
+
+
+def _scanned(folder: Path) -> pl.LazyFrame:
+    files = sorted(folder.glob("[0-9]*.parquet"))
+    return pl.concat([pl.scan_parquet(file) for file in files], how="diagonal_relaxed")
 
 
 def season_setting(

@@ -13,6 +13,7 @@ import threading
 import time
 from collections.abc import Callable
 from contextlib import suppress
+from dataclasses import dataclass
 from multiprocessing.connection import Connection
 from typing import Any
 
@@ -37,6 +38,20 @@ Say = Callable[..., None]
 """say(progress, keep): what the page is shown, and what is needed to go on."""
 Work = Callable[..., dict[str, Any]]
 """work(*arguments, after, say) gives the result; ``after``: what was kept when it was stopped, None: from the start."""
+
+
+@dataclass(frozen=True)
+class LongWork:
+    """What a view can have done.
+
+    Parameters
+    ----------
+    work : a function of a module, so that another process finds it.
+    arguments : from the view's checked state to what it is called with; in the server's own process.
+    """
+
+    work: Work
+    arguments: Callable[[Any], tuple[Any, ...]] = lambda state: (state,)
 
 
 class Look(BaseModel):
@@ -68,10 +83,10 @@ class Job:
         process = multiprocessing.get_context("spawn").Process(
             target=_run, args=(its, self._work, self._arguments, self._kept), daemon=True
         )
-        self.status, self._error, self._looked = "running", None, time.monotonic()
+        self._error, self._looked = None, time.monotonic()
         process.start()
         its.close()
-        self._process = process
+        self._process, self.status = process, "running"  # in this order: one that was stopped may still be ending
         threading.Thread(target=self._listen, args=(process, ours), daemon=True, name="job").start()
 
     def stop(self) -> None:

@@ -19,7 +19,7 @@ from sweetspot.web.answers import Answers, TooSlowError, answer_json
 from sweetspot.web.catalogue import catalogue_routes
 from sweetspot.web.errors import fault
 from sweetspot.web.files import File, shell, static_files
-from sweetspot.web.jobs import Jobs, job_routes
+from sweetspot.web.jobs import Jobs, LongWork, job_routes
 from sweetspot.web.limits import EMBEDDED_POLICY, Guard
 from sweetspot.web.schemas import REFUSALS, UNFINISHED
 from sweetspot.web.socket import Sockets
@@ -118,16 +118,17 @@ def _view_route(api: APIRouter, view: View, answers: Answers) -> None:
 
 
 def _job_routes(api: APIRouter, view: View, jobs: Jobs) -> None:
-    def route(name: str, work: Callable[..., dict[str, Any]]) -> None:
+    def route(name: str, asked: LongWork) -> None:
         def endpoint(state: Any, request: Request) -> dict[str, str]:
-            return {"job": jobs.start(request.client.host if request.client else "", work, state)}
+            client = request.client.host if request.client else ""
+            return {"job": jobs.start(client, asked.work, *asked.arguments(state))}
 
         endpoint.__annotations__["state"] = view.state
-        endpoint.__doc__ = work.__doc__
+        endpoint.__doc__ = asked.work.__doc__
         api.post(f"/{view.name}/{name}", name=f"{view.title}: {name}", tags=["long work"])(endpoint)
 
-    for name, work in view.jobs.items():
-        route(name, work)
+    for name, asked in view.jobs.items():
+        route(name, asked)
 
 
 def _page_routes(app: FastAPI) -> None:

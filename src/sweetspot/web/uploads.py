@@ -1,7 +1,7 @@
 """Files that a page hands in, piece by piece, into a folder of this server's own: sounds of taps, tables of a season.
 
 A name of ours stands for each file, never a path; what nobody used for an hour is thrown away, and everything is when
-the server ends. Nothing leaves this machine.
+the server ends. Nothing leaves this machine. What long work makes of files lies beside them, and can be taken away.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Request
+from fastapi.responses import FileResponse
 from pydantic import BaseModel, ConfigDict, Field
 
 from sweetspot.errors import InputError
@@ -29,8 +30,11 @@ FORGOTTEN = 3600.0
 """s after which a file that nobody used is thrown away."""
 SPARE = 500_000_000
 """Bytes of the disk that are never filled."""
-ENDINGS = (".csv", ".gz", ".parquet", ".wav", ".flac", ".ogg", ".mp3", ".aiff", ".txt")
+ENDINGS = (".csv", ".tsv", ".gz", ".parquet", ".wav", ".flac", ".ogg", ".mp3", ".aiff", ".txt")
 UploadKey = Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{16}$")]
+TAKEN_AWAY = "tables"
+"""Folder, among what is made of files, of what people may take away."""
+GONE = "that file is not here any more; hand it in again"
 
 
 class NewFile(BaseModel):
@@ -47,6 +51,7 @@ class _File:
     name: str
     path: Path
     size: int
+    of: tuple[str, ...] = ()
     taken: int = 0
     used: float = field(default_factory=time.monotonic)
 
@@ -69,12 +74,22 @@ class Uploads:
             self._forget()
             if len(self._files) >= MOST_FILES:
                 raise InputError(f"{MOST_FILES} files lie here already; close what is not needed, or wait")
-            self._folder = self._folder or Path(tempfile.mkdtemp(prefix="sweetspot-"))
-            if shutil.disk_usage(self._folder).free - new.size < SPARE:
+            folder = self._made()
+            if shutil.disk_usage(folder).free - new.size < SPARE:
                 raise FieldError("size", "there is not enough room on this machine's disk for that file")
             key = secrets.token_urlsafe(12)
             safe = "".join(one if one.isalnum() or one in "._-" else "_" for one in ending)[-20:]
-            self._files[key] = _File(Path(new.name).name, self._folder / f"{key}{safe}", new.size)
+            self._files[key] = _File(Path(new.name).name, folder / f"{key}{safe}", new.size)
+        return key
+
+    def begin_folder(self, of: tuple[str, ...]) -> str:
+        """Make a folder for what is made of some files, which are kept as long as it; return its key."""
+        with self._lock:
+            self._forget()
+            key = secrets.token_urlsafe(12)
+            path = self._made() / key
+            path.mkdir()
+            self._files[key] = _File(key, path, 0, of)
         return key
 
     def add(self, key: str, offset: int, piece: bytes) -> int:
@@ -90,9 +105,21 @@ class Uploads:
     def path_of(self, key: str) -> tuple[Path, str]:
         """Return where a whole file lies, and what it was called."""
         found = self._found(key)
+        if found.path.is_dir():
+            raise FieldError("upload", GONE)
         if found.taken != found.size:
             raise FieldError("upload", f"only {found.taken} of {found.size} bytes of that file have come")
         return found.path, found.name
+
+    def folder_of(self, key: str) -> Path:
+        """Return the folder of what was made of some files."""
+        found = self._found(key)
+        for file in found.of:
+            if file in self._files:
+                self._files[file].used = found.used
+        if not found.path.is_dir():
+            raise FieldError("upload", GONE)
+        return found.path
 
     def close(self) -> None:
         """Throw everything away."""
@@ -104,13 +131,21 @@ class Uploads:
     def _found(self, key: str) -> _File:
         found = self._files.get(key)
         if found is None:
-            raise FieldError("upload", "that file is not here any more; hand it in again")
+            raise FieldError("upload", GONE)
         found.used = time.monotonic()
         return found
 
+    def _made(self) -> Path:
+        self._folder = self._folder or Path(tempfile.mkdtemp(prefix="sweetspot-"))
+        return self._folder
+
     def _forget(self) -> None:
         for key in [key for key, one in self._files.items() if time.monotonic() - one.used > FORGOTTEN]:
-            self._files.pop(key).path.unlink(missing_ok=True)
+            path = self._files.pop(key).path
+            if path.is_dir():
+                shutil.rmtree(path, ignore_errors=True)
+            else:
+                path.unlink(missing_ok=True)
 
 
 UPLOADS = Uploads()
@@ -129,3 +164,15 @@ def upload_routes(api: APIRouter) -> None:
     async def add(key: str, offset: int, request: Request) -> dict[str, int]:
         """Take a piece of a file, as it is, from a place on."""
         return {"taken": UPLOADS.add(key, offset, await request.body())}
+
+    @api.get(
+        "/uploads/{key}/{name}", tags=["files"], response_class=FileResponse,
+        responses={200: {"content": {"application/octet-stream": {}}, "description": "The file."}},
+    )  # fmt: skip
+    def take_away(key: str, name: str) -> FileResponse:
+        """Return one of the tables that were made of files."""
+        folder = UPLOADS.folder_of(key) / TAKEN_AWAY
+        known = [path.name for path in folder.iterdir()] if folder.is_dir() else []
+        if name not in known:
+            raise FieldError("name", f"there is no file {name[:60]!r}; there are {', '.join(sorted(known)) or 'none'}")
+        return FileResponse(folder / name, filename=name, media_type="application/octet-stream")

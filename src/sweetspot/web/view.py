@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from sweetspot.web.jobs import LongWork
 from sweetspot.web.states import ViewState
 
 
@@ -33,4 +34,4 @@ class View:
     recipe: Callable[[Any], dict[str, str]] | None = None
     slow: tuple[ViewState, ...] = ()
     asides: Mapping[str, Callable[[Any], dict[str, Any]]] = field(default_factory=dict)
-    jobs: Mapping[str, Callable[..., dict[str, Any]]] = field(default_factory=dict)
+    jobs: Mapping[str, LongWork] = field(default_factory=dict)

@@ -16,6 +16,7 @@ from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.quantities import Reader
 from sweetspot.report.sentences import Sentence, Slot, say, within
 from sweetspot.season.counted import WITH
+from sweetspot.season.maps import known_sum
 from sweetspot.season.place_relation import PlaceRelation
 from sweetspot.season.rows import REASONS, USED
 from sweetspot.season.season_drag import DragOfMonth, drag_by_month
@@ -97,24 +98,29 @@ def season_document(report: SeasonReport) -> Document:
 def _headline(report: SeasonReport) -> list[Sentence]:
     season = report.season
     rows, used = season.found.rows, sum(counts[USED] for counts in season.found.counts)
-    told = [say("{rows} rows in {files} files; {used} balls in play with an exit speed.", rows=f"{rows:,}",
-                files=len(season.found.tables), used=f"{used:,}")]  # fmt: skip
+    told = [say("{rows} rows in {files}; {used} balls in play with an exit speed.", rows=f"{rows:,}",
+                files=_files(len(season.found.tables)), used=f"{used:,}")]  # fmt: skip
     means = _means(report.counted)
-    if np.isfinite(means.get("carry", np.nan)):
+    if np.isfinite(means["home_run_here"]) and np.isfinite(means["home_runs"]):
         told.append(say("Home runs: {expected} expected in the parks they were hit in, {real} hit.",
-                        expected=f"{means['home_run_here']:,.0f}", real=f"{means['home_runs']:,}"))  # fmt: skip
+                        expected=f"{means['home_run_here']:,.0f}", real=f"{means['home_runs']:,.0f}"))  # fmt: skip
     if np.isfinite(means.get("squared_up", np.nan)):
-        told.append(say(
-            "Squared up (0.80 of what the bat could give): {own} of the balls, against {bat}; {league} by the league's "
-            "formula, which knows no bat. Balls are met {distance} from the best place on average.",
-            own=Slot(means["squared_up"], "share"), bat=_bats(season), league=Slot(means["league_squared_up"], "share"),
-            distance=Slot(means["from_best"], "offset"),
-        ))  # fmt: skip
+        told.append(say("Squared up (0.80 of what the bat could give): {own} of the balls, against {bat}.",
+                        own=Slot(means["squared_up"], "share"), bat=_bats(season)))  # fmt: skip
+        if np.isfinite(means["league_squared_up"]):
+            told.append(say("By the league's formula, which knows no bat: {league}.",
+                            league=Slot(means["league_squared_up"], "share")))  # fmt: skip
+        told.append(say("Balls are met {distance} from the best place on average.",
+                        distance=Slot(means["from_best"], "offset")))  # fmt: skip
     if season.setting.contact is not None and season.setting.contact.relation.balls:
         told.append(_relation(season.setting.contact.relation))
     elif season.setting.contact is not None:
         told.append(Sentence(("No table has enough bat speeds, so nothing is told of bats.",)))
     return told
+
+
+def _files(count: int) -> str:
+    return "one file" if count == 1 else f"{count} files"
 
 
 def _bats(season: Season) -> str:
@@ -135,10 +141,11 @@ def _relation(relation: PlaceRelation) -> Sentence:
 
 def _means(counted: pl.LazyFrame) -> dict[str, float]:
     names = counted.collect_schema().names()
-    wanted = [name for name in ("carry", "squared_up", "league_squared_up", "from_best") if name in names]
+    wanted = [name for name in ("squared_up", "league_squared_up", "from_best") if name in names]
     row = counted.select(
-        *(pl.col(name).cast(pl.Float64).mean() for name in wanted), pl.col("home_run_here").cast(pl.Float64).sum(),
-        home_runs=(pl.col("event").str.to_lowercase().str.replace_all("[_ ]", "") == "homerun").sum(),
+        *(pl.col(name).cast(pl.Float64).mean() for name in wanted),
+        home_run_here=known_sum(pl.col("home_run_here").cast(pl.Float64)),
+        home_runs=known_sum(pl.col("event").str.to_lowercase().str.replace_all("[_ ]", "") == "homerun"),
     ).collect().row(0, named=True)  # fmt: skip
     return {name: np.nan if value is None else value for name, value in row.items()}
 

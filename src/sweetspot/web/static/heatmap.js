@@ -5,9 +5,11 @@
 //     x: { kind: "position_m", from: () => length, label: "from the tip" }, // from: optional, as in chart.js
 //     y: { kind: "offset_m", label: "ball above the axis" },
 //     z: { kind: "exit_speed_m_s" },
+//     lines: true,                                                         // of equal value; optional
 //     onPick(x, y, { last }) {},
 //   });
-//   map.draw({ x: [...], y: [...], z: [[...] per y], cross: [x, y], range: [0, 0.84], outline: [[x, y], ...] });
+//   map.draw({ x: [...], y: [...], z: [[...] per y], cross: [x, y], outline: [[x, y], ...],
+//              range: [0, 0.84], heights: [-0.05, 0.05] });              // what is shown; optional: from first to last
 //
 // Missing values are null and stay blank. All values are SI.
 
@@ -21,8 +23,8 @@ import { fromShown, kindOf, toShown, unitOf } from "./units.js";
 const HEAD = 22, FOOT = 34;
 
 export class HeatMap {
-  constructor(app, { label, title, height, x, y, z, zoom = null, onPick = null }) {
-    Object.assign(this, { app, title, tall: height, x, y, z, zoom, data: null, axis: x });
+  constructor(app, { label, title, height, x, y, z, zoom = null, lines = true, onPick = null }) {
+    Object.assign(this, { app, title, tall: height, x, y, z, zoom, lines, data: null, axis: x });
     this.surface = new Surface(app, { label, height: () => HEAD + height + FOOT, paint: (...all) => this.paint(...all) });
     this.element = this.surface.element;
     this.numbers = new Numbers("This map as a table", () => this.tabled());
@@ -63,8 +65,8 @@ export class HeatMap {
     };
   }
 
-  get range() { return this.zoom ? this.zoom.range : [this.data.x[0], this.data.x.at(-1)]; }
-  get height() { return [this.data.y[0], this.data.y.at(-1)]; }
+  get range() { return this.zoom ? this.zoom.range : this.data.range ?? [this.data.x[0], this.data.x.at(-1)]; }
+  get height() { return this.data.heights ?? [this.data.y[0], this.data.y.at(-1)]; }
   xAt(pixel) {
     const [low, high] = this.range;
     return low + Math.min(1, Math.max(0, (pixel - LEFT) / (this.surface.width - LEFT - RIGHT))) * (high - low);
@@ -92,7 +94,7 @@ export class HeatMap {
     context.rect(LEFT, HEAD, width - LEFT - RIGHT, this.tall);
     context.clip();
     this.paintCells(context, least, most);
-    this.paintLines(context, least, most);
+    if (this.lines) this.paintLines(context, least, most);
     if (this.data.outline) this.paintOutline(context);
     this.paintCross(context, colors);
     context.restore();
@@ -102,7 +104,8 @@ export class HeatMap {
 
   paintCells(context, least, most) {
     const { x, y, z } = this.data;
-    const edges = (values, i) => [(values[Math.max(0, i - 1)] + values[i]) / 2, (values[i] + values[Math.min(values.length - 1, i + 1)]) / 2];
+    const beside = (values, i) => values[i] ?? (i < 0 ? 2 * values[0] - values[1] : 2 * values.at(-1) - values.at(-2));
+    const edges = (values, i) => [(beside(values, i - 1) + values[i]) / 2, (values[i] + beside(values, i + 1)) / 2];
     y.forEach((one, row) => {
       const [below, above] = edges(y, row).map((value) => Math.round(this.up(value)));
       x.forEach((_, column) => {

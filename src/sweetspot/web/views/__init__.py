@@ -19,10 +19,23 @@ How to write one, say ``modes``:
 from __future__ import annotations
 
 from sweetspot.web.view import View
-from sweetspot.web.views import compare, design, explorer, flight, hit, modes, optimum, own, paper, player, sports
+from sweetspot.web.views import (
+    compare,
+    design,
+    explorer,
+    flight,
+    hit,
+    modes,
+    optimum,
+    own,
+    paper,
+    player,
+    season,
+    sports,
+)
 
 VIEWS: dict[str, View] = {
     view.name: view
     for view in (explorer.VIEW, hit.VIEW, modes.VIEW, compare.VIEW, flight.VIEW, optimum.VIEW, player.VIEW,
-                 own.VIEW, design.VIEW, sports.VIEW, paper.VIEW)
+                 own.VIEW, design.VIEW, season.VIEW, sports.VIEW, paper.VIEW)
 }  # fmt: skip

@@ -34,6 +34,7 @@ from sweetspot.units import INCH, MPH
 from sweetspot.web.bats import ball_of, reduced
 from sweetspot.web.drawings import bat_picture, outline
 from sweetspot.web.errors import FieldError, about
+from sweetspot.web.jobs import LongWork
 from sweetspot.web.recipes import bat_name, bat_text, swing_options
 from sweetspot.web.states import BatState
 from sweetspot.web.view import View
@@ -239,5 +240,5 @@ def recipe(state: DesignState) -> dict[str, str]:
 
 VIEW = View(
     "design", "Design", DesignState, answer, recipe, asides={"gain": gain, "files": files, "batter": batter},
-    jobs={"search": search},
+    jobs={"search": LongWork(search)},
 )  # fmt: skip

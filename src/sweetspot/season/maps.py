@@ -1,0 +1,137 @@
+"""Some of a season's balls: how many, how well they were hit, and where on the barrel and on the field."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+import polars as pl
+
+from sweetspot.numerics.arrays import Array
+from sweetspot.units import FOOT, INCH
+
+PLACES: Array = np.arange(0, 14.01, 0.5) * INCH
+OFFSETS: Array = np.arange(-2.4, 2.41, 0.3) * INCH
+"""m: edges of the barrel's boxes, from the tip and above the axis."""
+ACROSS: Array = np.arange(-330.0, 331, 20) * FOOT
+OUT: Array = np.arange(0.0, 481, 20) * FOOT
+"""m: edges of the field's boxes, to the right of the line to centre field and along it, from home."""
+PARTS = np.arange(0.3, 1.21, 0.02)
+"""Edges of the boxes of exit speed over a ceiling."""
+CHOICES = ("team", "pitch_type", "count", "month", "park")
+"""Columns that balls can be chosen by, beside the batter."""
+NEAR = 90 * FOOT
+"""m from home within which balls come down that are not drawn on the field: most are hit into the ground."""
+HARDEST = 0.8
+"""Quantile of exit speed from which on balls are the hardest fifth."""
+
+
+@dataclass(frozen=True)
+class BallMap:
+    """Balls in boxes.
+
+    Parameters
+    ----------
+    across, along : middles of the boxes, m.
+    counts : balls in each, shape (along, across).
+    outside : balls that fell into none of them.
+    near : of a field: balls that came down too near home to be counted.
+    """
+
+    across: Array
+    along: Array
+    counts: Array
+    outside: int
+    near: int = 0
+
+
+def chosen_balls(counted: pl.LazyFrame, chosen: Mapping[str, str]) -> pl.LazyFrame:
+    """Return some of the counted balls.
+
+    Parameters
+    ----------
+    chosen : value by column: ``batter`` or one of `CHOICES`.
+    """
+    for name, value in chosen.items():
+        counted = counted.filter(pl.col(name) == value)
+    return counted
+
+
+def choices_of(counted: pl.LazyFrame) -> dict[str, list[tuple[str, int]]]:
+    """Return what balls can be chosen by: (value, balls) of each of `CHOICES`, months in order, others by balls."""
+    found = {}
+    for name in CHOICES:
+        table = counted.filter(pl.col(name).is_not_null()).group_by(name).len().collect()
+        order = table.sort(name) if name in ("month", "count") else table.sort("len", name, descending=[True, False])
+        found[name] = [(str(value), int(balls)) for value, balls in order.iter_rows()]
+    return found
+
+
+def ball_means(counted: pl.LazyFrame) -> dict[str, float | None]:
+    """Return counts and means of balls in SI, of shares from 0 to 1; None where nothing is known."""
+    names = counted.collect_schema().names()
+    means = [name for name in ("bat_speed", "squared_up", "league_squared_up", "from_best", "carry") if name in names]
+    speed = pl.col("exit_speed").cast(pl.Float64)
+    row = counted.select(
+        pl.len().alias("balls"), speed.mean().alias("exit_speed"),
+        speed.filter(speed >= speed.quantile(HARDEST)).mean().alias("ev20"),
+        *(pl.col(name).cast(pl.Float64).mean() for name in means),
+        known_sum(pl.col("event").str.to_lowercase().str.replace_all("[_ ]", "") == "homerun").alias("home_runs"),
+        known_sum(pl.col("home_run_here").cast(pl.Float64)).alias("home_runs_expected"),
+    ).collect().row(0, named=True)  # fmt: skip
+    return {name: None if value is None else float(value) for name, value in row.items()}
+
+
+def known_sum(values: pl.Expr) -> pl.Expr:
+    """Return the sum of what is known of a column, missing where nothing is."""
+    return pl.when(values.is_not_null().any()).then(values.sum())
+
+
+def ceiling_counts(counted: pl.LazyFrame) -> dict[str, Array] | None:
+    """Return part of the balls by exit speed over this bat's and the league's ceiling; None: no ball has a ceiling.
+
+    Without a pitch's speed there is no league's ceiling, and ``league_ratio`` is left out.
+    """
+    names = ("squared_up_ratio", "league_ratio")
+    if not set(names) <= set(counted.collect_schema().names()):
+        return None
+    table = counted.select(names).collect()
+    known = {name: table[name].drop_nulls().to_numpy() for name in names}
+    if not len(known["squared_up_ratio"]):
+        return None
+    shares = {name: np.histogram(values, PARTS)[0] / len(values) for name, values in known.items() if len(values)}
+    return {"ratio": (PARTS[1:] + PARTS[:-1]) / 2, **shares}
+
+
+def barrel_counts(counted: pl.LazyFrame) -> BallMap | None:
+    """Return where on the barrel balls were met, m from the tip and above the axis; None: no table tells of bats.
+
+    Each ball counts at one draw from what is known of it, so that doubt shows as width.
+    """
+    if "from_tip_drawn" not in counted.collect_schema().names():
+        return None
+    table = counted.select("from_tip_drawn", "offset").drop_nulls().collect()
+    if not len(table):
+        return None
+    return _boxed(table["from_tip_drawn"].to_numpy(), table["offset"].to_numpy(), PLACES, OFFSETS)
+
+
+def field_counts(counted: pl.LazyFrame) -> BallMap | None:
+    """Return where balls would come down, m to the right of the line to centre field and along it; None: no flight.
+
+    Balls that come down within `NEAR` of home are counted apart.
+    """
+    table = counted.select("carry", "bearing").drop_nulls().collect()
+    if not len(table):
+        return None
+    far = table.filter(pl.col("carry") >= NEAR)
+    carry, bearing = far["carry"].to_numpy(), far["bearing"].to_numpy()
+    found = _boxed(carry * np.sin(bearing), carry * np.cos(bearing), ACROSS, OUT)
+    return replace(found, near=len(table) - len(far))
+
+
+def _boxed(across: Array, along: Array, edges: Array, rows: Array) -> BallMap:
+    counts, _, _ = np.histogram2d(along, across, bins=[rows, edges])
+    middles = (edges[1:] + edges[:-1]) / 2, (rows[1:] + rows[:-1]) / 2
+    return BallMap(*middles, counts, len(across) - int(counts.sum()))

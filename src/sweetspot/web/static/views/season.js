@@ -1,0 +1,138 @@
+// Season: tables of balls in play of any size, read on the server; who did what, where on the barrel and on the field.
+
+import { Bench } from "../bench.js";
+import { button, choice, group } from "../controls.js";
+import { DocumentPlace } from "../document.js";
+import { factList, make } from "../parts.js";
+import { Filter, Players } from "./season_players.js";
+import { BarrelMap, Ceilings, FieldMap } from "./season_pictures.js";
+import { Reading } from "./season_reading.js";
+
+const FILTERS = [["team", "Hit for", "any club"], ["pitch_type", "Off", "all pitches"], ["count", "At the count", "all counts"], ["month", "In the month", "all months"], ["park", "In the park", "all parks"]];
+const EVERYBODY = { batter: null, team: null, pitch_type: null, count: null, month: null, park: null };
+const FACTS = [
+  ["Balls", ({ means }) => means.balls.toLocaleString("en-US")], ["Exit speed", ({ means }) => ["speed", means.exit_speed]],
+  ["Hardest fifth (EV20)", ({ means }) => ["speed", means.ev20]], ["Bat speed", ({ means }) => ["speed", means.bat_speed]],
+  ["Squared up, this bat", ({ means }) => ["share", means.squared_up]], ["Squared up, the league's formula", ({ means }) => ["share", means.league_squared_up]],
+  ["From the best place", ({ means }) => ["offset", means.from_best]],
+  ["Home runs, hit and expected", ({ means }, app) => `${app.text("count", means.home_runs)} and ${app.text("count", means.home_runs_expected, 1)}`],
+];
+
+export const view = {
+  name: "season",
+  guide: [
+    ["Hand in tables", "Drop tables of balls in play anywhere on this page: Statcast, Trackman or plain CSV, or Parquet, of any size. They go to the program that shows this page, and nowhere else."],
+    ["Where balls were met", "The maps show where on the barrel the balls were met and where they come down; choose a player, a club, a pitch, a month."],
+    ["Who did what", "Each player's page has every measure partly pooled, with its intervals. All tables can be taken away. "],
+  ],
+
+  mount(root, app) {
+    Object.assign(this, { app, answer: null, found: null });
+    this.bench = new Bench(app, { open: false });
+    this.reading = new Reading(app, { onSeason: (season) => app.setState({ season, ...EVERYBODY }) });
+    this.filters = FILTERS.map(([field, label, all]) => new Filter(app, field, { label, all }));
+    this.players = new Players(app);
+    this.words = make("p", { className: "verdict flow", id: "verdict" });
+    this.facts = factList(FACTS, app);
+    this.barrel = new BarrelMap(app);
+    this.ceilings = new Ceilings(app);
+    this.field = new FieldMap(app);
+    this.page = new DocumentPlace(app, "Writing the player's page …");
+    this.whole = new DocumentPlace(app, "Reading what was found …");
+    this.files = make("ul", { className: "files" });
+    this.none = make("p", { className: "note", hidden: true });
+    const section = (title, ...parts) => make("section", { className: "picture", hidden: true }, make("h2", { textContent: title }), ...parts);
+    this.player = section("This player", this.page.element);
+    this.told = [
+      section("How they were hit", this.none, this.facts.element, this.barrel.element, this.ceilings.element),
+      section("Where they come down", this.field.element), section("Players", this.players.table),
+      section("What was read", this.whole.element), section("Take the tables away", this.files)];
+    this.which = group("Which balls", [this.players.element, ...this.filters.map(({ element }) => element), button("All balls again", () => app.setState(EVERYBODY))]);
+    root.append(make("div", { className: "side" },
+      group("Tables", [this.reading.chooser]), this.which,
+      group("Fence on the field", [choice(app, "fence", { label: "Park", options: app.lists("parks").then(({ parks }) => parks.map(({ key, name }) => [key, name])) })], { open: false }),
+      this.bench.element),
+    make("div", { className: "stack" }, make("section", { className: "picture" }, this.words, this.reading.element), this.told[0], this.told[1], this.player, ...this.told.slice(2)));
+  },
+
+  update(answer) {
+    this.answer = answer;
+    const { app } = this;
+    const { season } = answer;
+    this.bench.update(answer);
+    this.reading.draw(season);
+    for (const one of [this.which, ...this.told]) one.hidden = !season;
+    this.told[1].hidden ||= !this.found?.field;
+    this.told[2].hidden ||= !this.players.players.length;
+    this.player.hidden = !season || app.state.batter === null;
+    for (const one of this.filters) one.fill(season?.choices[one.field] ?? []);
+    if (!season) {
+      this.found = null;
+      this.players.fill([]);
+      this.say();
+      return;
+    }
+    this.listFiles(season.tables);
+    const but = (...kept) => Object.keys(app.state).filter((field) => !kept.includes(field));
+    app.aside("summary", but("season"), 0, (found) => {
+      this.players.fill(found.players ?? []);
+      this.told[2].hidden = !found.players?.length;
+      this.whole.show(found);
+      this.say();
+    });
+    app.aside("maps", but("season", ...Object.keys(EVERYBODY)), 60, (found) => {
+      this.found = found;
+      this.draw();
+      this.say();
+    });
+    if (app.state.batter !== null) {
+      this.page.waits();
+      app.aside("player", but("season", "batter"), 60, (found) => found.html && this.page.show(found));
+    }
+    this.players.redraw();
+    this.page.redraw();
+    this.whole.redraw();
+    this.draw();
+    this.say();
+  },
+
+  draw() {
+    const { answer, found } = this;
+    if (!found?.means || !answer?.season) return;
+    this.facts.fill(found);
+    this.barrel.element.hidden = !found.barrel;
+    this.ceilings.element.hidden = !found.ceilings;
+    this.told[1].hidden = !found.field;
+    this.none.hidden = Boolean(found.barrel);
+    this.none.textContent = found.means.balls ? "These tables have no bat speeds, so nothing is told of bats." : "No ball is left by this choice.";
+    if (found.barrel) this.barrel.draw(found.barrel, answer.bat);
+    if (found.ceilings) this.ceilings.draw(found.ceilings);
+    if (found.field) this.field.draw(found.field, answer.park);
+  },
+
+  // Whose balls they are, and how well they were hit; before anything was read, what this place is for.
+  say() {
+    const { answer, app, found } = this;
+    if (!answer?.season) {
+      this.words.textContent = "Hand in tables of balls in play: every ball is judged against the bat on the bench, with where on the barrel it was met.";
+      return;
+    }
+    if (!found?.means) return;
+    const { means } = found;
+    const whose = app.state.batter === null ? "" : ` of ${this.players.nameOf(app.state.batter)}`;
+    const bats = typeof means.squared_up === "number" ? `, ${app.text("share", means.squared_up)} squared up against ${answer.season.same_bat ? answer.bat.name : "the bat they were read with"}, met ${app.text("offset", means.from_best)} from its best place on average` : "";
+    this.words.textContent = `${means.balls.toLocaleString("en-US")} ${means.balls === 1 ? "ball" : "balls"} in play${whose}: ${app.text("speed", means.exit_speed)} of exit speed${bats}.`;
+    app.announce(this.words.textContent);
+  },
+
+  listFiles(tables) {
+    const { season } = this.app.state;
+    const size = (bytes) => (bytes < 1e6 ? `${Math.max(1, Math.round(bytes / 1e3))} kB` : `${(bytes / 1e6).toFixed(1)} MB`);
+    this.files.replaceChildren(...tables.map(({ name, bytes }) => make("li", {},
+      make("a", { href: `/api/v1/uploads/${season}/${name}`, download: name, textContent: name }), ` ${size(bytes)}`)));
+  },
+
+  unmount() { this.answer = null; },
+  figures() { return this.found ? [this.barrel.figure("barrel"), this.ceilings.figure("ceilings"), this.field.figure("field")] : []; },
+  table() { return this.found ? this.barrel.columns() : {}; },
+};

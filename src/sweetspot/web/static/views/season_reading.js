@@ -1,0 +1,130 @@
+// Tables to the server and what becomes of them: handed in piece by piece, read in a job that can be stopped, and told.
+
+import { button } from "../controls.js";
+import { longWork } from "../longwork.js";
+import { make } from "../parts.js";
+import { upload, whereTo } from "../upload.js";
+
+const TABLES = /\.(csv|tsv|txt|gz|parquet)$/i;
+const MOST = 60;
+
+export class Reading {
+  constructor(app, { onSeason }) {
+    Object.assign(this, { app, onSeason, going: null, season: null });
+    this.work = longWork("season/read");
+    this.file = make("input", { type: "file", id: "season-files", multiple: true, accept: ".csv,.tsv,.txt,.gz,.parquet,text/csv" });
+    this.file.addEventListener("change", () => {
+      const files = [...this.file.files];
+      this.file.value = "";
+      this.hand(files);
+    });
+    this.again = button("Read again with this bat", () => this.begin(), { primary: true });
+    this.halt = button("Stop", () => (this.going ? this.going.abort() : this.work.stop()));
+    this.on = button("Go on", () => this.work.goOn());
+    this.bar = make("progress", { max: 1, ariaLabel: "Rows read" });
+    this.words = make("p", { className: "note" });
+    this.words.setAttribute("role", "status");
+    this.fault = make("p", { className: "fault", hidden: true });
+    this.fault.setAttribute("role", "alert");
+    this.first = [button("Choose tables", () => this.file.click(), { primary: true }), button("Look at a made-up season", () => this.begin({ uploads: [] }))];
+    this.chooser = make("div", { className: "own" }, make("label", { htmlFor: "season-files", textContent: "Tables (CSV, .csv.gz, Parquet), or drop them anywhere" }), this.file,
+      make("p", { className: "note", textContent: whereTo("A table") }));
+    this.element = make("div", {}, make("div", { className: "row" }, ...this.first, this.again, this.halt, this.on, this.bar), this.words, this.fault);
+    for (const field of ["season", "uploads"]) app.control({ field, sync: () => {}, fault: (message) => this.say(message) });
+    this.listen(document.getElementById("view"), app.signal);
+    app.signal.addEventListener("abort", () => this.going?.abort());
+    this.work.watch(app.signal, () => this.update());
+  }
+
+  listen(root, signal) {
+    root.addEventListener("drop", (event) => {
+      const tables = [...event.dataTransfer.files].filter(({ name }) => TABLES.test(name));
+      if (!tables.length) return;
+      event.preventDefault();
+      event.stopPropagation();
+      root.classList.remove("drop");
+      this.hand(tables);
+    }, { capture: true, signal });
+  }
+
+  say(words) {
+    this.fault.textContent = words;
+    this.fault.hidden = words === "";
+  }
+
+  // Files to the server, one after the other; then they are read together.
+  async hand(files) {
+    this.say("");
+    if (!files.length || this.going) return;
+    if (files.length > MOST) {
+      this.say(`${files.length} files; at most ${MOST} at a time. Put them together, or take the command season.`);
+      return;
+    }
+    const going = new AbortController();
+    this.going = going;
+    const uploads = [];
+    try {
+      for (const file of files) {
+        uploads.push(await upload(file, (part) => this.handed(file.name, part), going.signal));
+      }
+    } catch (fault) {
+      if (!this.app.signal.aborted) this.say(going.signal.aborted ? "Stopped; nothing was read." : fault?.message ?? "The server does not answer; try again.");
+    }
+    this.going = null;
+    if (this.app.signal.aborted) return;
+    this.update();
+    if (uploads.length === files.length) this.begin({ uploads });
+  }
+
+  handed(name, part) {
+    this.bar.value = part;
+    this.words.textContent = `Handing in ${name}: ${Math.round(100 * part)} %`;
+    this.update();
+  }
+
+  begin(also = {}) {
+    this.say("");
+    if (also.uploads) this.app.setState({ ...also, season: null });
+    this.work.start({ ...this.app.state, ...also, season: null });
+  }
+
+  // season: what the last answer says of one, null where none was read.
+  draw(season) {
+    this.season = season;
+    this.update();
+  }
+
+  update() {
+    const { status, fault, found } = this.work;
+    const runs = ["running", "starting"].includes(status);
+    if (status === "done" && found?.season && this.work.taken !== found.season) {
+      this.work.taken = found.season; // once: who goes back finds what was before
+      this.onSeason(found.season);
+    }
+    const idle = !runs && this.going === null;
+    for (const one of this.first) one.hidden = !idle || this.season !== null;
+    this.element.classList.toggle("dropped", idle && this.season === null);
+    this.again.hidden = runs || this.going !== null || !this.season || this.season.same_bat;
+    this.halt.hidden = !(this.going || status === "running");
+    this.on.hidden = status !== "stopped" || this.going !== null;
+    this.bar.hidden = !(this.going || runs);
+    if (fault) this.say(fault.message);
+    if (this.going) return;
+    if (runs && found?.phase === "rows" && found.rows) this.bar.value = found.done / found.rows;
+    else this.bar.removeAttribute("value");
+    this.words.textContent = this.told(status, found);
+  }
+
+  told(status, found) {
+    const number = (value) => Math.round(value).toLocaleString("en-US");
+    const far = found?.phase === "rows" ? `${number(found.done)} of ${number(found.rows)} rows` : "";
+    if (status === "starting") return "The reading begins …";
+    if (status === "running" && far) return `${far}, ${number(found.rows_per_s)} rows/s${found.left_s === null ? "" : `, ${Math.ceil(found.left_s)} s left`}`;
+    if (status === "running") return found?.phase === "players" ? "Working out players, clubs and months …" : "Looking through the tables; a bat that is new here takes some seconds more …";
+    if (status === "stopped") return `Stopped${far ? ` after ${far}` : ""}. Go on, or hand in other tables.`;
+    if (!this.season) return `Statcast and Trackman exports, plain CSV with units in the headings, Parquet; many files at once, of any size. ${whereTo("A table")}`;
+    const { files, rows, same_bat: same } = this.season;
+    const named = files.length > 3 ? `${files.slice(0, 3).join(", ")} and ${files.length - 3} more` : files.join(", ");
+    return `${number(rows)} rows of ${named}.${same ? "" : " They were read with another bat than the one on the bench now."}`;
+  }
+}

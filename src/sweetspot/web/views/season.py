@@ -1,0 +1,172 @@
+"""Season: tables of balls in play of any size; what was read, who did what, and where on the bat balls were met."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import lru_cache
+from pathlib import Path
+from shlex import quote
+from typing import Annotated, Any
+
+import numpy as np
+from pydantic import Field
+
+from sweetspot import catalog
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.flight.park import FOUL_LINE, fence_at
+from sweetspot.report.bat.json import bat_json
+from sweetspot.report.season.document import SeasonReport
+from sweetspot.report.season.one_player import player_page
+from sweetspot.season.maps import (
+    CHOICES,
+    BallMap,
+    ball_means,
+    barrel_counts,
+    ceiling_counts,
+    chosen_balls,
+    field_counts,
+)
+from sweetspot.season.season_table import counted_in
+from sweetspot.web.bat_bounds import bounds
+from sweetspot.web.bats import described
+from sweetspot.web.documents import told
+from sweetspot.web.drawings import outline
+from sweetspot.web.errors import FieldError, about
+from sweetspot.web.jobs import LongWork
+from sweetspot.web.recipes import bat_name, bat_text
+from sweetspot.web.states import BatState, Name
+from sweetspot.web.uploads import UPLOADS, UploadKey
+from sweetspot.web.view import View
+from sweetspot.web.views.season_work import Handed, kept_report, kept_summary, read_season
+
+MOST_TABLES = 60
+Choice = Annotated[str, Field(min_length=1, max_length=80)] | None
+DIRECTIONS = np.linspace(-FOUL_LINE, FOUL_LINE, 46)
+
+
+class SeasonState(BatState):
+    """Tables that were handed in, the bat that all hitters are taken to swing, and which balls are looked at."""
+
+    uploads: Annotated[tuple[UploadKey, ...], Field(max_length=MOST_TABLES)] = Field(
+        (), description="tables that are to be read, by the names under which they were handed in; none: a made-up one"
+    )
+    season: UploadKey | None = Field(None, description="what was read, by the name that reading gave it")
+    batter: Choice = Field(None, description="whose balls; empty: everybody's")
+    team: Choice = Field(None, description="hit for which club; empty: for any")
+    pitch_type: Choice = Field(None, description="off which pitches; empty: off all")
+    count: Choice = Field(None, description="at which count, as 3-2; empty: at all")
+    month: Choice = Field(None, description="in which month, as 2024-07; empty: in all")
+    park: Choice = Field(None, description="hit in which park; empty: in all")
+    fence: Name = Field("fenway-park", description="park whose fence is drawn over the field")
+
+
+def answer(state: SeasonState) -> dict[str, Any]:
+    """Return the bat, the chosen park's fence, and of a season that was read what can be chosen and taken away."""
+    own = described(state)
+    with about("fence"):
+        park = catalog.park(state.fence)
+        distance, _ = fence_at(park, DIRECTIONS)
+    folder = _folder(state)
+    summary = None if folder is None else kept_summary(folder)
+    return {
+        "bat": {
+            **bat_json(own.name, own.length, rigid_body(beam_model(own))), **outline(own),
+            "bounds": bounds(state, own),
+        },
+        "park": {
+            "name": park.name, "right_m": distance * np.sin(DIRECTIONS), "out_m": distance * np.cos(DIRECTIONS),
+        },
+        "season": None if summary is None else {
+            **{name: summary[name] for name in ("choices", "rows", "files", "tables")},
+            "same_bat": summary["bat"] == bat_words(state),
+        },
+    }  # fmt: skip
+
+
+def bat_words(state: BatState) -> str:
+    """Return what tells one bat from another."""
+    return state.model_dump_json(include=set(BatState.model_fields))
+
+
+def begun(state: SeasonState) -> tuple[Handed, Path, str, Any, str]:
+    """Return what reading takes, with a new folder for what is made of the tables."""
+    with renamed("uploads"):
+        handed = tuple(UPLOADS.path_of(key) for key in state.uploads)
+    own = described(state)
+    key = UPLOADS.begin_folder(state.uploads)
+    return handed, UPLOADS.folder_of(key), key, own, bat_words(state)
+
+
+@contextmanager
+def renamed(field: str) -> Iterator[None]:
+    """Say of a file that has gone that it belongs to a control."""
+    try:
+        yield
+    except FieldError:
+        raise FieldError(field, "these tables are not here any more; hand them in again") from None
+
+
+def summary(state: SeasonState) -> dict[str, Any]:
+    """Return what is told of the whole season, and its players."""
+    folder = _folder(state)
+    found = None if folder is None else kept_summary(folder)
+    return {} if found is None else {name: found[name] for name in ("html", "players")}
+
+
+def maps(state: SeasonState) -> dict[str, Any]:
+    """Return of the chosen balls how well they were hit, where on the barrel, and where they would come down."""
+    folder = _folder(state)
+    if folder is None:
+        return {}
+    chosen = {name: value for name in ("batter", *CHOICES) if (value := getattr(state, name)) is not None}
+    counted = chosen_balls(counted_in(folder), chosen)
+    return {
+        "means": ball_means(counted), "ceilings": ceiling_counts(counted), "barrel": _map(barrel_counts(counted)),
+        "field": _map(field_counts(counted)),
+    }  # fmt: skip
+
+
+def _map(found: BallMap | None) -> dict[str, Any] | None:
+    return None if found is None else {
+        "across_m": found.across, "along_m": found.along, "balls": found.counts, "outside": found.outside,
+        "near": found.near,
+    }  # fmt: skip
+
+
+def player(state: SeasonState) -> dict[str, Any]:
+    """Return one player's page."""
+    folder = _folder(state)
+    if folder is None or state.batter is None:
+        return {}
+    with about("batter"):
+        return told(player_page(_report(folder), state.batter))
+
+
+def _folder(state: SeasonState) -> Path | None:
+    if state.season is None:
+        return None
+    with renamed("season"):
+        folder = UPLOADS.folder_of(state.season)
+    if kept_summary(folder) is None:
+        raise FieldError("season", "these tables have not been read to their end; read them again")
+    return folder
+
+
+@lru_cache(maxsize=4)
+def _report(folder: Path) -> SeasonReport:
+    return kept_report(folder)
+
+
+def recipe(state: SeasonState) -> dict[str, str]:
+    """Return the command line that reads the same tables, and the bat's file."""
+    page = "" if state.batter is None else f" --player {quote(state.batter)}"
+    return {"command": f"sweetspot season TABLE.csv --bat {bat_name(state)}{page} --out season",
+            "toml": bat_text(state)}  # fmt: skip
+
+
+VIEW = View(
+    "season", "Season", SeasonState, answer, recipe, asides={"summary": summary, "maps": maps, "player": player},
+    jobs={"read": LongWork(read_season, begun)},
+)  # fmt: skip

@@ -1,0 +1,89 @@
+"""Season in a browser: a table is chosen or dropped, read in a job, mapped, chosen from by hand and keyboard."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page, expect
+
+Answered = Callable[..., int]
+PATIENT = 600_000
+"""ms for what a reading takes on a slow machine, its kernels compiled first."""
+DROPPED = """([name, text]) => {
+  const data = new DataTransfer();
+  data.items.add(new File([text], name));
+  document.getElementById("view").dispatchEvent(new DragEvent("drop",
+    { dataTransfer: data, bubbles: true, cancelable: true }));
+}"""
+
+
+@pytest.fixture
+def read(page: Page, server: str, answered: Answered, balls: Path) -> Page:
+    """A page on which a small season was read."""
+    page.goto(f"{server}/season")
+    answered(page)
+    expect(page.locator("#verdict")).to_contain_text("Hand in tables")
+    page.locator("#season-files").set_input_files(balls)
+    expect(page.locator("#verdict")).to_contain_text("balls in play", timeout=PATIENT)
+    return page
+
+
+def test_a_table_is_read_chosen_from_and_taken_away(
+    read: Page, settled: Callable[[Page], None], narrow: Callable[[Page], None]
+) -> None:
+    page = read
+    expect(page.get_by_role("status").filter(has_text="rows of my balls.csv")).to_be_visible()
+    settled(page)
+    for words in ("This map as a table", "These curves as a table", "These balls as a table"):
+        page.locator("summary", has_text=words).click()
+    for table in page.locator(".numbers:visible").all():
+        expect(table.locator("tbody td").first).to_be_visible()
+    whole = page.locator("#verdict").inner_text()
+    month = page.locator("#season-month")
+    month.select_option(index=1)
+    expect(page.locator("#verdict")).not_to_have_text(whole)
+    page.get_by_role("button", name="All balls again").click()
+    expect(page.locator("#verdict")).to_have_text(whole)
+    page.locator("#season-search").fill("600003")
+    name = page.get_by_role("button", name="600003")
+    name.focus()
+    page.keyboard.press("Enter")
+    expect(page.locator("#verdict")).to_contain_text("of 600003")
+    expect(page.locator(".document h2", has_text="600003")).to_be_visible()
+    assert "batter=600003" in page.url
+    with page.expect_download() as saved:
+        page.get_by_role("link", name="players.csv").click()
+    assert saved.value.path().read_text(encoding="utf-8").startswith("batter,balls,ev20_mph")
+    page.get_by_role("radio", name="SI").check()
+    expect(page.locator("#verdict")).to_contain_text("m/s")
+    settled(page)
+    assert "mph" not in page.locator(".stack").inner_text().replace("_mph", "")
+    narrow(page)
+    page.reload()  # the address holds it
+    expect(page.locator("#verdict")).to_contain_text("of 600003")
+
+
+def test_another_bat_asks_to_read_again(read: Page, answered: Answered) -> None:
+    page = read
+    count = answered(page)
+    page.locator("summary", has_text="Bat").first.click()
+    page.locator("[data-field=bat] select").select_option("mlb-a")
+    answered(page, count)
+    page.get_by_role("button", name="Read again with this bat").click()
+    expect(page.get_by_role("button", name="Read again with this bat")).to_be_hidden(timeout=PATIENT)
+    expect(page.locator("#verdict")).to_contain_text("squared up against MLB", timeout=PATIENT)
+
+
+def test_what_is_no_table_is_told_in_one_line(page: Page, server: str, answered: Answered) -> None:
+    page.goto(f"{server}/season")
+    answered(page)
+    page.evaluate(DROPPED, ["my words.csv", "exit_speed_mph,launch_angle_deg\nfast,high\n"])
+    fault: Any = page.locator("#view [role=alert]:visible")
+    expect(fault).to_contain_text("my words.csv: none of 1 rows", timeout=PATIENT)
+    page.evaluate(DROPPED, ["bat.toml", "name ="])
+    expect(page.locator("#bat-fault")).to_be_visible()  # a bat's file still goes to the bench
+    page.goto(f"{server}/season?season={'A' * 16}")
+    expect(page.locator("#view [role=alert]:visible")).to_contain_text("hand them in again")

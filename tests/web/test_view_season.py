@@ -1,0 +1,161 @@
+"""Season: tables are handed in, read in a job, told of, chosen from and taken away; what is wrong is one clear line."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import Any
+
+import httpx
+import numpy as np
+import polars as pl
+import pytest
+
+URL = "/api/v1/season"
+
+
+def asked(client: httpx.Client, path: str = "", **fields: Any) -> dict[str, Any]:
+    response = client.post(f"{URL}{path}", json=fields)
+    assert response.status_code == 200, response.text
+    return dict(response.json())
+
+
+def handed_in(client: httpx.Client, path: Path, name: str = "") -> str:
+    content = path.read_bytes()
+    told = client.post("/api/v1/uploads", json={"name": name or path.name, "size": len(content)}).json()
+    for start in range(0, len(content), told["piece"]):
+        client.post(f"/api/v1/uploads/{told['upload']}/{start}", content=content[start : start + told["piece"]])
+    return str(told["upload"])
+
+
+def read(client: httpx.Client, *uploads: str, **fields: Any) -> dict[str, Any]:
+    """Return how a reading ended; compiling kernels for it may take minutes."""
+    job = asked(client, "/read", uploads=uploads, **fields)["job"]
+    deadline = time.monotonic() + 600
+    while True:
+        told = client.post(f"/api/v1/jobs/{job}", json={}).json()
+        if told["status"] != "running":
+            return dict(told)
+        assert time.monotonic() < deadline, told
+        time.sleep(0.1)
+
+
+@pytest.fixture(scope="module")
+def known(server: str, balls: Path) -> str:
+    """The name of a season that was read: a good table, and one that is none."""
+    with httpx.Client(base_url=server, timeout=30, verify=False) as client:
+        empty = balls.with_name("nothing.csv")
+        empty.write_text("launch_angle_deg\n12\n")
+        told = read(client, handed_in(client, balls), handed_in(client, empty))
+    assert told["status"] == "done", told
+    return str(told["found"]["season"])
+
+
+def test_before_anything_is_read_nothing_is_told(client: httpx.Client) -> None:
+    answer = asked(client)
+    assert answer["season"] is None and answer["bat"]["length_m"] > 0.8
+    assert answer["park"]["out_m"][len(answer["park"]["out_m"]) // 2] > 110
+    assert asked(client, "/summary") == asked(client, "/maps") == asked(client, "/player") == {}
+
+
+def test_a_season_is_told_by_the_names_people_know(client: httpx.Client, known: str, balls: Path) -> None:
+    answer = asked(client, season=known)
+    rows = len(pl.read_csv(balls))
+    assert answer["season"]["rows"] == rows and answer["season"]["files"] == ["my balls.csv"]
+    assert answer["season"]["same_bat"] and not asked(client, season=known, bat="mlb-a")["season"]["same_bat"]
+    summary = asked(client, "/summary", season=known)
+    assert len(summary["players"]) == 6
+    for words in summary["html"].values():
+        assert "my balls.csv" in words and "Not read: nothing.csv" in words and "exit_speed" in words
+        assert "/tmp" not in words and "handed-in" not in words
+    assert " m/s" in summary["html"]["si"] and " mph" not in summary["html"]["si"]
+
+
+def test_maps_hold_the_chosen_balls_each_once(client: httpx.Client, known: str) -> None:
+    everybody = asked(client, "/maps", season=known)
+    one = asked(client, "/summary", season=known)["players"][0]
+    his = asked(client, "/maps", season=known, batter=one["batter"])
+    assert his["means"]["balls"] == one["balls"] < everybody["means"]["balls"]
+    months = asked(client, season=known)["season"]["choices"]["month"]
+    assert sum(balls for _, balls in months) == everybody["means"]["balls"]
+    month, count = months[0]
+    assert asked(client, "/maps", season=known, month=month)["means"]["balls"] == count
+    for found in (everybody, his):
+        barrel, field = found["barrel"], found["field"]
+        assert np.sum(barrel["balls"]) + barrel["outside"] == found["means"]["balls"]
+        assert np.sum(field["balls"]) + field["outside"] + field["near"] <= found["means"]["balls"]
+        assert np.sum(found["ceilings"]["league_ratio"]) == pytest.approx(1, abs=0.02)
+    nobody = asked(client, "/maps", season=known, batter="nobody")
+    assert nobody["means"]["balls"] == 0 and nobody["barrel"] is None and nobody["ceilings"] is None
+
+
+def test_a_players_page_and_the_tables_are_there_and_nothing_else(client: httpx.Client, known: str) -> None:
+    one = asked(client, "/summary", season=known)["players"][0]
+    page = asked(client, "/player", season=known, batter=one["batter"])
+    assert f"{one['balls']} balls in play" in page["html"]["us"]
+    names = [table["name"] for table in asked(client, season=known)["season"]["tables"]]
+    assert {"players.csv", "players.parquet", "balls.parquet", "ledger.parquet", "months.csv"} <= set(names)
+    table = pl.read_csv(client.get(f"/api/v1/uploads/{known}/players.csv").content)
+    assert set(table["batter"].cast(pl.String)) == {
+        player["batter"] for player in asked(client, "/summary", season=known)["players"]
+    }
+    balls = pl.read_parquet(client.get(f"/api/v1/uploads/{known}/balls.parquet").content)
+    assert "from_tip_in" in balls.columns and len(balls) == sum(table["balls"])
+    for name in ("summary.json", "report.pickle", "..%2Fsummary.json", "nobody.csv"):
+        assert client.get(f"/api/v1/uploads/{known}/{name}").status_code in (404, 422)
+    command = asked(client, "/recipe", season=known, batter=one["batter"])["command"]
+    assert command == f"sweetspot season TABLE.csv --bat r161-ash --player {one['batter']} --out season"
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "words"),
+    [
+        ("speedless.csv", "launch_angle_deg,bat_speed_mph\n12,70\n", "exit_speed"),
+        ("empty.csv", "launch_speed,launch_angle\n", "no row"),
+        ("words.csv", "launch_speed,launch_angle\nfast,high\n", "none of 1 rows"),
+    ],
+)
+def test_a_bad_table_is_one_clear_line(client: httpx.Client, tmp_path: Path, name: str, text: str, words: str) -> None:
+    path = tmp_path / name
+    path.write_text(text)
+    told = read(client, handed_in(client, path))
+    assert told["status"] == "failed"
+    message = told["error"]["message"]
+    assert name in message and words in message and "\n" not in message
+    assert "/" not in message.replace("and/or", "") and "Traceback" not in message
+
+
+@pytest.mark.parametrize(
+    ("fields", "control"),
+    [
+        ({"season": "A" * 16}, "season"),
+        ({"season": "short"}, "season"),
+        ({"fence": "nowhere"}, "fence"),
+        ({"bat": "no-such-bat"}, "bat"),
+        ({"batter": ""}, "batter"),
+    ],
+)
+def test_what_cannot_be_is_told_beside_its_control(client: httpx.Client, fields: dict[str, Any], control: str) -> None:
+    response = client.post(URL, json=fields)
+    assert response.status_code == 422 and response.json()["error"]["field"] == control
+
+
+def test_tables_that_are_gone_are_asked_for_again(client: httpx.Client, known: str) -> None:
+    response = client.post(f"{URL}/read", json={"uploads": ["A" * 16]})
+    assert response.status_code == 422 and "hand them in again" in response.text
+    assert client.post(f"{URL}/read", json={"uploads": [known]}).status_code == 422  # what was made is no table
+    response = client.post(f"{URL}/player", json={"season": known, "batter": "nobody"})
+    assert response.status_code == 422 and response.json()["error"]["field"] == "batter"
+
+
+def test_a_reading_is_stopped_and_goes_on(client: httpx.Client, balls: Path) -> None:
+    job = asked(client, "/read", uploads=[handed_in(client, balls)])["job"]
+    look = f"/api/v1/jobs/{job}"
+    assert client.post(look, json={"stop": True}).json()["status"] == "stopped"
+    assert client.post(look, json={"go_on": True}).json()["status"] == "running"
+    deadline = time.monotonic() + 600
+    while (told := client.post(look, json={}).json())["status"] == "running":
+        assert time.monotonic() < deadline
+        time.sleep(0.1)
+    assert told["status"] == "done"
+    assert asked(client, season=told["found"]["season"])["season"]["files"] == ["my balls.csv"]
