@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sweetspot.analysis.certification.rules import Check, League, check_rules, construction_findings
+from sweetspot.design.breaking import HandleBending, handle_bending
 from sweetspot.design.fronts import Front, Question, search
 from sweetspot.design.gain import Gain, gain_of, present_measured
 from sweetspot.design.limits import check_limits
@@ -35,6 +36,7 @@ class Designed:
     gain : of the picked one over it.
     bat : the picked one, as everybody else takes it.
     checks : the league's rules held against it.
+    bent : how far the handles of the present bat and of the picked one are bent; None for other implements.
     """
 
     bench: Bench
@@ -45,6 +47,7 @@ class Designed:
     gain: Gain
     bat: Implement
     checks: tuple[Check, ...]
+    bent: tuple[HandleBending, HandleBending] | None
 
     @property
     def numbers(self) -> Array:
@@ -119,7 +122,10 @@ def told(bench: Bench, question: Question, front: Front, *, pick: int, league: L
         body = rigid_body(beam_model(bat))
         checks = tuple(check_rules(league, bat=bat, findings=construction_findings(bat, body=body)))
     gain = gain_of(bench, front.numbers[pick - 1], chosen, now)
-    return Designed(bench, question, front, pick - 1, now, gain, bat, checks)
+    bent = None
+    if isinstance(present, Bat) and isinstance(bat, Bat):
+        bent = handle_bending(bench, present), handle_bending(bench, bat)
+    return Designed(bench, question, front, pick - 1, now, gain, bat, checks, bent)
 
 
 def _with_first(front: Front, numbers: Array, measured: Measured) -> Front:

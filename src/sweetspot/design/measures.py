@@ -140,9 +140,7 @@ class Bench:
         ball, pitch = self.conditions.ball, self.batter.pitch_speed
         bending, pivot = bats.bending, self.conditions.swing.pivot
         position = bending.length[:, None] - FROM_TIP
-        ratio = self.speed_ratio(bats)
-        arm = self.space.present.length - self.batter.speed_from_tip - pivot
-        turning = ratio * self.batter.bat_speed / arm
+        ratio, turning = self.speed_ratio(bats), self.turning_speed(bats)
         speed = turning[:, None] * (position - pivot)
         done = struck(bats, ball=ball, position=position, closing_speed=pitch + speed, step=self.step, keep_motion=True)
         efficiency = np.where(np.isfinite(done.collision_efficiency), done.collision_efficiency, -1.0)
@@ -174,6 +172,11 @@ class Bench:
             return np.ones(len(bats))
         moi = bats.bending.moi(self.space.present.choke + law.axis)
         return speed_ratios(law, moi, self.moi_now, exponent)
+
+    def turning_speed(self, bats: ReducedBats) -> Array:
+        """Return how fast the batter turns bats, rad/s of shape (n,)."""
+        arm = self.space.present.length - self.batter.speed_from_tip - self.conditions.swing.pivot
+        return self.speed_ratio(bats) * self.batter.bat_speed / arm
 
     def kept_of(self, widths: Array) -> Array:
         """Return the part of the exit speed that this batter's scatter about the axis leaves, of the widths' shape."""

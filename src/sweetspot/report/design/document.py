@@ -15,7 +15,7 @@ from sweetspot.design.fronts import saved
 from sweetspot.design.measures import MEASURES
 from sweetspot.equipment.bat import Bat
 from sweetspot.report.design.sizes import drawing, sizes_table, tolerance_paragraph
-from sweetspot.report.design.words import effort_words, moved_words, warning_words, worth_words
+from sweetspot.report.design.words import breaking_words, effort_words, moved_words, warning_words, worth_words
 from sweetspot.report.document import Bullets, Cell, Column, Document, Paragraph, Picture, Table
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.quantities import SCALES, Reader, reader
@@ -38,6 +38,7 @@ def design_document(design: Designed, *, complete: bool = True) -> Document:
     """
     present = design.bench.space.present
     words = [moved_words(design), worth_words(design), warning_words(design), effort_words(design)]
+    words += breaking_words(design)
     reading = reader(None, sport(present.sport).words)
     picture = Picture(
         "design", partial(_drawn, design),
@@ -106,6 +107,12 @@ def _beside(design: Designed) -> Table:
         before: Cell = None if now is None else Slot(float(now[0]), measure.scale)
         change: Cell = None if now is None else Slot(value - float(now[0]), _changes(measure.scale), sign=True)
         rows.append([measure.label, before, Slot(value, measure.scale), change])
+    if design.bent is not None:
+        strains = [bending.strain for bending in design.bent]
+        rows.append([
+            "greatest bending of the handle", *(Slot(strain, "strain") for strain in strains),
+            Slot(strains[1] - strains[0], "strain", sign=True),
+        ])  # fmt: skip
     columns = [Column(""), Column("present", right=True), Column("design", right=True), Column("change", right=True)]
     return Table("Beside the present bat", columns, rows)
 
@@ -186,6 +193,10 @@ def design_json(design: Designed, words: list[str]) -> dict[str, Any]:
         },
         "difference": {"from_tip_m": FROM_TIP, "exit_speed_m_s": gain.curve, "wood_m_s": gain.noise},
         "front": design_rows(design),
+        "handle_bending": None if design.bent is None else {
+            name: {"strain": one.strain, "from_tip_m": one.from_tip, "linear_limit": one.limit}
+            for name, one in zip(("present", "design"), design.bent, strict=True)
+        },
         "rules": [{"quantity": check.rule.quantity, "verdict": check.verdict.value, "value": check.value}
                   for check in design.checks],
         "words": words,

@@ -13,6 +13,9 @@ from sweetspot.units import INCH
 STILL = 0.02 * INCH
 """m below which a place does not move for anybody."""
 
+FURTHER = 0.05
+"""Part by which a handle's bending must grow to be told (assumed: two pieces of one species differ by more)."""
+
 
 def moved_words(design: Designed) -> Sentence:
     """Return where the best place goes, how wide the zone is, and only then what the greatest exit speed does."""
@@ -102,6 +105,22 @@ def warning_words(design: Designed) -> Sentence:
         ": {place} from the tip the design costs {cost}. Who meets the ball out there, or is late, should not use it.",
         place=place, cost=Slot(-float(gain.curve[worst]), "speed_change"),
     )  # fmt: skip
+
+
+def breaking_words(design: Designed) -> list[Sentence]:
+    """Return whether the handle of the design is bent further than the present one's; nothing where it hardly is."""
+    if design.bent is None:
+        return []
+    now, after = design.bent
+    if after.strain < (1 + FURTHER) * now.strain:
+        return []
+    return [
+        say(
+            "Its handle is bent further: up to {after} against {now} over these contacts, by a ball met {place} from "
+            "the tip. Bats break there; a thicker grip (--handle) costs weight, not speed.",
+            after=Slot(after.strain, "strain"), now=Slot(now.strain, "strain"), place=Slot(after.from_tip, "place"),
+        )
+    ]  # fmt: skip
 
 
 def effort_words(design: Designed) -> Sentence:

@@ -171,8 +171,8 @@ def _designed(state: DesignState, found: Asked, numbers: Array) -> Designed:
     measured = bench.measured(numbers)
     front = Front(numbers[None], measured, 0, numbers[None])
     bat = bench.space.made(numbers, f"{bench.space.present.name}, designed")
-    return Designed(bench, question_of(state), front, 0, found.now, gain_of(bench, numbers, measured, found.now),
-                    bat, ())  # fmt: skip
+    gain = gain_of(bench, numbers, measured, found.now)
+    return Designed(bench, question_of(state), front, 0, found.now, gain, bat, checks=(), bent=None)
 
 
 def files(state: DesignState) -> dict[str, Any]:
