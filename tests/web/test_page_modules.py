@@ -115,10 +115,11 @@ def test_words_keep_their_meanings_when_a_view_is_drawn_anew(
     settled(page)
     before = page.locator("th .term").all_text_contents()
     assert "Swing weight" in before
-    for act in (
+    acts: tuple[Callable[[], None], ...] = (
         lambda: page.get_by_role("radio", name="SI").check(force=True),
         lambda: page.set_viewport_size({"width": 900, "height": 900}),
-    ):
+    )
+    for act in acts:
         act()
         settled(page)
         assert page.locator("th .term").all_text_contents() == before

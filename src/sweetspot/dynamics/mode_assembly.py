@@ -62,16 +62,25 @@ def excited_bending(line: BeamModel, face: Modes, ball: Ball) -> Modes:
 
     A hard ball of a few grams on light strings is over before a slender shaft's twelfth mode has swung once.
     """
-    bending = bending_modes(line)
-    together = joined(bending, face)
-    places = PLACES * line.bat.length
-    inverse_mass = 1 / ball.mass + float((together.shape_at(places) ** 2).sum(axis=-1).max())
-    wanted = AHEAD * math.sqrt(_steepness(ball) * inverse_mass) / (2 * math.pi)
-    count = MODES
+    bending, count = bending_modes(line), MODES
+    wanted = excited_frequency(bending, face, ball)
     while bending.frequency[-1] < wanted and count < MOST_MODES:
         count += MODES
         bending = bending_modes(line, count=count)
     return bending
+
+
+def excited_frequency(bending: Modes, face: Modes, ball: Ball) -> float:
+    """Return the frequency in Hz that the highest bending mode must reach beside this face; see `excited_bending`.
+
+    Parameters
+    ----------
+    bending : the lowest `MODES`, and the rigid motions.
+    """
+    together = joined(bending, face)
+    places = PLACES * bending.shapes.ends[-1]
+    inverse_mass = 1 / ball.mass + float((together.shape_at(places) ** 2).sum(axis=-1).max())
+    return AHEAD * math.sqrt(_steepness(ball) * inverse_mass) / (2 * math.pi)
 
 
 def _steepness(ball: Ball) -> float:

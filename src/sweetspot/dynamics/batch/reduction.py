@@ -15,7 +15,7 @@ from sweetspot.dynamics.bending import MODES
 from sweetspot.dynamics.dent import PLACES, blade_dent, dent_compliance, round_compliance
 from sweetspot.dynamics.face_vibration import face_modes
 from sweetspot.dynamics.hoop import hoop_modes
-from sweetspot.dynamics.mode_assembly import excited_bending
+from sweetspot.dynamics.mode_assembly import MOST_MODES, excited_frequency
 from sweetspot.dynamics.modes import Modes, joined
 from sweetspot.dynamics.patch import ByPatch, PatchLaw, patch_law
 from sweetspot.dynamics.reduction import ReducedBat
@@ -137,8 +137,7 @@ def reduced_lines(lines: Sequence[BeamModel], *, ball: Ball, threads: int | None
     many bending modes as the one of them that needs most.
     """
     law = patch_law(ball)
-    dent, walls = np.zeros((len(lines), PLACES, len(law.radii))), dict[int, Modes]()
-    counts = np.full(len(lines), MODES)
+    dent, walls, faces = np.zeros((len(lines), PLACES, len(law.radii))), dict[int, Modes](), dict[int, Modes]()
 
     def along(dented: ByPatch, line: BeamModel) -> Array:
         return np.asarray(dented.tables(np.linspace(0.0, line.bat.length, PLACES)))
@@ -147,8 +146,7 @@ def reduced_lines(lines: Sequence[BeamModel], *, ball: Ball, threads: int | None
         for number in range(part.start, part.stop):
             line = lines[number]
             if line.bat.face is not None:
-                walls[number] = face = face_modes(line, ball)
-                counts[number] = excited_bending(line, face, ball).families.count("bending")
+                walls[number] = faces[number] = face_modes(line, ball)
             elif isinstance(line.bat, Bat) and line.bat.shell is not None:
                 walls[number] = hoop_modes(line, law=law)
             if isinstance(line.bat, CricketBat):
@@ -157,7 +155,11 @@ def reduced_lines(lines: Sequence[BeamModel], *, ball: Ball, threads: int | None
                 dent[number] = along(dent_compliance(line, law=law), line)
 
     in_parts(work, len(lines), size=4, threads=threads)
-    bending = bending_batch(BeamRow(lines), count=int(counts.max(initial=MODES)), threads=threads)
+    bending, count = bending_batch(BeamRow(lines), threads=threads), MODES
+    wanted = {number: excited_frequency(bending.modes(number), face, ball) for number, face in faces.items()}
+    while count < MOST_MODES and any(bending.frequency[number, -1] < least for number, least in wanted.items()):
+        count += MODES
+        bending = bending_batch(BeamRow(lines), count=count, threads=threads)
     return ReducedBats(bending, dent, law, tuple(walls.get(i) for i in range(len(lines))))
 
 
