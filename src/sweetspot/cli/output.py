@@ -138,19 +138,14 @@ _bars: list[str] = []
 @contextmanager
 def heartbeat() -> Iterator[None]:
     """Say on stderr every `BEAT` seconds that the work inside goes on, unless a bar shows it."""
-    over, start = threading.Event(), time.monotonic()
+    start = time.monotonic()
 
     def beat() -> None:
-        while not over.wait(BEAT):
-            if not _bars:
-                print(f"sweetspot: still working ({time.monotonic() - start:.0f} s)", file=sys.stderr, flush=True)
+        if not _bars:
+            print(f"sweetspot: still working ({time.monotonic() - start:.0f} s)", file=sys.stderr, flush=True)
 
-    with suppress(RuntimeError):  # the system may refuse another thread; then nobody is told
-        threading.Thread(target=beat, daemon=True, name="heartbeat").start()
-    try:
+    with _meanwhile(beat, wait=BEAT, again=True):
         yield
-    finally:
-        over.set()
 
 
 @contextmanager
@@ -160,11 +155,24 @@ def patience() -> Iterator[None]:
     def say() -> None:
         print("sweetspot: working; a first run also compiles kernels, which are kept", file=sys.stderr)
 
-    timer = threading.Timer(PATIENCE, say)
-    timer.daemon = True
+    with _meanwhile(say, wait=PATIENCE):
+        yield
+
+
+@contextmanager
+def _meanwhile(say: Callable[[], None], *, wait: float, again: bool = False) -> Iterator[None]:
+    """Call a function ``wait`` seconds after the work inside began if it still goes on, and perhaps again and again."""
+    over = threading.Event()
+
+    def watch() -> None:
+        while not over.wait(wait):
+            say()
+            if not again:
+                return
+
     with suppress(RuntimeError):  # the system may refuse another thread; then nobody is told
-        timer.start()
+        threading.Thread(target=watch, daemon=True, name="heartbeat").start()
     try:
         yield
     finally:
-        timer.cancel()
+        over.set()

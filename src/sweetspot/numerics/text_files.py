@@ -74,8 +74,7 @@ def read_bytes(path: Path, *, most: int, advice: str) -> bytes:
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise InputError(f"{str(path)[:LONGEST_NAME]} cannot be read: {reason.lower()}") from None
-    if len(content) > most:
-        raise InputError(f"{path} is larger than {most / 1e6:g} MB; {advice}")
+    _check_size(path, len(content), most=most, advice=advice)
     return content
 
 
@@ -95,7 +94,11 @@ def check_ordinary(path: Path, *, most: int, advice: str) -> None:
         raise InputError(f"{str(path)[:LONGEST_NAME]} is not a file; it cannot be read: there is no such file")
     if not path.is_file():
         raise InputError(f"{path} is not an ordinary file; {advice}")
-    if path.stat().st_size > most:
+    _check_size(path, path.stat().st_size, most=most, advice=advice)
+
+
+def _check_size(path: Path, size: int, *, most: int, advice: str) -> None:
+    if size > most:
         raise InputError(f"{path} is larger than {most / 1e6:g} MB; {advice}")
 
 
