@@ -22,6 +22,7 @@ COMMANDS = {
     "certify": ("certify", "r161-ash"),
     "paper": ("paper",),
     "play": ("play", "r161-ash", "--park", "fenway"),
+    "design": ("design", "mlb-a", "--population", "8", "--generations", "1"),
 }
 
 
@@ -42,8 +43,10 @@ def test_a_page_is_one_sheet(
     browser: Browser,
     swings: Path,
     tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
     name: str,
 ) -> None:
+    monkeypatch.setattr("sweetspot.design.polish.LOOKS", 3)  # a design's sheet is as long when it is hardly polished
     words = [str(swings) if word == "FILE" else word for word in COMMANDS[name]]
     code, _, said = run(*words, "--title", "Spring <2026>", "--for", "Ann Example", "--out", str(tmp_path))
     assert code in (0, 1), said

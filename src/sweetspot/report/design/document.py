@@ -15,8 +15,15 @@ from sweetspot.design.fronts import saved
 from sweetspot.design.measures import MEASURES
 from sweetspot.equipment.bat import Bat
 from sweetspot.report.design.sizes import drawing, sizes_table, tolerance_paragraph
-from sweetspot.report.design.words import breaking_words, effort_words, moved_words, warning_words, worth_words
-from sweetspot.report.document import Bullets, Cell, Column, Document, Paragraph, Picture, Table
+from sweetspot.report.design.words import (
+    breaking_words,
+    effort_words,
+    moved_words,
+    rules_words,
+    warning_words,
+    worth_words,
+)
+from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Picture, Section, Table
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.quantities import SCALES, Reader, reader
 from sweetspot.report.sentences import Slot, Words, read, say
@@ -38,7 +45,7 @@ def design_document(design: Designed, *, complete: bool = True) -> Document:
     """
     present = design.bench.space.present
     words = [moved_words(design), worth_words(design), warning_words(design), effort_words(design)]
-    words += breaking_words(design)
+    words += [*breaking_words(design), *rules_words(design)]
     reading = reader(None, sport(present.sport).words)
     picture = Picture(
         "design", partial(_drawn, design),
@@ -52,13 +59,14 @@ def design_document(design: Designed, *, complete: bool = True) -> Document:
             "found by then."
         )
     bat = design.bat
-    details = [sizes_table(bat)] if isinstance(bat, Bat) else []
+    details: list[Block] = [
+        _front(design), *([_rules(design)] if design.checks else []), *_limits(design),
+        *([sizes_table(bat)] if isinstance(bat, Bat) else []), *tolerance_paragraph(design),
+    ]  # fmt: skip
     return Document(
         name="design", title=bat.name, kind="Design", subtitle=_subtitle(design),
         blocks=[
-            *map(Paragraph, words), picture, _beside(design), _front(design),
-            *([_rules(design)] if design.checks else []), *_limits(design), *tolerance_paragraph(design),
-            *(Paragraph(note, "note") for note in notes),
+            *map(Paragraph, words), picture, _beside(design), *(Paragraph(note, "note") for note in notes),
         ],
         data=design_json(design, [read(sentence, reading) for sentence in words]), rows=design_rows(design),
         reader=reading, drawing=picture, details=details, attachments=_files(design),
@@ -147,7 +155,7 @@ def _rules(design: Designed) -> Table:
     return Table("Rules", [Column("rule"), Column("verdict"), Column("why")], rows)
 
 
-def _limits(design: Designed) -> list[Bullets]:
+def _limits(design: Designed) -> list[Section]:
     told = []
     for limit in design.question.limits:
         scale = MEASURES[limit.measure].scale
@@ -159,7 +167,7 @@ def _limits(design: Designed) -> list[Bullets]:
             end, side = (low, "at least") if high is None else (high, "at most")
             assert end is not None
             told.append(say("{label}: {side} {end} ({why})", label=label, side=side, end=end, why=limit.why))
-    return [Bullets([say("Limits kept:"), *told])] if told else []
+    return [Section("limits", "Limits kept", [Bullets(told)])] if told else []
 
 
 def _drawn(design: Designed, reading: Reader) -> Any:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from sweetspot.analysis.certification.rules import Verdict, title
 from sweetspot.design.answer import Designed
 from sweetspot.design.batter import FROM_TIP
 from sweetspot.design.gain import DENSITY_SPREAD, MODULUS_SPREAD, SHIPMENT, TOWARDS_END
@@ -121,6 +122,21 @@ def breaking_words(design: Designed) -> list[Sentence]:
             after=Slot(after.strain, "strain"), now=Slot(now.strain, "strain"), place=Slot(after.from_tip, "place"),
         )
     ]  # fmt: skip
+
+
+def rules_words(design: Designed) -> list[Sentence]:
+    """Return whether the design keeps the league's rules, as far as a drawing decides them."""
+    failed, open_ones = (
+        [title(check.rule) for check in design.checks if check.verdict is verdict]
+        for verdict in (Verdict.FAIL, Verdict.NOT_DECIDABLE)
+    )
+    if not design.checks:
+        return []
+    kept = say("It breaks the rules: {failed}.", failed=", ".join(failed)) if failed else say(
+        "It keeps every rule of its league that a drawing decides."
+    )  # fmt: skip
+    left = say(" Left open: {left}.", left=", ".join(open_ones)) if open_ones else say("")
+    return [kept + left]
 
 
 def effort_words(design: Designed) -> Sentence:
