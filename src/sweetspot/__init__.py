@@ -8,6 +8,19 @@ Describe a real bat, find where it hits best and why. Names here load their modu
     bat = catalog.bat("r161-ash")
     result = analyse(bat, standard_conditions(bat))
     result.sweet_spots.max_exit_speed  # m from the knob end
+
+What to ask, and what to give. Everything is in SI units and radians, positions are metres from the knob end:
+
+- a bat or anything else that hits: `bat`, `implement`, `catalog`; its usual swing: `standard_conditions`;
+- where it hits best and why: `analyse`, or `standard_analysis` in one call; beside other bats: `compare`;
+- whether rules let it pass: `certify`;
+- one collision: `hit`; many: `hits`; in space, with spin: `strike`, `strikes`;
+- a ball in the air: `launched`, then `fly` in the air of `standard_flight`; in every park: `landings_everywhere`;
+- a pitch that is hit: `play`, `plays`;
+- what a bat is made of inside: `beam_model`, `rigid_body`, `all_modes`, `gripped`;
+- the implemented paper: `paper_rows`.
+
+``help(sweetspot.hit)`` and its like tell parameters, units, errors and an example.
 """
 
 from __future__ import annotations

@@ -76,6 +76,30 @@ def analyse(bat: Given, conditions: Conditions) -> Analysis[Given]:
 
     Hands without mass leave the bat free, which is right for the ball's exit (published: grip
     does not matter) and an upper bound for the vibration.
+
+    Parameters
+    ----------
+    bat : or any other implement, from `catalog.bat`, `catalog.implement`, a file, or made in Python.
+    conditions : pitch, swing, ball and hands; `standard_conditions(bat)` gives the usual ones, and its method
+        ``replaced`` others.
+
+    Returns
+    -------
+    Analysis
+        ``sweet_spots`` (m from the knob end), ``scan`` (curves along the bat), ``modes``, ``body``, ``best``.
+
+    Raises
+    ------
+    InputError
+        when the swing or the hands do not go with the bat, or the ball outweighs it.
+
+    >>> from sweetspot import analyse, catalog, standard_conditions
+    >>> bat = catalog.bat("r161-ash")
+    >>> found = analyse(bat, standard_conditions(bat))
+    >>> round(bat.length - found.sweet_spots.max_exit_speed, 2)  # m from the tip
+    0.15
+    >>> round(float(found.scan.exit_speed.max()), 1)  # m/s
+    46.4
     """
     return analyse_reduced(reduced_bat(bat, ball=conditions.ball), conditions)
 
@@ -93,10 +117,14 @@ def analyse_reduced(reduced: ReducedBat[Given], conditions: Conditions) -> Analy
 def hit_at(
     position: float, *, modes: Modes, conditions: Conditions, lateral: float = 0.0, law: ContactLaw | None = None
 ) -> Impact:
-    """Return the hit at one place (m from the knob end, and across the face) under these conditions.
+    """Return the hit at one place under these conditions.
 
     Parameters
     ----------
+    position : m from the knob end.
+    modes : of the bat: ``modes`` of an `Analysis`.
+    conditions : pitch, swing and ball.
+    lateral : m across the face from the bat's line.
     law : another contact law than the ball's own.
     """
     closing = conditions.pitch.speed + conditions.swing.speed_at(position)
@@ -104,7 +132,13 @@ def hit_at(
 
 
 def exit_speed_of(impact: Impact, conditions: Conditions) -> float:
-    """Return the exit speed in m/s of a hit: q v_ball + (1 + q) v_bat."""
+    """Return the exit speed in m/s of a hit: q v_ball + (1 + q) v_bat.
+
+    Parameters
+    ----------
+    impact : as `hit` or `hit_at` give it.
+    conditions : the pitch and the swing that it was hit with.
+    """
     bat_speed = conditions.swing.speed_at(impact.position)
     return exit_speed(impact.collision_efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed)
 

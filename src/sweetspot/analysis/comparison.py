@@ -62,6 +62,11 @@ class Comparison(ShownInNotebooks, Generic[Tool_co]):
     """Bats side by side, the reference first; ``law`` is None when all are swung at the same speed.
 
     The intervals hold the spread of the law's exponent and nothing else.
+
+    Parameters
+    ----------
+    compared : every bat with its analysis, bat speed, exit speed and change, the reference first.
+    law : by which bats are swung with the same effort.
     """
 
     compared: tuple[Compared[Tool_co], ...]
@@ -98,6 +103,13 @@ def compare(
     ------
     InputError
         without a bat, with labels that do not go with the bats, or when a bat or its swing is refused.
+
+    >>> from sweetspot import catalog, compare, standard_conditions
+    >>> bats = [catalog.bat("r161-ash"), catalog.bat("corked-r161")]
+    >>> found = compare(bats, conditions=standard_conditions(bats[0]), law=catalog.swing_law())
+    >>> corked = found.compared[1]
+    >>> round(corked.bat_speed.value, 1), round(corked.change.value, 1)  # m/s: swung faster, and what the ball loses
+    (32.2, -0.4)
     """
     _check_alike(bats)
     reductions = [reduced_bat(bat, ball=conditions.ball) for bat in bats]

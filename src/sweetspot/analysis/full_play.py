@@ -51,6 +51,22 @@ def play(
     swing, path : how fast the bat moves, and where to.
     pitch : the ball where the bat meets it, in the field's frame; the flight starts there.
     contact : where they meet.
+    friction : of ball and bat.
+
+    Returns
+    -------
+    Play
+        ``strike`` and ``flight``; no flight where bat and ball miss each other.
+
+    >>> from math import radians
+    >>> from sweetspot import BallMotion, Contact, SwingPath, catalog, play, standard_conditions, standard_flight
+    >>> from sweetspot.dynamics.reduction import reduced_bat
+    >>> bat, flying = catalog.bat("r161-ash"), standard_flight()
+    >>> pitch = BallMotion(position=(0, 0.5, 0.9), velocity=(0, -37.0, -3.0), spin=(-200.0, 0, 0))
+    >>> done = play(reduced_bat(bat, ball=flying.ball), flying, swing=standard_conditions(bat).swing,
+    ...             path=SwingPath(attack_angle=radians(9)), pitch=pitch, contact=Contact(bat.length - 0.15, 0.018))
+    >>> round(done.flight.carry)  # m
+    116
     """
     struck = strike(
         reduced, ball=conditions.ball, swing=swing, path=path, pitch=pitch, contact=contact, friction=friction

@@ -74,6 +74,12 @@ def hit(
     ------
     InputError
         for a step that is not above zero, or a place that is none in metres.
+
+    >>> from sweetspot import all_modes, beam_model, catalog, hit
+    >>> modes = all_modes(beam_model(catalog.bat("r161-ash")), catalog.ball())
+    >>> found = hit(modes, ball=catalog.ball(), position=0.7, closing_speed=70.0)
+    >>> round(found.collision_efficiency, 2), round(1e3 * found.contact_time, 1)  # q, and ms of contact
+    (0.2, 0.8)
     """
     step = contact_step(modes, ball, longest=STEP) if step is None else step
     check_step(step)

@@ -63,6 +63,16 @@ def hits(
         together to shape (hits,).
     step : s, > 0; None: `STEP`, or less where a light face needs it (`contact_step`).
     threads : workers; None: one per core, and one only for small batches.
+
+    Returns
+    -------
+    Impacts
+        arrays of shape (hits,): ``collision_efficiency``, ``contact_time``, ``peak_force``, ``outcome``, ...
+
+    >>> from sweetspot import all_modes, beam_model, catalog, hits
+    >>> modes = all_modes(beam_model(catalog.bat("r161-ash")), catalog.ball())
+    >>> hits(modes, ball=catalog.ball(), position=[0.6, 0.7, 0.8], closing_speed=70.0).collision_efficiency.round(2)
+    array([ 0.16,  0.2 , -0.05])
     """
     return _hits(modes, ball, (position, closing_speed, lateral), step, threads, keep_motion=False)
 

@@ -67,6 +67,10 @@ def beam_model(bat: Implement) -> BeamModel:
     difference down to that. Within the scatter they say nothing of where the mass lies: a gram at the knob lowers the
     first bending mode by nearly 1 %, and a tenth of an inch of balance is four grams.
 
+    Parameters
+    ----------
+    bat : or any other implement.
+
     Raises
     ------
     InputError

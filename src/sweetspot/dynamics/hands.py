@@ -23,6 +23,11 @@ def gripped(modes: Modes, hands: Hands) -> Modes:
     The hands move with the undisturbed swing, so springs and dampers act on the disturbance by the ball only.
     A hand without mass does nothing.
 
+    Parameters
+    ----------
+    modes : of the free bat, from `all_modes`.
+    hands : where they hold, and what they weigh.
+
     Returns
     -------
     Modes

@@ -35,6 +35,8 @@ def all_modes(line: BeamModel, ball: Ball, *, patch_factor: float = 1.0) -> Mode
 
     Parameters
     ----------
+    line : from `beam_model`.
+    ball : that will hit the bat: hoop modes are felt through its patch, a face is damped by it.
     patch_factor : on the radius of the ball's contact patch, > 0; 1 unless its doubt is asked for (`PATCH_SPREAD`).
     """
     if line.bat.face is not None:

@@ -49,6 +49,15 @@ def rigid_body(line: BeamModel) -> RigidBody:
 
     Point masses count for mass, balance and I_cm, and for the roll with what they have of their own: that of a club's
     head, nothing of a small weight.
+
+    Parameters
+    ----------
+    line : from `beam_model`.
+
+    >>> from sweetspot import beam_model, catalog, rigid_body
+    >>> body = rigid_body(beam_model(catalog.bat("r161-ash")))
+    >>> round(body.mass, 3), round(body.balance_point, 3), round(body.moi(0.1524), 3)  # kg, m, kg m^2 about 6 in
+    (0.879, 0.56, 0.188)
     """
     mass, first, second = moments(line)
     balance_point = first / mass

@@ -38,6 +38,12 @@ def fly(
     --------
     sweetspot.flight.trajectory.fly : the method.
     sweetspot.flight.kernel.flights : many flights, with their paths where they are wanted.
+
+    >>> from math import radians
+    >>> from sweetspot import fly, launched, standard_flight
+    >>> found = fly(launched(speed=46.0, launch_angle=radians(28), backspin=240.0), standard_flight())
+    >>> round(found.carry), round(found.hang_time, 1)  # m, s
+    (122, 5.4)
     """
     if isinstance(motion, BallMotions):
         return flights(motion, conditions, step=kernel.STEP if step is None else step)

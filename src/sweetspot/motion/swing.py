@@ -108,7 +108,17 @@ class Hands(Validated):
 
 
 class Conditions(Validated):
-    """Everything about a hit that is not the bat: the pitch, the swing, the hands and the ball."""
+    """Everything about a hit that is not the bat: the pitch, the swing, the hands and the ball.
+
+    `standard_conditions` has the usual ones; ``conditions.replaced(pitch=Pitch(speed=38.0))`` others.
+
+    Parameters
+    ----------
+    pitch : the ball's speed as it arrives.
+    swing : how fast the bat turns, and about what.
+    hands : where they hold, and whether their mass counts.
+    ball : that is hit.
+    """
 
     pitch: Pitch
     swing: Swing
