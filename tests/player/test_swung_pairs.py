@@ -47,6 +47,7 @@ def test_every_two_bats_are_compared_the_best_first() -> None:
     assert pairs[0].measured is not None and pairs[0].measured.value == pytest.approx(2.0)
     assert pairs[0].measured.high - pairs[0].measured.value == pytest.approx(0.5 * 2**0.5)
     assert words.startswith("Of the bats swung second is best: second against third +4.5 mph")
+    assert "as measured +4.5 mph (+2.9 to +6.1);" in words
     assert len(table.rows) == 3
 
 
@@ -55,7 +56,8 @@ def test_every_two_bats_are_compared_the_best_first() -> None:
     [
         (42.0, 0.0, "better"),
         (42.0, 1.0, "cannot tell"),  # draws on both sides of zero
-        (None, 0.0, "better"),  # by bat speeds alone
+        (None, 0.0, "better by the model"),  # by bat speeds alone
+        (40.2, 0.0, "better by the model"),  # measured faster, not surely
         (39.8, 0.0, "cannot tell"),  # measured a little slower
         (39.0, 0.0, "gainsaid"),  # measured surely slower
         (39.0, 1.0, "gainsaid"),
@@ -65,7 +67,8 @@ def test_only_what_the_data_can_tell_is_told(measured: float | None, spread: flo
     bats = [swung("own", 40.0), swung("second", measured)]
     (pair,), words, _ = told(bats, {"own": np.zeros(101), "second": 0.5 + spread * SPREAD})
     assert pair.verdict == verdict
-    assert ("second is best" in words) == (verdict == "better")
+    assert ("second is best" in words) == verdict.startswith("better")
+    assert ("best by the model" in words) == (verdict == "better by the model")
     assert ("swings cannot tell" in words) == (verdict == "cannot tell")
     assert ("Believe the measurement" in words) == (verdict == "gainsaid")
 
@@ -73,7 +76,7 @@ def test_only_what_the_data_can_tell_is_told(measured: float | None, spread: flo
 def test_a_measured_exit_speed_does_not_gainsay_a_carry() -> None:
     (pair,), _, _ = told([swung("own"), swung("second", 39.0)], {"own": 90 + SPREAD, "second": 93 + SPREAD},
                          Goal("carry"))  # fmt: skip
-    assert pair.verdict == "better"
+    assert pair.verdict == "better by the model"
 
 
 def test_a_bat_swung_twice_is_named_and_not_compared() -> None:

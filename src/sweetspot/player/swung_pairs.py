@@ -40,16 +40,19 @@ class Pair:
     goal_is_speed: bool
 
     @property
-    def verdict(self) -> Literal["better", "cannot tell", "gainsaid"]:
+    def verdict(self) -> Literal["better", "better by the model", "cannot tell", "gainsaid"]:
         """What can be said of the two.
 
-        "gainsaid" where what was measured surely says the opposite of the model; "better" where the interval of the
-        gain is above zero and the measured difference, if there is one, is not below it.
+        "gainsaid" where what was measured surely says the opposite of the model; "better" where measured difference
+        and model are both surely above zero; "better by the model" where the model is and what was measured, if it
+        was, is not below zero.
         """
-        against = self.goal_is_speed and self.measured is not None and self.measured.value < 0
-        if against and self.measured is not None and self.measured.high < 0 < self.gain.value:
+        measured = self.measured if self.goal_is_speed else None
+        if measured is not None and measured.high < 0 < self.gain.value:
             return "gainsaid"
-        return "better" if self.gain.low > NOTHING and not against else "cannot tell"
+        if self.gain.low <= NOTHING or (measured is not None and measured.value < 0):
+            return "cannot tell"
+        return "better" if measured is not None and measured.low > 0 else "better by the model"
 
 
 def bat_pairs(

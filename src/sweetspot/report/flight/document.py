@@ -34,6 +34,9 @@ from sweetspot.report.quantities import Reader, reader
 from sweetspot.report.sentences import Sentence, Slot, joined, say
 from sweetspot.units import DEGREE
 
+BALLPARKS = ("baseball", "softball", "youth-baseball")
+"""Sports whose field has a home plate and a centre field."""
+
 
 @dataclass(frozen=True)
 class BattedFlight:
@@ -157,7 +160,8 @@ def _json(flown: BattedFlight) -> dict[str, Any]:
 def _words(flown: BattedFlight) -> Sentence:
     hit = flown.hit
     usual = " (what such hits usually have)" if hit.backspin is None and hit.sidespin is None else ""
-    sentences = [say("A ball leaves {launch}{usual}.", launch=launch_words(flown.flight.launch), usual=usual)]
+    launch = launch_words(flown.flight.launch, ballpark=flown.sport.key in BALLPARKS)
+    sentences = [say("A ball leaves {launch}{usual}.", launch=launch, usual=usual)]
     if flown.sport.key != "baseball":
         return joined([*sentences, court_words(flown.flight, flown.sport, ball=flown.ball)])
     sentences += [flight_words(flown.flight, at=""), _bend(flown.flight)]
@@ -199,7 +203,8 @@ def _weather(flown: BattedFlight) -> Sentence:
     wind = say("still, under the roof" if roofed else "no wind")
     if hit.wind_speed:
         blowing = Slot(hit.wind_speed, "speed", digits=0)
-        wind = say("wind {speed} {where}", speed=blowing, where=direction_words(hit.wind_direction))
+        where = direction_words(hit.wind_direction, ballpark=flown.sport.key in BALLPARKS)
+        wind = say("wind {speed} {where}", speed=blowing, where=where)
     return say(
         "Air {temperature}, {humidity} humid, {elevation} above the sea: {density}; {wind}.",
         temperature=Slot(hit.temperature, "temperature"), humidity=Slot(hit.humidity, "share"),

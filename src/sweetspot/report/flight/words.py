@@ -14,6 +14,9 @@ from sweetspot.units import DEGREE
 
 STRAIGHT = 0.05 * DEGREE
 """A direction nearer to an axis than this is told as the axis."""
+PLACES_OF_BALLPARKS = ("to centre field", "to home plate", "to right field", "to left field")
+PLACES_OF_FIELDS = ("straight ahead", "straight back", "to the right", "to the left")
+"""What is ahead, behind, to the right and to the left, in words."""
 
 
 def flight_json(flight: Flight, *, path: bool = True) -> dict[str, Any]:
@@ -87,23 +90,35 @@ def landing_words(landing: Landing, park: Park) -> Sentence:
     )  # fmt: skip
 
 
-def launch_words(ball: BallMotion) -> Sentence:
-    """Return how a ball leaves: "at 105.8 mph, 24.8° up and 11.7° to right field, with 3249 rpm of backspin ..."."""
+def launch_words(ball: BallMotion, *, ballpark: bool = True) -> Sentence:
+    """Return how a ball leaves: "at 105.8 mph, 24.8° up and 11.7° to right field, with 3249 rpm of backspin ...".
+
+    Parameters
+    ----------
+    ballpark : as in `direction_words`.
+    """
     return say(
         "at {speed}, {up} and {aside}, with {spin}",
         speed=Slot(ball.speed, "speed", of="exit_speed_m_s"),
         up=signed(ball.launch_angle, "angle", "up", "down", of="launch_angle_rad"),
-        aside=direction_words(ball.spray), spin=spin_words(ball),
+        aside=direction_words(ball.spray, ballpark=ballpark), spin=spin_words(ball),
     )  # fmt: skip
 
 
-def direction_words(angle: float) -> Sentence:
-    """Return a direction over the field in words; rad, positive to right field."""
+def direction_words(angle: float, *, ballpark: bool = True) -> Sentence:
+    """Return a direction over the field in words.
+
+    Parameters
+    ----------
+    angle : rad, positive to right field.
+    ballpark : whether the field has a home plate and a centre field.
+    """
+    ahead, back, right, left = PLACES_OF_BALLPARKS if ballpark else PLACES_OF_FIELDS
     if abs(angle) < STRAIGHT:
-        return say("to centre field")
+        return say(ahead)
     if abs(abs(angle) - 180 * DEGREE) < STRAIGHT:
-        return say("to home plate")
-    return signed(angle, "angle", "to right field", "to left field")
+        return say(back)
+    return signed(angle, "angle", right, left)
 
 
 def spin_words(ball: BallMotion) -> Sentence:

@@ -10,6 +10,7 @@ from sweetspot.player.advice import PLACES, Advice, Option
 from sweetspot.player.posterior import Learned, Posterior
 from sweetspot.player.prior import PARAMETERS
 from sweetspot.player.swings import Swings
+from sweetspot.player.swung import Swung, swung_bats
 from sweetspot.player.swung_pairs import Pair
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.json_shapes import cleaned
@@ -44,6 +45,7 @@ def player_json(posterior: Posterior, advice: Advice, swings: Swings) -> dict[st
             f"now{unit}": asdict(advice.now),
             "options": [_option(option, unit) for option in advice.options],
             "not_tried": advice.faults,
+            "swung": [_swung(one) for one in swung_bats(model)],
             "pairs": [_pair(pair, unit) for pair in advice.pairs],
             "swung_too_seldom": advice.seldom,
             f"end_loaded_against_knob_loaded{unit}": asdict(advice.end_loaded),
@@ -99,6 +101,13 @@ def _option(option: Option, unit: str) -> dict[str, Any]:
         "bat": bat_json(candidate.bat.name, candidate.bat.length, candidate.body), "choke_m": candidate.bat.choke,
         "bat_speed_m_s": asdict(option.bat_speed), f"goal{unit}": asdict(option.goal),
         f"change{unit}": asdict(option.change), "chance_better": option.chance,
+    }  # fmt: skip
+
+
+def _swung(one: Swung) -> dict[str, Any]:
+    return {
+        "name": one.bat.name, "swings": one.count, "bat_speed_m_s": one.bat_speed and asdict(one.bat_speed),
+        "exit_speed_m_s": one.exit_speed and asdict(one.exit_speed),
     }  # fmt: skip
 
 

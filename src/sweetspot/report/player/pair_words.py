@@ -10,8 +10,9 @@ from sweetspot.report.sentences import Sentence, Slot, Words, joined, say, withi
 
 PAIRS_TOLD = 6
 """Pairs that are told in words; a table has all."""
-VERDICTS = {"better": "the first is better", "cannot tell": "the swings cannot tell",
-            "gainsaid": "measured and model disagree"}  # fmt: skip
+BETTER = ("better", "better by the model")
+VERDICTS = {"better": "the first is better, as measured too", "better by the model": "the first is better by the model",
+            "cannot tell": "the swings cannot tell", "gainsaid": "measured and model disagree"}  # fmt: skip
 
 
 def of_those_swung(advice: Advice) -> Words:
@@ -20,7 +21,7 @@ def of_those_swung(advice: Advice) -> Words:
     if not advice.pairs:
         return seldom
     gainsaid = [pair for pair in advice.pairs if pair.verdict == "gainsaid"]
-    told = [pair for pair in advice.pairs if pair.verdict == "better"]
+    told = [pair for pair in advice.pairs if pair.verdict in BETTER]
     unsure = [pair for pair in advice.pairs if pair.verdict == "cannot tell"]
     parts = [*(_better(pair, advice) for pair in told), *(_unsure(pair, advice) for pair in unsure)]
     left = len(parts) - PAIRS_TOLD
@@ -54,15 +55,25 @@ def _lead(pairs: tuple[Pair, ...]) -> str:
     verdicts = [pair.verdict for pair in pairs if pair.better == top]
     if all(verdict == "better" for verdict in verdicts):
         return f"Of the bats swung {top} is best"
-    if any(pair.verdict == "better" for pair in pairs):
+    if all(verdict in BETTER for verdict in verdicts):
+        return f"Of the bats swung {top} is best by the model"
+    if any(pair.verdict in BETTER for pair in pairs):
         return "Of the bats swung no one is surely the best of all"
     return "Which of the bats swung is best the swings cannot tell"
 
 
 def _better(pair: Pair, advice: Advice) -> Sentence:
-    return say(
+    words = say(
         "{better} against {other} {gain}",
         better=pair.better, other=pair.other, gain=goal_shown(pair.gain, advice.goal, sign=True),
+    )  # fmt: skip
+    if pair.measured is None or not pair.goal_is_speed:
+        return words
+    more = pair.measured.low > pair.gain.high
+    return words + say(
+        ", as measured {measured}{doubt}", measured=within(pair.measured, "speed_change", sign=True),
+        doubt=", which alone could not tell" if pair.verdict != "better"
+        else ", more than the model explains" if more else "",
     )  # fmt: skip
 
 

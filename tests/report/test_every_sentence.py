@@ -1,0 +1,251 @@
+"""Sentences of plays, flights, tests, optima, players and seasons: their numbers stand in the answer's tables or data,
+their direction words agree with the signs there, in either system of units."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sweetspot import catalog
+from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.report.document import Document, Table
+from sweetspot.report.quantities import SI, SYSTEMS, US
+from sweetspot.units import INCH, OUNCE
+from tests.documented import DOCS, write_files
+from tests.report.told import Tell, blocks, check_sentences, tell, text_of
+
+__all__ = ["tell"]
+READERS = tuple(SYSTEMS.values())
+DEGREE = 0.0175
+AT_PARK = ("--park", "BOS")
+
+
+def agrees(text: str, value: float, positive: str, negative: str, *, least: float = 1e-9) -> None:
+    """Fail unless the word that is there is the one of the value's sign; a value below ``least`` may have neither."""
+    found = (re.search(rf"\b{positive}\b", text) is not None, re.search(rf"\b{negative}\b", text) is not None)
+    assert found == (value > 0, value < 0) if abs(value) > least else not all(found), (positive, negative, value, text)
+
+
+def check_launch(text: str, launch: Mapping[str, Any]) -> None:
+    """Up and down, right and left, backspin and topspin."""
+    leaves = next(line for line in re.split(r"\.\s", text) if "leaves at" in line)
+    agrees(leaves, launch["launch_angle_rad"], "up", "down")
+    agrees(leaves, launch["spray_rad"], "to (the right|right field)", "to (the left|left field)", least=0.01 * DEGREE)
+    agrees(leaves, launch["backspin_rad_s"], "backspin", "topspin", least=DEGREE)
+    agrees(leaves, launch["sidespin_rad_s"], "bend it left", "bend it right", least=DEGREE)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("r161-ash", *AT_PARK),
+        ("r161-ash", "--offset=-1.6in"),
+        ("r161-ash", "--offset", "2.2in", *AT_PARK),
+        ("r161-ash", "--offset", "3in", "--force"),  # a miss
+        ("single-wall", "--pitch", "curve", "--bats", "left", *AT_PARK),
+        ("youth-30", "--pitch", "little-league-fastball", "--park", "little-league"),
+        ("slow-pitch", "--pitch", "slow-pitch", "--park", "slow-pitch"),
+    ],
+    ids=" ".join,
+)
+def test_a_play(tell: Tell, words: tuple[str, ...]) -> None:
+    document = tell("play", *words)
+    data, text = document.data, text_of(document, US)
+    length = catalog.bat(words[0]).length
+    check_sentences(document, READERS, [length - data["position_m"]])
+    assert f"{'below' if data['offset_m'] >= 0 else 'above'} the ball's centre" in text
+    if data["exit_speed_m_s"] is None:
+        assert "missed" in text or "miss" in text
+        return
+    check_launch(text, data)
+    flight = data["flight"]
+    if (
+        flight["carry_m"] > 30 and abs(flight["bearing_rad"] - data["spray_rad"]) > DEGREE
+    ):  # other code: where spin says that the flight bends
+        bent = "right" if flight["bearing_rad"] > data["spray_rad"] else "left"
+        assert f"bend it {bent}" in text
+    check_fence(text, data["fence"])
+
+
+def check_fence(text: str, fence: Mapping[str, Any] | None) -> None:
+    if not fence or fence["clearance_m"] is None or fence["outcome"] == "foul":
+        assert "its top:" not in text
+        return
+    over = fence["clearance_m"] > 0
+    assert f"{'over' if over else 'below'} its top: {fence['outcome']}" in text
+    assert (fence["outcome"] == "home run") == over
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("--exit-speed", "100mph", "--launch-angle", "28deg", *AT_PARK),
+        ("--exit-speed", "104mph", "--launch-angle", "31deg", "--spray=-40deg", "--wind-speed", "12mph",
+         "--wind-direction=-90deg", *AT_PARK),
+        ("--ball", "tennis", "--exit-speed", "57m/s", "--launch-angle=-6deg", "--backspin=-1500rpm", "--spray", "3deg",
+         "--height", "2.7m", "--wind-speed", "4m/s"),
+        ("--ball", "golf", "--exit-speed", "167mph", "--launch-angle", "10.9deg", "--backspin", "2686rpm",
+         "--sidespin", "400rpm"),
+        ("--ball", "shuttle", "--exit-speed", "60m/s", "--launch-angle", "30deg", "--height", "1m"),
+    ],
+    ids=" ".join,
+)  # fmt: skip
+def test_a_flight(tell: Tell, words: tuple[str, ...]) -> None:
+    document = tell("fly", *words)
+    data, text = document.data, text_of(document, US)
+    margins = [mark["margin_m"] for mark in data.get("court", {}).get("marks", [])]
+    weather = [294.26111, 21.11111, 0.5, 6.4008, 12 * 0.44704, 4.0, math.pi / 2]  # of the options, or usual
+    start = [document.rows[name][0] for name in ("right_m", "out_m")] if document.rows else []
+    reached = ((document.rows["right_m"][-1] - start[0]) ** 2 + (document.rows["out_m"][-1] - start[1]) ** 2) ** 0.5
+    check_sentences(document, READERS, [*margins, *weather, reached, data["bearing_rad"] - data["launch"]["spray_rad"]])
+    check_launch(text, data["launch"])
+    bend = re.search(r"bend it \S+ to the (right|left)", text)
+    if bend is not None:
+        assert (bend[1] == "right") == (data["bearing_rad"] > data["launch"]["spray_rad"])
+    check_fence(text, data.get("fence"))
+    if "parks" in data:
+        assert f"home run in {data['out_in']} of {data['parks']} parks" in text
+        assert f"{round(100 * data['home_run_chance'])} are home runs here" in text
+    if "court" in data:
+        assert not re.search(r"centre field|right field|left field|home plate|home run", text)
+        for mark in data["court"]["marks"]:
+            told = next(line for line in re.split(r"(?<=[a-z])\. ?", text) if f"the {mark['name']}" in line)
+            good = " over " if mark["side"] != "before" else " before "
+            assert (good in told) == mark["good"], told
+
+
+@pytest.mark.parametrize("words", [("r161-ash",), ("r161-ash", "--league", "all"), ("russell-b5", "--wall-that-passes"),
+                                   ("youth-30",), ("corked-r161", "--league", "mlb"), ("slow-pitch",)],
+                         ids=" ".join)  # fmt: skip
+def test_a_bat_test(tell: Tell, words: tuple[str, ...]) -> None:
+    document = tell("certify", *words)
+    data, text = document.data, text_of(document, US)
+    walls = [1e3 * wall["thickness_m"] for wall in data.get("walls", [])]
+    check_sentences(document, READERS, walls)
+    verdicts = [check["verdict"] for check in data["checks"]]
+    headline = text.splitlines()[0]
+    assert ("fails:" in headline) == ("fail" in verdicts) == (not data["passed"])
+    kept, decided = verdicts.count("pass"), len(verdicts) - verdicts.count("does not apply")
+    if data["passed"]:
+        assert f"{kept} of {decided}" in headline or (kept == decided and "every rule." in headline)
+    for value, most in re.findall(r"\(([\d.]+), allowed at most ([\d.]+)\)", headline):
+        assert float(value) > float(most)
+    for check in data["checks"]:
+        if check["verdict"] in ("pass", "fail") and check["margin"] is not None and abs(check["margin"]) > 0.006:
+            assert (check["margin"] > 0) == (check["verdict"] == "pass"), check
+    for wall in data.get("walls", []):
+        heavier = re.search(r"weigh ([\d.]+) oz instead of ([\d.]+) oz", text)
+        assert heavier is not None and (float(heavier[1]) > float(heavier[2])) == (wall["factor"] > 1)
+
+
+def test_the_best_way_to_hit(tell: Tell) -> None:
+    document = tell("optimum")
+    check_sentences(document, READERS, [catalog.bat("r161-ash").length - row["position_m"]
+                                        for row in document.data.get("swings", [])])  # fmt: skip
+    text = text_of(document, US)
+    for row, line in zip(document.data.get("swings", []), text.splitlines(), strict=False):
+        agrees(line.split("axis")[1], row["undercut_m"], "below", "above")
+        assert US.number(row["carry_m"], "distance") in line and row["pitch"] in line
+
+
+def test_the_easiest_park(tell: Tell) -> None:
+    document = tell("optimum", "--show", "parks", "--park", "all")
+    check_sentences(document, READERS)
+    parks, text = document.data["parks"], text_of(document, US)
+    easiest = min(parks, key=lambda park: park["exit_speed_m_s"])
+    assert f"Easiest to leave is {easiest['park']}: a ball of {US.shown(easiest['exit_speed_m_s'], 'speed')}" in text
+    agrees(text, easiest["direction_rad"], "to right field", "to left field", least=0.01 * DEGREE)
+
+
+def test_parks_say_what_their_fences_are(tell: Tell) -> None:
+    """Tables only: their distances are those of the data, and a wall's span has its lower end first."""
+    document = tell("parks")
+    (table, *_) = [block for block in blocks(document) if isinstance(block, Table)]
+    for row, park in zip(table.rows, document.data["parks"], strict=True):
+        assert row[0] == park["key"]
+        told = [park[f"{name}_m"] for name in ("left_field", "left_center", "center_field", "right_center",
+                                               "right_field")]  # fmt: skip
+        assert list(row[4:9]) == told
+        assert park["lowest_fence_m"] <= park["highest_fence_m"] < min(told)
+
+
+@pytest.mark.parametrize("words", [("r161-ash", "--at", "4in-from-tip"), ("r161-ash", "--at", "14in-from-tip"),
+                                   ("single-wall", "--at", "6in-from-tip"), ("tennis-racket", "--at", "16cm-from-tip"),
+                                   ("golf-driver", "--at", "3cm-from-tip")], ids=" ".join)  # fmt: skip
+def test_a_hit(tell: Tell, words: tuple[str, ...]) -> None:
+    document = tell("hit", *words)
+    check_sentences(document, READERS)
+
+
+@pytest.fixture
+def swings(tmp_path: Path) -> Path:
+    write_files(tmp_path, DOCS / "users" / "coach.md")
+    return tmp_path
+
+
+@pytest.mark.parametrize("goal", [("--goal", "exit-speed"), ("--goal", "line", "--line", "250ft")], ids=" ".join)
+def test_a_player(tell: Tell, swings: Path, goal: tuple[str, ...]) -> None:
+    document = tell("fit-player", str(swings / "swings.csv"), *goal)
+    data, text = document.data, text_of(document, US)
+    check_sentences(document, READERS, [OUNCE, INCH, INCH / 4, STANDARD_AXIS])
+    assert text.count("12 swings count") == 1 and "6 with R161" in text
+    check_verdicts(document, data)
+
+
+def check_verdicts(document: Document, data: Mapping[str, Any]) -> None:
+    """A recommendation stands where the interval is on one side of zero, and "cannot tell" where it holds zero."""
+    answers = {one["question"]: one["answer"] for one in data["answers"]}
+    (change,) = {key for key in data["options"][0] if key.startswith("change_") and key != "change_probability"}
+    options = {option["key"]: option for option in data["options"]}
+    for family, question in (("weight", "Heavier or lighter?"), ("length", "Longer or shorter?")):
+        sure = [one["label"] for one in data["options"] if one["family"] == family and one[change]["low"] > 1e-9]
+        first = answers[question].split(".")[0].lower()
+        assert (" is best" in first) == bool(sure) and (not sure or first.startswith(sure[0].lower()))
+        for one in data["options"]:
+            if one["family"] == family:
+                told = re.search(re.escape(one["label"]) + r" ([-+])", answers[question])
+                assert told is not None and (told[1] == "+") == (one[change]["value"] > -1e-12)
+    (loaded,) = (value for key, value in data.items() if key.startswith("end_loaded_against"))
+    for words, key, interval in (
+        (("End-loaded", "Balanced"), "Balanced or end-loaded?", loaded),
+        (("Yes", "No"), "Choke up?", options["choke1in"][change]),
+    ):
+        expected = (
+            words[0] if interval["low"] > 1e-9 else words[1] if interval["high"] < -1e-9 else "These swings cannot"
+        )
+        assert answers[key].startswith(expected)
+    pairs = data["pairs"]
+    for pair in pairs:
+        gain = next(value for key, value in pair.items() if key.startswith("gain"))
+        assert pair["better"] in answers["Which bat?"] and gain["value"] >= 0
+        assert ("better" in pair["verdict"]) <= (gain["low"] > 0)
+
+
+def test_a_season(tell: Tell, swings: Path) -> None:
+    document = tell("season", str(swings / "statcast_2024.csv.gz"), "--try", "mlb-a")
+    text = text_of(document, US)
+    check_sentences(document, READERS)
+    (ledger, *_) = [block for block in blocks(document) if isinstance(block, Table)]
+    heads = [str(column.heading) for column in ledger.columns]
+    rows, used = (ledger.rows[-1][heads.index(name)] for name in ("rows", "used"))
+    assert text.startswith(f"{rows} rows in 1 file; {used} balls in play with an exit speed.")
+    players = document.rows
+    expected, hit = re.findall(r"Home runs: (\d+) expected .+?, (\d+) hit", text)[0]
+    assert int(expected) == round(sum(players["home_runs_expected"])) and int(hit) == sum(players["home_runs"])
+    assert sum(players["balls"]) == int(str(used).replace(",", ""))
+
+
+def test_a_player_of_a_season(tell: Tell, swings: Path) -> None:
+    document = tell("season", str(swings / "statcast_2024.csv.gz"), "--player", "592450", "--try", "mlb-a")
+    data, text = document.data, text_of(document, SI)
+    check_sentences(document, READERS)
+    assert text.startswith(f"{data['balls']} balls in play") and f"{data['home_runs']} hit;" in text
+    assert f"{data['home_runs_expected']:.1f} home runs" in text and f"{data['mostly_gone']} mostly gone" in text
+    gains = {key: value for key, value in data.items() if key.startswith("with ") and "_" not in key}
+    if any(gains.values()) and max(value or 0 for value in gains.values()) > 0:
+        assert "would serve best: +" in text

@@ -1,0 +1,137 @@
+"""What a command tells: its document caught before it is printed, its sentences, and every number of its tables."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+
+from sweetspot.report.document import Block, Bullets, Cards, Cell, Document, Paragraph, Question, Section, Table
+from sweetspot.report.quantities import Reader
+from sweetspot.report.sentences import Bounds, Doubtful, Part, Sentence, Slot, Span, Words, read
+
+Run = Callable[..., tuple[int, str, str]]
+Tell = Callable[..., Document]
+
+LEFT_OVER = re.compile(
+    r"[{}]|\bnan\b|\binf\b|None|--(?![a-z])|  |(?<![\d.])0 mph|towards to|from from|\b1 (files|swings|rows|balls)\b"
+)
+INTERVAL = re.compile(r"([-+]?\d[\d,.]*)(?: [^\d\s()][^\s()]*)? \(([-+]?\d[\d,.]*) to ([-+]?\d[\d,.]*)\)")
+
+
+@pytest.fixture
+def tell(run: Run, monkeypatch: pytest.MonkeyPatch) -> Tell:
+    """Return a function that runs a command and returns the document it would print."""
+    caught: list[Document] = []
+
+    def present(document: Document, *_: object, **__: object) -> int:
+        caught.append(document)
+        return 0
+
+    monkeypatch.setattr("sweetspot.cli.output.present", present)
+
+    def command(*words: str) -> Document:
+        caught.clear()
+        code, _, said = run(*words)
+        assert len(caught) == 1, (code, said)
+        return caught[0]
+
+    return command
+
+
+def blocks(document: Document) -> Iterator[Block]:
+    """Return every block that a terminal shows, those inside sections too."""
+    waiting = [*document.blocks, *document.details]
+    while waiting:
+        block = waiting.pop(0)
+        yield block
+        if isinstance(block, Section):
+            waiting[:0] = block.blocks
+
+
+def sentences(document: Document) -> Iterator[Words]:
+    """Return every sentence: running text, lists, answers to questions, cards."""
+    for block in blocks(document):
+        if isinstance(block, Paragraph):
+            yield block.words
+        elif isinstance(block, Bullets):
+            yield from block.items
+        elif isinstance(block, Question):
+            yield block.answer
+        elif isinstance(block, Cards):
+            yield from (number for number, _ in block.cards)
+
+
+def text_of(document: Document, reader: Reader) -> str:
+    """Return all sentences as a reader sees them."""
+    return "\n".join(read(words, reader) for words in sentences(document))
+
+
+def numbers_in(words: Words) -> Iterator[float]:
+    """Return the numbers of a sentence in SI, the ends of intervals too."""
+    for part in words.parts if isinstance(words, Sentence) else ():
+        yield from _of_part(part)
+
+
+def known_numbers(document: Document) -> np.ndarray:
+    """Return every number of a document's data and tables in SI, without sign."""
+    found = [*_of_data(dict(document.data))]
+    for block in blocks(document):
+        if isinstance(block, Table):
+            found += [number for row in block.rows for cell in row for number in _of_cell(cell)]
+    values = np.abs(np.array(found, float))
+    return np.asarray(values[np.isfinite(values)])
+
+
+def unknown_numbers(document: Document, allowed: Iterable[float] = ()) -> list[tuple[float, str]]:
+    """Return the numbers of sentences that stand in no table and not in the data, with their sentence."""
+    known = np.concatenate([known_numbers(document), np.abs(np.array([*allowed], float))])
+    return [
+        (number, str(words))
+        for words in sentences(document)
+        for number in numbers_in(words)
+        if not (math.isfinite(number) and np.isclose(known, abs(number), rtol=1e-6, atol=1e-9).any())
+    ]
+
+
+def check_sentences(document: Document, readers: Iterable[Reader], allowed: Iterable[float] = ()) -> None:
+    """Fail for numbers that stand nowhere else, words left over from templates, and values outside their intervals."""
+    unknown = unknown_numbers(document, allowed)
+    assert not unknown, unknown
+    for reader in readers:
+        text = text_of(document, reader)
+        assert not LEFT_OVER.search(text), LEFT_OVER.search(text)
+        for found in INTERVAL.finditer(text):
+            value, low, high = (float(number.replace(",", "").rstrip(".")) for number in found.groups())
+            assert low <= value <= high, found[0]
+
+
+def _of_part(part: Part) -> Iterator[float]:
+    if isinstance(part, (Slot, Doubtful)):
+        yield part.value
+    elif isinstance(part, (Span, Bounds)):
+        yield from (part.low, part.high)
+
+
+def _of_cell(cell: Cell) -> Iterator[float]:
+    if isinstance(cell, (int, float)):
+        yield float(cell)
+    elif isinstance(cell, Slot):
+        yield cell.value
+    elif isinstance(cell, Sentence):
+        yield from numbers_in(cell)
+
+
+def _of_data(value: Any) -> Iterator[float]:
+    if isinstance(value, dict):
+        for inner in value.values():
+            yield from _of_data(inner)
+    elif isinstance(value, (list, tuple, np.ndarray)):
+        for inner in value:
+            yield from _of_data(inner)
+    elif isinstance(value, (int, float, np.number)) and not isinstance(value, bool):
+        yield float(value)
