@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 
@@ -20,6 +22,7 @@ from sweetspot.report.quantities import US
 from sweetspot.report.sentences import read
 from sweetspot.units import INCH
 from tests.design.conftest import met_at
+from tests.report.told import LEFT_OVER, text_of, unknown_numbers
 
 
 @pytest.fixture(scope="module")
@@ -70,3 +73,19 @@ def test_shift_and_width_come_before_the_maximum(design: Designed) -> None:
 def test_a_bat_that_is_not_on_the_front_is_refused(design: Designed) -> None:
     with pytest.raises(InputError, match="bat 999 of the front"):
         told(design.bench, design.question, design.front, pick=999, league=None)
+
+
+def test_sentences_are_the_numbers_beside_them(design: Designed) -> None:
+    """Directions against signs; a number that stands nowhere else belongs to what was asked or to a tolerance."""
+    document, gain = design_document(design), design.gain
+    others = ("For contacts around", "Contacts ", "Tolerance: ", "Time to contact")
+    assert not [words for _, words in unknown_numbers(document) if not words.startswith(others)]
+    text = text_of(document, US)
+    assert not LEFT_OVER.search(text)
+    assert ("towards the hands" in text.split(";")[0]) == (gain.shift > 0)
+    assert (" wider." in text) == (gain.wider >= 0)
+    assert (" faster on average" in text) == (gain.expected >= 0)
+    assert ("a gain that you could see" in text and "no gain that" not in text) == gain.seen
+    late = re.search(r"Time to contact changes by ([-+\d.]+) ms \(([-+\d.]+) to ([-+\d.]+) ms\)", text)
+    assert late is not None and float(late[2]) <= float(late[1]) <= float(late[3])
+    assert (float(late[1]) < 0) == (gain.time < 0)
