@@ -6,7 +6,7 @@ BAT := r161-ash
 OUT := report
 unexport PYTHONDONTWRITEBYTECODE  # what one run has compiled the next need not, nor each program that a test starts
 
-.PHONY: report app browser test test-lowest quick-lowest coverage lint types docs pins mutants bench bench-quick format lock fuzz clean
+.PHONY: report app browser test test-lowest quick-lowest coverage lint js types docs pins mutants bench bench-quick format lock fuzz clean
 
 report: $(VENV)/.run  ## where does this bat hit best? BAT=name or file, OUT=folder
 	$(BIN)/sweetspot report $(BAT) --out $(OUT)
@@ -59,6 +59,16 @@ format: $(VENV)/.dev
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
 
+JS := src/sweetspot/web/static
+UNREACHED := code (E(NOTFOUND|AI_AGAIN|CONNREFUSED|CONNRESET|TIMEDOUT|HOSTUNREACH|NETUNREACH|403|407|5[0-9][0-9])|ERR_SOCKET)
+
+js: $(VENV)/.dev  ## types and rules of the page's JavaScript; Node comes as a wheel, the tools from npm
+	@if $(MAKE) -s --no-print-directory node_modules/.installed; then \
+		$(BIN)/node node_modules/typescript/bin/tsc && $(BIN)/node node_modules/eslint/bin/eslint.js $(JS) && \
+		echo "JavaScript checked: types and rules of $$(find $(JS) -name '*.js' | wc -l) modules"; \
+	elif grep -qE '$(UNREACHED)' build/npm.log; then echo "The page's JavaScript is not checked: npm's packages cannot be reached from here."; \
+	else exit 1; fi
+
 types: $(VENV)/.dev
 	$(BIN)/mypy
 
@@ -96,7 +106,7 @@ lock: $(UV)  ## pin the newest versions that pyproject allows, for every Python 
 	printf 'pytest>=9.0\nhypothesis>=6.150\n' | $(LOCK) --resolution lowest-direct pyproject.toml - -o requirements-lowest.txt
 
 clean:
-	rm -rf $(VENV) $(LOWEST) docs/_build docs/_generated docs/gallery build report .mypy_cache .ruff_cache .pytest_cache .benchmarks
+	rm -rf $(VENV) $(LOWEST) node_modules docs/_build docs/_generated docs/gallery build report .mypy_cache .ruff_cache .pytest_cache .benchmarks
 
 $(UV):
 	@python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
@@ -105,6 +115,11 @@ $(UV):
 		|| { echo "python3 here lacks venv with pip; on Debian or Ubuntu: sudo apt install python3-venv"; exit 2; }
 	python3 -m venv $(VENV)
 	$(BIN)/python -m pip install -q --disable-pip-version-check -r requirements-uv.txt
+
+node_modules/.installed: package.json package-lock.json
+	@mkdir -p build
+	@NODE_USE_SYSTEM_CA=1 $(BIN)/npm ci --ignore-scripts --no-audit --no-fund --no-update-notifier > build/npm.log 2>&1 || { cat build/npm.log; exit 1; }
+	@touch $@
 
 $(LOWEST)/.installed: requirements-lowest.txt pyproject.toml | $(UV)
 	test -d $(LOWEST) || python3 -m venv --without-pip $(LOWEST)

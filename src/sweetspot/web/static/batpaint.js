@@ -46,8 +46,8 @@ export function paintMeeting(context, ball, bat, place, colors, words) {
   circle(x + across, y - up, its, colors.paper, colors.ink);
   if (ball.launch_angle_rad !== null && ball.launch_angle_rad !== undefined) {
     const [c, s] = [Math.cos(ball.launch_angle_rad), Math.sin(ball.launch_angle_rad)];
-    const [from, reach] = [[x + across, y - up], its + 34];
-    arrow(context, from, [from[0] + reach * c, from[1] - reach * s], colors.red);
+    const reach = its + 34;
+    arrow(context, [x + across, y - up], [x + across + reach * c, y - up - reach * s], colors.red);
   }
   Object.assign(context, { font: `11px ${FONT}`, fillStyle: colors.muted, textAlign: "center", textBaseline: "top" });
   context.fillText(words, x + across / 2, y + Math.max(own, its) + 6);

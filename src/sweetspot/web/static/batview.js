@@ -22,7 +22,15 @@ const NARROW = 500; // pixels per m below which there is no room for words under
 
 export class BatView {
   constructor(app, { onBall = null, onStations = null, onGrip = null, zoom = null, label = "The bat, drawn to scale" } = {}) {
-    Object.assign(this, { app, onBall, onStations, onGrip, zoom, drawing: false, data: null, held: null, grip: null });
+    this.app = app;
+    this.onBall = onBall;
+    this.onStations = onStations;
+    this.onGrip = onGrip;
+    this.zoom = zoom;
+    this.drawing = false;
+    this.data = null;
+    this.held = null;
+    this.grip = null;
     this.surface = new Surface(app, { label, height: (width) => this.tall(width), paint: (...all) => this.paint(...all) });
     this.element = this.surface.element;
     if (zoom) zoom.listen(this.surface, (x) => this.along(x));

@@ -5,6 +5,7 @@
 //   this.bench.update(answer);                  // after every answer that has a bat
 
 import { button, choice, group, reveal, slider } from "./controls.js";
+import { partOf } from "./parts.js";
 import { posted } from "./post.js";
 import { INCH, OUNCE } from "./units.js";
 
@@ -73,7 +74,9 @@ export function ballGroup(app) {
 
 export class Bench {
   constructor(app, { picture = null, open = true } = {}) {
-    Object.assign(this, { app, picture, stations: [] });
+    this.app = app;
+    this.picture = picture;
+    this.stations = [];
     this.own = new OwnBat(app);
     this.outline = new Outline(app, (stations, last) => this.reshape(stations, last), (on) => this.draw(on));
     const { controls, show } = workshop(app, () => app.answer?.bat?.mass_kg);
@@ -115,14 +118,15 @@ class OwnBat {
       "<label for=\"bat-text\">As text</label><textarea id=\"bat-text\" rows=\"12\" spellcheck=\"false\" aria-describedby=\"bat-fault\"></textarea>" +
       "<p class=\"fault\" id=\"bat-fault\" role=\"alert\" hidden></p><div class=\"row\"></div>";
     this.text = this.element.querySelector("textarea");
-    this.words = this.element.querySelector(".fault");
+    this.words = partOf(this.element, ".fault", HTMLElement);
     this.element.querySelector(".row").append(
       button("Use this text", () => this.take(this.text.value), { primary: true }),
       button("Show the present bat", () => this.show()),
     );
-    this.element.querySelector("input").addEventListener("change", (event) => {
-      this.read(event.target.files[0]);
-      event.target.value = ""; // so that the same file can be chosen again once it is mended
+    const chosen = this.element.querySelector("input");
+    chosen.addEventListener("change", () => {
+      this.read(chosen.files[0]);
+      chosen.value = ""; // so that the same file can be chosen again once it is mended
     });
     this.element.addEventListener("toggle", () => this.element.open && !this.text.value && this.show());
     root.addEventListener("dragover", (event) => (event.preventDefault(), root.classList.add("drop")), { signal });
@@ -181,14 +185,17 @@ class OwnBat {
 // The outline: a switch that shows handles on the picture, and the same stations as numbers.
 class Outline {
   constructor(app, onChange, onDraw) {
-    Object.assign(this, { app, onChange, stations: [], shown: "" });
+    this.app = app;
+    this.onChange = onChange;
+    this.stations = [];
+    this.shown = "";
     this.element = document.createElement("details");
     this.element.innerHTML = "<summary>Draw the outline</summary><p class=\"note\">Drag the handles on the picture, or " +
       "change the numbers: place from the knob and diameter.</p><div class=\"stations\" tabindex=\"0\"><table><thead><tr><th scope=\"col\">" +
       "Place</th><th scope=\"col\">Diameter</th><th scope=\"col\"><span class=\"unseen\">Change</span></th></tr></thead><tbody></tbody></table></div>" +
       "<p class=\"fault\" role=\"alert\" hidden></p>";
     this.body = this.element.querySelector("tbody");
-    this.words = this.element.querySelector(".fault");
+    this.words = partOf(this.element, ".fault", HTMLElement);
     this.element.addEventListener("toggle", () => onDraw(this.element.open));
     app.control({ field: "profile_in", sync: () => {}, fault: (message) => this.fault(message) });
   }
@@ -206,9 +213,10 @@ class Outline {
       if (!this.element.open || now === this.shown) return;
     }
     this.shown = now;
-    const focused = [...this.body.querySelectorAll("input, button")].indexOf(document.activeElement);
+    const parts = () => /** @type {NodeListOf<HTMLElement>} */ (this.body.querySelectorAll("input, button"));
+    const focused = [...parts()].findIndex((one) => one === document.activeElement);
     this.body.replaceChildren(...stations.map((station, index) => this.row(station, index)));
-    this.body.querySelectorAll("input, button")[focused]?.focus();
+    parts()[focused]?.focus();
   }
 
   row(station, index) {

@@ -31,7 +31,11 @@ const ROWS = 24; // of the table
 
 export class Chart {
   constructor(app, { panels, axis, label, onPick = null, zoom = null }) {
-    Object.assign(this, { app, panels, axis, data: null, hover: null });
+    this.app = app;
+    this.panels = panels;
+    this.axis = axis;
+    this.data = null;
+    this.hover = null;
     this.surface = new Surface(app, { label, height: () => this.tall(), paint: (...all) => this.paint(...all) });
     this.zoom = zoom ?? new Zoom({ onChange: () => this.surface.draw() });
     this.zoom.listen(this.surface, (x) => this.xAt(x));

@@ -20,7 +20,8 @@ const CHANGES = {
 
 export class Chip {
   constructor(app) {
-    Object.assign(this, { app, names: new Map() }); // names: promises, by catalogue name or text
+    this.app = app;
+    this.names = new Map(); // names: promises, by catalogue name or text
     this.name = make("strong");
     this.changes = make("small");
     this.open = make("button", { type: "button", id: "bench-chip" }, this.name, this.changes);

@@ -10,7 +10,9 @@ import { make } from "./parts.js";
 
 export class DocumentPlace {
   constructor(app, waiting) {
-    Object.assign(this, { app, waiting, found: null });
+    this.app = app;
+    this.waiting = waiting;
+    this.found = null;
     this.element = make("div", { className: "document" }, make("p", { className: "note", textContent: waiting }));
     this.element.setAttribute("aria-busy", "true");
   }

@@ -5,7 +5,12 @@ export const LEAD = 0.4e-3; // s before first touch at which the film begins
 export class Film {
   constructor(answer) {
     const { film, hit, bat, ball, energy_j: energy } = answer;
-    Object.assign(this, { answer, hit, bat, ball, energy, times: film.time_s });
+    this.answer = answer;
+    this.hit = hit;
+    this.bat = bat;
+    this.ball = ball;
+    this.energy = energy;
+    this.times = film.time_s;
     this.end = this.times.at(-1);
     this.shapes = film.shape_per_sqrt_kg;
     this.places = film.place_m;

@@ -24,7 +24,16 @@ const HEAD = 22, FOOT = 34;
 
 export class HeatMap {
   constructor(app, { label, title, height, x, y, z, zoom = null, lines = true, onPick = null }) {
-    Object.assign(this, { app, title, tall: height, x, y, z, zoom, lines, data: null, axis: x });
+    this.app = app;
+    this.title = title;
+    this.tall = height;
+    this.x = x;
+    this.y = y;
+    this.z = z;
+    this.zoom = zoom;
+    this.lines = lines;
+    this.data = null;
+    this.axis = x;
     this.surface = new Surface(app, { label, height: () => HEAD + height + FOOT, paint: (...all) => this.paint(...all) });
     this.element = this.surface.element;
     this.numbers = new Numbers("This map as a table", () => this.tabled());

@@ -23,7 +23,8 @@ class Areas extends Chart {
     const key = `${box.right} ${panel.lines.length}`;
     if (this.named !== this.data.lines || this.namedAt !== key) {
       this.names = this.placed(context, panel, box, across);
-      Object.assign(this, { named: this.data.lines, namedAt: key });
+      this.named = this.data.lines;
+      this.namedAt = key;
     }
     context.font = `600 12px ${FONT}`;
     context.textAlign = "center";
@@ -58,7 +59,7 @@ class Areas extends Chart {
 
 export class Ledger {
   constructor(app, { onPick }) {
-    Object.assign(this, { app });
+    this.app = app;
     const lines = PARTS.map(([key, name, color]) => ({ key, name, color }));
     this.panel = { title: "Where the energy is", kind: "energy_j", height: 190, stacked: true, lines };
     this.all = lines;
@@ -72,7 +73,8 @@ export class Ledger {
   }
 
   set(film, series) {
-    Object.assign(this, { film, series });
+    this.film = film;
+    this.series = series;
     this.panel.lines = this.all.filter(({ key }) => film.energy[key]);
     this.list.replaceChildren();
     this.values = this.panel.lines.map(({ key, name, color }) => {

@@ -11,7 +11,15 @@ const FORGETS = 0.95; // of that loudness per piece
 
 export class Listening {
   constructor({ onLevel, onTap, onEnd }) {
-    Object.assign(this, { onLevel, onTap, onEnd, audio: null, taps: 0 });
+    this.onLevel = onLevel;
+    this.onTap = onTap;
+    this.onEnd = onEnd;
+    this.audio = null;
+    this.stream = null;
+    this.pieces = [];
+    this.floor = null; // loudness of the last while
+    this.left = 0; // samples until the ringing is whole
+    this.taps = 0;
   }
 
   get on() { return this.audio !== null; }

@@ -19,7 +19,14 @@ export function longWork(name) {
 
 class Work {
   constructor(name) {
-    Object.assign(this, { name, key: null, status: "none", found: null, fault: null, seen: 0, onChange: null, turn: 0 });
+    this.name = name;
+    this.key = null;
+    this.status = "none";
+    this.found = null;
+    this.fault = null;
+    this.seen = 0;
+    this.onChange = null;
+    this.turn = 0;
   }
 
   watch(signal, onChange) {

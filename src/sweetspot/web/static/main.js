@@ -36,6 +36,7 @@ import { Chip } from "./chip.js";
 import { exportButton } from "./exports.js";
 import { guide, welcome } from "./guide.js";
 import { shareButton } from "./share.js";
+import { partOf } from "./parts.js";
 import { posted } from "./post.js";
 import { Line } from "./socket.js";
 import { explain, listTerms } from "./terms.js";
@@ -130,8 +131,8 @@ class App {
 
   // What can be taken back, and done again.
   marks() {
-    element("undo").disabled = this.step === 0;
-    element("redo").disabled = this.step >= this.lastStep;
+    partOf(document, "#undo", HTMLButtonElement).disabled = this.step === 0;
+    partOf(document, "#redo", HTMLButtonElement).disabled = this.step >= this.lastStep;
   }
 
   control(control) {
@@ -280,7 +281,7 @@ class App {
   }
 
   links() {
-    for (const link of document.querySelectorAll("#views a")) {
+    for (const link of element("views").querySelectorAll("a")) {
       link.href = this.addressFor(link.dataset.name);
       if (link.dataset.name === this.name) {
         link.setAttribute("aria-current", "page");
@@ -381,7 +382,8 @@ class App {
       this.go();
     });
     addEventListener("keydown", (event) => {
-      if (!(event.ctrlKey || event.metaKey) || event.target.matches("textarea, input[type=number], input[type=text]")) return;
+      if (!(event.ctrlKey || event.metaKey) || !(event.target instanceof Element)) return;
+      if (event.target.matches("textarea, input[type=number], input[type=text]")) return;
       const way = { z: event.shiftKey ? 1 : -1, y: 1 }[event.key.toLowerCase()];
       if (way) this.undo(way);
     });
@@ -502,8 +504,10 @@ function switchOf(name, [first, firstWords], [second, secondWords], chosen, onCh
   group.className = "switch";
   group.innerHTML = `<legend class="unseen">${name}</legend>` + [[first, firstWords], [second, secondWords]].map(
     ([value, words]) => `<label><input type="radio" name="${name}" value="${value}"><span>${words}</span></label>`).join("");
-  group.querySelector(`[value=${chosen}]`).checked = true;
-  group.addEventListener("change", (event) => onChange(event.target.value));
+  for (const one of group.querySelectorAll("input")) {
+    one.checked = one.value === chosen;
+    one.addEventListener("change", () => onChange(one.value));
+  }
   return group;
 }
 

@@ -2,10 +2,32 @@
 
 import { INCH, MPH, toShown } from "./units.js";
 
+/**
+ * @template {keyof HTMLElementTagNameMap} Tag
+ * @param {Tag} tag
+ * @param {object} properties
+ * @param {(Node | string)[]} children
+ * @returns {HTMLElementTagNameMap[Tag]}
+ */
 export function make(tag, properties = {}, ...children) {
   const made = Object.assign(document.createElement(tag), properties);
   made.append(...children);
   return made;
+}
+
+/**
+ * The first element at a selector, which is of that kind; anything else is a mistake of the page, and said at once.
+ *
+ * @template {Element} Kind
+ * @param {ParentNode} place
+ * @param {string} selector
+ * @param {new () => Kind} kind
+ * @returns {Kind}
+ */
+export function partOf(place, selector, kind) {
+  const first = place.querySelector(selector);
+  if (first instanceof kind) return first;
+  throw new TypeError(`no ${kind.name} at ${selector}`);
 }
 
 // A table with a caption and row headers; a cell is a text, or { text, note, className }.

@@ -7,11 +7,15 @@ export const FONT = "system-ui, 'DejaVu Sans', sans-serif";
 
 export class Surface {
   constructor(app, { height, paint, label = "" }) {
-    Object.assign(this, { app, height, paint });
+    this.app = app;
+    this.height = height;
+    this.paint = paint;
     this.element = document.createElement("canvas");
     this.element.setAttribute("role", "img");
     this.label(label);
     this.width = 0;
+    this.tall = 0;
+    this.ratio = 0;
     this.context = this.element.getContext("2d");
     new ResizeObserver(() => this.fit() && this.draw()).observe(this.element);
     this.element.addEventListener("pointerdown", () => (this.pressed = true)); // from now on the wheel is the picture's
@@ -29,7 +33,9 @@ export class Surface {
     const height = Math.round(this.height(width));
     const ratio = window.devicePixelRatio || 1;
     if (width === this.width && height === this.tall && ratio === this.ratio) return false;
-    Object.assign(this, { width, tall: height, ratio });
+    this.width = width;
+    this.tall = height;
+    this.ratio = ratio;
     this.element.width = Math.round(width * ratio);
     this.element.height = Math.round(height * ratio);
     this.element.style.height = `${height}px`;
@@ -92,14 +98,28 @@ export class Surface {
       this.fingers.set(event.pointerId, event.offsetX);
       if (before) onPinch({ x: before.x, factor: far().apart / before.apart });
     });
-    for (const end of ["pointerup", "pointercancel", "pointerleave"]) this.element.addEventListener(end, (event) => this.fingers.delete(event.pointerId));
+    const end = (event) => this.fingers.delete(event.pointerId);
+    this.element.addEventListener("pointerup", end);
+    this.element.addEventListener("pointercancel", end);
+    this.element.addEventListener("pointerleave", end);
   }
 }
 
-// A way from one point to another with a head at its end.
+/** @typedef {[number, number]} Point */
+
+/**
+ * A way from one point to another with a head at its end.
+ *
+ * @param {CanvasRenderingContext2D} context
+ * @param {Point} from
+ * @param {Point} to
+ * @param {string} color
+ * @param {number} width
+ */
 export function arrow(context, [fromX, fromY], [toX, toY], color, width = 2) {
   const angle = Math.atan2(toY - fromY, toX - fromX);
   const size = 4 + 2 * width;
+  /** @type {(turn: number) => Point} */
   const wing = (turn) => [toX - size * Math.cos(angle + turn), toY - size * Math.sin(angle + turn)];
   Object.assign(context, { strokeStyle: color, fillStyle: color, lineWidth: width });
   context.beginPath();

@@ -7,18 +7,38 @@ const ANCHORS = { left: "start", start: "start", center: "middle", right: "end",
 const BASELINES = { alphabetic: "auto", middle: "central", top: "text-before-edge", bottom: "text-after-edge", hanging: "hanging" };
 const measure = document.createElement("canvas").getContext("2d");
 
+/** @typedef {[number, number, number, number, number, number]} Matrix */
+
 export class SvgContext {
+  fillStyle = "#000";
+  strokeStyle = "#000";
+  lineWidth = 1;
+  font = "10px sans-serif";
+  textAlign = "start";
+  textBaseline = "alphabetic";
+  globalAlpha = 1;
+  lineCap = "butt";
+  lineJoin = "miter";
+  /** @type {string[]} */
+  parts = [];
+  /** @type {string[]} */
+  path = [];
+  stack = [];
+  /** @type {Matrix} */
+  matrix = [1, 0, 0, 1, 0, 0];
+  /** @type {number[]} */
+  dash = [];
+  groups = 0;
+  clips = 0;
+
   constructor(width, height) {
-    Object.assign(this, {
-      width, height, parts: [], path: [], stack: [], matrix: [1, 0, 0, 1, 0, 0], dash: [], groups: 0, clips: 0,
-      fillStyle: "#000", strokeStyle: "#000", lineWidth: 1, font: "10px sans-serif", textAlign: "start",
-      textBaseline: "alphabetic", globalAlpha: 1, lineCap: "butt", lineJoin: "miter",
-    });
+    this.width = width;
+    this.height = height;
   }
 
   save() {
     const kept = Object.fromEntries(PROPERTIES.map((name) => [name, this[name]]));
-    this.stack.push({ kept, matrix: [...this.matrix], dash: this.dash, groups: this.groups });
+    this.stack.push({ kept, matrix: this.matrix, dash: this.dash, groups: this.groups });
     this.groups = 0;
   }
 
@@ -126,6 +146,11 @@ function swept(start, stop, backwards) {
   return backwards ? -size : size;
 }
 
+/**
+ * @param {Matrix} first
+ * @param {Matrix} second
+ * @returns {Matrix}
+ */
 function times([a, b, c, d, e, f], [p, q, r, s, t, u]) {
   return [a * p + c * q, b * p + d * q, a * r + c * s, b * r + d * s, a * t + c * u + e, b * t + d * u + f];
 }

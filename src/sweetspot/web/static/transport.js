@@ -11,7 +11,16 @@ import { button } from "./controls.js";
 
 export class Transport {
   constructor(app, { field, onMoment, describe }) {
-    Object.assign(this, { app, field, onMoment, describe, moment: 0, from: 0, to: 1, frames: [], slowness: 1000, stop: null });
+    this.app = app;
+    this.field = field;
+    this.onMoment = onMoment;
+    this.describe = describe;
+    this.moment = 0;
+    this.from = 0;
+    this.to = 1;
+    this.frames = [];
+    this.slowness = 1000;
+    this.stop = null;
     this.toggle = button("Play", () => this.flip(), { primary: true, title: "Play or pause (K)" });
     this.toggle.id = "play";
     const back = button("◀", () => this.step(-1), { title: "One picture back (,)" });

@@ -4,6 +4,12 @@
 
 import { posted } from "./post.js";
 
+/**
+ * @param {File} file
+ * @param {(part: number) => void} onPart
+ * @param {AbortSignal} [signal]
+ * @returns {Promise<string>}
+ */
 export async function upload(file, onPart = () => {}, signal = undefined) {
   const { upload: key, piece } = await posted("/api/v1/uploads", { name: file.name || "file", size: file.size });
   for (let offset = 0; offset < file.size; offset += piece) {

@@ -10,10 +10,19 @@ import { button } from "./controls.js";
 
 const PER_NOTCH = 1.0015;
 
+/** @typedef {[number, number]} Span */
+
 export class Zoom {
   // closest: the smallest part of everything that can be shown.
   constructor({ onChange, closest = 0.02 }) {
-    Object.assign(this, { onChange, closest, full: [0, 1], usual: null, own: null });
+    this.onChange = onChange;
+    this.closest = closest;
+    /** @type {Span} */
+    this.full = [0, 1];
+    /** @type {Span | null} */
+    this.usual = null;
+    /** @type {Span | null} */
+    this.own = null;
   }
 
   get range() { return this.own ?? this.usual ?? this.full; }
@@ -24,6 +33,10 @@ export class Zoom {
     if (other && this.own) this.own = this.inside(this.own);
   }
 
+  /**
+   * @param {Span} range
+   * @returns {Span}
+   */
   inside([low, high]) {
     const [least, most] = this.full;
     const span = Math.min(most - least, Math.max(this.closest * (most - least), high - low));
@@ -64,10 +77,12 @@ export class Zoom {
 
   buttons() {
     const middle = () => (this.range[0] + this.range[1]) / 2;
-    const made = [
+    /** @type {[string, string, () => void][]} */
+    const acts = [
       ["+", "Nearer", () => this.about(middle(), 0.7)], ["−", "Farther", () => this.about(middle(), 1 / 0.7)],
       ["All", "Show all of it", () => this.all()],
-    ].map(([words, title, act]) => {
+    ];
+    const made = acts.map(([words, title, act]) => {
       const one = button(words, act, { title });
       one.setAttribute("aria-label", title);
       return one;

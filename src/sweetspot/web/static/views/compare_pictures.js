@@ -13,7 +13,9 @@ const NAME = 22, ROOM = 14, WIDEST = 0.068; // px, px, m
 
 export class RowsPicture {
   constructor(app) {
-    Object.assign(this, { app, bats: [], longest: 1 });
+    this.app = app;
+    this.bats = [];
+    this.longest = 1;
     this.surface = new Surface(app, { height: (width) => Math.max(1, this.bats.length) * this.row(width), paint: (...all) => this.paint(...all) });
     this.element = this.surface.element;
   }
@@ -65,7 +67,8 @@ const CHANGE_ROW = 30, HEAD = 20, FOOT = 30;
 
 export class ChangePicture {
   constructor(app) {
-    Object.assign(this, { app, bats: [] });
+    this.app = app;
+    this.bats = [];
     this.surface = new Surface(app, { height: () => HEAD + Math.max(1, this.bats.length - 1) * CHANGE_ROW + FOOT, paint: (...all) => this.paint(...all) });
     this.element = this.surface.element;
   }

@@ -14,7 +14,9 @@ export const WANTS = {
 
 export class Front {
   constructor(app, { onTake, state }) {
-    Object.assign(this, { app, onTake, found: null });
+    this.app = app;
+    this.onTake = onTake;
+    this.found = null;
     this.work = longWork("design/search");
     this.words = make("p", { className: "note" });
     this.words.setAttribute("role", "status");
@@ -35,7 +37,8 @@ export class Front {
 
   // key: of the bat on the bench; a front of another bat is no longer shown.
   draw(key, numbers) {
-    Object.assign(this, { key, numbers });
+    this.key = key;
+    this.numbers = numbers;
     this.update();
   }
 

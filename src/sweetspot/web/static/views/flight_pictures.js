@@ -1,12 +1,18 @@
 // The flight from the side (distance over the ground against height) and from above (the field with its fence).
 
 import { FONT, Surface, arrow, haloText, ticks } from "../surface.js";
+/** @import { Point } from "../surface.js" */
 import { fromShown, toShown, unitOf } from "../units.js";
 
 const LEFT = 42, RIGHT = 14, TOP = 16, FOOT = 34;
 const BASE = 27.432; // m between bases
 const MOUND = 18.44;
 
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Point[]} points
+ * @param {{ color: string, width?: number, dash?: number[] }} look
+ */
 function line(context, points, { color, width = 2, dash = [] }) {
   Object.assign(context, { strokeStyle: color, lineWidth: width, lineJoin: "round", lineCap: "round" });
   context.setLineDash(dash);
@@ -17,6 +23,12 @@ function line(context, points, { color, width = 2, dash = [] }) {
   context.lineCap = "butt";
 }
 
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Point} place
+ * @param {number} radius
+ * @param {string} color
+ */
 function dot(context, [x, y], radius, color) {
   context.fillStyle = color;
   context.beginPath();
@@ -34,7 +46,9 @@ function placeAt({ time_s: times, ...path }, moment) {
 
 export class SidePicture {
   constructor(app) {
-    Object.assign(this, { app, data: null, moment: null });
+    this.app = app;
+    this.data = null;
+    this.moment = null;
     this.surface = new Surface(app, { height: (width) => this.tall(width), paint: (...all) => this.paint(...all) });
     this.element = this.surface.element;
   }
@@ -101,10 +115,10 @@ export class SidePicture {
     haloText(context, `fence ${this.app.text("distance", top)}`, across(distance) + (roomy ? 7 : -7), up(0) - 8, colors.ink, colors.panel);
     context.textAlign = "right";
     if (end.clearance_m !== null) {
-      const place = [across(end.distance_m), up(end.height_m)];
-      dot(context, place, 4.5, colors.red);
+      const [x, y] = [across(end.distance_m), up(end.height_m)];
+      dot(context, [x, y], 4.5, colors.red);
       const sign = end.clearance_m > 0 ? "over by" : "short by";
-      haloText(context, `${sign} ${this.app.text("distance", Math.abs(end.clearance_m))}`, place[0] - 9, Math.min(place[1] + 12, up(0) - 24), colors.ink, colors.panel);
+      haloText(context, `${sign} ${this.app.text("distance", Math.abs(end.clearance_m))}`, x - 9, Math.min(y + 12, up(0) - 24), colors.ink, colors.panel);
     }
     Object.assign(context, { font: `11px ${FONT}`, textAlign: "left" });
     const high = vacuum.up_m.indexOf(Math.max(...vacuum.up_m));
@@ -134,7 +148,17 @@ export class SidePicture {
 export class FieldPicture {
   // onLand({ distance, direction }, { last }): where the ball comes down is dragged; onWind: the wind's arrow is.
   constructor(app, { onLand, onWind }) {
-    Object.assign(this, { app, data: null, moment: null, fences: null, winding: false });
+    this.app = app;
+    this.data = null;
+    this.moment = null;
+    this.fences = null;
+    this.winding = false;
+    this.state = null;
+    /** @type {Point} */
+    this.plate = null; // where home plate is painted
+    this.scale = 1; // pixels per m
+    /** @type {Point} */
+    this.vane = null; // where the wind's arrow is painted
     this.surface = new Surface(app, { height: (width) => 0.98 * width, paint: (...all) => this.paint(...all) });
     this.element = this.surface.element;
     this.element.style.cursor = "grab";
@@ -166,7 +190,8 @@ export class FieldPicture {
   }
 
   draw(answer, state) {
-    Object.assign(this, { data: answer, state });
+    this.data = answer;
+    this.state = state;
     this.surface.label(`The field of ${answer.park.name} from above, with the path of the ball, which is ${answer.end.outcome}.`);
     this.surface.draw();
   }
@@ -178,9 +203,12 @@ export class FieldPicture {
     const reach = 1.05 * Math.max(...park.out_m, ...path.out_m, 60);
     const wide = 1.05 * Math.max(...park.right_m.map(Math.abs), ...path.right_m.map(Math.abs));
     const scale = Math.min((height - 30) / (reach + 6), width / (2 * wide));
+    /** @type {(right: number, out: number) => Point} */
     const at = (right, out) => [width / 2 + right * scale, height - 14 - (out + 4) * scale];
     const fence = park.right_m.map((right, i) => at(right, park.out_m[i]));
-    Object.assign(this, { plate: at(0, 0), scale, vane: [46, height - 66] });
+    this.plate = at(0, 0);
+    this.scale = scale;
+    this.vane = [46, height - 66];
     context.beginPath();
     context.moveTo(...at(0, 0));
     for (const point of fence) context.lineTo(...point);
@@ -203,7 +231,7 @@ export class FieldPicture {
     Object.assign(context, { font: `600 12px ${FONT}`, textAlign: "center", textBaseline: "middle" });
     const [x, y] = at(path.right_m.at(-1), path.out_m.at(-1));
     haloText(context, this.app.text("distance", flight.carry_m), Math.min(width - 30, Math.max(30, x)), Math.max(10, y - 13), colors.ink, colors.panel);
-    this.paintDistances(context, fence, park, at);
+    this.paintDistances(context, fence, park);
     this.paintWind(context);
   }
 
@@ -225,12 +253,12 @@ export class FieldPicture {
     context.restore();
     const h = BASE / Math.SQRT2;
     context.beginPath();
-    for (const point of [[0, 2], [h - 2, h], [0, 2 * h - 2], [2 - h, h]]) context.lineTo(...at(...point));
+    for (const [right, out] of [[0, 2], [h - 2, h], [0, 2 * h - 2], [2 - h, h]]) context.lineTo(...at(right, out));
     context.closePath();
     context.fillStyle = colors.grass;
     context.fill();
     line(context, [fence[0], at(0, 0), fence.at(-1)], { color: colors.paper, width: 1.5 });
-    for (const base of [[0, 0], [h, h], [0, 2 * h], [-h, h]]) dot(context, at(...base), 2.5, colors.ink);
+    for (const [right, out] of [[0, 0], [h, h], [0, 2 * h], [-h, h]]) dot(context, at(right, out), 2.5, colors.ink);
     dot(context, at(0, MOUND), 2.5, colors.ink);
   }
 

@@ -13,6 +13,7 @@ const PANELS = [
   { title: "Force on the ball", kind: "force_n", height: 84, zero: true, lines: [{ key: "force_n", color: "red", fill: true }] },
   { title: "Speed of the bat under the top hand", kind: "hand_velocity_m_s", height: 84, lines: [{ key: "hand", color: "purple" }] },
 ];
+/** @type {[string, (answer: any) => [string, number | null]][]} */
 const FACTS = [
   ["Exit speed", (a) => ["exit_speed_m_s", a.hit.exit_speed_m_s]],
   ["Push over, below 1 % of its peak", (a) => ["contact_time_s", a.hit.contact_time_s]],

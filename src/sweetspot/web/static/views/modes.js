@@ -168,7 +168,7 @@ export const view = {
       return { input, share: cells[4], felt: cells[5] };
     });
     this.rowsBox.replaceChildren(table);
-    if (held) table.querySelector(":checked")?.focus();
+    if (held) /** @type {HTMLElement | null} */ (table.querySelector(":checked"))?.focus();
   },
 
   say() {
@@ -230,10 +230,13 @@ function thumbnail({ shape }) {
   svg.setAttribute("viewBox", "0 0 84 26");
   svg.setAttribute("aria-hidden", "true");
   const points = shape.filter((_, i) => i % 4 === 0).map((value, i, all) => `${(2 + (80 * i) / (all.length - 1)).toFixed(1)},${(13 - 10 * value).toFixed(1)}`);
-  for (const [tag, look] of [["line", { x1: 2, x2: 82, y1: 13, y2: 13, stroke: "var(--line)", "stroke-dasharray": "3 3" }],
-    ["polyline", { points: points.join(" "), fill: "none", stroke: "var(--accent)", "stroke-width": 2 }]]) {
+  const looks = {
+    line: { x1: 2, x2: 82, y1: 13, y2: 13, stroke: "var(--line)", "stroke-dasharray": "3 3" },
+    polyline: { points: points.join(" "), fill: "none", stroke: "var(--accent)", "stroke-width": 2 },
+  };
+  for (const [tag, look] of Object.entries(looks)) {
     const element = document.createElementNS(space, tag);
-    for (const [name, value] of Object.entries(look)) element.setAttribute(name, value);
+    for (const [name, value] of Object.entries(look)) element.setAttribute(name, String(value));
     svg.append(element);
   }
   return svg;

@@ -134,9 +134,9 @@ export const view = {
       const box = tableOf("What was not known: 90 % intervals before and now", ["", "before", "now", "off the description", "what is left comes from"], unknowns.map((one) => [
         one.label, `±\u00a0${share(one.before)}`, `±\u00a0${share(one.after)}`, share(one.off), one.budget.slice(0, 2).map(({ name, share: part }) => `${name} ${share(part)}`).join(", ")]));
       box.querySelectorAll("tbody tr").forEach((row, i) => {
-        const bar = make("span", { className: "shrunk", ariaHidden: "true" }, make("span"));
-        bar.firstChild.style.width = `${100 * Math.min(1, unknowns[i].after / unknowns[i].before)}%`;
-        row.children[2].append(bar);
+        const left = make("span");
+        left.style.width = `${100 * Math.min(1, unknowns[i].after / unknowns[i].before)}%`;
+        row.children[2].append(make("span", { className: "shrunk", ariaHidden: "true" }, left));
       });
       told.push(box);
     }

@@ -13,7 +13,10 @@ const kept = { recordings: [], found: null }; // as long as the page is open
 
 export class TapPlace {
   constructor(app) {
-    Object.assign(this, { app, signal: app.signal, asking: false, more: false });
+    this.app = app;
+    this.signal = app.signal;
+    this.asking = false;
+    this.more = false;
     this.ear = new Listening({
       onLevel: (part) => (this.level.value = Math.min(1, part)),
       onTap: (file) => this.add([file]),
@@ -106,7 +109,7 @@ export class TapPlace {
   async ask(recordings) {
     if (!recordings.length) return;
     this.words.textContent = "Listening to what was recorded …";
-    let found = null;
+    let found;
     try {
       found = await this.answerTo({ ...this.app.state, recordings });
     } catch (fault) {

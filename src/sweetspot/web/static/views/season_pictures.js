@@ -74,7 +74,9 @@ export class Ceilings {
 // The field from above: boxes coloured by their balls, the chosen park's fence, and distances from home.
 export class FieldMap {
   constructor(app) {
-    Object.assign(this, { app, found: null, hover: null });
+    this.app = app;
+    this.found = null;
+    this.hover = null;
     this.surface = new Surface(app, { height: (width) => Math.min(560, 0.8 * width), paint: (...all) => this.paint(...all), label: "Where balls come down" });
     this.surface.hovers((at) => {
       this.hover = at;
@@ -86,7 +88,8 @@ export class FieldMap {
   }
 
   draw(found, park) {
-    Object.assign(this, { found, park });
+    this.found = found;
+    this.park = park;
     const { app } = this;
     const box = app.text("distance", found.across_m[1] - found.across_m[0]);
     const number = (count) => `${count.toLocaleString("en-US")} ${count === 1 ? "ball" : "balls"}`;

@@ -13,7 +13,10 @@ const LOW_FIRST = ["from_best"];
 // One field of the state that may be empty: a list of [value, balls]; hidden where there is nothing to choose.
 export class Filter {
   constructor(app, field, { label, all }) {
-    Object.assign(this, { app, field, all, made: "" });
+    this.app = app;
+    this.field = field;
+    this.all = all;
+    this.made = "";
     const id = `season-${field}`;
     this.select = make("select", { id });
     this.fault = make("p", { className: "fault", id: `${id}-fault`, hidden: true });
@@ -48,12 +51,15 @@ export class Filter {
 
 export class Players {
   constructor(app) {
-    Object.assign(this, { app, players: [], names: new Map() });
+    this.app = app;
+    this.players = [];
+    this.names = new Map();
     this.filter = new Filter(app, "batter", { label: "Player", all: "everybody" });
     this.element = this.filter.element;
     this.search = make("input", { type: "text", id: "season-search", autocomplete: "off" });
     this.order = make("select", { id: "season-order" }, ...COLUMNS.map(([name, words]) => new Option(words, name)));
-    for (const [one, when] of [[this.search, "input"], [this.order, "change"]]) one.addEventListener(when, () => this.redraw());
+    this.search.addEventListener("input", () => this.redraw());
+    this.order.addEventListener("change", () => this.redraw());
     this.place = make("div");
     this.note = make("p", { className: "note" });
     this.table = make("div", {}, make("div", { className: "row" }, make("label", { htmlFor: "season-search", textContent: "Name or number" }), this.search,
@@ -75,7 +81,7 @@ export class Players {
     const by = this.order.value;
     const way = LOW_FIRST.includes(by) ? 1 : -1;
     const found = this.players.filter(({ batter, name }) => `${name} ${batter}`.toLowerCase().includes(wanted))
-      .sort((one, other) => (one[by] === null) - (other[by] === null) || way * ((one[by] ?? 0) - (other[by] ?? 0)));
+      .sort((one, other) => Number(one[by] === null) - Number(other[by] === null) || way * ((one[by] ?? 0) - (other[by] ?? 0)));
     const shown = found.slice(0, SHOWN);
     const known = COLUMNS.filter(([name]) => this.players.some((one) => typeof one[name] === "number"));
     this.note.textContent = this.players.length ? `${shown.length} of ${this.players.length} players; means are partly pooled. Press a name for that player's page.` : "These tables name no batters.";

@@ -10,7 +10,10 @@ const MOST = 60;
 
 export class Reading {
   constructor(app, { onSeason }) {
-    Object.assign(this, { app, onSeason, going: null, season: null });
+    this.app = app;
+    this.onSeason = onSeason;
+    this.going = null;
+    this.season = null;
     this.work = longWork("season/read");
     this.file = make("input", { type: "file", id: "season-files", multiple: true, accept: ".csv,.tsv,.txt,.gz,.parquet,text/csv" });
     this.file.addEventListener("change", () => {
