@@ -233,7 +233,7 @@ def test_a_season(tell: Tell, swings: Path) -> None:
     (ledger, *_) = [block for block in blocks(document) if isinstance(block, Table)]
     heads = [str(column.heading) for column in ledger.columns]
     rows, used = (ledger.rows[-1][heads.index(name)] for name in ("rows", "used"))
-    assert text.startswith(f"{rows} rows in 1 file; {used} balls in play with an exit speed.")
+    assert text.startswith(f"{rows} rows in one file; {used} balls in play with an exit speed.")
     players = document.rows
     expected, hit = re.findall(r"Home runs: (\d+) expected .+?, (\d+) hit", text)[0]
     assert int(expected) == round(sum(players["home_runs_expected"])) and int(hit) == sum(players["home_runs"])
