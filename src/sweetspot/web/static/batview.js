@@ -13,6 +13,7 @@ import { WIDEST, paintBall, paintBat, paintMeeting, paintOutline, radiusAt } fro
 import table from "./quantities.js";
 import { FONT, Surface, haloText } from "./surface.js";
 import { text } from "./units.js";
+/** @import { App } from "./main.js" */
 
 export { paintBat, radiusAt };
 
@@ -21,6 +22,7 @@ const ROW = 17, ROOM_BELOW = 30, HANDLE = 5;
 const NARROW = 500; // pixels per m below which there is no room for words under the bat
 
 export class BatView {
+  /** @param {App} app */
   constructor(app, { onBall = null, onStations = null, onGrip = null, zoom = null, label = "The bat, drawn to scale" } = {}) {
     this.app = app;
     this.onBall = onBall;

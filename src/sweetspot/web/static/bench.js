@@ -8,6 +8,8 @@ import { button, choice, group, reveal, slider } from "./controls.js";
 import { partOf } from "./parts.js";
 import { posted } from "./post.js";
 import { INCH, OUNCE } from "./units.js";
+/** @import { App, State } from "./main.js" */
+/** @import { Desk } from "./controls.js" */
 
 const LONGEST_TOML = 20000;
 const OWN = "own file";
@@ -15,11 +17,13 @@ export const UNCHANGED = ["bat_toml", "profile_in", "mass_oz", "wall_factor", "b
 export const FILLS = [["nothing", "nothing"], ["cork", "cork"], ["rubber", "rubber"], ["polyurethane-foam", "polyurethane foam"]];
 
 // The fields of a bat as it was before anything was done to it; another bat starts with them.
+/** @param {Pick<App, "schema">} app */
 export function unchanged(app) {
   return Object.fromEntries(UNCHANGED.map((field) => [field, app.schema[field].default ?? null]));
 }
 
 // The list of the catalogue's bats; a bat of one's own stands in it too, so that it never names another bat.
+/** @param {Desk} app */
 export function batChoice(app, label = "Bat") {
   return choice(app, "bat", {
     label,
@@ -30,6 +34,7 @@ export function batChoice(app, label = "Bat") {
 }
 
 // What a workshop does to a bat; parts that a bat cannot have are hidden by what `show` is told.
+/** @param {Desk} app */
 export function workshop(app, mass) {
   const wall = slider(app, "wall_factor", { label: "Wall thickness, times", step: 0.01 });
   const holes = document.createElement("div");
@@ -53,6 +58,7 @@ export function workshop(app, mass) {
   return { controls, show };
 }
 
+/** @param {App} app */
 export function swingGroup(app, { open = true, title = "Swing and pitch" } = {}) {
   return group(title, [
     slider(app, "pitch_speed_mph", { label: "Pitch speed", step: 0.5 }),
@@ -61,6 +67,7 @@ export function swingGroup(app, { open = true, title = "Swing and pitch" } = {})
   ], { open });
 }
 
+/** @param {App} app */
 export function ballGroup(app) {
   const known = (name) => () => app.answer?.ball?.[name] ?? null;
   return group("Ball", [
@@ -73,6 +80,7 @@ export function ballGroup(app) {
 }
 
 export class Bench {
+  /** @param {App} app */
   constructor(app, { picture = null, open = true } = {}) {
     this.app = app;
     this.picture = picture;
@@ -107,6 +115,7 @@ export class Bench {
 
 // A bat file: chosen, dropped anywhere on the page, or written as text.
 class OwnBat {
+  /** @param {App} app */
   constructor(app) {
     this.app = app;
     const root = document.getElementById("view");
@@ -177,6 +186,7 @@ class OwnBat {
     }
   }
 
+  /** @param {State} state */
   sync({ bat_toml: text }) {
     if (text && document.activeElement !== this.text && !this.text.value) this.text.value = text;
   }
@@ -184,6 +194,7 @@ class OwnBat {
 
 // The outline: a switch that shows handles on the picture, and the same stations as numbers.
 class Outline {
+  /** @param {App} app */
   constructor(app, onChange, onDraw) {
     this.app = app;
     this.onChange = onChange;
@@ -260,6 +271,7 @@ function cellOf(...parts) {
 }
 
 // The bat as it stands, as the text of a bat file; a refusal is thrown.
+/** @param {App} app */
 export async function batText(app) {
   const { toml } = await posted("/api/v1/explorer/recipe", Object.fromEntries(
     Object.entries(app.carried).filter(([field]) => Object.hasOwn(app.views.get("explorer").schema, field))));

@@ -23,6 +23,7 @@ import { make } from "./parts.js";
 import { Surface, FONT, haloText } from "./surface.js";
 import { kindOf, unitOf } from "./units.js";
 import { Zoom } from "./zoom.js";
+/** @import { App } from "./main.js" */
 
 export { between };
 export const LEFT = 46, RIGHT = 12;
@@ -30,6 +31,7 @@ const HEAD = 22, FOOT = 34, GAP = 8;
 const ROWS = 24; // of the table
 
 export class Chart {
+  /** @param {App} app */
   constructor(app, { panels, axis, label, onPick = null, zoom = null }) {
     this.app = app;
     this.panels = panels;

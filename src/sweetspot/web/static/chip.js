@@ -6,6 +6,7 @@ import { download } from "./exports.js";
 import { make } from "./parts.js";
 import { posted } from "./post.js";
 import { wizard } from "./wizard.js";
+/** @import { App, State } from "./main.js" */
 
 // A field that changes the bat: what to say of it.
 const CHANGES = {
@@ -19,9 +20,10 @@ const CHANGES = {
 };
 
 export class Chip {
+  /** @param {App} app */
   constructor(app) {
     this.app = app;
-    this.names = new Map(); // names: promises, by catalogue name or text
+    this.names = new Map(); // promises, by catalogue name or text
     this.name = make("strong");
     this.changes = make("small");
     this.open = make("button", { type: "button", id: "bench-chip" }, this.name, this.changes);
@@ -30,6 +32,7 @@ export class Chip {
     this.open.addEventListener("click", () => this.menu());
   }
 
+  /** @returns {State} */
   get bat() {
     return { bat: "r161-ash", ...this.app.carried };
   }

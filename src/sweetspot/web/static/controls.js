@@ -13,8 +13,21 @@
 
 import { fromShown, toShown, unitOf } from "./units.js";
 
+/** @import { App, State } from "./main.js" */
+/** @typedef {string | (() => string)} Words */
+/** @typedef {string[][]} Options pairs of a value and what it is called */
+/**
+ * What a control needs of the app; scoped() of parts.js gives the same for one bat of a list.
+ * @typedef {Pick<App, "schema" | "units" | "setState" | "commit" | "control"> & Partial<Pick<App, "state" | "bounds" | "lists">>} Desk
+ */
+
 let count = 0;
 
+/**
+ * @param {Desk} app
+ * @param {string} field
+ * @param {{ label: Words, step: number, empty?: number | null | (() => number | null), note?: string, onInput?: (value: number) => void }} look
+ */
 export function slider(app, field, { label, step, empty = null, note = "", onInput = null }) {
   const limits = () => narrowed(boundsOf(app.schema[field]), app.bounds?.(field));
   let bounds = limits();
@@ -91,6 +104,11 @@ export function slider(app, field, { label, step, empty = null, note = "", onInp
 }
 
 // shown: what of the state is chosen, take: what a choice does, where these are not the field alone.
+/**
+ * @param {Desk} app
+ * @param {string} field
+ * @param {{ label: Words, options: Options | Promise<Options>, note?: string, shown?: (state: State) => any, take?: (value: string) => void }} look
+ */
 export function choice(app, field, { label, options, note = "", shown = (state) => state[field], take = null }) {
   const { box, fault, id } = frame(field, label, note);
   const select = document.createElement("select");
@@ -120,6 +138,11 @@ export function choice(app, field, { label, options, note = "", shown = (state) 
   return box;
 }
 
+/**
+ * @param {Desk} app
+ * @param {string} field
+ * @param {{ label: Words, note?: string }} look
+ */
 export function toggle(app, field, { label, note = "" }) {
   const { box, fault, id } = frame(field, label, note);
   const tick = input("checkbox", id);
@@ -130,6 +153,11 @@ export function toggle(app, field, { label, note = "" }) {
   return box;
 }
 
+/**
+ * @param {string} title
+ * @param {(Node | string)[]} controls
+ * @param {{ open?: boolean }} look
+ */
 export function group(title, controls, { open = true } = {}) {
   const details = document.createElement("details");
   details.className = "group";
@@ -140,6 +168,11 @@ export function group(title, controls, { open = true } = {}) {
   return details;
 }
 
+/**
+ * @param {string} words
+ * @param {(event: Event) => void} onClick
+ * @param {{ primary?: boolean, title?: string }} look
+ */
 export function button(words, onClick, { primary = false, title = "" } = {}) {
   const made = Object.assign(document.createElement("button"), { type: "button", textContent: words, title });
   if (primary) made.className = "primary";

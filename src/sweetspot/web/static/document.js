@@ -7,8 +7,10 @@
 //   place.waits()            // until the next answer is there
 
 import { make } from "./parts.js";
+/** @import { App } from "./main.js" */
 
 export class DocumentPlace {
+  /** @param {App} app */
   constructor(app, waiting) {
     this.app = app;
     this.waiting = waiting;

@@ -3,10 +3,12 @@
 import { posted } from "./post.js";
 import { FONT, wrapped } from "./surface.js";
 import { SvgContext } from "./svgcontext.js";
+/** @import { App } from "./main.js" */
 
 const SHARP = 2; // pixels of a PNG per pixel of the page
 const GAP = 12, ROW = 20;
 
+/** @param {App} app */
 export function exportButton(app) {
   const button = Object.assign(document.createElement("button"), { type: "button", id: "export", textContent: "Export" });
   button.setAttribute("aria-haspopup", "dialog");
@@ -14,6 +16,7 @@ export function exportButton(app) {
   return button;
 }
 
+/** @param {App} app */
 async function open(app) {
   const dialog = document.createElement("dialog");
   dialog.setAttribute("aria-label", "Export");
@@ -32,6 +35,7 @@ async function open(app) {
   await addLines(app, dialog);
 }
 
+/** @param {App} app */
 function choices(app) {
   const found = [];
   if (app.view.figures?.().length) {
@@ -43,6 +47,7 @@ function choices(app) {
 }
 
 // The lines come from the server, which knows what the command line and the library call these things.
+/** @param {App} app */
 async function addLines(app, dialog) {
   const place = dialog.querySelector(".lines");
   let lines;
@@ -78,6 +83,7 @@ async function addLines(app, dialog) {
   }
 }
 
+/** @param {App} app */
 function block(app, words, lines, key) {
   const box = document.createElement("section");
   const pre = Object.assign(document.createElement("pre"), { textContent: lines, tabIndex: 0 });
@@ -98,6 +104,7 @@ function block(app, words, lines, key) {
 
 // All drawings of the view, one below the other, on the theme's ground: what they show above, under which conditions,
 // by what and when below, so that a picture that travels alone still says what it is.
+/** @param {App} app */
 function onto(app, make) {
   const figures = app.view.figures();
   const width = Math.max(...figures.map((figure) => figure.width));
@@ -128,9 +135,11 @@ function onto(app, make) {
   return context;
 }
 
+/** @param {App} app */
 const titleOf = (app) => document.getElementById("verdict")?.textContent || app.views.get(app.name).title;
 
 // The conditions of the answer, in words and in the reader's units.
+/** @param {App} app */
 function conditionsOf(app) {
   const known = { pitch_speed_m_s: "pitch", bat_speed_m_s: "bat speed", hands_position_m: "top hand" };
   const said = Object.entries(app.answer?.conditions ?? {}).filter(([name, value]) => known[name] && typeof value === "number")
@@ -139,15 +148,18 @@ function conditionsOf(app) {
   return [app.views.get(app.name).title, app.answer?.bat?.name, ...changes, ...said].filter(Boolean).join(" · ");
 }
 
+/** @param {App} app */
 function sourceOf(app) {
   const date = new Date().toISOString().slice(0, 10);
   return `sweetspot ${app.version}, ${date}. Model, data and their sources: the documentation, "Sources" and "Validation". State: ${decodeURIComponent(location.pathname + location.search).slice(0, 300)}`;
 }
 
+/** @param {App} app */
 export function svgOf(app) {
   return onto(app, (width, height) => new SvgContext(width, height)).toString();
 }
 
+/** @param {App} app */
 function savePng(app) {
   const canvas = document.createElement("canvas");
   onto(app, (width, height) => {
@@ -168,10 +180,12 @@ export function csvOf(table) {
   return `${lines.join("\n")}\n`;
 }
 
+/** @param {App} app */
 function jsonOf(app) {
   return `${JSON.stringify({ view: app.name, version: app.version, date: new Date().toISOString(), title: titleOf(app), state: app.answered, answer: app.answer }, null, 1)}\n`;
 }
 
+/** @param {App} app */
 function save(app, ending, type, content) {
   download(`sweetspot-${app.name}.${ending}`, type, content);
 }

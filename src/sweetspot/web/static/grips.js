@@ -3,7 +3,12 @@
 //   gripsOf(answer, app)   [{ at, aside, take(along, aside) -> part of the state }], m from the knob end and from the axis
 
 import { INCH } from "./units.js";
+/** @import { Answer, App } from "./main.js" */
 
+/**
+ * @param {Answer} answer
+ * @param {App} app
+ */
 export function gripsOf({ bat, hands_m: hands }, app) {
   const { state } = app;
   const inches = (metres) => Math.round((20 * metres) / INCH) / 20;

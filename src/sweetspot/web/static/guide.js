@@ -1,7 +1,10 @@
 // Three steps for the first visit, and again whenever asked for; each view has its own.
 
+/** @import { App } from "./main.js" */
+
 const LAST = "The address holds all of it: send it to someone, or go back.";
 
+/** @param {App} app */
 export function guide(app) {
   const button = Object.assign(document.createElement("button"), { type: "button", id: "guide", textContent: "Guide" });
   button.setAttribute("aria-haspopup", "dialog");
@@ -10,6 +13,7 @@ export function guide(app) {
 }
 
 // On the first visit of this browser, when the first picture is there.
+/** @param {App} app */
 export function welcome(app) {
   if (!localStorage.getItem("guided")) open(app);
 }

@@ -19,10 +19,12 @@ import { heat } from "./heat.js";
 import { Numbers, evenly } from "./numbers.js";
 import { FONT, Surface, haloText, ticks } from "./surface.js";
 import { fromShown, kindOf, toShown, unitOf } from "./units.js";
+/** @import { App } from "./main.js" */
 
 const HEAD = 22, FOOT = 34;
 
 export class HeatMap {
+  /** @param {App} app */
   constructor(app, { label, title, height, x, y, z, zoom = null, lines = true, onPick = null }) {
     this.app = app;
     this.title = title;

@@ -2,6 +2,7 @@
 
 import { Chart } from "./chart.js";
 import { FONT, haloText } from "./surface.js";
+/** @import { App } from "./main.js" */
 
 // Part of the answer's energy_j: what it is called, colour.
 export const PARTS = [
@@ -58,6 +59,7 @@ class Areas extends Chart {
 }
 
 export class Ledger {
+  /** @param {App} app */
   constructor(app, { onPick }) {
     this.app = app;
     const lines = PARTS.map(([key, name, color]) => ({ key, name, color }));

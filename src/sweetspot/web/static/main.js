@@ -51,15 +51,57 @@ const QUESTION = "answer";
 const MEANINGS = "meanings of words";
 const element = (id) => document.getElementById(id);
 
-class App {
+/**
+ * What the server answers; its shape is that of the view (web/views) and is not written down a second time here.
+ * @typedef {any} Answer
+ */
+/** @typedef {Record<string, any>} State of a view: its fields, by their names in web/views */
+/** @typedef {Record<string, string>} Colors by name */
+/** @typedef {{ name: string, width: number, height: number, paint: (context: any, width: number, height: number) => void }} Figure */
+/** @typedef {{ field: string, message: string, more?: Fault[], again?: boolean }} Fault */
+/** @typedef {{ commit?: boolean, merge?: string | null }} Step how a change goes into the address */
+/** @typedef {{ field: string, follows?: boolean, sync: (state: State) => void, fault?: (message: string) => void }} Control */
+/** @typedef {{ name: string, title: string, schema: Record<string, any>, bat: string[] }} Entry */
+/**
+ * A view, and whatever else it keeps; the shell calls nothing but these.
+ * @typedef {object} OwnView
+ * @property {string} name
+ * @property {[string, string][]} guide
+ * @property {(root: HTMLElement, app: App) => void} mount
+ * @property {(answer: Answer, state: State) => void} update
+ * @property {() => void} unmount
+ * @property {() => Figure[]} [figures]
+ * @property {() => Record<string, unknown[]>} [table]
+ */
+/** @typedef {OwnView & Record<string, any> & ThisType<OwnView & { app: App } & Record<string, any>>} View */
+
+export class App {
+  /** @type {View} */
+  view;
+  /** @type {State} */
+  state;
+  /** @type {State} */
+  defaults;
+  /** @type {string} */
+  name;
+  /** @type {AbortSignal} */
+  signal;
+  /** @type {Colors} */
+  colors;
+
   constructor() {
+    /** @type {Map<string, Entry>} */
     this.views = new Map(facts.views.map(({ name, title, schema }) => [
       name, { name, title, schema: fieldsOf(schema), bat: Object.keys(schema.$defs?.BatState?.properties ?? {}) }]));
+    /** @type {"us" | "si"} */
     this.units = localStorage.getItem("units") === "si" ? "si" : "us";
     this.calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    /** @type {Map<string, Control>} */
     this.controls = new Map();
+    /** @type {Set<(now: number) => void>} */
     this.frames = new Set();
     this.asides = new Map(); // what was asked apart: about what, and the timer that waits
+    /** @type {State} */
     this.carried = {}; // what goes along from view to view: the bat, how it is swung, where the ball meets it
     this.left = new Map(); // view -> its own controls as they were left
     this.known = new Map(); // list -> a promise of it
@@ -67,6 +109,7 @@ class App {
     this.turn = 0;
     this.step = this.lastStep = history.state?.step ?? 0; // of what was done since this page was opened
     this.embedded = location.pathname.startsWith(EMBED);
+    /** @type {Answer} */
     this.answer = null;
     this.version = facts.version;
   }
@@ -75,15 +118,28 @@ class App {
     return this.views.get(this.name).schema;
   }
 
+  /**
+   * @param {string} name
+   * @param {number | null} value
+   * @param {number} [digits]
+   */
   text(name, value, digits) {
     return text(name, value, this.units, digits);
   }
 
+  /**
+   * @param {string} field
+   * @returns {[number, number] | undefined}
+   */
   bounds(field) {
     return this.answer?.bat?.bounds?.[field];
   }
 
   // A merge is a name: steps of the same one after the other, such as key presses on a slider, are undone together.
+  /**
+   * @param {State} partial
+   * @param {Step} step
+   */
   setState(partial, { commit = true, merge = null } = {}) {
     this.take({ ...this.state, ...partial });
     if (commit) this.commit({ merge });
@@ -135,11 +191,16 @@ class App {
     partOf(document, "#redo", HTMLButtonElement).disabled = this.step >= this.lastStep;
   }
 
+  /** @param {Control} control */
   control(control) {
     this.controls.set(control.field, control);
     control.sync(this.state);
   }
 
+  /**
+   * @param {(now: number) => void} step
+   * @returns {() => void}
+   */
   onFrame(step) {
     this.frames.add(step);
     if (this.frames.size === 1) requestAnimationFrame((now) => this.frame(now));
@@ -156,12 +217,23 @@ class App {
     this.speaking = setTimeout(() => (element("announcer").textContent = words), 500);
   }
 
+  /**
+   * @param {string} view
+   * @param {State} state
+   * @returns {Promise<Answer>}
+   */
   async ask(view, state) {
     return posted(`/api/v1/${view}`, state);
   }
 
   // Ask apart for what takes longer, once the state has rested for a while (ms); asked again only when something changes
   // besides the fields in `but`. onAnswer hears what is still about the present state.
+  /**
+   * @param {string} name
+   * @param {string[]} but
+   * @param {number} wait
+   * @param {(answer: Answer) => void} onAnswer
+   */
   aside(name, but, wait, onAnswer) {
     const about = JSON.stringify(Object.entries(this.state).filter(([field]) => !but.includes(field)));
     const last = this.asides.get(name);
@@ -186,6 +258,10 @@ class App {
   }
 
   // Each list is fetched when first wanted, and by itself: none waits for another.
+  /**
+   * @param {string[]} names
+   * @returns {Promise<Record<string, any[]>>}
+   */
   async lists(...names) {
     const wanted = names.length ? names : LISTS;
     const found = await Promise.all(wanted.map((name) => this.list(name)));

@@ -1,6 +1,7 @@
 // Pieces that several views are made of: tables, paragraphs, sentences in either system of units, controls inside a list.
 
 import { INCH, MPH, toShown } from "./units.js";
+/** @import { Answer, App, State } from "./main.js" */
 
 /**
  * @template {keyof HTMLElementTagNameMap} Tag
@@ -78,6 +79,11 @@ const KIND_OF = {
 };
 const TO_SI = { mm: 1e-3, mph: MPH, kN: 1e3 };
 
+/**
+ * @param {any} value
+ * @param {string} unit
+ * @param {App} app
+ */
 export function inReadersUnit(value, unit, app) {
   if (typeof value !== "number") return value ?? "–";
   const kind = KIND_OF[unit];
@@ -88,6 +94,11 @@ export function inReadersUnit(value, unit, app) {
 }
 
 // Four figures, but no more decimals than four.
+/**
+ * @param {string} kind
+ * @param {number} value
+ * @param {App} app
+ */
 function decimalsFor(kind, value, app) {
   const size = Math.abs(toShown(kind, value, app.units));
   return size === 0 ? 1 : Math.min(4, Math.max(0, 3 - Math.floor(Math.log10(size))));
@@ -95,6 +106,12 @@ function decimalsFor(kind, value, app) {
 
 // An app for the controls of one item of a list of bats in the state: scoped(app, "others", 1, bounds).
 // The list keeps only what differs from the defaults, so that addresses stay short.
+/**
+ * @param {App} app
+ * @param {string} list
+ * @param {number} index
+ * @param {App["bounds"]} bounds
+ */
 export function scoped(app, list, index, bounds) {
   const { schema } = app;
   const defaults = Object.fromEntries(app.views.get(app.name).bat.map((field) => [field, schema[field].default ?? null]));
@@ -102,14 +119,15 @@ export function scoped(app, list, index, bounds) {
     schema,
     bounds,
     lists: (...names) => app.lists(...names),
-    text: (...all) => app.text(...all),
+    text: (name, value, digits) => app.text(name, value, digits),
     get units() { return app.units; },
+    /** @returns {State} */
     get state() { return { ...defaults, ...app.state[list][index] }; },
     setState(partial, options) {
       const items = app.state[list].map((item, i) => slim({ ...defaults, ...item, ...(i === index ? partial : {}) }, defaults));
       app.setState({ [list]: items }, options);
     },
-    commit: () => app.commit(),
+    commit: (options) => app.commit(options),
     control(control) {
       app.control({
         field: `${list}.${index}.${control.field}`,
@@ -125,8 +143,13 @@ function slim(item, defaults) {
   return Object.fromEntries(kept);
 }
 
-
 // A list of numbers with names: facts as [name, (answer) => [kind, value] or text]; fill it after every answer.
+/** @typedef {[string, number | null, number?]} Shown a kind (units.js), a value, and how many decimals where not the usual ones */
+/** @typedef {[string, (answer: Answer, app: App) => string | Shown]} Fact */
+/**
+ * @param {Fact[]} facts
+ * @param {App} app
+ */
 export function factList(facts, app) {
   const values = facts.map(() => make("dd"));
   const element = make("dl", { className: "facts" }, ...facts.map(([name], i) => make("div", {}, make("dt", { textContent: name }), values[i])));

@@ -4,7 +4,9 @@ import { addressOf, shortAddressOf } from "./address.js";
 import { button } from "./controls.js";
 import { make } from "./parts.js";
 import { posted } from "./post.js";
+/** @import { App } from "./main.js" */
 
+/** @param {App} app */
 export function shareButton(app) {
   const made = button("Share", () => open(app));
   made.id = "share";
@@ -12,6 +14,7 @@ export function shareButton(app) {
   return made;
 }
 
+/** @param {App} app */
 async function open(app) {
   const { name, state, defaults } = app;
   const here = (address) => location.origin + address;

@@ -3,9 +3,12 @@
 //   const surface = new Surface(app, { height: (width) => 300, label: "what it shows", paint(context, width, height) {} });
 //   root.append(surface.element); surface.draw();
 
+/** @import { App } from "./main.js" */
+
 export const FONT = "system-ui, 'DejaVu Sans', sans-serif";
 
 export class Surface {
+  /** @param {App} app */
   constructor(app, { height, paint, label = "" }) {
     this.app = app;
     this.height = height;

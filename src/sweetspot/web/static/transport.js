@@ -8,8 +8,13 @@
 // The moment is the view's own while it plays or is scrubbed; where it rests, it goes into app.state[field] in ms.
 
 import { button } from "./controls.js";
+/** @import { App } from "./main.js" */
 
 export class Transport {
+  /**
+   * @param {App} app
+   * @param {{ field: string, onMoment: (moment: number) => void, describe: (moment: number) => { short: string, long: string } }} options
+   */
   constructor(app, { field, onMoment, describe }) {
     this.app = app;
     this.field = field;
@@ -20,6 +25,7 @@ export class Transport {
     this.to = 1;
     this.frames = [];
     this.slowness = 1000;
+    /** @type {(() => void) | null} */
     this.stop = null;
     this.toggle = button("Play", () => this.flip(), { primary: true, title: "Play or pause (K)" });
     this.toggle.id = "play";

@@ -6,6 +6,7 @@ import { make } from "./parts.js";
 import { posted } from "./post.js";
 import table from "./quantities.js";
 import { fromShown, toShown, unitOf } from "./units.js";
+/** @import { App } from "./main.js" */
 
 const PER_OUNCE_INCH_SQUARED = 1 / table.scales.moi.us.scale; // kg m^2
 // Field of the answer: words, kind, first value in the answer's unit ("" where it may stay empty).
@@ -16,6 +17,7 @@ const NUMBERS = [
 ];
 const WOODS = [["white-ash", "white ash"], ["sugar-maple", "sugar maple"], ["yellow-birch", "yellow birch"], ["hickory", "hickory"]];
 
+/** @param {App} app */
 export function wizard(app) {
   const dialog = make("dialog", { className: "wizard" });
   dialog.setAttribute("aria-labelledby", "wizard-title");

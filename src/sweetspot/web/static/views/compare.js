@@ -7,6 +7,7 @@ import { make, paragraphs, tableOf } from "../parts.js";
 import { INCH } from "../units.js";
 import { ChangePicture, LINES, RowsPicture } from "./compare_pictures.js";
 import { Slots } from "./compare_slots.js";
+/** @import { App, View } from "../main.js" */
 
 const VERDICTS = {
   pass: ["✓ pass", "good"], fail: ["✗ fail", "bad"], "not decidable": ["? not decidable", ""], "does not apply": ["– does not apply", "muted"],
@@ -14,6 +15,7 @@ const VERDICTS = {
 const BARREL = 12 * INCH; // shown until somebody zooms
 const KINDS = { m: "x_m", "m/s": "x_m_s", "kg m^2": "x_kg_m2" };
 
+/** @type {View} */
 export const view = {
   name: "compare",
   guide: [
@@ -182,4 +184,5 @@ export const view = {
   },
 };
 
+/** @param {App} app */
 const leagues = (app) => app.lists("leagues").then((lists) => [["all", "all leagues"], ...(lists.leagues ?? []).map(({ key, name }) => [key, name])]);

@@ -4,6 +4,7 @@ import { paintBat } from "../batview.js";
 import { LEFT, RIGHT } from "../chart.js";
 import { FONT, Surface, haloText, ticks } from "../surface.js";
 import { kindOf, toShown, unitOf } from "../units.js";
+/** @import { App } from "../main.js" */
 
 export const LINES = [
   { color: "ink", width: 2.4, dash: [] }, { color: "red", width: 2.2, dash: [7, 3] }, { color: "blue", width: 2.2, dash: [2, 2.5] },
@@ -12,6 +13,7 @@ export const LINES = [
 const NAME = 22, ROOM = 14, WIDEST = 0.068; // px, px, m
 
 export class RowsPicture {
+  /** @param {App} app */
   constructor(app) {
     this.app = app;
     this.bats = [];
@@ -66,6 +68,7 @@ export class RowsPicture {
 const CHANGE_ROW = 30, HEAD = 20, FOOT = 30;
 
 export class ChangePicture {
+  /** @param {App} app */
   constructor(app) {
     this.app = app;
     this.bats = [];

@@ -4,12 +4,14 @@ import { batChoice, unchanged, workshop } from "../bench.js";
 import { button } from "../controls.js";
 import { make, scoped } from "../parts.js";
 import { posted } from "../post.js";
+/** @import { App, State } from "../main.js" */
 
 const MOST = 3;
 const LONGEST_TOML = 20000;
 const FIRST_CHOICES = ["corked-r161", "russell-b6", "youth-30", "composite"];
 
 export class Slots {
+  /** @param {App} app */
   constructor(app) {
     this.app = app;
     this.slots = Array.from({ length: MOST }, (_, index) => this.slot(index));
@@ -39,6 +41,7 @@ export class Slots {
   }
 
   // A what-if is about bat 1 alone; the others keep their places in the state until it is over.
+  /** @param {State} state */
   sync({ others, what_if: asked }) {
     this.slots.forEach(({ element }, i) => (element.hidden = i >= others.length || asked !== "none"));
     this.more.hidden = others.length >= MOST || asked !== "none";

@@ -8,6 +8,7 @@ import { download } from "../exports.js";
 import { Lights, stateOf } from "../lights.js";
 import { make, paragraphs, tableOf } from "../parts.js";
 import { Front, WANTS } from "./design_front.js";
+/** @import { App, View } from "../main.js" */
 
 const LONGEST = 40000;
 const STEPS = { length: 0.000127, compression: 0.00005, ratio: 0.005, mass: 0.0005 };
@@ -22,6 +23,7 @@ const PANELS = [
 ];
 const ELSEWHERE = ["league", "want", "also_want", "generations", "seed", "swings_csv"]; // what the gain does not depend on
 
+/** @type {View} */
 export const view = {
   name: "design",
   guide: [
@@ -53,6 +55,7 @@ export const view = {
       make("section", { className: "picture" }, make("h2", { textContent: "What it does, beside the present bat" }), this.chart.element, this.gain, this.beside)));
   },
 
+  /** @param {App} app */
   side(app) {
     const wants = Object.entries(WANTS).filter(([name]) => name !== "moi").map(([name, [, words]]) => [name, words]);
     const leagues = app.lists("leagues").then(({ leagues: all }) => [["usual", "usual for this bat"], ["nobody", "nobody's"], ...all.map(({ key, name }) => [key, name])]);
@@ -80,6 +83,7 @@ export const view = {
   },
 
   // A batter from swings: a table, an answer of fit-player, or the table of the Player view.
+  /** @param {App} app */
   swings(app) {
     const file = make("input", { type: "file", id: "batter-file", accept: ".csv,.json,text/csv,application/json,text/plain" });
     const wrong = make("p", { className: "fault", hidden: true });
@@ -110,6 +114,7 @@ export const view = {
       ...(known ? [button("The swings of the view Player", () => read(known))] : []));
   },
 
+  /** @param {App} app */
   tools(app) {
     const file = (words, ending, type) => button(words, async () => {
       const found = await app.ask("design/files", { ...app.state, swings_csv: null });
@@ -158,12 +163,14 @@ export const view = {
     if (names !== this.made) {
       this.made = names;
       this.own = [];
+      const { app } = this;
       const key = ({ name, ending }) => `${name}${ending}`;
       const inner = {
         schema: Object.fromEntries(variables.map((one) => [key(one), { minimum: one.low, maximum: one.high }])),
-        bounds: () => undefined, text: (...all) => this.app.text(...all), commit: (options) => {
+        get units() { return app.units; },
+        commit: (options) => {
           this.base = null;
-          this.app.commit(options);
+          app.commit(options);
         },
         control: (control) => this.own.push(control),
         setState: (partial, options) => {
@@ -171,7 +178,6 @@ export const view = {
           this.pull(this.answer.variables.findIndex((one) => key(one) === name), value, options);
         },
       };
-      Object.defineProperty(inner, "units", { get: () => this.app.units });
       this.numbers.replaceChildren(...variables.map((one) => slider(inner, key(one), {
         label: one.label[0].toUpperCase() + one.label.slice(1), step: STEPS[one.scale] ?? (one.high - one.low) / 100 })));
     }

@@ -5,6 +5,7 @@ import { longWork } from "../longwork.js";
 import { make, tableOf } from "../parts.js";
 import { FONT, Surface, haloText, ticks } from "../surface.js";
 import { fromShown, toShown, unitOf } from "../units.js";
+/** @import { App } from "../main.js" */
 
 const LEFT = 56, RIGHT = 18, TOP = 14, FOOT = 40, TALL = 300, SMALL = 64, THICK = 2.2;
 export const WANTS = {
@@ -13,6 +14,7 @@ export const WANTS = {
 };
 
 export class Front {
+  /** @param {App} app */
   constructor(app, { onTake, state }) {
     this.app = app;
     this.onTake = onTake;

@@ -10,6 +10,8 @@ import { PARTS } from "../ledger.js";
 import { factList, make, paragraphs } from "../parts.js";
 import { INCH } from "../units.js";
 import { Zoom } from "../zoom.js";
+/** @import { Fact } from "../parts.js" */
+/** @import { App, View } from "../main.js" */
 
 const BARREL = 18 * INCH; // shown until somebody zooms
 const ELSEWHERE = ["impact_from_tip_in", "offset_in"]; // what the map and the report do not depend on
@@ -23,6 +25,7 @@ const PANELS = [
   { title: "Jolt at the top hand", kind: "hand_impulse_n_s", height: 70, zero: true, lines: [{ key: "hand_impulse_n_s", color: "green" }] },
   { title: "Sting, vibration at the hands", kind: "sting", height: 70, zero: true, lines: [{ key: "sting_m_s", color: "purple" }] },
 ];
+/** @type {Fact[]} */
 const FACTS = [
   ["Exit speed", (a) => ["exit_speed_m_s", a.hit.exit_speed_m_s]],
   ["Lost against the best", (a) => ["exit_speed_m_s", a.lost_m_s]],
@@ -36,6 +39,7 @@ const FACTS = [
   ["Swing weight, 6 in axis", (a) => ["moi_6in_kg_m2", a.bat.moi_6in_kg_m2]],
 ];
 
+/** @type {View} */
 export const view = {
   name: "explorer",
   guide: [
@@ -71,7 +75,8 @@ export const view = {
     this.report = make("details", { className: "report", open: false }, make("summary", { textContent: "What the report says of this bat and swing" }));
     this.told = make("div", { className: "words" });
     this.report.append(this.told);
-    const [barrel, whole] = [["Barrel", () => this.zoom.back()], ["Whole bat", () => this.zoom.all()]].map(([words, act]) => button(words, act));
+    const barrel = button("Barrel", () => this.zoom.back());
+    const whole = button("Whole bat", () => this.zoom.all());
     this.heatSwitch = button("Colours off", () => this.switchHeat());
     const tools = make("div", { className: "row tight" }, barrel, whole, this.zoom.buttons(), this.heatSwitch);
     const picture = make("section", { className: "picture", ariaLabel: "Bat and curves" },
@@ -194,6 +199,7 @@ export const view = {
   },
 };
 
+/** @param {App} app */
 function impact(app) {
   return group("Impact", [
     slider(app, "impact_from_tip_in", { label: "From the tip", step: 0.1 }),

@@ -6,10 +6,13 @@ import { HeatMap } from "../heatmap.js";
 import { factList, make, tableOf } from "../parts.js";
 import { MPH, toShown } from "../units.js";
 import { FieldPicture, SidePicture } from "./flight_pictures.js";
+/** @import { Fact } from "../parts.js" */
+/** @import { App, View } from "../main.js" */
 
 const WORDS = { "home run": "home run", "off the wall": "off the wall", "in play": "in play", foul: "foul" };
 const CLASSES = { "home run": "good", foul: "muted" };
 const MAPPED = ["exit_speed_mph", "launch_angle_deg", "own_elevation"]; // what the map does not depend on, for a ball with its own numbers
+/** @type {Fact[]} */
 const FACTS = [
   ["Chance of a home run", (a, app) => app.text("share", a.chance, 0)],
   ["Parks it leaves on average", (a) => `${a.expected_out_in.toFixed(1)} of ${a.of}`],
@@ -21,6 +24,7 @@ const FACTS = [
   ["Air", (a, app) => app.text("air_density_kg_m3", a.air_density_kg_m3)],
 ];
 
+/** @type {View} */
 export const view = {
   name: "flight",
   guide: [
@@ -65,6 +69,7 @@ export const view = {
       make("section", { className: "picture" }, this.words, this.launch, this.pictures), this.list));
   },
 
+  /** @param {App} app */
   parkControls(app) {
     const parks = app.lists("parks").then((lists) => lists.parks.map(({ key, name }) => [key, name]));
     this.elevation = slider(app, "elevation_ft", { label: "Elevation", step: 50, empty: 0, note: "The park's, until moved." });
@@ -209,6 +214,7 @@ export const view = {
   },
 };
 
+/** @param {App} app */
 function ballControls(app) {
   return group("The ball as it leaves", [
     slider(app, "exit_speed_mph", { label: "Exit speed", step: 0.5 }),
@@ -220,6 +226,7 @@ function ballControls(app) {
   ]);
 }
 
+/** @param {App} app */
 function swingControls(app) {
   return [
     group("Swing", [

@@ -3,6 +3,7 @@
 import { FONT, Surface, arrow, haloText, ticks } from "../surface.js";
 /** @import { Point } from "../surface.js" */
 import { fromShown, toShown, unitOf } from "../units.js";
+/** @import { App } from "../main.js" */
 
 const LEFT = 42, RIGHT = 14, TOP = 16, FOOT = 34;
 const BASE = 27.432; // m between bases
@@ -45,6 +46,7 @@ function placeAt({ time_s: times, ...path }, moment) {
 }
 
 export class SidePicture {
+  /** @param {App} app */
   constructor(app) {
     this.app = app;
     this.data = null;
@@ -147,6 +149,7 @@ export class SidePicture {
 
 export class FieldPicture {
   // onLand({ distance, direction }, { last }): where the ball comes down is dragged; onWind: the wind's arrow is.
+  /** @param {App} app */
   constructor(app, { onLand, onWind }) {
     this.app = app;
     this.data = null;

@@ -8,6 +8,7 @@ import { paintEnd, paintSide, sideHeight } from "../filmscene.js";
 import { Ledger } from "../ledger.js";
 import { Surface } from "../surface.js";
 import { Transport } from "../transport.js";
+/** @import { View } from "../main.js" */
 
 const PANELS = [
   { title: "Force on the ball", kind: "force_n", height: 84, zero: true, lines: [{ key: "force_n", color: "red", fill: true }] },
@@ -24,6 +25,7 @@ const FACTS = [
   ["Push given by then", (a) => ["given_pct", a.hands.impulse_given === null ? null : 100 * a.hands.impulse_given]],
 ];
 
+/** @type {View} */
 export const view = {
   name: "hit",
   guide: [

@@ -6,10 +6,12 @@ import { Stage, paintMotion } from "../modescene.js";
 import { Surface } from "../surface.js";
 import { strike } from "../tapsound.js";
 import { INCH } from "../units.js";
+/** @import { View } from "../main.js" */
 
 const PERIOD = 1400; // ms on the screen of one swing to and fro, whatever its real frequency
 const MOST_ROWS = 14;
 
+/** @type {View} */
 export const view = {
   name: "modes",
   guide: [
@@ -102,7 +104,7 @@ export const view = {
     const { answer, state, app } = this;
     return {
       answer, motion: this.motion(), phase: this.phase, size: state.exaggeration, both: !this.stop, colors: app.colors,
-      text: (...all) => app.text(...all),
+      text: (name, value, digits) => app.text(name, value, digits),
     };
   },
 

@@ -6,7 +6,9 @@ import { DocumentPlace } from "../document.js";
 import { HeatMap } from "../heatmap.js";
 import { make } from "../parts.js";
 import { MPH } from "../units.js";
+/** @import { View } from "../main.js" */
 
+/** @type {View} */
 export const view = {
   name: "optimum",
   guide: [

@@ -7,10 +7,12 @@ import { download } from "../exports.js";
 import { Lights, stateOf } from "../lights.js";
 import { make, paragraphs, tableOf } from "../parts.js";
 import { TapPlace } from "./own_tap.js";
+/** @import { App, View } from "../main.js" */
 
 const DIGITS = { mass: 2, density: 0 };
 const SOUND = /\.(wav|flac|ogg|mp3|aiff)$/i;
 
+/** @type {View} */
 export const view = {
   name: "own",
   guide: [
@@ -48,6 +50,7 @@ export const view = {
     }, { capture: true, signal: app.signal });
   },
 
+  /** @param {App} app */
   side(app) {
     const guess = (field) => () => app.answer?.guesses[field] ?? null;
     // Where what was measured is just what stands there already, the slider need not be moved.
@@ -66,6 +69,7 @@ export const view = {
         slider(app, "diameter_error", { label: "Diameters known to (part)", step: 0.0005 }), choice(app, "league", { label: "Rules of", options: leagues })], { open: false }));
   },
 
+  /** @param {App} app */
   tools(app) {
     const file = async (then) => {
       this.said.textContent = "";

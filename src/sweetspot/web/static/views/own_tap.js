@@ -6,12 +6,14 @@ import { Lights } from "../lights.js";
 import { Listening } from "../listening.js";
 import { make, tableOf } from "../parts.js";
 import { upload, whereTo } from "../upload.js";
+/** @import { App } from "../main.js" */
 
 const LARGEST = 60e6; // bytes of a sound
 const PANELS = [{ title: "What rings, dB below the loudest", kind: "level_db", height: 150, empty: [-60, 0], lines: [{ key: "level", label: "the first good tap", color: "blue", width: 1.4 }] }];
 const kept = { recordings: [], found: null }; // as long as the page is open
 
 export class TapPlace {
+  /** @param {App} app */
   constructor(app) {
     this.app = app;
     this.signal = app.signal;

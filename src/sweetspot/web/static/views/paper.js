@@ -6,7 +6,9 @@ import { mathOf } from "../formula.js";
 import { inReadersUnit, inUnits, make, tableOf } from "../parts.js";
 import { PICTURES } from "./paper_pictures.js";
 import { STEPS } from "./paper_steps.js";
+/** @import { View } from "../main.js" */
 
+/** @type {View} */
 export const view = {
   name: "paper",
   guide: [

@@ -3,7 +3,9 @@
 import { BatView } from "../batview.js";
 import { Chart } from "../chart.js";
 import { FONT, Surface, haloText } from "../surface.js";
+/** @import { App } from "../main.js" */
 
+/** @param {App} app */
 const AXIS = (app) => ({ kind: "position_m", from: () => app.answer?.bat.length_m ?? 0.84, label: "from the tip" });
 const SPEEDS = { title: "Exit speed", kind: "exit_speed_m_s", height: 170, lines: [
   { key: "exit_speed_m_s", label: "real bat", color: "red", width: 2.4 },
@@ -94,6 +96,7 @@ export const PICTURES = {
 
 // Figure 6: two blocks, the ball where it starts and where it comes back to.
 class DropPicture {
+  /** @param {App} app */
   constructor(app) {
     this.app = app;
     this.surface = new Surface(app, { height: () => 250, paint: (...all) => this.paint(...all) });

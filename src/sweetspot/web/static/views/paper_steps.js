@@ -3,11 +3,13 @@
 import { FILLS } from "../bench.js";
 import { MPH } from "../units.js";
 import { choice, slider } from "../controls.js";
+/** @import { Answer, App } from "../main.js" */
 
 const FILLED = FILLS.filter(([fill]) => fill !== "nothing");
 const HELD = [["floor", "lying on concrete"], ["clamped", "clamped at the edges"], ["free", "lying free"]];
 const number = (value, digits) => value.toFixed(digits).replace("-", "−");
 const rowsOf = (answer, equation) => answer.rows.filter((row) => row.equation === equation);
+/** @type {(answer: Answer, place: number, app: App) => string} */
 const fromTip = (answer, place, app) => app.text("from_m", answer.bat.length_m - place, 1);
 
 export const STEPS = [

@@ -7,10 +7,12 @@ import { Numbers } from "../numbers.js";
 import { make } from "../parts.js";
 import { FONT, Surface, ticks } from "../surface.js";
 import { fromShown, toShown, unitOf } from "../units.js";
+/** @import { View } from "../main.js" */
 
 const LONGEST = 40000;
 const LEFT = 46, FOOT = 34, TOP = 12, RIGHT = 12;
 
+/** @type {View} */
 export const view = {
   name: "player",
   guide: [

@@ -7,9 +7,12 @@ import { factList, make } from "../parts.js";
 import { Filter, Players } from "./season_players.js";
 import { BarrelMap, Ceilings, FieldMap } from "./season_pictures.js";
 import { Reading } from "./season_reading.js";
+/** @import { Fact } from "../parts.js" */
+/** @import { View } from "../main.js" */
 
 const FILTERS = [["team", "Hit for", "any club"], ["pitch_type", "Off", "all pitches"], ["count", "At the count", "all counts"], ["month", "In the month", "all months"], ["park", "In the park", "all parks"]];
 const EVERYBODY = { batter: null, team: null, pitch_type: null, count: null, month: null, park: null };
+/** @type {Fact[]} */
 const FACTS = [
   ["Balls", ({ means }) => means.balls.toLocaleString("en-US")], ["Exit speed", ({ means }) => ["speed", means.exit_speed]],
   ["Hardest fifth (EV20)", ({ means }) => ["speed", means.ev20]], ["Bat speed", ({ means }) => ["speed", means.bat_speed]],
@@ -18,6 +21,7 @@ const FACTS = [
   ["Home runs, hit and expected", ({ means }, app) => `${app.text("count", means.home_runs)} and ${app.text("count", means.home_runs_expected, 1)}`],
 ];
 
+/** @type {View} */
 export const view = {
   name: "season",
   guide: [

@@ -7,11 +7,13 @@ import { Numbers } from "../numbers.js";
 import { make } from "../parts.js";
 import { FONT, Surface, haloText } from "../surface.js";
 import { fromShown, kindOf, toShown, unitOf } from "../units.js";
+/** @import { App } from "../main.js" */
 
 const PANELS = [{ title: "Exit speed over the greatest that was possible", kind: "share", height: 110, zero: true, lines: [
   { key: "squared_up_ratio", label: "this bat", color: "blue", width: 2.2 }, { key: "league_ratio", label: "the league's formula", color: "orange", width: 1.6, dash: [5, 4] }] }];
 
 export class BarrelMap {
+  /** @param {App} app */
   constructor(app) {
     this.app = app;
     this.length = 0.84;
@@ -59,6 +61,7 @@ export class BarrelMap {
 }
 
 export class Ceilings {
+  /** @param {App} app */
   constructor(app) {
     this.chart = new Chart(app, { label: "Exit speeds over the greatest that were possible", panels: PANELS, axis: { kind: "ratio", label: "of the greatest exit speed" } });
     this.element = this.chart.element;
@@ -73,6 +76,7 @@ export class Ceilings {
 
 // The field from above: boxes coloured by their balls, the chosen park's fence, and distances from home.
 export class FieldMap {
+  /** @param {App} app */
   constructor(app) {
     this.app = app;
     this.found = null;

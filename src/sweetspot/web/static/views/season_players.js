@@ -2,6 +2,7 @@
 
 import { button } from "../controls.js";
 import { make, tableOf } from "../parts.js";
+/** @import { App } from "../main.js" */
 
 const SHOWN = 25;
 const COLUMNS = [
@@ -12,6 +13,7 @@ const LOW_FIRST = ["from_best"];
 
 // One field of the state that may be empty: a list of [value, balls]; hidden where there is nothing to choose.
 export class Filter {
+  /** @param {App} app */
   constructor(app, field, { label, all }) {
     this.app = app;
     this.field = field;
@@ -50,6 +52,7 @@ export class Filter {
 }
 
 export class Players {
+  /** @param {App} app */
   constructor(app) {
     this.app = app;
     this.players = [];

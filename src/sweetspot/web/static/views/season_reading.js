@@ -4,11 +4,13 @@ import { button } from "../controls.js";
 import { longWork } from "../longwork.js";
 import { make } from "../parts.js";
 import { upload, whereTo } from "../upload.js";
+/** @import { App } from "../main.js" */
 
 const TABLES = /\.(csv|tsv|txt|gz|parquet)$/i;
 const MOST = 60;
 
 export class Reading {
+  /** @param {App} app */
   constructor(app, { onSeason }) {
     this.app = app;
     this.onSeason = onSeason;

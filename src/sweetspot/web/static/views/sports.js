@@ -5,7 +5,10 @@ import { choice, group, slider } from "../controls.js";
 import { HeatMap } from "../heatmap.js";
 import { factList, make, paragraphs } from "../parts.js";
 import { INCH } from "../units.js";
+/** @import { Fact } from "../parts.js" */
+/** @import { View } from "../main.js" */
 
+/** @type {Fact[]} */
 const FACTS = [
   ["Leaves at", (a) => ["exit_speed_m_s", a.hit.exit_speed_m_s]],
   ["Efficiency", (a) => ["ratio", a.hit.collision_efficiency]],
@@ -18,6 +21,7 @@ const FACTS = [
   ["Balance from the grip's end", (a) => ["balance_point_m", a.tool.balance_point_m]],
 ];
 
+/** @type {View} */
 export const view = {
   name: "sports",
   guide: [
