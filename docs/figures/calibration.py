@@ -7,11 +7,12 @@ from matplotlib.figure import Figure
 
 from figures.style import BLUE, GREY, RED, new_figure
 from sweetspot import catalog
+from sweetspot.calibration.draws.drawn_reports import drawn_hit
+from sweetspot.calibration.draws.sources import Sources
 from sweetspot.calibration.measured import REACH, Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.posterior import calibrate
-from sweetspot.calibration.uncertainty import doubt
 from sweetspot.calibration.unknowns import described, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.units import MPH
@@ -41,9 +42,10 @@ def worth_figure() -> Figure:
         ]
         prior = np.diag([one.spread**2 for one in unknowns])
         covariance = calibrate(line, unknowns, so_far).covariance if so_far else prior
-        sure = doubt(line, conditions, known=(unknowns, covariance), positions=np.array([place]))
-        part = sure.at("exit_speed", place).error * np.sqrt(sure.shares("exit_speed", place)["bat"])
-        speed.append(REACH * part / MPH)
+        low, high = drawn_hit(line, conditions, Sources(unknowns, covariance, ()), place, count=256).ends(
+            "exit_speed_m_s"
+        )
+        speed.append(float(high - low) / 2 / MPH)
         moduli.append(100 * REACH * np.sqrt(covariance[0, 0]))
     figure, (left, right) = new_figure(7.5, 4.6, rows=2, sharex=True)
     left.bar(list(STEPS), speed, color=RED, width=0.55)

@@ -13,10 +13,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sweetspot.calibration.efficiency_response import EfficiencyResponse, response_of_efficiency
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.posterior import Posterior
-from sweetspot.calibration.uncertainty import Doubt, doubt
 from sweetspot.calibration.unknowns import Unknown, deviated
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.errors import InputError
@@ -105,22 +105,22 @@ def rank_bats(
     spreads = np.array([one.spread for one in unknowns])
     length = line.bat.length
     places = np.linspace(length - REACHED[1], length - REACHED[0], PLACES)
-    sure = doubt(line, conditions, known=(unknowns, np.diag(spreads**2)), positions=places)
+    response = response_of_efficiency(line, conditions, unknowns=unknowns, positions=places)
     turning = _Turning.of(line, unknowns, axis=0.0 if law is None else law.axis)
     generator = np.random.default_rng(seed)
-    ball = generator.standard_normal((DRAWS, len(sure.sources) - len(unknowns)))
-    ball *= np.sqrt(np.diag(sure.covariance)[len(unknowns) :])
+    of_ball = response.spreads[len(unknowns) :]
+    ball = generator.standard_normal((DRAWS, len(of_ball))) * of_ball
     speeds, centre, best = [], [], []
     for posterior in posteriors.values():
         own = generator.multivariate_normal(posterior.deviations, posterior.covariance, size=DRAWS, method="cholesky")
-        curves = _exit_speeds(sure, np.hstack([own, ball]), turning, conditions, law)
-        still = _exit_speeds(sure, np.hstack([own, 0 * ball]), turning, conditions, law)
+        curves = _exit_speeds(response, np.hstack([own, ball]), turning, conditions, law)
+        still = _exit_speeds(response, np.hstack([own, 0 * ball]), turning, conditions, law)
         speeds.append(curves.max(axis=1))
         centre.append(still.max(axis=1))
         best.append(float(places[int(np.argmax(still.mean(axis=0)))]))
     chances = np.bincount(np.argmax(np.array(speeds), axis=0), minlength=len(speeds)) / DRAWS
     wood = generator.standard_normal((DRAWS, len(spreads))) * spreads
-    by_nature = _exit_speeds(sure, np.hstack([wood, 0 * ball]), turning, conditions, law).max(axis=1)
+    by_nature = _exit_speeds(response, np.hstack([wood, 0 * ball]), turning, conditions, law).max(axis=1)
     properties = {name: _properties(posterior) for name, posterior in posteriors.items()}
     found = [
         RankedBat(
@@ -157,12 +157,12 @@ class _Turning:
         return cls(math.exp(logarithm(0 * sizes)), np.array(slopes))
 
 
-def _exit_speeds(sure: Doubt, off: Array, turning: _Turning, conditions: Conditions, law: SwingLaw | None) -> Array:
+def _exit_speeds(
+    response: EfficiencyResponse, off: Array, turning: _Turning, conditions: Conditions, law: SwingLaw | None
+) -> Array:
     """Return exit speeds along the barrel for draws of what is not known, shape (draws, places)."""
-    name = "collision_efficiency"
-    efficiency = sure.values[name] + off @ sure.slopes[name] + off**2 @ sure.bends[name]
-    swing = conditions.swing
-    bat = swing.angular_speed * (sure.position - swing.pivot)
+    efficiency, swing = response.at(off), conditions.swing
+    bat = swing.angular_speed * (response.position - swing.pivot)
     ratio = np.ones(len(off))
     if law is not None:
         moments = turning.moi * np.exp(off[:, : len(turning.slopes)] @ turning.slopes)

@@ -8,13 +8,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.calibration.measured import REACH
-from sweetspot.calibration.uncertainty import expected_deviations
-from sweetspot.calibration.unknowns import Unknown
+from sweetspot.calibration.measured import REACH, Measured
+from sweetspot.calibration.measurements import Measurement
+from sweetspot.calibration.posterior import calibrate
+from sweetspot.calibration.unknowns import Unknown, described, unknowns_of
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.dynamics.patch import PATCH_SPREAD
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
+from sweetspot.errors import InputError
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
 
@@ -24,6 +26,9 @@ OF_BALL = "ball "
 """What the names of the ball's properties begin with."""
 DRAWS = 1024
 """A power of two, as Sobol's sequence wants."""
+WEIGHED, BALANCED, HUNG = 0.003, 0.0025, 0.01
+"""One sigma of a weight, of a balance point in m, and of a moment of inertia, that a bat file gives without an error:
+0.1 oz of 31, 0.1 in, 1 % (assumed)."""
 
 
 @dataclass(frozen=True)
@@ -136,6 +141,30 @@ def sources_of(
         tuple(unknowns), np.asarray(covariance, dtype=np.float64),
         (*ball_sources(conditions), *patch_sources(bat), *_speeds(bat_speed_error, pitch_speed_error)), where,
     )  # fmt: skip
+
+
+def expected_deviations(bat: Implement) -> tuple[tuple[Unknown, ...], Array]:
+    """Return what is not known of a bat that was not calibrated, after what its file says was measured.
+
+    Other implements and bats of plies have none: their doubt is not modelled.
+    """
+    if not isinstance(bat, Bat):
+        return (), np.zeros((0, 0))
+    measured = bat.as_measured()
+    try:
+        unknowns = unknowns_of(measured)
+    except InputError:
+        return (), np.zeros((0, 0))
+    given = []
+    if measured.mass is not None:
+        given.append(Measurement("mass", Measured(measured.mass, WEIGHED * measured.mass)))
+    if measured.balance_point is not None:
+        given.append(Measurement("balance_point", Measured(measured.balance_point, BALANCED)))
+    if measured.moi is not None:
+        given.append(Measurement("moi", Measured(measured.moi, HUNG * measured.moi), axis=measured.moi_axis))
+    if not given:
+        return unknowns, np.diag([one.spread**2 for one in unknowns])
+    return unknowns, calibrate(described(measured), unknowns, given).covariance
 
 
 def ball_sources(conditions: Conditions) -> tuple[Source, ...]:

@@ -1,0 +1,33 @@
+"""How sure an exit speed is for the ball alone."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
+from sweetspot.calibration.ball_doubt import speed_by_ball
+from sweetspot.calibration.efficiency_response import response_of_efficiency
+from sweetspot.catalog.balls import ball_spreads
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.bat import Bat
+
+
+def test_spreads_of_the_catalogue(baseball: Ball) -> None:
+    spreads = ball_spreads(baseball)
+    assert spreads["mass"] == pytest.approx(0.125 / 5.125)
+    assert spreads["stiffness"] == pytest.approx(2.5 * 5 / 37)
+    assert ball_spreads(baseball.replaced(name="my own")) == {}
+
+
+def test_the_quick_answer_is_that_of_the_response(analysis: Analysis[Bat]) -> None:
+    """The quick answer of every report beside what moves the ball's patch too: v = q v_ball + (1 + q) v_bat."""
+    place, conditions = analysis.sweet_spots.max_exit_speed, analysis.conditions
+    response = response_of_efficiency(analysis.line, conditions, unknowns=(), positions=np.array([place]))
+    closing = conditions.pitch.speed + conditions.swing.speed_at(place)
+    quick = speed_by_ball(analysis)
+    assert quick is not None
+    assert quick.error == pytest.approx(
+        closing * float(np.linalg.norm(response.slopes[:, 0] * response.spreads)), rel=0.01
+    )
+    assert quick.value == exit_speed_of(analysis.best, conditions)

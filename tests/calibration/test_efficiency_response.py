@@ -1,0 +1,99 @@
+"""How q answers to what is not known: against direct recomputation, limits, and what measuring buys."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from sweetspot import catalog
+from sweetspot.analysis.position_scan import scan
+from sweetspot.calibration.draws.sources import expected_deviations
+from sweetspot.calibration.efficiency_response import EfficiencyResponse, response_of_efficiency
+from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.measurements import Measurement, predicted
+from sweetspot.calibration.naming import ModeName
+from sweetspot.calibration.posterior import calibrate
+from sweetspot.calibration.unknowns import described, deviated, unknowns_of
+from sweetspot.catalog.balls import ball_spreads
+from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.dynamics.beam import BeamModel, beam_model
+from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.bat import Bat
+
+PLACES = np.linspace(0.57, 0.80, 24)
+PLACE = 0.69
+AT = int(np.argmin(np.abs(PLACES - PLACE)))
+
+
+@pytest.fixture(scope="module")
+def line(r161: Bat) -> BeamModel:
+    return beam_model(r161)
+
+
+@pytest.fixture(scope="module")
+def response(r161: Bat, line: BeamModel) -> EfficiencyResponse:
+    unknowns, _ = expected_deviations(r161)
+    return response_of_efficiency(line, standard_conditions(r161), unknowns=unknowns, positions=PLACES)
+
+
+def test_restitution_against_the_closed_form(response: EfficiencyResponse, line: BeamModel, baseball: Ball) -> None:
+    """Where the bat hardly vibrates q = (e - r) / (1 + r): de is worth 1 / (1 + r) [nathan2003]."""
+    body, place = rigid_body(line), PLACES[AT]
+    ratio = baseball.mass * (1 / body.mass + (place - body.balance_point) ** 2 / body.moi_cm)
+    restitution = (
+        len(response.spreads) - len(ball_spreads(baseball)) + list(ball_spreads(baseball)).index("restitution")
+    )
+    assert response.slopes[restitution, AT] == pytest.approx(1 / (1 + ratio), rel=0.12)
+
+
+def test_the_sum_against_recomputed_bats(response: EfficiencyResponse, line: BeamModel, r161: Bat) -> None:
+    """Slopes and bends against the whole way for eight bats: within a tenth of the doubt itself."""
+    unknowns, covariance = expected_deviations(r161)
+    conditions = standard_conditions(r161)
+    doubt = np.sqrt(response.spreads**2 @ response.slopes[:, AT] ** 2)
+    for off in np.random.default_rng(5).multivariate_normal(np.zeros(len(unknowns)), covariance, size=8):
+        other = deviated(line, unknowns, off)
+        direct = scan(
+            other.bat, body=rigid_body(other), modes=all_modes(other, conditions.ball), conditions=conditions,
+            positions=PLACES,
+        ).collision_efficiency  # fmt: skip
+        every = np.concatenate([off, np.zeros(len(response.spreads) - len(off))])
+        assert np.max(np.abs(response.at(every[None])[0] - direct)) < 0.1 * doubt
+
+
+def test_measuring_a_bat_narrows_its_answer(r161: Bat) -> None:
+    """From the drawing alone to scale, balance, pendulum and tap: the bat's part of the doubt of q falls."""
+    line, unknowns = described(r161), unknowns_of(r161)
+    wanted = [
+        Measurement("mass", Measured(1, 0.0015)), Measurement("balance_point", Measured(1, 0.0013)),
+        Measurement("period", Measured(1, 0.003)),
+        Measurement("frequency", Measured(1, 0.3), mode=ModeName("bending", 1)),
+    ]  # fmt: skip
+    exact = [
+        Measurement(one.kind, Measured(value, one.value.error), mode=one.mode)
+        for one, value in zip(wanted, predicted(line, wanted).tolist(), strict=True)
+    ]
+    conditions = standard_conditions(r161)
+    response = response_of_efficiency(line, conditions, unknowns=unknowns, positions=np.array([PLACE]))
+    slope = response.slopes[: len(unknowns), 0]
+    errors = []
+    for count in range(5):
+        spreads = np.diag([one.spread**2 for one in unknowns])
+        covariance = calibrate(line, unknowns, exact[:count]).covariance if count else spreads
+        errors.append(np.sqrt(slope @ covariance @ slope))
+    assert all(after < before for before, after in pairwise(errors))
+    assert errors[-1] < 0.25 * errors[0]
+
+
+def test_a_hollow_bat_doubts_its_wall() -> None:
+    bat = catalog.bat("single-wall")
+    unknowns, covariance = expected_deviations(bat)
+    response = response_of_efficiency(
+        beam_model(bat), standard_conditions(bat), unknowns=unknowns, positions=np.array([bat.length - 0.15])
+    )
+    own = np.abs(response.slopes[: len(unknowns), 0]) * np.sqrt(np.diag(covariance))
+    assert unknowns[int(np.argmax(own))].name == "wall"
