@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from functools import lru_cache
 from pathlib import Path
 from shlex import quote
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 from pydantic import Field
@@ -17,18 +17,6 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.flight.park import FOUL_LINE, fence_at
 from sweetspot.report.bat.json import bat_json
-from sweetspot.report.season.document import SeasonReport
-from sweetspot.report.season.one_player import player_page
-from sweetspot.season.maps import (
-    CHOICES,
-    BallMap,
-    ball_means,
-    barrel_counts,
-    ceiling_counts,
-    chosen_balls,
-    field_counts,
-)
-from sweetspot.season.season_table import counted_in
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import described
 from sweetspot.web.documents import told
@@ -40,6 +28,10 @@ from sweetspot.web.states import BatState, Name
 from sweetspot.web.uploads import UPLOADS, UploadKey
 from sweetspot.web.view import View
 from sweetspot.web.views.season_work import Handed, kept_report, kept_summary, read_season
+
+if TYPE_CHECKING:  # tables load slowly, and no other view needs them
+    from sweetspot.report.season.document import SeasonReport
+    from sweetspot.season.maps import BallMap
 
 MOST_TABLES = 60
 Choice = Annotated[str, Field(min_length=1, max_length=80)] | None
@@ -117,14 +109,17 @@ def summary(state: SeasonState) -> dict[str, Any]:
 
 def maps(state: SeasonState) -> dict[str, Any]:
     """Return of the chosen balls how well they were hit, where on the barrel, and where they would come down."""
+    from sweetspot.season import maps as counted_balls
+    from sweetspot.season.season_table import counted_in
+
     folder = _folder(state)
     if folder is None:
         return {}
-    chosen = {name: value for name in ("batter", *CHOICES) if (value := getattr(state, name)) is not None}
-    counted = chosen_balls(counted_in(folder), chosen)
+    chosen = {name: value for name in ("batter", *counted_balls.CHOICES) if (value := getattr(state, name)) is not None}
+    counted = counted_balls.chosen_balls(counted_in(folder), chosen)
     return {
-        "means": ball_means(counted), "ceilings": ceiling_counts(counted), "barrel": _map(barrel_counts(counted)),
-        "field": _map(field_counts(counted)),
+        "means": counted_balls.ball_means(counted), "ceilings": counted_balls.ceiling_counts(counted),
+        "barrel": _map(counted_balls.barrel_counts(counted)), "field": _map(counted_balls.field_counts(counted)),
     }  # fmt: skip
 
 
@@ -137,6 +132,8 @@ def _map(found: BallMap | None) -> dict[str, Any] | None:
 
 def player(state: SeasonState) -> dict[str, Any]:
     """Return one player's page."""
+    from sweetspot.report.season.one_player import player_page
+
     folder = _folder(state)
     if folder is None or state.batter is None:
         return {}

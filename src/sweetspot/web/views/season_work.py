@@ -10,20 +10,19 @@ import time
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pydantic_core
 
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
-from sweetspot.report.season.document import SeasonReport, season_document, season_report
-from sweetspot.report.season.tables import write_tables
-from sweetspot.season.made_up import MadeSeason, made_season
-from sweetspot.season.maps import choices_of
-from sweetspot.season.season_table import Season, analyse_season, season_setting
 from sweetspot.web.documents import told
 from sweetspot.web.jobs import Say
 from sweetspot.web.uploads import TAKEN_AWAY
+
+if TYPE_CHECKING:  # tables load slowly, and no other view needs them
+    from sweetspot.report.season.document import SeasonReport
+    from sweetspot.season.season_table import Season
 
 SUMMARY, REPORT, HANDED_IN = "summary.json", "report.pickle", "handed-in"
 LISTED = 3000
@@ -32,7 +31,7 @@ LONGEST_NAME = 120
 """Bytes of a file's name that is kept."""
 MEASURES = ("ev20", "exit_speed", "bat_speed", "squared_up", "from_best", "home_runs", "home_runs_expected")
 """Of each player in the list."""
-MADE_UP = MadeSeason(players=16, balls=90)
+MADE_UP = {"players": 16, "balls": 90}
 
 Handed = tuple[tuple[Path, str], ...]
 """Where each file lies, and what it was called."""
@@ -45,6 +44,8 @@ def read_season(
 
     The result's ``season`` is the name by which the view is asked about it.
     """
+    from sweetspot.report.season.document import season_report
+
     say({"phase": "tables"}, True)
     paths = named(handed, folder / HANDED_IN) if handed else [made_up(bat, folder)]
     season = analysed(paths, folder, bat, resume=after is not None, say=say)
@@ -72,15 +73,19 @@ def named(handed: Handed, folder: Path) -> list[Path]:
 
 def made_up(bat: Bat, folder: Path) -> Path:
     """Return the table of a made-up season, made unless it is there."""
+    from sweetspot.season.made_up import MadeSeason, made_season
+
     path = folder / "made-up season.parquet"
     if not path.exists():
-        made_season(bat, MADE_UP).write_parquet(path.with_suffix(".part"))
+        made_season(bat, MadeSeason(**MADE_UP)).write_parquet(path.with_suffix(".part"))
         path.with_suffix(".part").replace(path)
     return path
 
 
 def analysed(paths: list[Path], folder: Path, bat: Bat, *, resume: bool, say: Say) -> Season:
     """Return the season of some tables; what is wrong with one is said by the name that people know."""
+    from sweetspot.season.season_table import analyse_season, season_setting
+
     setting = season_setting(bats={"": bat}, threads=1)
     try:
         return analyse_season(paths, setting=setting, folder=folder, resume=resume, progress=counting(say))
@@ -109,6 +114,10 @@ def without_folders(words: str, paths: list[Path]) -> str:
 
 def keep(report: SeasonReport, folder: Path, described: str) -> None:
     """Write what the view tells of a season, the tables that can be taken away, and the summary last of all."""
+    from sweetspot.report.season.document import season_document
+    from sweetspot.report.season.tables import write_tables
+    from sweetspot.season.maps import choices_of
+
     tables = folder / TAKEN_AWAY
     tables.mkdir(exist_ok=True)
     write_tables(report, tables)
