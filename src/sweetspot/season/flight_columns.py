@@ -1,7 +1,7 @@
 """What each ball's flight was: where it set out, how far it carries and how surely, and how likely it is a home run.
 
-The tracked direction is where a ball came down; the direction in which it set out is solved for. Single flights scatter
-about the law as `flight.home_runs.USUAL` tells, and that is the SD of a carry.
+The tracked direction is where a ball came down; the direction in which it set out is solved for. How surely a carry is
+known is told by `carry_scatter`.
 """
 
 from __future__ import annotations
@@ -13,22 +13,19 @@ import numpy as np
 from sweetspot.equipment.ball import Ball
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import Air
-from sweetspot.flight.batted_spin import USUAL_ANGLES, batted_ball_spin
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.home_runs import USUAL, home_run_chances
 from sweetspot.flight.kernel import Flights, flights
-from sweetspot.motion.ball_motion import BallMotions, spin_axes
+from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.numerics.arrays import Array
 from sweetspot.season.balls import Balls
+from sweetspot.season.carry_scatter import MORE_DRAG, SPIN_SCATTER, braked, carry_errors, usual_launch
 from sweetspot.season.fields import Fields, thirty_parks
-from sweetspot.units import DEGREE, FOOT
+from sweetspot.season.swings import USUAL_ERRORS, Errors
+from sweetspot.units import FOOT
 
-START = (0.0, 2 * FOOT, 3 * FOOT)
-"""m, where balls leave the bat."""
 ROUNDS, CLOSE = 5, 5e-4
 """Most flights of a ball in search of its direction, and rad by which it may come down beside: 0.2 ft at 400 ft."""
-MORE_DRAG = 0.1
-"""Part of drag that the second flight has more, to learn what drag does to carry."""
 SHORTEST = 80.0
 """m; a ball that does not carry so far is no home run anywhere: no fence is nearer than 90."""
 GLOVE = 5 * FOOT
@@ -45,6 +42,8 @@ class FlightSetting:
     aerodynamics : its law.
     air : temperature, humidity and pressure at sea level; its elevation where the park is not known.
     parks : whether chances of home runs are wanted.
+    errors : of the measurements.
+    spin_scatter : standard deviation of backspin about the usual line, rad/s.
     threads : workers; None: one per core.
     """
 
@@ -52,6 +51,8 @@ class FlightSetting:
     aerodynamics: Aerodynamics
     air: Air
     parks: bool = True
+    errors: Errors = USUAL_ERRORS
+    spin_scatter: float = SPIN_SCATTER
     threads: int | None = None
 
 
@@ -98,15 +99,18 @@ def flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, *, tempera
     per_drag = np.full(len(balls), np.nan)
     flying = flown.landed & (balls.launch_angle > 0)
     if flying.any():
-        more = _braked(setting.aerodynamics)
-        braked = _flown(balls, solved, density, setting, flying, more)
-        per_drag[flying] = (braked.carry - flown.carry[flying]) / np.log1p(MORE_DRAG)
+        again = _flown(balls, solved, density, setting, flying, braked(setting.aerodynamics))
+        per_drag[flying] = (again.carry - flown.carry[flying]) / np.log1p(MORE_DRAG)
     per_drag = np.where(flown.landed & ~flying, 0.0, per_drag)
     shift, spread = np.array([*(USUAL.of(park) for park in fields.parks), (0.0, USUAL.open)]).T[:, fields.index]
+    doubt = carry_errors(
+        setting.ball, setting.aerodynamics, setting.air, errors=setting.errors, spin_scatter=setting.spin_scatter
+    )  # fmt: skip
+    carry_spread = doubt.spread(balls.exit_speed, balls.launch_angle, per_drag=per_drag, scatter=spread)
     here, everywhere, count = _chances(balls, solved, fields, setting, away & known)
     return FlightColumns(
         launch_direction=np.where(known, solved, np.nan), carry=flown.carry + shift * per_drag,
-        carry_spread=np.abs(per_drag) * spread, hang_time=flown.hang_time, apex_height=flown.apex_height,
+        carry_spread=carry_spread, hang_time=flown.hang_time, apex_height=flown.apex_height,
         landing_angle=flown.landing_angle, carry_per_drag=per_drag,
         home_run_here=np.where(known & flown.landed & (fields.index >= 0), here, np.nan),
         home_runs=np.where(known & flown.landed, everywhere, np.nan),
@@ -157,18 +161,8 @@ def _flown(
 
 
 def _launch(balls: Balls, spray: Array, rows: np.ndarray) -> BallMotions:
-    """Return some balls with their usual spin; beyond the angles it is known for, the spin of the nearest."""
     up, aside = balls.launch_angle[rows], spray[rows]
-    axes = spin_axes(up, aside)
-    usual = np.clip(up, USUAL_ANGLES[0] * DEGREE, USUAL_ANGLES[1] * DEGREE)
-    back, side = batted_ball_spin(usual, aside, bats=np.where(balls.left[rows], "left", "right"))
-    velocity = balls.exit_speed[rows, None] * axes[2]
-    return BallMotions(velocity=velocity, spin=back[:, None] * axes[0] + side[:, None] * axes[1], position=START)
-
-
-def _braked(law: Aerodynamics) -> Aerodynamics:
-    names = [name for name in Aerodynamics.model_fields if name.startswith("drag")]
-    return law.replaced(**{name: getattr(law, name) * (1 + MORE_DRAG) for name in names})
+    return usual_launch(balls.exit_speed[rows], up, aside, left=balls.left[rows])
 
 
 def _replaced(flown: Flights, rows: np.ndarray, again: Flights) -> Flights:

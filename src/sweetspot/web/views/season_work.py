@@ -31,7 +31,8 @@ LONGEST_NAME = 120
 """Bytes of a file's name that is kept."""
 MEASURES = ("ev20", "exit_speed", "bat_speed", "squared_up", "from_best", "home_runs", "home_runs_expected")
 """Of each player in the list."""
-MADE_UP = {"players": 16, "balls": 90}
+MADE_UP = (16, 90)
+"""Players of a made-up season, and balls of each."""
 
 Handed = tuple[tuple[Path, str], ...]
 """Where each file lies, and what it was called."""
@@ -77,7 +78,7 @@ def made_up(bat: Bat, folder: Path) -> Path:
 
     path = folder / "made-up season.parquet"
     if not path.exists():
-        made_season(bat, MadeSeason(**MADE_UP)).write_parquet(path.with_suffix(".part"))
+        made_season(bat, MadeSeason(*MADE_UP)).write_parquet(path.with_suffix(".part"))
         path.with_suffix(".part").replace(path)
     return path
 

@@ -1,0 +1,83 @@
+"""How surely a carry is known: the table against drawn flights, its limits, and tracked balls."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import polars as pl
+import pytest
+
+from sweetspot import catalog
+from sweetspot.flight.air import Air
+from sweetspot.flight.conditions import FlightConditions
+from sweetspot.flight.kernel import flights
+from sweetspot.numerics.arrays import Array
+from sweetspot.season.carry_scatter import HOME_RUN, MORE_DRAG, SPIN_SCATTER, braked, carry_errors, usual_launch
+from sweetspot.season.season_table import analyse_season, season_setting
+from sweetspot.season.swings import USUAL_ERRORS, Errors
+from sweetspot.units import DEGREE, MPH
+from tests.real_data import real_file
+
+AIR, SCATTER, DRAWS = Air(temperature=22.2), 0.065, 3000
+HALF, MOST = 0.6745, 1.6449
+"""Standard deviations within which 50 and 90 % of a normal distribution lie."""
+
+
+def carried(speed: Array, angle: Array, spin: float | Array = 0.0, drag: float = 1.0) -> Array:
+    law = catalog.aerodynamics()
+    names = [name for name in type(law).model_fields if name.startswith("drag")]
+    changed = law.replaced(**{name: getattr(law, name) * drag for name in names})
+    nobody = np.zeros(len(speed))
+    motions = usual_launch(speed, angle, nobody, left=nobody > 0, more_spin=spin)
+    return flights(motions, FlightConditions(ball=catalog.ball(), aerodynamics=changed, air=AIR)).carry
+
+
+def per_drag(speed: float, angle: float) -> float:
+    fast, up = np.array([speed]), np.array([angle])
+    motions = usual_launch(fast, up, np.zeros(1), left=np.zeros(1, bool))
+    through = FlightConditions(ball=catalog.ball(), aerodynamics=braked(catalog.aerodynamics()), air=AIR)
+    return float(((flights(motions, through).carry - carried(fast, up)) / np.log1p(MORE_DRAG))[0])
+
+
+def told(speed: float, angle: float, errors: Errors = USUAL_ERRORS, spin: float = SPIN_SCATTER) -> float:
+    table = carry_errors(catalog.ball(), catalog.aerodynamics(), AIR, errors=errors, spin_scatter=spin)
+    found = table.spread(
+        np.array([speed]), np.array([angle]), per_drag=np.array([per_drag(speed, angle)]), scatter=np.array([SCATTER])
+    )  # fmt: skip
+    return float(found[0])
+
+
+@pytest.mark.parametrize(("speed", "angle"), [(95 * MPH, 15 * DEGREE), (100 * MPH, 20 * DEGREE), HOME_RUN])
+def test_drawn_flights_scatter_as_told(speed: float, angle: float) -> None:
+    """Launches and spins drawn with their errors, flown one by one; what is left of a home run's scatter is drag."""
+    rng = np.random.default_rng(3)
+    fast = speed + rng.normal(0, USUAL_ERRORS.exit_speed, DRAWS)
+    up = angle + rng.normal(0, USUAL_ERRORS.launch_angle, DRAWS)
+    launched = float(carried(fast, up, rng.normal(0, SPIN_SCATTER, DRAWS)).std())
+    table = carry_errors(catalog.ball(), catalog.aerodynamics(), AIR, errors=USUAL_ERRORS)
+    drag = per_drag(speed, angle) * np.sqrt(SCATTER**2 - table.home_run)
+    assert told(speed, angle) == pytest.approx(np.hypot(launched, drag), rel=0.1)
+
+
+def test_without_errors_only_drag_is_left_and_nothing_makes_it_narrower() -> None:
+    none = Errors(exit_speed=0.0, launch_angle=0.0)
+    for speed, angle in ((95 * MPH, 15 * DEGREE), (90 * MPH, 38 * DEGREE), HOME_RUN):
+        alone = abs(per_drag(speed, angle)) * SCATTER
+        assert told(speed, angle, none, 0.0) == pytest.approx(alone, rel=1e-9)
+        assert told(speed, angle) >= alone * (1 - 1e-9)
+    assert told(*HOME_RUN) == pytest.approx(abs(per_drag(*HOME_RUN)) * SCATTER, rel=0.02)
+
+
+def test_tracked_distances_fall_into_the_intervals(tmp_path: Path) -> None:
+    """No number of it was fitted to distances of these balls; home runs of theirs told the scatter of drag."""
+    tracked = real_file("savant_2022_contact_sample.csv.gz")
+    season = analyse_season([tracked], setting=season_setting(contact=False), folder=tmp_path)
+    balls = season.balls().filter((pl.col("carry_spread_ft") > 0) & (pl.col("hit_distance_sc") > 150))
+    table = balls.select("launch_angle", off=(pl.col("carry_above_ft") / pl.col("carry_spread_ft")).abs()).collect()
+    table = table.drop_nulls()
+    for low, high in ((15, 25), (25, 40)):
+        mine = table["off"].filter((table["launch_angle"] >= low) & (table["launch_angle"] < high))
+        assert len(mine) > 400
+        assert 0.47 < float((mine < HALF).cast(pl.Float64).mean() or 0.0) < 0.58  # type: ignore[arg-type]
+        assert 0.88 < float((mine < MOST).cast(pl.Float64).mean() or 0.0) < 0.95  # type: ignore[arg-type]
