@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,7 @@ from playwright.sync_api import Page, expect
 Answered = Callable[..., int]
 PATIENT = 600_000
 """ms for what a reading takes on a slow machine, its kernels compiled first."""
+READ = re.compile(r"\d balls in play: ")  # before, the sentence asks for tables of balls in play
 DROPPED = """([name, text]) => {
   const data = new DataTransfer();
   data.items.add(new File([text], name));
@@ -27,7 +29,7 @@ def read(page: Page, server: str, answered: Answered, balls: Path) -> Page:
     answered(page)
     expect(page.locator("#verdict")).to_contain_text("Hand in tables")
     page.locator("#season-files").set_input_files(balls)
-    expect(page.locator("#verdict")).to_contain_text("balls in play", timeout=PATIENT)
+    expect(page.locator("#verdict")).to_contain_text(READ, timeout=PATIENT)
     return page
 
 
