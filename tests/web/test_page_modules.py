@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import BrowserContext, Page, expect
 
 from sweetspot.report.quantities import PALETTE, SI, US
 from sweetspot.web.files import FOLDER
@@ -18,17 +19,16 @@ SOUND = ("recorder",)
 """Modules that run where sound is heard, and nowhere else."""
 
 
-@pytest.fixture
-def run(page: Page, server: str) -> Callable[[str], Any]:
-    """A function that evaluates a script with every module of the page as a variable of its name."""
+@pytest.fixture(scope="module")
+def run(visitor: BrowserContext, server: str) -> Iterator[Callable[[str], Any]]:
+    """A function that evaluates a script with every module of the page as a part of `m`, all in one page."""
+    names = [path.stem for path in FOLDER.glob("*.js") if path.stem not in ("main", "docs", *SOUND)]
+    parts = [f"{name}: await import('/static/{name}.js')" for name in names]
+    page = visitor.new_page()
     page.goto(f"{server}/docs")
-
-    def evaluate(script: str) -> Any:
-        names = [path.stem for path in FOLDER.glob("*.js") if path.stem not in ("main", "docs", *SOUND)]
-        parts = [f"{name}: await import('/static/{name}.js')" for name in names]
-        return page.evaluate(f"(async () => {{ const m = {{ {', '.join(parts)} }}; return {script}; }})()")
-
-    return evaluate
+    page.evaluate(f"(async () => {{ window.m = {{ {', '.join(parts)} }}; }})()")
+    yield lambda script: page.evaluate(f"(async () => {{ const m = window.m; return {script}; }})()")
+    page.close()
 
 
 def test_units_are_those_of_the_package(run: Callable[[str], Any]) -> None:
@@ -62,6 +62,7 @@ def test_addresses_hold_a_state_and_give_it_back(run: Callable[[str], Any]) -> N
     assert long == state
     assert short == state
     assert run("m.address.addressOf('v', { a: 1 }, { a: 1 })") == "/v"
+    assert run("m.address.stateIn('?s=cut-off&b=2&other=3', { a: {}, b: {} }, { a: 1, b: 1 })") == {"a": 1, "b": 2}
 
 
 def test_what_charts_are_made_of(run: Callable[[str], Any]) -> None:
@@ -80,6 +81,134 @@ def test_what_charts_are_made_of(run: Callable[[str], Any]) -> None:
       return [zoom.range, (zoom.all(), zoom.range), (zoom.back(), zoom.range)];
     })()""")
     assert span == [[7.5, 10], [0, 10], [5, 10]]
+
+
+def test_a_chart_puts_numbers_where_its_axis_says(run: Callable[[str], Any]) -> None:
+    """Exact: between the margins of 46 and 12 pixels places are even; half of 0.8 m lies in the middle."""
+    svg = run("""(() => {
+      const axis = { kind: "position_m", from: () => 0.8, label: "from the tip" };
+      const panels = [{ title: "A", kind: "ratio", height: 100, lines: [{ key: "a", color: "red" }] }];
+      const chart = new m.chart.Chart({ units: "si", colors: { red: "#f00" } }, { label: "it", panels, axis });
+      chart.draw({ x: [0, 0.4, 0.8], lines: { a: [0, 1, 0] }, range: [0, 0.8] });
+      const context = new m.svgcontext.SvgContext(458, 200);
+      chart.paint(context, 458);
+      return context.toString();
+    })()""")
+    (curve,) = re.findall(r'd="(M46 [^"]+)" fill="none" stroke="#f00"', svg)
+    assert [float(x) for x in re.findall(r"[ML]([0-9.]+) ", curve)] == pytest.approx([46, 246, 446])
+    assert "from the tip</text>" in svg
+    ticks = re.findall(r'matrix\(1 0 0 1 ([0-9.]+) [0-9.]+\)" text-anchor="middle"[^>]*>([0-9]+)</text>', svg)
+    assert len(ticks) > 4
+    for x, centimetres in ticks:
+        assert float(x) == pytest.approx(46 + 400 * (1 - float(centimetres) / 80), abs=0.01)
+    assert run("m.chartpaint.shownPlace({ kind: 'position_m', from: () => 0.8 }, 0.7, 'si')") == pytest.approx(
+        run("m.units.toShown('position_m', 0.1, 'si')")
+    )
+    assert run("(() => { const lines = [[1, null], [2, 3]]; m.chartpaint.stack(lines); return lines[1]; })()") == [3, 3]
+
+
+def test_pictures_as_svg_are_what_a_canvas_would_draw(run: Callable[[str], Any]) -> None:
+    """Exact: places by hand; arcs are as long as the circle's, as the browser measures its own paths."""
+    path = """((draw) => {
+      const context = new m.svgcontext.SvgContext(100, 100);
+      context.beginPath();
+      draw(context);
+      context.stroke();
+      return /d="([^"]*)"/.exec(context.toString())[1];
+    })"""
+    assert run(f"{path}((c) => {{ c.translate(10, 5); c.scale(2); c.moveTo(0, 0); c.lineTo(3, 4); }})") == "M10 5L16 13"
+    assert run(f"{path}((c) => {{ c.rotate(Math.PI / 2); c.moveTo(7, 0); c.lineTo(0, 0); }})") == "M0 7L0 0"
+    twice = "c.rotate(Math.PI / 4); c.rotate(Math.PI / 4)"
+    assert run(f"{path}((c) => {{ {twice}; c.translate(3, 0); c.moveTo(1, 0); c.lineTo(0, 2); }})") == "M0 4L-2 3"
+    for start, stop, backwards, turns in (
+        (0, math.pi, "false", 0.5),
+        (0, math.pi / 2, "true", 0.75),
+        (0, 7, "false", 1),
+    ):
+        length = run(f"""(() => {{
+          const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
+          path.setAttribute("d", {path}((c) => c.arc(50, 50, 30, {start}, {stop}, {backwards})));
+          return path.getTotalLength();
+        }})()""")
+        assert length == pytest.approx(turns * 2 * math.pi * 30, rel=2e-3)
+    svg = run("""(() => {
+      const c = new m.svgcontext.SvgContext(100, 100);
+      c.save();
+      c.globalAlpha = 0.5;
+      c.rect(0, 0, 10, 10);
+      c.clip();
+      c.fillText('a < b & "c"', 1, 2);
+      c.restore();
+      c.fillRect(0, 0, 1, 1);
+      return c.toString();
+    })()""")
+    assert "a &#60; b &#38; &#34;c&#34;" in svg
+    assert svg.count("<g ") == svg.count("</g>") == 1
+    assert svg.count('opacity="0.5"') == 1  # restored
+
+
+def test_words_numbers_and_files_that_the_page_makes(run: Callable[[str], Any]) -> None:
+    assert run("m.parts.inUnits('+2.9 mph, -0.5 in and 3 kN', 'si')") == "+1.30 m/s, \N{MINUS SIGN}1.3 cm and 3 kN"
+    assert run("m.numbers.evenly([0, 1, 2, 3, 4, 5, 6, 7, 8, 9], 4)") == [0, 3, 6, 9]
+    assert run("m.controls.boundsOf({ anyOf: [{ minimum: 1, maximum: 2 }, { type: 'null' }] })") == {
+        "least": 1,
+        "most": 2,
+    }
+    assert run("[-1, 0, 0.5, 1].map(m.heat.heat)") == [
+        "rgb(68, 1, 84)", "rgb(68, 1, 84)", "rgb(33, 145, 140)", "rgb(253, 231, 37)",
+    ]  # fmt: skip
+    assert run("m.exports.csvOf({ a_m: [1, null], b: ['x\"y', 2], no_column: 3 })") == 'a_m,b\n1,"x""y"\n,2\n'
+    formula = run("m.formula.mathOf('{ F_1 | I } = l^2').outerHTML")
+    assert "<mfrac><mrow><msub><mi>F</mi><mn>1</mn></msub></mrow><mrow><mi>I</mi></mrow></mfrac>" in formula
+    assert 'alttext="(F_1) / (I) = l^2"' in formula
+    assert "no }" in run("(() => { try { m.formula.mathOf('{ F | I'); } catch (error) { return error.message; } })()")
+    assert "no HTMLElement at .it" in run(
+        "(() => { try { m.parts.partOf(document, '.it', HTMLElement); } catch (error) { return error.message; } })()"
+    )
+    sound = run("""(async () => {
+      const file = m.listening.wavOf([Float32Array.of(0, 0.5), Float32Array.of(-1)], 8000);
+      const heard = await new OfflineAudioContext(1, 3, 8000).decodeAudioData(file);
+      return [heard.sampleRate, ...heard.getChannelData(0)];
+    })()""")
+    assert sound == [8000, 0, 0.5, -1]
+    assert run("m.film.Film.prototype.where.call({ times: [0, 1, 3] }, 2)") == [1, 0.5]
+
+
+def test_the_last_question_wins(run: Callable[[str], Any]) -> None:
+    """While one is under way the others wait, and of those that wait only the latest is asked."""
+    sent, drawn = run("""(() => {
+      const [sent, drawn, Real] = [[], [], window.WebSocket];
+      window.WebSocket = class { static OPEN = 1; readyState = 1; send(text) { sent.push(JSON.parse(text)); } };
+      const line = new m.socket.Line({ onAnswer: (view, answer, state) => drawn.push([answer, state]), onStatus() {} });
+      for (const a of [1, 2, 3]) line.ask("v", a);
+      line.take({ id: 1, answer: "first" });
+      line.take({ id: 7, answer: "of nobody" });
+      line.take({ id: 2, answer: "last" });
+      window.WebSocket = Real;
+      return [sent, drawn];
+    })()""")
+    assert sent == [{"id": 1, "view": "v", "state": 1}, {"id": 2, "view": "v", "state": 3}]
+    assert drawn == [["first", 1], ["last", 3]]
+
+
+def test_the_controls_of_another_bat_keep_its_part_of_the_state(run: Callable[[str], Any]) -> None:
+    """What is as usual is left out; what is to be undone together is handed on."""
+    seen = run("""(() => {
+      const seen = [];
+      const app = { name: "v", schema: { a: { default: 1 }, b: {} }, views: new Map([["v", { bat: ["a", "b"] }]]),
+        state: { others: [{}, { b: 2 }] }, setState: (...all) => seen.push(all), commit: (...all) => seen.push(all) };
+      const one = m.parts.scoped(app, "others", 1);
+      one.setState({ a: 3 }, { commit: false });
+      one.setState({ b: null }, { commit: true });
+      one.commit({ merge: "keys" });
+      return [one.state, ...seen];
+    })()""")
+    assert seen == [
+        {"a": 1, "b": 2},
+        [{"others": [{}, {"a": 3, "b": 2}]}, {"commit": False}],
+        [{"others": [{}, {}]}, {"commit": True}],
+        [{"merge": "keys"}],
+    ]
 
 
 def test_the_pages_colours_are_the_packages() -> None:

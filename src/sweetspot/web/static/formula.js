@@ -7,7 +7,7 @@ const SPACE = "http://www.w3.org/1998/Math/MathML";
 export function mathOf(source, { block = true } = {}) {
   const math = document.createElementNS(SPACE, "math");
   math.setAttribute("display", block ? "block" : "inline");
-  math.setAttribute("alttext", source.replace(/[{}]/g, (sign) => (sign === "{" ? "(" : ")")).replaceAll(" | ", ") / ("));
+  math.setAttribute("alttext", source.replaceAll("{ ", "(").replaceAll(" | ", ") / (").replaceAll(" }", ")"));
   math.append(rowOf(source.split(" ").filter(Boolean)));
   return math;
 }
