@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from sweetspot.errors import InputError
-from sweetspot.numerics.text_files import read_text
+from sweetspot.numerics.text_files import check_ordinary, harmless, read_text, table_rows
 
 MEGABYTE = 1_000_000
 
@@ -25,6 +25,7 @@ def test_honest_files(tmp_path: Path) -> None:
         ("plain", "näme,1\r\n".encode()),
         ("mark", b"\xef\xbb\xbf" + "näme,1\r\n".encode()),
         ("packed.gz", gzip.compress("näme,1\r\n".encode())),
+        ("wide", "näme,1\r\n".encode("utf-16")),
     ):
         (tmp_path / name).write_bytes(content)
         assert read(tmp_path / name) == "näme,1\r\n"
@@ -78,3 +79,40 @@ def test_what_is_no_file(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="larger"):
         read(pipe, 10)
     os.close(reader)
+
+
+def test_a_spreadsheet_is_told_to_be_saved_as_text(tmp_path: Path) -> None:
+    path = tmp_path / "swings.xlsx"
+    path.write_bytes(b"PK\x03\x04 and what a workbook holds")
+    with pytest.raises(InputError, match="is a spreadsheet, no text; save it as CSV, and make it shorter"):
+        read(path)
+
+
+def test_what_another_library_reads_is_an_ordinary_file(tmp_path: Path) -> None:
+    path = tmp_path / "tap.wav"
+    path.write_bytes(b"x" * 100)
+    check_ordinary(path, most=100, advice="cut it")
+    refused = {path: "larger than 9.9e-05 MB; cut it", tmp_path: "not an ordinary file; cut it",
+               Path("/dev/zero"): "not an ordinary file", tmp_path / "no": "there is no such file"}  # fmt: skip
+    for bad, said in refused.items():
+        with pytest.raises(InputError, match=said):
+            check_ordinary(bad, most=99, advice="cut it")
+
+
+def test_tables_as_programs_of_different_countries_write_them() -> None:
+    def rows(text: str) -> list[tuple[int, list[str]]]:
+        return list(table_rows(text, Path("swings.csv"), is_heading=lambda cells: "speed" in cells))
+
+    for separator in ";\t":
+        assert rows(f"speed{separator}name\n\n66,5{separator}a,b\n") == [(1, ["speed", "name"]), (3, ["66.5", "a,b"])]
+    assert rows('speed,name\n66.5,"a,b"\n') == [(1, ["speed", "name"]), (2, ["66.5", "a,b"])]
+    assert rows("no,headings\n") == [(1, ["no", "headings"])]
+    with pytest.raises(InputError, match=r"swings\.csv cannot be read as CSV text"):
+        rows("speed\n" + "x" * 200_000)
+
+
+def test_a_spreadsheet_takes_no_name_for_a_formula() -> None:
+    for text in ("=HYPERLINK(1)", "+A1", "-A1", "@SUM(A1)", "\t=1", "\r=1"):
+        assert harmless(text) == f"'{text}"
+    for same in ("-1.5", "+2e3", "r161-ash", "", None, -2.0, 7):
+        assert harmless(same) == same
