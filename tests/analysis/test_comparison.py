@@ -162,3 +162,12 @@ def test_nothing_to_compare_is_refused(r161: Bat) -> None:
             conditions=standard_conditions(r161).replaced(swing=too_fast),
             law=catalog.swing_law(),
         )
+
+
+def test_implements_of_different_sports_are_compared_only_when_somebody_insists() -> None:
+    """The ball of the first would hit both; two round bats of different games stand the same ball."""
+    bat, racket = catalog.bat("r161-ash"), catalog.implement("tennis-racket")
+    with pytest.raises(InputError, match=r"is of baseball and .* of tennis; .* --force"):
+        compare([bat, racket], conditions=standard_conditions(bat), law=None)
+    softball = catalog.bat("slow-pitch")
+    assert len(compare([bat, softball], conditions=standard_conditions(bat), law=None).compared) == 2

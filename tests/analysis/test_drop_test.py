@@ -112,6 +112,9 @@ def test_bad_input(baseball: Ball, ash: Material) -> None:
     block = Block(material=ash, thickness=0.1)
     with pytest.raises(InputError, match="height is 0 m; allowed is a number above zero"):
         drop(block, ball=baseball, height=0.0)
+    for density in (-1.0, math.nan):
+        with pytest.raises(InputError, match=r"air density is .* allowed is 0"):
+            drop(block, ball=baseball, height=1.0, air_density=density)
     with pytest.raises(InputError, match=r"allowed is 0\.1 to 120 m/s"):
         fire(block, ball=baseball, speed=500.0)
     soft = Block(material=catalog.material("rubber"), thickness=0.001, support="clamped")

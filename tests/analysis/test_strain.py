@@ -17,6 +17,7 @@ from sweetspot.analysis.strain import (
     damage,
     linear_limit,
     modal_history,
+    wall_strain,
 )
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.coupled import hit
@@ -24,6 +25,7 @@ from sweetspot.collision.impact import Impact
 from sweetspot.collision.modal_propagator import moved
 from sweetspot.dynamics.beam import BeamModel, beam_model
 from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
@@ -151,3 +153,43 @@ def test_free_ends_do_not_bend() -> None:
     assert np.all(ends < 1e-3 * np.abs(bent).max(axis=0))
     only_bent = np.abs(modes.shapes(bat.length - 1e-9, 2)[2:])
     assert np.all(only_bent[2:] > 5e-3 * np.abs(bent).max(axis=0)[2:])
+
+
+def test_weak_metal_is_warned_of_handle_and_dent_and_a_two_piece_bat_of_its_handle_s_own() -> None:
+    """A tenth of the strength: both strains pass the linear limit; the handle of a two-piece bat is of its own."""
+    bat = catalog.bat("single-wall")
+    weak = bat.replaced(material=bat.material.replaced(strength=0.02 * (bat.material.strength or 400e6)))
+    strong, poor = (_hollow_damage(one) for one in (bat, weak))
+    assert strong.wall_strain == pytest.approx(poor.wall_strain or 0.0, rel=1e-9)
+    assert [("handle" in one, "dent" in one) for one in poor.warnings] == [(True, False), (False, True)]
+    two_piece = catalog.bat("two-piece")
+    assert two_piece.shell is not None and two_piece.shell.handle_material is not None
+    limit = linear_limit(two_piece.shell.handle_material)
+    assert _hollow_damage(two_piece).strain_limit == limit != linear_limit(two_piece.material)
+
+
+def _hollow_damage(bat: Bat) -> Damage:
+    conditions = standard_conditions(bat)
+    line = beam_model(bat)
+    modes = all_modes(line, conditions.ball)
+    return damage(hit_at(bat.length - 6 * INCH, modes=modes, conditions=conditions), line=line, modes=modes)
+
+
+def test_walls_that_are_bonded_bend_as_one() -> None:
+    """The strain goes with the thickness that bends: exact, for one motion of a double wall, sliding or bonded."""
+    bat = catalog.bat("double-wall")
+    assert bat.shell is not None and bat.shell.inner_wall is not None
+    conditions = standard_conditions(bat)
+    modes = all_modes(beam_model(bat), conditions.ball)
+    impact = hit_at(bat.length - 6 * INCH, modes=modes, conditions=conditions)
+    place = np.array([impact.position])
+    outer, inner = float(bat.wall_at(place)[0]), float(bat.shell.inner_wall.thickness_at(place)[0])
+    sleeve = bat.shell.inner_wall.replaced(bonded=True, gap=0.0)
+    bonded = bat.replaced(shell=bat.shell.replaced(inner_wall=sleeve))
+    motion = modal_history(impact, modes)
+    one, both = (wall_strain(impact, bat=each, modes=modes, motion=motion) for each in (bat, bonded))
+    assert one is not None and both is not None
+    radius = float(bat.diameter_at(place)[0]) / 2
+    together = outer + inner
+    expected = together / (radius - together / 2) ** 2 / (outer / (radius - outer / 2) ** 2)
+    assert both / one == pytest.approx(expected, rel=1e-9)

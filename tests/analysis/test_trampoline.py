@@ -10,7 +10,14 @@ import pytest
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import analyse, exit_speed_of
 from sweetspot.analysis.position_scan import scan
-from sweetspot.analysis.trampoline import wall_energy, wall_share, wall_stiffness_at, wall_sweep, with_wall_factor
+from sweetspot.analysis.trampoline import (
+    wall_energy,
+    wall_point,
+    wall_share,
+    wall_stiffness_at,
+    wall_sweep,
+    with_wall_factor,
+)
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.bending import bending_modes
@@ -105,5 +112,7 @@ def test_a_solid_bat_has_no_wall() -> None:
     assert wall_energy(result.best, result.modes).stored == 0.0
     with pytest.raises(InputError, match="is solid"):
         with_wall_factor(wood, 0.5)
+    with pytest.raises(InputError, match="no hoop modes"):
+        wall_point(wood, standard_conditions(wood))
     with pytest.raises(InputError, match="above zero"):
         with_wall_factor(catalog.bat("russell-b6"), 0.0)

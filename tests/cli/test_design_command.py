@@ -43,7 +43,7 @@ def test_a_design_with_its_files(run: Run, tmp_path: Path, monkeypatch: pytest.M
 @pytest.fixture
 def short_polish(monkeypatch: pytest.MonkeyPatch) -> None:
     """A search that begins with a start hardly polished: every hollow bat costs a tenth of a second."""
-    monkeypatch.setattr("sweetspot.design.polish.LOOKS", 3)
+    monkeypatch.setattr("sweetspot.design.polish.LOOKS", 2)
     monkeypatch.setattr("sweetspot.design.polish.WAYS", 1)
     monkeypatch.setattr("sweetspot.design.polish.POINTS", 5)
 

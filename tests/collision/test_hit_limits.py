@@ -14,13 +14,14 @@ from numpy.typing import ArrayLike
 from sweetspot import catalog
 from sweetspot.collision.closed_form import rigid_efficiency
 from sweetspot.collision.contact_law import ContactLaw, HuntCrossley, Hysteretic
-from sweetspot.collision.coupled import hit
+from sweetspot.collision.coupled import check_step, hit
 from sweetspot.collision.impact import Outcome
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.rigid import effective_mass, rigid_body
 from sweetspot.equipment.ball import RestitutionLaw
+from sweetspot.errors import InputError
 from sweetspot.numerics.piecewise import Piecewise
 
 BALL = catalog.ball()
@@ -140,3 +141,9 @@ def test_vibration_only_takes_energy_from_the_ball() -> None:
     # At the node the waves that are too fast to keep energy give theirs back: a spring beside the ball, worth 0.001.
     assert np.all(real < np.array(rigid) + 0.002)
     assert np.all(real[[0, 1, 2, 3, 6, 7, 8]] < np.array(rigid)[[0, 1, 2, 3, 6, 7, 8]])
+
+
+@pytest.mark.parametrize("step", [0.0, -1e-6, float("nan"), float("inf")])
+def test_a_step_is_a_number_above_zero(step: float) -> None:
+    with pytest.raises(InputError, match=r"step is .* allowed is a number above zero"):
+        check_step(step)

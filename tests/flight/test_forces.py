@@ -12,7 +12,11 @@ from hypothesis import strategies as st
 from sweetspot import catalog
 from sweetspot.errors import InputError
 from sweetspot.flight.aerodynamics import REFERENCE_REYNOLDS, VISCOSITY, Aerodynamics
+from sweetspot.flight.air import CALM, Air
+from sweetspot.flight.batted_spin import check_usual_spin
+from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.forces import acceleration, drag_and_lift, drag_from_terminal_speed
+from sweetspot.units import DEGREE
 
 BALL, LAW = catalog.ball(), catalog.aerodynamics("trajectory-calculator")
 part = st.floats(-300, 300)
@@ -131,3 +135,25 @@ def test_only_the_active_spin_drags_where_a_law_says_so() -> None:
 def test_more_viscous_drag_than_drag_is_refused() -> None:
     with pytest.raises(InputError, match="pulled along"):
         Aerodynamics(drag=0.03, drag_per_inverse_reynolds=0.04)
+
+
+def test_one_air_and_one_wind_are_asked_for_where_each_flight_has_its_own() -> None:
+    """A single trajectory has no use for a density or a wind for each of many."""
+    each = FlightConditions(ball=BALL, aerodynamics=LAW, air=[1.2, 1.1], wind=[[0.0, 1.0], [0.0, 2.0]])
+    with pytest.raises(InputError, match="give one `Air`"):
+        _ = each.one_air
+    with pytest.raises(InputError, match="give one `Wind`"):
+        _ = each.one_wind
+    assert each.density == pytest.approx([1.2, 1.1])
+    one = FlightConditions(ball=BALL, aerodynamics=LAW, air=Air())
+    assert one.one_air == Air() and one.one_wind == CALM
+
+
+def test_the_usual_spin_of_a_pop_up_is_not_guessed() -> None:
+    """Known from 15 deg downward to 50 deg up; a ball with a spin of its own may go anywhere."""
+    for angle in (-15.0, 0.0, 50.0):
+        check_usual_spin(angle * DEGREE, known=False)
+    for angle in (-15.1, 50.1, 80.0):
+        check_usual_spin(angle * DEGREE, known=True)
+        with pytest.raises(InputError, match="known for -15 to 50 deg only; give backspin and sidespin"):
+            check_usual_spin(angle * DEGREE, known=False)

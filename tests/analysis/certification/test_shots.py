@@ -267,3 +267,10 @@ def test_student(tmp_path: Path) -> None:
     found = estimate([1.0, 2.0, 3.0, 4.0, 5.0, 6.0])
     assert (found.high - found.mean) / found.standard_error == pytest.approx(2.571, abs=1e-3)
     assert math.isclose(found.standard_error, math.sqrt(3.5 / 6))
+
+
+def test_one_value_has_no_uncertainty_and_no_hit_gives_back_more_than_it_took() -> None:
+    with pytest.raises(InputError, match="1 value; an uncertainty takes two"):
+        estimate([0.5])
+    with pytest.raises(InputError, match=r"row 3 gives a BBCOR of 1\.\d+; allowed is below 1"):
+        measured([shot(0.49, row=2), shot(1.02, row=3)])

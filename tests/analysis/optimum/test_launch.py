@@ -11,7 +11,7 @@ from sweetspot import catalog
 from sweetspot.analysis.optimum import best_launch, easiest_home_run, own_air
 from sweetspot.analysis.optimum.launch import CONTACT
 from sweetspot.errors import InputError
-from sweetspot.flight.air import VACUUM, Air
+from sweetspot.flight.air import VACUUM, Air, Wind
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence import landing
 from sweetspot.flight.park import Park
@@ -99,3 +99,10 @@ def test_a_wall_too_high_is_refused() -> None:
     tower = Park(name="tower", fence=((-math.pi / 4, 120.0, 200.0), (math.pi / 4, 120.0, 200.0)))
     with pytest.raises(InputError, match="clears the fence of tower"):
         easiest_home_run(tower, FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR), backspin=SPIN)
+
+
+def test_the_easiest_home_run_is_searched_without_wind() -> None:
+    """With wind the directions differ by more than their fences, which one family of flights does not show."""
+    windy = FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR, wind=Wind(speed=3.0))
+    with pytest.raises(InputError, match="without wind"):
+        easiest_home_run(catalog.park("fenway"), windy, backspin=SPIN)

@@ -41,7 +41,9 @@ def rendered(
     turn = np.deg2rad(angle)
     along = pixel * (x * np.cos(turn) - y * np.sin(turn)) + BAT.length / 2
     across = pixel * (x * np.sin(turn) + y * np.cos(turn))
-    half = np.where((along >= 0) & (along <= BAT.length), BAT.diameter_at(along) / 2, -1.0)
+    near = (along >= 0) & (along <= BAT.length) & (np.abs(across) < 0.06)
+    half = np.full(along.shape, -1.0)
+    half[near] = BAT.diameter_at(along[near]) / 2
     light = 1 - slope * (x / size + 0.5)
     if shadow:
         falls = np.where((along > 0) & (along < BAT.length), np.clip(1 - (across - half) / 0.012, 0, 1), 0)
@@ -51,9 +53,9 @@ def rendered(
         beside = (np.abs(along - BAT.length / 2) < ruler / 2) & (np.abs(across + 0.10) < 0.015)
         linear[beside] = np.array((0.85, 0.7, 0.1)) ** 2.2
     inside = np.abs(across) < half
-    round_shade = np.sqrt(np.maximum(1 - (across / np.maximum(half, 1e-9)) ** 2, 0))
-    body = np.array(wood) ** 2.2 * (0.55 + 0.45 * round_shade)[..., None] * (1 + 0.1 * np.sin(4000 * across))[..., None]
-    linear[inside] = body[inside]
+    aside = across[inside]
+    shade = (0.55 + 0.45 * np.sqrt(1 - (aside / half[inside]) ** 2)) * (1 + 0.1 * np.sin(4000 * aside))
+    linear[inside] = np.array(wood) ** 2.2 * shade[:, None]
     coarse = linear.reshape(size, fine, size, fine, 3).mean(axis=(1, 3))
     blurred = np.stack([gaussian_filter(coarse[..., k], focus) for k in range(3)], axis=2)
     values = np.maximum(blurred, 0) ** (1 / 2.2)

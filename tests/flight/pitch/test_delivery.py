@@ -99,3 +99,9 @@ def test_what_is_no_pitch_is_refused(change: dict[str, float], message: str) -> 
 def test_an_unknown_pitch_names_the_nearest() -> None:
     with pytest.raises(InputError, match="Did you mean curve"):
         catalog.delivery("curv")
+
+
+def test_what_never_comes_to_the_plate_that_high_is_refused() -> None:
+    """Thrown at 5 m/s a ball falls 9 m on its way: no angle that is still a pitch brings it over the plate."""
+    with pytest.raises(InputError):
+        aimed(Delivery(speed=5.0), ball=BALL, aerodynamics=LAW, air=AIR)
