@@ -40,6 +40,7 @@ quick-lowest: $(LOWEST)/.installed  ## a part of them, and a report; a minute
 PHYSICS := motion numerics equipment collision dynamics flight analysis calibration
 COVERED := $(addprefix tests/,$(PHYSICS) report/test_notebook.py) $(addprefix src/sweetspot/,$(PHYSICS))
 COVERED_AS_PYTHON := $(addprefix tests/,numerics/test_banded.py collision/test_kernel_agreement.py collision/test_time_history.py \
+	collision/test_hit_convergence.py::test_a_bat_that_overtakes_the_ball_hits_it_again \
 	dynamics/batch flight/test_kernel.py flight/test_fence.py flight/test_home_runs.py)
 NOT_AS_PYTHON := not threads and not matter and not know and not error and not scatter and not drag and not 1000
 WITH_COVERAGE := -q -p no:xdist --benchmark-disable --hypothesis-profile=few --cov --cov-append --cov-report=

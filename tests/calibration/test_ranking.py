@@ -102,6 +102,9 @@ def test_wet_wood_is_heavier_and_limper() -> None:
         ("name,mass_oz\na,\n", "nothing was measured"),
         ("name,mass_oz\na,heavy\n", "mass"),
         ("name,mass_oz,moisture_percent\na,31.0,80\n", "moisture"),
+        ("name,mas_oz\na,31.0\n", "did you mean mass_oz"),
+        ('name;moi_oz_in2\na;"10,250.5"\n', "thousands without a comma"),
+        ("name,mass_oz\n" + "".join(f"b{number},31\n" for number in range(501)), "501 bats; allowed are"),
     ],
 )
 def test_refusals(tmp_path: Path, text: str, message: str) -> None:

@@ -66,11 +66,14 @@ def test_bad_files_are_refused(tmp_path: Path) -> None:
         ("silent.wav", np.zeros(8000), 8000, "silent"),
         ("empty.wav", np.zeros(0), 8000, "no sound"),
         ("slow.wav", np.ones(100), 1000, "samples per second"),
+        ("long.wav", np.ones(700), 1, "lasts 700 s; allowed is up to 600 s. Cut out the taps"),
     ):
         soundfile.write(tmp_path / name, samples, rate)
         with pytest.raises(InputError, match=message):
             read_recording(tmp_path / name)
     with pytest.raises(InputError, match="louder than a sound file"):
         recording_bytes(Recording("loud", np.array([1.5]), 8000), tmp_path / "loud.wav")
+    with pytest.raises(InputError, match=r"nothing above 3600 Hz; the band begins at 4000 Hz"):
+        in_band(tone(100, 8000), Band(4000.0, 9000.0))
     with pytest.raises(InputError, match="0 < low < high"):
         Band(500.0, 100.0)

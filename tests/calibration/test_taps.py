@@ -192,3 +192,14 @@ def test_what_nobody_described_has_tones_and_no_names() -> None:
         sound += 1e-5 * np.random.default_rng(1).standard_normal(len(sound))
         test = tap_test([Recording("a", sound, rate)])
         assert any(one.name is not None for one in test.tones) == named
+
+
+def test_a_bar_has_sizes_and_rings_in_bending(modes: Modes, sound: Recording) -> None:
+    with pytest.raises(InputError, match="must be more than 0"):
+        replace(STEEL_BAR, mass=Measured(0.0, 0.001))
+    tone = Tone(Measured(1281.0, 1.0), Measured(1e-4, 1e-5), 1.0, 1)
+    for name in (None, ModeName("hoop", 2)):
+        with pytest.raises(InputError, match="none of the tones is a bending mode"):
+            bar_modulus(STEEL_BAR, [NamedTone(tone, name, None)])
+    with pytest.raises(InputError, match="either a bar or a bat"):
+        tap_test([sound], modes=modes, bar=STEEL_BAR)

@@ -5,6 +5,7 @@ It shares an approach between ball and surface by one step of Halley's method a 
 
 from __future__ import annotations
 
+import math
 from dataclasses import fields, replace
 from typing import Any
 
@@ -16,7 +17,7 @@ from hypothesis import strategies as st
 from sweetspot import catalog
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Impacts, Outcome
-from sweetspot.collision.kernel import CHUNK, hits_with_motion
+from sweetspot.collision.kernel import CHUNK, hits, hits_with_motion
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.hands import gripped
@@ -131,3 +132,23 @@ def test_readable_version_agrees_on_what_is_no_contact() -> None:
         one = hit(MODES, ball=BALL, position=0.7, closing_speed=speed)
         assert one.outcome is Outcome.NO_CONTACT
         assert np.isnan(one.collision_efficiency)
+
+
+def test_the_motion_left_out_changes_no_number() -> None:
+    speeds = np.array([40.0, np.nan, 60.0, 0.0, 20.0])
+    bare, whole = (each(MODES, ball=BALL, position=0.7, closing_speed=speeds) for each in (hits, hits_with_motion))
+    assert bare.displacement.shape == (0, len(MODES)) and whole.displacement.shape == (5, len(MODES))
+    assert bare.outcome.tolist() == whole.outcome.tolist()
+    for name in NUMBERS:
+        assert np.array_equal(getattr(bare, name), getattr(whole, name), equal_nan=True), name
+
+
+def test_what_does_not_part_in_time_is_still_in_contact_in_both() -> None:
+    """A ball ten million times as soft is pressed flat for longer than any hit lasts."""
+    soft = BALL.replaced(stiffness=1e-7 * BALL.stiffness)
+    one = hit(MODES, ball=soft, position=0.7, closing_speed=1.0)
+    many = hits_with_motion(MODES, ball=soft, position=0.7, closing_speed=[1.0])
+    assert many.outcome[0] == one.outcome == Outcome.STILL_IN_CONTACT
+    assert math.isnan(one.release_time) and np.isnan(many.release_time[0]) and np.isnan(many.collision_efficiency[0])
+    assert many.peak_force[0] == pytest.approx(one.peak_force, rel=1e-3)
+    assert many.peak_compression[0] == pytest.approx(one.peak_compression, rel=1e-3)

@@ -52,6 +52,14 @@ def bat(ash: Material, **changes: Any) -> Bat:
         ),
         ({"point_masses": ({"position": 0.9, "mass": 0.01},)}, "beyond the tip"),
         ({"choke": 0.5}, "third of the length"),
+        ({"profile": None, "linear_density": (1.0,) * 99}, "99 coefficients; give 1 to"),
+        (
+            {"profile": None, "linear_density": (1.0,), "cup": {"diameter": 0.03, "depth": 0.02}},
+            "describes a solid bat",
+        ),
+        ({"shell": {"wall": ((0.0, 0.003), (0.8, 0.003))}}, "give a station at each end"),
+        ({"shell": {"wall": ((0.0, 0.003), (0.84, 0.0))}}, "allowed is more than 0 and no more than the radius"),
+        ({"added": ({"position": 0.85, "mass": 0.01},)}, "off b, which is"),
         ({"colour": "red"}, "unknown key 'colour'"),
     ],
 )
@@ -141,3 +149,13 @@ def test_swing_and_pitch() -> None:
         Hands(position=0.15, mass=1e-300)
     assert Hands(position=0.15).places == pytest.approx((0.15, 0.061))
     assert Hands(position=0.05).places == (0.05, 0.0)
+
+
+def test_a_weight_at_the_tip_is_still_on_the_bat_and_things_of_two_kinds_are_never_equal(ash: Material) -> None:
+    """The wall of a hole that is narrower than the cup comes out of it: an edge there, none for one as wide."""
+    assert bat(ash, added=({"position": 0.84, "mass": 0.01},)).added[0].mass == 0.01
+    assert bat(ash) != ash and bat(ash) == bat(ash) and bat(ash) != 3
+    cup = {"diameter": 0.04, "depth": 0.02}
+    narrow, wide = (bat(ash, cup=cup, bores=({"diameter": size, "depth": 0.2},)) for size in (0.02, 0.04))
+    (edge,) = set(narrow.breakpoints()) - set(wide.breakpoints())
+    assert edge == pytest.approx(0.84 - 0.02 * (1 - 0.25))

@@ -165,3 +165,49 @@ def test_other_files(tmp_path: Path) -> None:
     for name in ("none.svg", "none.dxf"):
         with pytest.raises(InputError, match="no such file"):
             read_outline(tmp_path / name)
+
+
+@pytest.mark.parametrize(
+    ("transform", "drawn"),
+    [
+        ("matrix(2 0 0 2 30 50)", ((0.0, 1.0), (0.0, 1.0))),
+        ("matrix(0 2 -2 0 30 50)", ((0.0, 1.0), (0.0, 1.0))),  # turned by 90 deg
+        ("translate(30 50) scale(2) skewX(45)", ((0.0, 1.0), (-1.0, 1.0))),  # x + y: so the x drawn is x - y
+        ("translate(30 50) scale(2) skewY(45)", ((0.0, 1.0), (0.0, 1.0, -1.0))),  # y + x
+    ],
+)
+def test_lines_polygons_and_every_transformation_of_svg(
+    tmp_path: Path, transform: str, drawn: tuple[tuple[float, ...], tuple[float, ...]]
+) -> None:
+    """One bat, a cone from 2 in to 2.6 in, sheared beforehand so that the transformation makes it straight."""
+    corners = np.array([(0, 10), (165, 13), (165, -13), (0, -10)], float)
+    shear_y, shear_x = (drawn[1][2] if len(drawn[1]) > 2 else 0.0), (drawn[1][0] if len(drawn[1]) == 2 else 0.0)
+    before = np.column_stack([corners[:, 0] + shear_x * corners[:, 1], corners[:, 1] + shear_y * corners[:, 0]])
+    points = " ".join(f"{x:.9g},{y:.9g}" for x, y in before)
+    sides = "".join(
+        f'<line x1="{a[0]:.9g}" y1="{a[1]:.9g}" x2="{b[0]:.9g}" y2="{b[1]:.9g}"/>'
+        for a, b in zip(before, np.roll(before, -1, axis=0), strict=True)
+    )
+    for shapes in (f'<polygon points="{points}"/>', sides, f'<polyline points="{points} {points.split()[0]}"/>'):
+        path = tmp_path / "bat.svg"
+        path.write_text(
+            '<svg xmlns="http://www.w3.org/2000/svg" width="40in" height="40in" viewBox="0 0 400 400">'
+            f'<g transform="{transform}">{shapes}</g></svg>', encoding="utf-8",
+        )  # fmt: skip
+        stations = np.array(read_outline(path).profile)
+        inch = 0.0254
+        assert stations[-1, 0] == pytest.approx(33 * inch, rel=1e-6)
+        assert np.interp(16.5 * inch, *stations.T) == pytest.approx(4.6 * inch, rel=1e-4)
+
+
+def test_a_dxf_without_units_takes_the_length_and_a_drawing_no_ruler(tmp_path: Path) -> None:
+    drawing = new(units=0)
+    for side in (1, -1):
+        drawing.modelspace().add_lwpolyline((FLANK * [7, 7 * side]).tolist())
+    path = tmp_path / "bat.dxf"
+    drawing.saveas(path)
+    with pytest.raises(InputError, match="--length"):
+        read_outline(path)
+    assert worst(read_outline(path, length=BAT.length)) < 3e-5
+    with pytest.raises(InputError, match="are for photographs"):
+        read_outline(path, ruler=0.3)
