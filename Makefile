@@ -38,7 +38,8 @@ quick-lowest: $(LOWEST)/.installed  ## a part of them, and a report; a minute
 
 # every branch of the physics at least once; what numba compiles is run as Python for it
 PHYSICS := motion numerics equipment collision dynamics flight analysis calibration
-COVERED := $(addprefix tests/,$(PHYSICS) report/test_notebook.py) $(addprefix src/sweetspot/,$(PHYSICS))
+COVERED := $(addprefix src/sweetspot/,$(PHYSICS)) $(addprefix tests/,$(PHYSICS) catalog report/test_notebook.py report/uncertainty \
+	$(patsubst %,cli/test_%_command.py,calibrate certify outline rank tap))
 COVERED_AS_PYTHON := $(addprefix tests/,numerics/test_banded.py collision/test_kernel_agreement.py collision/test_time_history.py \
 	collision/test_hit_convergence.py::test_a_bat_that_overtakes_the_ball_hits_it_again \
 	dynamics/batch flight/test_kernel.py flight/test_fence.py flight/test_home_runs.py)
