@@ -11,6 +11,8 @@ import numpy as np
 import polars as pl
 import pytest
 
+from sweetspot.web.views import season_work
+
 URL = "/api/v1/season"
 
 
@@ -159,3 +161,12 @@ def test_a_reading_is_stopped_and_goes_on(client: httpx.Client, balls: Path) -> 
         time.sleep(0.1)
     assert told["status"] == "done"
     assert asked(client, season=told["found"]["season"])["season"]["files"] == ["my balls.csv"]
+
+
+def test_progress_has_a_speed_once_there_is_something_to_count() -> None:
+    told: list[dict[str, Any]] = []
+    progress = season_work.counting(lambda found, _: told.append(found))
+    for done in (100, 200, 400):
+        progress(done, 400)
+    assert [one["done"] for one in told] == [100, 200, 400] and told[0]["rows_per_s"] is None
+    assert told[1]["rows_per_s"] > 0 and told[1]["left_s"] > 0 == told[2]["left_s"]

@@ -69,7 +69,7 @@ def _started(dask: Any, workers: int) -> Any:
     try:  # what is held back here is held back in the processes that are started, too
         return dask.LocalCluster(
             n_workers=workers, threads_per_worker=1, processes=True, dashboard_address="127.0.0.1:0",
-            scheduler_kwargs={"dashboard": False}, silence_logs=logging.ERROR,
+            scheduler_kwargs={"dashboard": False}, silence_logs=logging.CRITICAL,
         )  # fmt: skip
     finally:
         if holds:

@@ -95,12 +95,16 @@ def analysed(paths: list[Path], folder: Path, bat: Bat, *, resume: bool, say: Sa
 
 
 def counting(say: Say) -> Callable[[int, int], None]:
-    """Return what tells how many rows are done, how many a second, and how long the rest will take."""
-    begun = time.monotonic()
+    """Return what tells how many rows are done, how many a second since the first, and how long the rest takes."""
+    first: list[tuple[int, float]] = []
 
     def progress(done: int, rows: int) -> None:
-        speed = done / max(1e-3, time.monotonic() - begun)
-        left = (rows - done) / speed if done else None
+        now = time.monotonic()
+        first.append((done, now))
+        (before, begun), speed = first[0], None
+        if done > before:
+            speed = (done - before) / max(1e-3, now - begun)
+        left = None if speed is None else (rows - done) / speed
         say({"phase": "rows", "done": done, "rows": rows, "rows_per_s": speed, "left_s": left}, True)
 
     return progress

@@ -124,7 +124,7 @@ export class Reading {
     const number = (value) => Math.round(value).toLocaleString("en-US");
     const far = found?.phase === "rows" ? `${number(found.done)} of ${number(found.rows)} rows` : "";
     if (status === "starting") return "The reading begins …";
-    if (status === "running" && far) return `${far}, ${number(found.rows_per_s)} rows/s${found.left_s === null ? "" : `, ${Math.ceil(found.left_s)} s left`}`;
+    if (status === "running" && far) return found.rows_per_s === null ? `${far} …` : `${far}, ${number(found.rows_per_s)} rows/s, ${Math.ceil(found.left_s)} s left`;
     if (status === "running") return found?.phase === "players" ? "Working out players, clubs and months …" : "Looking through the tables; a bat that is new here takes some seconds more …";
     if (status === "stopped") return `Stopped${far ? ` after ${far}` : ""}. Go on, or hand in other tables.`;
     if (!this.season) return `Statcast and Trackman exports, plain CSV with units in the headings, Parquet; many files at once, of any size. ${whereTo("A table")}`;
