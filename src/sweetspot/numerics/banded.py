@@ -122,73 +122,84 @@ def lowest_pairs(
         False where the matrices are not positive definite or the method does not converge.
     """
     diagonal, below = stiffness
-    mass, mass_below = inertia
-    count = len(values)
     for j in range(size):
-        diagonal[j] += shift * mass[j]
+        diagonal[j] += shift * inertia[0][j]
         for k in range(WIDTH):
-            below[j, k] += shift * mass_below[j, k]
-    if not factorised(size, diagonal, below):
+            below[j, k] += shift * inertia[1][j, k]
+    count, known = len(values), len(rigid)
+    most = min(MOST_STEPS, size - known)
+    if not factorised(size, diagonal, below) or most < count:
         return False
-    most = min(MOST_STEPS, size - len(rigid))
-    if most < count:
-        return False
-    basis = np.zeros((len(rigid) + most + 1, size + WIDTH))
-    work = np.zeros(size + WIDTH)
-    known = len(rigid)
-    for r in range(known):  # L^T x of a rigid motion is an eigenvector
+    basis = np.zeros((known + most + 1, size + WIDTH))
+    _begun(size, stiffness, rigid, basis)
+    along, beside = np.zeros(most), np.zeros(most + 1)
+    turned, roots = np.empty((most, most)), np.empty(most)
+    work, product = np.zeros(size + WIDTH), np.zeros(size + WIDTH)
+    asked = min(max(FIRST_STEPS, 2 * count), most)
+    for step in range(most):
+        work[:] = basis[known + step]
+        solved_backward(size, diagonal, below, work)
+        multiplied(size, inertia[0], inertia[1], work, product)
+        solved_forward(size, diagonal, below, product)
+        along[step] = _without_neighbours(size, basis[known:], step, beside[step], product)
+        _against(basis, known + step + 1, product)
+        beside[step + 1] = _scaled(product, basis[known + step + 1], size)
+        steps, ended = step + 1, beside[step + 1] == 0.0
+        if steps < asked and not ended:
+            continue
+        if steps < count or not _ritz_pairs(steps, along, beside, roots, turned):
+            return False
+        order = np.argsort(-roots[:steps])
+        worst = 0.0
+        for i in range(count):
+            worst = max(worst, abs(beside[steps] * turned[order[i], steps - 1]) / roots[order[i]])
+        if worst < NEAR or steps == most or ended:
+            _from_steps(size, stiffness, basis[known:], (roots, turned, order), steps, shift, values, vectors)
+            return worst < 1e3 * NEAR
+        asked += MORE_STEPS
+    return False
+
+
+@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+def _begun(size: int, factor: tuple[Array, Array], rigid: Array, basis: Array) -> None:
+    """Fill in the first orthonormal vectors: those of the rigid motions, then the one from which the steps begin."""
+    diagonal, below = factor
+    vector = np.zeros(size + WIDTH)
+    for r in range(len(rigid)):  # L^T x of a rigid motion is an eigenvector
         for j in range(size):
             total = rigid[r, j] / diagonal[j]
             for k in range(WIDTH):
                 total += below[j, k] * rigid[r, j + 1 + k]
-            work[j] = total
-        _against(basis, r, work)
-        _scaled(work, basis[r], size)
+            vector[j] = total
+        _against(basis, r, vector)
+        _scaled(vector, basis[r], size)
     for j in range(size):  # anything without a symmetry
-        work[j] = 1.0 + ((j * 7919) % 101) / 101.0
-    along, beside = np.zeros(most), np.zeros(most + 1)
-    turned = np.empty((most, most))
-    roots, off = np.empty(most), np.empty(most + 1)
-    _against(basis, known, work)
-    _scaled(work, basis[known], size)
-    product = np.zeros(size + WIDTH)
-    asked = min(max(FIRST_STEPS, 2 * count), most)
-    for step in range(most):
-        current = basis[known + step]
-        work[:] = current
-        solved_backward(size, diagonal, below, work)
-        multiplied(size, mass, mass_below, work, product)
-        solved_forward(size, diagonal, below, product)
-        total = 0.0
+        vector[j] = 1.0 + ((j * 7919) % 101) / 101.0
+    _against(basis, len(rigid), vector)
+    _scaled(vector, basis[len(rigid)], size)
+
+
+@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+def _without_neighbours(size: int, basis: Array, step: int, beside: float, vector: Array) -> float:
+    """Take the parts along this step's vector and the one before out of a vector; return the first of them."""
+    current, total = basis[step], 0.0
+    for j in range(size):
+        total += vector[j] * current[j]
+    for j in range(size):
+        vector[j] -= total * current[j]
+    if step > 0:
+        before = basis[step - 1]
         for j in range(size):
-            total += product[j] * current[j]
-        along[step] = total
-        for j in range(size):
-            product[j] -= total * current[j]
-        if step > 0:
-            before = basis[known + step - 1]
-            for j in range(size):
-                product[j] -= beside[step] * before[j]
-        _against(basis, known + step + 1, product)
-        beside[step + 1] = _scaled(product, basis[known + step + 1], size)
-        if step + 1 >= asked or beside[step + 1] == 0.0:
-            steps = step + 1
-            if steps < count:
-                return False
-            roots[:steps], off[: steps + 1] = along[:steps], beside[: steps + 1]
-            if not _tridiagonal(steps, roots, off, turned):
-                return False
-            order = np.argsort(-roots[:steps])
-            worst = 0.0
-            for i in range(count):
-                worst = max(worst, abs(beside[steps] * turned[order[i], steps - 1]) / roots[order[i]])
-            if worst < NEAR or steps == most or beside[steps] == 0.0:
-                _from_steps(
-                    size, (diagonal, below), basis[known:], (roots, turned, order), steps, shift, values, vectors
-                )
-                return worst < 1e3 * NEAR
-            asked += MORE_STEPS
-    return False
+            vector[j] -= beside * before[j]
+    return total
+
+
+@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+def _ritz_pairs(steps: int, along: Array, beside: Array, roots: Array, turned: Array) -> bool:
+    """Fill in the eigenvalues and vectors of the tridiagonal matrix of so many steps; return whether they converged."""
+    off = np.empty(steps + 1)
+    roots[:steps], off[:] = along[:steps], beside[: steps + 1]
+    return _tridiagonal(steps, roots, off, turned)
 
 
 @compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
