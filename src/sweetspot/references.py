@@ -77,11 +77,11 @@ def cite(key: str) -> str:
     >>> cite("cross1998")
     'Cross, R. (1998). The sweet spot of a baseball bat. American Journal of Physics 66.'
     """
-    found = reference(key)
-    year = found.fields.get("year", "")
-    dated = f"{found.authors} ({year})" if found.authors and year else found.authors
-    where = ", ".join(part for part in (found.where, "" if found.authors else year) if part)
-    parts = (dated, found.fields.get("title", ""), where)
+    source = reference(key)
+    year = source.fields.get("year", "")
+    dated = f"{source.authors} ({year})" if source.authors and year else source.authors
+    where = ", ".join(part for part in (source.where, "" if source.authors else year) if part)
+    parts = (dated, source.fields.get("title", ""), where)
     return " ".join(part if part.endswith((".", "?", "!")) else f"{part}." for part in parts if part)
 
 
@@ -98,19 +98,19 @@ def parse_bibliography(text: str) -> dict[str, Reference]:
     InputError
         when an entry or a field is written in another way, or a key comes twice.
     """
-    found: dict[str, Reference] = {}
+    entries: dict[str, Reference] = {}
     for kind, key, body in ENTRY.findall(text):
         fields = {name.lower(): _plain(value) for name, value in FIELD.findall(body)}
         lines = [line for line in body.splitlines() if line.strip()]
         if len(fields) != len(lines):
             raise InputError(f"bibliography entry {key!r} has a field that is not one line 'name = {{value}},'")
-        if key in found:
+        if key in entries:
             raise InputError(f"bibliography key {key!r} comes twice; give each source one key")
         raw = dict(FIELD.findall(body)).get("author", "")
-        found[key] = Reference(key, kind.lower(), _authors(raw), fields)
-    if len(found) != len(re.findall(r"^@", text, re.MULTILINE)):
+        entries[key] = Reference(key, kind.lower(), _authors(raw), fields)
+    if len(entries) != len(re.findall(r"^@", text, re.MULTILINE)):
         raise InputError("the bibliography has an entry that does not end with a brace on its own line")
-    return found
+    return entries
 
 
 def _plain(value: str) -> str:

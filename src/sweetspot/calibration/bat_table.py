@@ -62,16 +62,16 @@ def read_bats(path: Path) -> dict[str, list[Measurement]]:
     heads = [_column(cell) for cell in rows[0]]
     if len(rows) - 1 > MOST_BATS:
         raise InputError(f"{path} has {len(rows) - 1} bats; allowed are {MOST_BATS}")
-    found: dict[str, list[Measurement]] = {}
+    bats: dict[str, list[Measurement]] = {}
     for line, cells in enumerate(rows[1:], start=2):
         given = {head: cell.strip() for head, cell in zip(heads, cells, strict=False) if head and cell.strip()}
         name = given.pop(("name", ""), f"bat {line - 1}")
-        if name in found:
+        if name in bats:
             raise InputError(f"{path}, line {line}: there are two bats of the name {name!r}; give each its own")
-        found[name] = _measurements(given, f"{path}, line {line}")
-        if not found[name]:
+        bats[name] = _measurements(given, f"{path}, line {line}")
+        if not bats[name]:
             raise InputError(f"{path}, line {line}: nothing was measured on {name}; its columns may be {HINT}")
-    return found
+    return bats
 
 
 def _is_heading(cells: Sequence[str]) -> bool:
@@ -108,16 +108,16 @@ def _measurements(given: dict[tuple[str, str], str], what: str) -> list[Measurem
     moisture = values.pop("moisture", None)
     if moisture is not None and not MOISTURES[0] <= moisture.value <= MOISTURES[1]:
         raise InputError(f"{what}: the moisture is {100 * moisture.value:.3g} %; allowed is 2 to 30 % of the dry wood")
-    found = []
+    measurements = []
     for quantity, value in values.items():
         if quantity in ("mass", "balance_point", "moi"):
-            found.append(Measurement(quantity, value, axis=STANDARD_AXIS))  # type: ignore[arg-type]
+            measurements.append(Measurement(quantity, value, axis=STANDARD_AXIS))  # type: ignore[arg-type]
         elif quantity == "pendulum":
-            found.append(Measurement("period", value, axis=STANDARD_AXIS))
+            measurements.append(Measurement("period", value, axis=STANDARD_AXIS))
         else:
             name = ModeName("hoop", 2) if quantity == "hoop" else ModeName("bending", int(quantity[-1]))
-            found.append(Measurement("frequency", value, mode=name))
-    return found if moisture is None else [at_usual_moisture(one, moisture) for one in found]
+            measurements.append(Measurement("frequency", value, mode=name))
+    return measurements if moisture is None else [at_usual_moisture(one, moisture) for one in measurements]
 
 
 def _with_unit(cell: str, unit: str) -> str:

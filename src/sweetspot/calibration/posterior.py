@@ -140,10 +140,10 @@ def _misses(
 
     def quick(x: Array) -> Array:
         known = exact(x)
-        found = np.empty(len(measurements) + len(x))
-        found[rest], found[len(measurements) :] = known[: len(rest)], known[len(rest) :]
-        found[shot] = here + slopes @ (x - around)
-        return found
+        misses_there = np.empty(len(measurements) + len(x))
+        misses_there[rest], misses_there[len(measurements) :] = known[: len(rest)], known[len(rest) :]
+        misses_there[shot] = here + slopes @ (x - around)
+        return misses_there
 
     return quick
 
@@ -158,14 +158,14 @@ def _said(
 
 def suspects(posterior: Posterior) -> dict[str, Posterior]:
     """Return the measurements that alone explain a contradiction, each with the bat that all the others agree on."""
-    found = {}
+    contradictions = {}
     for one in posterior.measurements:
         if one.name in posterior.contradictions and len(posterior.measurements) > 1:
             others = [other for other in posterior.measurements if other is not one]
             without = calibrate(posterior.prior, posterior.unknowns, others)
             if not without.contradictions:
-                found[one.name] = without
-    return found
+                contradictions[one.name] = without
+    return contradictions
 
 
 def calibrate(line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequence[Measurement]) -> Posterior:
@@ -194,26 +194,26 @@ def calibrate(line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequen
         return np.array([(misses(x + step) - here) / STEP for step in STEP * np.eye(len(x))]).T
 
     try:
-        found = least_squares(
+        fit = least_squares(
             misses, np.zeros(len(unknowns)), jac=forward, bounds=(-FARTHEST, FARTHEST), xtol=1e-4, ftol=1e-6
         )
     except (InputError, np.linalg.LinAlgError) as error:
         raise InputError(f"no bat of this kind comes near what was measured: {error}") from None
     steps = STEP * np.eye(len(unknowns))
-    slopes = np.array([(misses(found.x + step) - misses(found.x - step)) / (2 * STEP) for step in steps]).T
+    slopes = np.array([(misses(fit.x + step) - misses(fit.x - step)) / (2 * STEP) for step in steps]).T
     covariance = np.linalg.inv(slopes.T @ slopes)
-    off = misses(found.x)
+    off = misses(fit.x)
     left = 1 - np.einsum("ij,jk,ik->i", slopes, covariance, slopes)
     pulls = np.where(left > HARDLY, off / np.sqrt(np.maximum(left, HARDLY)), 0.0)
-    best = deviated(line, unknowns, found.x * spreads)
+    best = deviated(line, unknowns, fit.x * spreads)
     return Posterior(
         prior=line,
         line=best,
         unknowns=tuple(unknowns),
         measurements=tuple(measurements),
-        deviations=found.x * spreads,
+        deviations=fit.x * spreads,
         covariance=np.asarray(covariance * np.outer(spreads, spreads), dtype=np.float64),
-        predictions=_said(line, unknowns, found.x * spreads, measurements),
+        predictions=_said(line, unknowns, fit.x * spreads, measurements),
         pulls=pulls,
         gains=spreads[:, None] * (covariance @ slopes.T),
     )

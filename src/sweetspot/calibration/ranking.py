@@ -122,17 +122,17 @@ def rank_bats(
     wood = generator.standard_normal((DRAWS, len(spreads))) * spreads
     by_nature = _exit_speeds(response, np.hstack([wood, 0 * ball]), turning, conditions, law).max(axis=1)
     properties = {name: _properties(posterior) for name, posterior in posteriors.items()}
-    found = [
+    ranked = [
         RankedBat(
             name, Measured(float(drawn.mean()), float(drawn.std())), float(chance), place, properties[name],
             _differing(properties, name), posterior.contradictions,
         )
         for (name, posterior), drawn, chance, place in zip(posteriors.items(), centre, chances, best, strict=True)
     ]  # fmt: skip
-    values = np.array([one.exit_speed.value for one in found])
-    errors = np.array([one.exit_speed.error for one in found])
+    values = np.array([one.exit_speed.value for one in ranked])
+    errors = np.array([one.exit_speed.error for one in ranked])
     return Ranking(
-        tuple(sorted(found, key=lambda one: -one.exit_speed.value)),
+        tuple(sorted(ranked, key=lambda one: -one.exit_speed.value)),
         float(values.std(ddof=1)), float(np.sqrt(np.mean(errors**2))), float(by_nature.std()),
     )  # fmt: skip
 
@@ -174,16 +174,16 @@ def _properties(posterior: Posterior) -> dict[str, Measured]:
     """Return mass, balance point, moment of inertia and modulus of a bat with their errors."""
     from sweetspot.calibration.calibrated_file import properties
 
-    found = {name: one.value for name, one in properties(posterior).items() if name in PROPERTIES}
+    known = {name: one.value for name, one in properties(posterior).items() if name in PROPERTIES}
     off = posterior.deviation("modulus")
-    return {**found, "modulus": Measured(math.exp(off.value), math.exp(off.value) * off.error)}
+    return {**known, "modulus": Measured(math.exp(off.value), math.exp(off.value) * off.error)}
 
 
 def _differing(properties: dict[str, dict[str, Measured]], name: str) -> tuple[str, ...]:
     """Return the properties of a bat that lie surely off the mean of the other bats."""
-    found = []
+    names = []
     for which, own in properties[name].items():
         others = np.array([values[which].value for other, values in properties.items() if other != name])
         if abs(own.value - others.mean()) > DIFFERS * max(own.error, 1e-12):
-            found.append(which)
-    return tuple(found)
+            names.append(which)
+    return tuple(names)

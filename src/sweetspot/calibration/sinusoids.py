@@ -105,9 +105,9 @@ def fit_sinusoids(samples: Array, rate: float, *, band: Band, most: int = MOST) 
         parameters = parameters[_rings(parameters)]
         parameters = parameters[np.argsort(parameters[:, 0])]
     fitted = _model(parameters, time)
-    found = [one for one in _with_errors(parameters, samples - fitted, time) if _counts(one, band)]
-    loudest = max((one.amplitude for one in found), default=0.0)
-    heard = tuple(one for one in found if one.amplitude > FAINTEST * loudest)
+    sinusoids = [one for one in _with_errors(parameters, samples - fitted, time) if _counts(one, band)]
+    loudest = max((one.amplitude for one in sinusoids), default=0.0)
+    heard = tuple(one for one in sinusoids if one.amplitude > FAINTEST * loudest)
     return Fit(heard, _misfit(samples, fitted, rate, band), samples, fitted, rate)
 
 
@@ -154,11 +154,11 @@ def _refined(parameters: Array, samples: Array, time: Array, *, trials: int) -> 
     def misses(unknowns: Array) -> Array:
         return _model(unpacked(unknowns), time) - samples
 
-    found = least_squares(
+    fit = least_squares(
         misses,
         start.ravel(), jac=jacobian, method="lm", x_scale="jac", max_nfev=trials, ftol=1e-10,
     )  # fmt: skip
-    return unpacked(found.x)
+    return unpacked(fit.x)
 
 
 def _next_peak(left: Array, known: Array, rate: float, band: Band) -> Array | None:
@@ -220,21 +220,21 @@ def _with_errors(parameters: Array, left: Array, time: Array) -> tuple[Sinusoid,
     covariance = np.linalg.pinv((jacobian / scale).T @ (jacobian / scale)) / np.outer(scale, scale)
     density = np.abs(np.fft.rfft(left)) ** 2 / len(left)  # white noise of variance s^2 has s^2 in every bin
     frequency = np.fft.rfftfreq(len(left), 1 / rate)
-    found = []
+    sinusoids = []
     for index, (tone, decay, cosine, sine) in enumerate(parameters):
         near = np.abs(frequency - tone) < max(LOCAL / 3 * tone, NARROWEST)
         noise = float(np.mean(density[near]))
         tone_error, decay_error = np.sqrt(noise * np.diag(covariance)[4 * index : 4 * index + 2])
         natural = 2 * np.pi * tone
         ratio = decay / np.hypot(natural, decay)
-        found.append(
+        sinusoids.append(
             Sinusoid(
                 Measured(float(tone), float(tone_error)),
                 Measured(float(ratio), float(decay_error / natural)),
                 float(np.hypot(cosine, sine)),
             )
         )
-    return tuple(found)
+    return tuple(sinusoids)
 
 
 def _misfit(samples: Array, fitted: Array, rate: float, band: Band) -> float:

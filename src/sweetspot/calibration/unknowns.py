@@ -87,20 +87,20 @@ def unknowns_of(bat: Bat, *, diameter_spread: float = DIAMETER_SPREAD) -> tuple[
     if not 0 < diameter_spread < 0.1:
         raise InputError(f"the error of the diameters is {diameter_spread:g} of them; allowed is 0 to 0.1")
     spreads = material_spreads(bat.material.name)
-    found = [Unknown("modulus", spreads["longitudinal_modulus"])]
+    unknowns = [Unknown("modulus", spreads["longitudinal_modulus"])]
     if bat.material.shear_modulus is not None:
-        found.append(Unknown("shear_modulus", spreads["shear_modulus"]))
-    found += [Unknown("density", spreads["density"]), Unknown("density_gradient", GRADIENT_SPREAD)]
+        unknowns.append(Unknown("shear_modulus", spreads["shear_modulus"]))
+    unknowns += [Unknown("density", spreads["density"]), Unknown("density_gradient", GRADIENT_SPREAD)]
     if bat.shell is None:
-        found.append(Unknown("knob_mass", KNOB_EXTRA_SPREAD))
+        unknowns.append(Unknown("knob_mass", KNOB_EXTRA_SPREAD))
     else:
-        found = [one for one in found if one.name != "density_gradient"]  # metal is as dense everywhere
-        found += [Unknown("wall", WALL_SPREAD)]
-        found += [Unknown("knob_mass", FITTING_SPREAD)] * bool(bat.shell.knob_mass)
-        found += [Unknown("end_mass", FITTING_SPREAD)] * bool(bat.shell.end_cap_mass)
+        unknowns = [one for one in unknowns if one.name != "density_gradient"]  # metal is as dense everywhere
+        unknowns += [Unknown("wall", WALL_SPREAD)]
+        unknowns += [Unknown("knob_mass", FITTING_SPREAD)] * bool(bat.shell.knob_mass)
+        unknowns += [Unknown("end_mass", FITTING_SPREAD)] * bool(bat.shell.end_cap_mass)
     if bat.profile is not None:
-        found += [Unknown("handle", diameter_spread), Unknown("barrel", diameter_spread)]
-    return tuple(found)
+        unknowns += [Unknown("handle", diameter_spread), Unknown("barrel", diameter_spread)]
+    return tuple(unknowns)
 
 
 def deviated(line: BeamModel, unknowns: Sequence[Unknown], deviations: Array) -> BeamModel:

@@ -44,25 +44,26 @@ def ball(name: str = DEFAULT_BALL) -> Ball:
     >>> round(ball("baseball").mass, 4)
     0.1453
     """
-    key, found = entry(read_table(FILE), name, "ball")
+    key, ball_entry = entry(read_table(FILE), name, "ball")
 
     def value(field: str, kind: Kind) -> float:
-        number = quantity(found, field, kind, found["name"])
+        number = quantity(ball_entry, field, kind, ball_entry["name"])
         assert number is not None, f"balls.toml: {key} lacks {field}"
         return number
 
     mass, exponent = value("mass", "mass"), value("force_exponent", "ratio")
+    diameter = value("diameter", "length") if "diameter" in ball_entry else value("circumference", "length") / math.pi
     law = RestitutionLaw(
         reference=value("cor_reference", "ratio"),
         reference_speed=value("cor_reference_speed", "speed"),
         slope=value("cor_slope", "slope per speed"),
     )
     return Ball(
-        name=found["name"],
+        name=ball_entry["name"],
         mass=mass,
-        radius=value("diameter", "length") / 2 if "diameter" in found else value("circumference", "length") / math.tau,
+        radius=diameter / 2,
         restitution=law,
-        stiffness=_stiffness(found, value, mass=mass, exponent=exponent, law=law),
+        stiffness=_stiffness(ball_entry, value, mass=mass, exponent=exponent, law=law),
         exponent=exponent,
         cor_humidity_slope=value("cor_humidity_slope", "ratio"),
         cor_temperature_slope=value("cor_temperature_slope", "slope per temperature"),
@@ -71,12 +72,12 @@ def ball(name: str = DEFAULT_BALL) -> Ball:
     )
 
 
-def _stiffness(found: dict[str, Any], value: Any, *, mass: float, exponent: float, law: RestitutionLaw) -> float:
+def _stiffness(ball_entry: dict[str, Any], value: Any, *, mass: float, exponent: float, law: RestitutionLaw) -> float:
     """Return k from the one kind of test that the entry describes."""
-    if "peak_force" in found:
+    if "peak_force" in ball_entry:
         force, speed = value("peak_force", "force"), value("peak_force_speed", "speed")
         return stiffness_from_peak_force(force, speed=speed, mass=mass, exponent=exponent)
-    if "load" in found:
+    if "load" in ball_entry:
         pressed = value("load_compression", "length")
         return stiffness_from_load(value("load", "force"), compression=pressed, exponent=exponent)
     speed = value("contact_time_speed", "speed")
@@ -97,7 +98,7 @@ def ball_spreads(ball: Ball) -> dict[str, float]:
     >>> round(ball_spreads(ball("baseball"))["restitution"], 3)
     0.032
     """
-    record = next((found for found in read_table(FILE).values() if found["name"] == ball.name), {})
+    record = next((ball_entry for ball_entry in read_table(FILE).values() if ball_entry["name"] == ball.name), {})
 
     def spread(field: str, kind: Kind) -> float | None:
         if not isinstance(record.get(field), dict) or "spread" not in record[field]:
@@ -111,11 +112,11 @@ def ball_spreads(ball: Ball) -> dict[str, float]:
     forces = {"peak_force": part("peak_force", "force"), "contact_time": part("contact_time", "time")}
     steep = next((size for size in forces.values() if size is not None), None)
     slow = part("load", "force")
-    found = {
+    spreads = {
         "restitution": spread("cor_reference", "ratio"),
         "restitution_slope": spread("cor_slope", "slope per speed"),
         "mass": part("mass", "mass"),
         # k goes as the (n + 1)th power of a peak force or of one over the time of contact
         "stiffness": (ball.exponent + 1) * steep if steep is not None else slow,
     }
-    return {name: size for name, size in found.items() if size}
+    return {name: size for name, size in spreads.items() if size}

@@ -28,20 +28,20 @@ def material(name: str) -> Material:
     >>> material("white ash").family
     'wood'
     """
-    _, found = entry(read_table(FILE), CALLED.get(canonical(name), name), "material")
-    what = found["name"]
-    limits = unwrapped(found["density_range"]) if "density_range" in found else None
+    _, material_entry = entry(read_table(FILE), CALLED.get(canonical(name), name), "material")
+    what = material_entry["name"]
+    limits = unwrapped(material_entry["density_range"]) if "density_range" in material_entry else None
     return Material(
         name=what,
-        family=found["family"],
-        density=quantity(found, "density", "density", what),
-        longitudinal_modulus=quantity(found, "longitudinal_modulus", "pressure", what),
-        shear_modulus=quantity(found, "shear_modulus", "pressure", what),
-        transverse_modulus=quantity(found, "transverse_modulus", "pressure", what),
-        poisson_ratio=quantity(found, "poisson_ratio", "ratio", what),
-        damping_ratio=quantity(found, "damping_ratio", "ratio", what) or 0.0,
+        family=material_entry["family"],
+        density=quantity(material_entry, "density", "density", what),
+        longitudinal_modulus=quantity(material_entry, "longitudinal_modulus", "pressure", what),
+        shear_modulus=quantity(material_entry, "shear_modulus", "pressure", what),
+        transverse_modulus=quantity(material_entry, "transverse_modulus", "pressure", what),
+        poisson_ratio=quantity(material_entry, "poisson_ratio", "ratio", what),
+        damping_ratio=quantity(material_entry, "damping_ratio", "ratio", what) or 0.0,
         density_range=tuple(parse(limit, "density", f"{what} density_range") for limit in limits) if limits else None,
-        strength=quantity(found, "strength", "pressure", what),
+        strength=quantity(material_entry, "strength", "pressure", what),
     )
 
 
@@ -53,13 +53,13 @@ def material_spreads(name: str) -> dict[str, float]:
     0.067
     """
     table = read_table(FILE)
-    key = next((key for key, found in table.items() if found["name"] == name), name)
-    _, found = entry(table, key, "material")
+    key = next((key for key, material_entry in table.items() if material_entry["name"] == name), name)
+    _, material_entry = entry(table, key, "material")
     known = material(key)
     kinds: dict[str, Kind] = {"density": "density", "longitudinal_modulus": "pressure", "shear_modulus": "pressure"}
     spreads = {}
     for field, kind in kinds.items():
-        record = found.get(field)
+        record = material_entry.get(field)
         if isinstance(record, dict) and "spread" in record:
             spreads[field] = parse(record["spread"], kind, f"{name} {field} spread") / getattr(known, field)
     return spreads

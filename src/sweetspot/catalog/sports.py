@@ -39,14 +39,14 @@ def sport(name: str = DEFAULT_SPORT) -> Sport:
     >>> sport("table tennis").balls
     ('table-tennis',)
     """
-    key, found = entry(read_table(FILE), name, "sport")
-    stroke = found["stroke"]
+    key, sport_entry = entry(read_table(FILE), name, "sport")
+    stroke = sport_entry["stroke"]
     return Sport(
         key=canonical(key),
-        name=found["name"],
-        balls=tuple(found["balls"]),
+        name=sport_entry["name"],
+        balls=tuple(sport_entry["balls"]),
         implements=_implements(canonical(key)),
-        aerodynamics=found["aerodynamics"],
+        aerodynamics=sport_entry["aerodynamics"],
         stroke=Stroke(
             swing_speed=_known(stroke["swing_speed"]),
             from_tip=parse(stroke["from_tip"], "length", f"{key} from_tip"),
@@ -54,18 +54,18 @@ def sport(name: str = DEFAULT_SPORT) -> Sport:
             hands=parse(stroke["hands"], "length", f"{key} hands"),
             pivot=parse(stroke.get("pivot", "0 m"), "length", f"{key} pivot"),
         ),
-        words=Words(**found.get("words", {})),
-        speeds=tuple(_known(table) for table in found.get("speed", ())),
-        limits=tuple(Limit(**_values(table), side=table["side"]) for table in found.get("limit", ())),
-        marks=tuple(_mark(table) for table in found.get("mark", ())),
-        drops=tuple(_drop(table) for table in found.get("drop", ())),
-        facts=tuple(_known(table) for table in found.get("fact", ())),
-        terms=tuple((word, meaning) for word, meaning in found.get("terms", {}).items()),
-        not_covered=tuple(found["not_covered"]),
-        pitches=tuple(found.get("pitches", ())),
-        rules=found.get("rules", ""),
-        fields=tuple(found.get("fields", ())),
-        swing_law=found.get("swing_law", "baseball"),
+        words=Words(**sport_entry.get("words", {})),
+        speeds=tuple(_known(table) for table in sport_entry.get("speed", ())),
+        limits=tuple(Limit(**_values(table), side=table["side"]) for table in sport_entry.get("limit", ())),
+        marks=tuple(_mark(table) for table in sport_entry.get("mark", ())),
+        drops=tuple(_drop(table) for table in sport_entry.get("drop", ())),
+        facts=tuple(_known(table) for table in sport_entry.get("fact", ())),
+        terms=tuple((word, meaning) for word, meaning in sport_entry.get("terms", {}).items()),
+        not_covered=tuple(sport_entry["not_covered"]),
+        pitches=tuple(sport_entry.get("pitches", ())),
+        rules=sport_entry.get("rules", ""),
+        fields=tuple(sport_entry.get("fields", ())),
+        swing_law=sport_entry.get("swing_law", "baseball"),
     )
 
 
@@ -85,12 +85,12 @@ def certainty(name: str) -> dict[Certainty, int]:
 
 def sport_records(name: str) -> list[Record]:
     """Return the provenance of every number of a sport, its balls and its implements in the catalogue."""
-    found = sport(name)
-    own = [Record(one.name, one.written, None, one.source, one.where, one.kind) for one in found.known()]
+    game = sport(name)
+    own = [Record(one.name, one.written, None, one.source, one.where, one.kind) for one in game.known()]
     balls = {canonical(key): table for key, table in read_table(BALLS).items()}
     tools = implement_tables()
     air = {canonical(key): table for key, table in read_table(AIR).items()}
-    for names, tables in ((found.balls, balls), (found.implements, tools), ((found.aerodynamics,), air)):
+    for names, tables in ((game.balls, balls), (game.implements, tools), ((game.aerodynamics,), air)):
         own += [record for key in names if key in tables for record in all_records(tables[key], key)]
     return own
 

@@ -81,11 +81,11 @@ def importance_draws(log_density: Density, *, other_side: Callable[[Array], Arra
         draws = _drawn(parts, DRAWS, generator)
         log_weight = log_density(draws) - np.logaddexp.reduce(_log_parts(parts, draws), axis=0)
         weights = np.exp(log_weight - log_weight.max())
-        found = Weighted(draws, weights / weights.sum())
-        best = max(best, found, key=lambda one: one.effective)
+        weighted = Weighted(draws, weights / weights.sum())
+        best = max(best, weighted, key=lambda one: one.effective)
         if turn >= ROUNDS and best.effective > GOOD:
             break
-        parts = _fitted(parts, found)
+        parts = _fitted(parts, weighted)
     return best
 
 
@@ -101,8 +101,8 @@ def highest(log_density: Density, start: Array) -> Array:
         size = len(start)
         return float(values[0]), (values[1 : size + 1] - values[size + 1 :]) / (2 * GRADIENT_STEP)
 
-    found = minimize(low, start, jac=True, method="BFGS", options={"gtol": 0.05, "maxiter": 40})
-    return np.asarray(found.x)
+    minimum = minimize(low, start, jac=True, method="BFGS", options={"gtol": 0.05, "maxiter": 40})
+    return np.asarray(minimum.x)
 
 
 def _covariance(log_density: Density, place: Array) -> Array:
@@ -138,22 +138,22 @@ def _drawn(parts: list[Part], count: int, generator: np.random.Generator) -> Arr
 
 def _log_parts(parts: list[Part], draws: Array) -> Array:
     """Return the logarithm of share times density of each part, shape (parts, draws), up to a constant."""
-    found = []
+    logs = []
     for part in parts:
         root = np.linalg.cholesky(WIDER * part.covariance)
         square = np.sum(np.linalg.solve(root, (draws - part.place).T) ** 2, axis=0)
         size = len(part.place)
-        found.append(
+        logs.append(
             np.log(part.share) - np.log(np.diag(root)).sum() - (FREEDOM + size) / 2 * np.log1p(square / FREEDOM)
         )
-    return np.array(found)
+    return np.array(logs)
 
 
-def _fitted(parts: list[Part], found: Weighted) -> list[Part]:
+def _fitted(parts: list[Part], weighted: Weighted) -> list[Part]:
     """Return the mixture moved to where the weighted draws are; a part that few of them belong to stays."""
-    logs = _log_parts(parts, found.draws)
+    logs = _log_parts(parts, weighted.draws)
     belongs = np.exp(logs - np.logaddexp.reduce(logs, axis=0))
-    weights = np.minimum(found.weights, HEAVIEST)
+    weights = np.minimum(weighted.weights, HEAVIEST)
     weights = weights / weights.sum()
     moved = []
     for part, mine in zip(parts, belongs * weights, strict=True):
@@ -161,8 +161,8 @@ def _fitted(parts: list[Part], found: Weighted) -> list[Part]:
         if share < LEAST_SHARE / 4:
             moved.append(Part(LEAST_SHARE, part.place, part.covariance))
             continue
-        place = mine @ found.draws / share
-        apart = found.draws - place
+        place = mine @ weighted.draws / share
+        apart = weighted.draws - place
         covariance = (apart * mine[:, None]).T @ apart / share
         moved.append(Part(max(share, LEAST_SHARE), place, (1 - KEPT) * covariance + KEPT * part.covariance))
     total = sum(part.share for part in moved)

@@ -108,16 +108,16 @@ def fit_player(
     """
     if method == "walkers":
         return walked(model, seed=seed, progress=progress)
-    found = importance_draws(
+    weighted = importance_draws(
         model.log_posterior, other_side=lambda place: _mirrored(model, place), size=len(NAMES), seed=seed
     )
-    if found.effective < ENOUGH:
+    if weighted.effective < ENOUGH:
         return walked(model, seed=seed, progress=progress)
     if progress is not None:
         progress(1, 1)
-    taken = np.random.default_rng(seed).choice(len(found.weights), RESAMPLED, p=found.weights)
-    draws = found.draws[taken]
-    return Posterior(model, natural(draws), summarised(draws[:, None], independent=found.effective), seed)
+    taken = np.random.default_rng(seed).choice(len(weighted.weights), RESAMPLED, p=weighted.weights)
+    draws = weighted.draws[taken]
+    return Posterior(model, natural(draws), summarised(draws[:, None], independent=weighted.effective), seed)
 
 
 def walked(
@@ -166,9 +166,9 @@ def summarised(chains: Array, *, independent: float | None = None) -> dict[str, 
     flat = chains.reshape(-1, chains.shape[-1])
     before = prior_draws(PRIOR_DRAWS, seed=0)
     values, prior_values = natural(flat), natural(before)
-    found = {}
+    learned = {}
     for index, name in enumerate(NAMES):
-        found[name] = Learned(
+        learned[name] = Learned(
             name=name,
             interval=interval(values[:, index]),
             before=interval(prior_values[:, index]),
@@ -176,7 +176,7 @@ def summarised(chains: Array, *, independent: float | None = None) -> dict[str, 
             mixing=1.0 if independent else split_r_hat(chains[:, :, index]),
             independent_draws=independent or independent_draws(chains[:, :, index]),
         )
-    return found
+    return learned
 
 
 def interval(values: Array) -> Interval:

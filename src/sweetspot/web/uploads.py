@@ -94,32 +94,32 @@ class Uploads:
 
     def add(self, key: str, offset: int, piece: bytes) -> int:
         """Add a piece where the last one ended; return how many bytes are here."""
-        found = self._found(key)
-        if offset != found.taken or found.taken + len(piece) > found.size:
-            raise FieldError("offset", f"the next piece begins at {found.taken} and the file ends at {found.size}")
-        with found.path.open("ab") as file:
+        upload = self._found(key)
+        if offset != upload.taken or upload.taken + len(piece) > upload.size:
+            raise FieldError("offset", f"the next piece begins at {upload.taken} and the file ends at {upload.size}")
+        with upload.path.open("ab") as file:
             file.write(piece)
-        found.taken += len(piece)
-        return found.taken
+        upload.taken += len(piece)
+        return upload.taken
 
     def path_of(self, key: str) -> tuple[Path, str]:
         """Return where a whole file lies, and what it was called."""
-        found = self._found(key)
-        if found.path.is_dir():
+        upload = self._found(key)
+        if upload.path.is_dir():
             raise FieldError("upload", GONE)
-        if found.taken != found.size:
-            raise FieldError("upload", f"only {found.taken} of {found.size} bytes of that file have come")
-        return found.path, found.name
+        if upload.taken != upload.size:
+            raise FieldError("upload", f"only {upload.taken} of {upload.size} bytes of that file have come")
+        return upload.path, upload.name
 
     def folder_of(self, key: str) -> Path:
         """Return the folder of what was made of some files."""
-        found = self._found(key)
-        for file in found.of:
+        upload = self._found(key)
+        for file in upload.of:
             if file in self._files:
-                self._files[file].used = found.used
-        if not found.path.is_dir():
+                self._files[file].used = upload.used
+        if not upload.path.is_dir():
             raise FieldError("upload", GONE)
-        return found.path
+        return upload.path
 
     def close(self) -> None:
         """Throw everything away."""
@@ -129,11 +129,11 @@ class Uploads:
             self._files, self._folder = {}, None
 
     def _found(self, key: str) -> _File:
-        found = self._files.get(key)
-        if found is None:
+        upload = self._files.get(key)
+        if upload is None:
             raise FieldError("upload", GONE)
-        found.used = time.monotonic()
-        return found
+        upload.used = time.monotonic()
+        return upload
 
     def _made(self) -> Path:
         self._folder = self._folder or Path(tempfile.mkdtemp(prefix="sweetspot-"))

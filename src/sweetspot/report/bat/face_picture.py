@@ -27,26 +27,26 @@ CENTIMETRE = 0.01
 
 
 @styled
-def face_figure(found: FaceMap, bat: Implement, reading: Reader | None = None) -> Figure:
+def face_figure(face_hits: FaceMap, bat: Implement, reading: Reader | None = None) -> Figure:
     """Return three maps side by side, handle to the left: exit speed, efficiency q, vibration at the hands."""
-    reading, outline = reading or reader_of(bat), found.outline
+    reading, outline = reading or reader_of(bat), face_hits.outline
     speed = reading.units["speed"]
     across = (WIDTH - 2 * SIDE - 2 * GAP) / 3
     height = min(TALLEST, across * outline.width / (outline.end - outline.start))
     figure = Figure(figsize=(WIDTH, TOP + height + FOOT))
     maps = (
-        ("Exit speed", speed.name, found.exit_speed / speed.size, RISE),
-        ("Efficiency q", "", found.collision_efficiency, RISE),
-        ("Sting", "m/s", found.sting, FALL),
+        ("Exit speed", speed.name, face_hits.exit_speed / speed.size, RISE),
+        ("Efficiency q", "", face_hits.collision_efficiency, RISE),
+        ("Sting", "m/s", face_hits.sting, FALL),
     )
     for number, (title, unit, values, colours) in enumerate(maps):
         left = SIDE + number * (across + GAP)
         axes = axes_in_inches(figure, left=left, top=TOP, width=across, height=height)
-        _map(axes, found, values, colours, reading, bat)
+        _map(axes, face_hits, values, colours, reading, bat)
         heading(axes, title, unit)
         if number == 0:
             axes.set_ylabel("cm across")
-            position, lateral = found.best()
+            position, lateral = face_hits.best()
             axes.plot(position, lateral, "o", color=RED, markersize=5, markeredgecolor=PAPER, markeredgewidth=0.8)
         bar = axes_in_inches(figure, left=left, top=TOP + height + 0.55, width=across, height=BAR)
         _scale(bar, values, colours)
@@ -54,9 +54,9 @@ def face_figure(found: FaceMap, bat: Implement, reading: Reader | None = None) -
 
 
 def _map(
-    axes: Axes, found: FaceMap, values: Array, colours: LinearSegmentedColormap, reading: Reader, bat: Implement
+    axes: Axes, face_hits: FaceMap, values: Array, colours: LinearSegmentedColormap, reading: Reader, bat: Implement
 ) -> None:
-    outline, place, length = found.outline, reading.units["place"], bat.length
+    outline, place, length = face_hits.outline, reading.units["place"], bat.length
     half, long = outline.width / 2, outline.end - outline.start
     shape = _shape(outline)
     image = axes.imshow(

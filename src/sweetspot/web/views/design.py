@@ -58,18 +58,18 @@ CLOSE = 1e-3
 
 def answer(state: DesignState) -> dict[str, Any]:
     """Return the bat that is being shaped beside the present one: sizes, weights, rules, and curves along both."""
-    found = asked(state)
-    bench, space = found.bench, found.bench.space
-    numbers, own = numbers_of(state, found)
+    request = asked(state)
+    bench, space = request.bench, request.bench.space
+    numbers, own = numbers_of(state, request)
     measured = bench.measured(numbers)
     bat = space.made(numbers, f"{space.present.name}, designed")
     assert isinstance(bat, Bat)
     return {
         "bat": bat_picture(state, reduced(state, ball_of(state))),
-        "key": found.key,
+        "key": request.key,
         "own": own,
-        "left_out": found.left_out,
-        "present": outline(_present(found)),
+        "left_out": request.left_out,
+        "present": outline(_present(request)),
         "variables": [
             {"name": one.name, "label": one.label, "ending": SCALES[one.scale].ending, "scale": one.scale,
              "low": one.low, "high": one.high, "present": one.start, "value": value}
@@ -77,25 +77,25 @@ def answer(state: DesignState) -> dict[str, Any]:
         ],
         "design": {
             **bat_json(bat.name, bat.length, rigid_body(beam_model(bat))), **outline(bat),
-            "stations": _handles(found, numbers),
+            "stations": _handles(request, numbers),
         },
-        "measures": [_beside(name, measured, found.now) for name in BESIDE if name in measured.values],
+        "measures": [_beside(name, measured, request.now) for name in BESIDE if name in measured.values],
         "locks": [_light(limit, measured) for limit in locks_of(state)],
         "limits": [_light(limit, measured) for limit in limits_of(state) if limit.why != "kept as it is"],
-        "rules": _rules(state, found, bat, measured),
-        "curves": _curves(found, measured),
+        "rules": _rules(state, request, bat, measured),
+        "curves": _curves(request, measured),
     }  # fmt: skip
 
 
-def _present(found: Asked) -> Bat:
-    present = found.bench.space.present
+def _present(request: Asked) -> Bat:
+    present = request.bench.space.present
     assert isinstance(present, Bat)
     return present
 
 
-def _handles(found: Asked, numbers: Array) -> list[dict[str, float]]:
+def _handles(request: Asked, numbers: Array) -> list[dict[str, float]]:
     """Return what can be pulled on the picture: the handles of an outline; hollow bats have none."""
-    space = found.bench.space
+    space = request.bench.space
     if not isinstance(space, TurnedSpace):
         return []
     return [
@@ -121,8 +121,8 @@ def _light(limit: Limit, measured: Measured) -> dict[str, Any]:
             "miss": max(0.0, miss) * measure.grain}  # fmt: skip
 
 
-def _rules(state: DesignState, found: Asked, bat: Bat, measured: Measured) -> list[dict[str, Any]]:
-    league = league_of(state, found)
+def _rules(state: DesignState, request: Asked, bat: Bat, measured: Measured) -> list[dict[str, Any]]:
+    league = league_of(state, request)
     if league is None:
         return []
     known = construction_findings(bat, body=rigid_body(beam_model(bat)))
@@ -134,23 +134,23 @@ def _rules(state: DesignState, found: Asked, bat: Bat, measured: Measured) -> li
     ]
 
 
-def _curves(found: Asked, measured: Measured) -> dict[str, Any]:
+def _curves(request: Asked, measured: Measured) -> dict[str, Any]:
     """Return curves along the bat, knob end first, at places counted from the tip."""
-    design, now = measured.curve[0, ::-1], found.now.curve[0, ::-1]
+    design, now = measured.curve[0, ::-1], request.now.curve[0, ::-1]
     return {
-        "position_m": _present(found).length - FROM_TIP[::-1],
+        "position_m": _present(request).length - FROM_TIP[::-1],
         "exit_speed_m_s": design,
         "present_exit_speed_m_s": now,
         "difference_m_s": design - now,
-        "contacts": found.bench.batter.weight[::-1],
+        "contacts": request.bench.batter.weight[::-1],
     }
 
 
 def gain(state: DesignState) -> dict[str, Any]:
     """Return what the bat gains in this batter's hands beside wood that differs, in words and as a band."""
-    found = asked(state)
-    numbers, _ = numbers_of(state, found)
-    design = _designed(state, found, numbers)
+    request = asked(state)
+    numbers, _ = numbers_of(state, request)
+    design = _designed(state, request, numbers)
     words = [moved_words(design), worth_words(design), warning_words(design), effort_words(design)]
     tolerance = tolerance_words(design)
     every = [*words, *([] if tolerance is None else [tolerance])]
@@ -165,22 +165,22 @@ def gain(state: DesignState) -> dict[str, Any]:
     }
 
 
-def _designed(state: DesignState, found: Asked, numbers: Array) -> Designed:
+def _designed(state: DesignState, request: Asked, numbers: Array) -> Designed:
     """Return one bat as the only one of its front, with everything around it."""
-    bench = found.bench
+    bench = request.bench
     measured = bench.measured(numbers)
     front = Front(numbers[None], measured, 0, numbers[None])
     bat = bench.space.made(numbers, f"{bench.space.present.name}, designed")
-    gain = gain_of(bench, numbers, measured, found.now)
-    return Designed(bench, question_of(state), front, 0, found.now, gain, bat, checks=(), bent=None)
+    gain = gain_of(bench, numbers, measured, request.now)
+    return Designed(bench, question_of(state), front, 0, request.now, gain, bat, checks=(), bent=None)
 
 
 def files(state: DesignState) -> dict[str, Any]:
     """Return the bat's file and its drawings for the maker, in either system of units."""
-    found = asked(state)
-    numbers, _ = numbers_of(state, found)
-    present = _present(found)
-    bat = found.bench.space.made(numbers, f"{present.name}, designed")
+    request = asked(state)
+    numbers, _ = numbers_of(state, request)
+    present = _present(request)
+    bat = request.bench.space.made(numbers, f"{present.name}, designed")
     assert isinstance(bat, Bat)
     endings = ("svg", "dxf", "csv") if bat.shell is None else ()
     return {

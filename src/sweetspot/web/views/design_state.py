@@ -130,9 +130,9 @@ def limits_of(state: DesignState) -> tuple[Limit, ...]:
 
 @lru_cache(maxsize=64)
 def _limits(state: DesignState) -> tuple[Limit, ...]:
-    found = asked(state)
+    request = asked(state)
     kept = [measure for field, measure in LOCKS.items() if getattr(state, field)]
-    return kept_limits(found.bench, kept, league=league_of(state, found))
+    return kept_limits(request.bench, kept, league=league_of(state, request))
 
 
 def locks_of(state: DesignState) -> tuple[Limit, ...]:
@@ -141,22 +141,22 @@ def locks_of(state: DesignState) -> tuple[Limit, ...]:
     return tuple(one for one in limits_of(state) if one.measure in locks and one.why == "kept as it is")
 
 
-def numbers_of(state: DesignState, found: Asked) -> tuple[Array, bool]:
+def numbers_of(state: DesignState, request: Asked) -> tuple[Array, bool]:
     """Return the numbers of the bat that is being shaped, and whether those of the state belong to it."""
-    space = found.bench.space
+    space = request.bench.space
     own = state.design_si is not None and len(state.design_si) == len(space.variables)
-    own = own and state.design_for in (None, found.key)
+    own = own and state.design_for in (None, request.key)
     low, high = (np.array([getattr(one, end) for one in space.variables]) for end in ("low", "high"))
     numbers = np.clip(np.array(state.design_si), low, high) if own else space.start
     locks = locks_of(state)
-    return (locked(found.bench, numbers, locks, pulled=state.pulled) if own and locks else numbers), own
+    return (locked(request.bench, numbers, locks, pulled=state.pulled) if own and locks else numbers), own
 
 
-def league_of(state: DesignState, found: Asked) -> League | None:
+def league_of(state: DesignState, request: Asked) -> League | None:
     """Return the league whose rules hold; None: nobody's."""
     if state.league == NOBODY:
         return None
-    bat = found.bench.space.present
+    bat = request.bench.space.present
     assert isinstance(bat, Bat)
     usual = "mlb" if bat.material.family == "wood" and bat.shell is None else "ncaa"
     with about("league"):

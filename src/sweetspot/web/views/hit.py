@@ -54,16 +54,16 @@ def answer(state: HitFilmState) -> dict[str, Any]:
 
 @lru_cache(maxsize=64)
 def _answer(state: HitFilmState) -> dict[str, Any]:
-    found = reduced(state, ball_of(state))
-    conditions = conditions_of(state, found.bat)
-    check_conditions(found.bat, conditions, body=found.body)
-    place = found.bat.length - state.impact_from_tip_in * INCH
+    reduced_bat = reduced(state, ball_of(state))
+    conditions = conditions_of(state, reduced_bat.bat)
+    check_conditions(reduced_bat.bat, conditions, body=reduced_bat.body)
+    place = reduced_bat.bat.length - state.impact_from_tip_in * INCH
     if place < conditions.hands.position:
-        most = (found.bat.length - conditions.hands.position) / INCH
+        most = (reduced_bat.bat.length - conditions.hands.position) / INCH
         raise FieldError(
             "impact_from_tip_in", f"the ball would meet the hands; allowed is up to {most:.1f} in from the tip"
         )
-    modes = found.modes
+    modes = reduced_bat.modes
     if state.held:
         hands = conditions.hands
         modes = gripped(modes, Hands(position=hands.position, spacing=hands.spacing, **TYPICAL_HAND))
@@ -71,7 +71,7 @@ def _answer(state: HitFilmState) -> dict[str, Any]:
     struck = modes.shape_at(place, closing_speed=impact.closing_speed)
     scene = history_of(impact, modes=modes, ball=conditions.ball, duration=state.duration_ms * 1e-3)
     return {
-        "bat": bat_picture(state, found),
+        "bat": bat_picture(state, reduced_bat),
         "ball": ball_picture(state, conditions.ball),
         "hands_m": conditions.hands.places,
         "hit": _hit(impact, conditions),
@@ -81,11 +81,11 @@ def _answer(state: HitFilmState) -> dict[str, Any]:
             "force_n": _short(scene.force, 1),
             "compression_m": _short(scene.compression, 7),
             "gap_m": _short(np.maximum(scene.displacement @ struck - scene.travel, 0.0), 6),
-            **_bat_motion(scene, modes, found.body, found.bat.length),
+            **_bat_motion(scene, modes, reduced_bat.body, reduced_bat.bat.length),
         },
         "energy_j": {name: _short(part, 3) for name, part in scene.energy._asdict().items() if part.any()},
         "hands": _hands(scene, modes, conditions.hands.position),
-        "hoop": _hoop(scene, modes, found, conditions),
+        "hoop": _hoop(scene, modes, reduced_bat, conditions),
         "conditions": conditions_json(conditions),
     }
 
@@ -135,10 +135,10 @@ def _hands(scene: TimeHistory, modes: Modes, position: float) -> dict[str, Any]:
     }
 
 
-def _hoop(scene: TimeHistory, modes: Modes, found: ReducedBat, conditions: Conditions) -> dict[str, Any] | None:
+def _hoop(scene: TimeHistory, modes: Modes, reduced_bat: ReducedBat, conditions: Conditions) -> dict[str, Any] | None:
     """Return how far each harmonic dents a hollow barrel's wall under the ball: inwards by a_n(t) cos(n theta)."""
     hoop = modes.of_family("hoop")
-    if not hoop or found.bat.shell is None:
+    if not hoop or reduced_bat.bat.shell is None:
         return None
     position, closing_speed = scene.impact.position, scene.impact.closing_speed
     shape = modes.shape_at(position, closing_speed=closing_speed)
@@ -146,13 +146,13 @@ def _hoop(scene: TimeHistory, modes: Modes, found: ReducedBat, conditions: Condi
     for harmonic in HARMONICS:
         same = [index for index in hoop if modes.harmonics[index] == harmonic]
         felt = scene.displacement[:, same] @ shape[same]
-        part = ring_felt(found.line, harmonic=harmonic, patch=contact_patch(conditions.ball, closing_speed))
+        part = ring_felt(reduced_bat.line, harmonic=harmonic, patch=contact_patch(conditions.ball, closing_speed))
         dents.append(_short(felt / part, 7))
     return {
         "harmonics": HARMONICS,
         "dent_m": dents,
-        "radius_m": float(found.bat.diameter_at(position)) / 2,
-        "wall_m": float(found.bat.wall_at(position)),
+        "radius_m": float(reduced_bat.bat.diameter_at(position)) / 2,
+        "wall_m": float(reduced_bat.bat.wall_at(position)),
     }
 
 

@@ -52,9 +52,9 @@ def answer(state: OptimumState) -> dict[str, Any]:
     with about("park"):
         park = catalog.park(state.park)
     ball = launched(speed=speed, launch_angle=best.launch_angle, backspin=spin, position=START)
-    found = reduced(state, ball_of(state))
+    reduced_bat = reduced(state, ball_of(state))
     return {
-        "bat": bat_picture(state, found),
+        "bat": bat_picture(state, reduced_bat),
         "launch": {"exit_speed_m_s": speed, "launch_angle_rad": best.launch_angle, "carry_m": best.carry},
         "map": carries(ball, conditions=through, park=park),
         "park": park.name,
@@ -63,24 +63,24 @@ def answer(state: OptimumState) -> dict[str, Any]:
 
 def swing(state: OptimumState) -> dict[str, Any]:
     """Return how to swing at a pitch so that it carries farthest, as a document."""
-    found = reduced(state, ball_of(state))
-    conditions, through = conditions_of(state, found.bat), _through(state)
+    reduced_bat = reduced(state, ball_of(state))
+    conditions, through = conditions_of(state, reduced_bat.bat), _through(state)
     thrown = _thrown(state, through)
     with about("tilt_deg"):
         best = best_swing(
-            found.held(conditions.hands), through, swing=conditions.swing, pitch=thrown.plate,
+            reduced_bat.held(conditions.hands), through, swing=conditions.swing, pitch=thrown.plate,
             plane=SwingPlane(tilt=math.radians(state.tilt_deg)),
         )  # fmt: skip
     speed, spin = state.exit_speed_mph * MPH, state.backspin_rpm * RPM
     launches = [AskedLaunch(speed, spin, best_launch(speed, through, backspin=spin))]
-    return told(optimum_document(Optimum(found.bat, swings=[(best, thrown)], launches=launches)))
+    return told(optimum_document(Optimum(reduced_bat.bat, swings=[(best, thrown)], launches=launches)))
 
 
 def parks(state: OptimumState) -> dict[str, Any]:
     """Return the slowest home run of every park, each in its own air, as a document."""
-    found = reduced(state, ball_of(state))
+    reduced_bat = reduced(state, ball_of(state))
     homers = _easiest(state.ball, state.backspin_rpm)
-    return told(optimum_document(Optimum(found.bat, parks=list(homers))))
+    return told(optimum_document(Optimum(reduced_bat.bat, parks=list(homers))))
 
 
 @lru_cache(maxsize=32)
