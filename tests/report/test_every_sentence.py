@@ -205,7 +205,7 @@ def check_verdicts(document: Document, data: Mapping[str, Any]) -> None:
     for family, question in (("weight", "Heavier or lighter?"), ("length", "Longer or shorter?")):
         sure = [one["label"] for one in data["options"] if one["family"] == family and one[change]["low"] > 1e-9]
         first = answers[question].split(".")[0].lower()
-        assert (" is best" in first) == bool(sure) and (not sure or first.startswith(sure[0].lower()))
+        assert first.startswith(f"best is {sure[0].lower()}") if sure else not first.startswith("best is")
         for one in data["options"]:
             if one["family"] == family:
                 told = re.search(re.escape(one["label"]) + r" ([-+])", answers[question])

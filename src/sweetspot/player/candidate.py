@@ -37,6 +37,7 @@ class Candidate:
     family : "weight", "balance", "length", "choke", "catalogue", or "swung": another bat of the file.
     bat : the bat.
     body : its mass, balance and moments of inertia.
+    amount : what was changed, kg or m, with its sign; 0 for whole other bats.
     """
 
     key: str
@@ -44,6 +45,7 @@ class Candidate:
     family: str
     bat: Bat
     body: RigidBody
+    amount: float = 0.0
 
 
 def candidates(
@@ -58,29 +60,31 @@ def candidates(
     swung : the other bats of the file.
     """
     mass = rigid_body(beam_model(bat)).mass
-    makers: list[tuple[str, str, str, Callable[[], Bat]]] = [
-        ("end-loaded", "1 oz at the tip", "balance",
+    makers: list[tuple[str, str, str, float, Callable[[], Bat]]] = [
+        ("end-loaded", "1 oz at the tip", "balance", WEIGHT,
          partial(bat.weighted, position=bat.length - FROM_END, mass=WEIGHT)),
-        ("knob-loaded", "1 oz at the knob", "balance", partial(bat.weighted, position=FROM_END, mass=WEIGHT)),
+        ("knob-loaded", "1 oz at the knob", "balance", WEIGHT, partial(bat.weighted, position=FROM_END, mass=WEIGHT)),
     ]  # fmt: skip
     for ounces in WEIGHTS:
         words = f"{abs(ounces)} oz {'heavier' if ounces > 0 else 'lighter'}"
         heavier = partial(varied, bat, {"mass": mass + ounces * OUNCE}, fill=material("cork"))
-        makers.append((f"weight{ounces:+d}oz", words, "weight", heavier))
+        makers.append((f"weight{ounces:+d}oz", words, "weight", ounces * OUNCE, heavier))
     for inches in LENGTHS:
         words = f"{abs(inches)} in {'longer' if inches > 0 else 'shorter'}, same weight"
-        makers.append((f"length{inches:+d}in", words, "length", partial(lengthened, bat, inches * INCH, mass=mass)))
+        longer = partial(lengthened, bat, inches * INCH, mass=mass)
+        makers.append((f"length{inches:+d}in", words, "length", inches * INCH, longer))
     makers += [
-        (f"choke{grip:g}in", f"choked up {grip:g} in", "choke", partial(bat.choked_up, grip * INCH)) for grip in CHOKES
+        (f"choke{grip:g}in", f"choked up {grip:g} in", "choke", grip * INCH, partial(bat.choked_up, grip * INCH))
+        for grip in CHOKES
     ]
-    makers += [(f"bat:{other.name}", other.name, "swung", partial(other.replaced)) for other in swung]
+    makers += [(f"bat:{other.name}", other.name, "swung", 0.0, partial(other.replaced)) for other in swung]
     strangers = [other for other in others if other not in (bat, *swung)]
-    makers += [(f"bat:{other.name}", other.name, "catalogue", partial(other.replaced)) for other in strangers]
+    makers += [(f"bat:{other.name}", other.name, "catalogue", 0.0, partial(other.replaced)) for other in strangers]
     found, faults = [], []
-    for key, label, family, make in makers:
+    for key, label, family, amount, make in makers:
         try:
             made = make()
-            found.append(Candidate(key, label, family, made, rigid_body(beam_model(made))))
+            found.append(Candidate(key, label, family, made, rigid_body(beam_model(made)), amount))
         except SweetspotError as error:
             faults.append(f"{label}: {' '.join(str(error).split())}")
     return tuple(found), tuple(faults)

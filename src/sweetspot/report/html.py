@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 from io import StringIO
 from pathlib import Path
@@ -20,6 +21,7 @@ from sweetspot.report.sentences import read
 HERE = Path(__file__).parent
 TEMPLATES = HERE / "templates"
 SVG = "http://www.w3.org/2000/svg"
+MINUS = re.compile(r"(?<![^\s(])-(?=\d)")
 XLINK = "{http://www.w3.org/1999/xlink}href"
 
 
@@ -52,10 +54,21 @@ def _rendered(
         return _drawn(picture, reader, colours, drawing if picture is document.drawing else None)
 
     return _environment().get_template(template).render(
-        document=document, read=lambda words: read(words, reader), kind_of=lambda block: type(block).__name__,
-        shown=lambda column, cell: column.shown(cell, reader), head=lambda column: column.head(reader),
+        document=document, read=lambda words: with_minus_signs(read(words, reader)),
+        kind_of=lambda block: type(block).__name__,
+        shown=lambda column, cell: with_minus_signs(column.shown(cell, reader)),
+        head=lambda column: column.head(reader),
         drawn=drawn, cite=cite, reference=reference, version=__version__, style=_style(style), **more,
     )  # fmt: skip
+
+
+def with_minus_signs(text: str) -> str:
+    """Return a text with minus signs before its negative numbers, as people print them.
+
+    >>> with_minus_signs("2-piece: -0.4 mph (-1.4 to +0.2)").count("-")
+    1
+    """
+    return MINUS.sub("\N{MINUS SIGN}", text)
 
 
 @cache

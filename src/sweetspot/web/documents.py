@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
@@ -10,13 +11,26 @@ from sweetspot.report.document import Block, Document, Picture, Section
 from sweetspot.report.html import fragment
 from sweetspot.report.quantities import SYSTEMS
 
+BEFORE_UNIT = re.compile(r"(?<=\d) (?=(?:{})(?:[\s,;)]|$))".format("|".join(sorted(
+    {re.escape(unit.name) for reader in SYSTEMS.values() for unit in reader.units.values() if unit.name}
+))))  # fmt: skip
+
+
+def unbroken(text: str) -> str:
+    r"""Return a text that no line breaks between a number and its unit.
+
+    >>> unbroken("5.0 mph, 3 oz lighter").split(" ")  # what a line may break
+    ['5.0\xa0mph,', '3\xa0oz', 'lighter']
+    """
+    return BEFORE_UNIT.sub("\N{NO-BREAK SPACE}", text)
+
 
 def told(document: Document) -> dict[str, Any]:
     """Return a document's title and its HTML for readers of either system; the server's own words, all escaped."""
     bare = replace(document, blocks=_without_pictures(document.blocks))
     return {
         "title": str(document.title),
-        "html": {system: fragment(bare, reader) for system, reader in SYSTEMS.items()},
+        "html": {system: unbroken(fragment(bare, reader)) for system, reader in SYSTEMS.items()},
     }
 
 

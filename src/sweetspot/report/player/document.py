@@ -25,6 +25,7 @@ from sweetspot.report.json_shapes import as_columns
 from sweetspot.report.player.goals import GOALS, goal_shown, goal_words
 from sweetspot.report.player.numbers import option_rows, player_json
 from sweetspot.report.player.pair_words import pairs_table
+from sweetspot.report.player.tried_bats import option_words
 from sweetspot.report.player.words import (
     PARAMETERS,
     answers,
@@ -100,7 +101,7 @@ def _bats(advice: Advice) -> Table:
     for option in advice.options:
         bat, body = option.candidate.bat, option.candidate.body
         rows.append([
-            option.candidate.label, body.mass, body.moi(bat.choke + STANDARD_AXIS), option.bat_speed.value,
+            option_words(option.candidate), body.mass, body.moi(bat.choke + STANDARD_AXIS), option.bat_speed.value,
             goal_shown(option.goal, advice.goal), goal_shown(option.change, advice.goal, sign=True), option.chance,
         ])  # fmt: skip
     return Table("", columns, rows)

@@ -26,6 +26,7 @@ from sweetspot.report.pictures.style import (
     styled,
 )
 from sweetspot.report.player.goals import GOALS, goal_words
+from sweetspot.report.player.tried_bats import option_words
 from sweetspot.report.player.words import changes
 from sweetspot.report.quantities import BLUE, GREEN, RED, SKY, US, Reader, Unit
 from sweetspot.report.sentences import Slot, say, within
@@ -40,7 +41,7 @@ NOTHING = 0.05
 def player_figure(posterior: Posterior, advice: Advice, *, player: str = "", reading: Reader = US) -> Figure:
     """Return the figure: expected goal against contact point, worth of single changes, bats tried."""
     worth = [(words.read(reading), advice.worth[key].gain) for key, words in changes().items()]
-    bats = [(option.candidate.label, option.change) for option in advice.options]
+    bats = [(option_words(option.candidate).read(reading), option.change) for option in advice.options]
     rows = len(worth), len(bats)
     height = HEADER + CURVE + 2 * BETWEEN + ROW * (sum(rows) + 1) + FOOTER
     figure = Figure(figsize=(WIDTH, height))

@@ -12,6 +12,7 @@ from sweetspot.player.posterior import Posterior
 from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Table
 from sweetspot.report.json_shapes import as_columns, cleaned
 from sweetspot.report.player.goals import GOALS, goal_words
+from sweetspot.report.player.tried_bats import option_words
 from sweetspot.report.sentences import Sentence, Slot, Words, say
 
 MEANS = (
@@ -86,7 +87,7 @@ def _better(advice: Advice, scale: str, digits: int | None) -> Words:
         return "none surely"
     law = "" if advice.posterior.learned["exponent"].told else " (law)"
     gain = Sentence((Slot(best.change.value, scale, digits, sign=True),))
-    return say("{label} {gain}{law}", label=best.candidate.label, gain=gain, law=law)
+    return say("{label} {gain}{law}", label=option_words(best.candidate), gain=gain, law=law)
 
 
 def best_option(advice: Advice) -> Option | None:

@@ -15,6 +15,7 @@ from sweetspot.player.swings import Swings
 from sweetspot.player.swung import swung_bats
 from sweetspot.report.player.goals import goal_shown, goal_words
 from sweetspot.report.player.pair_words import of_those_swung
+from sweetspot.report.player.tried_bats import option_words
 from sweetspot.report.sentences import Sentence, Slot, Words, joined, say, within
 from sweetspot.units import INCH, MPH, OUNCE
 
@@ -190,7 +191,7 @@ def _of_those_tried(others: Sequence[Option], advice: Advice) -> Words:
         "{lead}: {label} ({size}), {change}, better in {chance} of what {speaker}.",
         lead=("Best of those tried in the computer" if told else "Not by these swings but by what is usual, best")
         if sure else "Of those tried in the computer none is surely better; the likeliest gain is with",
-        label=best.candidate.label, size=_sizes(best), change=goal_shown(best.change, advice.goal, sign=True),
+        label=option_words(best.candidate), size=_sizes(best), change=goal_shown(best.change, advice.goal, sign=True),
         chance=Slot(best.chance, "share"), speaker=_speaker(advice),
     )  # fmt: skip
 
@@ -225,7 +226,7 @@ def _family(advice: Advice, family: str, nothing: Words) -> Sentence:
         return say("None could be tried.")
     listed = joined(
         [
-            say("{label} {change}", label=option.candidate.label,
+            say("{label} {change}", label=option_words(option.candidate),
                 change=goal_shown(option.change, advice.goal, sign=True))
             for option in sorted(options, key=lambda option: option.candidate.body.moi(0.0))
         ],
@@ -233,8 +234,8 @@ def _family(advice: Advice, family: str, nothing: Words) -> Sentence:
     )  # fmt: skip
     best = options[0]
     if _verdict(best.change) > 0:
-        label = best.candidate.label
-        return joined([f"{label[0].upper()}{label[1:]} is best{_by_law(advice)}.", listed + "."])
+        lead = say("Best is {label}{law}.", label=option_words(best.candidate), law=_by_law(advice))
+        return joined([lead, listed + "."])
     return joined([nothing, listed + "."])
 
 

@@ -1,6 +1,6 @@
 // Pieces that several views are made of: tables, paragraphs, sentences in either system of units, controls inside a list.
 
-import { INCH, MPH, toShown } from "./units.js";
+import { INCH, MPH, toShown, unitOf } from "./units.js";
 /** @import { Answer, App, State } from "./main.js" */
 
 /**
@@ -31,11 +31,28 @@ export function partOf(place, selector, kind) {
   throw new TypeError(`no ${kind.name} at ${selector}`);
 }
 
+// "11,300 ± 680 oz in²": a value with its interval, with no more digits than are known; alone where there is none.
+export function withDoubt(kind, value, half, app) {
+  const size = half ? Math.abs(toShown(kind, half, app.units)) : 0;
+  if (!size) return app.text(kind, value);
+  const places = 1 - Math.floor(Math.log10(size)), step = 10 ** places;
+  const shown = (number) => (Math.round(toShown(kind, number, app.units) * step) / step).toLocaleString("en-US", { minimumFractionDigits: Math.max(places, 0), maximumFractionDigits: Math.max(places, 0) });
+  return `${shown(value)} ± ${shown(half)} ${unitOf(kind, app.units)}`;
+}
+
+const BEFORE_UNIT = /(?<=\d) (?=[a-zµ°²%/]{1,4}\d?[²³]?(?:[\s,;)]|$))/gi;
+
+// A text in which number and unit stay on one line.
+export function unbroken(text) {
+  return String(text).replace(BEFORE_UNIT, "\u00a0");
+}
+
 // A table with a caption and row headers; a cell is a text, or { text, note, className }.
+// No line breaks a number from its unit.
 export function tableOf(caption, columns, rows) {
   const cell = (tag, given, number) => {
     const { text, note = "", className = "" } = typeof given === "object" && given !== null ? given : { text: given };
-    const made = make(tag, { textContent: text ?? "–", className: [number ? "number" : "", className].filter(Boolean).join(" ") });
+    const made = make(tag, { textContent: unbroken(text ?? "–"), className: [number ? "number" : "", className].filter(Boolean).join(" ") });
     if (note) made.append(make("small", { textContent: note }));
     return made;
   };

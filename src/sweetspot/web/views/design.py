@@ -9,6 +9,7 @@ from shlex import quote
 from typing import Any
 
 from sweetspot.analysis.certification.rules import Finding, check_rules, construction_findings, title
+from sweetspot.calibration.measured import REACH
 from sweetspot.catalog.files.write import bat_toml
 from sweetspot.design.answer import Designed
 from sweetspot.design.batter import FROM_TIP, fitted_player
@@ -19,11 +20,13 @@ from sweetspot.design.measures import MEASURES, Measured
 from sweetspot.design.outline_curve import HANDLES
 from sweetspot.design.variables import TurnedSpace
 from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import SweetspotError
 from sweetspot.motion.swing_law import TWO_SIDED_95
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.certification.numbers import check_json
 from sweetspot.report.design.document import BESIDE
@@ -64,6 +67,7 @@ def answer(state: DesignState) -> dict[str, Any]:
     measured = bench.measured(numbers)
     bat = space.made(numbers, f"{space.present.name}, designed")
     assert isinstance(bat, Bat)
+    body = rigid_body(beam_model(bat))
     return {
         "bat": bat_picture(state, reduced(state, ball_of(state))),
         "key": request.key,
@@ -76,7 +80,8 @@ def answer(state: DesignState) -> dict[str, Any]:
             for one, value in zip(space.variables, numbers.tolist(), strict=True)
         ],
         "design": {
-            **bat_json(bat.name, bat.length, rigid_body(beam_model(bat))), **outline(bat),
+            **bat_json(bat.name, bat.length, body), **outline(bat),
+            "moi_6in_half_kg_m2": REACH * moi_doubt(bat, body, STANDARD_AXIS),
             "stations": _handles(request, numbers),
         },
         "measures": [_beside(name, measured, request.now) for name in BESIDE if name in measured.values],

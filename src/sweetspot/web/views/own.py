@@ -15,8 +15,10 @@ from sweetspot.calibration.posterior import Posterior
 from sweetspot.calibration.unknowns import described as beam_of
 from sweetspot.catalog.rules import league
 from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
+from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.calibration.document import SCALE_OF, VALUES, WORDS, budget_words, contradictions
 from sweetspot.report.certification.numbers import check_json
@@ -49,7 +51,8 @@ def answer(state: OwnState) -> dict[str, Any]:
             **bat_json(own.name, own.length, rigid_body(beam_model(own))), **outline(own),
             "bounds": bounds(state, own),
         },
-        "fitted": bat_json(fitted.name, fitted.length, body),
+        "fitted": bat_json(fitted.name, fitted.length, body)
+        | {"moi_6in_half_kg_m2": REACH * moi_doubt(fitted, body, STANDARD_AXIS)},
         "guesses": _guesses(own),
         "expected": expected_tones(state),
         "values": [] if posterior is None else _values(posterior, damping_of(state)),

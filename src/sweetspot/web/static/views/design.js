@@ -6,7 +6,7 @@ import { Chart } from "../chart.js";
 import { button, choice, group, reveal, slider, toggle } from "../controls.js";
 import { download } from "../exports.js";
 import { Lights, stateOf } from "../lights.js";
-import { make, paragraphs, tableOf } from "../parts.js";
+import { make, paragraphs, tableOf, withDoubt } from "../parts.js";
 import { Front, WANTS } from "./design_front.js";
 /** @import { App, View } from "../main.js" */
 
@@ -248,7 +248,7 @@ export const view = {
     const design = answer.design;
     const gained = answer.own ? `Over these contacts the ball leaves ${change}${doubt}${seen}.` : "This is the present bat still, as smooth as its handles draw it: pull one, or let the search find better.";
     this.words.textContent = `${gained} ` +
-      `${app.text("mass_kg", design.mass_kg)}, balance ${app.text("balance_point_m", design.balance_point_m, 1)} from the knob, swing weight ${app.text("moi_kg_m2", design.moi_6in_kg_m2)}.`;
+      `${app.text("mass_kg", design.mass_kg)}, balance ${app.text("balance_point_m", design.balance_point_m, 1)} from the knob, swing weight ${withDoubt("moi_kg_m2", design.moi_6in_kg_m2, design.moi_6in_half_kg_m2, app)}.`;
     app.announce(this.words.textContent);
     this.picture.label(`The bat that is shaped, its handles, and dashed the present one. ${this.words.textContent} The bat's numbers change it by keyboard.`);
     this.chart.label(`Exit speed along the bat and what it gains on the present one. ${this.words.textContent}`);

@@ -5,7 +5,7 @@ import { Bench, unchanged } from "../bench.js";
 import { button, choice, group, slider } from "../controls.js";
 import { download } from "../exports.js";
 import { Lights, stateOf } from "../lights.js";
-import { make, paragraphs, tableOf } from "../parts.js";
+import { make, paragraphs, tableOf, withDoubt } from "../parts.js";
 import { TapPlace } from "./own_tap.js";
 /** @import { App, View } from "../main.js" */
 
@@ -158,7 +158,7 @@ export const view = {
   say({ fitted, values, contradictions, measurements }) {
     const { app } = this;
     const moi = values.find(({ name }) => name === "moi");
-    const swing = `${app.text("moi_kg_m2", fitted.moi_6in_kg_m2)}${moi ? ` ± ${app.text("moi_kg_m2", moi.half)}` : ""}`;
+    const swing = withDoubt("moi_kg_m2", fitted.moi_6in_kg_m2, moi?.half ?? fitted.moi_6in_half_kg_m2, app);
     const state = contradictions.us.length ? "The measurements contradict each other. " : measurements.length ? "The measurements agree. " : "As described, not measured: ";
     this.words.textContent = `${state}${app.text("mass_kg", fitted.mass_kg)}, balance ${app.text("balance_point_m", fitted.balance_point_m, 1)} from the knob, swing weight ${swing}.`;
     app.announce(this.words.textContent);
