@@ -202,6 +202,7 @@ def test_drawing_the_outline(opened: Page, answered: Answered) -> None:
     before, count = number(opened, "Weight"), answered(opened)
     opened.get_by_role("button", name="Whole bat").click()
     opened.locator("summary", has_text="Draw the outline").click()
+    expect(opened.locator(".stations tbody tr").first).to_be_visible()  # the page hears of an opened box a task later
     station = catalog.bat().profile[9]  # type: ignore[index]
     place = opened.evaluate(
         """([position, diameter]) => {
