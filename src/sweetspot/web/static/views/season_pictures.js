@@ -147,7 +147,7 @@ export class FieldMap {
     };
     const [home, ...ends] = [at(0, 0), fence[0], fence.at(-1)];
     for (const end of ends) stroke([home, end], colors.line, 1);
-    stroke(fence, colors.green, 3);
+    for (const [color, width] of [[colors.paper, 5], [colors.ink, 2.2]]) stroke(fence, color, width);
     for (const shown of app.units === "us" ? [200, 300, 400] : [60, 90, 120]) {
       const far = fromShown("distance", shown, app.units);
       context.setLineDash([3, 4]);
@@ -170,7 +170,7 @@ export class FieldMap {
   }
 
   paintLegend(context, { width, most, colors, at }) {
-    const words = at ? `${at.balls} ${at.balls === 1 ? "ball" : "balls"} about ${this.app.text("distance", at.far)} from home` : `1 to ${most} balls a box`;
+    const words = at ? `${at.balls} ${at.balls === 1 ? "ball" : "balls"} about ${this.app.text("distance", at.far)} from home` : most === 1 ? "one ball a box" : `1 to ${most} balls a box`;
     Object.assign(context, { font: `11px ${FONT}`, fillStyle: colors.muted, textAlign: "right", textBaseline: "alphabetic" });
     context.fillText(words, width - 12, 14);
     if (at) return;
