@@ -174,6 +174,20 @@ def test_words_numbers_and_files_that_the_page_makes(run: Callable[[str], Any]) 
     assert run("m.film.Film.prototype.where.call({ times: [0, 1, 3] }, 2)") == [1, 0.5]
 
 
+def test_a_drag_ends_once(run: Callable[[str], Any]) -> None:
+    """Whatever ends a later one: nothing of a drag listens any more when it is over."""
+    ends = run("""(() => {
+      const surface = new m.surface.Surface({}, { height: () => 1, paint() {} });
+      surface.element.setPointerCapture = () => {};
+      let ends = 0;
+      surface.drags(({ last }) => { if (last) ends += 1; });
+      for (const name of ["down", "up", "down", "up", "down", "cancel", "up", "cancel"])
+        surface.element.dispatchEvent(new PointerEvent(`pointer${name}`, { button: 0 }));
+      return ends;
+    })()""")
+    assert ends == 3
+
+
 def test_the_last_question_wins(run: Callable[[str], Any]) -> None:
     """While one is under way the others wait, and of those that wait only the latest is asked."""
     sent, drawn = run("""(() => {

@@ -13,7 +13,8 @@ import { WIDEST, paintBall, paintBat, paintMeeting, paintOutline, radiusAt } fro
 import table from "./quantities.js";
 import { FONT, Surface, haloText } from "./surface.js";
 import { text } from "./units.js";
-/** @import { App } from "./main.js" */
+/** @import { App, State } from "./main.js" */
+/** @import { Zoom } from "./zoom.js" */
 
 export { paintBat, radiusAt };
 
@@ -22,7 +23,15 @@ const ROW = 17, ROOM_BELOW = 30, HANDLE = 5;
 const NARROW = 500; // pixels per m below which there is no room for words under the bat
 
 export class BatView {
-  /** @param {App} app */
+  /**
+   * @param {App} app
+   * @param {object} look
+   * @param {(position: number, on: { last: boolean }) => void} [look.onBall]
+   * @param {(stations: { position_m: number, diameter_m: number }[], on: { last: boolean }) => void} [look.onStations]
+   * @param {(change: State, on: { last: boolean }) => void} [look.onGrip]
+   * @param {Zoom} [look.zoom]
+   * @param {string} [look.label]
+   */
   constructor(app, { onBall = null, onStations = null, onGrip = null, zoom = null, label = "The bat, drawn to scale" } = {}) {
     this.app = app;
     this.onBall = onBall;
@@ -33,7 +42,7 @@ export class BatView {
     this.data = null;
     this.held = null;
     this.grip = null;
-    this.surface = new Surface(app, { label, height: (width) => this.tall(width), paint: (...all) => this.paint(...all) });
+    this.surface = new Surface(app, { label, height: (width) => this.tall(width), paint: (context, width) => this.paint(context, width) });
     this.element = this.surface.element;
     if (zoom) zoom.listen(this.surface, (x) => this.along(x));
     if (onBall) this.listen();

@@ -24,21 +24,48 @@ import { Surface, FONT, haloText } from "./surface.js";
 import { kindOf, unitOf } from "./units.js";
 import { Zoom } from "./zoom.js";
 /** @import { App } from "./main.js" */
+/** @import { Span } from "./zoom.js" */
 
 export { between };
 export const LEFT = 46, RIGHT = 12;
 const HEAD = 22, FOOT = 34, GAP = 8;
 const ROWS = 24; // of the table
 
+/** @typedef {(number | null)[]} Values */
+/** @typedef {{ key: string, color: string, label?: string, name?: string, dash?: number[], width?: number, fill?: boolean, silent?: boolean, band?: string[] }} Curve */
+/** @typedef {{ title: string, kind: string, height: number, lines: Curve[], zero?: boolean, stacked?: boolean, empty?: number[], term?: string }} Panel */
+/** @typedef {{ kind: string, label: string, from?: () => number }} Axis */
+/** @typedef {{ at: number, color: string, label?: string }} Mark */
+/** @typedef {{ x: number, y: number | null, low?: number | null, high?: number | null, label?: string }} Measured */
+/**
+ * What a chart shows; xs are places of curves that have their own.
+ * @typedef {object} Shown
+ * @property {number[]} x
+ * @property {Record<string, number[]>} [xs]
+ * @property {Record<string, Values>} lines
+ * @property {Span} range
+ * @property {Span} [usual]
+ * @property {boolean} [fixed]
+ * @property {{ from: number, to: number }[]} [bands]
+ * @property {Mark[]} [marks]
+ * @property {Record<string, Measured[]>} [points]
+ * @property {number | null} [cursor]
+ */
+
 export class Chart {
-  /** @param {App} app */
+  /**
+   * @param {App} app
+   * @param {{ panels: Panel[], axis: Axis, label: string, onPick?: (x: number, on: { last: boolean }) => void, zoom?: Zoom }} look
+   */
   constructor(app, { panels, axis, label, onPick = null, zoom = null }) {
     this.app = app;
     this.panels = panels;
     this.axis = axis;
+    /** @type {Shown | null} */
     this.data = null;
+    /** @type {number | null} */
     this.hover = null;
-    this.surface = new Surface(app, { label, height: () => this.tall(), paint: (...all) => this.paint(...all) });
+    this.surface = new Surface(app, { label, height: () => this.tall(), paint: (context, width) => this.paint(context, width) });
     this.zoom = zoom ?? new Zoom({ onChange: () => this.surface.draw() });
     this.zoom.listen(this.surface, (x) => this.xAt(x));
     this.surface.hovers((at) => this.point(at));
@@ -52,6 +79,7 @@ export class Chart {
   }
 
   tall() { return this.panels.reduce((sum, panel) => sum + panel.height + HEAD + GAP, FOOT); }
+  /** @param {Shown} data */
   draw(data) {
     this.data = data;
     if (!this.zoom.shared) this.zoom.set(data.range, data.usual ?? null);

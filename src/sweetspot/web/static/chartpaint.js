@@ -2,6 +2,8 @@
 
 import { FONT, ticks } from "./surface.js";
 import { kindOf, toShown, unitOf } from "./units.js";
+/** @import { Axis } from "./chart.js" */
+/** @import { System } from "./units.js" */
 
 const EDGE = 12; // pixels beside the last place of an axis that its number may take
 
@@ -9,10 +11,20 @@ export function shownValues({ kind }, values, units) {
   return (values ?? []).map((value) => (value === null ? null : toShown(kind, value, units)));
 }
 
+/**
+ * @param {Axis} axis
+ * @param {number} x
+ * @param {System} units
+ * @returns {number}
+ */
 export function shownPlace({ kind, from }, x, units) {
   return toShown(kind, from ? from() - x : x, units);
 }
 
+/**
+ * @param {Axis} axis
+ * @param {System} units
+ */
 function axisWords({ kind, label }, units) {
   return [unitOf(kind, units), label].filter(Boolean).join(" ");
 }

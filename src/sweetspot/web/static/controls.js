@@ -91,7 +91,7 @@ export function slider(app, field, { label, step, empty = null, note = "", onInp
       const value = state[field] ?? (typeof empty === "function" ? empty() : empty);
       if (typeof value !== "number") return;
       const fine = stepShown();
-      if (document.activeElement !== range || Math.abs(Number(range.value) - shown(value)) > fine / 2) range.value = shown(value);
+      if (document.activeElement !== range || Math.abs(Number(range.value) - shown(value)) > fine / 2) range.value = String(shown(value));
       if (document.activeElement !== number || fault.hidden) number.value = String(Number(shown(value).toFixed(decimals(fine))));
       range.setAttribute("aria-valuetext", `${number.value} ${unit.textContent}`);
       box.classList.toggle("untouched", state[field] === null);

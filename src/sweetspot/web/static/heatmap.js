@@ -19,12 +19,17 @@ import { heat } from "./heat.js";
 import { Numbers, evenly } from "./numbers.js";
 import { FONT, Surface, haloText, ticks } from "./surface.js";
 import { fromShown, kindOf, toShown, unitOf } from "./units.js";
+/** @import { Axis, Values } from "./chart.js" */
 /** @import { App } from "./main.js" */
+/** @import { Span, Zoom } from "./zoom.js" */
 
 const HEAD = 22, FOOT = 34;
 
 export class HeatMap {
-  /** @param {App} app */
+  /**
+   * @param {App} app
+   * @param {{ label: string, title: string, height: number, x: Axis, y: Axis, z: { kind: string }, zoom?: Zoom, lines?: boolean, onPick?: (x: number, y: number, on: { last: boolean }) => void }} look
+   */
   constructor(app, { label, title, height, x, y, z, zoom = null, lines = true, onPick = null }) {
     this.app = app;
     this.title = title;
@@ -36,7 +41,7 @@ export class HeatMap {
     this.lines = lines;
     this.data = null;
     this.axis = x;
-    this.surface = new Surface(app, { label, height: () => HEAD + height + FOOT, paint: (...all) => this.paint(...all) });
+    this.surface = new Surface(app, { label, height: () => HEAD + height + FOOT, paint: (context, width) => this.paint(context, width) });
     this.element = this.surface.element;
     this.numbers = new Numbers("This map as a table", () => this.tabled());
     if (zoom) zoom.listen(this.surface, (pixel) => this.xAt(pixel));
@@ -50,6 +55,7 @@ export class HeatMap {
     this.surface.drags(({ x: across, y: down, last }) => this.data && onPick(this.xAt(across), this.yAt(down), { last }));
   }
 
+  /** @param {{ x: number[], y: number[], z: Values[], cross?: number[], outline?: number[][], range?: Span, heights?: Span }} data */
   draw(data) {
     this.data = data;
     this.surface.draw();

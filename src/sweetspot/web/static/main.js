@@ -41,6 +41,7 @@ import { posted } from "./post.js";
 import { Line } from "./socket.js";
 import { explain, listTerms } from "./terms.js";
 import { text } from "./units.js";
+/** @import { System } from "./units.js" */
 
 const facts = JSON.parse(document.getElementById("facts").textContent);
 const LONGEST_ADDRESS = 16000;
@@ -93,7 +94,7 @@ export class App {
     /** @type {Map<string, Entry>} */
     this.views = new Map(facts.views.map(({ name, title, schema }) => [
       name, { name, title, schema: fieldsOf(schema), bat: Object.keys(schema.$defs?.BatState?.properties ?? {}) }]));
-    /** @type {"us" | "si"} */
+    /** @type {System} */
     this.units = localStorage.getItem("units") === "si" ? "si" : "us";
     this.calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
     /** @type {Map<string, Control>} */

@@ -8,7 +8,10 @@
 export const FONT = "system-ui, 'DejaVu Sans', sans-serif";
 
 export class Surface {
-  /** @param {App} app */
+  /**
+   * @param {App} app
+   * @param {{ height: (width: number) => number, paint: (context: CanvasRenderingContext2D, width: number, height: number) => void, label?: string }} look
+   */
   constructor(app, { height, paint, label = "" }) {
     this.app = app;
     this.height = height;
@@ -19,6 +22,7 @@ export class Surface {
     this.width = 0;
     this.tall = 0;
     this.ratio = 0;
+    this.pressed = false;
     this.context = this.element.getContext("2d");
     new ResizeObserver(() => this.fit() && this.draw()).observe(this.element);
     this.element.addEventListener("pointerdown", () => (this.pressed = true)); // from now on the wheel is the picture's
@@ -59,6 +63,7 @@ export class Surface {
   }
 
   // Call onMove({x, y, first, last}) in the canvas' own coordinates while a pointer drags.
+  /** @param {(at: { x: number, y: number, first: boolean, last: boolean }) => unknown} onMove false: this is no drag */
   drags(onMove) {
     const place = (event) => {
       const box = this.element.getBoundingClientRect();
@@ -71,15 +76,18 @@ export class Surface {
       const move = (moved) => !(this.fingers?.size > 1) && onMove({ ...place(moved), first: false, last: false });
       const end = (ended) => {
         this.element.removeEventListener("pointermove", move);
+        this.element.removeEventListener("pointerup", end);
+        this.element.removeEventListener("pointercancel", end);
         onMove({ ...place(ended), first: false, last: true });
       };
       this.element.addEventListener("pointermove", move);
-      this.element.addEventListener("pointerup", end, { once: true });
-      this.element.addEventListener("pointercancel", end, { once: true });
+      this.element.addEventListener("pointerup", end);
+      this.element.addEventListener("pointercancel", end);
     });
   }
 
   // Call onHover({x, y}) while a pointer is over the picture and presses nothing, onHover(null) when it goes.
+  /** @param {(at: { x: number, y: number } | null) => void} onHover */
   hovers(onHover) {
     this.element.addEventListener("pointermove", (event) => {
       if (event.buttons === 0 && event.pointerType !== "touch") onHover({ x: event.offsetX, y: event.offsetY });
@@ -88,6 +96,7 @@ export class Surface {
   }
 
   // Call onPinch({x, factor}) while two fingers move apart (factor above 1) or together about x.
+  /** @param {(at: { x: number, factor: number }) => void} onPinch */
   pinches(onPinch) {
     this.fingers = new Map();
     const far = () => {
@@ -138,6 +147,11 @@ export function arrow(context, [fromX, fromY], [toX, toY], color, width = 2) {
 }
 
 // Ticks at 1, 2 or 5 times a power of ten, about `count` of them.
+/**
+ * @param {number} least
+ * @param {number} most
+ * @param {number} count
+ */
 export function ticks(least, most, count) {
   const span = most - least;
   if (!(span > 0)) return [least];
@@ -150,6 +164,14 @@ export function ticks(least, most, count) {
 }
 
 // Words with an outline in the colour of the paper, readable over lines.
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {string} words
+ * @param {number} x
+ * @param {number} y
+ * @param {string} ink
+ * @param {string} paper
+ */
 export function haloText(context, words, x, y, ink, paper) {
   context.lineJoin = "round";
   context.lineWidth = 3.5;

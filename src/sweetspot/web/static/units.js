@@ -9,7 +9,10 @@ export const [INCH, OUNCE, MPH] = ["length", "mass", "speed"].map((scale) => 1 /
 const NAMED = { seconds: "time", sting: "vibration" };
 const ENDINGS = Object.entries(endings).sort(([one], [other]) => other.length - one.length);
 
+/** @typedef {"us" | "si"} System */
+
 // How a name like pitch_speed_mph, or a scale of the table like distance, is shown.
+/** @param {string} name */
 export function kindOf(name) {
   const scale = scales[NAMED[name] ?? name];
   if (scale) return scale;
@@ -17,22 +20,42 @@ export function kindOf(name) {
   return ending ? ending[1] : scales.ratio;
 }
 
+/**
+ * @param {string} name
+ * @param {System} system
+ */
 export function unitOf(name, system) {
   return kindOf(name)[system].unit;
 }
 
 // A stored value as the number that is shown, and back.
+/**
+ * @param {string} name
+ * @param {number} value
+ * @param {System} system
+ */
 export function toShown(name, value, system) {
   const { scale, offset = 0 } = kindOf(name)[system];
   return value * scale + offset;
 }
 
+/**
+ * @param {string} name
+ * @param {number} shown
+ * @param {System} system
+ */
 export function fromShown(name, shown, system) {
   const { scale, offset = 0 } = kindOf(name)[system];
   return (shown - offset) / scale;
 }
 
 // "93.1 mph"; a dash where there is no number.
+/**
+ * @param {string} name
+ * @param {number | null | undefined} value
+ * @param {System} system
+ * @param {number} [digits]
+ */
 export function text(name, value, system, digits = kindOf(name)[system].digits) {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
   const { unit } = kindOf(name)[system];

@@ -9,11 +9,12 @@ import { fromShown, toShown, unitOf } from "./units.js";
 /** @import { App } from "./main.js" */
 
 const PER_OUNCE_INCH_SQUARED = 1 / table.scales.moi.us.scale; // kg m^2
-// Field of the answer: words, kind, first value in the answer's unit ("" where it may stay empty).
+// Field of the answer: words, kind, first value in the answer's unit (null where it may stay empty).
+/** @type {[string, string, string, number | null][]} */
 const NUMBERS = [
   ["length_in", "Length", "length_in", 33], ["mass_oz", "Weight", "mass_oz", 31],
-  ["balance_in", "Balance point from the knob, if measured", "balance_in", ""],
-  ["swing_weight_oz_in2", "Swing weight about the axis 6 in from the knob, if measured", "moi", ""],
+  ["balance_in", "Balance point from the knob, if measured", "balance_in", null],
+  ["swing_weight_oz_in2", "Swing weight about the axis 6 in from the knob, if measured", "moi", null],
 ];
 const WOODS = [["white-ash", "white ash"], ["sugar-maple", "sugar maple"], ["yellow-birch", "yellow birch"], ["hickory", "hickory"]];
 
@@ -37,7 +38,7 @@ export function wizard(app) {
   const name = make("input", { type: "text", value: "my bat", maxLength: 60 });
   const inner = (field, shown) => (field === "swing_weight_oz_in2" ? fromShown("x_kg_m2", shown, app.units) / PER_OUNCE_INCH_SQUARED : fromShown(field, shown, app.units));
   const numbers = NUMBERS.map(([field, words, kindOf, first]) => {
-    const input = make("input", { type: "number", step: "any", value: first === "" ? "" : String(Number(toShown(field, first, app.units).toFixed(1))) });
+    const input = make("input", { type: "number", step: "any", value: first === null ? "" : String(Number(toShown(field, first, app.units).toFixed(1))) });
     return { field, input, row: row(field, words, input, unitOf(kindOf, app.units)) };
   });
   const wood = row("material", "Wood", material);

@@ -7,14 +7,17 @@
 //   zoom.buttons()                        // an element with +, − and All
 
 import { button } from "./controls.js";
+/** @import { Surface } from "./surface.js" */
 
 const PER_NOTCH = 1.0015;
 
 /** @typedef {[number, number]} Span */
 
 export class Zoom {
-  // closest: the smallest part of everything that can be shown.
-  constructor({ onChange, closest = 0.02 }) {
+  // closest: the smallest part of everything that can be shown; shared: what all there is somebody else says than a chart.
+  /** @param {{ onChange: () => void, closest?: number, shared?: boolean }} options */
+  constructor({ onChange, closest = 0.02, shared = false }) {
+    this.shared = shared;
     this.onChange = onChange;
     this.closest = closest;
     /** @type {Span} */
@@ -27,6 +30,10 @@ export class Zoom {
 
   get range() { return this.own ?? this.usual ?? this.full; }
 
+  /**
+   * @param {Span} full
+   * @param {Span | null} usual
+   */
   set(full, usual = null) {
     const other = full[0] !== this.full[0] || full[1] !== this.full[1];
     Object.assign(this, { full, usual });
@@ -44,12 +51,17 @@ export class Zoom {
     return [start, start + span];
   }
 
+  /** @param {Span} range */
   show(range) {
     this.own = this.inside(range);
     this.onChange();
   }
 
   // Nearer (a factor below 1) or farther about a place, which stays where it is.
+  /**
+   * @param {number} place
+   * @param {number} factor
+   */
   about(place, factor) {
     const [low, high] = this.range;
     this.show([place - (place - low) * factor, place + (high - place) * factor]);
@@ -61,6 +73,10 @@ export class Zoom {
     this.onChange();
   }
 
+  /**
+   * @param {Surface} surface
+   * @param {(pixel: number) => number} placeAt
+   */
   listen(surface, placeAt) {
     const { element } = surface;
     element.addEventListener("wheel", (event) => {

@@ -18,7 +18,7 @@ export class RowsPicture {
     this.app = app;
     this.bats = [];
     this.longest = 1;
-    this.surface = new Surface(app, { height: (width) => Math.max(1, this.bats.length) * this.row(width), paint: (...all) => this.paint(...all) });
+    this.surface = new Surface(app, { height: (width) => Math.max(1, this.bats.length) * this.row(width), paint: (context, width) => this.paint(context, width) });
     this.element = this.surface.element;
   }
 
@@ -72,7 +72,7 @@ export class ChangePicture {
   constructor(app) {
     this.app = app;
     this.bats = [];
-    this.surface = new Surface(app, { height: () => HEAD + Math.max(1, this.bats.length - 1) * CHANGE_ROW + FOOT, paint: (...all) => this.paint(...all) });
+    this.surface = new Surface(app, { height: () => HEAD + Math.max(1, this.bats.length - 1) * CHANGE_ROW + FOOT, paint: (context, width, height) => this.paint(context, width, height) });
     this.element = this.surface.element;
   }
 

@@ -27,7 +27,7 @@ export class Front {
     this.begin = button("Find better", () => this.work.start(state()), { primary: true });
     this.halt = button("Stop", () => this.work.stop());
     this.on = button("Go on", () => this.work.goOn());
-    this.surface = new Surface(app, { height: () => TALL, paint: (...all) => this.paint(...all), label: "The front" });
+    this.surface = new Surface(app, { height: () => TALL, paint: (context, width) => this.paint(context, width), label: "The front" });
     this.surface.drags(({ x, y, first }) => first && this.pick(x, y));
     this.surface.element.style.cursor = "pointer";
     this.table = make("details", { className: "numbers" }, make("summary", { textContent: "These bats as a table, to take one" }));

@@ -53,8 +53,7 @@ export const view = {
 
   mount(root, app) {
     Object.assign(this, { app, root, map: null, told: null, warm: true });
-    this.zoom = new Zoom({ onChange: () => this.paint(), closest: 0.25 });
-    this.zoom.shared = true;
+    this.zoom = new Zoom({ onChange: () => this.paint(), closest: 0.25, shared: true });
     const onPick = (position, { last }) => this.moveBall(position, last);
     this.picture = new BatView(app, {
       zoom: this.zoom, onBall: onPick,
