@@ -41,7 +41,7 @@ def server() -> Iterator[str]:
         time.sleep(0.01)
     yield f"http://127.0.0.1:{opened.getsockname()[1]}"
     running.should_exit = True
-    thread.join(10)
+    thread.join(60)
 
 
 @pytest.fixture
@@ -52,12 +52,13 @@ def client(server: str) -> Iterator[httpx.Client]:
 
 
 @pytest.fixture(scope="session")
-def visitor(browser: Browser) -> BrowserContext:
-    """One visitor's browser, 1280 by 900, who has been here before; what it has fetched stays in its cache."""
+def visitor(browser: Browser, server: str) -> Iterator[BrowserContext]:
+    """One visitor's browser, 1280 by 900, who has been here before; leaves before the server stops."""
     context = browser.new_context(viewport={"width": 1280, "height": 900})
     context.set_default_timeout(PATIENCE)
     context.add_init_script("localStorage.setItem('guided', 'yes')")
-    return context
+    yield context
+    context.close()
 
 
 @pytest.fixture

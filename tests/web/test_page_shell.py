@@ -122,7 +122,7 @@ def test_a_lost_connection_is_shown_and_comes_back(page: Page, answered: Answere
     page.goto(f"http://127.0.0.1:{port}/explorer")
     count = answered(page)
     first.should_exit = True
-    thread.join(10)
+    thread.join(60)
     expect(page.locator("#status")).to_contain_text("connection to the server is lost")
     field(page, "pitch_speed_mph").fill("70")  # asked while nobody listens
     field(page, "pitch_speed_mph").press("Enter")
@@ -133,7 +133,7 @@ def test_a_lost_connection_is_shown_and_comes_back(page: Page, answered: Answere
     answered(page, count)
     assert field(page, "pitch_speed_mph").input_value() == "70"
     again.should_exit = True
-    thread.join(10)
+    thread.join(60)
 
 
 def test_nothing_comes_from_elsewhere(page: Page, server: str, settled: Callable[[Page], None]) -> None:
