@@ -5,8 +5,9 @@ from __future__ import annotations
 import asyncio
 import logging
 import os
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 import pydantic_core
@@ -41,6 +42,7 @@ class Answers:
 
     def __init__(self) -> None:
         self.prepared = False
+        self._closed = False
         self._pool = ThreadPoolExecutor(WORKERS, thread_name_prefix="answer")
 
     async def json(self, name: str, state: ViewState, aside: str = "") -> bytes:
@@ -62,12 +64,15 @@ class Answers:
             raise TooSlowError from None
 
     def prepare(self) -> None:
-        """Load the catalogue's lists and every kernel, or compile it, and keep the first answers."""
+        """Load the catalogue's lists and every kernel, or compile it, and keep the first answers; ends when closed."""
+        works: list[Callable[[], object]] = [load_lists]
+        works += [partial(answer_json, name, view.state()) for name, view in VIEWS.items()]  # also where one is kept
+        works += [partial(work_out, answer_json, (name,)) for name in VIEWS]
         try:
-            load_lists()
-            for name, view in VIEWS.items():
-                answer_json(name, view.state())  # loads the kernels, also where the answer is kept
-            work_out(answer_json, tuple(VIEWS))
+            for work in works:
+                if self._closed:
+                    return
+                work()
         except Exception:
             logging.getLogger("sweetspot.web").exception("preparing the first answers")
         finally:
@@ -75,6 +80,7 @@ class Answers:
 
     def close(self) -> None:
         """Stop taking work."""
+        self._closed = True
         self._pool.shutdown(wait=False, cancel_futures=True)
 
 

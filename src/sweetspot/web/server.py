@@ -30,6 +30,8 @@ from sweetspot.web.views import VIEWS
 LOCAL_NAMES = ("localhost", "testserver")
 API = "/api/v1"
 NOT_FOUND = 404
+LAST_WORK = 10.0
+"""s that a server which ends waits for what it was still preparing."""
 _BROKEN = "this question breaks the program; the fault is not yours. Please report it with the question"
 _NO_PAGE = "there is no page {}"
 _LOST = (
@@ -50,11 +52,13 @@ def create_app(*, names: Iterable[str] = ()) -> FastAPI:
 
     @asynccontextmanager
     async def life(_: FastAPI) -> AsyncIterator[None]:
-        threading.Thread(target=answers.prepare, daemon=True, name="prepare").start()
+        preparing = threading.Thread(target=answers.prepare, daemon=True, name="prepare")
+        preparing.start()
         yield
         answers.close()
         jobs.close()
         UPLOADS.close()
+        preparing.join(LAST_WORK)  # cut off inside the compiler it would end the process with a fault of its own
 
     app = FastAPI(
         title="sweetspot",
