@@ -26,3 +26,18 @@ export function whereTo(what) {
   const own = ["localhost", "127.0.0.1", "[::1]"].includes(location.hostname);
   return own ? `${what} goes to the program on this machine that shows this page, and nowhere else.` : `${what} goes to the server at ${location.hostname}, which shows this page, and nowhere else.`;
 }
+
+/**
+ * Files of a kind that are dropped anywhere on the view; others are left to whoever listens besides.
+ * @param {HTMLElement} root @param {RegExp} kind of their names @param {AbortSignal} signal @param {(files: File[]) => void} take
+ */
+export function takeDrops(root, kind, signal, take) {
+  root.addEventListener("drop", (event) => {
+    const files = [...event.dataTransfer.files].filter(({ name }) => kind.test(name));
+    if (!files.length) return;
+    event.preventDefault();
+    event.stopPropagation();
+    root.classList.remove("drop");
+    take(files);
+  }, { capture: true, signal });
+}

@@ -6,6 +6,7 @@ import { button, choice, group, slider } from "../controls.js";
 import { download } from "../exports.js";
 import { Lights, stateOf } from "../lights.js";
 import { make, paragraphs, tableOf, withDoubt } from "../parts.js";
+import { takeDrops } from "../upload.js";
 import { TapPlace } from "./own_tap.js";
 /** @import { App, View } from "../main.js" */
 
@@ -40,14 +41,7 @@ export const view = {
     root.append(this.side(app), make("div", { className: "stack" },
       make("section", { className: "picture" }, this.words, this.picture.element, this.against, this.residuals, this.tools(app), this.said),
       section("Tap it", this.tap.element), section("How sure", this.values, this.doubt, this.rules.element)));
-    root.addEventListener("drop", (event) => {
-      const sounds = [...event.dataTransfer.files].filter(({ name }) => SOUND.test(name));
-      if (!sounds.length) return;
-      event.preventDefault();
-      event.stopPropagation();
-      root.classList.remove("drop");
-      this.tap.add(sounds);
-    }, { capture: true, signal: app.signal });
+    takeDrops(root, SOUND, app.signal, (sounds) => this.tap.add(sounds));
   },
 
   /** @param {App} app */

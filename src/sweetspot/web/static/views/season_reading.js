@@ -3,7 +3,7 @@
 import { button } from "../controls.js";
 import { longWork } from "../longwork.js";
 import { make } from "../parts.js";
-import { upload, whereTo } from "../upload.js";
+import { takeDrops, upload, whereTo } from "../upload.js";
 /** @import { App } from "../main.js" */
 
 const TABLES = /\.(csv|tsv|txt|gz|parquet)$/i;
@@ -36,20 +36,9 @@ export class Reading {
       make("p", { className: "note", textContent: whereTo("A table") }));
     this.element = make("div", {}, make("div", { className: "row" }, ...this.first, this.again, this.halt, this.on, this.bar), this.words, this.fault);
     for (const field of ["season", "uploads"]) app.control({ field, sync: () => {}, fault: (message) => this.say(message) });
-    this.listen(document.getElementById("view"), app.signal);
+    takeDrops(document.getElementById("view"), TABLES, app.signal, (tables) => this.hand(tables));
     app.signal.addEventListener("abort", () => this.going?.abort());
     this.work.watch(app.signal, () => this.update());
-  }
-
-  listen(root, signal) {
-    root.addEventListener("drop", (event) => {
-      const tables = [...event.dataTransfer.files].filter(({ name }) => TABLES.test(name));
-      if (!tables.length) return;
-      event.preventDefault();
-      event.stopPropagation();
-      root.classList.remove("drop");
-      this.hand(tables);
-    }, { capture: true, signal });
   }
 
   say(words) {
