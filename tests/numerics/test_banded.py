@@ -6,18 +6,19 @@ import numpy as np
 import scipy.linalg
 
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.banded import WIDTH, empty_band, lowest_pairs
+from sweetspot.numerics.banded import WIDTH, lowest_pairs
 from sweetspot.numerics.eigen import lowest
 
 
 def banded(matrix: Array) -> tuple[Array, Array]:
     """Return a dense symmetric matrix as the kernel keeps it."""
-    band = empty_band(len(matrix))
-    band.diagonal[: len(matrix)] = np.diag(matrix)
+    size = len(matrix) + WIDTH
+    diagonal, below = np.zeros(size), np.zeros((size, WIDTH))
+    diagonal[: len(matrix)] = np.diag(matrix)
     for k in range(WIDTH):
         row = np.diag(matrix, -k - 1)
-        band.below[: len(row), k] = row
-    return band.diagonal, band.below
+        below[: len(row), k] = row
+    return diagonal, below
 
 
 def chain(size: int, held: bool) -> Array:

@@ -9,8 +9,6 @@ of two banded solves, every new vector made orthogonal to all before. Nothing is
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 
 from sweetspot.numerics.arrays import Array, IntArray
@@ -23,18 +21,6 @@ FIRST_STEPS, MORE_STEPS, MOST_STEPS = 36, 8, 120
 NEAR = 1e-11
 """Part of the largest eigenvalue of the inverse that the residual of every wanted pair must lie below."""
 QL_ROUNDS = 60
-
-
-class Band(NamedTuple):
-    """A symmetric banded matrix: its diagonal, shape (n + WIDTH,), and what is below it, shape (n + WIDTH, WIDTH)."""
-
-    diagonal: Array
-    below: Array
-
-
-def empty_band(size: int) -> Band:
-    """Return a matrix of zeros with ``size`` rows."""
-    return Band(np.zeros(size + WIDTH), np.zeros((size + WIDTH, WIDTH)))
 
 
 @compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")

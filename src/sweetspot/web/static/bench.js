@@ -4,6 +4,7 @@
 //   side.append(this.bench.element, swingGroup(app), ballGroup(app));
 //   this.bench.update(answer);                  // after every answer that has a bat
 
+import { checked, textOf } from "./batfile.js";
 import { button, choice, group, reveal, slider } from "./controls.js";
 import { partOf } from "./parts.js";
 import { posted } from "./post.js";
@@ -11,7 +12,6 @@ import { INCH, OUNCE } from "./units.js";
 /** @import { App, State } from "./main.js" */
 /** @import { Desk } from "./controls.js" */
 
-const LONGEST_TOML = 20000;
 const OWN = "own file";
 export const UNCHANGED = ["bat_toml", "profile_in", "mass_oz", "wall_factor", "bore_diameter_in", "cup_diameter_in", "weight_oz", "choke_up_in"];
 export const FILLS = [["nothing", "nothing"], ["cork", "cork"], ["rubber", "rubber"], ["polyurethane-foam", "polyurethane foam"]];
@@ -159,17 +159,17 @@ class OwnBat {
 
   async read(file) {
     if (!file) return;
-    if (file.size > LONGEST_TOML) {
-      this.fault(`${file.name} has ${file.size} bytes; a bat file has a few lines, at most ${LONGEST_TOML}.`);
-      return;
+    try {
+      this.take(await textOf(file));
+    } catch (fault) {
+      this.fault(fault.message);
     }
-    this.take(await file.text());
   }
 
   async take(text) {
     this.text.value = text;
     try {
-      await posted("/api/v1/bat", { toml: text });
+      await checked(text);
     } catch (fault) {
       this.fault(fault.message);
       return;

@@ -1,13 +1,12 @@
 // The bats beside the first one: each chosen from the catalogue or a file, each changed as a workshop would.
 
+import { checked, textOf } from "../batfile.js";
 import { batChoice, unchanged, workshop } from "../bench.js";
 import { button } from "../controls.js";
 import { make, scoped } from "../parts.js";
-import { posted } from "../post.js";
 /** @import { App, State } from "../main.js" */
 
 const MOST = 3;
-const LONGEST_TOML = 20000;
 const FIRST_CHOICES = ["corked-r161", "russell-b6", "youth-30", "composite"];
 
 export class Slots {
@@ -67,18 +66,13 @@ export class Slots {
     const file = input.files[0];
     if (!file) return;
     const say = (message) => this.app.controls.get(`others.${index}.bat`).fault(message);
-    if (file.size > LONGEST_TOML) {
-      say(`${file.name} has ${file.size} bytes; a bat file has a few lines, at most ${LONGEST_TOML}.`);
-      return;
-    }
-    const text = await file.text();
-    input.value = ""; // so that the same file, mended, can be chosen again
     try {
-      await posted("/api/v1/bat", { toml: text });
+      const text = await textOf(file);
+      await checked(text);
+      one.setState({ ...unchanged(one), bat_toml: text });
     } catch (fault) {
       say(fault.message);
-      return;
     }
-    one.setState({ ...unchanged(one), bat_toml: text });
+    input.value = ""; // so that the same file, mended, can be chosen again
   }
 }

@@ -6,15 +6,17 @@ import { group, slider, toggle } from "../controls.js";
 import { Film, LEAD } from "../film.js";
 import { paintEnd, paintSide, sideHeight } from "../filmscene.js";
 import { Ledger } from "../ledger.js";
+import { factList } from "../parts.js";
 import { Surface } from "../surface.js";
 import { Transport } from "../transport.js";
 /** @import { View } from "../main.js" */
+/** @import { Fact } from "../parts.js" */
 
 const PANELS = [
   { title: "Force on the ball", kind: "force_n", height: 84, zero: true, lines: [{ key: "force_n", color: "red", fill: true }] },
   { title: "Speed of the bat under the top hand", kind: "hand_velocity_m_s", height: 84, lines: [{ key: "hand", color: "purple" }] },
 ];
-/** @type {[string, (answer: any) => [string, number | null]][]} */
+/** @type {Fact[]} */
 const FACTS = [
   ["Exit speed", (a) => ["exit_speed_m_s", a.hit.exit_speed_m_s]],
   ["Push over, below 1 % of its peak", (a) => ["contact_time_s", a.hit.contact_time_s]],
@@ -56,8 +58,7 @@ export const view = {
       field: "moment_ms", onMoment: () => this.paint(), describe: (moment) => this.describe(moment),
     });
     this.words = Object.assign(document.createElement("p"), { className: "verdict flow", id: "verdict" });
-    this.facts = Object.assign(document.createElement("dl"), { className: "facts" });
-    this.values = FACTS.map(([name]) => fact(this.facts, name));
+    this.facts = factList(FACTS, app);
     root.append(this.controls(), this.pictures());
     this.transport.keys(root);
   },
@@ -70,7 +71,7 @@ export const view = {
     times.append(this.chart.element, this.ledger.chart.element);
     pair.append(this.end.element, times);
     this.side.element.classList.add("pinned");
-    picture.append(this.words, this.side.element, this.transport.element, pair, this.ledger.element, this.facts);
+    picture.append(this.words, this.side.element, this.transport.element, pair, this.ledger.element, this.facts.element);
     return picture;
   },
 
@@ -100,7 +101,7 @@ export const view = {
       this.series = this.film.series();
     }
     this.state = state;
-    FACTS.forEach(([, value], i) => (this.values[i].textContent = this.app.text(...value(answer))));
+    this.facts.fill(answer);
     this.ledger.set(this.film, this.series);
     this.transport.set({ from: -LEAD, to: this.film.end, frames: this.film.times, slowness: state.slowness });
     this.bench.update(answer);
@@ -192,11 +193,3 @@ export const view = {
     };
   },
 };
-
-function fact(list, name) {
-  const [box, term, value] = ["div", "dt", "dd"].map((tag) => document.createElement(tag));
-  term.textContent = name;
-  box.append(term, value);
-  list.append(box);
-  return value;
-}
