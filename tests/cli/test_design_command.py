@@ -59,7 +59,7 @@ def test_a_hollow_bat_by_the_same_command(run_json: RunJson) -> None:
     ("arguments", "fault"),
     [
         (
-            ("--mass", "26oz:27oz", "--moi", "12000oz*in^2:", "--keep", "nothing"),
+            ("--mass", "26oz:27oz", "--moi", "12000oz*in^2:", "--keep", "nothing", "--league", "nobody"),
             "exclude each other: mass from 26.00 oz",
         ),
         (("--mass", "31oz"), "give a band LOW:HIGH"),

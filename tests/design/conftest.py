@@ -10,11 +10,14 @@ from sweetspot import catalog
 from sweetspot.catalog.rules import league
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.catalog.swing_laws import swing_law
+from sweetspot.design.answer import starts_of
 from sweetspot.design.batter import Batter, normal_contact
+from sweetspot.design.fronts import Question
 from sweetspot.design.gain import present_measured
 from sweetspot.design.limits import Limit, band, lathe_limits, league_limits
 from sweetspot.design.measures import Bench, bench_of
 from sweetspot.design.variables import turned_space
+from sweetspot.numerics.arrays import Array
 from sweetspot.units import INCH
 
 
@@ -37,6 +40,12 @@ def limits(bench: Bench) -> tuple[Limit, ...]:
         *league_limits(league("mlb"), catalog.bat("mlb-a")), *lathe_limits(),
         Limit("handle", 0.999 * float(now["handle"][0]), None, "breaking"),
     )  # fmt: skip
+
+
+@pytest.fixture(scope="session")
+def inside_starts(bench: Bench, limits: tuple[Limit, ...]) -> Array:
+    """Bats that a search begins with for who meets the ball 8 in from the tip: one that may be, and the fastest."""
+    return starts_of(met_at(bench, 8.0), Question(("exit_speed",), limits))
 
 
 def met_at(bench: Bench, inches: float) -> Bench:

@@ -3,20 +3,23 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from sweetspot.analysis.certification.rules import Verdict
 from sweetspot.catalog.rules import league
-from sweetspot.design.answer import Designed, designed, told
+from sweetspot.design.answer import Designed, told
 from sweetspot.design.batter import FROM_TIP
-from sweetspot.design.fronts import Question
-from sweetspot.design.gain import gain_of, present_measured
+from sweetspot.design.fronts import Question, search
+from sweetspot.design.gain import CLEARLY, PAIR, gain_of, present_measured
+from sweetspot.design.gain import Verdict as GainVerdict
 from sweetspot.design.limits import Limit
 from sweetspot.design.measures import Bench
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
+from sweetspot.numerics.arrays import Array
 from sweetspot.report.design.document import design_document
 from sweetspot.report.quantities import US
 from sweetspot.report.sentences import read
@@ -26,23 +29,36 @@ from tests.report.told import LEFT_OVER, text_of, unknown_numbers
 
 
 @pytest.fixture(scope="module")
-def design(bench: Bench, limits: tuple[Limit, ...]) -> Designed:
+def design(bench: Bench, limits: tuple[Limit, ...], inside_starts: Array) -> Designed:
     there = met_at(bench, 8.0)
     question = Question(("exit_speed", "zone"), limits, population=12, generations=1)
-    return told(there, question, designed(there, question), pick=1, league=league("mlb"))
+    return told(there, question, search(there, question, starts=inside_starts), pick=1, league=league("mlb"))
 
 
 def test_the_present_bat_gains_nothing_over_itself(bench: Bench) -> None:
     now = present_measured(bench)
     gain = gain_of(bench, bench.space.start, now, now)
     assert gain.expected == pytest.approx(0.0, abs=1e-12)
-    assert not gain.seen
+    assert gain.verdict is GainVerdict.HIDDEN and gain.odds == pytest.approx(0.5, abs=1e-9)
     assert gain.doubt > 0.2  # m/s: wood alone
+
+
+def test_a_gain_is_seen_only_where_its_interval_clearly_leaves_zero_out(bench: Bench) -> None:
+    """At 95 % by a hair it is likely, no more; two bats of a shipment scatter at least as a grading service says."""
+    now = present_measured(bench)
+    none = gain_of(bench, bench.space.start, now, now)
+    assert none.pieces == pytest.approx(PAIR) and none.pieces > none.wood > 0
+    said = {part: replace(none, expected=part * none.spread) for part in (-2.0, -1.5, 1.2, 1.3, 1.97, 2.57, 2.6)}
+    assert [one.verdict for one in said.values()] == [
+        GainVerdict.LOSS, GainVerdict.HIDDEN, GainVerdict.HIDDEN, *[GainVerdict.LIKELY] * 3, GainVerdict.SEEN
+    ]  # fmt: skip
+    assert replace(none, expected=CLEARLY * none.spread).odds == pytest.approx(0.995, abs=1e-5)
+    assert said[1.97].expected > said[1.97].doubt  # its 95 % interval is above zero, and yet only likely
 
 
 def test_a_torpedo_for_who_meets_the_ball_inside(design: Designed) -> None:
     gain = design.gain
-    assert gain.seen and gain.shift > 0.3 * INCH
+    assert gain.verdict is GainVerdict.SEEN and gain.odds > 0.995 and gain.shift > 0.3 * INCH
     assert gain.at(2 * INCH) < 0 < gain.at(8 * INCH)
     assert gain.turning_place is not None and 4 * INCH < gain.turning_place < 7 * INCH
     assert gain.by_weight < gain.wood
@@ -85,7 +101,7 @@ def test_sentences_are_the_numbers_beside_them(design: Designed) -> None:
     assert ("towards the hands" in text.split(";")[0]) == (gain.shift > 0)
     assert (" wider." in text) == (gain.wider >= 0)
     assert (" faster on average" in text) == (gain.expected >= 0)
-    assert ("a gain that you could see" in text and "no gain that" not in text) == gain.seen
+    assert ("a gain that you could see" in text and "no gain that" not in text) == (gain.verdict is GainVerdict.SEEN)
     late = re.search(r"Time to contact changes by ([-+\d.]+) ms \(([-+\d.]+) to ([-+\d.]+) ms\)", text)
     assert late is not None and float(late[2]) <= float(late[1]) <= float(late[3])
     assert (float(late[1]) < 0) == (gain.time < 0)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
+from enum import StrEnum
 
 import numpy as np
 
@@ -20,8 +22,21 @@ DENSITY_SPREAD, MODULUS_SPREAD = 0.05, 0.08
 """Standard deviations of wood of one species, as parts: of density, and of the moduli at one density (assumed)."""
 SHIPMENT = 2 * MPH
 """m/s by which the best and the worst of a dozen bats of one model differ, as a grading service reports (recalled)."""
+PAIR = math.sqrt(2) * SHIPMENT / 3.258
+"""m/s, standard deviation between two of them: the range of twelve normal draws is 3.258 of theirs on average."""
+CLEARLY, LIKELY = 2.5758, 1.2816
+"""Standard deviations above which a gain is seen, and likely: 995 and 90 in 100 of a normal doubt lie below."""
 TOWARDS_END = 2 * INCH
 """m from the tip, where it is told what a design costs who meets the ball there."""
+
+
+class Verdict(StrEnum):
+    """What of a gain can be said, beside what could hide it."""
+
+    SEEN = "a gain that you could see"
+    LIKELY = "likely a gain, yet too small to be told from two bats"
+    HIDDEN = "no gain that you could see"
+    LOSS = "a loss"
 
 
 @dataclass(frozen=True)
@@ -55,14 +70,35 @@ class Gain:
     time: float
 
     @property
-    def doubt(self) -> float:
-        """Half of the 95 % interval of ``expected``, m/s."""
-        return float(TWO_SIDED_95 * np.sqrt(self.wood**2 + self.law**2 + self.contact**2))
+    def pieces(self) -> float:
+        """Standard deviation between two bats of wood, m/s: the model's, or that of a shipment where it is larger."""
+        return max(self.wood, PAIR) if self.wood else 0.0
 
     @property
-    def seen(self) -> bool:
-        """Whether the batter could see the gain: it is beyond what wood, swing and contact scatter."""
-        return self.expected > self.doubt
+    def spread(self) -> float:
+        """Standard deviation of ``expected``, m/s."""
+        return math.hypot(self.pieces, self.law, self.contact)
+
+    @property
+    def doubt(self) -> float:
+        """Half of the 95 % interval of ``expected``, m/s."""
+        return TWO_SIDED_95 * self.spread
+
+    @property
+    def odds(self) -> float:
+        """Probability that the design is the faster one of two such bats in this batter's hands."""
+        if self.spread == 0:
+            return 0.5 if self.expected == 0 else float(self.expected > 0)
+        return 0.5 * (1 + math.erf(self.expected / self.spread / math.sqrt(2)))
+
+    @property
+    def verdict(self) -> Verdict:
+        """What of the gain can be said: seen only where the interval clearly leaves zero out."""
+        if self.expected > CLEARLY * self.spread:
+            return Verdict.SEEN
+        if self.expected > LIKELY * self.spread:
+            return Verdict.LIKELY
+        return Verdict.LOSS if self.expected < -self.doubt else Verdict.HIDDEN
 
     @property
     def turning_place(self) -> float | None:
@@ -131,6 +167,8 @@ def _sizes(bench: Bench) -> dict[str, Array]:
             "diameter": np.array([wide]), "handle": np.array([float(present.diameter_at(grip).min())]),
             "cup_depth": np.array([0.0 if present.cup is None else present.cup.depth]),
         }  # fmt: skip
+    if isinstance(bench.space, TurnedSpace):
+        found["density"] = bench.space.parts(bench.space.start[None])[2]
     return found
 
 

@@ -72,6 +72,7 @@ MEASURES: Mapping[str, Measure] = {
     "slope": Measure("steepest slope of the outline", "ratio", 0, 1e-3),
     "bend": Measure("sharpest bend of the outline, per metre", "ratio", 0, 1e-2),
     "waist": Measure("waist between two swellings", "length", 0, 1e-4),
+    "density": Measure("density of the wood, over its species' mean", "ratio", 0, 0.002),
     "bbcor": Measure("greatest BBCOR, in the test", "ratio", 0, 5e-4, True),
     "drop": Measure("drop: inches less ounces", "ratio", 0, 0.005),
     "frequency": Measure("first bending frequency", "frequency", 0, 0.5, True),

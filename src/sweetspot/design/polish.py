@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from sweetspot.design.fronts import Question, measured_rows
+from sweetspot.design.fronts import Question
 from sweetspot.design.limits import Limit
 from sweetspot.design.measures import MEASURES, Bench, Measured
 from sweetspot.errors import InputError
@@ -36,31 +36,30 @@ def polished(bench: Bench, question: Question, numbers: Array) -> tuple[Array, M
     from scipy.optimize import minimize
 
     low, high = _ends(bench)
-    begin = bench.measured(numbers)
     want, sign = question.wants[0], MEASURES[question.wants[0]].better
     size = 100 * MEASURES[want].grain
-    cached: dict[bytes, tuple[Measured, Array]] = {}
-    best = [(*_ranks(question.limits, begin, want, sign)[0], numbers)]
+    cached: dict[bytes, tuple[Array, Array]] = {}
+    tried, ranks = [numbers[None]], [_ranks(_rows(question.limits, bench.measured(numbers), want), sign)]
 
-    def looked(parts: Array) -> tuple[Measured, Array]:
+    def looked(parts: Array) -> tuple[Array, Array]:
         key = parts.tobytes()
         if key not in cached:
             if len(cached) == LOOKS:
                 raise StopIteration
             here = low + np.clip(parts, 0, 1) * (high - low)
             cached[key] = _with_slopes(bench, here, question.limits, want)
-            seen = cached[key][0]
-            best.append((*_ranks(question.limits, seen, want, sign)[0], here))
+            tried.append(here[None])
+            ranks.append(_ranks(cached[key][0][:, None], sign))
         return cached[key]
 
     def value(parts: Array) -> float:
-        return float(-sign * looked(parts)[0].values[want][0] / size)
+        return float(-sign * looked(parts)[0][0] / size)
 
     def slope(parts: Array) -> Array:
         return np.asarray(-sign * looked(parts)[1][0] / size)
 
     def kept(parts: Array) -> Array:
-        return -(_margins(question.limits, looked(parts)[0])[:, 0] + INSIDE) / 100
+        return -(looked(parts)[0][1:] + INSIDE) / 100
 
     def kept_slope(parts: Array) -> Array:
         return -looked(parts)[1][1:] / 100
@@ -70,22 +69,27 @@ def polished(bench: Bench, question: Question, numbers: Array) -> tuple[Array, M
     with suppress(StopIteration):
         minimize(
             value, start, jac=slope, method="SLSQP", bounds=[(0.0, 1.0)] * len(start), constraints=limits,
-            options={"maxiter": ROUNDS, "ftol": 1e-5},
+            options={"maxiter": ROUNDS, "ftol": 1e-4},
         )  # fmt: skip
-    nearly = sorted((one for one in best if one[0] > -NEARLY), key=lambda one: one[1])[-WAYS:]
-    for _, _, end in nearly:
-        every = numbers + np.linspace(0, 1, POINTS)[1:, None] * (end - numbers)
-        ranks = _ranks(question.limits, bench.measured(every), want, sign)
-        best += [(*rank, here) for rank, here in zip(ranks, every, strict=True)]
-    first = max(best, key=lambda one: one[:2])[2]
+    every, rank = np.concatenate(tried), np.concatenate(ranks)
+    nearly = every[rank[:, 0] > -NEARLY][np.argsort(rank[rank[:, 0] > -NEARLY, 1])[-WAYS:]]
+    if len(nearly):
+        between = numbers + np.linspace(0, 1, POINTS)[1:, None, None] * (nearly - numbers)
+        back = between.reshape(-1, len(numbers))
+        every = np.concatenate([every, back])
+        rank = np.concatenate([rank, _ranks(_rows(question.limits, bench.measured(back), want), sign)])
+    first = every[np.lexsort((rank[:, 1], rank[:, 0]))[-1]]
     return first, bench.measured(first)
 
 
-def _ranks(limits: Sequence[Limit], measured: Measured, want: str, sign: int) -> list[tuple[float, float]]:
-    """Return what is compared first and second of every bat: how far limits are missed, and the want."""
-    wanted = sign * measured.values[want]
-    missed = np.maximum(_margins(limits, measured), 0.0).sum(axis=0) if limits else np.zeros_like(wanted)
-    return list(zip((-missed).tolist(), wanted.tolist(), strict=True))
+def _rows(limits: Sequence[Limit], measured: Measured, want: str) -> Array:
+    """Return the want, and below it by how many grains every limit is missed, shape (1 + limits, n)."""
+    return np.vstack([measured.values[want][None], _margins(limits, measured)])
+
+
+def _ranks(rows: Array, sign: int) -> Array:
+    """Return what is compared first and second of bats: how far limits are missed, and the want, shape (n, 2)."""
+    return np.stack([-np.maximum(rows[1:], 0.0).sum(axis=0), sign * rows[0]], axis=1)
 
 
 def gradient(bench: Bench, numbers: Array, measure: str, *, step: float = STEP) -> Array:
@@ -104,13 +108,12 @@ def gradient(bench: Bench, numbers: Array, measure: str, *, step: float = STEP) 
     return np.asarray((values[:count] - values[count:]) / (2 * step * (high - low)))
 
 
-def _with_slopes(bench: Bench, numbers: Array, limits: Sequence[Limit], want: str) -> tuple[Measured, Array]:
-    """Return a bat measured, and slopes of the want and of every limit's excess by the parts of the ranges."""
+def _with_slopes(bench: Bench, numbers: Array, limits: Sequence[Limit], want: str) -> tuple[Array, Array]:
+    """Return the want and every limit's excess of a bat, and their slopes by the parts of the ranges."""
     count = len(numbers)
     every = bench.measured(np.concatenate([numbers[None], _either_side(numbers, *_ends(bench), STEP)]))
-    rows = np.vstack([every.values[want][None], _margins(limits, every)]) if limits else every.values[want][None]
-    slopes = (rows[:, 1 : count + 1] - rows[:, count + 1 :]) / (2 * STEP)
-    return measured_rows(every, [0]), slopes
+    rows = _rows(limits, every, want)
+    return rows[:, 0], (rows[:, 1 : count + 1] - rows[:, count + 1 :]) / (2 * STEP)
 
 
 def _either_side(numbers: Array, low: Array, high: Array, step: float) -> Array:
@@ -126,7 +129,9 @@ def _either_side(numbers: Array, low: Array, high: Array, step: float) -> Array:
 
 
 def _margins(limits: Sequence[Limit], measured: Measured) -> Array:
-    return np.array([limit.excess(measured.values[limit.measure]) for limit in limits]).reshape(len(limits), -1)
+    return np.array([limit.excess(measured.values[limit.measure]) for limit in limits]).reshape(
+        len(limits), len(measured)
+    )
 
 
 def _ends(bench: Bench) -> tuple[Array, Array]:

@@ -15,8 +15,8 @@ WITHIN = 0.01
 """Part of a value by which what is kept may still differ."""
 GRIP_WITHIN = 0.002
 """The same for the grip, which hands know better."""
-KEPT = ("mass", "moi", "balance_point", "handle")
-"""What can be kept as it is; the length always is."""
+KEPT = ("mass", "moi", "balance_point", "handle", "density")
+"""What can be kept as it is, the last of wood alone; the length always is."""
 
 
 def space_of(bat: Bat, *, deepest_cup: float) -> Space:
@@ -47,7 +47,7 @@ def kept_limits(
     handle : smallest diameter of the grip, m; None: the present one's, so that the bat breaks no sooner.
     """
     present, now = bench.space.present, present_measured(bench).values
-    found = [band(name, float(now[name][0]), part=WITHIN) for name in kept if name != "handle"]
+    found = [band(name, float(now[name][0]), part=WITHIN) for name in kept if name != "handle" and name in now]
     found += bands
     if league is not None and isinstance(present, Bat):
         found += [one for one in league_limits(league, present) if one.measure != "bbcor" or bench.tested]

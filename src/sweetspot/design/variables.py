@@ -122,7 +122,7 @@ class TurnedSpace:
 
     def shapes(self, numbers: Array) -> dict[str, Array]:
         """Return greatest and smallest diameter, cup, slope and bend of the outlines, and their widths at places."""
-        bats, (diameters, depth, _) = self.outlines(numbers), self.parts(numbers)
+        bats, (diameters, depth, density) = self.outlines(numbers), self.parts(numbers)
         slope, bend = steepness(diameters, length=bats.length)
         return {
             "length": bats.length,
@@ -133,6 +133,7 @@ class TurnedSpace:
             "slope": slope,
             "bend": bend,
             "waist": waist(diameters),
+            "density": density,
         }
 
     def widths_at(self, numbers: Array, position: Array) -> Array:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from sweetspot.equipment.bat import Bat
     from sweetspot.units import Kind
 
-Kept = Literal["mass", "moi", "balance", "grip", "nothing"]
+Kept = Literal["mass", "moi", "wood", "balance", "grip", "nothing"]
 KINDS: dict[str, Kind] = {"mass": "mass", "moi": "moi", "balance_point": "length"}
 
 
@@ -29,7 +29,9 @@ class LimitOptions:
     keep: Annotated[
         list[Kept] | None,
         Parameter(
-            negative="", help="What stays within 1 % of the present bat's; may be given again. Default: mass and moi."
+            negative="",
+            help="What stays within 1 % of the present bat's; may be given again. Default: mass, moi and wood: its "
+            "density.",
         ),
     ] = None
     mass: Annotated[str | None, Parameter(help="Band instead of --keep mass: 30oz:31.5oz, or 30oz: for at least.")] = (
@@ -80,8 +82,12 @@ def limits_of(bench: Bench, options: LimitOptions, rules: League | None) -> tupl
 
     bands = {"mass": options.mass, "moi": options.moi, "balance_point": options.balance}
     given = {name: text for name, text in bands.items() if text is not None}
-    keep = ("mass", "moi") if options.keep is None else options.keep
-    names = [{"balance": "balance_point", "grip": "handle"}.get(name, name) for name in keep if name != "nothing"]
+    keep = ("mass", "moi", "wood") if options.keep is None else options.keep
+    names = [
+        {"balance": "balance_point", "grip": "handle", "wood": "density"}.get(name, name)
+        for name in keep
+        if name != "nothing"
+    ]
     kept = [name for name in names if name not in given]
     limits = [_band_of(name, text, KINDS[name]) for name, text in given.items()]
     handle = None if options.handle is None else parse(options.handle, "length", "--handle")

@@ -12,6 +12,7 @@ from sweetspot.catalog.sports import sport
 from sweetspot.design.answer import Designed
 from sweetspot.design.batter import FROM_TIP
 from sweetspot.design.fronts import saved
+from sweetspot.design.gain import Verdict
 from sweetspot.design.measures import MEASURES
 from sweetspot.equipment.bat import Bat
 from sweetspot.report.design.sizes import drawing, sizes_table, tolerance_paragraph
@@ -194,7 +195,8 @@ def design_json(design: Designed, words: list[str]) -> dict[str, Any]:
         "present_measures": {_key(name): values[0] for name, values in design.now.values.items()},
         "gain": {
             "shift_towards_hands_m": gain.shift, "zone_wider_m": gain.wider, "greatest_exit_speed_m_s": gain.greatest,
-            "expected_exit_speed_m_s": gain.expected, "half_interval_m_s": gain.doubt, "seen": gain.seen,
+            "expected_exit_speed_m_s": gain.expected, "half_interval_m_s": gain.doubt, "verdict": gain.verdict.value,
+            "probability": gain.odds, "seen": gain.verdict is Verdict.SEEN, "between_two_of_a_dozen_m_s": gain.pieces,
             "from_wood_m_s": gain.wood, "from_wood_chosen_by_weight_m_s": gain.by_weight, "from_swing_m_s": gain.law,
             "from_contact_m_s": gain.contact, "time_to_contact_s": gain.time,
             "present_is_better_within_from_tip_m": gain.turning_place,

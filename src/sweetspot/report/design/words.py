@@ -7,7 +7,7 @@ import numpy as np
 from sweetspot.analysis.certification.rules import Verdict, title
 from sweetspot.design.answer import Designed
 from sweetspot.design.batter import FROM_TIP
-from sweetspot.design.gain import DENSITY_SPREAD, MODULUS_SPREAD, SHIPMENT, TOWARDS_END
+from sweetspot.design.gain import DENSITY_SPREAD, MODULUS_SPREAD, PAIR, SHIPMENT, TOWARDS_END
 from sweetspot.report.sentences import Sentence, Slot, joined, say
 from sweetspot.units import INCH
 
@@ -38,16 +38,11 @@ def moved_words(design: Designed) -> Sentence:
 def worth_words(design: Designed) -> Sentence:
     """Return what the design is worth to this batter, beside what could hide it."""
     gain, batter = design.gain, design.bench.batter
-    if gain.seen:
-        verdict = "a gain that you could see."
-    elif gain.expected + gain.doubt < 0:
-        verdict = "a loss."
-    else:
-        verdict = "no gain that you could see."
     first = say(
-        "For contacts around {place} from the tip the ball leaves {gain} on average, give or take {doubt}: {verdict}",
+        "For contacts around {place} from the tip the ball leaves {gain} on average, give or take {doubt}: {verdict}. "
+        "The design is the faster one in {odds} of 100 such pairs of bats.",
         place=Slot(batter.mean_contact, "place"), gain=_faster(gain.expected), doubt=Slot(gain.doubt, "speed_change"),
-        verdict=verdict,
+        verdict=gain.verdict.value, odds=f"{min(99, max(1, round(100 * gain.odds)))}",
     )  # fmt: skip
     return joined([first, _doubts(design)])
 
@@ -63,10 +58,11 @@ def _doubts(design: Designed) -> Sentence:
         parts.append(
             say(
                 "Two bats of one shape differ by {wood} (one standard deviation: density {density}, stiffness "
-                "{modulus}; {weighed} where the wood is chosen by weight), the best and worst of a shipment by up to "
-                "{shipment}.",
+                "{modulus}; {weighed} where the wood is chosen by weight), the best and worst of a dozen by up to "
+                "{shipment}, which is {pair} between two; the larger counts.",
                 wood=Slot(gain.wood, "speed_change"), density=_spread(DENSITY_SPREAD), modulus=_spread(MODULUS_SPREAD),
                 weighed=Slot(gain.by_weight, "speed_change"), shipment=Slot(SHIPMENT, "speed", 0, round=True),
+                pair=Slot(PAIR, "speed_change"),
             )
         )  # fmt: skip
     law = design.bench.batter.law

@@ -14,7 +14,8 @@ from sweetspot.catalog.files.write import bat_toml
 from sweetspot.design.answer import Designed
 from sweetspot.design.batter import FROM_TIP, fitted_player
 from sweetspot.design.fronts import Front
-from sweetspot.design.gain import gain_of
+from sweetspot.design.gain import CLEARLY, LIKELY, gain_of
+from sweetspot.design.gain import Verdict as GainVerdict
 from sweetspot.design.limits import Limit
 from sweetspot.design.measures import MEASURES, Measured
 from sweetspot.design.outline_curve import HANDLES
@@ -166,7 +167,9 @@ def gain(state: DesignState) -> dict[str, Any]:
         "noise_high_m_s": band,
         "expected_m_s": design.gain.expected,
         "half_interval_m_s": design.gain.doubt,
-        "seen": design.gain.seen,
+        "likely_from_m_s": LIKELY * design.gain.spread,
+        "seen_from_m_s": CLEARLY * design.gain.spread,
+        "words": {one.name.lower(): one.value for one in GainVerdict},
     }
 
 
@@ -227,7 +230,7 @@ def _of_json(text: str) -> dict[str, float]:
 
 def recipe(state: DesignState) -> dict[str, str]:
     """Return the command line that searches in the same way, and the present bat's file."""
-    kept = {"keep_mass": "mass", "keep_moi": "moi", "keep_balance": "balance", "keep_grip": "grip"}
+    kept = {"keep_mass": "mass", "keep_moi": "moi", "keep_wood": "wood", "keep_balance": "balance", "keep_grip": "grip"}
     keep = [word for field, word in kept.items() if getattr(state, field)] or ["nothing"]
     wants = dict.fromkeys((state.want, state.also_want))
     options = [

@@ -31,7 +31,13 @@ LONGEST_TABLE = 40_000
 """Letters of a table of swings, or of an answer of fit-player."""
 USUAL_LEAGUE, NOBODY = "usual", "nobody"
 Want = Literal["exit_speed", "zone", "best", "sting", "swing_time"]
-LOCKS = {"keep_mass": "mass", "keep_moi": "moi", "keep_balance": "balance_point", "keep_grip": "handle"}
+LOCKS = {
+    "keep_mass": "mass",
+    "keep_moi": "moi",
+    "keep_wood": "density",
+    "keep_balance": "balance_point",
+    "keep_grip": "handle",
+}
 """Fields that lock, and what they lock."""
 
 
@@ -53,6 +59,7 @@ class DesignState(SwungState):
     pulled: Annotated[int, Field(ge=0, le=29)] | None = Field(None, description="which number is held by hand")
     keep_mass: bool = Field(True, description="the weight stays within 1 %")
     keep_moi: bool = Field(True, description="the moment of inertia about 6 in stays within 1 %")
+    keep_wood: bool = Field(True, description="the density of a wooden bat's wood stays within 1 %")
     keep_balance: bool = Field(False, description="the balance point stays within 1 %")
     keep_grip: bool = Field(False, description="the smallest diameter of the grip stays")
     deepest_cup_in: float = Field(1.0, ge=0, le=1.25, description="of a wooden bat")

@@ -23,6 +23,13 @@ const PANELS = [
 ];
 const ELSEWHERE = ["league", "want", "also_want", "generations", "seed", "swings_csv"]; // what the gain does not depend on
 
+// What of a gain can be said: seen only where the interval clearly leaves zero out.
+function verdictOf(change, { words, seen_from_m_s: clearly, likely_from_m_s: likely, half_interval_m_s: doubt }) {
+  if (change > clearly) return words.seen;
+  if (change > likely) return words.likely;
+  return change < -doubt ? words.loss : words.hidden;
+}
+
 /** @type {View} */
 export const view = {
   name: "design",
@@ -62,6 +69,7 @@ export const view = {
     return make("div", { className: "side" },
       group("What must stay", [
         toggle(app, "keep_mass", { label: "Weight" }), toggle(app, "keep_moi", { label: "Swing weight (MOI about 6 in)" }),
+        toggle(app, "keep_wood", { label: "Density of the wood" }),
         toggle(app, "keep_balance", { label: "Balance point" }), toggle(app, "keep_grip", { label: "Grip's smallest diameter" }),
         make("p", { className: "note", textContent: "Within 1 %. The length always stays." }),
         choice(app, "league", { label: "Rules of", options: leagues }),
@@ -243,7 +251,7 @@ export const view = {
     const of = (name) => answer.measures.find((one) => one.name === name);
     const speed = of("exit_speed");
     const change = `${app.text("speed_change", Math.abs(speed.change))} ${speed.change >= 0 ? "faster" : "slower"}`;
-    const seen = sure ? (Math.abs(speed.change) > sure.half_interval_m_s ? (speed.change > 0 ? ": a gain that you could see" : ": a loss") : ": no gain that you could see") : "";
+    const seen = sure ? `: ${verdictOf(speed.change, sure)}` : "";
     const doubt = sure ? `, give or take ${app.text("speed_change", sure.half_interval_m_s)}` : "";
     const design = answer.design;
     const gained = answer.own ? `Over these contacts the ball leaves ${change}${doubt}${seen}.` : "This is the present bat still, as smooth as its handles draw it: pull one, or let the search find better.";
