@@ -96,7 +96,7 @@ def test_uploaded_bats_are_parsed(client: httpx.Client) -> None:
 WRONG_STATES: list[tuple[dict[str, Any], str]] = [
     ({"pitch_speed_mph": 1e308}, "pitch_speed_mph"),
     ({"pitch_speed_mph": "fast"}, "pitch_speed_mph"),
-    ({"pitch_speed_mph": None}, "pitch_speed_mph"),
+    ({"hands_in": None}, "hands_in"),
     ({"bat": "no-such-bat"}, "bat"),
     ({"bat": "../../etc/passwd"}, "bat"),
     ({"bat": "/etc/passwd.toml"}, "bat"),

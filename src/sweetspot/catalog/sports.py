@@ -10,6 +10,7 @@ from sweetspot.catalog.aerodynamic_laws import aerodynamics
 from sweetspot.catalog.balls import FILE as BALLS
 from sweetspot.catalog.balls import ball_sport
 from sweetspot.catalog.bats import DEFAULT_BAT
+from sweetspot.catalog.deliveries import delivery_sport
 from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.records import Record, all_records, canonical, entry, quantity, read_table
 from sweetspot.equipment.sport import Certainty, DropRule, Known, Limit, Mark, Sport, Stroke, Words, counted
@@ -76,6 +77,16 @@ def aerodynamics_of_ball(name: str) -> Aerodynamics:
     True
     """
     return aerodynamics(sport(ball_sport(name)).aerodynamics)
+
+
+def pitched_aerodynamics(pitch: str) -> Aerodynamics:
+    """Return how the air pushes a pitch of the catalogue: a baseball's own law before it is hit, or its sport's.
+
+    >>> pitched_aerodynamics("slow-pitch") == aerodynamics("softball")
+    True
+    """
+    its = delivery_sport(pitch)
+    return aerodynamics("pitched-baseball" if its.endswith("baseball") else sport(its).aerodynamics)
 
 
 def certainty(name: str) -> dict[Certainty, int]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple, TypeVar
 
 from sweetspot import catalog
 from sweetspot.analysis.trampoline import with_wall_factor
@@ -13,7 +13,7 @@ from sweetspot.analysis.two_way import varied
 from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.files.bat import bat_from_table, table_of_text
 from sweetspot.catalog.records import entry
-from sweetspot.catalog.standard_hit import SPEED_FROM_TIP
+from sweetspot.catalog.standard_hit import SPEED_FROM_TIP, standard_conditions
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.equipment.ball import Ball
@@ -22,7 +22,7 @@ from sweetspot.errors import InputError
 from sweetspot.motion.swing import Conditions, Hands, Pitch, Swing
 from sweetspot.units import INCH, MPH, OUNCE
 from sweetspot.web.errors import FieldError, about
-from sweetspot.web.states import BatState, SwingState
+from sweetspot.web.states import BatState, SwungState
 
 NOTHING = "nothing"
 """What an empty hole is filled with."""
@@ -31,6 +31,7 @@ KEPT = 256
 MOST_VALUES, LONGEST_VALUE, DEEPEST = 600, 2000, 8
 """Of an uploaded file: values, letters per value, tables inside tables."""
 PLUG = 1 * INCH
+Swung = TypeVar("Swung", bound=SwungState)
 
 
 def described(state: BatState) -> Bat:
@@ -46,10 +47,38 @@ def reduced(state: BatState, ball: Ball) -> ReducedBat:
     return replace(found, bat=described(state)) if state.choke_up_in else found
 
 
-def ball_of(state: SwingState) -> Ball:
+class Usual(NamedTuple):
+    """What a bat is usually met with: what the controls stand at that nobody has moved."""
+
+    pitch_speed_mph: float
+    bat_speed_mph: float
+    ball: str
+    pitch: str
+    swing_law: str
+    league: str
+
+
+def usual(bat: Bat) -> Usual:
+    """Return what is usual in a bat's sport, as on the command line."""
+    hit, its = standard_conditions(bat), catalog.sport(bat.sport)
+    pitch, speed = round(hit.pitch.speed / MPH, 6), round(hit.swing.bat_speed / MPH, 6)
+    return Usual(pitch, speed, its.balls[0], its.pitches[0], its.swing_law, its.rules)
+
+
+def swung(state: Swung) -> Swung:
+    """Return a state with what its bat's sport usually has wherever a control is empty."""
+    fields = type(state).model_fields
+    empty = [name for name in Usual._fields if name in fields and getattr(state, name) is None]
+    if not empty:
+        return state
+    found = usual(described(state))
+    return state.model_copy(update={name: getattr(found, name) for name in empty})
+
+
+def ball_of(state: SwungState) -> Ball:
     """Return the ball as the controls say: bought with this restitution, then stored."""
     with about("ball"):
-        ball = catalog.ball(state.ball)
+        ball = catalog.ball(swung(state).ball or "")
     if state.ball_cor is not None:
         ball = ball.with_restitution(state.ball_cor)
     if state.ball_humidity is None and state.ball_temperature_degf is None:
@@ -59,12 +88,15 @@ def ball_of(state: SwingState) -> Ball:
         return ball.conditioned(humidity=state.ball_humidity, temperature=warm)
 
 
-def conditions_of(state: SwingState, bat: Bat) -> Conditions:
+def conditions_of(state: SwungState, bat: Bat) -> Conditions:
     """Return pitch, swing, hands and ball of a state; the command line's defaults for the same options."""
+    hit = standard_conditions(bat)
+    pitch = hit.pitch if state.pitch_speed_mph is None else Pitch(speed=state.pitch_speed_mph * MPH)
     with about("bat_speed_mph"):
-        swing = Swing(bat_speed=state.bat_speed_mph * MPH, measured_at=bat.length - SPEED_FROM_TIP, pivot=bat.choke)
+        speed = hit.swing.bat_speed if state.bat_speed_mph is None else state.bat_speed_mph * MPH
+        swing = Swing(bat_speed=speed, measured_at=bat.length - SPEED_FROM_TIP, pivot=bat.choke)
     return Conditions(
-        pitch=Pitch(speed=state.pitch_speed_mph * MPH),
+        pitch=pitch,
         swing=swing,
         hands=Hands(position=bat.choke + state.hands_in * INCH),
         ball=ball_of(state),

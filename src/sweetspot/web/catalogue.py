@@ -8,7 +8,7 @@ from typing import Any
 from fastapi import APIRouter
 
 from sweetspot import catalog
-from sweetspot.catalog.deliveries import delivery_names
+from sweetspot.catalog.deliveries import delivery_names, other_delivery_names
 from sweetspot.catalog.rules import league, league_names
 from sweetspot.catalog.word_meanings import terms as all_terms
 from sweetspot.dynamics.beam import beam_model
@@ -63,7 +63,8 @@ def catalogue_routes(api: APIRouter) -> None:
     @api.get("/pitches", tags=["catalogue"])
     def pitches() -> list[Choice]:
         """Return the kinds of pitches of the catalogue."""
-        return [Choice(key=name, name=catalog.delivery(name).name) for name in delivery_names()]
+        names = (*delivery_names(), *other_delivery_names())
+        return [Choice(key=name, name=catalog.delivery(name).name) for name in names]
 
     @api.get("/terms", tags=["catalogue"])
     def terms() -> list[Meaning]:

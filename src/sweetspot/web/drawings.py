@@ -12,24 +12,26 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.report.bat.json import bat_json
 from sweetspot.web.bat_bounds import bounds
-from sweetspot.web.states import BatState, SwingState
+from sweetspot.web.bats import swung, usual
+from sweetspot.web.states import BatState, SwungState
 
 POINTS = 120
 """Places along a bat whose outline is a formula."""
 
 
 def bat_picture(state: BatState, found: ReducedBat) -> dict[str, Any]:
-    """Return a state's bat: its facts, its outline, and how far the controls that depend on it may go."""
+    """Return a state's bat: its facts, its outline, how far its controls may go, and what is usual in its sport."""
     return {
         **bat_json(found.bat.name, found.bat.length, found.body),
         **outline(found.bat),
         "bounds": bounds(state, found.bat),
+        "usual": usual(found.bat)._asdict(),
     }
 
 
-def ball_picture(state: SwingState, ball: Ball) -> dict[str, float]:
+def ball_picture(state: SwungState, ball: Ball) -> dict[str, float]:
     """Return the ball's size, and what its controls stand at where nobody has moved them."""
-    own = catalog.ball(state.ball)
+    own = catalog.ball(swung(state).ball or "")
     return {
         "radius_m": ball.radius,
         "mass_kg": ball.mass,

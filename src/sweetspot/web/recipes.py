@@ -9,7 +9,7 @@ from __future__ import annotations
 from shlex import quote
 
 from sweetspot.catalog.files.write import bat_toml
-from sweetspot.web.bats import described
+from sweetspot.web.bats import described, swung
 from sweetspot.web.states import BatState, SwungState
 
 BAT_FILE = "bat.toml"
@@ -37,12 +37,11 @@ def bat_text(state: BatState) -> str:
 def swing_options(state: SwungState) -> str:
     """Return the command line's options for swing and ball; those that have their usual value are left out."""
     first = SwungState()
-    pitch = "tee" if state.pitch_speed_mph == 0 else f"{state.pitch_speed_mph:.12g}mph"
     options = {
-        "--pitch-speed": pitch if state.pitch_speed_mph != first.pitch_speed_mph else None,
-        "--bat-speed": _unless(state.bat_speed_mph, first.bat_speed_mph, "mph"),
+        "--pitch-speed": "tee" if state.pitch_speed_mph == 0 else _unless(state.pitch_speed_mph, None, "mph"),
+        "--bat-speed": _unless(state.bat_speed_mph, None, "mph"),
         "--hands": _unless(state.hands_in + state.choke_up_in, first.hands_in + state.choke_up_in, "in"),
-        "--ball": quote(state.ball) if state.ball != first.ball else None,
+        "--ball": None if state.ball is None else quote(state.ball),
         "--ball-cor": _unless(state.ball_cor, None, ""),
         "--ball-humidity": _unless(state.ball_humidity, None, ""),
         "--ball-temperature": _unless(state.ball_temperature_degf, None, "degF"),
@@ -52,6 +51,7 @@ def swing_options(state: SwungState) -> str:
 
 def conditions_lines(state: SwungState) -> str:
     """Return Python lines that make ``bat`` and ``conditions``."""
+    state = swung(state)
     source = f"catalog.bat({state.bat!r})" if is_catalogued(state) else f'catalog.load_bat("{BAT_FILE}")'
     ball = f"catalog.ball({state.ball!r})"
     if state.ball_cor is not None:

@@ -45,12 +45,16 @@ class BatState(ViewState):
 
 
 class SwingState(ViewState):
-    """Pitch, swing, hands and ball."""
+    """Pitch, swing, hands and ball; what is empty is as is usual in the bat's sport, see `web.bats.swung`."""
 
-    pitch_speed_mph: float = Field(90.0, ge=0, le=110, description="of the ball at the plate; 0: on a tee")
-    bat_speed_mph: float = Field(70.0, ge=20, le=110, description="of the bat before impact, 6 in from the tip")
+    pitch_speed_mph: Annotated[float, Field(ge=0, le=110)] | None = Field(
+        None, description="of the ball at the plate; 0: on a tee; empty: as is usual in the bat's sport"
+    )
+    bat_speed_mph: Annotated[float, Field(ge=20, le=110)] | None = Field(
+        None, description="of the bat before impact, 6 in from the tip; empty: as is usual in its sport"
+    )
     hands_in: float = Field(6.0, ge=3, le=12, description="centre of the top hand above the bottom of the grip")
-    ball: Name = Field("baseball", description="name in the catalogue")
+    ball: Name | None = Field(None, description="name in the catalogue; empty: the first of the bat's sport")
     ball_cor: Annotated[float, Field(ge=0.2, le=0.8)] | None = Field(
         None, description="restitution at its law's speed, as bought; empty: the catalogue's"
     )

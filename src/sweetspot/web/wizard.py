@@ -20,7 +20,7 @@ SHAPES = {
     ("softball", "hollow"): "slow-pitch", ("youth", "wood"): "youth-30", ("youth", "hollow"): "single-wall",
 }  # fmt: skip
 """The bat of the catalogue whose outline is stretched to the asked length."""
-SPORTS = {"baseball": "baseball", "softball": "softball", "youth": "youth baseball"}
+SPORTS = {"baseball": "baseball", "softball": "softball", "youth": "youth-baseball"}
 
 
 class Wanted(BaseModel):
@@ -61,7 +61,7 @@ def described_by(wanted: Wanted) -> str:
         with about("swing_weight_oz_in2"):
             bat = bat.replaced(moi=wanted.swing_weight_oz_in2 * OUNCE_INCH_SQUARED, moi_axis=STANDARD_AXIS)
             beam_model(bat)
-    return bat_toml(bat.replaced(name=wanted.name, original=None))
+    return bat_toml(bat.replaced(name=wanted.name, original=None, sport=SPORTS[wanted.used_for]))
 
 
 def _stretched(bat: Bat, length: float) -> Bat:

@@ -12,15 +12,13 @@ if TYPE_CHECKING:
 def pitched(name: str, release_speed: str | None, flying: FlightConditions) -> PitchFlight:
     """Return the catalogue's pitch of a name, over the middle of the plate; ``release_speed`` None: as is usual."""
     from sweetspot import catalog
-    from sweetspot.catalog.deliveries import delivery_sport
+    from sweetspot.catalog.sports import pitched_aerodynamics
     from sweetspot.flight.pitch import aimed
     from sweetspot.units import parse
 
     delivery = catalog.delivery(name)
-    sport = delivery_sport(name)
-    law = "pitched-baseball" if sport.endswith("baseball") else catalog.sport(sport).aerodynamics
     if release_speed is not None:
         delivery = delivery.replaced(speed=parse(release_speed, "speed", "--release-speed"))
     return aimed(
-        delivery, ball=flying.ball, aerodynamics=catalog.aerodynamics(law), air=flying.one_air, wind=flying.one_wind
+        delivery, ball=flying.ball, aerodynamics=pitched_aerodynamics(name), air=flying.one_air, wind=flying.one_wind
     )

@@ -33,6 +33,16 @@ export function batChoice(app, label = "Bat") {
   });
 }
 
+// What a control stands at that nobody has moved: as is usual in the sport of the last answer's bat.
+/** @param {Desk} app */
+export const usual = (app, field) => () => app.answer?.bat?.usual?.[field] ?? null;
+
+// A choice that follows the bat's sport until somebody chooses.
+/** @param {Desk} app */
+export function usualChoice(app, field, look) {
+  return choice(app, field, { ...look, follows: true, shown: (state) => state[field] ?? usual(app, field)() });
+}
+
 // What a workshop does to a bat; parts that a bat cannot have are hidden by what `show` is told.
 /** @param {Desk} app */
 export function workshop(app, mass) {
@@ -61,9 +71,12 @@ export function workshop(app, mass) {
 /** @param {App} app */
 export function swingGroup(app, { open = true, title = "Swing and pitch" } = {}) {
   return group(title, [
-    slider(app, "pitch_speed_mph", { label: "Pitch speed", step: 0.5 }),
-    slider(app, "bat_speed_mph", { label: () => `Bat speed, ${app.text("from_m", 6 * INCH, app.units === "us" ? 0 : 1)} from the tip`, step: 0.5 }),
+    slider(app, "pitch_speed_mph", { label: "Pitch speed", step: 0.5, empty: usual(app, "pitch_speed_mph") }),
+    slider(app, "bat_speed_mph", { label: () => `Bat speed, ${app.text("from_m", 6 * INCH, app.units === "us" ? 0 : 1)} from the tip`, step: 0.5,
+      empty: usual(app, "bat_speed_mph") }),
     slider(app, "hands_in", { label: "Top hand above the grip's end", step: 0.1 }),
+    button("As usual with this bat", () => app.setState({ pitch_speed_mph: null, bat_speed_mph: null, ball: null }),
+      { title: "Pitch, bat speed and ball as is usual in the bat's sport" }),
   ], { open });
 }
 
@@ -71,7 +84,7 @@ export function swingGroup(app, { open = true, title = "Swing and pitch" } = {})
 export function ballGroup(app) {
   const known = (name) => () => app.answer?.ball?.[name] ?? null;
   return group("Ball", [
-    choice(app, "ball", { label: "Ball", options: app.lists("balls").then(({ balls }) => balls.map(({ key, name }) => [key, name])) }),
+    usualChoice(app, "ball", { label: "Ball", options: app.lists("balls").then(({ balls }) => balls.map(({ key, name }) => [key, name])) }),
     slider(app, "ball_cor", { label: "Restitution (COR) as bought", step: 0.005, empty: known("cor") }),
     slider(app, "ball_humidity", { label: "Stored at humidity", step: 0.01, empty: known("humidity") }),
     slider(app, "ball_temperature_degf", { label: "Temperature", step: 1, empty: known("temperature_degf") }),

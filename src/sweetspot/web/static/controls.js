@@ -18,7 +18,7 @@ import { fromShown, toShown, unitOf } from "./units.js";
 /** @typedef {string[][]} Options pairs of a value and what it is called */
 /**
  * What a control needs of the app; scoped() of parts.js gives the same for one bat of a list.
- * @typedef {Pick<App, "schema" | "units" | "setState" | "commit" | "control"> & Partial<Pick<App, "state" | "bounds" | "lists">>} Desk
+ * @typedef {Pick<App, "schema" | "units" | "setState" | "commit" | "control"> & Partial<Pick<App, "state" | "bounds" | "lists" | "answer">>} Desk
  */
 
 let count = 0;
@@ -107,9 +107,9 @@ export function slider(app, field, { label, step, empty = null, note = "", onInp
 /**
  * @param {Desk} app
  * @param {string} field
- * @param {{ label: Words, options: Options | Promise<Options>, note?: string, shown?: (state: State) => any, take?: (value: string) => void }} look
+ * @param {{ label: Words, options: Options | Promise<Options>, note?: string, follows?: boolean, shown?: (state: State) => any, take?: (value: string) => void }} look
  */
-export function choice(app, field, { label, options, note = "", shown = (state) => state[field], take = null }) {
+export function choice(app, field, { label, options, note = "", follows = false, shown = (state) => state[field], take = null }) {
   const { box, fault, id } = frame(field, label, note);
   const select = document.createElement("select");
   select.id = id;
@@ -125,6 +125,7 @@ export function choice(app, field, { label, options, note = "", shown = (state) 
   });
   const control = {
     field,
+    follows,
     sync(state) {
       const value = String(shown(state) ?? "");
       if (![...select.options].some((option) => option.value === value)) select.append(new Option(value, value));

@@ -26,7 +26,7 @@ from sweetspot.report.comparison.words import assumptions, cork_verdict, verdict
 from sweetspot.report.quantities import SI, US
 from sweetspot.report.sentences import Sentence, say
 from sweetspot.web.bat_bounds import bounds
-from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.bats import ball_of, conditions_of, reduced, swung
 from sweetspot.web.drawings import ball_picture, bat_picture, outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, is_catalogued, swing_options
@@ -45,22 +45,27 @@ class CompareState(SwungState):
         description="bats 2 to 4; bat 1 is the reference, and the swing is known with it",
     )
     same: Literal["effort", "speed"] = Field("effort", description="how the others are swung")
-    swing_law: Name = Field("baseball", description="how bat speed depends on the bat")
+    swing_law: Name | None = Field(
+        None, description="how bat speed depends on the bat; empty: as in the first bat's sport"
+    )
     what_if: Literal["none", "cork", "wall"] = Field(
         "none", description="of the first bat alone: other bats made of it"
     )
     hole_diameter_in: float = Field(1.0, ge=0.25, le=2, description="hole of what_if cork")
     hole_depth_in: float = Field(10.0, ge=1, le=20)
     wall_times: float = Field(0.85, ge=0.5, le=2.0, description="wall of what_if wall, times the bat's own")
-    league: Name = Field("ncaa", description="whose rules the bats are held against, or 'all'")
+    league: Name | None = Field(
+        None, description="whose rules the bats are held against, or 'all'; empty: those of the first bat's sport"
+    )
 
 
 def answer(state: CompareState) -> dict[str, Any]:
     """Return curves, changes with their intervals, the verdict in words, and every rule held against every bat."""
+    state = swung(state)
     ball = ball_of(state)
     reductions, labels = _bats(state, ball)
     with about("swing_law"):
-        law = swing_law(state.swing_law) if state.same == "effort" else None
+        law = swing_law(state.swing_law or "") if state.same == "effort" else None
     found = compare_reduced(reductions, conditions=conditions_of(state, reductions[0].bat), law=law, labels=labels)
     words, assumed = _words(state, found), assumptions(found)
     table = comparison_json(found, [sentence.read(US) for sentence in words])
@@ -169,7 +174,7 @@ def _wall(one: Compared) -> dict[str, float]:
 def _certification(state: CompareState, found: Comparison) -> list[dict[str, Any]]:
     """Return, for every bat, the measures of the simulated test and every rule of the chosen leagues."""
     with about("league"):
-        leagues = [league(name) for name in (league_names() if state.league == ALL else [state.league])]
+        leagues = [league(name) for name in (league_names() if state.league == ALL else [state.league or ""])]
     rows = []
     for one in found.compared:
         bat, checks, measures = one.analysis.bat, [], {}
@@ -206,7 +211,7 @@ def recipe(state: CompareState) -> dict[str, str]:
     options = swing_options(state)
     if state.same == "speed":
         options += " --same-speed"
-    if state.swing_law != CompareState.model_fields["swing_law"].default:
+    if state.swing_law is not None:
         options += f" --swing-law {quote(state.swing_law)}"
     plug = min(1.0, state.hole_depth_in / 2)
     if state.what_if == "cork":
@@ -219,7 +224,8 @@ def recipe(state: CompareState) -> dict[str, str]:
         made += [
             f'bat.corked({hole}, plug={plug!r} * INCH, fill=catalog.material("{fill}"))' for fill in FILLS.values()
         ]
-    law = f"catalog.swing_law({state.swing_law!r})" if state.same == "effort" else "None"
+    known = swung(state)
+    law = f"catalog.swing_law({known.swing_law!r})" if state.same == "effort" else "None"
     python = conditions_lines(state) + (
         "\nfrom sweetspot import compare\n\n"
         f"bats = [{', '.join(['bat', *made])}]\n"
@@ -228,7 +234,7 @@ def recipe(state: CompareState) -> dict[str, str]:
         "    print(one.label, one.exit_speed.value / MPH, one.change.low / MPH, one.change.high / MPH)\n"
     )
     lines = [f"sweetspot compare {' '.join(names)}{options}"]
-    lines += [f"sweetspot certify {name} --league {quote(state.league)}" for name in names]
+    lines += [f"sweetspot certify {name} --league {quote(known.league or '')}" for name in names]
     return {"command": "\n".join(lines), "python": python, "toml": bat_text(state), **files}
 
 

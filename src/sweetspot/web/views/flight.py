@@ -22,7 +22,7 @@ from sweetspot.flight.park import Park
 from sweetspot.motion.ball_motion import BallMotion, launched
 from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.units import FOOT, INCH, INCH_OF_MERCURY, MPH, RPM
-from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.bats import ball_of, conditions_of, reduced, swung
 from sweetspot.web.drawings import bat_picture
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.view import View
@@ -124,7 +124,7 @@ def _conditions(state: FlightState, park: Park, ball: Ball) -> FlightConditions:
         )
     wind = Wind(speed=state.wind_speed_mph * MPH, direction=math.radians(state.wind_direction_deg))
     with about("ball"):
-        law = aerodynamics_in(park, aerodynamics_of_ball(state.ball))
+        law = aerodynamics_in(park, aerodynamics_of_ball(swung(state).ball or ""))
     return FlightConditions(ball=ball, aerodynamics=law, air=air, wind=wind)
 
 

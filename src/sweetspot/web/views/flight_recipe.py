@@ -5,6 +5,7 @@ from __future__ import annotations
 from shlex import quote
 from typing import TYPE_CHECKING
 
+from sweetspot.web.bats import swung
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, swing_options
 
 if TYPE_CHECKING:
@@ -23,6 +24,7 @@ def flight_lines(state: FlightState) -> dict[str, str]:
 
 
 def _ball_options(state: FlightState) -> str:
+    ball = quote(swung(state).ball or "")
     return _options(
         exit_speed=f"{state.exit_speed_mph:.12g}mph",
         launch_angle=f"{state.launch_angle_deg:.12g}deg",
@@ -31,6 +33,7 @@ def _ball_options(state: FlightState) -> str:
         sidespin=f"{state.sidespin_rpm:.12g}rpm",
         height=f"{state.height_ft:.12g}ft",
         forward="2ft",
+        ball=None if ball == "baseball" else ball,
     )
 
 
@@ -68,6 +71,7 @@ def _options(**texts: str | None) -> str:
 
 
 def _field_python(state: FlightState) -> str:
+    state = swung(state)
     elevation = "park.elevation" if state.elevation_ft is None else f"{state.elevation_ft!r} * FOOT"
     return (
         f"park = catalog.park({state.park!r})\n"

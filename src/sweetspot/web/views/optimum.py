@@ -11,6 +11,7 @@ from pydantic import Field
 
 from sweetspot import catalog
 from sweetspot.analysis.optimum import EasiestHomeRun, best_launch, best_swing, easiest_home_run
+from sweetspot.catalog.sports import pitched_aerodynamics
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.pitch import PitchFlight, aimed
@@ -19,7 +20,7 @@ from sweetspot.motion.swing_path import SwingPlane
 from sweetspot.report.optimum.answers import AskedLaunch, Optimum
 from sweetspot.report.optimum.document import optimum_document
 from sweetspot.units import MPH, RPM
-from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.bats import ball_of, conditions_of, reduced, swung
 from sweetspot.web.documents import told
 from sweetspot.web.drawings import bat_picture
 from sweetspot.web.errors import about
@@ -35,7 +36,9 @@ START = (0.0, 0.6096, 0.9144)
 class OptimumState(SwungState):
     """The bat, how fast it is swung, and the pitch it meets."""
 
-    pitch: Name = Field("fastball", description="kind of pitch, by name or letters")
+    pitch: Name | None = Field(
+        None, description="kind of pitch, by name or letters; empty: what is mostly thrown at such a bat"
+    )
     tilt_deg: float = Field(32.0, ge=0, le=75, description="of the swing's plane")
     exit_speed_mph: float = Field(100.0, ge=50, le=125, description="for the best launch angle")
     backspin_rpm: float = Field(2200.0, ge=-1000, le=5000, description="of the ball in the last two questions")
@@ -44,9 +47,10 @@ class OptimumState(SwungState):
 
 def answer(state: OptimumState) -> dict[str, Any]:
     """Return the best launch angle of an exit speed, and carries around it."""
+    state = swung(state)
     through, spin = _through(state), state.backspin_rpm * RPM
     with about("pitch"):
-        catalog.delivery(state.pitch)
+        catalog.delivery(state.pitch or "")
     speed = state.exit_speed_mph * MPH
     best = best_launch(speed, through, backspin=spin)
     with about("park"):
@@ -63,6 +67,7 @@ def answer(state: OptimumState) -> dict[str, Any]:
 
 def swing(state: OptimumState) -> dict[str, Any]:
     """Return how to swing at a pitch so that it carries farthest, as a document."""
+    state = swung(state)
     reduced_bat = reduced(state, ball_of(state))
     conditions, through = conditions_of(state, reduced_bat.bat), _through(state)
     thrown = _thrown(state, through)
@@ -78,8 +83,9 @@ def swing(state: OptimumState) -> dict[str, Any]:
 
 def parks(state: OptimumState) -> dict[str, Any]:
     """Return the slowest home run of every park, each in its own air, as a document."""
+    state = swung(state)
     reduced_bat = reduced(state, ball_of(state))
-    homers = _easiest(state.ball, state.backspin_rpm)
+    homers = _easiest(state.ball or "", state.backspin_rpm)
     return told(optimum_document(Optimum(reduced_bat.bat, parks=list(homers))))
 
 
@@ -98,25 +104,24 @@ def _easiest(ball: str, backspin_rpm: float) -> tuple[EasiestHomeRun, ...]:
 
 def _through(state: OptimumState) -> FlightConditions:
     with about("ball"):
-        law = catalog.aerodynamics_of_ball(state.ball)
+        law = catalog.aerodynamics_of_ball(state.ball or "")
     return FlightConditions(ball=ball_of(state), aerodynamics=law, air=Air())
 
 
 def _thrown(state: OptimumState, through: FlightConditions) -> PitchFlight:
     with about("pitch"):
-        delivery = catalog.delivery(state.pitch)
-    return aimed(
-        delivery, ball=through.ball, aerodynamics=catalog.aerodynamics("pitched-baseball"), air=through.one_air,
-        wind=through.one_wind,
-    )  # fmt: skip
+        delivery, law = catalog.delivery(state.pitch or ""), pitched_aerodynamics(state.pitch or "")
+    return aimed(delivery, ball=through.ball, aerodynamics=law, air=through.one_air, wind=through.one_wind)
 
 
 def recipe(state: OptimumState) -> dict[str, str]:
     """Return the command line that gives the same answers, and the bat's file."""
+    state = swung(state)
     command = (
-        f"sweetspot optimum {bat_name(state)} --pitch {quote(state.pitch)} --bat-speed {state.bat_speed_mph:.12g}mph "
-        f"--tilt {state.tilt_deg:.12g}deg --exit-speed {state.exit_speed_mph:.12g}mph "
-        f"--backspin {state.backspin_rpm:.12g}rpm --ball {quote(state.ball)} --park all"
+        f"sweetspot optimum {bat_name(state)} --pitch {quote(state.pitch or '')} "
+        f"--bat-speed {state.bat_speed_mph:.12g}mph --tilt {state.tilt_deg:.12g}deg "
+        f"--exit-speed {state.exit_speed_mph:.12g}mph --backspin {state.backspin_rpm:.12g}rpm "
+        f"--ball {quote(state.ball or '')} --park all"
     )
     return {"command": command, "toml": bat_text(state)}
 

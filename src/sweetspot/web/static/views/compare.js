@@ -1,7 +1,7 @@
 // Compare: up to four bats in the same hands, or what a hole or another wall makes of one; curves, verdict, rules.
 
 import { Chart, between } from "../chart.js";
-import { Bench, ballGroup, swingGroup } from "../bench.js";
+import { Bench, ballGroup, swingGroup, usualChoice } from "../bench.js";
 import { choice, group, slider } from "../controls.js";
 import { make, paragraphs, tableOf } from "../parts.js";
 import { INCH } from "../units.js";
@@ -44,7 +44,7 @@ export const view = {
           ["none", "these bats"], ["cork", "bat 1 drilled and corked"], ["wall", "bat 1 with another wall"]] }),
         this.hole, this.wall,
         choice(app, "same", { label: "Swung with", options: [["effort", "the same effort"], ["speed", "the same bat speed"]] }),
-        choice(app, "swing_law", { label: "Players", options: [["baseball", "baseball"], ["slow-pitch", "slow-pitch softball"]] }),
+        usualChoice(app, "swing_law", { label: "Players", options: [["baseball", "baseball"], ["slow-pitch", "slow-pitch softball"]] }),
       ]),
       this.bench.element, this.slots.element, swingGroup(app, { title: "Swing of bat 1, and pitch" }), ballGroup(app),
     );
@@ -60,7 +60,7 @@ export const view = {
     const main = make("div", { className: "stack" },
       section("Verdict", this.words, this.change.element),
       section("The bats and where they hit", this.rows.element, legend, this.chart.element, this.bats, this.assumed),
-      section("League rules", choice(app, "league", { label: "Rules of", options: leagues(app) }), this.rules));
+      section("League rules", usualChoice(app, "league", { label: "Rules of", options: leagues(app) }), this.rules));
     root.append(side, main);
   },
 

@@ -1,6 +1,6 @@
 // The best way to hit: the launch angle of an exit speed, the swing at a pitch, and every park's slowest home run.
 
-import { Bench, ballGroup, swingGroup } from "../bench.js";
+import { Bench, ballGroup, swingGroup, usualChoice } from "../bench.js";
 import { choice, group, slider } from "../controls.js";
 import { DocumentPlace } from "../document.js";
 import { HeatMap } from "../heatmap.js";
@@ -24,15 +24,14 @@ export const view = {
     const parks = app.lists("parks").then((lists) => lists.parks.map(({ key, name }) => [key, name]));
     const side = make("div", { className: "side" },
       group("The pitch and the swing", [
-        choice(app, "pitch", { label: "Pitch", options: pitches }),
-        slider(app, "bat_speed_mph", { label: "Bat speed", step: 0.5 }),
+        usualChoice(app, "pitch", { label: "Pitch", options: pitches }),
         slider(app, "tilt_deg", { label: "Tilt of the swing's plane", step: 0.5 }),
       ]),
       group("A ball as it leaves", [
         slider(app, "exit_speed_mph", { label: "Exit speed", step: 0.5 }),
         slider(app, "backspin_rpm", { label: "Backspin", step: 50 }),
         choice(app, "park", { label: "Park of the map's chances", options: parks }),
-      ]), this.bench.element, swingGroup(app, { open: false }), ballGroup(app));
+      ]), this.bench.element, swingGroup(app, { title: "Swing" }), ballGroup(app));
     this.words = make("p", { className: "verdict", id: "verdict" });
     this.map = new HeatMap(app, { label: "", title: "How far it carries", height: 260, x: { kind: "exit_speed_m_s", label: "exit speed" },
       y: { kind: "launch_angle_rad", label: "launch angle" }, z: { kind: "distance" },
@@ -58,7 +57,7 @@ export const view = {
     this.swing.redraw();
     this.parks.redraw();
     this.app.aside("swing", ["park"], 500, (found) => this.swing.show(found));
-    const others = Object.keys(this.app.state).filter((field) => field !== "ball" && field !== "backspin_rpm");
+    const others = Object.keys(this.app.state).filter((field) => !["ball", "bat", "bat_toml", "backspin_rpm"].includes(field)); // another bat may be of another sport, with another ball
     this.app.aside("parks", others, 900, (found) => this.parks.show(found));
   },
 
