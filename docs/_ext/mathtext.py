@@ -20,7 +20,6 @@ from matplotlib.figure import Figure
 from sphinx.application import Sphinx
 
 logging.getLogger("matplotlib.mathtext").setLevel(logging.WARNING)  # a sign from another font is no news
-logging.getLogger("skfem").setLevel(logging.WARNING)  # the theme lets every library tell what it is about to do
 
 FONT_SIZE = 13
 PADDING = 2.0

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import logging
-
 import numpy as np
 import pytest
 
 from sweetspot import catalog
 from sweetspot.dynamics.beam import beam_model, section
 from sweetspot.dynamics.bending import bending_modes
-from sweetspot.dynamics.hoop import hoop_frequency
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
@@ -19,15 +16,6 @@ from sweetspot.equipment.bat import Bat
 @pytest.fixture(scope="module")
 def modes(r161: Bat) -> Modes:
     return bending_modes(beam_model(r161))
-
-
-def test_nobody_elses_logger_is_touched(r161: Bat, caplog: pytest.LogCaptureFixture) -> None:
-    """A user's own scikit-fem goes on telling what it tells; our elements give it nothing to say."""
-    logger = logging.getLogger("skfem")
-    before = logger.level
-    bending_modes(beam_model(r161))
-    hoop_frequency(beam_model(catalog.bat("single-wall")))
-    assert logger.level == before and not caplog.records
 
 
 def test_modes_are_orthonormal_in_mass(r161: Bat, modes: Modes) -> None:

@@ -8,17 +8,15 @@ parts do not lock. The bat's breakpoints and point masses are element ends.
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
-from skfem import Basis, ElementLinePp, MeshLine
 
 from sweetspot.dynamics.beam import BeamModel, moments, section
+from sweetspot.dynamics.beam_elements import Basis, gauss_places
 from sweetspot.dynamics.modes import Family, Modes
 from sweetspot.dynamics.residual_flexibility import left_out
-from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.eigen import lowest
 from sweetspot.numerics.gauss_legendre import quadrature
 from sweetspot.numerics.piecewise import Piecewise
@@ -55,9 +53,10 @@ def bending_modes(line: BeamModel, *, count: int = MODES, elements: int = ELEMEN
     Damping is the material's free-free ratio, the same for every mode. Holds for transverse waves longer than
     the barrel is thick, that is up to about 10 kHz for a wood bat.
     """
-    edges, deflection, squares, vectors, stiffening = _solved(line, count, elements)
+    deflection, squares, vectors, stiffening = _solved(line, count, elements)
+    edges = deflection.edges
     omega = np.sqrt(squares)
-    bending = _as_polynomials(deflection, vectors[: deflection.N])
+    bending = deflection.local_polynomials(vectors[: deflection.size])
     bending *= np.sign(bending[:, -1, :].sum(axis=0))  # positive at the tip (local coordinate 1 of the last element)
     coefficients = np.concatenate([_rigid_polynomials(line, edges), bending], axis=2)
     widths = np.diff(edges)
@@ -80,22 +79,22 @@ def bending_modes(line: BeamModel, *, count: int = MODES, elements: int = ELEMEN
 
 def bending_frequencies(line: BeamModel, *, count: int, elements: int = ELEMENTS) -> Array:
     """Return the frequencies in Hz of the lowest ``count`` bending modes alone; see `bending_modes`."""
-    _, _, squares, _, _ = _solved(line, count, elements)
+    _, squares, _, _ = _solved(line, count, elements)
     return np.asarray(np.sqrt(squares) / (2 * np.pi))
 
 
-def _solved(line: BeamModel, count: int, elements: int) -> tuple[Array, Any, Array, Array, float]:
-    """Return element ends, the deflection's basis, squared angular frequencies, mass-normalised vectors.
+def _solved(line: BeamModel, count: int, elements: int) -> tuple[Basis, Array, Array, float]:
+    """Return the deflection's basis, squared angular frequencies, mass-normalised vectors.
 
     Last comes the factor by which a measured frequency scales the stiffness.
     """
-    edges, deflection, rotation = _mesh(line, elements)
-    stiffness, inertia = _matrices(line, deflection, rotation)
+    edges = _edges(line, elements)
+    stiffness, inertia = _matrices(line, edges)
     squares, vectors = lowest(stiffness, inertia, first=2, last=count + 1, shift=SHIFT * _first_square(line))
     stiffening = 1.0
     if line.bat.frequency is not None:  # stiffness known up to a factor, which does not change the shapes
         stiffening = float((2 * np.pi * line.bat.frequency) ** 2 / _first_measured(line, squares, elements))
-    return edges, deflection, stiffening * squares, vectors, stiffening
+    return Basis(edges, DEGREE), stiffening * squares, vectors, stiffening
 
 
 def _first_measured(line: BeamModel, squares: Array, elements: int) -> float:
@@ -103,23 +102,20 @@ def _first_measured(line: BeamModel, squares: Array, elements: int) -> float:
     if not line.bat.added:
         return float(squares[0])
     bare = replace(line, bat=line.bat.replaced(added=()), point_masses=line.point_masses[: -len(line.bat.added)])
-    _, deflection, rotation = _mesh(bare, elements)
-    stiffness, inertia = _matrices(bare, deflection, rotation)
+    stiffness, inertia = _matrices(bare, _edges(bare, elements))
     first, _ = lowest(stiffness, inertia, first=2, last=2, shift=SHIFT * _first_square(bare))
     return float(first[0])
 
 
 def mesh_matrices(line: BeamModel, *, elements: int = ELEMENTS) -> tuple[Array, Array, float]:
     """Return dense stiffness and mass matrices, and the shift in (rad/s)^2 with which they are solved."""
-    _, deflection, rotation = _mesh(line, elements)
-    return *_matrices(line, deflection, rotation), SHIFT * _first_square(line)
+    return *_matrices(line, _edges(line, elements)), SHIFT * _first_square(line)
 
 
-def _mesh(line: BeamModel, elements: int) -> tuple[Array, Any, Any]:
-    """Return element ends, and the bases of deflection and rotation on them."""
+def _edges(line: BeamModel, elements: int) -> Array:
+    """Return element ends: the implement's breakpoints, its point masses, and even places between them."""
     ends = {*line.bat.breakpoints(), *(weight.position for weight in line.point_masses)}
-    edges = _element_edges(apart(sorted(ends)), line.bat.length / elements)
-    return edges, *_bases(edges)
+    return _element_edges(apart(sorted(ends)), line.bat.length / elements)
 
 
 def _first_square(line: BeamModel) -> float:
@@ -145,62 +141,34 @@ def _element_edges(breakpoints: tuple[float, ...], size: float) -> Array:
     return np.concatenate(pieces)
 
 
-@cache
-def _elements() -> tuple[Any, Any]:
-    return ElementLinePp(DEGREE), ElementLinePp(DEGREE - 1)
-
-
-def _bases(edges: Array) -> tuple[Any, Any]:
-    mesh = MeshLine(edges)
-    quartic, cubic = _elements()
-    deflection = Basis(mesh, quartic, intorder=2 * DEGREE + 2)
-    return deflection, Basis(mesh, cubic, quadrature=deflection.quadrature)
-
-
-def _matrices(line: BeamModel, deflection: Any, rotation: Any) -> tuple[Array, Array]:
+def _matrices(line: BeamModel, edges: Array) -> tuple[Array, Array]:
     """Return dense stiffness and mass matrices, deflections first, then rotations."""
-    at = section(line, deflection.global_coordinates()[0])
-    lengths = deflection.dx
-    w, w_slope = _values_and_slopes(deflection)
-    psi, psi_slope = _values_and_slopes(rotation)
-    rows, columns = deflection.element_dofs, rotation.element_dofs
+    w, psi = Basis(edges, DEGREE), Basis(edges, DEGREE - 1)
+    places, lengths = gauss_places(edges)
+    at = section(line, places)
+    rows, columns = w.numbers, psi.numbers + w.size
     shear, bending = at.shear_stiffness * lengths, at.bending_stiffness * lengths
-    size, split = deflection.N + rotation.N, deflection.N
+    size = w.size + psi.size
     stiffness, inertia = np.zeros((size, size)), np.zeros((size, size))
-    _add(stiffness, shear, (rows, w_slope), (rows, w_slope))
-    _add(stiffness, -shear, (rows, w_slope), (columns + split, psi))
-    _add(stiffness, -shear, (columns + split, psi), (rows, w_slope))
-    _add(stiffness, shear, (columns + split, psi), (columns + split, psi))
-    _add(stiffness, bending, (columns + split, psi_slope), (columns + split, psi_slope))
-    _add(inertia, at.mass * lengths, (rows, w), (rows, w))
-    _add(inertia, at.rotary_inertia * lengths, (columns + split, psi), (columns + split, psi))
+    _add(stiffness, shear, (rows, w.slopes), (rows, w.slopes))
+    _add(stiffness, -shear, (rows, w.slopes), (columns, psi.values))
+    _add(stiffness, -shear, (columns, psi.values), (rows, w.slopes))
+    _add(stiffness, shear, (columns, psi.values), (columns, psi.values))
+    _add(stiffness, bending, (columns, psi.slopes), (columns, psi.slopes))
+    _add(inertia, at.mass * lengths, (rows, w.values), (rows, w.values))
+    _add(inertia, at.rotary_inertia * lengths, (columns, psi.values), (columns, psi.values))
     for weight in line.point_masses:  # each sits on an element's end, whose deflection is an unknown of its own
-        node = deflection.nodal_dofs[0, np.argmin(np.abs(deflection.mesh.p[0] - weight.position))]
+        node, tilt = w.number_at(weight.position), w.size + psi.number_at(weight.position)
         inertia[node, node] += weight.mass
-        if weight.moi:
-            tilt = split + rotation.nodal_dofs[0, np.argmin(np.abs(deflection.mesh.p[0] - weight.position))]
-            inertia[tilt, tilt] += weight.moi
+        inertia[tilt, tilt] += weight.moi
     return stiffness, inertia
 
 
-def _values_and_slopes(basis: Any) -> tuple[Array, Array]:
-    """Return the basis functions and their derivatives at quadrature points, shape (functions, elements, points)."""
-    return np.array([f[0] for f in basis.basis]), np.array([f[0].grad[0] for f in basis.basis])
-
-
-def _add(matrix: Array, weight: Array, left: tuple[Any, Array], right: tuple[Any, Array]) -> None:
+def _add(matrix: Array, weight: Array, left: tuple[IntArray, Array], right: tuple[IntArray, Array]) -> None:
     """Add the integral of weight * left_i * right_j over every element to ``matrix``."""
     (rows, left_values), (columns, right_values) = left, right
-    local = (weight * left_values).transpose(1, 0, 2) @ right_values.transpose(1, 2, 0)
-    np.add.at(matrix, (rows.T[:, :, None], columns.T[:, None, :]), local)
-
-
-def _as_polynomials(basis: Any, vectors: Array) -> Array:
-    """Return the deflections as polynomials in the local coordinate 0..1, shape (degree + 1, elements, modes)."""
-    functions, _ = _values_and_slopes(basis)
-    values = np.einsum("ieq,iem->qem", functions, vectors[basis.element_dofs])
-    powers = np.vander(basis.X[0], DEGREE + 1)
-    return np.asarray(np.tensordot(np.linalg.pinv(powers), values, axes=1))
+    local = (weight[..., None] * left_values).transpose(0, 2, 1) @ right_values
+    np.add.at(matrix, (rows[:, :, None], columns[:, None, :]), local)
 
 
 def _rigid_polynomials(line: BeamModel, edges: Array) -> Array:

@@ -16,7 +16,6 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-import scipy.linalg
 from numpy.polynomial import legendre
 from pydantic import model_validator
 
@@ -26,6 +25,7 @@ from sweetspot.equipment.base import Positive, Validated
 from sweetspot.equipment.material import Material
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.eigen import eigenpairs
 from sweetspot.numerics.piecewise import Piecewise
 
 Support = Literal["clamped", "floor", "free"]
@@ -200,7 +200,7 @@ def dent(block: Block, *, patch: float, depth: float) -> Give:
     stiffness = modulus / total * (rates * weight) @ rates.T
     stiffness[0, 0] += modulus / total * bottom
     inertia = material.density * total * (values * weight * wide**2) @ values.T
-    squares, vectors = scipy.linalg.eigh(stiffness, inertia)
+    squares, vectors = eigenpairs(stiffness, inertia)
     face = (1 + bottom) * vectors[0]
     return _without_the_fast(Give(np.sqrt(squares) / (2 * np.pi), face))
 
@@ -251,7 +251,7 @@ def plate(block: Block, *, patch: float) -> Give:
     inertia = energy(mass, (w[0], nothing, nothing))
     inertia += energy(mass * thickness**2 / 12, (nothing, turn_x[0], nothing))
     inertia += energy(mass * thickness**2 / 12, (nothing, nothing, turn_y[0]))
-    squares, vectors = scipy.linalg.eigh(stiffness, inertia)
+    squares, vectors = eigenpairs(stiffness, inertia)
     face = _over_patch(basis, patch, half_x, half_y) @ vectors[:size]
     first = 0 if clamped else 1  # the lowest motion of a free plate is its translation
     frequency = np.sqrt(np.maximum(squares[first:], 0.0)) / (2 * np.pi)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-import scipy.linalg
 
 from sweetspot.dynamics.modes import Family, Modes
 from sweetspot.equipment.implement import Implement, check_position
 from sweetspot.motion.swing import Hands
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.eigen import eigenpairs
 from sweetspot.numerics.piecewise import Piecewise
 
 
@@ -39,7 +39,7 @@ def gripped(modes: Modes, hands: Hands) -> Modes:
     stretch = np.hstack([modes.shape_at(np.array(hands.places)), -np.eye(2)])  # of each hand's flesh
     inertia = np.diag(np.concatenate([np.ones(count), [hands.mass, hands.mass]]))
     stiffness = np.diag(np.concatenate([modes.angular_frequency**2, [0.0, 0.0]]))
-    squares, vectors = scipy.linalg.eigh(stiffness + hands.stiffness * stretch.T @ stretch, inertia)
+    squares, vectors = eigenpairs(stiffness + hands.stiffness * stretch.T @ stretch, inertia)
     dashpots = np.sqrt(hands.damping) * stretch @ vectors
     _, turn = np.linalg.eigh(dashpots @ dashpots.T)  # to orthogonal rows with the same damping matrix
     families, harmonics = _names(modes, vectors)

@@ -6,7 +6,6 @@ Every part of the patch is pushed along the ball's path: outwards by cos(theta) 
 from __future__ import annotations
 
 import numpy as np
-from scipy.special import j1
 
 from sweetspot.dynamics.beam import line_of_bat
 from sweetspot.dynamics.shell_elements import ShellElements, outward_functions, plane_functions
@@ -61,6 +60,8 @@ def _across(wave: Array, span: Array, radius: Array) -> Array:
     span : c in m.
     radius : a in m.
     """
+    from scipy.special import j1  # here: only hollow barrels need it
+
     phase = wave * span
     ratio = np.where(phase < 1e-6, 0.5, j1(phase) / np.where(phase < 1e-6, 1.0, phase))
     return np.asarray(1.5 / radius**3 * span**2 * ratio)

@@ -9,7 +9,6 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-import scipy.linalg
 from numpy.typing import ArrayLike
 
 from sweetspot.numerics.arrays import Array
@@ -96,14 +95,16 @@ def cubic_spline(places: ArrayLike, values: ArrayLike) -> Piecewise:
     width = np.diff(x)
     wide = width.reshape((-1,) + (1,) * (y.ndim - 1))
     rise = np.diff(y, axis=0) / wide
-    banded, right = np.zeros((3, len(x))), np.empty_like(y)
+    matrix, right = np.zeros((len(x), len(x))), np.empty_like(y)
     # slopes s: second derivatives agree where two pieces meet, third derivatives at the second point from either end
-    banded[0, 2:], banded[1, 1:-1], banded[2, :-2] = width[:-1], 2 * (width[:-1] + width[1:]), width[1:]
+    inner = np.arange(1, len(x) - 1)
+    matrix[inner, inner - 1], matrix[inner, inner + 1] = width[1:], width[:-1]
+    matrix[inner, inner] = 2 * (width[:-1] + width[1:])
     right[1:-1] = 3 * (wide[1:] * rise[:-1] + wide[:-1] * rise[1:])
     first, last = x[2] - x[0], x[-1] - x[-3]
-    banded[1, 0], banded[0, 1], banded[1, -1], banded[2, -2] = width[1], first, width[-2], last
+    matrix[0, :2], matrix[-1, -2:] = (width[1], first), (last, width[-2])
     right[0] = ((width[0] + 2 * first) * width[1] * rise[0] + width[0] ** 2 * rise[1]) / first
     right[-1] = (width[-1] ** 2 * rise[-2] + (2 * last + width[-1]) * width[-2] * rise[-1]) / last
-    slope = scipy.linalg.solve_banded((1, 1), banded, right.reshape(len(x), -1), check_finite=False).reshape(y.shape)
+    slope = np.linalg.solve(matrix, right.reshape(len(x), -1)).reshape(y.shape)
     bend = (slope[:-1] + slope[1:] - 2 * rise) / wide
     return Piecewise(np.stack([bend / wide, (rise - slope[:-1]) / wide - bend, slope[:-1], y[:-1]]), x)

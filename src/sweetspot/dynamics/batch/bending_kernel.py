@@ -7,12 +7,12 @@ Legendre polynomials that vanish there, so that element after element gives a na
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 import numpy as np
 
-from sweetspot.dynamics.bending import EVEN_BEAM, SHIFT
+from sweetspot.dynamics.beam_elements import at_gauss_points, powers
+from sweetspot.dynamics.bending import DEGREE, EVEN_BEAM, SHIFT
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.banded import WIDTH, lowest_pairs
 from sweetspot.numerics.gauss_legendre import GAUSS_POINTS
@@ -24,36 +24,9 @@ STEP = 7
 """Unknowns from one element to the next."""
 LOCAL = 9
 
-
-def _shape_functions() -> tuple[Array, Array]:
-    """Return values and slopes of 1/2 (1 -+ s) and the integrated Legendre polynomials 2 to 4, (points, 5), s -1..1."""
-    nodes = np.polynomial.legendre.leggauss(GAUSS_POINTS)[0]
-    polynomials = _polynomials()
-    return (
-        np.array([polynomial(nodes) for polynomial in polynomials]).T,
-        np.array([polynomial.deriv()(nodes) for polynomial in polynomials]).T,
-    )
-
-
-def _polynomials() -> list[np.polynomial.Polynomial]:
-    """Return the five functions as polynomials in s, in the order left end, inside, right end."""
-    inside = []
-    for order in (2, 3, 4):
-        legendre = np.polynomial.Legendre.basis(order - 1).convert(kind=np.polynomial.Polynomial)
-        inside.append(legendre.integ(lbnd=-1) * math.sqrt((2 * order - 1) / 2))
-    line = np.polynomial.Polynomial
-    return [line([0.5, -0.5]), *inside, line([0.5, 0.5])]
-
-
-def _powers() -> Array:
-    """Return the five functions' coefficients of t^4 ... t^0, t = 0..1 along the element, shape (5 powers, 5)."""
-    rows = [polynomial(np.polynomial.Polynomial([-1.0, 2.0])) for polynomial in _polynomials()]
-    return np.array([np.pad(row.coef, (0, 5 - len(row.coef)))[::-1] for row in rows]).T
-
-
 GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(GAUSS_POINTS)[1]
-VALUES, SLOPES = _shape_functions()
-POWERS = np.ascontiguousarray(_powers())
+VALUES, SLOPES = at_gauss_points(DEGREE)
+POWERS = powers(DEGREE)
 ROTATION_OF = np.array([0, 1, 2, 4])
 """Which of the five functions the rotation uses."""
 
