@@ -1,4 +1,4 @@
-"""Start the laboratory in clean clones with nothing compiled, on a busy machine, and time when a browser has its picture.
+"""Start the laboratory in clean clones with nothing compiled, on a busy machine; time when a browser has its picture.
 
 ``python tools/cold_starts.py [TRIES] [BUSY]``: ten tries beside two busy processes. Each clones what is committed into
 a folder of its own and runs ``make app`` there; a browser that is open already goes to the address as soon as it is
@@ -50,10 +50,11 @@ def one_start(browser: Browser) -> tuple[float, float | None]:
     with tempfile.TemporaryDirectory(prefix="clone-") as folder:
         subprocess.run(["git", "clone", "-q", str(HERE), f"{folder}/tree"], check=True)
         hidden = ("NUMBA_CACHE_DIR", "VIRTUAL_ENV", "PYTHONPATH", "MAKEFLAGS")
+        own = {"XDG_CACHE_HOME": f"{folder}/cache", "BROWSER": "true"}
         known = {name: value for name, value in os.environ.items() if name not in hidden}
         begin = time.perf_counter()
         making = subprocess.Popen(
-            ["make", "app"], cwd=f"{folder}/tree", env={**known, "XDG_CACHE_HOME": f"{folder}/cache", "BROWSER": "true"},
+            ["make", "app"], cwd=f"{folder}/tree", env={**known, **own},
             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True,
         )  # fmt: skip
         try:

@@ -7,7 +7,7 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import exit_speed_of
-from sweetspot.analysis.comparison import Comparison, best_exit_speed, compare, on_barrel
+from sweetspot.analysis.comparison import Comparison, best_exit_speeds, compare, on_barrel
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
@@ -66,10 +66,10 @@ def test_break_even_breaks_even(found: Comparison) -> None:
     for other in found.compared:
         analysis = other.analysis
         swing = analysis.conditions.swing.replaced(bat_speed=other.break_even)
-        speed = best_exit_speed(
+        (speed,) = best_exit_speeds(
             analysis.modes,
             positions=on_barrel(analysis.scan.position, analysis.body),
-            conditions=analysis.conditions.replaced(swing=swing),
+            swung=[analysis.conditions.replaced(swing=swing)],
         )
         assert speed == pytest.approx(found.reference.exit_speed.value, abs=1e-8)
 

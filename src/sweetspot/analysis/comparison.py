@@ -11,6 +11,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Generic
 
+import numpy as np
+
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced
 from sweetspot.collision.closed_form import exit_speed
 from sweetspot.collision.kernel import hits
@@ -30,6 +32,8 @@ from sweetspot.units import insisted
 ACCURACY = 1e-9
 """m/s of exit speed to which a break-even bat speed is found."""
 TRIALS = 30
+USUAL_SLOPE = 1.2
+"""About 1 + q: exit speed gained by bat speed, where no two swings tell."""
 
 
 @dataclass(frozen=True)
@@ -197,26 +201,40 @@ def on_barrel(positions: Array, body: RigidBody) -> Array:
     return positions[positions > body.balance_point]
 
 
-def best_exit_speed(modes: Modes, *, positions: Array, conditions: Conditions) -> float:
-    """Return the greatest exit speed in m/s of hits at ``positions`` (m from the knob end, increasing)."""
-    bat_speed = conditions.swing.angular_speed * (positions - conditions.swing.pivot)
-    closing, ball = conditions.pitch.speed + bat_speed, conditions.ball
-    done = hits(modes, ball=ball, position=positions, closing_speed=closing)
-    return peak(exit_speed(done.collision_efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed))
+def best_exit_speeds(modes: Modes, *, positions: Array, swung: Sequence[Conditions]) -> list[float]:
+    """Return the greatest exit speed in m/s of hits at ``positions`` (m from the knob end, increasing), swing by swing.
+
+    All swings meet the same ball.
+    """
+    bat_speeds = [one.swing.angular_speed * (positions - one.swing.pivot) for one in swung]
+    pitches = [one.pitch.speed for one in swung]
+    closing = np.concatenate([pitch + speed for pitch, speed in zip(pitches, bat_speeds, strict=True)])
+    done = hits(modes, ball=swung[0].ball, position=np.tile(positions, len(swung)), closing_speed=closing)
+    shared = np.split(done.collision_efficiency, len(swung))
+    return [
+        peak(exit_speed(efficiency, ball_speed=pitch, bat_speed=speed))
+        for efficiency, pitch, speed in zip(shared, pitches, bat_speeds, strict=True)
+    ]
 
 
-def break_even_speed(modes: Modes, *, positions: Array, conditions: Conditions, exit_speed: float) -> float:
+def _break_even_speed(modes: Modes, *, positions: Array, swung: Sequence[Conditions], exits: Interval,
+                     exit_speed: float) -> float:  # fmt: skip
     """Return the bat speed in m/s, where the swing measures it, that gives this greatest exit speed.
 
     It is nan when no bat speed that a swing may have does.
+
+    Parameters
+    ----------
+    swung, exits : the most likely, slowest and fastest swing and their greatest exit speeds, where the search begins.
     """
 
     def excess(bat_speed: float) -> float:
-        swung = conditions.replaced(swing=conditions.swing.replaced(bat_speed=bat_speed))
-        return best_exit_speed(modes, positions=positions, conditions=swung) - exit_speed
+        swing = swung[0].swing.replaced(bat_speed=bat_speed)
+        return best_exit_speeds(modes, positions=positions, swung=[swung[0].replaced(swing=swing)])[0] - exit_speed
 
-    speed = conditions.swing.bat_speed
-    miss, slope = excess(speed), 1.2  # about 1 + q
+    speed, *ends = (one.swing.bat_speed for one in swung)
+    known = max(ends) - min(ends)
+    miss, slope = exits.value - exit_speed, (exits.high - exits.low) / known if known > 0 else USUAL_SLOPE
     for _ in range(TRIALS):
         if abs(miss) < ACCURACY:
             break
@@ -234,7 +252,7 @@ def _compared(
     body, along, modes = analysis.body, analysis.scan, analysis.modes
     barrel = along.position > body.balance_point
     places = on_barrel(along.position, body)
-    exits = Interval(*(best_exit_speed(modes, positions=places, conditions=conditions) for conditions in swung))
+    exits = Interval(*best_exit_speeds(modes, positions=places, swung=swung))
     known = exits.value if reference is None else reference.exit_speed.value
     return Compared(
         label=label,
@@ -244,5 +262,5 @@ def _compared(
         bat_speed=Interval(*(conditions.swing.bat_speed for conditions in swung)),
         exit_speed=exits,
         change=exits.shifted(-known),
-        break_even=break_even_speed(modes, positions=places, conditions=swung[0], exit_speed=known),
+        break_even=_break_even_speed(modes, positions=places, swung=swung, exits=exits, exit_speed=known),
     )

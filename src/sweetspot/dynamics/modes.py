@@ -18,6 +18,10 @@ from sweetspot.numerics.piecewise import Piecewise
 Family = Literal["rigid", "bending", "hoop", "face", "hand"]
 
 
+ASKED = np.linspace(0.4, 1.0, 25)
+"""Parts of the length at which the surface is asked how light it is."""
+
+
 @dataclass(frozen=True)
 class Surface:
     """How the struck surface moves where that depends on more than the place along it.
@@ -124,6 +128,13 @@ class Modes:
     def slope_at(self, position: ArrayLike) -> Array:
         """Return how the shapes of the line change along it, 1/(sqrt(kg) m): shape (..., n) for positions (...)."""
         return np.asarray(self._slopes(np.asarray(position, float)))
+
+    @cached_property
+    def liveliest(self) -> tuple[float, float]:
+        """How light and how stiff the surface gets: the greatest sum of squared shapes, 1/kg, and least give, m/N."""
+        first, last = self.shapes.ends[0], self.shapes.ends[-1]
+        places = first + ASKED * (last - first)
+        return float((self.shape_at(places) ** 2).sum(axis=-1).max()), float(self.compliance_at(places).min())
 
     @cached_property
     def _slopes(self) -> Piecewise:

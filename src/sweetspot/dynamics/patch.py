@@ -33,6 +33,8 @@ RECOIL = 0.235
 speed over sqrt(1 + RECOIL) [russell_impulse, as in the ball's peak force]."""
 RATIOS = np.sqrt(np.linspace(0.4**2, 1.25**2, 4))
 """Radii of the tables over that at `PATCH_SPEED`, even in their squares: hits of 7 to 120 m/s with a baseball."""
+OTHERS = np.array([[other for other in range(len(RATIOS)) if other != own] for own in range(len(RATIOS))])
+"""For each of the tables the others, as Lagrange's weights multiply them."""
 
 
 def contact_patch(ball: Ball, closing_speed: float | None = None) -> float:
@@ -72,7 +74,7 @@ class PatchLaw:
         """Return the radius in m, as far as tables reach; the least for a speed that is none."""
         speed = np.maximum(np.nan_to_num(closing_speed), 0.0)
         radius = self.reference * (speed / self.reference_speed) ** self.power
-        return np.asarray(np.clip(radius, self.radii[0], self.radii[-1]))
+        return np.asarray(np.minimum(np.maximum(radius, self.radii[0]), self.radii[-1]))
 
     def weights_at(self, closing_speed: Array | float | None) -> Array:
         """Return Lagrange's weights of tables of ``radii``, in the square of the radius, shape (..., radii).
@@ -87,11 +89,8 @@ class PatchLaw:
     def weights_of(self, radius: Array) -> Array:
         """Return Lagrange's weights for radii in m of shape (...), shape (..., radii)."""
         nodes, square = self.radii**2, radius[..., None] ** 2
-        parts = []
-        for index, own in enumerate(nodes):
-            others = np.delete(nodes, index)
-            parts.append(np.prod((square - others) / (own - others), axis=-1))
-        return np.stack(parts, axis=-1)
+        between = (nodes[:, None] - nodes[OTHERS]).prod(axis=-1)
+        return np.asarray((square - nodes)[..., OTHERS].prod(axis=-1) / between)
 
 
 def patch_law(ball: Ball, *, factor: float = 1.0) -> PatchLaw:

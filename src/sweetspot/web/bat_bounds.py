@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 
 import numpy as np
 
@@ -10,7 +11,7 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.units import INCH, OUNCE
-from sweetspot.web.bats import plain
+from sweetspot.web.bats import KEPT, plain
 from sweetspot.web.states import BatState, SwungState
 
 Range = tuple[float, float]
@@ -42,6 +43,7 @@ def bounds(state: BatState, bat: Bat) -> dict[str, Range]:
     return limits
 
 
+@lru_cache(maxsize=KEPT)
 def _masses(bat: Bat) -> Range:
     """Return the weights that a bat can have: by other wood, or by a weight in a hollow bat's end cap."""
     line = beam_model(bat)

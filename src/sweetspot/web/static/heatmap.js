@@ -55,6 +55,11 @@ export class HeatMap {
     this.surface.drags(({ x: across, y: down, last }) => this.data && onPick(this.xAt(across), this.yAt(down), { last }));
   }
 
+  clear() {
+    this.data = null;
+    this.surface.draw();
+  }
+
   /** @param {{ x: number[], y: number[], z: Values[], cross?: number[], outline?: number[][], range?: Span, heights?: Span }} data */
   draw(data) {
     this.data = data;

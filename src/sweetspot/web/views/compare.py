@@ -10,7 +10,7 @@ import numpy as np
 from pydantic import Field
 
 from sweetspot import catalog
-from sweetspot.analysis.certification.rules import check_rules, construction_findings, title
+from sweetspot.analysis.certification.rules import League, check_rules, construction_findings, title
 from sweetspot.analysis.certification.simulated_test import Certification, certify
 from sweetspot.analysis.comparison import Compared, Comparison, compare_reduced
 from sweetspot.analysis.trampoline import wall_point_of
@@ -60,9 +60,10 @@ class CompareState(SwungState):
 
 
 def answer(state: CompareState) -> dict[str, Any]:
-    """Return curves, changes with their intervals, the verdict in words, and every rule held against every bat."""
+    """Return curves, changes with their intervals, and the verdict in words."""
     state = swung(state)
     ball = ball_of(state)
+    _leagues(state)  # a wrong name is told at once, though the rules come apart
     reductions, labels = _bats(state, ball)
     with about("swing_law"):
         law = swing_law(state.swing_law or "") if state.same == "effort" else None
@@ -84,8 +85,14 @@ def answer(state: CompareState) -> dict[str, Any]:
         "ball": ball_picture(state, ball),
         "assumptions": assumed.read(US),
         "si": {"verdict": [sentence.read(SI) for sentence in words], "assumptions": assumed.read(SI)},
-        "certification": _certification(state, found),
     }
+
+
+def rules(state: CompareState) -> dict[str, Any]:
+    """Return what the league's simulated test measures of every bat, and every rule held against it."""
+    state = swung(state)
+    reductions, labels = _bats(state, ball_of(state))
+    return {"certification": _certification(state, reductions, labels)}
 
 
 def _doubt(one: Compared) -> dict[str, Any]:
@@ -171,22 +178,25 @@ def _wall(one: Compared) -> dict[str, float]:
     }
 
 
-def _certification(state: CompareState, found: Comparison) -> list[dict[str, Any]]:
-    """Return, for every bat, the measures of the simulated test and every rule of the chosen leagues."""
+def _leagues(state: CompareState) -> list[League]:
     with about("league"):
-        leagues = [league(name) for name in (league_names() if state.league == ALL else [state.league or ""])]
-    rows = []
-    for one in found.compared:
-        bat, checks, measures = one.analysis.bat, [], {}
+        return [league(name) for name in (league_names() if state.league == ALL else [state.league or ""])]
+
+
+def _certification(state: CompareState, reductions: list[ReducedBat], labels: list[str]) -> list[dict[str, Any]]:
+    """Return, for every bat, the measures of the simulated test and every rule of the chosen leagues."""
+    leagues, rows = _leagues(state), []
+    for reduction, label in zip(reductions, labels, strict=True):
+        bat, checks, measures = reduction.bat, [], {}
         for each in leagues:
             done = _certified(bat.choked_up(-bat.choke) if bat.choke else bat, each.ball)
-            known = {**construction_findings(bat, body=one.analysis.body), **done.findings()}
+            known = {**construction_findings(bat, body=reduction.body), **done.findings()}
             measures = {"bbcor": done.bbcor, "besr": done.besr, "bpf": done.bpf, "ball": done.ball.name}
             checks += [
                 {**check_json(each.key, check), "league_name": each.name, "title": title(check.rule)}
                 for check in check_rules(each, bat=bat, findings=known)
             ]
-        rows.append({"label": one.label, **measures, "checks": checks})
+        rows.append({"label": label, **measures, "checks": checks})
     return rows
 
 
@@ -238,4 +248,4 @@ def recipe(state: CompareState) -> dict[str, str]:
     return {"command": "\n".join(lines), "python": python, "toml": bat_text(state), **files}
 
 
-VIEW = View("compare", "Compare", CompareState, answer, recipe)
+VIEW = View("compare", "Compare", CompareState, answer, recipe, asides={"rules": rules})

@@ -8,7 +8,7 @@ from typing import Any
 import tomli_w
 
 from sweetspot.analysis.certification.rules import Finding, check_rules, construction_findings, title
-from sweetspot.calibration.calibrated_file import calibrated_bat, calibrated_table, material_values, properties
+from sweetspot.calibration.calibrated_file import Value, calibrated_bat, calibrated_table, material_values, properties
 from sweetspot.calibration.measured import REACH, Measured
 from sweetspot.calibration.measurements import predicted
 from sweetspot.calibration.posterior import Posterior
@@ -45,6 +45,7 @@ def answer(state: OwnState) -> dict[str, Any]:
     fitted = own if posterior is None else calibrated_bat(posterior, damping_of(state))
     body = rigid_body(beam_model(fitted))
     words = [] if posterior is None else contradictions(posterior)
+    known = {} if posterior is None else properties(posterior)
     budget = [] if posterior is None else [budget_words(posterior)]
     return {
         "bat": {
@@ -55,12 +56,12 @@ def answer(state: OwnState) -> dict[str, Any]:
         | {"moi_6in_half_kg_m2": REACH * moi_doubt(fitted, body, STANDARD_AXIS)},
         "guesses": _guesses(own),
         "expected": expected_tones(state),
-        "values": [] if posterior is None else _values(posterior, damping_of(state)),
+        "values": [] if posterior is None else _values(known, posterior, damping_of(state)),
         "unknowns": [] if posterior is None else _unknowns(posterior),
         "measurements": _residuals(state, posterior),
         "contradictions": _both(words),
         "budget": _both(budget),
-        "rules": _rules(state, own, fitted, posterior),
+        "rules": _rules(state, own, fitted, known),
     }  # fmt: skip
 
 
@@ -74,8 +75,8 @@ def _guesses(own: Bat) -> dict[str, float]:
     return {"weighed_oz": body.mass / OUNCE, "balanced_in": body.balance_point / INCH}
 
 
-def _values(posterior: Posterior, damping: Measured | None) -> list[dict[str, Any]]:
-    values = {**properties(posterior), **material_values(posterior)}
+def _values(known: dict[str, Value], posterior: Posterior, damping: Measured | None) -> list[dict[str, Any]]:
+    values = {**known, **material_values(posterior)}
     rows = [
         {"name": name, "label": VALUES[name][0], "scale": VALUES[name][1], "value": one.value.value,
          "half": REACH * one.value.error, "known_from": one.kind}
@@ -125,15 +126,15 @@ def _residuals(state: OwnState, posterior: Posterior | None) -> list[dict[str, A
     return rows
 
 
-def _rules(state: OwnState, own: Bat, fitted: Bat, posterior: Posterior | None) -> list[dict[str, Any]]:
+def _rules(state: OwnState, own: Bat, fitted: Bat, values: dict[str, Value]) -> list[dict[str, Any]]:
     """Return the league's rules held against the bat; a moment of inertia counts with its interval."""
     usual = "mlb" if own.material.family == "wood" and own.shell is None else "ncaa"
     with about("league"):
         rules = league(usual if state.league == "usual" else state.league)
     known = construction_findings(fitted, body=rigid_body(beam_model(fitted)))
     known["solid_wood"] = construction_findings(own, body=rigid_body(beam_model(own)))["solid_wood"]  # without the tape
-    if posterior is not None:
-        moi = properties(posterior)["moi"].value
+    if "moi" in values:
+        moi = values["moi"].value
         known["moi"] = Finding(moi.value, interval=(moi.low, moi.high), interval_is="the 90 % interval")
     return [
         {**check_json(rules.key, check), "title": title(check.rule), "league_name": rules.name}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from functools import lru_cache
 from shlex import quote
 from typing import Annotated, Any
@@ -20,7 +20,7 @@ from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.closed_form import exit_speed
 from sweetspot.collision.impact import Outcome
 from sweetspot.collision.kernel import hits_with_motion
-from sweetspot.dynamics.reduction import reduced_bat
+from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions, Pitch
 from sweetspot.report.bat.json import bat_json
@@ -47,18 +47,9 @@ class SportsState(ViewState):
     aside_in: float = Field(0.0, ge=-6, le=6, description="across the face, from its line")
 
 
-@dataclass(frozen=True)
-class Played:
-    """An implement with its usual or chosen stroke, and the map of its face as it is shown."""
-
-    analysis: Analysis[Implement]
-    face: dict[str, Any] | None
-
-
 def answer(state: SportsState) -> dict[str, Any]:
-    """Return the implement's sweet spots, curves along it, the map of its face, and the hit at the chosen place."""
-    played = _played(state.implement, state.swing_mph, state.incoming_mph)
-    analysis = played.analysis
+    """Return the implement's sweet spots, curves along it, and the hit at the chosen place."""
+    analysis = _played(state)
     tool, conditions, spots = analysis.bat, analysis.conditions, analysis.sweet_spots
     sport = catalog.sport(tool.sport)
     along = analysis.scan
@@ -68,6 +59,8 @@ def answer(state: SportsState) -> dict[str, Any]:
         "sting_m_s": along.sting,
     }  # fmt: skip
     return {
+        "implement": state.implement,
+        "has_face": _has_face(tool),
         "sport": sport.name,
         "words": words_of(tool).model_dump(),
         "tool": {**bat_json(tool.name, tool.length, analysis.body), "made_of": tool.made_of},
@@ -79,19 +72,39 @@ def answer(state: SportsState) -> dict[str, Any]:
             "zone_m": spots.zone,
         },
         "scan": {name: np.round(values, 6) for name, values in curves.items()},
-        "face": played.face,
         "hit": _hit(state, analysis),
-        "sentences": {
-            system: [one.read(reader) for one in words_about(analysis, [])] for system, reader in SYSTEMS.items()
-        },
     }
 
 
-@lru_cache(maxsize=64)
-def _played(name: str, swing: float | None, incoming: float | None) -> Played:
+def sentences(state: SportsState) -> dict[str, Any]:
+    """Return where it hits best and why, in either system of units."""
+    told = words_about(_played(state), [])
+    return {"sentences": {system: [one.read(reader) for one in told] for system, reader in SYSTEMS.items()}}
+
+
+def face(state: SportsState) -> dict[str, Any]:
+    """Return what a hit gives at every place of the face; nothing where an implement has none."""
+    return {"face": _face(_played(state))}
+
+
+def _played(state: SportsState) -> Analysis[Implement]:
+    return _analysed(state.implement, state.swing_mph, state.incoming_mph)
+
+
+@lru_cache(maxsize=32)
+def _reduced(name: str) -> ReducedBat[Implement]:
+    """Return an implement with its modes under its usual ball."""
     with about("implement"):
         key, _ = entry(implement_tables(), name, "implement")  # by its name alone: a path must open no file
     tool = catalog.implement(key)
+    return reduced_bat(tool, ball=standard_conditions(tool).ball)
+
+
+@lru_cache(maxsize=64)
+def _analysed(name: str, swing: float | None, incoming: float | None) -> Analysis[Implement]:
+    """Return an implement with its usual or chosen stroke."""
+    reduced = _reduced(name)
+    tool = reduced.bat
     usual = standard_conditions(tool)
     with about("swing_mph"):
         conditions = Conditions(
@@ -99,12 +112,11 @@ def _played(name: str, swing: float | None, incoming: float | None) -> Played:
             swing=usual.swing if swing is None else usual.swing.replaced(bat_speed=swing * MPH),
             hands=usual.hands, ball=usual.ball,
         )  # fmt: skip
-        analysis = analyse_reduced(reduced_bat(tool, ball=conditions.ball), conditions)
-    return Played(analysis, _face(analysis))
+        return analyse_reduced(reduced, conditions)
 
 
 def _face(analysis: Analysis[Implement]) -> dict[str, Any] | None:
-    if analysis.bat.outline is None or analysis.bat.face is None:
+    if not _has_face(analysis.bat):
         return None
     found = face_map(analysis.reduced, analysis.conditions, columns=ALONG, rows=ACROSS)
     place, across = found.best()
@@ -117,6 +129,10 @@ def _face(analysis: Analysis[Implement]) -> dict[str, Any] | None:
         "best_m": place,
         "best_lateral_m": across,
     }
+
+
+def _has_face(tool: Implement) -> bool:
+    return tool.outline is not None and tool.face is not None
 
 
 def _hit(state: SportsState, analysis: Analysis[Implement]) -> dict[str, Any]:
@@ -169,4 +185,4 @@ def recipe(state: SportsState) -> dict[str, str]:
     return {"command": f"sweetspot report {quote(name)}{options}", "python": python}
 
 
-VIEW = View("sports", "Every sport", SportsState, answer, recipe)
+VIEW = View("sports", "Every sport", SportsState, answer, recipe, asides={"face": face, "sentences": sentences})

@@ -13,6 +13,7 @@ const VERDICTS = {
   pass: ["✓ pass", "good"], fail: ["✗ fail", "bad"], "not decidable": ["? not decidable", ""], "does not apply": ["– does not apply", "muted"],
 };
 const BARREL = 12 * INCH; // shown until somebody zooms
+const SWUNG = ["pitch_speed_mph", "bat_speed_mph", "hands_in", "same", "swing_law"]; // which no rule asks about
 const KINDS = { m: "x_m", "m/s": "x_m_s", "kg m^2": "x_kg_m2" };
 
 /** @type {View} */
@@ -77,7 +78,11 @@ export const view = {
     this.change.draw(bats);
     this.drawCurves(bats);
     this.bats.replaceChildren(this.tableOfBats(bats));
-    this.rules.replaceChildren(...this.rulesOf(answer.certification));
+    if (this.certification) this.rules.replaceChildren(...this.rulesOf(this.certification));
+    this.app.aside("rules", SWUNG, 150, ({ certification }) => {
+      this.certification = certification;
+      this.rules.replaceChildren(...this.rulesOf(certification));
+    });
   },
 
   // The curves with what is not known of each bat's speed, and below them how far each lies from the first one's.
@@ -168,7 +173,7 @@ export const view = {
     return { text: words + value, className, note: check.reason };
   },
 
-  unmount() {},
+  unmount() { this.certification = null; },
 
   figures() {
     return [this.change.surface.figure("change"), this.rows.surface.figure("bats"), this.chart.figure("curves")];

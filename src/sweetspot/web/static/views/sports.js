@@ -8,6 +8,8 @@ import { INCH } from "../units.js";
 /** @import { Fact } from "../parts.js" */
 /** @import { View } from "../main.js" */
 
+const PLACE = ["met_from_tip_in", "aside_in"]; // where the ball meets it changes neither map nor words
+
 /** @type {Fact[]} */
 const FACTS = [
   ["Leaves at", (a) => ["exit_speed_m_s", a.hit.exit_speed_m_s]],
@@ -78,26 +80,44 @@ export const view = {
 
   update(answer) {
     this.answer = answer;
-    const { tool, hit, scan, face, sweet_spots: spots, words, sport } = answer;
+    const { tool, hit, scan, sweet_spots: spots, words, sport } = answer;
     const show = (name, value, digits) => this.app.text(name, value, digits);
     const length = tool.length_m;
     this.words.textContent = `${tool.name.startsWith(sport) ? "" : `${sport}, `}${tool.name}: hits best ${show("from_m", length - spots.max_exit_speed_m, 1)} from the ${words.tip}. ` +
       `Here, ${show("from_m", length - hit.position_m, 1)} from it${hit.lateral_m ? ` and ${show("from_m", Math.abs(hit.lateral_m), 1)} off the line` : ""}, the ${words.ball} leaves at ${show("exit_speed_m_s", hit.exit_speed_m_s)}.`;
     this.app.announce(this.words.textContent);
     this.facts.fill(answer);
-    paragraphs(this.report, answer.sentences[this.app.units]);
-    this.map.element.hidden = this.map.numbers.element.hidden = !face;
-    if (face) {
-      this.map.draw({ x: face.position_m, y: face.lateral_m, z: face.exit_speed_m_s, cross: [hit.position_m, hit.lateral_m] });
-      this.map.label(`How fast the ball leaves from every place of the face. ${this.words.textContent}`);
-    }
+    if (answer.implement !== this.shown) Object.assign(this, { face: null, sentences: null, shown: answer.implement });
+    this.drawFace();
+    paragraphs(this.report, this.sentences?.[this.app.units] ?? []);
+    this.app.aside("face", PLACE, 80, ({ face }) => {
+      this.face = face;
+      this.drawFace();
+    });
+    this.app.aside("sentences", PLACE, 400, ({ sentences }) => {
+      this.sentences = sentences;
+      paragraphs(this.report, sentences[this.app.units]);
+    });
     const zone = spots.zone_m;
     this.chart.draw({ x: scan.position_m, lines: scan, range: [scan.position_m[0], scan.position_m.at(-1)], cursor: hit.position_m,
       bands: zone ? [{ from: zone[0], to: zone[1] }] : [], marks: [{ at: spots.max_exit_speed_m, color: "red", label: "fastest" }] });
     this.chart.label(`Speed of the ball, efficiency and vibration along the ${words.implement}. ${this.words.textContent}`);
   },
 
-  unmount() { this.answer = null; },
-  figures() { return [...(this.answer.face ? [this.map.figure("face")] : []), this.chart.figure("curves")]; },
+  // The map comes apart: the last one stands there until then.
+  drawFace() {
+    const { face, answer: { hit, has_face: some } } = this;
+    this.map.element.hidden = this.map.numbers.element.hidden = !some;
+    if (!some) return;
+    if (!face) {
+      this.map.clear();
+      return;
+    }
+    this.map.draw({ x: face.position_m, y: face.lateral_m, z: face.exit_speed_m_s, cross: [hit.position_m, hit.lateral_m] });
+    this.map.label(`How fast the ball leaves from every place of the face. ${this.words.textContent}`);
+  },
+
+  unmount() { Object.assign(this, { answer: null, face: null, sentences: null, shown: null }); },
+  figures() { return [...(this.face ? [this.map.figure("face")] : []), this.chart.figure("curves")]; },
   table() { return this.app.answer.scan; },
 };
