@@ -55,6 +55,14 @@ def test_a_hollow_bat_by_the_same_command(run_json: RunJson) -> None:
     assert {"wall_1", "end_cap_mass"} <= answer["variables"].keys()
 
 
+@pytest.mark.usefixtures("short_polish")
+def test_a_league_with_bpf_decides_it_by_the_simulated_test(run_json: RunJson) -> None:
+    answer = run_json("design", "slow-pitch", "--league", "softball", *QUICK)
+    assert [(one["quantity"], one["verdict"]) for one in answer["rules"]] == [("bpf", "pass")]
+    assert {"measure": "bpf", "least": None, "most": 1.2, "why": "softball, BPF rule"} in answer["limits"]
+    assert answer["measures"]["bpf"] <= 1.2
+
+
 @pytest.mark.parametrize(
     ("arguments", "fault"),
     [
@@ -63,6 +71,7 @@ def test_a_hollow_bat_by_the_same_command(run_json: RunJson) -> None:
             "exclude each other: mass from 26.00 oz",
         ),
         (("--mass", "31oz"), "give a band LOW:HIGH"),
+        (("two-piece", "--want", "durability"), "bears is not known"),
         (("--contacts", "nowhere.csv"), "nowhere.csv"),
         (("--contact", "8in", "--player", "x.json"), "both say where the ball is met"),
         (("--swing-law", "none", "--exponent", "0.2"), "--exponent goes with a law"),

@@ -5,9 +5,13 @@ from __future__ import annotations
 import pytest
 
 from sweetspot import catalog
+from sweetspot.analysis.certification.simulated_test import certify
 from sweetspot.catalog.rules import league
+from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.design.gain import present_measured
 from sweetspot.design.limits import Limit, band, check_limits, drawn_values, league_limits
-from sweetspot.design.measures import Bench
+from sweetspot.design.measures import Bench, bench_of
+from sweetspot.design.usual_limits import kept_limits
 from sweetspot.design.variables import hollow_space, turned_space
 from sweetspot.errors import InputError
 
@@ -57,3 +61,15 @@ def test_only_turned_wood_has_an_outline_to_pull() -> None:
         turned_space(catalog.bat("single-wall"))
     with pytest.raises(InputError, match="has no wall"):
         hollow_space(catalog.bat("mlb-a"))
+
+
+def test_what_is_fired_at_keeps_its_leagues_bbcor_or_bpf(bench: Bench) -> None:
+    """The batch's BBCOR and BPF are those of the certification, and a limit of a league that has one."""
+    bat = catalog.bat("slow-pitch")
+    hollow = bench_of(hollow_space(bat), bench.batter, standard_conditions(bat))
+    found, whole = present_measured(hollow).values, certify(bat, ball=hollow.conditions.ball)
+    assert found["bbcor"][0] == pytest.approx(whole.bbcor, abs=1e-3)
+    assert found["bpf"][0] == pytest.approx(whole.bpf, abs=2e-3)
+    for name, most in (("softball", 1.20), ("usssa", 1.15), ("little-league", 1.15)):
+        assert Limit("bpf", None, most, league(name).name) in kept_limits(hollow, (), league=league(name))
+    assert not {"bbcor", "bpf"} & {one.measure for one in kept_limits(bench, (), league=league("usssa"))}

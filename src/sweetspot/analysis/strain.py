@@ -78,7 +78,7 @@ def damage(impact: Impact, *, line: BeamModel, modes: Modes) -> Damage:
     strain = bat.diameter_at(places) / 2 * np.abs(bent).max(axis=0, initial=0.0)
     handle = places <= HANDLE_PART * bat.length
     worst = int(np.argmax(np.where(handle, strain, -1.0)))
-    material = _material_at(bat, float(places[worst]))
+    material = material_at(bat, float(places[worst]))
     limit, wall_limit = linear_limit(material), None
     wall = wall_strain(impact, bat=bat, modes=modes, motion=motion)
     if wall is not None:
@@ -123,14 +123,24 @@ def wall_strain(impact: Impact, *, bat: Bat, modes: Modes, motion: Array) -> flo
     hoop = modes.of_family("hoop")
     if not hoop or bat.shell is None:
         return None
-    place = np.array([impact.position])
-    thickness = float(bat.wall_at(place)[0])
-    if bat.shell.bonded and bat.shell.inner_wall is not None:
-        thickness += float(bat.shell.inner_wall.thickness_at(place)[0])
-    radius = float(bat.diameter_at(place)[0]) / 2 - thickness / 2
     harmonics = np.array([modes.harmonics[index] for index in hoop])
     bent = (harmonics**2 - 1) * modes.shape_at(impact.position, closing_speed=impact.closing_speed)[hoop]
-    return float(thickness / (2 * radius**2) * np.abs(motion[:, hoop] @ bent).max(initial=0.0))
+    return float(wall_curving(bat, np.array([impact.position]))[0] * np.abs(motion[:, hoop] @ bent).max(initial=0.0))
+
+
+def wall_curving(bat: Bat, position: Array) -> Array:
+    """Return h / (2 R^2) in 1/m of a hollow barrel's outer wall: strain per bending (n^2 - 1) W_n, see `wall_strain`.
+
+    Parameters
+    ----------
+    position : m from the knob end, shape (n,).
+    """
+    assert bat.shell is not None
+    thickness = np.asarray(bat.wall_at(position), float)
+    if bat.shell.bonded and bat.shell.inner_wall is not None:
+        thickness = thickness + bat.shell.inner_wall.thickness_at(position)
+    radius = np.asarray(bat.diameter_at(position)) / 2 - thickness / 2
+    return np.asarray(thickness / (2 * radius**2))
 
 
 def linear_limit(material: Material, *, across: bool = False) -> float | None:
@@ -160,8 +170,8 @@ def _curvature(line: BeamModel, modes: Modes, places: Array) -> Array:
     return np.asarray(modes.shapes(places, 2) + sliding)
 
 
-def _material_at(bat: Bat, position: float) -> Material:
-    """Return what the bat's body is made of at a place: a two-piece bat has a handle of its own."""
+def material_at(bat: Bat, position: float) -> Material:
+    """Return what the bat's body is made of at a place (m from the knob end): a two-piece bat has its own handle."""
     shell = bat.shell
     if shell is not None and shell.handle_material is not None and shell.joint is not None and position <= shell.joint:
         return shell.handle_material

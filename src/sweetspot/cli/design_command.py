@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from sweetspot.design.fronts import Front, Question
     from sweetspot.design.measures import Bench
 
-Want = Literal["exit-speed", "zone", "best", "sting", "swing-time"]
+Want = Literal["exit-speed", "zone", "best", "sting", "swing-time", "durability"]
 
 
 @Parameter(name="*")
@@ -76,8 +76,9 @@ def design(
         own = own.with_material(catalog.material(limit.wood))
     space, rules = space_of(own, limit), league_of(own, limit)
     conditions = conditions_for(own, swing)
-    bench = bench_of(space, batter_of(batter, own, conditions), conditions)
     wants = tuple(name.replace("-", "_") for name in want or ("exit-speed", "zone"))
+    durable = "durability" in wants or limit.durability is not None
+    bench = bench_of(space, batter_of(batter, own, conditions), conditions, durable=durable)
     question = Question(
         wants, limits_of(bench, limit, rules), seed=search.seed, population=search.population,
         generations=search.generations,

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.analysis.certification.rules import Check, League, check_rules, construction_findings
+from sweetspot.analysis.certification.rules import Check, Finding, League, check_rules, construction_findings
 from sweetspot.design.breaking import HandleBending, handle_bending
 from sweetspot.design.fronts import Front, Question, search
 from sweetspot.design.gain import Gain, gain_of, present_measured
@@ -119,13 +119,24 @@ def told(bench: Bench, question: Question, front: Front, *, pick: int, league: L
     bat = bench.space.made(front.numbers[pick - 1], f"{present.name}, designed")
     checks: tuple[Check, ...] = ()
     if league is not None and isinstance(bat, Bat):
-        body = rigid_body(beam_model(bat))
-        checks = tuple(check_rules(league, bat=bat, findings=construction_findings(bat, body=body)))
+        checks = tuple(check_rules(league, bat=bat, findings=findings_of(bat, chosen)))
     gain = gain_of(bench, front.numbers[pick - 1], chosen, now)
     bent = None
     if isinstance(present, Bat) and isinstance(bat, Bat):
         bent = handle_bending(bench, present), handle_bending(bench, bat)
     return Designed(bench, question, front, pick - 1, now, gain, bat, checks, bent)
+
+
+def findings_of(bat: Bat, measured: Measured) -> dict[str, Finding]:
+    """Return what a rule can be held against: the drawing's own values, and BBCOR and BPF where it was fired at.
+
+    Parameters
+    ----------
+    measured : the bat, one row.
+    """
+    known = construction_findings(bat, body=rigid_body(beam_model(bat)))
+    fired = {name: Finding(float(measured.values[name][0])) for name in ("bbcor", "bpf") if name in measured.values}
+    return {**known, **fired}
 
 
 def _with_first(front: Front, numbers: Array, measured: Measured) -> Front:

@@ -13,7 +13,7 @@ import numpy as np
 
 from sweetspot.errors import InputError
 from sweetspot.motion.swing_law import SwingLaw
-from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.text_files import read_text
 from sweetspot.units import INCH, shown
 
@@ -23,6 +23,9 @@ OFFSETS = np.linspace(-2.0, 2.0, 41)
 """Standard deviations of the offset that are summed over."""
 FARTHEST = 16 * INCH
 MOST_BYTES = 5_000_000
+RARE = 0.02
+"""Part of the contacts on either side that is left out: the farthest of a scatter would be met once in a career."""
+USUAL_PLACES = 8
 LEARNED = ("position", "position_spread", "offset", "offset_spread", "bat_speed")
 USUAL = {"position": 0.1651, "position_spread": 0.04572, "offset": 0.00508, "offset_spread": 0.02794}
 """m: the middles of what is known of players before any swing (`player_priors.toml`)."""
@@ -62,6 +65,13 @@ class Batter:
         """Return the same batter who meets every ball ``distance`` m nearer the hands; what leaves the bat is lost."""
         weight = np.interp(FROM_TIP - distance, FROM_TIP, self.weight, left=0.0, right=0.0)
         return replace(self, weight=weight / weight.sum())
+
+
+def usual_places(batter: Batter) -> IntArray:
+    """Return which of `FROM_TIP` lie evenly among all but the rarest of a batter's contacts, shape (places,)."""
+    before = np.cumsum(batter.weight) - batter.weight
+    inside = np.flatnonzero((before + batter.weight > RARE) & (before < 1 - RARE))
+    return np.asarray(inside[np.unique(np.linspace(0, len(inside) - 1, USUAL_PLACES).round().astype(int))])
 
 
 def normal_contact(mean: float, spread: float) -> Array:

@@ -4,20 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from sweetspot.analysis.strain import damage
 from sweetspot.collision.coupled import hit
-from sweetspot.design.batter import FROM_TIP, Batter
+from sweetspot.design.batter import FROM_TIP, usual_places
 from sweetspot.design.measures import Bench
 from sweetspot.dynamics.batch.reduction import reduced_lines
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.equipment.bat import Bat
-from sweetspot.numerics.arrays import Array
-
-RARE = 0.02
-"""Part of the contacts on either side that is left out: the farthest of a scatter would be met once in a career."""
-PLACES = 8
 
 
 @dataclass(frozen=True)
@@ -36,20 +29,13 @@ class HandleBending:
     limit: float | None
 
 
-def usual_contacts(batter: Batter) -> Array:
-    """Return some places, m from the tip, between which all but the rarest of a batter's contacts lie."""
-    before = np.cumsum(batter.weight) - batter.weight
-    inside = FROM_TIP[(before + batter.weight > RARE) & (before < 1 - RARE)]
-    return np.asarray(inside[np.unique(np.linspace(0, len(inside) - 1, PLACES).round().astype(int))])
-
-
 def handle_bending(bench: Bench, bat: Bat) -> HandleBending:
     """Return how far this batter's hits bend the handle of a bat, swung as the swing law has it."""
     line = beam_model(bat)
     bats = reduced_lines([line], ball=bench.conditions.ball)
     modes, turning = bats.modes(0), float(bench.turning_speed(bats)[0])
     found = []
-    for place in usual_contacts(bench.batter).tolist():
+    for place in FROM_TIP[usual_places(bench.batter)].tolist():
         position = bat.length - place
         closing = bench.batter.pitch_speed + turning * (position - bench.conditions.swing.pivot)
         impact = hit(modes, ball=bench.conditions.ball, position=position, closing_speed=closing)

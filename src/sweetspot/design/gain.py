@@ -11,6 +11,7 @@ import numpy as np
 from sweetspot.design.batter import FROM_TIP
 from sweetspot.design.measures import Bench, Measured
 from sweetspot.design.variables import TurnedSpace
+from sweetspot.dynamics.batch.beams import BeamRow
 from sweetspot.dynamics.batch.reduction import ReducedBats, reduced_lines, reduced_outlines
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.equipment.bat import Bat
@@ -123,8 +124,11 @@ class Gain:
 def present_measured(bench: Bench) -> Measured:
     """Return the batter's present bat, as it is described and not as the handles have it, on the same bench."""
     present = bench.space.present
-    bats = reduced_lines([beam_model(present)], ball=bench.conditions.ball)
-    return bench.of_bats(bats, _sizes(bench), present.width_at(present.length - FROM_TIP)[None])
+    beams = BeamRow([beam_model(present)])
+    bats = reduced_lines(beams.lines, ball=bench.conditions.ball)
+    breaking = bench.breaking
+    handles = None if breaking is None else (beams, present.width_at(breaking.position)[None])
+    return bench.of_bats(bats, _sizes(bench), present.width_at(present.length - FROM_TIP)[None], handles)
 
 
 def gain_of(bench: Bench, numbers: Array, design: Measured, now: Measured) -> Gain:

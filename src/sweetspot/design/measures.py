@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.analysis.certification.simulated_test import BBCOR_SPEED
+from sweetspot.analysis.certification.simulated_test import BBCOR_SPEED, BPF_SPEED, bpf
 from sweetspot.analysis.hand_weighting import velocity_weight
 from sweetspot.analysis.sweet_spot import ZONE_LOSS
 from sweetspot.collision.closed_form import restitution_from_efficiency
@@ -15,7 +15,9 @@ from sweetspot.collision.hits_of_bats import struck
 from sweetspot.collision.kernel import STEP
 from sweetspot.collision.time_step import contact_step
 from sweetspot.design.batter import FROM_TIP, OFFSETS, Batter
+from sweetspot.design.durability import BatterHits, Breaking, breaking_of, margins
 from sweetspot.design.variables import Space
+from sweetspot.dynamics.batch.beams import Beams
 from sweetspot.dynamics.batch.bending import BendingBatch
 from sweetspot.dynamics.batch.reduction import ReducedBats
 from sweetspot.equipment.bat import Bat
@@ -74,6 +76,8 @@ MEASURES: Mapping[str, Measure] = {
     "waist": Measure("waist between two swellings", "length", 0, 1e-4),
     "density": Measure("density of the wood, over its species' mean", "ratio", 0, 0.002),
     "bbcor": Measure("greatest BBCOR, in the test", "ratio", 0, 5e-4, True),
+    "bpf": Measure("greatest BPF, in the test", "ratio", 0, 1e-3, True),
+    "durability": Measure("durability: strain borne over the greatest", "ratio", 1, 0.005, True),
     "drop": Measure("drop: inches less ounces", "ratio", 0, 0.005),
     "frequency": Measure("first bending frequency", "frequency", 0, 0.5, True),
 }
@@ -110,7 +114,8 @@ class Bench:
     moi_now : kg m^2 of the present bat about the swing law's axis.
     sine, kept : sine of the line of centres' angle, and the part of the exit speed that is left.
     step : s of time in a hit.
-    tested : whether every bat is also fired at as in the BBCOR test.
+    tested : whether every bat is also fired at as in the tests of BBCOR and BPF.
+    breaking : what strains are held against where durability is asked for; None: it is not.
     """
 
     space: Space
@@ -121,6 +126,7 @@ class Bench:
     kept: Array
     step: float = STEP
     tested: bool = False
+    breaking: Breaking | None = None
 
     def measured(self, numbers: Array) -> Measured:
         """Return everything about the bats of many rows of numbers, shape (n, variables)."""
@@ -128,15 +134,22 @@ class Bench:
         shapes = self.space.shapes(numbers)
         bats = self.space.reduced(numbers, ball=self.conditions.ball)
         position = bats.bending.length[:, None] - FROM_TIP
-        return self.of_bats(bats, shapes, self.space.widths_at(numbers, position))
+        widths = self.space.widths_at(numbers, position)
+        if self.breaking is None:
+            return self.of_bats(bats, shapes, widths)
+        along = np.tile(self.breaking.position, (len(numbers), 1))
+        return self.of_bats(bats, shapes, widths, (self.space.beams(numbers), self.space.widths_at(numbers, along)))
 
-    def of_bats(self, bats: ReducedBats, shapes: Mapping[str, Array], widths: Array) -> Measured:
+    def of_bats(
+        self, bats: ReducedBats, shapes: Mapping[str, Array], widths: Array, handles: tuple[Beams, Array] | None = None
+    ) -> Measured:
         """Return everything about bats that are reduced already.
 
         Parameters
         ----------
         shapes : what their outlines say.
         widths : their diameters at `FROM_TIP`, m, shape (n, places).
+        handles : the bats as beams, and their diameters at ``breaking.position``; None: durability is left out.
         """
         ball, pitch = self.conditions.ball, self.batter.pitch_speed
         bending, pivot = bats.bending, self.conditions.swing.pivot
@@ -161,10 +174,19 @@ class Bench:
             **weights_of(bending),
         }
         if self.tested:
-            fired = struck(bats, ball=ball, position=position, closing_speed=0 * speed + BBCOR_SPEED, step=self.step)
-            recoil = ball.mass * (position - STANDARD_AXIS) ** 2 / bending.moi(STANDARD_AXIS)[:, None]
-            values["bbcor"] = _tops(restitution_from_efficiency(fired.collision_efficiency, recoil=recoil))[0]
+            fast, slow = (self._fired(bats, position, one) for one in (BBCOR_SPEED, BPF_SPEED))
+            values |= {"bbcor": fast, "bpf": bpf(1.0, ball_restitution=ball.restitution.at(BPF_SPEED)) * slow}
+        if self.breaking is not None and handles is not None:
+            hits = BatterHits(done, position, pitch + speed, ball.mass)
+            values["durability"] = margins(self.breaking, handles[0], bats, hits, widths=handles[1])
         return Measured(values, curve, worth)
+
+    def _fired(self, bats: ReducedBats, position: Array, speed: float) -> Array:
+        """Return the greatest ball-bat restitution of bats at rest that turn about the clamp, shape (n,)."""
+        ball = self.conditions.ball
+        fired = struck(bats, ball=ball, position=position, closing_speed=0 * position + speed, step=self.step)
+        recoil = ball.mass * (position - STANDARD_AXIS) ** 2 / bats.bending.moi(STANDARD_AXIS)[:, None]
+        return _tops(restitution_from_efficiency(fired.collision_efficiency, recoil=recoil))[0]
 
     def speed_ratio(self, bats: ReducedBats, exponent: float | None = None) -> Array:
         """Return angular speed over that with the present bat, shape (n,)."""
@@ -214,12 +236,18 @@ def speed_ratios(law: SwingLaw, moi: Array, reference: float, exponent: float | 
     return np.array([law.speed_ratio(float(one), reference_moi=reference, exponent=exponent) for one in moi])
 
 
-def bench_of(space: Space, batter: Batter, conditions: Conditions) -> Bench:
+def bench_of(space: Space, batter: Batter, conditions: Conditions, *, durable: bool = False) -> Bench:
     """Return the bench on which the bats of a space are measured for a batter.
 
     Parameters
     ----------
     conditions : of a hit with the present bat.
+    durable : whether every bat's durability is measured: a quarter of the time more.
+
+    Raises
+    ------
+    InputError
+        when the present bat is no heavier than the ball, or how much its material bears is not known.
     """
     from sweetspot.design.off_centre_hits import off_centre
     from sweetspot.dynamics.beam import beam_model
@@ -240,7 +268,10 @@ def bench_of(space: Space, batter: Batter, conditions: Conditions) -> Bench:
 
         step = contact_step(reduced_lines([line], ball=conditions.ball).modes(0), conditions.ball, longest=STEP)
     hollow = isinstance(present, Bat) and present.shell is not None
-    return Bench(space, batter, conditions, body.moi(axis), sine, kept, step, tested=hollow)
+    if durable and not isinstance(present, Bat):
+        raise InputError(f"{present.name} is no bat with a round handle; its durability is not computed. Leave it out")
+    breaking = breaking_of(present, batter) if durable and isinstance(present, Bat) else None
+    return Bench(space, batter, conditions, body.moi(axis), sine, kept, step, tested=hollow, breaking=breaking)
 
 
 def _tops(curve: Array) -> tuple[Array, Array]:

@@ -50,7 +50,7 @@ def kept_limits(
     found = [band(name, float(now[name][0]), part=WITHIN) for name in kept if name != "handle" and name in now]
     found += bands
     if league is not None and isinstance(present, Bat):
-        found += [one for one in league_limits(league, present) if one.measure != "bbcor" or bench.tested]
+        found += [one for one in league_limits(league, present) if one.measure not in ("bbcor", "bpf") or bench.tested]
     if isinstance(bench.space, TurnedSpace):
         if "handle" in kept:
             found.append(band("handle", float(now["handle"][0]), part=GRIP_WITHIN))

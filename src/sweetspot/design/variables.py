@@ -9,7 +9,7 @@ from typing import Protocol
 import numpy as np
 
 from sweetspot.design.outline_curve import GRIP, HANDLES, REFERENCE_LENGTH, diameters_of, stations, steepness, waist
-from sweetspot.dynamics.batch.beams import SolidBats
+from sweetspot.dynamics.batch.beams import BeamRow, Beams, SolidBats
 from sweetspot.dynamics.batch.reduction import ReducedBats, reduced_lines, reduced_outlines
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.equipment.ball import Ball
@@ -63,6 +63,9 @@ class Space(Protocol):
     def present(self) -> Implement:
         """The bat that the batter swings now."""
 
+    def beams(self, numbers: Array) -> Beams:
+        """Return the bats of many rows of numbers (n, variables) as beams."""
+
     def reduced(self, numbers: Array, *, ball: Ball) -> ReducedBats:
         """Return the bats of many rows of numbers (n, variables), ready to be hit."""
 
@@ -115,6 +118,10 @@ class TurnedSpace:
             self.present.material, place, diameter, density, np.broadcast_to(np.asarray(stiffness, float), (count,)),
             np.where(cupped, self._cups(diameter), 0.0), np.where(cupped, depth, 0.0), nothing, nothing,
         )  # fmt: skip
+
+    def beams(self, numbers: Array) -> Beams:
+        """Return the bats of many rows of numbers (n, variables) as beams."""
+        return self.outlines(numbers)
 
     def reduced(self, numbers: Array, *, ball: Ball) -> ReducedBats:
         """Return the bats of many rows of numbers (n, variables), ready to be hit."""
@@ -232,9 +239,13 @@ class ImplementSpace:
         """Return the implements of many rows of numbers."""
         return [self.change(self.present, row) for row in np.asarray(numbers, float)]
 
+    def beams(self, numbers: Array) -> BeamRow:
+        """Return the implements of many rows of numbers (n, variables) as beams."""
+        return BeamRow([beam_model(one) for one in self.all_made(numbers)])
+
     def reduced(self, numbers: Array, *, ball: Ball) -> ReducedBats:
         """Return the implements of many rows of numbers (n, variables), ready to be hit."""
-        return reduced_lines([beam_model(one) for one in self.all_made(numbers)], ball=ball)
+        return reduced_lines(self.beams(numbers).lines, ball=ball)
 
     def shapes(self, numbers: Array) -> dict[str, Array]:
         """Return lengths and greatest widths; nothing else is asked of these outlines."""

@@ -18,7 +18,11 @@ if TYPE_CHECKING:
     from sweetspot.units import Kind
 
 Kept = Literal["mass", "moi", "wood", "balance", "grip", "nothing"]
-KINDS: dict[str, Kind] = {"mass": "mass", "moi": "moi", "balance_point": "length"}
+KINDS: dict[str, Kind] = {"mass": "mass", "moi": "moi", "balance_point": "length", "durability": "ratio"}
+
+EXAMPLES: dict[str, str] = {
+    "mass": "30oz:31.5oz", "moi": "10500oz*in^2:11000oz*in^2", "length": "22in:23in", "ratio": "1.1:",
+}  # fmt: skip
 
 
 @Parameter(name="*")
@@ -43,6 +47,10 @@ class LimitOptions:
     balance: Annotated[str | None, Parameter(help="Band of the balance point, from the knob end: 22in:23in.")] = None
     handle: Annotated[
         str | None, Parameter(help="Smallest diameter of the grip; default: the present one's, for breaking's sake.")
+    ] = None
+    durability: Annotated[
+        str | None,
+        Parameter(help="Band of the strain that handle and wall bear over the greatest of these contacts: 1.1: or so."),
     ] = None
     cup: Annotated[str, Parameter(help="Deepest cup that may be turned; 0in: none.")] = "1in"
     wood: Annotated[str | None, Parameter(help="Species of the catalogue; default: the present bat's.")] = None
@@ -80,7 +88,8 @@ def limits_of(bench: Bench, options: LimitOptions, rules: League | None) -> tupl
     from sweetspot.design.usual_limits import kept_limits
     from sweetspot.units import parse
 
-    bands = {"mass": options.mass, "moi": options.moi, "balance_point": options.balance}
+    bands = {"mass": options.mass, "moi": options.moi, "balance_point": options.balance,
+             "durability": options.durability}  # fmt: skip
     given = {name: text for name, text in bands.items() if text is not None}
     keep = ("mass", "moi", "wood") if options.keep is None else options.keep
     names = [
@@ -101,8 +110,6 @@ def _band_of(name: str, text: str, kind: Kind) -> Limit:
     option = f"--{'balance' if name == 'balance_point' else name}"
     parts = text.split(":")
     if len(parts) != 2 or not any(part.strip() for part in parts):
-        raise InputError(
-            f"{option} was given as {text!r}; give a band LOW:HIGH, with a unit on either side of the colon"
-        )
+        raise InputError(f"{option} was given as {text!r}; give a band LOW:HIGH, such as {EXAMPLES[kind]}")
     low, high = (parse(part, kind, option) if part.strip() else None for part in parts)
     return Limit(name, low, high, "as given")

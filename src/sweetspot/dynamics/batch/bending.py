@@ -78,6 +78,14 @@ class BendingBatch:
         turn = (position - self.balance_point[:, None]) / np.sqrt(self.moi_cm)[:, None]
         return np.concatenate([np.broadcast_to(shift, (*position.shape, 1)), turn[..., None], elastic], axis=2)
 
+    def curvatures_at(self, position: Array) -> Array:
+        """Return the modes' second derivatives at places (beams, places) in m, 1/(sqrt(kg) m^2) after `shapes_at`."""
+        found = np.empty((*position.shape, self.omega.shape[1]))
+        c, second = self.coefficients, np.zeros_like(self.coefficients)
+        second[:, 2:] = np.stack([12 * c[:, 0], 6 * c[:, 1], 2 * c[:, 2]], axis=1) / self._width[:, None, None] ** 2
+        shapes_at(self.mesh.first_piece, self._left, self._width, second, position, found)
+        return found
+
     def left_out_at(self, position: Array) -> Array:
         """Return what the modes leave out at places (beams, places) in m, m/N; see `left_out`."""
         return on_even_splines(self._spline, position / self.length[:, None])

@@ -30,7 +30,7 @@ from sweetspot.report.quantities import SCALES, Reader, reader
 from sweetspot.report.sentences import Slot, Words, read, say
 
 BESIDE = ("exit_speed", "best", "best_from_tip", "zone", "sting", "bat_speed", "swing_time", "mass", "balance_point",
-          "moi", "diameter", "handle", "cup_depth", "frequency")  # fmt: skip
+          "moi", "diameter", "handle", "cup_depth", "frequency", "durability")  # fmt: skip
 ON_FRONT = ("best_from_tip", "mass", "moi", "diameter")
 MOST_ROWS = 8
 FILES = "designed-bat"
@@ -145,7 +145,7 @@ def _front(design: Designed) -> Table:
 def _short(name: str) -> str:
     return {
         "exit_speed": "exit speed", "zone": "zone", "sting": "sting", "best": "greatest", "best_from_tip": "best place",
-        "swing_time": "time", "moi": "MOI 6in", "diameter": "thickest",
+        "swing_time": "time", "moi": "MOI 6in", "diameter": "thickest", "durability": "durability",
     }.get(name, MEASURES[name].label)  # fmt: skip
 
 

@@ -8,10 +8,10 @@ from pathlib import Path
 from shlex import quote
 from typing import Any
 
-from sweetspot.analysis.certification.rules import Finding, check_rules, construction_findings, title
+from sweetspot.analysis.certification.rules import check_rules, title
 from sweetspot.calibration.measured import REACH
 from sweetspot.catalog.files.write import bat_toml
-from sweetspot.design.answer import Designed
+from sweetspot.design.answer import Designed, findings_of
 from sweetspot.design.batter import FROM_TIP, fitted_player
 from sweetspot.design.fronts import Front
 from sweetspot.design.gain import CLEARLY, LIKELY, gain_of
@@ -131,12 +131,9 @@ def _rules(state: DesignState, request: Asked, bat: Bat, measured: Measured) -> 
     league = league_of(state, request)
     if league is None:
         return []
-    known = construction_findings(bat, body=rigid_body(beam_model(bat)))
-    if "bbcor" in measured.values:
-        known["bbcor"] = Finding(float(measured.values["bbcor"][0]))
     return [
         {**check_json(league.key, check), "title": title(check.rule), "league_name": league.name}
-        for check in check_rules(league, bat=bat, findings=known)
+        for check in check_rules(league, bat=bat, findings=findings_of(bat, measured))
     ]
 
 

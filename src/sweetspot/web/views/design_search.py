@@ -14,7 +14,7 @@ from sweetspot.design.variables import TurnedSpace
 from sweetspot.web.jobs import Say
 from sweetspot.web.views.design_state import DesignState, asked, question_of
 
-SHOWN = ("exit_speed", "best", "best_from_tip", "zone", "sting", "swing_time", "mass", "moi", "diameter")
+SHOWN = ("exit_speed", "best", "best_from_tip", "zone", "sting", "swing_time", "durability", "mass", "moi", "diameter")
 
 
 def search(state: DesignState, *, after: Any, say: Say) -> dict[str, Any]:

@@ -30,7 +30,7 @@ from sweetspot.web.states import Name, SwungState
 LONGEST_TABLE = 40_000
 """Letters of a table of swings, or of an answer of fit-player."""
 USUAL_LEAGUE, NOBODY = "usual", "nobody"
-Want = Literal["exit_speed", "zone", "best", "sting", "swing_time"]
+Want = Literal["exit_speed", "zone", "best", "sting", "swing_time", "durability"]
 LOCKS = {
     "keep_mass": "mass",
     "keep_moi": "moi",
@@ -98,11 +98,11 @@ class Asked:
 def asked(state: DesignState) -> Asked:
     """Return the bench of a state; only another bat, swing or batter makes it anew."""
     kept = {name: getattr(state, name) for name in _OF_BENCH}
-    return _asked(_FIRST.model_copy(update=kept))
+    return _asked(_FIRST.model_copy(update=kept), "durability" in (state.want, state.also_want))
 
 
 @lru_cache(maxsize=64)
-def _asked(state: DesignState) -> Asked:
+def _asked(state: DesignState, durable: bool) -> Asked:
     bat, left_out = _plain(described(state))
     conditions = conditions_of(state, bat)
     with about("bat"):
@@ -116,7 +116,7 @@ def _asked(state: DesignState) -> Asked:
         speed_from_tip=bat.length - conditions.swing.measured_at,
     )  # fmt: skip
     with about("bat"):
-        bench = bench_of(space, batter, conditions)
+        bench = bench_of(space, batter, conditions, durable=durable)
     key = hashlib.blake2b(bat.model_dump_json().encode(), digest_size=9).hexdigest()
     return Asked(bench, key, present_measured(bench), left_out)
 
@@ -132,7 +132,11 @@ def _plain(bat: Bat) -> tuple[Bat, tuple[str, ...]]:
 
 def limits_of(state: DesignState) -> tuple[Limit, ...]:
     """Return every limit of the search."""
-    return _limits(_FIRST.model_copy(update={name: getattr(state, name) for name in (*_OF_BENCH, *LOCKS, "league")}))
+    return _limits(
+        _FIRST.model_copy(
+            update={name: getattr(state, name) for name in (*_OF_BENCH, *LOCKS, "league", "want", "also_want")}
+        )
+    )
 
 
 @lru_cache(maxsize=64)

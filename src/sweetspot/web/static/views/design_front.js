@@ -10,7 +10,7 @@ import { fromShown, toShown, unitOf } from "../units.js";
 const LEFT = 56, RIGHT = 18, TOP = 14, FOOT = 40, TALL = 300, SMALL = 64, THICK = 2.2;
 export const WANTS = {
   exit_speed: ["speed", "exit speed over the contacts"], zone: ["place", "width of the zone"], best: ["speed", "greatest exit speed"],
-  sting: ["vibration", "sting"], swing_time: ["contact", "time to contact"], moi: ["moi", "swing weight"],
+  sting: ["vibration", "sting"], swing_time: ["contact", "time to contact"], durability: ["ratio", "durability"], moi: ["moi", "swing weight"],
 };
 
 export class Front {
