@@ -1,8 +1,9 @@
-"""The compiled heart of `home_runs`: one ball against every park, followed no further than the fences.
+"""The compiled heart of `home_runs`: balls against every park, followed no further than the fences.
 
 Parks differ in their air by little, so a ball is flown at three densities (one, where all are alike) and every park's
 path lies on the parabola through them, moment by moment; that is right to a few millimetres at 130 m. One more flight,
-with more drag, says how the height at a fence changes with drag. Nothing is kept of a ball but its chances.
+with more drag, says how the height at a fence changes with drag. Flights advance side by side in lanes, as in
+`compiled`; nothing is kept of a ball but its chances.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ import math
 import numpy as np
 
 from sweetspot.flight.compiled import FlightLaw, stepped
-from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.kernel_cache import compiled
 
 STEP = 0.2
@@ -25,11 +26,19 @@ NEAR = 8.0
 """m by which paths through thinner or thicker air may be ahead at the nearest fence."""
 MORE_DRAG = 0.1
 """Part of its drag coefficient that the extra flight has more."""
-TURNS = 4
+TURNS = 6
 """Corrections of the moment at which a path passes the fence."""
+LANES, PATHS = 16, 4
+"""Flights side by side, and at most of one ball: three airs and more drag."""
+BALLS = LANES // PATHS
+# rows of the lanes' numbers: position, velocity, spin that is left, then these
+SPIN, STRENGTH, WIND, BRAKED = 7, 11, 12, 14
+ROWS = 15
+# what is known of a path at a step, seen from home plate: distance, direction, height, and what they gain in a step
+FAR, WAY, HIGH, FARTHER, TURNED, HIGHER = range(6)
 TABLE_STEP = math.pi / 720
 """rad between the entries of a park's fence."""
-FOUL = math.pi / 4
+FOUL, BEHIND = math.pi / 4, math.pi / 2
 
 
 @compiled(nogil=True, error_model="numpy")
@@ -42,7 +51,7 @@ def chances(
     Parameters
     ----------
     start : (11, n), position, velocity, spin, wind to the right and out.
-    densities : (k,), of the air, kg/m^3, thinnest first; ``weights`` (m, k) mix them to each park's air.
+    densities : (k,), of the air, kg/m^3, thinnest first, at most 3; ``weights`` (m, k) mix them to each park's air.
     fences : (2, m, directions), distance and height of the fence every `TABLE_STEP` from one foul line to the other.
     nearest : m, no fence is nearer.
     drags, scatters : (m,), what each park adds to the drag coefficient, and standard deviation of the latter, as parts
@@ -50,124 +59,209 @@ def chances(
     per_density, law, power, profile : as `compiled.solve` takes them.
     chance, margin : (n, m).
     """
-    nodes, parks = len(densities), len(weights)
-    paths = np.empty((nodes + 1, MOST_POINTS, 6))
-    more = 1 + MORE_DRAG
-    braked = FlightLaw(
-        law.radius, law.drag * more, law.drag_per_spin * more, law.drag_per_active_spin * more,
-        law.drag_per_spin_factor * more, law.viscous * more, law.lift_scale, law.lift_offset, law.lift_slope,
-        law.decay, law.reference,
-    )  # fmt: skip
-    for ball in range(start.shape[1]):
-        count, reach = _path(start[:, ball], per_density * densities[0], law, power, profile, paths[0])
-        if not reach > nearest:
-            chance[ball, :] = 0.0
-            margin[ball, :] = np.nan
-            continue
-        for node in range(1, nodes):
-            other, _ = _path(start[:, ball], per_density * densities[node], law, power, profile, paths[node])
-            count = min(count, other)
-        middle = nodes // 2
-        other, _ = _path(start[:, ball], per_density * densities[middle], braked, power, profile, paths[nodes])
-        count = min(count, other)
-        first = 1
-        while first < count - 1 and math.hypot(paths[middle, first, 0], paths[middle, first, 1]) < nearest - NEAR:
-            first += 1
-        for park in range(parks):
-            height, fall = _over(paths, first, count, weights[park], middle, fences[:, park])
-            height -= fall * drags[park] / MORE_DRAG
-            margin[ball, park] = height
-            spread = max(abs(fall) * scatters[park] / MORE_DRAG, 1e-9)
-            chance[ball, park] = 0.5 * math.erfc(-height / spread / math.sqrt(2.0)) if math.isfinite(height) else 0.0
+    nodes, balls = len(densities), start.shape[1]
+    lanes, paths = np.zeros(ROWS * LANES), np.empty((MOST_POINTS, 6, LANES))
+    seen, lost = np.empty((MOST_POINTS, 6, nodes)), np.empty((MOST_POINTS, 2))
+    points, reach = np.empty(LANES, np.int64), np.empty(LANES)
+    far = np.empty(balls, np.int64)
+    count, farthest = 0, fences[0].max() + NEAR
+    for first in range(0, balls, LANES):  # which balls come near a fence at all, in the thinnest air
+        for lane in range(LANES):
+            _set_out(lanes, lane, start, min(first + lane, balls - 1), per_density * densities[0], 1.0)
+        _fly(lanes, law, power, profile, nearest, paths, points, reach)
+        for lane in range(min(LANES, balls - first)):
+            if reach[lane] > nearest:
+                far[count] = first + lane
+                count += 1
+            else:
+                chance[first + lane, :] = 0.0
+                margin[first + lane, :] = np.nan
+    for first in range(0, count, BALLS):
+        for lane in range(LANES):
+            ball, path = far[min(first + lane // PATHS, count - 1)], lane % PATHS
+            density = densities[path] if path < nodes else densities[nodes // 2]
+            _set_out(lanes, lane, start, ball, per_density * density, 1 + MORE_DRAG if path >= nodes else 1.0)
+        _fly(lanes, law, power, profile, farthest, paths, points, reach)
+        for place in range(min(BALLS, count - first)):
+            ball, lane = far[first + place], PATHS * place
+            last = points[lane : lane + nodes + 1].min()
+            begin, end = _seen_from_home(paths, lane, last, nearest - NEAR, farthest, seen, lost)
+            for park in range(len(weights)):
+                height, fall = _over(seen, lost, begin, end, weights[park], fences[:, park])
+                height -= fall * drags[park] / MORE_DRAG
+                margin[ball, park] = height
+                spread = max(abs(fall) * scatters[park] / MORE_DRAG, 1e-9)
+                chance[ball, park] = (
+                    0.5 * math.erfc(-height / spread / math.sqrt(2.0)) if math.isfinite(height) else 0.0
+                )
 
 
 @compiled(error_model="numpy")
-def _path(
-    start: Array, strength: float, law: FlightLaw, power: float | None, profile: float | None, path: Array
-) -> tuple[int, float]:  # fmt: skip
-    """Fill position and velocity at every step down to `DEPTH`; return how many, and the greatest distance in m."""
-    spin = (start[6], start[7], start[8], math.sqrt(start[6] ** 2 + start[7] ** 2 + start[8] ** 2))
-    wind = (start[9], start[10])
-    state = (start[0], start[1], start[2], start[3], start[4], start[5], 1.0)
-    reach = 0.0
+def _set_out(lanes: Array, lane: int, start: Array, ball: int, strength: float, drag: float) -> None:
+    """Put a ball at its start into a lane, its drag times so much."""
+    for row in range(6):
+        lanes[row * LANES + lane] = start[row, ball]
+    lanes[6 * LANES + lane] = 1.0
+    x, y, z = start[6, ball], start[7, ball], start[8, ball]
+    lanes[SPIN * LANES + lane], lanes[(SPIN + 1) * LANES + lane], lanes[(SPIN + 2) * LANES + lane] = x, y, z
+    lanes[(SPIN + 3) * LANES + lane] = math.sqrt(x * x + y * y + z * z)
+    lanes[STRENGTH * LANES + lane] = strength
+    lanes[WIND * LANES + lane], lanes[(WIND + 1) * LANES + lane] = start[9, ball], start[10, ball]
+    lanes[BRAKED * LANES + lane] = drag
+
+
+@compiled(error_model="numpy", fastmath={"contract", "nsz"})
+def _advance(lanes: Array, law: FlightLaw, power: float | None, profile: float | None) -> None:
+    """Move every lane by one step."""
+    for lane in range(LANES):
+        more = lanes[BRAKED * LANES + lane]
+        braked = FlightLaw(
+            law.radius, law.drag * more, law.drag_per_spin * more, law.drag_per_active_spin * more,
+            law.drag_per_spin_factor * more, law.viscous * more, law.lift_scale, law.lift_offset, law.lift_slope,
+            law.decay, law.reference,
+        )  # fmt: skip
+        spin = (lanes[SPIN * LANES + lane], lanes[(SPIN + 1) * LANES + lane], lanes[(SPIN + 2) * LANES + lane],
+                lanes[(SPIN + 3) * LANES + lane])  # fmt: skip
+        wind = (lanes[WIND * LANES + lane], lanes[(WIND + 1) * LANES + lane])
+        state = (
+            lanes[lane], lanes[LANES + lane], lanes[2 * LANES + lane], lanes[3 * LANES + lane],
+            lanes[4 * LANES + lane], lanes[5 * LANES + lane], lanes[6 * LANES + lane],
+        )  # fmt: skip
+        after = stepped(state, STEP, spin, lanes[STRENGTH * LANES + lane], wind, braked, power, profile)
+        lanes[lane], lanes[LANES + lane], lanes[2 * LANES + lane] = after[0], after[1], after[2]
+        lanes[3 * LANES + lane], lanes[4 * LANES + lane], lanes[5 * LANES + lane] = after[3], after[4], after[5]
+        lanes[6 * LANES + lane] = after[6]
+
+
+@compiled(error_model="numpy")
+def _fly(
+    lanes: Array, law: FlightLaw, power: float | None, profile: float | None, enough: float, paths: Array,
+    points: IntArray, reach: Array,
+) -> None:  # fmt: skip
+    """Fill positions and velocities at every step, how many there are down to `DEPTH`, and the greatest distance.
+
+    Parameters
+    ----------
+    enough : m, when all have been farther than that they are followed no more.
+    paths : (points, 6, lanes).
+    """
+    over = np.zeros(LANES, np.bool_)
+    reach[:] = 0.0
     for point in range(MOST_POINTS):
-        for axis in range(6):
-            path[point, axis] = state[axis]
-        reach = max(reach, math.hypot(state[0], state[1]))
-        if state[2] < -DEPTH or not math.isfinite(state[2]):
-            return point + 1, reach
-        state = stepped(state, STEP, spin, strength, wind, law, power, profile)
-    return MOST_POINTS, reach
+        flying = 0
+        for row in range(6):
+            for lane in range(LANES):
+                paths[point, row, lane] = lanes[row * LANES + lane]
+        for lane in range(LANES):
+            if over[lane]:
+                continue
+            points[lane] = point + 1
+            far = math.sqrt(lanes[lane] ** 2 + lanes[LANES + lane] ** 2)
+            reach[lane] = far if far > reach[lane] else reach[lane]
+            if lanes[2 * LANES + lane] < -DEPTH or not math.isfinite(lanes[2 * LANES + lane]):
+                over[lane] = True
+            elif reach[lane] <= enough:
+                flying += 1
+        if flying == 0:
+            return
+        _advance(lanes, law, power, profile)
+
+
+@compiled(error_model="numpy")
+def _seen_from_home(
+    paths: Array, lane: int, last: int, near: float, farthest: float, seen: Array, lost: Array
+) -> tuple[int, int]:  # fmt: skip
+    """Fill what is known of a ball's paths from home plate; return the first and the last step but one that matter.
+
+    Parameters
+    ----------
+    lane : of its first path; the one with more drag follows the last air's.
+    near, farthest : m; steps between these distances matter.
+    seen : (points, 6, airs).
+    lost : (points, 2), what more drag takes of distance and height.
+    """
+    nodes = seen.shape[2]
+    middle = lane + nodes // 2
+    begin = 0
+    while begin < last - 2 and paths[begin + 1, 0, middle] ** 2 + paths[begin + 1, 1, middle] ** 2 < near * near:
+        begin += 1
+    for point in range(begin, last):
+        least = math.inf
+        for node in range(nodes):
+            x, y, z = paths[point, 0, lane + node], paths[point, 1, lane + node], paths[point, 2, lane + node]
+            right, out, up = paths[point, 3, lane + node], paths[point, 4, lane + node], paths[point, 5, lane + node]
+            far = max(math.sqrt(x * x + y * y), 1e-9)
+            seen[point, FAR, node], seen[point, WAY, node], seen[point, HIGH, node] = far, math.atan2(x, y), z
+            seen[point, FARTHER, node] = STEP * (x * right + y * out) / far
+            seen[point, TURNED, node] = STEP * (right * y - out * x) / (far * far)
+            seen[point, HIGHER, node] = STEP * up
+            least = min(least, far)
+        x, y, z = paths[point, 0, middle], paths[point, 1, middle], paths[point, 2, middle]
+        shorter = x * (paths[point, 0, lane + nodes] - x) + y * (paths[point, 1, lane + nodes] - y)
+        lost[point, 0] = shorter / max(math.sqrt(x * x + y * y), 1e-9)
+        lost[point, 1] = paths[point, 2, lane + nodes] - z
+        if least > farthest:
+            return begin, point + 1
+    return begin, last
 
 
 @compiled(error_model="numpy")
 def _over(
-    paths: Array, first: int, count: int, weights: Array, middle: int, fence: Array
+    seen: Array, lost: Array, begin: int, end: int, weights: Array, fence: Array
 ) -> tuple[float, float]:  # fmt: skip
-    """Return how high over a fence's top a ball passes, m, and what it loses of that by `MORE_DRAG`; NaN where foul.
-
-    The path is looked at from the step ``first``.
-    """
+    """Return how high over a fence's top a ball passes, m, and what it loses of that by `MORE_DRAG`; NaN where foul."""
     before = -1.0
-    for point in range(first, count):
-        x, y = 0.0, 0.0
+    for point in range(begin + 1, end):
+        far, way = 0.0, 0.0
         for node in range(len(weights)):
-            x += weights[node] * paths[node, point, 0]
-            y += weights[node] * paths[node, point, 1]
-        beyond = math.hypot(x, y) - _at(fence[0], math.atan2(x, y))
+            far += weights[node] * seen[point, FAR, node]
+            way += weights[node] * seen[point, WAY, node]
+        beyond = far - _at(fence[0], way)
         if beyond < 0:
             before = beyond
             continue
+        if abs(way) > BEHIND:
+            return math.nan, 0.0
         part = 0.5 if before >= 0 else before / (before - beyond)
         low, high = 0.0, 1.0
-        height, direction = 0.0, 0.0
+        rate = 0.0
+        for node in range(len(weights)):
+            rate += weights[node] * seen[point, FARTHER, node]
         for _ in range(TURNS):
-            x = _mixed(paths, weights, point, 0, part)
-            y = _mixed(paths, weights, point, 1, part)
-            direction = math.atan2(x, y)
-            miss = math.hypot(x, y) - _at(fence[0], direction)
+            way = _mixed(seen, weights, point, WAY, part)
+            miss = _mixed(seen, weights, point, FAR, part) - _at(fence[0], way)
             if miss > 0:
                 high = part
             else:
                 low = part
-            speed = math.hypot(paths[middle, point, 3], paths[middle, point, 4]) * STEP
-            part = part - miss / speed
-            if not low < part < high:
+            part = part - miss / rate
+            if not low <= part <= high:
                 part = (low + high) / 2
-        if abs(direction) > FOUL:
+        if abs(way) > FOUL:
             return math.nan, 0.0
-        height = _mixed(paths, weights, point, 2, part) - _at(fence[1], direction)
-        return height, _lost(paths, len(weights), middle, point, part, x, y)
+        height = _mixed(seen, weights, point, HIGH, part) - _at(fence[1], way)
+        middle = len(weights) // 2
+        outwards = max(seen[point, FARTHER, middle], STEP)
+        shorter = (1 - part) * lost[point - 1, 0] + part * lost[point, 0]
+        lower = (1 - part) * lost[point - 1, 1] + part * lost[point, 1]
+        return height, seen[point, HIGHER, middle] / outwards * shorter - lower
     return math.nan, 0.0
 
 
 @compiled(error_model="numpy")
-def _lost(paths: Array, extra: int, middle: int, point: int, part: float, x: float, y: float) -> float:
-    """Return how much lower the flight with more drag is at the same distance, m."""
-    change = np.empty(3)
-    for axis in range(3):
-        near = paths[extra, point - 1, axis] - paths[middle, point - 1, axis]
-        change[axis] = (1 - part) * near + part * (paths[extra, point, axis] - paths[middle, point, axis])
-    far = math.hypot(x, y)
-    ahead = paths[middle, point]
-    outwards = (x * ahead[3] + y * ahead[4]) / far
-    shorter = (x * change[0] + y * change[1]) / far
-    return float(ahead[5] / max(outwards, 1.0) * shorter - change[2])
-
-
-@compiled(error_model="numpy")
-def _mixed(paths: Array, weights: Array, point: int, axis: int, part: float) -> float:
-    """Return a coordinate within a step, on the cubic through its ends."""
-    value = 0.0
-    rest = 1 - part
+def _mixed(seen: Array, weights: Array, point: int, what: int, part: float) -> float:
+    """Return what is known of a path within a step, on the cubic through its ends."""
+    first, last, rise, fall = 0.0, 0.0, 0.0, 0.0
     for node in range(len(weights)):
-        first, last = paths[node, point - 1, axis], paths[node, point, axis]
-        rise, fall = STEP * paths[node, point - 1, axis + 3], STEP * paths[node, point, axis + 3]
-        value += weights[node] * (
-            rest * rest * (1 + 2 * part) * first + part * part * (3 - 2 * part) * last
-            + part * rest * (rest * rise - part * fall)
-        )  # fmt: skip
-    return value
+        first += weights[node] * seen[point - 1, what, node]
+        last += weights[node] * seen[point, what, node]
+        rise += weights[node] * seen[point - 1, what + 3, node]
+        fall += weights[node] * seen[point, what + 3, node]
+    rest = 1 - part
+    return (
+        rest * rest * (1 + 2 * part) * first + part * part * (3 - 2 * part) * last
+        + part * rest * (rest * rise - part * fall)
+    )  # fmt: skip
 
 
 @compiled(error_model="numpy")

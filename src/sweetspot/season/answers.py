@@ -15,7 +15,7 @@ from sweetspot.season.balls import Balls, balls_of
 from sweetspot.season.contact import Contacts, ContactSetting, contacts, measures
 from sweetspot.season.fields import Fields, fields_of
 from sweetspot.season.flight_columns import GLOVE, FlightColumns, FlightSetting, flown_balls
-from sweetspot.season.output_columns import CONTACT, FLIGHT, OutputColumn, System, as_series, columns_of_other
+from sweetspot.season.output_columns import CONTACT, FLIGHT, OutputColumn, System, Words, as_series, columns_of_other
 from sweetspot.season.swings import OUTCOMES
 from sweetspot.units import DEGREE, MPH
 
@@ -25,6 +25,8 @@ FLY_BALLS = (15 * DEGREE, 45 * DEGREE)
 FLY_SPEED = 80 * MPH
 """Balls whose tracked distance is compared with the carry."""
 UNKNOWN_BAT = "unknown"
+FLIGHT_OUTCOMES = ("flown", "no launch angle", "not flown", "direction unknown")
+HOME_RUN_KINDS = (None, "doubter", "mostly gone", "no doubter")
 
 
 @dataclass(frozen=True)
@@ -69,7 +71,7 @@ def answers_of(rows: pl.DataFrame, setting: SeasonSetting) -> Answers:
     rows : those that are used.
     """
     balls = balls_of(rows)
-    clubs = rows["home_team"].to_list() if "home_team" in rows.columns else [None] * len(rows)
+    clubs = rows["home_team"] if "home_team" in rows.columns else [None] * len(rows)
     fields = fields_of(clubs, balls.season)
     warm = rows["temperature"].fill_null(np.nan).to_numpy() if "temperature" in rows.columns else np.full(
         len(rows), np.nan)  # fmt: skip
@@ -104,20 +106,20 @@ def answer_columns(found: Answers, setting: SeasonSetting) -> list[pl.Series]:
     return [as_series(column, values, setting.system) for column, values in pairs]
 
 
-def _flight(found: Answers) -> Iterator[tuple[OutputColumn, Array]]:
+def _flight(found: Answers) -> Iterator[tuple[OutputColumn, Array | Words]]:
     flown, balls = found.flight, found.balls
     here = np.isfinite(flown.launch_direction)
     with np.errstate(invalid="ignore"):
         parks = flown.home_run_parks
-        kind = np.select([parks >= 30, parks >= MOSTLY_GONE, parks >= 1], ["no doubter", "mostly gone", "doubter"], "")
-    outcome = np.select([np.isnan(balls.launch_angle), ~np.isfinite(flown.carry), ~here],
-                        ["no launch angle", "not flown", "direction unknown"], "flown")  # fmt: skip
-    values = {
-        "flight_outcome": outcome, "launch_direction": flown.launch_direction, "carry": flown.carry,
-        "carry_spread": flown.carry_spread, "hang_time": flown.hang_time, "apex": flown.apex_height,
-        "landing_angle": flown.landing_angle, "carry_above": carry_above(found), "home_run_here": flown.home_run_here,
+        kind = np.select([parks >= 30, parks >= MOSTLY_GONE, parks >= 1], [3, 2, 1], 0)
+    outcome = np.select([np.isnan(balls.launch_angle), ~np.isfinite(flown.carry), ~here], [1, 2, 3], 0)
+    values: dict[str, Array | Words] = {
+        "flight_outcome": Words(FLIGHT_OUTCOMES, outcome), "launch_direction": flown.launch_direction,
+        "carry": flown.carry, "carry_spread": flown.carry_spread, "hang_time": flown.hang_time,
+        "apex": flown.apex_height, "landing_angle": flown.landing_angle,
+        "carry_above": carry_above(found), "home_run_here": flown.home_run_here,
         "home_runs_in_30": flown.home_runs, "home_run_parks": parks,
-        "home_run_kind": np.array([word or None for word in kind.tolist()], object),
+        "home_run_kind": Words(HOME_RUN_KINDS, kind),
     }  # fmt: skip
     yield from ((column, values[column.name]) for column in FLIGHT)
 
@@ -132,20 +134,20 @@ def carry_above(found: Answers) -> Array:
     return np.where(fly, balls.distance - (flown.carry - short), np.nan)
 
 
-def _contact(found: Answers, setting: SeasonSetting) -> Iterator[tuple[OutputColumn, Array]]:
+def _contact(found: Answers, setting: SeasonSetting) -> Iterator[tuple[OutputColumn, Array | Words]]:
     met, balls = found.contact, found.balls
     assert met is not None
     counted, rows = measures(balls, met), met.results
-    names = np.array([*setting.bat_names, UNKNOWN_BAT])
-    values = {
-        "bat": names[found.bat_of], "contact_outcome": np.array(OUTCOMES)[met.outcome],
+    names = (*setting.bat_names, UNKNOWN_BAT)
+    values: dict[str, Array | Words] = {
+        "bat": Words(names, found.bat_of % len(names)), "contact_outcome": Words(OUTCOMES, met.outcome),
         "pitch_at_plate": balls.plate_speed, "ceiling": met.ceiling, "above_ceiling": met.above_chance,
         "above_improbable": met.above_improbable, "league_ceiling": met.league_ceiling,
         "offset": rows[:, kernel.OFFSET], "offset_spread": rows[:, kernel.OFFSET_SPREAD],
         "best_from_tip": met.best_place, "tip_side": rows[:, kernel.TIP_SIDE],
         "exit_speed_usual": rows[:, kernel.EXPECTED], "exit_speed_rank": rows[:, kernel.RANK],
         **{name: counted[name] for name in ("squared_up_ratio", "league_ratio", "kept_vertically")},
-        **{name: _yes(counted[name]) for name in ("squared_up", "league_squared_up", "blast")},
+        **{name: counted[name] for name in ("squared_up", "league_squared_up", "blast")},
     }  # fmt: skip
     ends = ("low90", "low50", "", "high50", "high90")
     for stem, first in (("from_tip", kernel.PLACE), ("from_best", kernel.DISTANCE)):
@@ -154,11 +156,6 @@ def _contact(found: Answers, setting: SeasonSetting) -> Iterator[tuple[OutputCol
     yield from ((column, values[column.name]) for column in CONTACT)
 
 
-def _yes(values: Array) -> Array:
-    """Return 1 and 0 as yes and no, None where not known."""
-    return np.array([None if np.isnan(value) else value == 1 for value in values.tolist()], object)
-
-
-def _others(met: Contacts) -> Iterator[tuple[OutputColumn, Array]]:
+def _others(met: Contacts) -> Iterator[tuple[OutputColumn, Array | Words]]:
     for name, three in met.others.items():
         yield from zip(columns_of_other(name), three, strict=True)

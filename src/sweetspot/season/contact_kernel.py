@@ -8,7 +8,7 @@ import numpy as np
 
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.kernel_cache import compiled
-from sweetspot.season.place_kernel import WRONG, WRONG_RANGE
+from sweetspot.season.place_kernel import weigh
 from sweetspot.season.surface_kernel import Axes, hit_towards, part_of, velocity_after
 
 STRIDE = 2
@@ -125,7 +125,7 @@ def fill_posteriors(
     weights : (n, places), the posterior; or (1, places) where it is not wanted.
     """
     count = len(arm)
-    fast, above, part = np.empty(count), np.empty(count), np.empty(count)
+    fast, above, part, work = np.empty(count), np.empty(count), np.empty(count), np.empty((4, count))
     for i in range(len(measured)):
         results[i] = math.nan
         sensitive, per_turn = predict(axes, after, reach, arm, asked[i], fast, above)
@@ -135,20 +135,8 @@ def fill_posteriors(
         for place in range(count):
             top = max(top, fast[place]) if math.isfinite(fast[place]) else top
         spread = math.sqrt(_spread(asked[i], top * (1 + level), sensitive, errors) ** 2 + noise[i] ** 2)
-        total, before, rank, mean, evidence = 0.0, 0.0, 0.0, 0.0, 0.0
-        for place in range(count):
-            part[place] = 0.0
-            if math.isfinite(fast[place]):
-                beside = (axes[2][place] - prior[i, 0]) / prior[i, 1]
-                here = math.exp(-0.5 * beside * beside)
-                off = (measured[i] - (1 + level) * fast[place]) / spread
-                match = (1 - WRONG) * math.exp(-0.5 * off * off) / (spread * 2.5066282746310002) + WRONG / WRONG_RANGE
-                before += here
-                rank += here * (0.5 * math.erfc(-off * 0.7071067811865476))
-                mean += here * fast[place]
-                part[place] = here * match
-                evidence += here * match
-                total += part[place]
+        total, before, rank, mean = weigh(axes[2], fast, measured[i], spread, prior[i, 0], prior[i, 1], level, part,
+                                          work)  # fmt: skip
         if not (total > 0 and before > 0):
             continue
         for place in range(count):
@@ -160,7 +148,7 @@ def fill_posteriors(
         results[i, OFFSET_SPREAD] = math.sqrt(results[i, OFFSET_SPREAD] + turning * turning)
         results[i, RANK], results[i, EXPECTED] = rank / before, (1 + level) * mean / before
         results[i, KEPT], results[i, SENSITIVE] = top, sensitive
-        results[i, EVIDENCE] = math.log(evidence / before)
+        results[i, EVIDENCE] = math.log(total / before)
 
 
 @compiled(nogil=True, error_model="numpy")

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
+import polars as pl
 from numpy.typing import NDArray
 
 from sweetspot.catalog.ballparks import park, parks_of_season
@@ -45,7 +46,7 @@ class Fields:
         return air_density(warm, pressure=air.pressure, humidity=air.humidity, elevation=elevations[self.index])
 
 
-def fields_of(clubs: Sequence[str | None], seasons: NDArray[np.int64]) -> Fields:
+def fields_of(clubs: pl.Series | Sequence[str | None], seasons: NDArray[np.int64]) -> Fields:
     """Return where balls were hit.
 
     Parameters
@@ -53,22 +54,18 @@ def fields_of(clubs: Sequence[str | None], seasons: NDArray[np.int64]) -> Fields
     clubs : the home club's letters or name, None where not known.
     seasons : year, 0 where not known: the park of today.
     """
-    pairs, inverse = np.unique(
-        np.array([f"{year}|{club or ''}" for club, year in zip(clubs, seasons.tolist(), strict=True)]),
-        return_inverse=True,
-    )
+    letters = pl.Series("club", clubs, dtype=pl.String)
+    pairs = pl.DataFrame([letters, pl.Series("year", seasons)]).with_row_index("ball")
     found: dict[Park, int] = {}
     unknown: dict[str, int] = {}
-    counts = np.bincount(inverse, minlength=len(pairs))
-    places = np.full(len(pairs), -1, np.int64)
-    for number, pair in enumerate(pairs.tolist()):
-        year, _, club = pair.partition("|")
-        here = home_park(club, int(year) or None) if club else None
+    places = np.full(len(seasons), -1, np.int64)
+    for (club, year), rows in pairs.group_by("club", "year", maintain_order=True):
+        here = home_park(str(club), int(str(year)) or None) if club else None
         if here is None:
-            unknown[club or "no home team"] = unknown.get(club or "no home team", 0) + int(counts[number])
+            unknown[str(club or "no home team")] = unknown.get(str(club or "no home team"), 0) + len(rows)
         else:
-            places[number] = found.setdefault(here, len(found))
-    return Fields(tuple(found), places[inverse], unknown)
+            places[rows["ball"].to_numpy()] = found.setdefault(here, len(found))
+    return Fields(tuple(found), places, unknown)
 
 
 @cache

@@ -21,6 +21,7 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.season.balls import Balls
 from sweetspot.season.carry_scatter import MORE_DRAG, SPIN_SCATTER, braked, carry_errors, usual_launch
 from sweetspot.season.fields import Fields, thirty_parks
+from sweetspot.season.launch_bend import first_directions
 from sweetspot.season.swings import USUAL_ERRORS, Errors
 from sweetspot.units import FOOT
 
@@ -121,12 +122,16 @@ def flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, *, tempera
 def _launched(balls: Balls, density: Array, setting: FlightSetting) -> tuple[Array, Flights, np.ndarray]:
     """Return launch directions, flights, and of which balls the direction is known.
 
-    The direction moves by what the landing misses, with the slope learnt on the way; few balls need a third flight.
+    The first direction is a table's; from there it moves by what the landing misses, with the slope learnt on the way.
+    Half of the balls need a second flight, few a third.
     """
     wanted, told = balls.bearing, balls.launch_direction
     given = np.isfinite(told)
     known = given | np.isfinite(wanted)
-    spray = np.where(given, told, np.where(np.isfinite(wanted), wanted, 0.0))
+    spray = np.where(given, told, first_directions(
+        balls, np.nan_to_num(wanted), ball=setting.ball, aerodynamics=setting.aerodynamics, air=setting.air,
+        density=density,
+    ))  # fmt: skip
     everyone = np.ones(len(balls), bool)
     flown = _flown(balls, spray, density, setting, everyone, setting.aerodynamics)
     open_rows = np.flatnonzero(known & ~given & flown.landed)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
@@ -91,6 +91,10 @@ class Headings:
     def has(self, *quantities: str) -> bool:
         """Return whether the table has all of some quantities."""
         return all(name in self.columns for name in quantities)
+
+    def only(self, *quantities: str) -> Headings:
+        """Return the columns of some quantities, those that the table has."""
+        return replace(self, columns={name: self.columns[name] for name in quantities if name in self.columns})
 
 
 @cache

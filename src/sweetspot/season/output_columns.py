@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 import polars as pl
+from numpy.typing import NDArray
 
+from sweetspot.numerics.arrays import Array
 from sweetspot.units import DEGREE, FOOT, INCH, MPH
 
 System = Literal["us", "si"]
@@ -116,18 +118,31 @@ def columns_of_other(name: str) -> tuple[OutputColumn, ...]:
     return tuple(OutputColumn(stem + side, "speed", said, "bats") for side in SIDES)
 
 
-def as_series(column: OutputColumn, values: np.ndarray, system: System) -> pl.Series:
+class Words(NamedTuple):
+    """A column of few words: which of them stands in each row.
+
+    Parameters
+    ----------
+    words : None for nothing.
+    number : index into the words, shape (n,).
+    """
+
+    words: tuple[str | None, ...]
+    number: NDArray[np.int64]
+
+
+def as_series(column: OutputColumn, values: Array | Words, system: System) -> pl.Series:
     """Return values in SI as a column in a system's unit; what is not finite is missing.
 
     Parameters
     ----------
     column : of the list.
-    values : in SI.
+    values : in SI; 1 and 0 for yes and no; words where the column's kind is text.
     """
     heading = column.heading(system)
-    if column.kind == "text":
-        return pl.Series(heading, values.tolist(), dtype=pl.String)
+    if isinstance(values, Words):
+        return pl.Series(heading, values.words, dtype=pl.String).gather(values.number)
     if column.kind == "yes":
-        return pl.Series(heading, values.tolist(), dtype=pl.Boolean)
+        return pl.Series(heading, values, nan_to_null=True).cast(pl.Boolean)
     scaled = np.asarray(values, float) / ENDINGS[column.kind][system][1]
     return pl.Series(heading, scaled.astype(np.float32), nan_to_null=True)

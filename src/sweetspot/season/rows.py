@@ -6,7 +6,7 @@ the ledger under the first reason that holds.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import polars as pl
 
@@ -29,10 +29,19 @@ SLOWEST, FASTEST = 1 * MPH, 125 * MPH
 DATES = ("%Y-%m-%d", "%m/%d/%Y", "%m/%d/%y", "%Y/%m/%d", "%d.%m.%Y", "%b %d, %Y")
 IN_PLAY = "in ?play|hit_into_play"
 FOUL, TIP = "foul", "foul.?tip"
+BUNTED = ("event", "words", "batted_type", "description")
+"""Quantities in which a bunt may be told."""
+MISSING = {"left": pl.Boolean, "day": pl.Date}
+"""What stands in every row even where a table does not tell it."""
+SELDOM = 2
+"""Times that a text must stand in a column on average for it to pay to change every text once."""
 NUMBERS = [kind for kind in UNITS if kind != "text"]
 KEYS = (("pitch_id",), ("game", "at_bat", "pitch"))
 """What tells pitches apart, the first that a table has."""
+WHO = ("game", "date", "batter", "pitcher")
 MEASURED = ("exit_speed", "launch_angle", "map_x", "map_y", "release_speed", "velocity_x", "velocity_z", "plate_side")
+KEY_PARTS = (*(name for names in KEYS for name in names), *WHO, *MEASURED)
+"""All quantities that may tell pitches apart."""
 ENOUGH = 4
 """Measurements that must agree before two rows without a number are the same pitch."""
 
@@ -52,20 +61,57 @@ def rows_of(frame: pl.DataFrame, headings: Headings, *, first: int = 0) -> pl.Da
         written so that no number could be read).
     """
     columns = headings.columns
+    words = {name: _tidied(frame[column.heading]) for name, column in columns.items() if column.kind == "text"}
     selected = frame.select(
         *(_number(frame, column).alias(name) for name, column in columns.items() if column.kind != "text"),
-        *(_text(column).alias(name) for name, column in columns.items() if column.kind == "text"),
         *(
             _lost(frame, column).alias(f"lost {name}")
             for name, column in columns.items()
             if column.kind != "text" and not frame.schema[column.heading].is_numeric()
         ),
-    ).with_row_index("row", offset=first)
+    ).with_columns(*(text.alias(name) for name, text in words.items()))
     lost = [name for name in selected.columns if name.startswith("lost ")]
-    return selected.with_columns(
-        left=_left(headings), day=_day(headings),
-        unreadable=pl.sum_horizontal(lost) if lost else pl.lit(0, pl.Int32),
-    ).with_columns(season=_season(headings)).drop(lost).with_columns(reason=_reason(headings))  # fmt: skip
+    said = {name: by_value(words[of], change) for name, (of, change) in _said(headings).items()}
+    return (
+        selected.with_row_index("row", offset=first)
+        .with_columns(
+            *(series.alias(name) for name, series in said.items()),
+            unreadable=pl.sum_horizontal(lost) if lost else pl.lit(0, pl.Int32),
+            **{name: pl.lit(None, kind) for name, kind in MISSING.items() if name not in said},
+        )
+        .with_columns(season=_season(headings))
+        .drop(lost)
+        .with_columns(reason=_reason(headings))
+        .drop(name for name in said if name not in MISSING)
+    )
+
+
+def by_value(column: pl.Series, change: Callable[[pl.Expr], pl.Expr]) -> pl.Series:
+    """Return what a column of column turns into; every text is changed once, however often it stands there.
+
+    Parameters
+    ----------
+    change : what becomes of a text.
+
+    >>> by_value(pl.Series(["a", "b", None, "a"]), lambda text: text.str.to_uppercase()).to_list()
+    ['A', 'B', None, 'A']
+    """
+    values = column.unique().drop_nulls()
+    if len(values) > len(column) // SELDOM:
+        return pl.select(change(pl.lit(column))).to_series()
+    changed = pl.select(change(pl.lit(values))).to_series()
+    return changed.gather(column.cast(pl.Enum(values)).to_physical())
+
+
+def _tidied(column: pl.Series) -> pl.Series:
+    """Return a column of texts without blanks about them and without the ``.0`` of whole numbers."""
+    text = column.cast(pl.String)
+    return text if column.dtype.is_integer() else by_value(text, _tidy)
+
+
+def _tidy(text: pl.Expr) -> pl.Expr:
+    plain = text.str.strip_chars().str.replace(r"^(\d+)\.0$", "$1")
+    return pl.when(plain != "").then(plain)
 
 
 def _number(frame: pl.DataFrame, column: TableColumn) -> pl.Expr:
@@ -87,25 +133,35 @@ def _lost(frame: pl.DataFrame, column: TableColumn) -> pl.Expr:
     return (written & _as_float(frame, column).is_null()).cast(pl.Int32)
 
 
-def _text(column: TableColumn) -> pl.Expr:
-    text = pl.col(column.heading).cast(pl.String).str.strip_chars().str.replace(r"^(\d+)\.0$", "$1")
-    return pl.when(text != "").then(text)
-
-
-def _left(headings: Headings) -> pl.Expr:
+def _said(headings: Headings) -> dict[str, tuple[str, Callable[[pl.Expr], pl.Expr]]]:
+    """Return what is read out of texts: the quantity, and what becomes of its text."""
+    found: dict[str, tuple[str, Callable[[pl.Expr], pl.Expr]]] = {}
     if headings.has("bats"):
-        return pl.col("bats").str.to_lowercase().str.starts_with("l")
-    if headings.has("bats_left"):
-        return pl.col("bats_left").str.to_lowercase().is_in(["1", "true", "l", "left", "yes"])
-    return pl.lit(None, pl.Boolean)
+        found["left"] = ("bats", lambda text: text.str.to_lowercase().str.starts_with("l"))
+    elif headings.has("bats_left"):
+        found["left"] = ("bats_left", lambda text: text.str.to_lowercase().is_in(["1", "true", "l", "left", "yes"]))
+    if headings.has("date"):
+        found["day"] = ("date", _day)
+    if headings.has("description"):
+        found["in play"] = ("description", lambda text: text.str.to_lowercase().str.contains(IN_PLAY))
+        found["fouled"] = ("description", _fouled)
+    if headings.has("result_type"):
+        found["result in play"] = ("result_type", lambda text: text.str.to_uppercase() == "X")
+    for name in BUNTED:
+        if headings.has(name):
+            found[f"bunted by {name}"] = (name, lambda text: text.str.to_lowercase().str.contains("bunt"))
+    return found
 
 
-def _day(headings: Headings) -> pl.Expr:
-    if not headings.has("date"):
-        return pl.lit(None, pl.Date)
-    text = pl.col("date").str.split(" ").list.first().str.split("T").list.first()
-    return pl.coalesce(*(text.str.to_date(form, strict=False) for form in DATES[:-1]),
-                       pl.col("date").str.to_date(DATES[-1], strict=False))  # fmt: skip
+def _fouled(text: pl.Expr) -> pl.Expr:
+    what = text.str.to_lowercase()
+    return what.str.contains(FOUL) & ~what.str.contains(TIP)
+
+
+def _day(text: pl.Expr) -> pl.Expr:
+    first = text.str.split(" ").list.first().str.split("T").list.first()
+    return pl.coalesce(*(first.str.to_date(form, strict=False) for form in DATES[:-1]),
+                       text.str.to_date(DATES[-1], strict=False))  # fmt: skip
 
 
 def _season(headings: Headings) -> pl.Expr:
@@ -126,18 +182,17 @@ def _reason(headings: Headings) -> pl.Expr:
 
 def _conditions(headings: Headings) -> Iterator[tuple[str, pl.Expr]]:
     if headings.has("description"):
-        what = pl.col("description").str.to_lowercase().fill_null("")
-        played = what.str.contains(IN_PLAY) | (what == "")
+        played = pl.col("in play").fill_null(value=True)  # nothing said of it: it has an exit speed, or is untracked
         if headings.has("result_type"):
-            played = played | (pl.col("result_type").str.to_uppercase() == "X").fill_null(value=False)
-        yield "foul", ~played & what.str.contains(FOUL) & ~what.str.contains(TIP)
+            played = played | pl.col("result in play").fill_null(value=False)
+        yield "foul", ~played & pl.col("fouled")
         yield "no contact", ~played
     elif headings.has("result_type"):
-        yield "no contact", (pl.col("result_type").str.to_uppercase() != "X").fill_null(value=False)
+        yield "no contact", ~pl.col("result in play").fill_null(value=True)
     bunted = pl.lit(value=False)
-    for name in ("event", "words", "batted_type", "description"):
+    for name in BUNTED:
         if headings.has(name):
-            bunted = bunted | pl.col(name).str.to_lowercase().str.contains("bunt").fill_null(value=False)
+            bunted = bunted | pl.col(f"bunted by {name}").fill_null(value=False)
     yield "bunt", bunted
     yield "untracked", pl.col("exit_speed").is_null()
     steep = (pl.col("launch_angle").abs() > 1.5708).fill_null(value=False) if headings.has("launch_angle") else False
@@ -160,7 +215,7 @@ def pitch_key(headings: Headings) -> pl.Expr | None:
             found.append(pl.when(known).then(pl.concat_str(names, separator="|").hash(seed=1)))
     measured = [name for name in MEASURED if headings.has(name)]
     if headings.has("batter") and (headings.has("game") or headings.has("date")) and len(measured) >= ENOUGH:
-        who = [name for name in ("game", "date", "batter", "pitcher") if headings.has(name)]
+        who = [name for name in WHO if headings.has(name)]
         parts = [*(pl.col(name).fill_null("") for name in who), *(pl.col(name).cast(pl.String).fill_null("")
                  for name in measured)]  # fmt: skip
         found.append(pl.concat_str(parts, separator="|").hash(seed=1))

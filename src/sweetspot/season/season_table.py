@@ -229,9 +229,9 @@ def _sampled(found: Survey, step: int) -> Iterator[pl.DataFrame]:
     for table, duplicates in zip(found.tables, found.duplicates, strict=True):
         if not table.headings.has("bat_speed"):
             continue
-        for rows in parts(table):
+        for rows in parts(table, chosen=pl.col("row").cast(pl.UInt64) * 7919 % step == 0):
             used = with_duplicates(rows, duplicates).filter(
-                (pl.col("reason") == USED) & pl.col("bat_speed").is_not_null() & (pl.col("row") * 7919 % step == 0)
+                (pl.col("reason") == USED) & pl.col("bat_speed").is_not_null()
             )
             if len(used):
                 yield used

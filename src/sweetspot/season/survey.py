@@ -18,7 +18,7 @@ from sweetspot.flight.bearing import bearing_of_place
 from sweetspot.season.balls import FIRST_MIDDLE_SEASON
 from sweetspot.season.fields import home_park
 from sweetspot.season.headings import Headings
-from sweetspot.season.rows import REASONS, USED, pitch_key, rows_of
+from sweetspot.season.rows import KEY_PARTS, REASONS, USED, pitch_key, rows_of
 from sweetspot.season.table_file import TableFile, open_table
 from sweetspot.units import MPH, is_usual
 
@@ -177,12 +177,26 @@ def _count_endings(rows: pl.DataFrame, endings: dict[str, tuple[int, float, int]
         endings[ending] = (before[0] + tracked, before[1] + total, before[2] + lost)
 
 
-def parts(table: TableFile) -> Iterator[pl.DataFrame]:
-    """Yield a table's rows as `rows_of` gives them, some at a time, only what is understood."""
-    known = [column.heading for column in table.headings.columns.values()]
+def parts(
+    table: TableFile, *, quantities: Sequence[str] | None = None, chosen: pl.Expr | None = None
+) -> Iterator[pl.DataFrame]:
+    """Yield a table's rows as `rows_of` gives them, some at a time, only what is understood.
+
+    Parameters
+    ----------
+    quantities : that are wanted, beside the exit speed; None: all that the table has.
+    chosen : of the column ``row``, which rows are wanted; None: all.
+    """
+    headings = table.headings if quantities is None else table.headings.only("exit_speed", *quantities)
+    known = [column.heading for column in headings.columns.values()]
     for start in range(0, table.rows, PART):
         frame = pl.scan_parquet(table.data).select(known).slice(start, PART).collect()
-        yield rows_of(frame, table.headings, first=start)
+        if chosen is None:
+            yield rows_of(frame, headings, first=start)
+            continue
+        wanted = pl.select(row=pl.int_range(start, start + len(frame), dtype=pl.UInt32)).filter(chosen)["row"]
+        if len(wanted):
+            yield rows_of(frame[wanted - start], headings).with_columns(wanted)
 
 
 def _duplicates(tables: Sequence[TableFile]) -> list[NDArray[np.uint32]]:
@@ -195,7 +209,7 @@ def _duplicates(tables: Sequence[TableFile]) -> list[NDArray[np.uint32]]:
             key = pitch_key(table.headings)
             if key is None:
                 continue
-            for rows in parts(table):
+            for rows in parts(table, quantities=KEY_PARTS):
                 known = rows.select("row", key=key).drop_nulls().filter(pl.col("key") % passes == turn)
                 keys.append(known["key"].to_numpy())
                 places.append(known["row"].cast(pl.UInt64).to_numpy() + (np.uint64(number) << np.uint64(40)))
