@@ -8,7 +8,7 @@ from functools import cache, partial
 from tables import escaped, source, table
 
 from sweetspot import validation
-from sweetspot.catalog.sports import certainty, sport, sport_names
+from sweetspot.catalog.sports import certainty, sport, sport_implements, sport_names
 from sweetspot.equipment.sport import CERTAINTIES, Known, Limit, Sport
 from sweetspot.paper.sports import sport_rows
 from sweetspot.validation.result import Result
@@ -35,13 +35,13 @@ def sports_table() -> str:
     """Return all sports with their usual stroke and how many of their numbers rest on what."""
     rows = []
     for name in sport_names():
-        found, counts = sport(name), certainty(name)
+        found, counts, implements = sport(name), certainty(name), sport_implements(name)
         stroke = found.stroke
         rows.append(
             (
                 found.name,
                 found.balls[0],
-                found.implements[0] + (" …" if len(found.implements) > 1 else ""),
+                implements[0] + (" …" if len(implements) > 1 else ""),
                 stroke.swing_speed.marked,
                 stroke.ball_speed.marked,
                 " / ".join(str(counts[kind]) for kind in CERTAINTIES),

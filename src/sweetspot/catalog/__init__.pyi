@@ -7,7 +7,7 @@ from .bats import bat, bat_names, load_bat
 from .deliveries import delivery, delivery_names
 from .implements import implement, implement_names, load_implement
 from .materials import material, material_names
-from .sports import aerodynamics_of_ball, sport, sport_names
+from .sports import aerodynamics_of_ball, sport, sport_implements, sport_names
 from .swing_laws import swing_law, swing_law_names
 
 __all__ = [
@@ -32,6 +32,7 @@ __all__ = [
     "park_names",
     "parks",
     "sport",
+    "sport_implements",
     "sport_names",
     "swing_law",
     "swing_law_names",

@@ -15,20 +15,36 @@ DEFAULT_BAT = "r161-ash"
 
 
 @cache
+def bat_files() -> dict[str, Path]:
+    """Return every bat file of the catalogue by name."""
+    return _files(BAT_FOLDER)
+
+
+@cache
+def other_files() -> dict[str, Path]:
+    """Return every file of a racket, club or stick in the catalogue by name."""
+    return _files(IMPLEMENT_FOLDER)
+
+
+def _files(folder: Path) -> dict[str, Path]:
+    return {canonical(path.stem): path for path in sorted(folder.glob("*.toml"))}
+
+
+@cache
 def bat_tables() -> dict[str, dict[str, Any]]:
     """Return every bat file of the catalogue as written, by name."""
-    return {canonical(path.stem): read_toml(path) for path in sorted(BAT_FOLDER.glob("*.toml"))}
+    return {name: read_toml(path) for name, path in bat_files().items()}
 
 
 @cache
 def other_tables() -> dict[str, dict[str, Any]]:
     """Return every file of a racket, club or stick in the catalogue as written, by name."""
-    return {canonical(path.stem): read_toml(path) for path in sorted(IMPLEMENT_FOLDER.glob("*.toml"))}
+    return {name: read_toml(path) for name, path in other_files().items()}
 
 
 def bat_names() -> list[str]:
     """Return the names of all bats in the catalogue."""
-    return sorted(canonical(path.stem) for path in BAT_FOLDER.glob("*.toml"))
+    return sorted(bat_files())
 
 
 def bat(name: str | Path = DEFAULT_BAT) -> Bat:
@@ -47,8 +63,8 @@ def bat(name: str | Path = DEFAULT_BAT) -> Bat:
 
 @cache
 def _catalogue_bat(name: str) -> Bat:
-    key, found = entry(bat_tables(), name, "bat")
-    return bat_from_table(found, f"catalogue bat {key}")
+    key, path = entry(bat_files(), name, "bat")
+    return bat_from_table(read_toml(path), f"catalogue bat {key}")
 
 
 def load_bat(name_or_path: str) -> Bat:
@@ -56,8 +72,10 @@ def load_bat(name_or_path: str) -> Bat:
 
     A racket, club or stick is refused.
     """
-    other = other_tables().get(canonical(name_or_path))
-    return bat(name_or_path) if other is None or is_file(name_or_path) else bat_from_table(other, name_or_path)
+    other = other_files().get(canonical(name_or_path))
+    if other is None or is_file(name_or_path):
+        return bat(name_or_path)
+    return bat_from_table(read_toml(other), name_or_path)
 
 
 def is_file(name_or_path: str) -> bool:

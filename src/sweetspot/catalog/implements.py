@@ -6,7 +6,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from sweetspot.catalog.bats import bat_tables, is_file, other_tables
+from sweetspot.catalog.bats import bat_files, bat_tables, is_file, other_files, other_tables
+from sweetspot.catalog.files.bat import read_toml
 from sweetspot.catalog.files.implement import implement_from_table, read_implement
 from sweetspot.catalog.records import entry
 from sweetspot.equipment.implement import Implement
@@ -20,7 +21,7 @@ def implement_tables() -> dict[str, dict[str, Any]]:
 
 def implement_names() -> list[str]:
     """Return the names of everything in the catalogue that one hits a ball with."""
-    return sorted(implement_tables())
+    return sorted({**bat_files(), **other_files()})
 
 
 def implement(name: str | Path) -> Implement:
@@ -39,8 +40,8 @@ def implement(name: str | Path) -> Implement:
 
 @cache
 def _catalogue_implement(name: str) -> Implement:
-    key, found = entry(implement_tables(), name, "bat")
-    return implement_from_table(found, f"catalogue {key}")
+    key, path = entry({**bat_files(), **other_files()}, name, "bat")
+    return implement_from_table(read_toml(path), f"catalogue {key}")
 
 
 def load_implement(name_or_path: str) -> Implement:

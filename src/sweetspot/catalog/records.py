@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, TypeVar
 
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.units import Kind, parse
 
 FOLDER = Path(__file__).parent
+Entry = TypeVar("Entry")
 RecordKind = Literal["measured", "specified", "derived", "fitted", "assumed"]
 
 
@@ -44,7 +46,7 @@ def read_table(file_name: str) -> dict[str, dict[str, Any]]:
     return {name: {**entries[entry["like"]], **entry} if "like" in entry else entry for name, entry in entries.items()}
 
 
-def entry(table: dict[str, dict[str, Any]], name: str, what: str) -> tuple[str, dict[str, Any]]:
+def entry(table: Mapping[str, Entry], name: str, what: str) -> tuple[str, Entry]:
     """Return the key and entry of a name, however its words are joined, or refuse it with the nearest names."""
     key = canonical(name)
     known = {canonical(key): key for key in table}

@@ -46,7 +46,6 @@ def sport(name: str = DEFAULT_SPORT) -> Sport:
         key=canonical(key),
         name=sport_entry["name"],
         balls=tuple(sport_entry["balls"]),
-        implements=_implements(canonical(key)),
         aerodynamics=sport_entry["aerodynamics"],
         stroke=Stroke(
             swing_speed=_known(stroke["swing_speed"]),
@@ -101,13 +100,19 @@ def sport_records(name: str) -> list[Record]:
     balls = {canonical(key): table for key, table in read_table(BALLS).items()}
     tools = implement_tables()
     air = {canonical(key): table for key, table in read_table(AIR).items()}
-    for names, tables in ((game.balls, balls), (game.implements, tools), ((game.aerodynamics,), air)):
+    for names, tables in ((game.balls, balls), (sport_implements(game.key), tools), ((game.aerodynamics,), air)):
         own += [record for key in names if key in tables for record in all_records(tables[key], key)]
     return own
 
 
-def _implements(key: str) -> tuple[str, ...]:
-    """Return the catalogue's implements of a sport; the default bat comes first in baseball."""
+@cache
+def sport_implements(name: str) -> tuple[str, ...]:
+    """Return the names of a sport's implements in the catalogue, the usual one first.
+
+    >>> sport_implements("tennis")
+    ('tennis-racket',)
+    """
+    key = sport(name).key
     own = [name for name, table in implement_tables().items() if canonical(table.get("sport", DEFAULT_SPORT)) == key]
     return tuple(sorted(own, key=lambda name: (name != DEFAULT_BAT, name)))
 

@@ -29,7 +29,7 @@ def main(arguments: list[str] | None = None) -> None:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # our matrices are small; threads only get in each other's way
     from cyclopts import CycloptsError
 
-    from sweetspot.cli.app import app
+    from sweetspot.cli.app import app, load_all
     from sweetspot.cli.output import ASKED, heartbeat
     from sweetspot.cli.standard_output import OutputError, held_output
 
@@ -39,6 +39,8 @@ def main(arguments: list[str] | None = None) -> None:
         with held_output(), insisting(FORCE in given), _warnings_told(FORCE in given), beating:
             words = [word for word in given if word != FORCE]
             ASKED.set(tuple(given))
+            if not words or words[0].startswith("-"):
+                load_all()
             result = app(words, exit_on_error=False, print_error=False, result_action="return_value")
     except (SweetspotError, CycloptsError, OutputError) as error:
         _complain(_one_line(error))

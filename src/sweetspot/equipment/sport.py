@@ -156,7 +156,6 @@ class Sport(Validated):
     key : catalogue name.
     name : what people call it.
     balls : catalogue names, the usual one first.
-    implements : catalogue names, the usual one first.
     aerodynamics : catalogue name of the coefficients of drag and lift of its balls.
     stroke : the usual one.
     words : what its people call things.
@@ -176,7 +175,6 @@ class Sport(Validated):
     key: str
     name: str
     balls: tuple[str, ...]
-    implements: tuple[str, ...]
     aerodynamics: str
     stroke: Stroke
     words: Words = Words()

@@ -15,6 +15,7 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse
 from sweetspot.analysis.drop_test import ROOM_AIR, Rebound, drop, static_share
 from sweetspot.catalog.sports import sport as catalogue_sport
+from sweetspot.catalog.sports import sport_implements
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.block import Block
 from sweetspot.dynamics.rigid import centre_of_percussion, effective_mass, hand_impulse_ratio
@@ -33,8 +34,8 @@ def sport_rows(sport: Sport) -> list[Row]:
     """
     ball = catalog.ball(sport.balls[0])
     rows: list[Row] = []
-    if sport.implements:
-        tool = catalog.implement(sport.implements[0])
+    if implements := sport_implements(sport.key):
+        tool = catalog.implement(implements[0])
         analysis = analyse(tool, standard_conditions(tool).replaced(ball=ball))
         rows += [*_percussion(analysis), *_energy(analysis)]
     return [*rows, *_drops(sport, ball)]

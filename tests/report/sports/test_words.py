@@ -9,7 +9,7 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse
-from sweetspot.catalog.sports import sport, sport_names
+from sweetspot.catalog.sports import sport, sport_implements, sport_names
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import ASSUMED_MARK
@@ -19,7 +19,7 @@ from sweetspot.report.quantities import SI
 from sweetspot.report.sport_words import arriving, reader_of
 
 Run = Callable[..., tuple[int, str, str]]
-OTHERS = [name for name in sport_names() if "ball" not in name and sport(name).implements]
+OTHERS = [name for name in sport_names() if "ball" not in name and sport_implements(name)]
 
 
 def told(found: Analysis[Implement]) -> str:
@@ -28,7 +28,7 @@ def told(found: Analysis[Implement]) -> str:
 
 @cache
 def usual(name: str) -> Analysis[Implement]:
-    tool = catalog.implement(sport(name).implements[0])
+    tool = catalog.implement(sport_implements(name)[0])
     return analyse(tool, standard_conditions(tool))
 
 
@@ -77,7 +77,7 @@ def test_the_papers_formulas_hold_as_far_as_they_go(name: str) -> None:
 
 @pytest.mark.parametrize("name", OTHERS)
 def test_commands(run: Run, name: str) -> None:
-    tool = sport(name).implements[0]
+    tool = sport_implements(name)[0]
     code, out, err = run("hit", tool, "--at", "4cm-from-tip")
     assert code == 0 and sport(name).words.efficiency in out, err
     assert "hit 4.0 cm from the" in out

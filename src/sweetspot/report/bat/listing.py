@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from sweetspot import catalog
-from sweetspot.catalog.sports import sport, sport_names
+from sweetspot.catalog.sports import sport_implements, sport_names
 from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.outline_doubt import moi_doubt
@@ -64,7 +64,7 @@ def _others(bats: set[str]) -> Table:
     columns = [Column("name"), Column("what"), Column("sport"), Column("length", right=True),
                Column("mass", right=True), Column("swing weight", right=True)]  # fmt: skip
     rows: list[list[Cell]] = []
-    for key in (key for name in sport_names() for key in sport(name).implements if key not in bats):
+    for key in (key for name in sport_names() for key in sport_implements(name) if key not in bats):
         implement = catalog.implement(key)
         body = rigid_body(beam_model(implement))
         convention = swing_weight(implement.sport)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from sweetspot.catalog.sports import certainty, sport, sport_names
+from sweetspot.catalog.sports import certainty, sport, sport_implements, sport_names
 from sweetspot.equipment.sport import CERTAINTIES, Known, Limit, Sport
 from sweetspot.paper.formulas import Row
 from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Section, Table
@@ -75,7 +75,7 @@ def _summary(described: Sport) -> dict[str, Any]:
         "key": described.key,
         "name": described.name,
         "balls": list(described.balls),
-        "implements": list(described.implements),
+        "implements": list(sport_implements(described.key)),
         "swing_speed_m_s": stroke.swing_speed.value,
         "swing_speed_kind": stroke.swing_speed.kind,
         "ball_speed_m_s": stroke.ball_speed.value,
