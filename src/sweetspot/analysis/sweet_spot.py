@@ -86,17 +86,28 @@ def held_exit_speed(scan: Scan) -> Array:
     >>> bool((held_exit_speed(scan) == scan.exit_speed).all())
     True
     """
-    step = scan.position[1] - scan.position[0]
+    return held_speeds(scan.exit_speed, step=float(scan.position[1] - scan.position[0]))
+
+
+def held_speeds(speed: Array, *, step: float) -> Array:
+    """Return speeds in m/s of one bat or many, shape (..., positions), without peaks too narrow to hit.
+
+    Parameters
+    ----------
+    step : m between positions.
+    """
     window = max(3, 2 * round(NARROWEST / step / 2) + 1)
-    known = np.where(np.isnan(scan.exit_speed), -np.inf, scan.exit_speed)
-    return np.minimum(scan.exit_speed, _opened(known, window) + ZONE_LOSS)
+    known = np.where(np.isnan(speed), -np.inf, speed)
+    return np.minimum(speed, _opened(known, window) + ZONE_LOSS)
 
 
 def _opened(values: Array, window: int) -> Array:
     """Return values without peaks narrower than a window of an odd number of them: the greatest of the least ones."""
-    for extreme in (np.min, np.max):
-        padded = np.pad(values, window // 2, mode="edge")
-        values = extreme(np.lib.stride_tricks.sliding_window_view(padded, window), axis=-1)
+    beside = [(0, 0)] * (values.ndim - 1) + [(window // 2, window // 2)]
+    for extreme in (np.minimum, np.maximum):
+        padded = np.pad(values, beside, mode="edge")
+        count = values.shape[-1]
+        values = extreme.reduce([padded[..., shift : shift + count] for shift in range(window)])
     return values
 
 

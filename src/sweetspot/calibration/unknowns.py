@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Literal
 
 import numpy as np
@@ -18,6 +19,7 @@ import numpy as np
 from sweetspot.catalog.materials import material_spreads
 from sweetspot.dynamics.beam import BeamModel, beam_model
 from sweetspot.equipment.bat import Bat, PointMass
+from sweetspot.equipment.shell import Stations
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 
@@ -43,6 +45,8 @@ WALL_SPREAD = 0.08
 """One sigma of the wall's logarithm: makers do not publish walls (assumed)."""
 DIAMETER_SPREAD = 0.003
 """One sigma of the logarithm of diameters: 0.1 mm of a handle, 0.2 mm of a barrel, a careful caliper (assumed)."""
+ROOM = 0.98
+"""Part of a hollow bat's radius that the thickest drawn walls fill."""
 
 
 @dataclass(frozen=True)
@@ -118,34 +122,51 @@ def deviated(line: BeamModel, unknowns: Sequence[Unknown], deviations: Array) ->
 
 
 def _changed(bat: Bat, by: dict[str, float]) -> Bat:
-    """Return the bat with other moduli, diameters, walls and masses at its ends."""
+    """Return the bat with other moduli, diameters, walls and masses at its ends.
+
+    It is not checked again, which takes longer than all the rest: a wall that would fill the bat is as thick as fits.
+    """
     factor = {name: math.exp(off) for name, off in by.items()}
     changes: dict[str, object] = {}
     stiff = {"longitudinal_modulus": "modulus", "shear_modulus": "shear_modulus"}
     moduli = {field: getattr(bat.material, field) * factor[name] for field, name in stiff.items() if name in by}
-    changes["material"] = bat.material.replaced(**moduli)
+    changes["material"] = bat.material.unchecked(**moduli)
     knob = factor.get("knob_mass", 1.0)
     if bat.shell is not None:
-        shell = bat.shell.scaled(factor.get("wall", 1.0))
+        thicker = factor.get("wall", 1.0)
+        shell = bat.shell.scaled(min(thicker, _thickest(bat)) if thicker > 1 else thicker)
         ends = {"knob_mass": shell.knob_mass * knob, "end_cap_mass": shell.end_cap_mass * factor.get("end_mass", 1.0)}
-        changes["shell"] = shell.replaced(**ends)
+        changes["shell"] = shell.unchecked(**ends)
     else:
         changes["point_masses"] = tuple(
-            weight.replaced(mass=weight.mass * knob) if weight.position == 0 else weight for weight in bat.point_masses
+            weight.unchecked(mass=weight.mass * knob) if weight.position == 0 else weight for weight in bat.point_masses
         )
     if "handle" in by and bat.profile is not None:
-        places, diameters = (np.array(column) for column in zip(*bat.profile, strict=True))
-        part = barrel_part(bat, places)
+        diameters = np.array(bat.profile)[:, 1]
+        part = _barrel_parts(bat.profile, bat.length)
         scaled = diameters * np.exp(by["handle"] * (1 - part) + by["barrel"] * part)
-        changes["profile"] = tuple(zip(places.tolist(), scaled.tolist(), strict=True))
-    return bat.replaced(**changes)
+        places = [position for position, _ in bat.profile]
+        changes["profile"] = tuple(zip(places, scaled.tolist(), strict=True))
+    return bat.unchecked(**changes)
 
 
-def barrel_part(bat: Bat, position: Array) -> Array:
-    """Return how much of the barrel's error diameters at positions in m have: 0 on the handle to 1 on the barrel."""
-    beyond_knob = np.linspace(0.15 * bat.length, bat.length, 200)
-    thin, thick = np.min(bat.diameter_at(beyond_knob)), np.max(bat.diameter_at(beyond_knob))
-    part = (
-        np.clip((bat.diameter_at(position) - thin) / (thick - thin), 0, 1) if thick > thin else np.zeros(len(position))
-    )
-    return np.asarray(np.where(position < beyond_knob[0], 0.0, part))
+def _thickest(bat: Bat) -> float:
+    """Return how many times as thick all walls of a hollow bat can be, a little room left for its diameters."""
+    assert bat.shell is not None
+    places = np.array(bat.breakpoints())
+    walls, outside = bat.wall_at(places), bat.diameter_at(places) / 2
+    if bat.shell.inner_wall is not None:
+        sleeve = bat.shell.inner_wall.thickness_at(places)
+        outside, walls = outside - bat.shell.inner_wall.gap * (sleeve > 0), walls + sleeve
+    return max(1.0, ROOM * float(np.min(outside / walls)))
+
+
+@lru_cache(maxsize=8)
+def _barrel_parts(profile: Stations, length: float) -> Array:
+    """Return how much of the barrel's error the diameter at every station has: 0 on the handle to 1 on the barrel."""
+    places, diameters = np.array(profile).T
+    beyond_knob = np.linspace(0.15 * length, length, 200)
+    there = np.interp(beyond_knob, places, diameters)
+    thin, thick = np.min(there), np.max(there)
+    part = np.clip((diameters - thin) / (thick - thin), 0, 1) if thick > thin else np.zeros(len(places))
+    return np.asarray(np.where(places < beyond_knob[0], 0.0, part))

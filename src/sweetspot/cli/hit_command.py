@@ -56,7 +56,7 @@ def hit(
         from sweetspot.report.uncertainty.uncertainty_section import uncertain
 
         sources = sources_for(bat, implement, conditions, swing)
-        answers = drawn_hit(line, conditions, sources, position)
+        answers = drawn_hit(line, conditions, sources, position, impact=impact)
         document = uncertain(document, answers, main="exit_speed_m_s", named="exit speed", where=sources.described)
     return present(document, output)
 

@@ -44,14 +44,18 @@ def report(
             check_swing(implement, conditions)
             return present(unhit_document(reduced, conditions), output, long=appendix)
         analysis = analyse_reduced(reduced, conditions)
-        document = report_document(analysis, doubts=not uncertainty)
-        if uncertainty:
+        if not uncertainty:
+            document = report_document(analysis)
+        else:
             from sweetspot.calibration.draws.drawn_reports import drawn_report
+            from sweetspot.report.bat.words import misses_of
             from sweetspot.report.uncertainty.uncertainty_section import uncertain
 
             sources = sources_for(bat, implement, analysis.conditions, swing)
+            misses = misses_of(analysis)
+            answers = drawn_report(analysis, sources, misses=misses)
             document = uncertain(
-                document, drawn_report(analysis, sources), main="best_hit.exit_speed_m_s", named="best exit speed",
-                where=sources.described,
+                report_document(analysis, misses=misses, reaches=answers.reaches()), answers,
+                main="best_hit.exit_speed_m_s", named="best exit speed", where=sources.described,
             )  # fmt: skip
     return present(document, output, long=appendix)

@@ -130,7 +130,15 @@ class ByPatch:
         return self.weighted(position, self.law.weights_at(closing_speed) - self.law.weights_at(None))
 
     def weighted(self, position: Array, weights: Array) -> Array:
-        """Return the tables' sum with weights of shape (n, radii), or (radii,) for all places."""
+        """Return the tables' sum with weights of shape (n, radii), or (radii,) for all places.
+
+        Rows of positions that are all alike are looked up once.
+        """
+        if np.ndim(position) == 2 and len(position) > 1 and (position == position[0]).all():
+            row = np.asarray(self.tables(position[0]))
+            by_place = weights.swapaxes(0, 1) if weights.ndim == 3 else weights[None, None, :]
+            found = np.matmul(by_place, row.reshape((*row.shape[:2], -1))).swapaxes(0, 1)
+            return np.broadcast_to(found, (*position.shape, found.shape[-1])).reshape((*position.shape, *row.shape[2:]))
         values = np.asarray(self.tables(position))
         weights = np.broadcast_to(weights, (*np.shape(position), len(self.law.radii)))
         return np.asarray(np.einsum("...k,...km->...m", weights, values.reshape((*weights.shape, -1)))).reshape(

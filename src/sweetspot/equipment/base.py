@@ -5,7 +5,7 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Sequence
 from difflib import get_close_matches
-from typing import Annotated, Any, Self, TypeVar
+from typing import Annotated, Any, Self, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,6 +61,11 @@ class Validated(BaseModel):  # noqa: PLW1641  # pydantic hashes what is frozen
         """Return a copy with some fields changed, validated like a new one."""
         kept = {name: getattr(self, name) for name in type(self).model_fields}
         return type(self)(**{**kept, **changes})
+
+    def unchecked(self, **changes: Any) -> Self:
+        """Return a copy with some fields changed that is not validated: for many copies hardly unlike a valid one."""
+        kept = {name: getattr(self, name) for name in type(self).model_fields}
+        return cast("Self", self.model_construct(**{**kept, **changes}))
 
 
 def explain(error: ValidationError, name: str, *, known: Sequence[str] = ()) -> str:

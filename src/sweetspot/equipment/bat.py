@@ -157,8 +157,9 @@ class Bat(OfMaterial):
         for position in shell.edges():
             if not 0 <= position <= self.length * (1 + 1e-6):
                 raise ValueError(f"the shell has something at {position:.4g} m, off the bat of {self.length:.4g} m")
-        for position in self.breakpoints():
-            wall, radius = self.wall_at(position), self.diameter_at(position) / 2
+        edges = np.asarray(self.breakpoints())
+        walls, radii = self.wall_at(edges), self.diameter_at(edges) / 2
+        for position, wall, radius in zip(edges.tolist(), walls.tolist(), radii.tolist(), strict=True):
             if not 0 < wall <= radius:
                 raise ValueError(
                     f"shell wall is {wall * 1e3:.3g} mm at {position:.4g} m where the radius is "

@@ -130,11 +130,13 @@ class Shell(Validated):
         return between(self.wall, position)
 
     def scaled(self, factor: float) -> Shell:
-        """Return the shell with outer wall and sleeve ``factor`` times as thick; outside and gap stay."""
+        """Return the shell with outer wall and sleeve ``factor`` times as thick, > 0; outside and gap stay."""
+        if not factor > 0:
+            raise InputError(f"walls were to be {factor:g} times as thick; allowed is more than 0")
         sleeve = self.inner_wall
         if sleeve is not None:
-            sleeve = sleeve.replaced(wall=tuple((place, factor * size) for place, size in sleeve.wall))
-        return self.replaced(wall=tuple((place, factor * size) for place, size in self.wall), inner_wall=sleeve)
+            sleeve = sleeve.unchecked(wall=tuple((place, factor * size) for place, size in sleeve.wall))
+        return self.unchecked(wall=tuple((place, factor * size) for place, size in self.wall), inner_wall=sleeve)
 
     def edges(self) -> tuple[float, ...]:
         """Return the positions in m where a wall bends, begins or ends."""

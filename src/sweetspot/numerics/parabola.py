@@ -52,6 +52,28 @@ def top(values: Array) -> tuple[int, float, float]:
     return index, shift, height
 
 
+def tops(values: Array) -> tuple[Array, Array]:
+    """Return (place, height) of the top of every row of evenly sampled values, shape (rows, n); see `top`.
+
+    Places are counted in steps from the first value; a row of nothing but nan has neither.
+
+    >>> place, height = tops(np.array([[0.0, 3.0, 2.0, 0.0], [5.0, 4.0, 3.0, 2.0]]))
+    >>> place.tolist(), height.tolist()
+    ([1.25, 0.0], [3.125, 5.0])
+    """
+    rows, last = np.arange(len(values)), values.shape[1] - 1
+    known = np.where(np.isnan(values), -np.inf, values)
+    index = np.argmax(known, axis=1)
+    before, middle, after = (known[rows, np.clip(index + step, 0, last)] for step in (-1, 0, 1))
+    with np.errstate(invalid="ignore", divide="ignore"):
+        bend = before - 2 * middle + after
+        inside = (index > 0) & (index < last) & np.isfinite(bend) & (bend < 0)
+        shift = np.where(inside, (before - after) / (2 * bend), 0.0)
+        height = np.where(inside, middle - (before - after) ** 2 / (8 * bend), middle)
+    nothing = np.isneginf(middle)
+    return np.where(nothing, np.nan, index + shift), np.where(nothing, np.nan, height)
+
+
 def peak(values: Array) -> float:
     """Return the height of the top of evenly sampled values."""
     return top(values)[2]

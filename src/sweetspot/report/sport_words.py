@@ -38,6 +38,6 @@ def arriving(words: Words, speed: float) -> Sentence:
     return in_words("a {incoming} at {speed}", words, speed=Slot(speed, "speed", round=True))
 
 
-def weight(mass: float) -> Slot:
-    """Return a mass (kg), with a digit more where it is that of a small ball."""
-    return Slot(mass, "mass", 1 if mass < LIGHT else None)
+def weight(mass: float, of: str = "") -> Slot:
+    """Return a mass (kg), with a digit more where it is that of a small ball; ``of`` as in `Slot`."""
+    return Slot(mass, "mass", 1 if mass < LIGHT else None, of=of)

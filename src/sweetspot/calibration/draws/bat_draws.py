@@ -8,7 +8,7 @@ thicker, so they are followed by harmonic and by their order within it.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -19,7 +19,7 @@ from sweetspot.dynamics.batch.beams import BeamRow
 from sweetspot.dynamics.batch.bending import BendingBatch, bending_batch, joined_batches
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.dent import dent_compliance
-from sweetspot.dynamics.hoop import hoop_modes
+from sweetspot.dynamics.hoop import OtherPatch, hoop_modes
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.patch import ByPatch, PatchLaw, patch_law
@@ -61,8 +61,8 @@ class DrawnBats:
         if self.whole is not None:
             return np.tile(self.whole.angular_frequency, (len(self), 1))
         beams = np.pad(self.bending.omega, ((0, 0), (2, 0)))
-        walls = [wall.angular_frequency[order] for wall, order in self._walls]
-        return np.hstack([beams, self._deviated(walls)]) if walls else beams
+        walls = [wall.angular_frequency[order] for wall, order in self.walls]
+        return np.hstack([beams, self.followed(walls)]) if walls else beams
 
     @cached_property
     def damping_rate(self) -> Array:
@@ -71,8 +71,8 @@ class DrawnBats:
             return np.tile(self.whole.damping_rate, (len(self), 1))
         rate = 2 * self.bending.damping_ratio[:, None] * self.bending.omega
         beams = np.pad(rate, ((0, 0), (2, 0)))
-        walls = [wall.damping_rate[order] for wall, order in self._walls]
-        return np.hstack([beams, self._deviated(walls)]) if walls else beams
+        walls = [wall.damping_rate[order] for wall, order in self.walls]
+        return np.hstack([beams, self.followed(walls)]) if walls else beams
 
     def shapes_at(self, position: Array, *, closing_speed: Array | None = None) -> Array:
         """Return the shapes at places (bats, places) in m, shape (bats, places, n); see `ReducedBats.shapes_at`."""
@@ -80,11 +80,21 @@ class DrawnBats:
         if self.whole is not None:
             return self.whole.shape_at(position, closing_speed=speed)
         beams = self.bending.shapes_at(position)
-        walls = [wall.shape_at(position, closing_speed=speed)[..., order] for wall, order in self._walls]
-        if not walls:
+        if not self.walls:
             return beams
-        signed = [shape * np.where(np.sum(shape * walls[0], axis=(0, 1)) < 0, -1.0, 1.0) for shape in walls]
-        return np.concatenate([beams, self._deviated(signed)], axis=2)
+        weights = self._law.weights_at(speed)
+        walls = self._each(lambda index: self._felt(index, position, weights))
+        signed = [
+            shape if shape is walls[0] else shape * np.where(np.sum(shape * walls[0], axis=(0, 1)) < 0, -1.0, 1.0)
+            for shape in walls
+        ]
+        return np.concatenate([beams, self.followed(signed)], axis=2)
+
+    def _felt(self, index: int, position: Array, weights: Array) -> Array:
+        """Return what a patch feels of a wall's modes, in the first wall's order; see `ByPatch.weighted`."""
+        wall, order = self.walls[index]
+        assert wall.surface is not None and isinstance(wall.surface.basis, OtherPatch)  # of hoop modes
+        return wall.surface.basis.felt.weighted(position, weights)[..., order]
 
     def compliance_at(self, position: Array, *, closing_speed: Array | None = None) -> Array:
         """Return how far the surface gives way at once, m/N at places (bats, places) in m; never below zero."""
@@ -92,31 +102,50 @@ class DrawnBats:
         if self.whole is not None:
             return self.whole.compliance_at(position, closing_speed=speed)
         give = self.bending.left_out_at(position)
-        parts: list[Array] = []
-        for surface in self.surfaces:
-            if isinstance(surface, ByPatch):
-                parts.append(surface(position, speed))
-            else:
-                parts.append(surface.compliance_at(position, closing_speed=speed))
-        if parts:
-            give = give + self._deviated(parts)
+        if self.surfaces:
+            weights = self._law.weights_at(speed)
+            give = give + self.followed(self._each(lambda index: _given(self.surfaces[index], position, weights)))
         return np.asarray(np.maximum(give, 0.0))
+
+    @cached_property
+    def _law(self) -> PatchLaw:
+        """By which the patch goes with the speed of a hit."""
+        first = self.surfaces[0]
+        gives = first if isinstance(first, ByPatch) else first.compliances[0]
+        assert isinstance(gives, ByPatch)
+        return gives.law
+
+    def _each(self, evaluate: Callable[[int], Array]) -> list[Array]:
+        """Return something of every surface, worked out once where an unknown changes nothing of it."""
+        made: dict[int, Array] = {}
+        for index, surface in enumerate(self.surfaces):
+            if id(surface) not in made:
+                made[id(surface)] = evaluate(index)
+        return [made[id(surface)] for surface in self.surfaces]
 
     def _pressed(self, closing_speed: Array | None) -> Array | None:
         return closing_speed if closing_speed is None or self.pressing is None else closing_speed * self.pressing
 
     @cached_property
-    def _walls(self) -> list[tuple[Modes, Sequence[int]]]:
+    def walls(self) -> list[tuple[Modes, Sequence[int]]]:
         """Walls with the order in which their modes are those of the first."""
         walls = [surface for surface in self.surfaces if isinstance(surface, Modes)]
         return [(wall, _in_order(wall, walls[0])) for wall in walls]
 
-    def _deviated(self, values: list[Array]) -> Array:
-        """Return values of every bat: of the described one, with slope and bend of each deviation."""
-        centre = np.asarray(values[0])
+    def followed(self, values: Sequence[Array]) -> Array:
+        """Return values of every bat: of the described one, with slope and bend of each deviation.
+
+        Parameters
+        ----------
+        values : of the bat as described, then of every unknown one standard deviation up and down: of one bat, shape
+            (n,), or of every bat, shape (bats, ...).
+        """
+        centre = values[0]
         found = np.broadcast_to(centre, (len(self), *centre.shape)) if centre.ndim == 1 else centre
         shape = (len(self), *(1,) * (found.ndim - 1))
         for number, (up, down) in enumerate(zip(values[1::2], values[2::2], strict=True)):
+            if up is centre and down is centre:
+                continue
             off = self.deviations[:, number].reshape(shape)
             found = found + off * ((up - down) / 2) + off**2 * ((up + down) / 2 - centre)
         return np.asarray(found)
@@ -158,6 +187,14 @@ def _surface(line: BeamModel, law: PatchLaw) -> Surface:
     """Return what a ball feels besides the beam of a bat; see `all_modes`."""
     assert isinstance(line.bat, Bat)  # nothing is unknown of others
     return dent_compliance(line, law=law) if line.bat.shell is None else hoop_modes(line, law=law)
+
+
+def _given(surface: Surface, position: Array, weights: Array) -> Array:
+    """Return how far a surface gives way at once, m/N; see `ByPatch.weighted`."""
+    if isinstance(surface, ByPatch):
+        return surface.weighted(position, weights)
+    gives = [give.weighted(position, weights) for give in surface.compliances if isinstance(give, ByPatch)]
+    return np.maximum(sum(gives, np.zeros_like(position)), 0.0)
 
 
 def _in_order(wall: Modes, first: Modes) -> list[int]:

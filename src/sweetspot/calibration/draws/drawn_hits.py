@@ -11,7 +11,7 @@ from sweetspot.analysis.hand_weighting import velocity_weight
 from sweetspot.calibration.ball_doubt import ball_off
 from sweetspot.calibration.draws.bat_draws import DrawnBats, drawn_bats
 from sweetspot.calibration.draws.sources import OF_BALL, PATCH, PITCH, SWING, Sources
-from sweetspot.collision.closed_form import exit_speed, restitution_from_efficiency
+from sweetspot.collision.closed_form import collision_efficiency, exit_speed, restitution_from_efficiency
 from sweetspot.collision.hits_of_bats import struck
 from sweetspot.collision.impact import Impacts
 from sweetspot.collision.kernel import STEP
@@ -139,15 +139,19 @@ class HitsAlong:
     """Hits of every draw at the same places; arrays have shape (draws, places), SI; see `Scan`."""
 
     position: Array
+    closing_speed: Array
     collision_efficiency: Array
     bbcor: Array
     exit_speed: Array
+    rigid_exit_speed: Array
     bat_speed: Array
     hand_impulse: Array
     sting: Array
     contact_time: Array
     peak_force: Array
     peak_compression: Array
+    displacement: Array
+    velocity: Array
 
 
 def hits_along(draws: Draws, places: Array) -> HitsAlong:
@@ -165,12 +169,24 @@ def hits_along(draws: Draws, places: Array) -> HitsAlong:
         places - hands.position
     )
     return HitsAlong(
-        position=places, collision_efficiency=efficiency, bbcor=restitution_from_efficiency(efficiency, recoil=recoil),
+        position=places, closing_speed=closing, collision_efficiency=efficiency,
+        bbcor=restitution_from_efficiency(efficiency, recoil=recoil),
         exit_speed=exit_speed(efficiency, ball_speed=0.0, bat_speed=closing) - thrown,  # seen by the flying ball
+        rigid_exit_speed=exit_speed(_rigid(draws, places, closing), ball_speed=0.0, bat_speed=closing) - thrown,
         bat_speed=bat, hand_impulse=held * mass * closing * (1 + efficiency),
         sting=_sting(draws, done), contact_time=done.contact_time, peak_force=done.peak_force,
-        peak_compression=done.peak_compression,
+        peak_compression=done.peak_compression, displacement=done.displacement, velocity=done.velocity,
     )  # fmt: skip
+
+
+def _rigid(draws: Draws, places: Array, closing: Array) -> Array:
+    """Return q of bats without any vibration, shape (draws, places); see `rigid_efficiency`."""
+    body = draws.bats.bending
+    met = 1 / body.mass[:, None] + (places - body.balance_point[:, None]) ** 2 / body.moi_cm[:, None]
+    recoil = draws.ball_mass[:, None] * met
+    on_wall = closing / (1 + recoil) ** 0.5
+    own = np.array([ball.restitution.at(speed) for ball, speed in zip(draws.balls, on_wall, strict=True)])
+    return np.asarray(np.where(closing > 0, collision_efficiency(own, recoil=recoil), np.nan))
 
 
 def _sting(draws: Draws, done: Impacts) -> Array:

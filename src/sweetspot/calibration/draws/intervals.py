@@ -31,6 +31,10 @@ class Reach:
     above: Array
 
 
+Reaches = Mapping[str, Reach]
+"""By the number's name in a document's data."""
+
+
 @dataclass(frozen=True)
 class DrawnAnswers:
     """What many draws answer.

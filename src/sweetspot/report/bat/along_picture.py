@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
 from sweetspot.analysis.bat_analysis import Analysis
+from sweetspot.calibration.draws.intervals import Reaches
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.pictures import ruler
@@ -27,14 +28,17 @@ from sweetspot.report.pictures.style import (
     styled,
 )
 from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SCALES, SKY, Reader, Unit
+from sweetspot.report.sentences import Slot
 from sweetspot.report.sport_words import words_of
+from sweetspot.report.uncertainty.document_intervals import reached
 
 MODES_SHOWN = 3
+NO_REACHES: Reaches = {}
 KM_H = Unit("km/h", 1 / 3.6, 1)
 
 
 @styled
-def exit_speed(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> None:
+def exit_speed(axes: Axes, analysis: Analysis[Implement], reading: Reader, reaches: Reaches = NO_REACHES) -> None:
     """Draw the exit speed along the bat: the reader's unit on the left, another on the right, the rigid bat dashed."""
     scan, words, unit = analysis.scan, words_of(analysis.bat), reading.units["speed"]
     speed, rigid = scan.exit_speed / unit.size, scan.rigid_exit_speed / unit.size
@@ -47,7 +51,8 @@ def exit_speed(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> No
     )
     axes.plot(scan.position, rigid, color=MUTED, linewidth=1.2, linestyle=(0, (4, 2.5)))
     axes.plot(scan.position, speed, color=RED)
-    top = float(np.nanmax(np.concatenate([speed, rigid])))
+    high = _band(axes, analysis, "exit_speed_m_s", reaches, RED, size=unit.size)
+    top = float(np.nanmax(np.concatenate([speed, rigid, high])))
     axes.set_ylim(min(0.0, float(np.nanmin(speed))), 1.22 * top)
     axes.set_ylabel(unit.name)
     other = KM_H if unit == SCALES["speed"].si else SCALES["speed"].si
@@ -58,9 +63,12 @@ def exit_speed(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> No
     spots = analysis.sweet_spots
     best = float(np.interp(spots.max_exit_speed, scan.position, speed))
     _dot(axes, spots.max_exit_speed, best, RED)
-    place = reading.shown(analysis.bat.length - spots.max_exit_speed, "place")
+    told = reached(Slot(best * unit.size, "speed", 1, of="best_hit.exit_speed_m_s"), reaches).read(reading)
+    place = reached(
+        Slot(analysis.bat.length - spots.max_exit_speed, "place", of="-sweet_spots.max_exit_speed_m"), reaches
+    ).read(reading)
     axes.annotate(
-        f"{best:.1f} {unit.name}, {place} from the {words.tip}", (spots.max_exit_speed, best),
+        f"{told}, {place} from the {words.tip}", (spots.max_exit_speed, best),
         xytext=(spots.max_exit_speed - 0.08 * (axes.get_xlim()[1] - axes.get_xlim()[0]), 1.1 * top), textcoords="data",
         ha="right", va="center", weight="bold", color=INK,
         arrowprops={"arrowstyle": "-", "color": RED, "linewidth": 0.8, "shrinkA": 1, "shrinkB": 3, "relpos": (1, 0.4)},
@@ -73,7 +81,7 @@ def exit_speed(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> No
 
 
 @styled
-def efficiency(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> None:
+def efficiency(axes: Axes, analysis: Analysis[Implement], reading: Reader, reaches: Reaches = NO_REACHES) -> None:
     """Draw the collision efficiency q along the bat, the rigid bat dashed."""
     scan, words = analysis.scan, words_of(analysis.bat)
     _prepare(
@@ -86,18 +94,21 @@ def efficiency(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> No
     axes.plot(scan.position, scan.rigid_efficiency, color=MUTED, linewidth=1.2, linestyle=(0, (4, 2.5)))
     axes.plot(scan.position, scan.collision_efficiency, color=ORANGE)
     axes.axhline(0, color=MUTED, linewidth=0.7)
-    both = np.concatenate([scan.collision_efficiency, scan.rigid_efficiency])
+    high = _band(axes, analysis, "collision_efficiency", reaches, ORANGE)
+    both = np.concatenate([scan.collision_efficiency, scan.rigid_efficiency, high])
     _limits(axes, both, room=0.14)
     place = analysis.sweet_spots.max_collision_efficiency
     best = float(np.interp(place, scan.position, scan.collision_efficiency))
     _dot(axes, place, best, ORANGE)
+    most = reached(Slot(best, "ratio", of="told.max_collision_efficiency"), reaches).read(reading)
     axes.annotate(
-        f"{best:.3f}", (place, best), xytext=(2, -10), textcoords="offset points", ha="right", va="top", weight="bold",
+        most, (place, best), xytext=(2, -10), textcoords="offset points", ha="right", va="top", weight="bold",
+        path_effects=halo(),
     )  # fmt: skip
 
 
 @styled
-def hand_impulse(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> None:
+def hand_impulse(axes: Axes, analysis: Analysis[Implement], reading: Reader, reaches: Reaches = NO_REACHES) -> None:
     """Draw the impulse at the top hand, with its sign: zero at the centre of percussion."""
     scan, words = analysis.scan, words_of(analysis.bat)
     tool = words.implement
@@ -111,6 +122,7 @@ def hand_impulse(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> 
     axes.axhline(0, color=MUTED, linewidth=0.7)
     axes.fill_between(scan.position, 0, scan.hand_impulse, color=GREEN, alpha=0.16, linewidth=0)
     axes.plot(scan.position, scan.hand_impulse, color=GREEN)
+    _band(axes, analysis, "hand_impulse_n_s", reaches, GREEN)
     _limits(axes, scan.hand_impulse, room=0.3)
     axes.set_ylabel("N s")
     _dot(axes, analysis.sweet_spots.center_of_percussion, 0.0, GREEN)
@@ -120,7 +132,7 @@ def hand_impulse(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> 
 
 
 @styled
-def sting(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> None:
+def sting(axes: Axes, analysis: Analysis[Implement], reading: Reader, reaches: Reaches = NO_REACHES) -> None:
     """Draw the vibration that the hands feel after a hit."""
     scan = analysis.scan
     _prepare(
@@ -132,14 +144,15 @@ def sting(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> None:
     )
     axes.fill_between(scan.position, 0, scan.sting, color=PURPLE, alpha=0.18, linewidth=0)
     axes.plot(scan.position, scan.sting, color=PURPLE)
-    axes.set_ylim(0, 1.14 * float(np.nanmax(scan.sting)))
+    high = _band(axes, analysis, "sting", reaches, PURPLE)
+    axes.set_ylim(0, 1.14 * float(np.nanmax(np.concatenate([scan.sting, high]))))
     axes.set_ylabel("m/s")
     place = analysis.sweet_spots.min_sting
     _dot(axes, place, float(np.interp(place, scan.position, scan.sting)), PURPLE)
 
 
 @styled
-def mode_shapes(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> None:
+def mode_shapes(axes: Axes, analysis: Analysis[Implement], reading: Reader, reaches: Reaches = NO_REACHES) -> None:
     """Draw how the bat bends in its first modes, each on its own line, nodes as dots."""
     bat, modes = analysis.bat, analysis.modes
     ruler.set_limits(axes, bat.length)
@@ -160,8 +173,10 @@ def mode_shapes(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> N
         nodes = modes.nodes(index)
         for node in nodes:
             _dot(axes, float(node), -row, colour, filled=row < 2 and node == nodes[-1])
+        told = Slot(float(modes.frequency[index]), "frequency", of=f"modes.{row}.frequency_hz")
+        rings = reached(told, reaches).read(reading).replace(" ± ", "\n± ").replace(" (", "\n(")
         axes.annotate(
-            f"{modes.frequency[index]:.0f} Hz", (1, -row), xycoords=("axes fraction", "data"), xytext=(6, 0),
+            rings, (1, -row), xycoords=("axes fraction", "data"), xytext=(6, 0),
             textcoords="offset points", ha="left", va="center_baseline", color=INK, size=NORMAL,
         )  # fmt: skip
         axes.annotate(
@@ -169,6 +184,27 @@ def mode_shapes(axes: Axes, analysis: Analysis[Implement], reading: Reader) -> N
             textcoords="offset points", ha="right", va="center_baseline", color=MUTED, size=SMALL,
         )  # fmt: skip
     axes.set_ylim(-len(shown) + 0.45, 0.55)
+
+
+def _band(
+    axes: Axes, analysis: Analysis[Implement], name: str, reaches: Reaches, colour: str, *, size: float = 1.0
+) -> Array:
+    """Draw the interval around a curve of the scan as a band, and return its upper end; empty where there is none.
+
+    Parameters
+    ----------
+    name : of the curve in the data.
+    size : of the unit that is drawn.
+    """
+    reach = reaches.get(f"scan.{name}")
+    if reach is None:
+        return np.zeros(0)
+    scan = analysis.scan
+    values = {"exit_speed_m_s": scan.exit_speed, "collision_efficiency": scan.collision_efficiency,
+              "hand_impulse_n_s": scan.hand_impulse, "sting": scan.sting}[name]  # fmt: skip
+    low, high = (values - reach.below) / size, (values + reach.above) / size
+    axes.fill_between(scan.position, low, high, color=colour, alpha=0.22, linewidth=0, zorder=1.5, gid="band")
+    return np.asarray(high)
 
 
 def _prepare(axes: Axes, analysis: Analysis[Implement], reading: Reader, title: str, note: str) -> None:

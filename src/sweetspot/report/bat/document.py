@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any
 
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
+from sweetspot.calibration.draws.intervals import Reaches
 from sweetspot.catalog.sports import sport
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
@@ -21,7 +22,17 @@ from sweetspot.report.bat.tables import (
     modes_table,
     spots_table,
 )
-from sweetspot.report.bat.words import BEST_PLACE, BEST_SPEED, WHY_TWO, Miss, answer, from_tip, misses_of
+from sweetspot.report.bat.words import (
+    BEST_PLACE,
+    BEST_SPEED,
+    WHY_BOTH,
+    WHY_TWO,
+    Miss,
+    answer,
+    from_tip,
+    hand_and_tip,
+    misses_of,
+)
 from sweetspot.report.document import Block, Cards, Document, Paragraph, Picture, Section, Sources
 from sweetspot.report.hit.document import BattedHit, hit_picture, hit_table
 from sweetspot.report.quantities import Reader
@@ -32,24 +43,30 @@ COLUMNS, ROWS = 120, 90
 """Places of the maps of a face: enough for the eye."""
 
 
-def report_document(analysis: Analysis[Implement], *, doubts: bool = True) -> Document:
+def report_document(
+    analysis: Analysis[Implement], *, misses: Sequence[Miss] | None = None, reaches: Reaches | None = None
+) -> Document:
     """Return the report of an analysis as a document.
 
     Parameters
     ----------
-    doubts : whether it says what is known of doubt without draws; not where intervals are put beside all numbers.
+    misses : what they cost; None: worked out.
+    reaches : how far the intervals of draws go, which are put beside all numbers and into the picture; None: there are
+        none, and what is known of doubt without draws is said.
     """
-    bat, misses, data = analysis.bat, misses_of(analysis), report_json(analysis)
-    overview = _overview(analysis, doubts=doubts)
+    bat, data = analysis.bat, report_json(analysis)
+    misses = misses_of(analysis) if misses is None else misses
+    overview = _overview(analysis, reaches)
     return Document(
         name="report", title=bat.name, subtitle=_sizes(analysis), kind=f"{sport(bat.sport).name}: sweet spot report",
         blocks=[
-            _cards(analysis, misses),
-            *(Paragraph(words) for words in answer(analysis, misses, by_ball=doubts)),
+            _cards(analysis, misses, drawn=reaches is not None),
+            *(Paragraph(words) for words in answer(analysis, misses, drawn=reaches is not None)),
             *(Paragraph(words) for words in remarks(bat)),
             overview,
         ],
-        details=_details(analysis), appendix=partial(_appendix, analysis, misses), data=data, rows=data["scan"],
+        details=_details(analysis), appendix=partial(_appendix, analysis, misses, drawn=reaches is not None),
+        data=data, rows=data["scan"],
         reader=reader_of(bat), drawing=overview,
     )  # fmt: skip
 
@@ -74,15 +91,17 @@ def _sizes(analysis: Analysis[Implement]) -> Sentence:
     bat, body = analysis.bat, analysis.body
     return in_words(
         "{length} long, {mass}, {made_of}, balance {balance} from the {butt}", words_of(bat),
-        length=Slot(bat.length, "length"), mass=Slot(body.mass, "mass"), made_of=bat.made_of,
-        balance=Slot(body.balance_point, "place"),
+        length=Slot(bat.length, "length"), mass=Slot(body.mass, "mass", of="bat.mass_kg"), made_of=bat.made_of,
+        balance=Slot(body.balance_point, "place", of="bat.balance_point_m"),
     )  # fmt: skip
 
 
-def _cards(analysis: Analysis[Implement], misses: Sequence[Miss]) -> Cards:
+def _cards(analysis: Analysis[Implement], misses: Sequence[Miss], *, drawn: bool) -> Cards:
     """Return the few numbers that everybody asks for."""
     spots, words = analysis.sweet_spots, words_of(analysis.bat)
-    width: Words | Slot = "none" if spots.zone is None else Slot(spots.zone[1] - spots.zone[0], "place")
+    width: Words | Slot = (
+        "none" if spots.zone is None else Slot(spots.zone[1] - spots.zone[0], "place", of="sweet_spots.zone_width_m")
+    )
     cards: list[tuple[Words | Slot, Words]] = [
         (from_tip(analysis, spots.max_exit_speed, BEST_PLACE), in_words("from the {tip}: where it hits best", words)),
         (
@@ -98,29 +117,30 @@ def _cards(analysis: Analysis[Implement], misses: Sequence[Miss]) -> Cards:
             Slot(miss.distance, "place", round=True),
             Bounds(Slot(worse.value, "speed"), worse.low, worse.high),
         )
-        told = say("for missing it by {missed}{bounds}", missed=missed, bounds=bounds)
-        cards.append((Slot(-worse.value, "speed"), told))
+        of = hand_and_tip(1)[0 if worse is miss.inside else 1]
+        told = say("for missing it by {missed}{bounds}", missed=missed, bounds="" if drawn else bounds)
+        cards.append((Slot(-worse.value, "speed", of=f"-{of}"), told))
     return Cards([(joined([number]), words) for number, words in cards])
 
 
-def _overview(analysis: Analysis[Implement], *, doubts: bool) -> Picture:
+def _overview(analysis: Analysis[Implement], reaches: Reaches | None) -> Picture:
     words = words_of(analysis.bat)
     label = in_words(
         "{name} drawn to scale, its sweet spots marked. Below it curves of exit speed, collision efficiency, jolt at "
         "the hand, sting and bending modes along it. {exit_speed} is greatest, {speed}, {place} from the {tip}.", words,
-        name=analysis.bat.name, speed=Slot(exit_speed_of(analysis.best, analysis.conditions), "speed"),
-        place=from_tip(analysis, analysis.sweet_spots.max_exit_speed),
+        name=analysis.bat.name, speed=Slot(exit_speed_of(analysis.best, analysis.conditions), "speed", of=BEST_SPEED),
+        place=from_tip(analysis, analysis.sweet_spots.max_exit_speed, BEST_PLACE),
     )  # fmt: skip
     caption = in_words(
         "The {implement} to scale and, place for place, what a hit there does. Shaded: the {zone}.", words
     )
-    return Picture("overview", partial(_drawn_overview, analysis, doubts=doubts), label, caption)
+    return Picture("overview", partial(_drawn_overview, analysis, reaches=reaches), label, caption)
 
 
-def _drawn_overview(analysis: Analysis[Implement], reading: Reader, *, doubts: bool) -> Any:
+def _drawn_overview(analysis: Analysis[Implement], reading: Reader, *, reaches: Reaches | None) -> Any:
     from sweetspot.report.bat.figure import report_figure
 
-    return report_figure(analysis, reading, doubts=doubts)
+    return report_figure(analysis, reading, reaches)
 
 
 def _details(analysis: Analysis[Implement]) -> list[Block]:
@@ -143,7 +163,7 @@ def _details(analysis: Analysis[Implement]) -> list[Block]:
     ]
 
 
-def _appendix(analysis: Analysis[Implement], misses: Sequence[Miss]) -> list[Block]:
+def _appendix(analysis: Analysis[Implement], misses: Sequence[Miss], *, drawn: bool) -> list[Block]:
     """Return what only an opened page shows: maps, misses, limits, published numbers, constants, sources."""
     from sweetspot.report.bat.appendix import assumptions_section, constants_section
     from sweetspot.report.bat.beside_published import chosen, published_section
@@ -153,7 +173,9 @@ def _appendix(analysis: Analysis[Implement], misses: Sequence[Miss]) -> list[Blo
     keys = sources_of(used_records(analysis)) + [result.source for result in published]
     return [
         *([] if face is None else [Section("face-map", "All over the face", [_face_picture(analysis)])]),
-        *([Section("misses", "What a miss costs", [misses_table(misses, analysis.bat), Paragraph(WHY_TWO)])]
+        *([Section("misses", "What a miss costs", [
+            misses_table(misses, analysis.bat), Paragraph(WHY_BOTH if drawn else WHY_TWO),
+        ])]
           if misses else []),
         assumptions_section(analysis), *published_section(published), constants_section(analysis),
         Section("sources", "Sources", [Sources(sorted(set(keys)))]),

@@ -9,6 +9,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
+from sweetspot.calibration.draws.intervals import Reaches
 from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.equipment.bat import Bat
@@ -17,6 +18,7 @@ from sweetspot.equipment.racket import Racket
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat import along_picture as along
 from sweetspot.report.bat.outline_picture import ABOVE, GUIDE_START, RULER, SIDE, WIDTH, bat_panel, draw_bat_panel
+from sweetspot.report.bat.words import BEST_SPEED
 from sweetspot.report.pictures import ruler
 from sweetspot.report.pictures.ruler import from_the_tip
 from sweetspot.report.pictures.style import (
@@ -31,8 +33,9 @@ from sweetspot.report.pictures.style import (
     styled,
 )
 from sweetspot.report.quantities import RED, Reader
-from sweetspot.report.sentences import with_doubt
+from sweetspot.report.sentences import Slot, with_doubt
 from sweetspot.report.sport_words import arriving, reader_of, words_of
+from sweetspot.report.uncertainty.document_intervals import reached
 
 HEADER, FOOTER, BETWEEN = 1.0, 1.15, 0.34
 """Inches of paper for the title, the rulers at the foot, and between panels."""
@@ -51,8 +54,15 @@ PANELS = (
 
 
 @styled
-def report_figure(analysis: Analysis[Implement], reading: Reader | None = None, *, doubts: bool = True) -> Figure:
-    """Return the tall figure: title, bat to scale, then exit speed, q, jolt, sting and modes on the same axis."""
+def report_figure(
+    analysis: Analysis[Implement], reading: Reader | None = None, reaches: Reaches | None = None
+) -> Figure:
+    """Return the tall figure: title, bat to scale, then exit speed, q, jolt, sting and modes on the same axis.
+
+    Parameters
+    ----------
+    reaches : of the intervals that are drawn as bands and put beside numbers; None: none.
+    """
     bat, panel, reading = analysis.bat, bat_panel(analysis.bat), reading or reader_of(analysis.bat)
     across = WIDTH - 2 * SIDE
     height = (
@@ -64,7 +74,7 @@ def report_figure(analysis: Analysis[Implement], reading: Reader | None = None, 
         + FOOTER
     )
     figure = Figure(figsize=(WIDTH, height))
-    _header(figure, analysis, reading, height, doubts=doubts)
+    _header(figure, analysis, reading, height, reaches=reaches)
     top = HEADER
     axes = axes_in_inches(figure, left=SIDE, top=top, width=across, height=panel.height)
     draw_bat_panel(axes, analysis, panel, reading)
@@ -74,7 +84,7 @@ def report_figure(analysis: Analysis[Implement], reading: Reader | None = None, 
     for draw, tall in PANELS:
         top += between
         axes = axes_in_inches(figure, left=SIDE, top=top, width=across, height=tall)
-        draw(axes, analysis, reading)
+        draw(axes, analysis, reading, reaches or {})
         top += tall
     ruler.show_from_tip(axes, bat.length, reading)
     axes.set_xlabel(from_the_tip(analysis.bat, reading), labelpad=2)
@@ -82,24 +92,28 @@ def report_figure(analysis: Analysis[Implement], reading: Reader | None = None, 
     foot_of_bat = HEADER + panel.height + RULER
     if not zoomed:
         _guides(figure, analysis, height, bat_top=HEADER + ABOVE - GUIDE_START, top=foot_of_bat, bottom=top)
-    _footer(figure, analysis, height)
+    _footer(figure, analysis, height, banded=reaches is not None)
     return figure
 
 
-def _header(figure: Figure, analysis: Analysis[Implement], reading: Reader, height: float, *, doubts: bool) -> None:
+def _header(
+    figure: Figure, analysis: Analysis[Implement], reading: Reader, height: float, *, reaches: Reaches | None
+) -> None:
     """Write the bat's name, its sizes and the answer."""
     bat, body, conditions = analysis.bat, analysis.body, analysis.conditions
     left, right = SIDE / WIDTH, 1 - SIDE / WIDTH
     words = words_of(bat)
-    speed = reading.shown(exit_speed_of(analysis.best, conditions), "speed", digits=0)
+    leaves = Slot(exit_speed_of(analysis.best, conditions), "speed", digits=0, of=BEST_SPEED)
+    speed = reached(leaves, reaches or {}).read(reading)
     figure.text(right, 1 - 0.45 / height, speed, size=HUGE, weight="bold", color=RED, ha="right")
     name, size = fitted(bat.name, width=WIDTH - 2 * SIDE - SPEED_ROOM, size=HUGE)
     figure.text(left, 1 - 0.45 / height, name, size=size, weight="bold", parse_math=False)
     quiet: dict[str, Any] = {"color": MUTED, "size": NORMAL, "parse_math": False}
-    sizes = f"{reading.shown(bat.length, 'length')}  ·  {reading.shown(body.mass, 'mass')}  ·  {bat.made_of}"
+    mass = reached(Slot(body.mass, "mass", of="bat.mass_kg"), reaches or {}).read(reading)
+    sizes = f"{reading.shown(bat.length, 'length')}  ·  {mass}  ·  {bat.made_of}"
     sizes, _ = fitted(sizes, width=WIDTH - 2 * SIDE - SWING_ROOM, size=NORMAL, smallest=NORMAL)
     figure.text(left, 1 - 0.68 / height, sizes, **quiet)
-    figure.text(left, 1 - 0.86 / height, _swing_weight(analysis, reading, doubts=doubts), **quiet)
+    figure.text(left, 1 - 0.86 / height, _swing_weight(analysis, reading, reaches), **quiet)
     swing = conditions.swing
     swung = f"{arriving(words, conditions.pitch.speed).read(reading)}, {words.implement} at "
     swung += reading.shown(swing.bat_speed, "speed")
@@ -108,12 +122,16 @@ def _header(figure: Figure, analysis: Analysis[Implement], reading: Reader, heig
     figure.text(right, 1 - 0.86 / height, at, ha="right", **quiet)
 
 
-def _swing_weight(analysis: Analysis[Implement], reading: Reader, *, doubts: bool) -> str:
+def _swing_weight(analysis: Analysis[Implement], reading: Reader, reaches: Reaches | None) -> str:
     """Say how heavy the swing is, as the sport weighs it."""
     bat, body = analysis.bat, analysis.body
     if isinstance(bat, Bat):
-        doubt = moi_doubt(bat, body, STANDARD_AXIS) if doubts else 0.0
-        moi = with_doubt(body.moi(STANDARD_AXIS), doubt, "moi").read(reading)
+        value = body.moi(STANDARD_AXIS)
+        moi = (
+            with_doubt(value, moi_doubt(bat, body, STANDARD_AXIS), "moi").read(reading)
+            if reaches is None
+            else reached(Slot(value, "moi", of="bat.moi_6in_kg_m2"), reaches).read(reading)
+        )
         return f"moment of inertia {moi} about {reading.shown(STANDARD_AXIS, 'place')} from the {words_of(bat).butt}"
     convention = swing_weight(bat.sport)
     return f"{convention.name} {convention.shown(body)}".replace("^2", "²")
@@ -142,16 +160,17 @@ def _guides(
     )
 
 
-def _footer(figure: Figure, analysis: Analysis[Implement], height: float) -> None:
+def _footer(figure: Figure, analysis: Analysis[Implement], height: float, *, banded: bool) -> None:
     """Say what was hit with what, and what the lines are."""
     words = words_of(analysis.bat)
     shaded = "" if analysis.sweet_spots.zone is None else f"Shaded: {words.zone}.  "
+    bands = "Bands: 90 % intervals.  " if banded else ""
     near = "  Panels: the face alone." if ruler.is_zoomed(analysis.bat) else ""
     strung = isinstance(analysis.bat, Racket) and analysis.bat.strings is not None
     rigid = f"the same {words.implement} if it were rigid" + (", strings too" if strung else "")
     frame = "  Steps at the ends: the ball is on the frame." if strung else ""
     text = (
-        f"{shaded}Orange line: best place.  Dashed: {rigid}.{near}{frame}\n"
+        f"{shaded}{bands}Orange line: best place.  Dashed: {rigid}.{near}{frame}\n"
         f"Free {words.implement}, {analysis.conditions.ball.name}, hit straight on."
     )
     figure.text(SIDE / WIDTH, 0.08 / height, text, color=MUTED, size=SMALL, parse_math=False)

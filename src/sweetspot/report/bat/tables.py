@@ -19,7 +19,7 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat.json import WRITTEN_MODES
-from sweetspot.report.bat.words import Miss, cost, from_tip
+from sweetspot.report.bat.words import Miss, cost, from_tip, hand_and_tip
 from sweetspot.report.document import Cell, Column, Marked, Table
 from sweetspot.report.sentences import Slot, UnitName, joined, say, with_doubt
 from sweetspot.report.sport_words import in_words, weight, words_of
@@ -47,8 +47,11 @@ def spots_table(analysis: Analysis[Implement]) -> Table:
     if spots.zone is None:
         rows.append([Marked(words.zone, "zone"), "none", "none", say("no place is {measure}", measure=measure)])
     else:
-        reaches = [joined((Slot(abs(place - end), "place").bare for place in order), " to ")
-                   for (_, end), order in zip(ends, (spots.zone[::-1], spots.zone), strict=True)]  # fmt: skip
+        inner, outer = (
+            (place, f"sweet_spots.zone_{name}_m") for place, name in zip(spots.zone, ("start", "end"), strict=True)
+        )
+        reaches = [joined((_from(end, place, of).bare for place, of in order), " to ")
+                   for (_, end), order in zip(ends, ((outer, inner), (inner, outer)), strict=True)]  # fmt: skip
         rows.append([Marked(words.zone, "zone"), *reaches, measure])
     return replace(table, rows=rows)
 
@@ -60,12 +63,14 @@ def places_table(bat: Implement, places: Mapping[str, float]) -> Table:
     heads = [Column(say("{unit} from the {end}", unit=UnitName("place"), end=end), right=True) for end, _ in ends]
     rows: list[list[Cell]] = []
     for field, place in places.items():
-        numbers = [
-            Slot(abs(place - end), "place", unit=False, of=f"{'-' if end else ''}sweet_spots.{field}_m")
-            for _, end in ends
-        ]
+        numbers = [_from(end, place, f"sweet_spots.{field}_m").bare for _, end in ends]
         rows.append([Marked(SPOTS[field].named(words), field), *numbers, SPOTS[field].explained(words)])
     return Table("", [Column("sweet spot"), *heads, Column("what it means")], rows, name="spots")
+
+
+def _from(end: float, place: float, of: str) -> Slot:
+    """Return how far a place is from an end of the implement, m from the butt; ``of`` as in `Slot`."""
+    return Slot(abs(place - end), "place", of=f"-{of}" if end else of)
 
 
 def _ends(bat: Implement) -> list[tuple[str, float]]:
@@ -92,7 +97,7 @@ def along_table(analysis: Analysis[Implement]) -> Table:
         Column("jolt", "impulse", sign=True), Column("vibration", "vibration"),
     ]  # fmt: skip
     curves = [
-        (scan.exit_speed, "speed", "exit_speed_m_s"), (scan.rigid_exit_speed, "speed", ""),
+        (scan.exit_speed, "speed", "exit_speed_m_s"), (scan.rigid_exit_speed, "speed", "rigid_exit_speed_m_s"),
         (scan.collision_efficiency, "ratio", "collision_efficiency"),
         *([(scan.bbcor, "ratio", "bbcor")] if analysis.bat.face is None else []),
         (scan.hand_impulse, "impulse", "hand_impulse_n_s"), (scan.sting, "vibration", "sting"),
@@ -116,10 +121,10 @@ def misses_table(misses: Sequence[Miss], implement: Implement) -> Table:
     rows: list[list[Cell]] = [
         [
             Slot(one.distance, "place", round=True),
-            cost(one.inside),
-            off if np.isnan(one.outside.value) else cost(one.outside),
+            cost(one.inside, hand_and_tip(number)[0]),
+            off if np.isnan(one.outside.value) else cost(one.outside, hand_and_tip(number)[1]),
         ]
-        for one in misses
+        for number, one in enumerate(misses)
     ]
     columns = [
         Column("miss by"),
@@ -145,7 +150,7 @@ def mass_table(bat: Implement, body: RigidBody) -> Table:
         *([] if isinstance(bat, Bat) else [_swing_weight(bat, body, convention)]),
         *((say("moment of inertia, {axis}", axis=axis),
            with_doubt(body.moi(place), moi_doubt(bat, body, place), "moi", of=of)) for axis, place, of in axes),
-        ("moment of inertia, about its own axis", Slot(body.roll_moi, "moi", 1)),
+        ("moment of inertia, about its own axis", Slot(body.roll_moi, "moi", 1, of="bat.roll_moi_kg_m2")),
     ]  # fmt: skip
     return Table("", [Column(""), Column("value", right=True)], rows)
 
@@ -166,10 +171,11 @@ def modes_table(bat: Implement, modes: Modes) -> Table:
     written = [index for index, family in enumerate(modes.families) if family in WRITTEN_MODES]
     rows: list[list[Cell]] = []
     for index in shown:
-        nodes = joined((Slot(bat.length - float(node), "place").bare for node in modes.nodes(index)[::-1]), ", ")
+        at = f"modes.{written.index(index)}"
+        places = list(enumerate(modes.nodes(index).tolist()))
+        nodes = joined((_from(bat.length, node, f"{at}.nodes_m.{number}").bare for number, node in places[::-1]), ", ")
         name = f"{modes.families[index]} {modes.harmonics[index]}"
-        of = f"modes.{written.index(index)}.frequency_hz"
-        frequency = Slot(float(modes.frequency[index]), "frequency", unit=False, of=of)
+        frequency = Slot(float(modes.frequency[index]), "frequency", unit=False, of=f"{at}.frequency_hz")
         rows.append([name, frequency, float(modes.damping_ratio[index]), nodes])
     columns = [
         Column("mode"), Column("frequency", "frequency"), Column("damping", "share", 2),
@@ -184,8 +190,9 @@ def conditions_table(analysis: Analysis[Implement]) -> Table:
     swing, hands, ball = conditions.swing, conditions.hands, conditions.ball
     law = ball.restitution
     bounce = say(
-        "{e} at {speed}, {slope} per {step} faster", e=Slot(law.reference, "ratio"),
-        speed=Slot(law.reference_speed, "speed", round=True), slope=Slot(-10 * MPH * law.slope, "ratio", 4),
+        "{e} at {speed}, {slope} per {step} faster", e=Slot(law.reference, "ratio", of="conditions.ball_restitution"),
+        speed=Slot(law.reference_speed, "speed", round=True),
+        slope=Slot(-10 * MPH * law.slope, "ratio", 4, of="told.restitution_step"),
         step=Slot(10 * MPH, "speed", round=True),
     )  # fmt: skip
     held = any((hands.mass, hands.stiffness, hands.damping))
@@ -195,7 +202,7 @@ def conditions_table(analysis: Analysis[Implement]) -> Table:
          Slot(swing.bat_speed, "speed", of="conditions.bat_speed_m_s")),
         (f"turns about, from the {words.butt}", Slot(swing.pivot, "place")),
         (f"top hand, from the {words.butt}", Slot(hands.position, "place")),
-        (words.ball, say("{name}, {mass}", name=ball.name, mass=weight(ball.mass))),
+        (words.ball, say("{name}, {mass}", name=ball.name, mass=weight(ball.mass, "conditions.ball_mass_kg"))),
         ("its restitution on a wall", bounce),
         ("hands in the collision", "mass, spring and damper each" if held else f"none, the {words.implement} is free"),
     ]  # fmt: skip

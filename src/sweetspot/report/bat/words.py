@@ -23,6 +23,10 @@ from sweetspot.units import INCH
 
 MISSES = {"in": (1 * INCH, 2 * INCH, 3 * INCH), "cm": (0.02, 0.04, 0.06)}
 """m, by the unit in which a sport's people read places."""
+WHY_BOTH = (
+    "These intervals reach from a ball that loses its energy by how far it is pressed to one that loses it by how "
+    "fast; no measurement has settled which."
+)
 WHY_TWO = (
     "In brackets: what a ball that loses its energy by how fast it is pressed, not by how far, allows as well; no "
     "measurement has settled that."
@@ -51,17 +55,17 @@ def misses_of(analysis: Analysis[Implement]) -> list[Miss]:
     return [Miss(distance, *both) for distance, both in zip(distances, costs, strict=True)]
 
 
-def answer(analysis: Analysis[Implement], misses: Sequence[Miss], *, by_ball: bool = True) -> list[Sentence]:
+def answer(analysis: Analysis[Implement], misses: Sequence[Miss], *, drawn: bool = False) -> list[Sentence]:
     """Return the answer as a few paragraphs; every number that was assumed and not measured is said to be so.
 
     Parameters
     ----------
-    by_ball : whether it is said how far the exit speed may be off by the ball alone.
+    drawn : whether intervals of draws take the place of how far the exit speed may be off by the ball alone.
     """
     words = words_of(analysis.bat)
     paragraphs = (
-        _where(analysis, words, by_ball=by_ball), _bounce(analysis, words), _why_not_the_end(analysis, words),
-        _miss(misses, words), _hands(analysis, words), _wall(analysis), _assumed(analysis),
+        _where(analysis, words, by_ball=not drawn), _bounce(analysis, words), _why_not_the_end(analysis, words),
+        _miss(misses, words, drawn=drawn), _hands(analysis, words), _wall(analysis), _assumed(analysis),
     )  # fmt: skip
     return [words for words in paragraphs if words.parts]
 
@@ -71,9 +75,14 @@ def from_tip(analysis: Analysis[Implement], position: float, of: str = "") -> Sl
     return Slot(analysis.bat.length - position, "place", of=f"-{of}" if of else "")
 
 
-def cost(loss: Loss) -> Sentence:
-    """Return a cost and its interval."""
-    return within(Interval(loss.value, loss.low, loss.high), "speed")
+def cost(loss: Loss, of: str) -> Sentence:
+    """Return a cost and its interval; ``of`` as in `Slot`."""
+    return within(Interval(loss.value, loss.low, loss.high), "speed", of=of)
+
+
+def hand_and_tip(number: int) -> tuple[str, str]:
+    """Return the names of what a miss costs either way, as draws have them."""
+    return f"misses.{number}.inside_m_s", f"misses.{number}.outside_m_s"
 
 
 def _by_ball(analysis: Analysis[Implement]) -> Sentence:
@@ -95,15 +104,17 @@ def _where(analysis: Analysis[Implement], words: Words, *, by_ball: bool) -> Sen
     if words.smash_factor and swung:
         text += in_words(
             " Its {smash_factor}, {exit_speed} over {implement} speed, is {ratio}.", words,
-            ratio=Slot(leaves / swung, "ratio", 2),
+            ratio=Slot(leaves / swung, "ratio", 2, of="best_hit.smash_factor"),
         )  # fmt: skip
     if spots.zone is None:
         return text + in_words(" No stretch is both fast and quiet: there is no {zone} by our measure.", words)
     return text + in_words(
         " The {zone}, within {loss} of that and with less than half the mean vibration at the hands, reaches from "
         "{outer} to {inner} from the {tip}, {width} wide.", words,
-        loss=Slot(ZONE_LOSS, "speed", round=True), outer=from_tip(analysis, spots.zone[1]).bare,
-        inner=from_tip(analysis, spots.zone[0]), width=Slot(spots.zone[1] - spots.zone[0], "place"),
+        loss=Slot(ZONE_LOSS, "speed", round=True),
+        outer=from_tip(analysis, spots.zone[1], "sweet_spots.zone_end_m").bare,
+        inner=from_tip(analysis, spots.zone[0], "sweet_spots.zone_start_m"),
+        width=Slot(spots.zone[1] - spots.zone[0], "place", of="sweet_spots.zone_width_m"),
     )  # fmt: skip
 
 
@@ -115,8 +126,11 @@ def _bounce(analysis: Analysis[Implement], words: Words) -> Sentence:
         parts.append(
             in_words(
                 "The {strongest} is {place} from the {tip}, where a {implement} at rest gives back {share} of the "
-                "speed.", words, place=from_tip(analysis, analysis.sweet_spots.max_collision_efficiency),
-                share=Slot(most, "share"),
+                "speed.", words,
+                place=from_tip(
+                    analysis, analysis.sweet_spots.max_collision_efficiency, "sweet_spots.max_collision_efficiency_m"
+                ),
+                share=Slot(most, "share", of="told.max_collision_efficiency"),
             )
         )  # fmt: skip
     dead = dead_spot(analysis)
@@ -150,10 +164,12 @@ def _why_not_the_end(analysis: Analysis[Implement], words: Words) -> Sentence:
     springy = face is not None and face.stiffness is not None
     rigid = "" if springy else "A rigid {implement} would send it off at {rigid}. "
     slots: dict[str, Part] = {
-        "gain": Slot(gain, "speed"),
-        "there": Slot(effective_mass(body, last), "mass"), "here": Slot(effective_mass(body, best), "mass"),
-        "rigid": Slot(float(scan.rigid_exit_speed[-1]), "speed"), "real": Slot(end, "speed"),
-        "less": Slot(top - end, "speed"),
+        "gain": Slot(gain, "speed", of="told.gain_m_s"),
+        "there": Slot(effective_mass(body, last), "mass", of="told.effective_mass_end_kg"),
+        "here": Slot(effective_mass(body, best), "mass", of="told.effective_mass_best_kg"),
+        "rigid": Slot(float(scan.rigid_exit_speed[-1]), "speed", of="told.end_rigid_exit_speed_m_s"),
+        "real": Slot(end, "speed", of="told.end_exit_speed_m_s"),
+        "less": Slot(top - end, "speed", of="told.less_m_s"),
     }  # fmt: skip
     return in_words(
         "Why not at the {tip}? The last place to be hit moves {gain} faster, but there the {implement} gives way by "
@@ -162,16 +178,21 @@ def _why_not_the_end(analysis: Analysis[Implement], words: Words) -> Sentence:
     )  # fmt: skip
 
 
-def _miss(misses: Sequence[Miss], words: Words) -> Sentence:
+def _miss(misses: Sequence[Miss], words: Words, *, drawn: bool) -> Sentence:
     costs = [
         in_words(
             "{distance}: {inside} towards the hands, {outside} towards the {tip}", words,
-            distance=Slot(one.distance, "place", round=True), inside=cost(one.inside),
-            outside=f"off the {words.implement}" if np.isnan(one.outside.value) else cost(one.outside),
+            distance=Slot(one.distance, "place", round=True), inside=cost(one.inside, hand_and_tip(number)[0]),
+            outside=f"off the {words.implement}" if np.isnan(one.outside.value)
+            else cost(one.outside, hand_and_tip(number)[1]),
         )
-        for one in misses
+        for number, one in enumerate(misses)
     ]  # fmt: skip
-    return joined([say("What a miss costs: {costs}.", costs=joined(costs, "; ")), WHY_TWO]) if costs else Sentence(())
+    return (
+        joined([say("What a miss costs: {costs}.", costs=joined(costs, "; ")), WHY_BOTH if drawn else WHY_TWO])
+        if costs
+        else Sentence(())
+    )
 
 
 def _hands(analysis: Analysis[Implement], words: Words) -> Sentence:
@@ -181,8 +202,10 @@ def _hands(analysis: Analysis[Implement], words: Words) -> Sentence:
         "The hands feel least vibration from a hit {quiet} from the {tip} (nodes of the first and second bending mode: "
         "{first} and {second}), and no jolt from one at the centre of percussion, {percussion}. How the {implement} is "
         "held hardly matters to the {ball}: typical hands change its speed by {size}.", words,
-        quiet=from_tip(analysis, spots.min_sting), first=from_tip(analysis, spots.node_1).bare,
-        second=from_tip(analysis, spots.node_2), percussion=from_tip(analysis, spots.center_of_percussion), size=size,
+        quiet=from_tip(analysis, spots.min_sting, "sweet_spots.min_sting_m"),
+        first=from_tip(analysis, spots.node_1, "sweet_spots.node_1_m").bare,
+        second=from_tip(analysis, spots.node_2, "sweet_spots.node_2_m"),
+        percussion=from_tip(analysis, spots.center_of_percussion, "sweet_spots.center_of_percussion_m"), size=size,
     )  # fmt: skip
 
 
@@ -195,8 +218,10 @@ def _wall(analysis: Analysis[Implement]) -> Sentence:
     return say(
         "It is hollow: its wall gives way and springs back, and rings at {frequency} (lowest hoop mode). Of the energy "
         "of its best hit {left} stay in the wall's ringing.",
-        frequency=Slot(float(analysis.modes.frequency[hoops].min()), "frequency"),
-        left=Slot(energy.hoop / energy.incoming if energy.incoming else 0.0, "share", 1),
+        frequency=Slot(float(analysis.modes.frequency[hoops].min()), "frequency", of="told.lowest_hoop_hz"),
+        left=Slot(
+            energy.hoop / energy.incoming if energy.incoming else 0.0, "share", 1, of="best_hit.energy_share.hoop"
+        ),
     )  # fmt: skip
 
 

@@ -85,13 +85,13 @@ def hit_table(hit: BattedHit, title: str | Sentence = "", *, at: str = "") -> Ta
         (words.efficiency, Slot(impact.collision_efficiency, "ratio", 4, of=f"{at}collision_efficiency")),
     ]
     if words.smash_factor and swung:
-        rows.append((words.smash_factor, Slot(leaves / swung, "ratio")))
+        rows.append((words.smash_factor, Slot(leaves / swung, "ratio", of=f"{at}smash_factor")))
     if hit.implement.face is None:
         rows.append(("BBCOR at this speed", Slot(restitution, "ratio", of=f"{at}bbcor")))
-    rows += [*_contact_rows(impact, words, at), *_energy_rows(impact, words)]
+    rows += [*_contact_rows(impact, words, at), *_energy_rows(impact, words, at)]
     masses = in_words(
-        "{implement} {tool}, {ball} {thrown}", words, tool=Slot(hit.body.mass, "mass"),
-        thrown=weight(conditions.ball.mass),
+        "{implement} {tool}, {ball} {thrown}", words, tool=Slot(hit.body.mass, "mass", of="bat.mass_kg"),
+        thrown=weight(conditions.ball.mass, "conditions.ball_mass_kg"),
     )  # fmt: skip
     return _two_columns([*rows, ("masses", masses)], title)
 
@@ -121,7 +121,7 @@ def _contact_rows(impact: Impact, words: Words, at: str = "") -> Rows:
     ]
 
 
-def _energy_rows(impact: Impact, words: Words) -> Rows:
+def _energy_rows(impact: Impact, words: Words, at: str = "") -> Rows:
     """Return the ledger; a part that the implement does not have is left out."""
     energy = impact.energy
     digits = 1 if energy.incoming > FEW_JOULES else 3
@@ -130,8 +130,8 @@ def _energy_rows(impact: Impact, words: Words) -> Rows:
         joules = getattr(energy, field)
         if not joules and field in ("face", "hoop"):
             continue
-        part = Slot(joules / energy.incoming if energy.incoming else 0.0, "share", 1)
-        size = say("{joules}, {part}", joules=Slot(joules, "energy", digits), part=part)
+        part = Slot(joules / energy.incoming if energy.incoming else 0.0, "share", 1, of=f"{at}energy_share.{field}")
+        size = say("{joules}, {part}", joules=Slot(joules, "energy", digits, of=f"{at}energy_j.{field}"), part=part)
         rows.append((in_words(f"energy: {name}", words), size))
     return [*rows, ("energy: what the sum misses", f"{energy.imbalance:+.1e} of it")]
 

@@ -30,10 +30,13 @@ def with_intervals(document: Document, reaches: Mapping[str, Reach]) -> Document
     def changed(part: Any) -> Any:
         if isinstance(part, (Slot, Doubtful)):
             return _slot(part, reaches, curves)
-        if isinstance(part, Sentence) and len(part.parts) > 1 and isinstance(part.parts[1], Bounds):
-            first = changed(part.parts[0])
-            if first is not part.parts[0]:  # the interval that it had gives way
-                return Sentence((first, *part.parts[2:]))
+        if isinstance(part, Sentence):
+            own = [changed(one) for one in part.parts]
+            gone = {index + 1 for index, (old, new) in enumerate(zip(part.parts, own, strict=True)) if new is not old}
+            # an interval that a number had gives way
+            return Sentence(
+                tuple(one for index, one in enumerate(own) if not (index in gone and isinstance(one, Bounds)))
+            )
         if isinstance(part, (list, tuple)):
             return type(part)(changed(one) for one in part)
         if is_dataclass(part) and not isinstance(part, type):
@@ -49,6 +52,13 @@ def with_intervals(document: Document, reaches: Mapping[str, Reach]) -> Document
     )  # fmt: skip
 
 
+def reached(slot: Slot, reaches: Mapping[str, Reach]) -> Slot:
+    """Return a number with its interval, where one is known, as pictures write it."""
+    found = _slot(slot, reaches, {})
+    assert isinstance(found, Slot)
+    return found
+
+
 def _found(data: Any, path: str) -> Any:
     for key in path.split("."):
         data = data.get(key) if isinstance(data, Mapping) else None
@@ -58,9 +68,9 @@ def _found(data: Any, path: str) -> Any:
 def _slot(slot: Slot | Doubtful, reaches: Mapping[str, Reach], curves: Mapping[str, Any]) -> Slot | Doubtful:
     name, _, place = slot.of.removeprefix("-").partition("@")
     reach = reaches.get(name)
-    if reach is None:
+    below, above = _one_of_many(name, reaches) if reach is None else (reach.below, reach.above)
+    if below is None or above is None:
         return slot
-    below, above = reach.below, reach.above
     if place:
         at = float(place)
         below, above = (np.asarray(np.interp(at, curves["position"], side)) for side in (below, above))
@@ -68,6 +78,15 @@ def _slot(slot: Slot | Doubtful, reaches: Mapping[str, Reach], curves: Mapping[s
     if isinstance(slot, Doubtful):
         return Slot(slot.value, slot.scale, of=slot.of, reach=sides)
     return replace(slot, reach=sides[::-1] if slot.of.startswith("-") else sides)
+
+
+def _one_of_many(name: str, reaches: Mapping[str, Reach]) -> tuple[Any, Any]:
+    """Return how far the interval of one number of a list goes, "modes.0.nodes_m.2"; None where it is in none."""
+    stem, _, number = name.rpartition(".")
+    reach = reaches.get(stem)
+    if reach is None or not number.isdigit() or int(number) >= np.size(reach.below):
+        return None, None
+    return reach.below[int(number)], reach.above[int(number)]
 
 
 def with_ends(data: Mapping[str, Any], reaches: Mapping[str, Reach]) -> dict[str, Any]:

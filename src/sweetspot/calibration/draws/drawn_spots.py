@@ -1,0 +1,147 @@
+"""Sweet spots, the zone, misses and nodes of many bats at once: as `sweet_spots` and `miss_costs` find one bat's."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from sweetspot.analysis.miss_cost import Loss
+from sweetspot.analysis.sweet_spot import ZONE_LOSS, ZONE_STING, held_speeds
+from sweetspot.calibration.draws.bat_draws import DrawnBats
+from sweetspot.calibration.draws.drawn_hits import Draws
+from sweetspot.calibration.unknowns import deviated
+from sweetspot.dynamics.batch.beams import BeamRow
+from sweetspot.dynamics.batch.bending import bending_batch
+from sweetspot.dynamics.modes import Modes
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.parabola import tops
+
+NEWTON_STEPS, FARTHEST = 3, 0.02
+"""Steps in which a node of the described bat is followed to another's, and how far it may lie from it, m."""
+
+
+def highest(position: Array, curves: Array) -> Array:
+    """Return where every curve is highest, m, shape (draws,).
+
+    Parameters
+    ----------
+    position : m, evenly spaced, shape (positions,).
+    curves : shape (draws, positions).
+    """
+    place, _ = tops(curves)
+    return np.asarray(position[0] + place * (position[1] - position[0]))
+
+
+def zones(position: Array, speed: Array, sting: Array) -> Array:
+    """Return both ends of every draw's sweet zone in m, shape (draws, 2); nan where there is none. See `sweet_zone`.
+
+    Parameters
+    ----------
+    position : m, evenly spaced, shape (positions,).
+    speed, sting : exit speed and vibration at the hands in m/s, shape (draws, positions).
+    """
+    step = float(position[1] - position[0])
+    held = held_speeds(speed, step=step)
+    fast = held - (np.nanmax(held, axis=1) - ZONE_LOSS)[:, None]
+    quiet = ZONE_STING * np.nanmean(sting, axis=1)[:, None] - sting
+    best = (highest(position, held) - position[0]) / step
+    good = np.minimum(fast, quiet) >= 0
+    found = np.full((len(speed), 2), np.nan)
+    for row in np.flatnonzero(good.any(axis=1)):
+        edges = np.flatnonzero(np.diff(np.concatenate([[False], good[row], [False]]).astype(int))).reshape(-1, 2)
+        ends = edges - [0, 1]
+        first, last = ends[np.argmin(np.maximum(np.maximum(ends[:, 0] - best[row], best[row] - ends[:, 1]), 0.0))]
+        sides = (fast[row], quiet[row])
+        found[row] = (
+            max(_crossing(side, first, first - 1) for side in sides),
+            min(_crossing(side, last, last + 1) for side in sides),
+        )
+    return np.asarray(position[0] + step * found)
+
+
+def _crossing(values: Array, inside: int, outside: int) -> float:
+    """Return where values fall to zero on the way from one index to its neighbour; the first one where they do not."""
+    if not 0 <= outside < len(values):
+        return float(inside)
+    good, bad = float(values[inside]), float(values[outside])
+    if not bad < 0:
+        return float(outside)
+    return inside + (outside - inside) * good / (good - bad)
+
+
+def missed(position: Array, speed: Array, misses: Sequence[tuple[float, Loss, Loss]]) -> dict[str, Array]:
+    """Return what misses cost every draw, m/s, shape (draws,), by their names in a report's data.
+
+    Which law the ball loses its energy by is not known either: a draw stands anywhere between ours and the other one's
+    cost, evenly and whatever else is drawn.
+
+    Parameters
+    ----------
+    position, speed : see `zones`.
+    misses : distance in m, and what it costs the described bat towards the hands and towards the tip.
+    """
+    step = float(position[1] - position[0])
+    held = held_speeds(speed, step=step)
+    place, _ = tops(held)
+    top = _at(held, place)
+    between = np.random.default_rng(1).permutation((np.arange(len(speed)) + 0.5) / len(speed))
+    found = {}
+    for number, (distance, *sides) in enumerate(misses):
+        for way, name, loss in zip((-1, 1), ("inside", "outside"), sides, strict=True):
+            there = place + way * distance / step
+            lost = top - _at(held, there)
+            other = loss.low + loss.high - 2 * loss.value  # the other law's cost less ours
+            lost[1:] += between[1:] * other
+            found[f"misses.{number}.{name}_m_s"] = lost
+    return found
+
+
+def _at(values: Array, place: Array) -> Array:
+    """Return every row's value at a place counted in steps, shape (rows,); nan beyond its ends."""
+    last = values.shape[1] - 1
+    cell = np.clip(np.nan_to_num(place).astype(int), 0, last - 1)
+    rows, part = np.arange(len(values)), place - cell
+    found = values[rows, cell] * (1 - part) + values[rows, cell + 1] * part
+    return np.where((place >= 0) & (place <= last), found, np.nan)
+
+
+def drawn_nodes(draws: Draws) -> list[Array]:
+    """Return the nodes of every bending mode, then of every wall mode, m, shapes (draws, nodes).
+
+    They are smooth in what is not known, and found for the bat as described and with every unknown one standard
+    deviation up and down; see `DrawnBats.followed`.
+    """
+    bats, unknowns = draws.bats, draws.sources.unknowns
+    steps = np.diag(np.sqrt(np.diag(draws.sources.covariance)))
+    ends = [deviated(draws.line, unknowns, sign * step) for step in steps for sign in (1.0, -1.0)]
+    around = bending_batch(BeamRow([draws.line, *ends]), threads=1)
+    beams = [around.modes(number) for number in range(len(around))]
+    found = _followed_nodes(bats, [(beam, range(2, len(beam))) for beam in beams])
+    return found + (_followed_nodes(bats, bats.walls) if bats.walls else [])
+
+
+def _followed_nodes(bats: DrawnBats, bodies: Sequence[tuple[Modes, Sequence[int]]]) -> list[Array]:
+    """Return the nodes of every mode of the first of some bodies in the draws.
+
+    Parameters
+    ----------
+    bodies : of the bat as described, then of every unknown up and down; each with the order of its modes.
+    """
+    first, order = bodies[0]
+    nodes = [first.nodes(index) for index in order]
+    ends = np.cumsum([0, *(len(one) for one in nodes)])
+    owner = np.repeat(np.arange(len(nodes)), np.diff(ends))
+    start = np.concatenate([np.zeros(0), *nodes])
+    each = np.arange(len(start))
+    moved = []
+    for body, own in bodies:
+        places, mode = start, np.asarray(own)[owner]
+        for _ in range(NEWTON_STEPS):
+            value, slope = body.shape_at(places)[each, mode], body.slope_at(places)[each, mode]
+            shift = np.divide(value, slope, out=np.zeros_like(value), where=slope != 0)
+            places = places - np.clip(shift, -FARTHEST, FARTHEST)
+        moved.append(np.where(np.abs(places - start) < FARTHEST, places, np.nan))  # else it is another one
+    drawn = bats.followed(moved)
+    return [drawn[:, begin:end] for begin, end in pairwise(ends)]

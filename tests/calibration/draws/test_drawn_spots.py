@@ -1,0 +1,90 @@
+"""Sweet spots, zones, misses and nodes of many draws at once against one bat's, one by one."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from sweetspot import analyse, catalog
+from sweetspot.analysis.bat_analysis import Analysis
+from sweetspot.analysis.miss_cost import Loss
+from sweetspot.analysis.sweet_spot import max_exit_speed, miss_cost, sweet_zone
+from sweetspot.calibration.draws.drawn_hits import draws_of
+from sweetspot.calibration.draws.drawn_spots import drawn_nodes, highest, missed, zones
+from sweetspot.calibration.draws.sources import sources_of
+from sweetspot.calibration.unknowns import deviated
+from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.mode_assembly import all_modes
+from sweetspot.equipment.bat import Bat
+from sweetspot.numerics.arrays import Array
+
+
+@pytest.fixture(scope="module")
+def analysis() -> Analysis[Bat]:
+    bat = catalog.bat()
+    return analyse(bat, standard_conditions(bat))
+
+
+@pytest.fixture(scope="module")
+def curves(analysis: Analysis[Bat]) -> tuple[Array, Array]:
+    """The described bat's exit speed and sting, and such that are shifted, tilted, spiked or without a zone."""
+    scan = analysis.scan
+    off = (scan.position - scan.position.mean())[None, :] * np.array([0.0, 6.0, -8.0, 0.0, 0.0])[:, None]
+    speed = scan.exit_speed + off
+    speed[3, 40] += 30.0  # a spike of few millimetres is no place to hit
+    sting = scan.sting * np.array([1.0, 1.1, 0.8, 1.0, 1.0])[:, None]
+    sting[4] = 1.0
+    return speed, sting
+
+
+def test_places_and_zones_are_those_of_every_bat_alone(analysis: Analysis[Bat], curves: tuple[Array, Array]) -> None:
+    speed, sting = curves
+    found = zones(analysis.scan.position, speed, sting)
+    for row in range(len(speed)):
+        alone = sweet_zone(replace(analysis.scan, exit_speed=speed[row], sting=sting[row]))
+        if alone is None:
+            assert np.isnan(found[row]).all()
+        else:
+            assert found[row] == pytest.approx(alone, abs=3e-4)  # that one looks at places 0.2 mm apart
+    assert np.isnan(found[4]).all()
+    tops = highest(analysis.scan.position, speed[:3])
+    assert tops == pytest.approx([max_exit_speed(replace(analysis.scan, exit_speed=one)) for one in speed[:3]])
+
+
+def test_misses_cost_what_they_cost_every_bat_alone(analysis: Analysis[Bat], curves: tuple[Array, Array]) -> None:
+    speed, position = curves[0], analysis.scan.position
+    exact, none = Loss(1.0, 1.0, 1.0), Loss(np.nan, np.nan, np.nan)
+    found = missed(position, speed, [(0.05, exact, exact), (0.5, exact, none)])
+    for row, one in enumerate(speed):
+        alone = miss_cost(replace(analysis.scan, exit_speed=one), 0.05)
+        assert (found["misses.0.inside_m_s"][row], found["misses.0.outside_m_s"][row]) == pytest.approx(alone)
+    assert np.isnan(found["misses.1.outside_m_s"]).all()
+
+
+def test_another_law_of_the_ball_widens_what_misses_cost(analysis: Analysis[Bat], curves: tuple[Array, Array]) -> None:
+    """Draws reach evenly from our law to the other one, which may cost more or less; the first draw is ours."""
+    speed, position = np.repeat(curves[0][:1], 65, axis=0), analysis.scan.position
+    value = miss_cost(analysis.scan, 0.05)[0]
+    found = missed(position, speed, [(0.05, Loss(value, value, value + 2.0), Loss(value, value - 2.0, value))])
+    more = found["misses.0.inside_m_s"] - value
+    assert more[0] == pytest.approx(0.0)
+    assert (more[1:].min(), more[1:].mean(), more[1:].max()) == pytest.approx((0.0, 1.0, 2.0), abs=0.05)
+    assert found["misses.0.outside_m_s"][np.argmax(more)] < found["misses.0.outside_m_s"][0] - 1.9
+
+
+@pytest.mark.parametrize("name", ["r161-ash", "college-alloy"])
+def test_nodes_follow_the_bat(name: str) -> None:
+    bat = catalog.bat(name)
+    conditions = standard_conditions(bat)
+    sources = sources_of(bat, conditions)
+    line = beam_model(bat)
+    draws = draws_of(line, conditions, sources, count=2)
+    off = sources.deviations(draws.normal)[1, : len(sources.unknowns)]
+    own = all_modes(deviated(line, sources.unknowns, off), conditions.ball)
+    found = drawn_nodes(draws)
+    for index in range(5):
+        assert found[index][1] == pytest.approx(own.nodes(index + 2), abs=2e-4)
+    assert len(found) == sum(family in ("bending", "hoop") for family in own.families)
