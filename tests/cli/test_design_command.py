@@ -11,7 +11,10 @@ from typing import Any
 
 import pytest
 
+from sweetspot.catalog import load_implement
 from sweetspot.catalog.files.bat import read_bat
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import rigid_body
 
 Run = Callable[..., tuple[int, str, str]]
 RunJson = Callable[..., Any]
@@ -63,6 +66,19 @@ def test_a_league_with_bpf_decides_it_by_the_simulated_test(run_json: RunJson) -
     assert answer["measures"]["bpf"] <= 1.2
 
 
+@pytest.mark.usefixtures("short_polish")
+@pytest.mark.parametrize("name", ["cricket-bat", "tennis-racket", "golf-driver"])
+def test_other_sports_by_the_same_command(run: Run, tmp_path: Path, name: str) -> None:
+    out = tmp_path / name
+    code, text, _ = run("design", name, *QUICK, "--out", str(out))
+    assert code == 0
+    answer = json.loads((out / "design.json").read_text(encoding="utf-8"))
+    made = load_implement(str(out / "designed-bat.toml"))
+    assert rigid_body(beam_model(made)).mass == pytest.approx(answer["measures"]["mass_kg"], rel=1e-9)
+    assert "Two of one model differ by" in text and "turned" not in text
+    assert ("width of the blade" in text) == (name == "cricket-bat")
+
+
 @pytest.mark.parametrize(
     ("arguments", "fault"),
     [
@@ -80,6 +96,9 @@ def test_a_league_with_bpf_decides_it_by_the_simulated_test(run_json: RunJson) -
         (("--cup", "20in"), "--cup was given as 20in"),
         (("--want", "zone", "--want", "zone"), "one to three different"),
         (("single-wall", *QUICK), "the nearest has greatest BBCOR, in the test"),
+        (("hockey-stick",), "nothing here that could be changed"),
+        (("golf-driver", "--wood", "ash"), "is no bat turned from one piece"),
+        (("tennis-racket", "--want", "durability"), "no bat with a round handle"),
         (("corked-r161",), "not turned from one piece of wood"),
     ],
 )

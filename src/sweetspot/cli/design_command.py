@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from cyclopts import Parameter
 
 from sweetspot.cli.options.batter import DEFAULT_BATTER, BatterOptions
-from sweetspot.cli.options.limits import DEFAULT_LIMITS, LimitOptions, league_of, limits_of, space_of
+from sweetspot.cli.options.limits import DEFAULT_LIMITS, LimitOptions, league_of, limits_of, of_wood, space_of
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
 from sweetspot.errors import InputError
@@ -46,7 +46,10 @@ DEFAULT_SEARCH = SearchOptions()
 
 
 def design(
-    bat: Annotated[str, Parameter(help="The batter's present bat: a name of the catalogue or a TOML file.")] = "mlb-a",
+    bat: Annotated[
+        str,
+        Parameter(help="The present bat, racket or golf club: a name of the catalogue or a TOML file."),
+    ] = "mlb-a",
     /,
     *,
     want: Annotated[
@@ -71,9 +74,9 @@ def design(
     from sweetspot.design.measures import bench_of
     from sweetspot.report.design.document import design_document
 
-    own = catalog.load_bat(bat)
+    own = catalog.load_implement(bat)
     if limit.wood is not None:
-        own = own.with_material(catalog.material(limit.wood))
+        own = of_wood(own, limit.wood)
     space, rules = space_of(own, limit), league_of(own, limit)
     conditions = conditions_for(own, swing)
     wants = tuple(name.replace("-", "_") for name in want or ("exit-speed", "zone"))

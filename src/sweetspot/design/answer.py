@@ -14,6 +14,7 @@ from sweetspot.design.gain import Gain, gain_of, present_measured
 from sweetspot.design.limits import check_limits
 from sweetspot.design.measures import Bench, Measured
 from sweetspot.design.polish import polished
+from sweetspot.design.variables import sizes_of
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
@@ -118,7 +119,7 @@ def told(bench: Bench, question: Question, front: Front, *, pick: int, league: L
     present = bench.space.present
     bat = bench.space.made(front.numbers[pick - 1], f"{present.name}, designed")
     checks: tuple[Check, ...] = ()
-    if league is not None and isinstance(bat, Bat):
+    if league is not None:
         checks = tuple(check_rules(league, bat=bat, findings=findings_of(bat, chosen)))
     gain = gain_of(bench, front.numbers[pick - 1], chosen, now)
     bent = None
@@ -127,13 +128,15 @@ def told(bench: Bench, question: Question, front: Front, *, pick: int, league: L
     return Designed(bench, question, front, pick - 1, now, gain, bat, checks, bent)
 
 
-def findings_of(bat: Bat, measured: Measured) -> dict[str, Finding]:
+def findings_of(bat: Implement, measured: Measured) -> dict[str, Finding]:
     """Return what a rule can be held against: the drawing's own values, and BBCOR and BPF where it was fired at.
 
     Parameters
     ----------
     measured : the bat, one row.
     """
+    if not isinstance(bat, Bat):
+        return {name: Finding(size) for name, size in sizes_of(bat).items()}
     known = construction_findings(bat, body=rigid_body(beam_model(bat)))
     fired = {name: Finding(float(measured.values[name][0])) for name in ("bbcor", "bpf") if name in measured.values}
     return {**known, **fired}

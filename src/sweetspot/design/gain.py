@@ -7,20 +7,23 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sweetspot.design.batter import FROM_TIP
 from sweetspot.design.measures import Bench, Measured
-from sweetspot.design.variables import TurnedSpace
+from sweetspot.design.other_sports import willows
+from sweetspot.design.variables import DENSITY_SPREAD, MODULUS_SPREAD, ImplementSpace, TurnedSpace, sizes_of
 from sweetspot.dynamics.batch.beams import BeamRow
 from sweetspot.dynamics.batch.reduction import ReducedBats, reduced_lines, reduced_outlines
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.motion.swing_law import TWO_SIDED_95, SwingLaw
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import INCH, MPH
 
-DENSITY_SPREAD, MODULUS_SPREAD = 0.05, 0.08
-"""Standard deviations of wood of one species, as parts: of density, and of the moduli at one density (assumed)."""
+TURNED_ALIKE = 0.02
+"""Standard deviation, as a part, of every number of one of a model that is not turned from wood (assumed)."""
 SHIPMENT = 2 * MPH
 """m/s by which the best and the worst of a dozen bats of one model differ, as a grading service reports (recalled)."""
 PAIR = math.sqrt(2) * SHIPMENT / 3.258
@@ -35,7 +38,7 @@ class Verdict(StrEnum):
     """What of a gain can be said, beside what could hide it."""
 
     SEEN = "a gain that you could see"
-    LIKELY = "likely a gain, yet too small to be told from two bats"
+    LIKELY = "likely a gain, yet too small to see"
     HIDDEN = "no gain that you could see"
     LOSS = "a loss"
 
@@ -50,9 +53,10 @@ class Gain:
     wider : m by which the zone within 3 mph of the best grows.
     greatest : m/s by which the greatest exit speed grows.
     expected : m/s by which the exit speed over this batter's contacts grows.
-    wood, law, contact : standard deviations of ``expected`` in m/s: from two pieces of wood, from how this batter's
-        swing depends on the bat, from where the ball is met.
+    wood, law, contact : standard deviations of ``expected`` in m/s: from two pieces of one model (of wood, where they
+        are turned), from how this batter's swing depends on the bat, from where the ball is met.
     by_weight : the part of ``wood`` that is left when the wood is chosen by weight.
+    shipment : standard deviation between two of a dozen as is reported, m/s; 0: nothing is.
     curve : change of the exit speed at `FROM_TIP`, m/s.
     noise : standard deviation of that change from two pieces of wood, m/s, shape of ``curve``.
     time : s by which the time to contact grows.
@@ -69,11 +73,12 @@ class Gain:
     curve: Array
     noise: Array
     time: float
+    shipment: float = 0.0
 
     @property
     def pieces(self) -> float:
-        """Standard deviation between two bats of wood, m/s: the model's, or that of a shipment where it is larger."""
-        return max(self.wood, PAIR) if self.wood else 0.0
+        """Standard deviation between two of one model, m/s: ours, or that of a shipment where it is larger."""
+        return max(self.wood, self.shipment)
 
     @property
     def spread(self) -> float:
@@ -142,7 +147,9 @@ def gain_of(bench: Bench, numbers: Array, design: Measured, now: Measured) -> Ga
     weight = bench.batter.weight
     apart = design.worth[0] - now.worth[0]
     expected = float(apart @ weight)
-    curves, chosen = _wood(bench, numbers)
+    turned = isinstance(bench.space, TurnedSpace)
+    curves, chosen = _wood(bench, numbers) if turned else _alike(bench, numbers)
+    face = _on_face(bench)
     law = _over_the_law(bench, numbers)
     contact = [float(apart @ bench.batter.moved(way * bench.batter.doubt).weight) for way in (-1, 1)]
     return Gain(
@@ -154,21 +161,21 @@ def gain_of(bench: Bench, numbers: Array, design: Measured, now: Measured) -> Ga
         law=law,
         contact=abs(contact[1] - contact[0]) / 2,
         by_weight=float(np.sqrt(2) * np.sqrt(np.sum((chosen @ weight) ** 2))),
-        curve=design.curve[0] - now.curve[0],
-        noise=np.sqrt(2 * np.sum(curves**2, axis=0)),
+        curve=np.where(face, design.curve[0] - now.curve[0], 0.0),
+        noise=np.where(face, np.sqrt(2 * np.sum(curves**2, axis=0)), 0.0),
         time=float(design.values["swing_time"][0] - now.values["swing_time"][0]),
+        shipment=PAIR if turned else 0.0,
     )
 
 
 def _sizes(bench: Bench) -> dict[str, Array]:
     """Return what a design's outline would say, of the present bat: as far as it is asked for again."""
     present = bench.space.present
-    found = {"length": np.array([present.length])}
+    found = {name: np.array([size]) for name, size in sizes_of(present).items()}
     if isinstance(present, Bat):
-        wide = max(float(present.diameter_at(place)) for place in present.breakpoints())
         grip = np.linspace(0.04 * present.length, 0.36 * present.length, 60)
         found |= {
-            "diameter": np.array([wide]), "handle": np.array([float(present.diameter_at(grip).min())]),
+            "handle": np.array([float(present.diameter_at(grip).min())]),
             "cup_depth": np.array([0.0 if present.cup is None else present.cup.depth]),
         }  # fmt: skip
     if isinstance(bench.space, TurnedSpace):
@@ -179,13 +186,10 @@ def _sizes(bench: Bench) -> dict[str, Array]:
 def _wood(bench: Bench, numbers: Array) -> tuple[Array, Array]:
     """Return changes of the exit speed, one standard deviation of density and of moduli each, shape (2, places).
 
-    The second array is without what the weight would tell: the density as it was. Hollow bats and other implements
-    have none: their doubt is not wood's.
+    The second array is without what the weight would tell: the density as it was.
     """
     space = bench.space
-    none = np.zeros((2, len(FROM_TIP)))
-    if not isinstance(space, TurnedSpace):
-        return none, none
+    assert isinstance(space, TurnedSpace)
     rows = np.tile(numbers, (4, 1))
     density = [one.name for one in space.variables].index("density")
     rows[:2, density] *= [1 + DENSITY_SPREAD, 1 - DENSITY_SPREAD]
@@ -194,6 +198,37 @@ def _wood(bench: Bench, numbers: Array) -> tuple[Array, Array]:
     worth = _worth(bench, bats, rows)
     changes = np.stack([(worth[0] - worth[1]) / 2, (worth[2] - worth[3]) / 2])
     return changes, np.stack([np.zeros(len(FROM_TIP)), changes[1]])
+
+
+def _alike(bench: Bench, numbers: Array) -> tuple[Array, Array]:
+    """Return changes of the exit speed, one standard deviation of every number each, and of willow's; see `_wood`.
+
+    Nothing tells a piece by its weight here: both arrays, of shape (variables or more, places), are the same.
+    """
+    space = bench.space
+    assert isinstance(space, ImplementSpace)
+    count = len(numbers)
+    steps = TURNED_ALIKE * np.diag(numbers)
+    made = space.all_made(np.concatenate([numbers + steps, numbers - steps]))
+    pairs = list(zip(made[:count], made[count:], strict=True))
+    if isinstance(space.present, CricketBat):
+        pairs += willows(space.change(space.present, numbers))
+    every = [one for ends in zip(*pairs, strict=True) for one in ends]
+    bats = reduced_lines([beam_model(one) for one in every], ball=bench.conditions.ball)
+    places = bats.bending.length[:, None] - FROM_TIP
+    widths = np.array([one.width_at(row) for one, row in zip(every, places, strict=True)])
+    worth = bench.of_bats(bats, {}, widths).worth
+    changes = (worth[: len(pairs)] - worth[len(pairs) :]) / 2
+    return changes, changes
+
+
+def _on_face(bench: Bench) -> NDArray[np.bool_]:
+    """Return which of `FROM_TIP` lie on the face; all do on a round bat."""
+    present = bench.space.present
+    face, places = present.outline, present.length - FROM_TIP
+    if face is None:
+        return np.ones(len(places), bool)
+    return np.asarray((places >= face.start) & (places <= face.end))
 
 
 def _worth(bench: Bench, bats: ReducedBats, rows: Array) -> Array:

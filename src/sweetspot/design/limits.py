@@ -11,7 +11,7 @@ import numpy as np
 from sweetspot.analysis.certification.rules import League, applies
 from sweetspot.design.measures import MEASURES, Bench, weights_of
 from sweetspot.dynamics.batch.bending import mass_properties
-from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 
@@ -61,7 +61,7 @@ class Limit:
         return np.maximum(below, above) + 0 * values - ROUNDING
 
 
-def league_limits(league: League, bat: Bat) -> tuple[Limit, ...]:
+def league_limits(league: League, bat: Implement) -> tuple[Limit, ...]:
     """Return the limits of a league that an outline, a weight or a pendulum decides, for bats like this one."""
     kept = []
     for rule in league.rules:

@@ -71,6 +71,9 @@ MEASURES: Mapping[str, Measure] = {
     "handle": Measure("smallest diameter of the grip", "length", 0, 1e-5),
     "cup_depth": Measure("depth of the cup", "length", 0, 1e-5),
     "cup_diameter": Measure("width of the cup", "length", 0, 1e-5),
+    "blade_width": Measure("width of the blade", "length", 0, 1e-5),
+    "blade_depth": Measure("depth of the blade", "length", 0, 1e-5),
+    "blade_edge": Measure("thickness of the edges", "length", 0, 1e-5),
     "slope": Measure("steepest slope of the outline", "ratio", 0, 1e-3),
     "bend": Measure("sharpest bend of the outline, per metre", "ratio", 0, 1e-2),
     "waist": Measure("waist between two swellings", "length", 0, 1e-4),
@@ -260,7 +263,7 @@ def bench_of(space: Space, batter: Batter, conditions: Conditions, *, durable: b
         raise InputError(f"{present.name} weighs {body.mass:.4g} kg, no more than the ball; give a heavier one")
     axis = present.choke + (0.0 if batter.law is None else batter.law.axis)
     sine, kept = off_centre(present, conditions.ball, batter) if isinstance(present, Bat) else (
-        np.array([0.0, 1.0]), np.array([1.0, 1.0])
+        np.array([0.0, 1e9]), np.array([1.0, 1.0])  # a flat face keeps everything wherever it is met
     )  # fmt: skip
     step = STEP
     if present.face is not None or (isinstance(present, Bat) and present.shell is not None):

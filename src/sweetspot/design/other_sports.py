@@ -1,16 +1,26 @@
-"""Rackets and clubs by the same machinery as bats: their own few numbers."""
+"""Rackets, clubs and cricket bats by the same machinery as bats: their own few numbers."""
 
 from __future__ import annotations
 
-from sweetspot.design.variables import ImplementSpace, Variable
+from sweetspot.design.variables import DENSITY_SPREAD, MODULUS_SPREAD, ImplementSpace, Variable
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.racket import Racket
+from sweetspot.equipment.shell import Stations, between
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 
+CLOSE = 1e-6
+"""m within which stations of spine and edge are at one place, and move together."""
 REACH = 0.05
 """Part by which a racket's weights may change: what lead tape does."""
+BLADE_REACH = 0.15
+"""Part by which spine and edges of a cricket bat may become thicker or thinner; the width by a third of that."""
+SCOOPED = 3.0
+"""Greatest concavity of a blade's back that is tried."""
 HEAD_REACH = 0.15
 """Part by which the mass and the moments of a club's head may change."""
 
@@ -34,6 +44,77 @@ def racket_space(racket: Racket) -> ImplementSpace:
         return implement.replaced(mass=float(numbers[0]), moi=float(numbers[1]))
 
     return ImplementSpace(racket, variables, change)
+
+
+def cricket_space(bat: CricketBat) -> ImplementSpace:
+    """Return the space of cricket bats like one, of the same willow: where the blade swells, and its sizes.
+
+    Length, handle and splice stay. The swell is the station of the thickest spine; it moves between its neighbours.
+
+    Raises
+    ------
+    InputError
+        when the blade has no station between shoulders and toe that could be moved.
+    """
+    inner = range(1, len(bat.spine) - 1)
+    if not inner:
+        raise InputError(f"{bat.name} has no spine between shoulders and toe; give at least three stations of it")
+    swell = max(inner, key=lambda index: bat.spine[index][1])
+    before, place, after = (bat.spine[swell + step][0] for step in (-1, 0, 1))
+    depth, edge, width = (max(size for _, size in row) for row in (bat.spine, bat.edge, bat.width))
+
+    def around(name: str, label: str, now: float, reach: float) -> Variable:
+        return Variable(name, label, "length", (1 - reach) * now, (1 + reach) * now, now)
+
+    variables = (
+        Variable("swell", "swell, from the toe", "length", bat.length - place - 0.8 * (after - place),
+                 bat.length - place + 0.8 * (place - before), bat.length - place),
+        around("spine", "depth of the spine at the swell", depth, BLADE_REACH),
+        around("edge", "thickness of the edges", edge, BLADE_REACH),
+        around("width", "width of the blade", width, BLADE_REACH / 3),
+        Variable("concavity", "concavity of the back", "ratio", 1.0, max(SCOOPED, bat.concavity), bat.concavity),
+    )  # fmt: skip
+    factor = beam_model(bat).density_factor
+    willow = bat.material.replaced(density=factor * bat.material.density)
+
+    def change(implement: Implement, numbers: Array) -> Implement:
+        swells, spine, edges, wide, concavity = numbers.tolist()
+        moved = (bat.length - swells) - place
+
+        def sized(row: Stations, factor: float, *, moves: bool) -> Stations:
+            return tuple(
+                (at + moved if moves and abs(at - place) < CLOSE else at, size * factor) for at, size in row
+            )  # fmt: skip
+
+        thick = sized(bat.spine, spine / depth, moves=True)
+        thin = tuple(
+            (at, min(size, float(between(thick, at)))) for at, size in sized(bat.edge, edges / edge, moves=True)
+        )  # an edge is nowhere thicker than the spine
+        made = implement.replaced(
+            spine=thick, edge=thin, width=sized(bat.width, wide / width, moves=False), concavity=concavity,
+            material=willow, mass=None, balance_point=None, moi=None,
+        )  # fmt: skip
+        if bat.mass is None and factor == 1:
+            return made
+        return made.replaced(material=bat.material, mass=rigid_body(beam_model(made)).mass)  # the same willow again
+
+    return ImplementSpace(bat, variables, change)
+
+
+def willows(bat: Implement) -> list[tuple[Implement, Implement]]:
+    """Return a cricket bat of denser and of lighter willow, and of stiffer and of softer, a standard deviation each."""
+    assert isinstance(bat, CricketBat)
+    own = bat.material
+
+    def of(**factors: float) -> Implement:
+        changed = {name: getattr(own, name) * factor for name, factor in factors.items()}
+        return bat.replaced(material=own.replaced(**changed), mass=None, balance_point=None, moi=None)
+
+    ends = [(1 + spread, 1 - spread) for spread in (DENSITY_SPREAD, MODULUS_SPREAD)]
+    return [
+        (of(density=ends[0][0]), of(density=ends[0][1])),
+        (of(longitudinal_modulus=ends[1][0]), of(longitudinal_modulus=ends[1][1])),
+    ]
 
 
 def club_space(club: GolfClub) -> ImplementSpace:

@@ -5,11 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from sweetspot.analysis.certification.rules import League
+from sweetspot.catalog.sports import sport
 from sweetspot.design.gain import present_measured
 from sweetspot.design.limits import Limit, band, lathe_limits, league_limits
 from sweetspot.design.measures import Bench
+from sweetspot.design.other_sports import club_space, cricket_space, racket_space
 from sweetspot.design.variables import Space, TurnedSpace, hollow_space, turned_space
 from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.cricket_bat import CricketBat
+from sweetspot.equipment.golf_club import GolfClub
+from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.racket import Racket
+from sweetspot.errors import InputError
 
 WITHIN = 0.01
 """Part of a value by which what is kept may still differ."""
@@ -19,14 +26,40 @@ KEPT = ("mass", "moi", "balance_point", "handle", "density")
 """What can be kept as it is, the last of wood alone; the length always is."""
 
 
-def space_of(bat: Bat, *, deepest_cup: float) -> Space:
-    """Return the bats that a present one can become: other outlines of wood, or other walls of a hollow one.
+def space_of(bat: Implement, *, deepest_cup: float) -> Space:
+    """Return what a present bat can become: other outlines of wood, other walls of a hollow one, a few numbers else.
 
     Parameters
     ----------
     deepest_cup : m, of a turned bat; 0: no cup.
+
+    Raises
+    ------
+    InputError
+        for an implement of which nothing is known that a designer could change.
     """
-    return hollow_space(bat) if bat.shell is not None else turned_space(bat, deepest_cup=deepest_cup)
+    if isinstance(bat, Bat):
+        return hollow_space(bat) if bat.shell is not None else turned_space(bat, deepest_cup=deepest_cup)
+    if isinstance(bat, CricketBat):
+        return cricket_space(bat)
+    if isinstance(bat, Racket):
+        return racket_space(bat)
+    if isinstance(bat, GolfClub):
+        return club_space(bat)
+    raise InputError(
+        f"{bat.name} has nothing here that could be changed; designed are bats, cricket bats, strung rackets and golf "
+        "clubs"
+    )
+
+
+def usual_league(bat: Implement) -> str | None:
+    """Return the key of the league whose rules bats like one usually have to keep; None: no rule on them is known."""
+    if isinstance(bat, CricketBat):
+        return "cricket"
+    if not isinstance(bat, Bat):
+        return None
+    own = sport(bat.sport).rules
+    return "mlb" if own == "ncaa" and bat.material.family == "wood" and bat.shell is None else own
 
 
 def kept_limits(
@@ -49,7 +82,7 @@ def kept_limits(
     present, now = bench.space.present, present_measured(bench).values
     found = [band(name, float(now[name][0]), part=WITHIN) for name in kept if name != "handle" and name in now]
     found += bands
-    if league is not None and isinstance(present, Bat):
+    if league is not None:
         found += [one for one in league_limits(league, present) if one.measure not in ("bbcor", "bpf") or bench.tested]
     if isinstance(bench.space, TurnedSpace):
         if "handle" in kept:

@@ -14,6 +14,7 @@ from sweetspot.dynamics.batch.reduction import ReducedBats, reduced_lines, reduc
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import USUAL_CUP, WIDEST_CUP, Bat, Cup
+from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
@@ -21,6 +22,8 @@ from sweetspot.units import INCH
 
 LEAST_CUP = 0.02 * INCH
 """m of depth below which a cup is left out."""
+DENSITY_SPREAD, MODULUS_SPREAD = 0.05, 0.08
+"""Standard deviations of wood of one species, as parts: of density, and of the moduli at one density (assumed)."""
 REACH = 0.15
 """Part of its present diameter by which an outline may change at a handle, on the barrel; half of that on the grip."""
 
@@ -248,10 +251,9 @@ class ImplementSpace:
         return reduced_lines(self.beams(numbers).lines, ball=ball)
 
     def shapes(self, numbers: Array) -> dict[str, Array]:
-        """Return lengths and greatest widths; nothing else is asked of these outlines."""
-        made = self.all_made(numbers)
-        widest = [float(one.width_at(np.array(one.breakpoints())).max()) for one in made]
-        return {"length": np.array([one.length for one in made]), "diameter": np.array(widest)}
+        """Return what the outlines themselves say, by measure, each of shape (n,)."""
+        made = [sizes_of(one) for one in self.all_made(numbers)]
+        return {name: np.array([one[name] for one in made]) for name in made[0]}
 
     def widths_at(self, numbers: Array, position: Array) -> Array:
         """Return the widths at places (n, places) in m from the butt end."""
@@ -265,6 +267,17 @@ class ImplementSpace:
     def start(self) -> Array:
         """The numbers of the present implement, shape (variables,)."""
         return np.array([one.start for one in self.variables])
+
+
+def sizes_of(implement: Implement) -> dict[str, float]:
+    """Return what leagues limit of an implement's outline, by measure, m: lengths, and a barrel's or blade's sizes."""
+    found = {"length": implement.length}
+    if isinstance(implement, Bat):
+        found["diameter"] = float(implement.width_at(np.array(implement.breakpoints())).max())
+    if isinstance(implement, CricketBat):
+        sizes = {"blade_width": implement.width, "blade_depth": implement.spine, "blade_edge": implement.edge}
+        found |= {name: max(size for _, size in stations) for name, stations in sizes.items()}
+    return found
 
 
 def hollow_space(bat: Bat) -> ImplementSpace:

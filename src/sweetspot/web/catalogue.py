@@ -47,8 +47,12 @@ def catalogue_routes(api: APIRouter) -> None:
 
     @api.get("/leagues", tags=["catalogue"])
     def leagues() -> list[Choice]:
-        """Return the leagues whose rules are known."""
-        return [Choice(key=name, name=league(name).name) for name in league_names()]
+        """Return the leagues whose rules for round bats are known."""
+        known = [league(name) for name in league_names()]
+        blades = "cricket bat"
+        return [
+            Choice(key=one.key, name=one.name) for one in known if {rule.construction for rule in one.rules} != {blades}
+        ]
 
     @api.get("/parks", tags=["catalogue"])
     def parks() -> list[Choice]:

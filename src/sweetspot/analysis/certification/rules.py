@@ -15,11 +15,13 @@ from typing import Literal
 from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.cricket_bat import CricketBat
+from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.units import INCH, OUNCE
 
-Construction = Literal["any", "wood", "not wood", "composite"]
+Construction = Literal["any", "wood", "not wood", "composite", "cricket bat"]
 Reading = Literal["primary", "secondary", "recalled"]
 SLACK = 1e-6
 """Part of a limit that a value may lie beyond it and still keep it: rounding of units, nothing else."""
@@ -38,6 +40,9 @@ QUANTITIES: dict[str, tuple[str, str]] = {
     "bpf": ("BPF", "-"),
     "batted_ball_speed": ("batted-ball speed", "m/s"),
     "moi": ("moment of inertia about 6 in", "kg m^2"),
+    "blade_width": ("width of the blade", "m"),
+    "blade_depth": ("depth of the blade", "m"),
+    "blade_edge": ("thickness of the edges", "m"),
     "grip_length": ("length of the grip", "m"),
     "ring_gauge": ("ring gauge", "-"),
     "break_in": ("BBCOR after break-in", "-"),
@@ -49,6 +54,7 @@ STATED_FOR: dict[Construction, str] = {
     "wood": "wood bats",
     "not wood": "bats that are not wood",
     "composite": "composite bats",
+    "cricket bat": "cricket bats",
 }
 
 
@@ -145,12 +151,12 @@ class Check:
     reason: str
 
 
-def check_rules(league: League, *, bat: Bat, findings: Mapping[str, Finding]) -> list[Check]:
+def check_rules(league: League, *, bat: Implement, findings: Mapping[str, Finding]) -> list[Check]:
     """Return every rule of a league held against a bat and what is known about it."""
     return [check_rule(rule, bat=bat, finding=findings.get(rule.quantity)) for rule in league.rules]
 
 
-def check_rule(rule: Rule, *, bat: Bat, finding: Finding | None) -> Check:
+def check_rule(rule: Rule, *, bat: Implement, finding: Finding | None) -> Check:
     """Return pass, fail, not decidable or does not apply, with margin and reason.
 
     Parameters
@@ -173,8 +179,10 @@ def check_rule(rule: Rule, *, bat: Bat, finding: Finding | None) -> Check:
     return Check(rule, verdict, value, None if rule.quantity == "solid_wood" else _margin(rule, value), reason)
 
 
-def applies(rule: Rule, bat: Bat) -> bool:
+def applies(rule: Rule, bat: Implement) -> bool:
     """Return whether the source states the rule for a bat of this construction, judged by its barrel."""
+    if not isinstance(bat, Bat):
+        return rule.construction == "cricket bat" and isinstance(bat, CricketBat)
     wood = bat.material.family == "wood"
     laminate = bat.material.family == "laminate"
     if bat.shell is not None:
@@ -185,6 +193,7 @@ def applies(rule: Rule, bat: Bat) -> bool:
         "wood": wood and not laminate,
         "not wood": not wood or laminate,
         "composite": laminate,
+        "cricket bat": False,
     }
     return stated[rule.construction]
 

@@ -38,9 +38,9 @@ def bat_table(bat: Bat) -> dict[str, Any]:
     InputError
         when the bat holds a material that no bat file can describe.
     """
-    table: dict[str, Any] = {"name": bat.name, "length": _metres(bat.length), "material": _material(bat.material)}
+    table: dict[str, Any] = {"name": bat.name, "length": length_text(bat.length), "material": _material(bat.material)}
     if bat.profile is not None:
-        table["profile"] = _pairs(bat.profile)
+        table["profile"] = pairs_text(bat.profile)
     if bat.linear_density is not None:
         table["linear_density"] = list(bat.linear_density)
     if bat.density_gradient:
@@ -49,28 +49,28 @@ def bat_table(bat: Bat) -> dict[str, Any]:
         "mass": _with(bat.mass, "kg"),
         "balance_point": _with(bat.balance_point, "m"),
         "moi": _with(bat.moi, "kg*m^2"),
-        "moi_axis": None if bat.moi is None else _metres(bat.moi_axis),
-        "choke": _metres(bat.choke) if bat.choke else None,
+        "moi_axis": None if bat.moi is None else length_text(bat.moi_axis),
+        "choke": length_text(bat.choke) if bat.choke else None,
         "sport": None if bat.sport == Bat.model_fields["sport"].default else bat.sport,
     }
     table |= {name: value for name, value in measured.items() if value is not None}
     if bat.cup is not None:
-        table["cup"] = {"diameter": _metres(bat.cup.diameter), "depth": _metres(bat.cup.depth)}
+        table["cup"] = {"diameter": length_text(bat.cup.diameter), "depth": length_text(bat.cup.depth)}
     if bat.shell is not None:
         table["shell"] = _shell(bat.shell)
     if bat.bores:
         table["bore"] = [
             {
-                "diameter": _metres(bore.diameter),
-                "depth": _metres(bore.depth),
-                **({"fill": _named(bore.fill)} if bore.fill is not None else {}),
-                "plug": _metres(bore.plug),
+                "diameter": length_text(bore.diameter),
+                "depth": length_text(bore.depth),
+                **({"fill": material_key(bore.fill)} if bore.fill is not None else {}),
+                "plug": length_text(bore.plug),
             }
             for bore in bat.bores
         ]
     if bat.point_masses:
         table["point_mass"] = [
-            {"position": _metres(weight.position), "mass": f"{weight.mass!r} kg"} for weight in bat.point_masses
+            {"position": length_text(weight.position), "mass": f"{weight.mass!r} kg"} for weight in bat.point_masses
         ]
     if bat.original is not None:
         table["original"] = bat_table(bat.original)
@@ -78,31 +78,31 @@ def bat_table(bat: Bat) -> dict[str, Any]:
 
 
 def _shell(shell: Shell) -> dict[str, Any]:
-    table: dict[str, Any] = {"wall": _pairs(shell.wall)}
+    table: dict[str, Any] = {"wall": pairs_text(shell.wall)}
     if shell.laminate is not None:
         table["laminate"] = _plies(shell.laminate)
     if shell.handle_material is not None:
-        table["handle_material"] = _named(shell.handle_material)
+        table["handle_material"] = material_key(shell.handle_material)
     if shell.joint is not None:
-        table["joint"] = _metres(shell.joint)
+        table["joint"] = length_text(shell.joint)
     masses = {"joint_mass": shell.joint_mass, "end_cap_mass": shell.end_cap_mass, "knob_mass": shell.knob_mass}
     table |= {name: f"{mass!r} kg" for name, mass in masses.items() if mass}
     sleeve = shell.inner_wall
     if sleeve is not None:
         table["inner_wall"] = {
-            "wall": _pairs(sleeve.wall),
-            "material": _named(sleeve.material),
+            "wall": pairs_text(sleeve.wall),
+            "material": material_key(sleeve.material),
             **({"laminate": _plies(sleeve.laminate)} if sleeve.laminate is not None else {}),
-            "gap": _metres(sleeve.gap),
+            "gap": length_text(sleeve.gap),
             "bonded": sleeve.bonded,
         }
     if shell.rings:
         table["ring"] = [
             {
-                "position": _metres(ring.position),
-                "width": _metres(ring.width),
-                **({"depth": _metres(ring.depth)} if ring.depth is not None else {}),
-                "material": _named(ring.material),
+                "position": length_text(ring.position),
+                "width": length_text(ring.width),
+                **({"depth": length_text(ring.depth)} if ring.depth is not None else {}),
+                "material": material_key(ring.material),
             }
             for ring in shell.rings
         ]
@@ -111,7 +111,7 @@ def _shell(shell: Shell) -> dict[str, Any]:
 
 def _plies(laminate: Laminate) -> list[dict[str, str]]:
     return [
-        {"material": _named(ply.material), "angle": f"{ply.angle!r} rad", "thickness": _metres(ply.thickness)}
+        {"material": material_key(ply.material), "angle": f"{ply.angle!r} rad", "thickness": length_text(ply.thickness)}
         for ply in laminate.plies
     ]
 
@@ -129,7 +129,8 @@ def _material(own: Material) -> str | dict[str, Any]:
     return {"like": key, **values}
 
 
-def _named(own: Material) -> str:
+def material_key(own: Material) -> str:
+    """Return the catalogue's name of a material; raises `InputError` when it differs from the catalogue's."""
     key = _key(own)
     if own != material(key):
         raise InputError(f"{own.name} differs from the catalogue's; a bat file can only name a fill, a ply or a handle")
@@ -149,13 +150,15 @@ def _keys() -> dict[str, str]:
     return {material(key).name: key for key in material_names()}
 
 
-def _pairs(stations: Stations) -> list[list[str]]:
-    return [[_metres(position), _metres(size)] for position, size in stations]
+def pairs_text(stations: Stations) -> list[list[str]]:
+    """Return pairs of positions and sizes in m as a file has them."""
+    return [[length_text(position), length_text(size)] for position, size in stations]
 
 
 def _with(value: float | None, unit: str) -> str | None:
     return None if value is None else f"{value!r} {unit}"
 
 
-def _metres(length: float) -> str:
+def length_text(length: float) -> str:
+    """Return a length in m as a file has it, to the last digit."""
     return f"{length!r} m"

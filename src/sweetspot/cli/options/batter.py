@@ -23,9 +23,12 @@ class BatterOptions:
     """Contacts and swing of a batter."""
 
     contact: Annotated[
-        str | None, Parameter(help="Where the ball is met on average, from the tip; default: 6.5in.")
+        str | None,
+        Parameter(help="Where the ball is met on average, from the tip; default: 6.5in, on a face its best place."),
     ] = None
-    contact_spread: Annotated[str | None, Parameter(help="Standard deviation of that; default: 1.8in.")] = None
+    contact_spread: Annotated[
+        str | None, Parameter(help="Standard deviation of that; default: 1.8in, at most a sixth of a face.")
+    ] = None
     contacts: Annotated[
         Path | None, Parameter(help="CSV of contacts instead: a column from_tip_in, and perhaps weight.")
     ] = None
@@ -38,8 +41,12 @@ class BatterOptions:
     )
     offset_spread: Annotated[str | None, Parameter(help="Standard deviation of that; default: 1.1in.")] = None
     swing_law: Annotated[
-        str, Parameter(help="How bat speed depends on the bat: a law of the catalogue, or none for the same speed.")
-    ] = "baseball"
+        str | None,
+        Parameter(
+            help="How bat speed depends on the bat: a law of the catalogue, or none for the same speed; default: its "
+            "sport's."
+        ),
+    ] = None
     exponent: Annotated[float | None, Parameter(help="Exponent of the law in place of its own, 0 to 0.5.")] = None
 
 
@@ -55,6 +62,8 @@ def batter_of(options: BatterOptions, bat: Implement, conditions: Conditions) ->
     if len(ways) > 1:
         raise InputError(f"--{' and --'.join(ways)} both say where the ball is met; give one of them")
     known = dict(USUAL)
+    if bat.outline is not None:
+        known |= _on_a_face(bat, conditions)
     if options.player is not None:
         known |= fitted_player(options.player)
 
@@ -73,19 +82,33 @@ def batter_of(options: BatterOptions, bat: Implement, conditions: Conditions) ->
     return Batter(
         weight=weight, offset=length(options.offset, "offset", "--offset"), offset_spread=spread,
         bat_speed=known.get("bat_speed", conditions.swing.bat_speed),
-        pitch_speed=known.get("pitch_speed", conditions.pitch.speed), law=_law(options), doubt=doubt,
+        pitch_speed=known.get("pitch_speed", conditions.pitch.speed), law=_law(options, bat), doubt=doubt,
         speed_from_tip=bat.length - conditions.swing.measured_at,
     )  # fmt: skip
 
 
-def _law(options: BatterOptions) -> SwingLaw | None:
+def _on_a_face(bat: Implement, conditions: Conditions) -> dict[str, float]:
+    """Return where a player who is not known meets the ball: where it is fastest, give or take a sixth of the face."""
+    from sweetspot.analysis.bat_analysis import analyse
+    from sweetspot.design.batter import USUAL
+
+    assert bat.outline is not None
+    best = analyse(bat, conditions).best.position
+    return {
+        "position": bat.length - best,
+        "position_spread": min(USUAL["position_spread"], (bat.outline.end - bat.outline.start) / 6),
+    }
+
+
+def _law(options: BatterOptions, bat: Implement) -> SwingLaw | None:
     from dataclasses import replace
 
+    from sweetspot.catalog.sports import sport
     from sweetspot.catalog.swing_laws import swing_law
 
     if options.swing_law == "none":
         if options.exponent is not None:
             raise InputError("--exponent goes with a law; leave out --swing-law none")
         return None
-    law = swing_law(options.swing_law)
+    law = swing_law(options.swing_law or sport(bat.sport).swing_law)
     return law if options.exponent is None else replace(law, exponent=options.exponent)

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from sweetspot.design.measures import Bench
     from sweetspot.design.variables import Space
     from sweetspot.equipment.bat import Bat
+    from sweetspot.equipment.implement import Implement
     from sweetspot.units import Kind
 
 Kept = Literal["mass", "moi", "wood", "balance", "grip", "nothing"]
@@ -56,14 +57,26 @@ class LimitOptions:
     wood: Annotated[str | None, Parameter(help="Species of the catalogue; default: the present bat's.")] = None
     league: Annotated[
         str,
-        Parameter(help="Whose rules to keep: a league of the catalogue, or nobody. Default: mlb for wood, else ncaa."),
+        Parameter(
+            help="Whose rules to keep: a league of the catalogue, or nobody. Default: the sport's, mlb for wood."
+        ),
     ] = ""
 
 
 DEFAULT_LIMITS = LimitOptions()
 
 
-def space_of(bat: Bat, options: LimitOptions) -> Space:
+def of_wood(bat: Implement, wood: str) -> Bat:
+    """Return a bat of another species of the catalogue."""
+    from sweetspot import catalog
+    from sweetspot.equipment.bat import Bat
+
+    if not isinstance(bat, Bat):
+        raise InputError(f"--wood was given as {wood}, but {bat.name} is no bat turned from one piece; leave it out")
+    return bat.with_material(catalog.material(wood))
+
+
+def space_of(bat: Implement, options: LimitOptions) -> Space:
     """Return what may change of a bat."""
     from sweetspot.design.usual_limits import space_of as space_around
     from sweetspot.units import parse
@@ -74,13 +87,16 @@ def space_of(bat: Bat, options: LimitOptions) -> Space:
     return space_around(bat, deepest_cup=deepest)
 
 
-def league_of(bat: Bat, options: LimitOptions) -> League | None:
+def league_of(bat: Implement, options: LimitOptions) -> League | None:
     """Return the league whose rules are kept, if any."""
     from sweetspot.catalog.rules import league
+    from sweetspot.design.usual_limits import usual_league
 
     if options.league == "nobody":
         return None
-    return league(options.league or ("mlb" if bat.material.family == "wood" and bat.shell is None else "ncaa"))
+    usual = usual_league(bat)
+    chosen = options.league or usual
+    return None if chosen is None else league(chosen)
 
 
 def limits_of(bench: Bench, options: LimitOptions, rules: League | None) -> tuple[Limit, ...]:

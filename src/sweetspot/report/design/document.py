@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from sweetspot.catalog.files.write import bat_toml
+from sweetspot.catalog.files.write_implement import implement_toml
 from sweetspot.catalog.sports import sport
 from sweetspot.design.answer import Designed
 from sweetspot.design.batter import FROM_TIP
@@ -21,6 +21,7 @@ from sweetspot.report.design.words import (
     effort_words,
     moved_words,
     rules_words,
+    tool_of,
     warning_words,
     worth_words,
 )
@@ -78,11 +79,10 @@ def _files(design: Designed) -> dict[str, Any]:
     """Return the files that go along: the bat, its drawings, and the search to go on from."""
     bat = design.bat
     files: dict[str, Any] = {"search.json": lambda _: saved(design.bench, design.question, design.front).encode()}
-    if isinstance(bat, Bat):
-        files[f"{FILES}.toml"] = lambda _: bat_toml(bat).encode()
-        if bat.shell is None:
-            for ending in ("svg", "dxf", "csv"):
-                files[f"{FILES}.{ending}"] = partial(_drawing, bat, ending)
+    files[f"{FILES}.toml"] = lambda _: implement_toml(bat).encode()
+    if isinstance(bat, Bat) and bat.shell is None:
+        for ending in ("svg", "dxf", "csv"):
+            files[f"{FILES}.{ending}"] = partial(_drawing, bat, ending)
     return files
 
 
@@ -92,14 +92,16 @@ def _drawing(bat: Bat, ending: str, reading: Reader) -> bytes:
 
 def _subtitle(design: Designed) -> str:
     wants = " and ".join(MEASURES[want].label for want in design.question.wants)
-    return f"bat {design.picked + 1} of {len(design.front)} on the front of {wants}"
+    return f"{tool_of(design)} {design.picked + 1} of {len(design.front)} on the front of {wants}"
 
 
 def _assumed(design: Designed) -> Words:
     batter = design.bench.batter
     return say(
-        "Contacts {place} from the tip on average; {pitch} pitch, {bat} of bat speed with the present bat. The same "
-        "places from the tip and the same effort with every bat. The model's ball, wood and swing; no bat was turned.",
+        "Contacts {place} from the tip on average; {pitch} pitch, {bat} of {tool} speed with the present {tool}. "
+        "The same places from the tip and the same effort with every {tool}. The model's ball, {wood} and swing; "
+        "nothing was made.",
+        tool=tool_of(design), wood="wood" if design.gain.shipment else "material",
         place=Slot(batter.mean_contact, "place"), pitch=Slot(batter.pitch_speed, "speed", 0),
         bat=Slot(batter.bat_speed, "speed", 0),
     )  # fmt: skip
@@ -123,7 +125,7 @@ def _beside(design: Designed) -> Table:
             Slot(strains[1] - strains[0], "strain", sign=True),
         ])  # fmt: skip
     columns = [Column(""), Column("present", right=True), Column("design", right=True), Column("change", right=True)]
-    return Table("Beside the present bat", columns, rows)
+    return Table(f"Beside the present {tool_of(design)}", columns, rows)
 
 
 def _changes(scale: str) -> str:
@@ -138,8 +140,12 @@ def _front(design: Designed) -> Table:
     rows: list[list[Cell]] = [
         [str(row + 1), *(float(design.front.measured.values[name][row]) for name in shown)] for row in rows_shown
     ]
-    columns = [Column("bat")] + [Column(_short(name), MEASURES[name].scale) for name in shown]
-    return Table(f"The front: {count} bats, none better in everything (--pick N tells about another)", columns, rows)
+    columns = [Column(tool_of(design))] + [Column(_short(name), MEASURES[name].scale) for name in shown]
+    return Table(
+        f"The front: {count} {tool_of(design)}s, none better in everything (--pick N tells about another)",
+        columns,
+        rows,
+    )
 
 
 def _short(name: str) -> str:

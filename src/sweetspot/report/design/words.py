@@ -5,9 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from sweetspot.analysis.certification.rules import Verdict, title
+from sweetspot.catalog.sports import sport
 from sweetspot.design.answer import Designed
 from sweetspot.design.batter import FROM_TIP
-from sweetspot.design.gain import DENSITY_SPREAD, MODULUS_SPREAD, PAIR, SHIPMENT, TOWARDS_END
+from sweetspot.design.gain import SHIPMENT, TOWARDS_END, TURNED_ALIKE
+from sweetspot.design.variables import DENSITY_SPREAD, MODULUS_SPREAD
+from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.report.sentences import Sentence, Slot, joined, say
 from sweetspot.units import INCH
 
@@ -16,6 +19,11 @@ STILL = 0.02 * INCH
 
 FURTHER = 0.05
 """Part by which a handle's bending must grow to be told (assumed: two pieces of one species differ by more)."""
+
+
+def tool_of(design: Designed) -> str:
+    """Return what people of the sport call what is designed."""
+    return sport(design.bench.space.present.sport).words.implement
 
 
 def moved_words(design: Designed) -> Sentence:
@@ -40,7 +48,7 @@ def worth_words(design: Designed) -> Sentence:
     gain, batter = design.gain, design.bench.batter
     first = say(
         "For contacts around {place} from the tip the ball leaves {gain} on average, give or take {doubt}: {verdict}. "
-        "The design is the faster one in {odds} of 100 such pairs of bats.",
+        "The design is the faster one in {odds} of 100 such pairs.",
         place=Slot(batter.mean_contact, "place"), gain=_faster(gain.expected), doubt=Slot(gain.doubt, "speed_change"),
         verdict=gain.verdict.value, odds=f"{min(99, max(1, round(100 * gain.odds)))}",
     )  # fmt: skip
@@ -54,7 +62,20 @@ def _faster(change: float) -> Sentence:
 def _doubts(design: Designed) -> Sentence:
     gain = design.gain
     parts = []
-    if gain.wood:
+    if not gain.shipment:
+        willow = say(
+            "; willow's density by {density}, its stiffness by {modulus}", density=_spread(DENSITY_SPREAD),
+            modulus=_spread(MODULUS_SPREAD),
+        )  # fmt: skip
+        parts.append(
+            say(
+                "Two of one model differ by {wood} (one standard deviation: every number that is changed by {alike}"
+                "{willow}; assumed).",
+                wood=Slot(gain.wood, "speed_change"), alike=_spread(TURNED_ALIKE),
+                willow=willow if isinstance(design.bench.space.present, CricketBat) else say(""),
+            )
+        )  # fmt: skip
+    else:
         parts.append(
             say(
                 "Two bats of one shape differ by {wood} (one standard deviation: density {density}, stiffness "
@@ -62,14 +83,14 @@ def _doubts(design: Designed) -> Sentence:
                 "{shipment}, which is {pair} between two; the larger counts.",
                 wood=Slot(gain.wood, "speed_change"), density=_spread(DENSITY_SPREAD), modulus=_spread(MODULUS_SPREAD),
                 weighed=Slot(gain.by_weight, "speed_change"), shipment=Slot(SHIPMENT, "speed", 0, round=True),
-                pair=Slot(PAIR, "speed_change"),
+                pair=Slot(gain.shipment, "speed_change"),
             )
         )  # fmt: skip
     law = design.bench.batter.law
     swing = (
         say("How your swing depends on the bat adds {law}, ", law=Slot(gain.law, "speed_change"))
         if law is not None
-        else say("Every bat is swung alike; ")
+        else say("All are swung alike; ")
     )
     met = say(
         "where you meet the ball, known to {doubt}, adds {contact}.", doubt=Slot(design.bench.batter.doubt, "place"),
@@ -93,11 +114,11 @@ def warning_words(design: Designed) -> Sentence:
             "Who should not use it: nobody by exit speed; {place} from the tip it still gains {gain}.",
             place=Slot(TOWARDS_END, "place"), gain=Slot(gain.at(TOWARDS_END), "speed_change"),
         )  # fmt: skip
-    turning = (
-        say("Nearer the tip than {turning} the present bat is better", turning=Slot(gain.turning_place, "place"))
-        if gain.turning_place is not None
-        else say("Towards the tip the present bat is better")
-    )
+    tool = tool_of(design)
+    turning = say("Towards the tip the present {tool} is better", tool=tool)
+    if gain.turning_place is not None:
+        near = Slot(gain.turning_place, "place")
+        turning = say("Nearer the tip than {turning} the present {tool} is better", turning=near, tool=tool)
     return turning + say(
         ": {place} from the tip the design costs {cost}. Who meets the ball out there, or is late, should not use it.",
         place=place, cost=Slot(-float(gain.curve[worst]), "speed_change"),
@@ -139,7 +160,7 @@ def effort_words(design: Designed) -> Sentence:
     """Return what the design does to the swing."""
     gain, law = design.gain, design.bench.batter.law
     if law is None:
-        return say("All bats are swung at the same speed.")
+        return say("All are swung at the same speed.")
     low, high = sorted(_time(design, exponent) for exponent in (law.exponents.low, law.exponents.high))
     return say(
         "Time to contact changes by {time} ({low} to {high}) of {whole}, by the law of {law}.",

@@ -19,7 +19,7 @@ from sweetspot.design.gain import present_measured
 from sweetspot.design.limits import Limit
 from sweetspot.design.locks import locked
 from sweetspot.design.measures import Bench, Measured, bench_of
-from sweetspot.design.usual_limits import kept_limits, space_of
+from sweetspot.design.usual_limits import kept_limits, space_of, usual_league
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import INCH
@@ -167,11 +167,9 @@ def league_of(state: DesignState, request: Asked) -> League | None:
     """Return the league whose rules hold; None: nobody's."""
     if state.league == NOBODY:
         return None
-    bat = request.bench.space.present
-    assert isinstance(bat, Bat)
-    usual = "mlb" if bat.material.family == "wood" and bat.shell is None else "ncaa"
+    chosen = usual_league(request.bench.space.present) if state.league == USUAL_LEAGUE else state.league
     with about("league"):
-        return league(usual if state.league == USUAL_LEAGUE else state.league)
+        return None if chosen is None else league(chosen)
 
 
 def question_of(state: DesignState) -> Question:
