@@ -48,7 +48,9 @@ def main(tries: int = 10, busy: int = 2) -> int:
 def one_start(browser: Browser) -> tuple[float, float | None]:
     """Return the seconds to the address in a clean clone, and from there to the picture; None: there was none."""
     with tempfile.TemporaryDirectory(prefix="clone-") as folder:
-        subprocess.run(["git", "clone", "-q", str(HERE), f"{folder}/tree"], check=True)
+        subprocess.run(
+            ["git", "-c", "advice.detachedHead=false", "clone", "-q", str(HERE), f"{folder}/tree"], check=True
+        )
         hidden = ("NUMBA_CACHE_DIR", "VIRTUAL_ENV", "PYTHONPATH", "MAKEFLAGS")
         own = {"XDG_CACHE_HOME": f"{folder}/cache", "BROWSER": "true"}
         known = {name: value for name, value in os.environ.items() if name not in hidden}

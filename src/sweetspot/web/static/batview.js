@@ -26,10 +26,10 @@ export class BatView {
   /**
    * @param {App} app
    * @param {object} look
-   * @param {(position: number, on: { last: boolean }) => void} [look.onBall]
-   * @param {(stations: { position_m: number, diameter_m: number }[], on: { last: boolean }) => void} [look.onStations]
-   * @param {(change: State, on: { last: boolean }) => void} [look.onGrip]
-   * @param {Zoom} [look.zoom]
+   * @param {((position: number, on: { last: boolean }) => void) | null} [look.onBall]
+   * @param {((stations: { position_m: number, diameter_m: number }[], on: { last: boolean }) => void) | null} [look.onStations]
+   * @param {((change: State, on: { last: boolean }) => void) | null} [look.onGrip]
+   * @param {Zoom | null} [look.zoom]
    * @param {string} [look.label]
    */
   constructor(app, { onBall = null, onStations = null, onGrip = null, zoom = null, label = "The bat, drawn to scale" } = {}) {
@@ -83,8 +83,8 @@ export class BatView {
       const along = (x - left) / scale;
       const aside = Math.abs(y - middle) / scale;
       if (this.held !== null) this.dragStation(this.held, along, 2 * aside, last);
-      else if (this.grip) this.onGrip(this.grip.take(along, aside), { last });
-      else this.onBall(Math.min(this.data.bat.length_m, Math.max(0, along)), { last });
+      else if (this.grip) this.onGrip?.(this.grip.take(along, aside), { last });
+      else this.onBall?.(Math.min(this.data.bat.length_m, Math.max(0, along)), { last });
       return true;
     });
   }
@@ -111,7 +111,7 @@ export class BatView {
     const [before, after] = [stations[index - 1]?.position_m, stations[index + 1]?.position_m];
     if (inner) stations[index].position_m = Math.min(after - 0.002, Math.max(before + 0.002, along));
     stations[index].diameter_m = Math.min(0.07, Math.max(0.015, width));
-    this.onStations(stations, { last });
+    this.onStations?.(stations, { last });
   }
 
   paint(context, width) {
@@ -215,14 +215,14 @@ export class BatView {
     found.forEach(({ name, color, at }, row) => {
       const [x, y] = [across(at), 12 + row * ROW];
       const dot = place.middle + radiusAt(bat, at) * place.scale * (0.72 - (1.44 * row) / Math.max(1, found.length - 1)) * -1;
-      context.strokeStyle = colors[color];
+      context.strokeStyle = colors[color ?? "ink"];
       context.lineWidth = 1.4;
       context.beginPath();
       context.moveTo(column, y);
       context.lineTo(x, y);
       context.lineTo(x, dot);
       context.stroke();
-      context.fillStyle = colors[color];
+      context.fillStyle = colors[color ?? "ink"];
       context.strokeStyle = colors.panel;
       context.beginPath();
       context.arc(x, dot, 4.5, 0, 2 * Math.PI);

@@ -23,7 +23,7 @@ export function unchanged(app) {
 }
 
 // The list of the catalogue's bats; a bat of one's own stands in it too, so that it never names another bat.
-/** @param {Desk} app */
+/** @param {Desk & Pick<App, "lists">} app */
 export function batChoice(app, label = "Bat") {
   return choice(app, "bat", {
     label,
@@ -131,7 +131,7 @@ class OwnBat {
   /** @param {App} app */
   constructor(app) {
     this.app = app;
-    const root = document.getElementById("view");
+    const root = partOf(document, "#view", HTMLElement);
     const { signal } = app;
     this.element = Object.assign(document.createElement("details"), { className: "own" });
     this.element.innerHTML = "<summary>Your own bat (file or text)</summary>" +
@@ -139,15 +139,15 @@ class OwnBat {
       "<label for=\"bat-file\">Bat file (TOML)</label><input type=\"file\" id=\"bat-file\" accept=\".toml,text/plain\">" +
       "<label for=\"bat-text\">As text</label><textarea id=\"bat-text\" rows=\"12\" spellcheck=\"false\" aria-describedby=\"bat-fault\"></textarea>" +
       "<p class=\"fault\" id=\"bat-fault\" role=\"alert\" hidden></p><div class=\"row\"></div>";
-    this.text = this.element.querySelector("textarea");
+    this.text = partOf(this.element, "textarea", HTMLTextAreaElement);
     this.words = partOf(this.element, ".fault", HTMLElement);
-    this.element.querySelector(".row").append(
+    partOf(this.element, ".row", HTMLElement).append(
       button("Use this text", () => this.take(this.text.value), { primary: true }),
       button("Show the present bat", () => this.show()),
     );
-    const chosen = this.element.querySelector("input");
+    const chosen = partOf(this.element, "input", HTMLInputElement);
     chosen.addEventListener("change", () => {
-      this.read(chosen.files[0]);
+      this.read(chosen.files?.[0]);
       chosen.value = ""; // so that the same file can be chosen again once it is mended
     });
     this.element.addEventListener("toggle", () => this.element.open && !this.text.value && this.show());
@@ -158,7 +158,7 @@ class OwnBat {
       event.preventDefault();
       root.classList.remove("drop");
       this.element.open = true;
-      this.read(event.dataTransfer.files[0]);
+      this.read(event.dataTransfer?.files[0]);
     }, { signal });
     app.control({ field: "bat_toml", sync: (state) => this.sync(state), fault: (message) => this.fault(message) });
   }
@@ -218,7 +218,7 @@ class Outline {
       "change the numbers: place from the knob and diameter.</p><div class=\"stations\" tabindex=\"0\"><table><thead><tr><th scope=\"col\">" +
       "Place</th><th scope=\"col\">Diameter</th><th scope=\"col\"><span class=\"unseen\">Change</span></th></tr></thead><tbody></tbody></table></div>" +
       "<p class=\"fault\" role=\"alert\" hidden></p>";
-    this.body = this.element.querySelector("tbody");
+    this.body = partOf(this.element, "tbody", HTMLElement);
     this.words = partOf(this.element, ".fault", HTMLElement);
     this.element.addEventListener("toggle", () => onDraw(this.element.open));
     app.control({ field: "profile_in", sync: () => {}, fault: (message) => this.fault(message) });
@@ -287,7 +287,7 @@ function cellOf(...parts) {
 /** @param {App} app */
 export async function batText(app) {
   const { toml } = await posted("/api/v1/explorer/recipe", Object.fromEntries(
-    Object.entries(app.carried).filter(([field]) => Object.hasOwn(app.views.get("explorer").schema, field))));
+    Object.entries(app.carried).filter(([field]) => Object.hasOwn(app.entry("explorer").schema, field))));
   return toml;
 }
 

@@ -55,14 +55,14 @@ const ROWS = 24; // of the table
 export class Chart {
   /**
    * @param {App} app
-   * @param {{ panels: Panel[], axis: Axis, label: string, onPick?: (x: number, on: { last: boolean }) => void, zoom?: Zoom }} look
+   * @param {{ panels: Panel[], axis: Axis, label: string, onPick?: ((x: number, on: { last: boolean }) => void) | null, zoom?: Zoom | null }} look
    */
   constructor(app, { panels, axis, label, onPick = null, zoom = null }) {
     this.app = app;
     this.panels = panels;
     this.axis = axis;
-    /** @type {Shown | null} */
-    this.data = null;
+    /** @type {Shown} */
+    this.data = /** @type {any} */ (null); // until it is first drawn
     /** @type {number | null} */
     this.hover = null;
     this.surface = new Surface(app, { label, height: () => this.tall(), paint: (context, width) => this.paint(context, width) });
@@ -162,7 +162,7 @@ export class Chart {
     (this.data.marks ?? []).filter((mark) => mark.label && mark.at >= least && mark.at <= most).forEach((mark, row) => {
       const room = box.right - across(mark.at) > context.measureText(mark.label).width + 8;
       context.textAlign = room ? "left" : "right";
-      haloText(context, mark.label, across(mark.at) + (room ? 4 : -4), box.top + 7 + 14 * row, colors.ink, colors.panel);
+      haloText(context, mark.label ?? "", across(mark.at) + (room ? 4 : -4), box.top + 7 + 14 * row, colors.ink, colors.panel);
     });
   }
 
@@ -206,7 +206,7 @@ export class Chart {
     }
     if (this.hover !== null && values.length && fits) {
       Object.assign(context, { font: `11px ${FONT}`, fillStyle: colors.muted });
-      const place = `at ${this.app.text(this.axis.kind, this.axis.from ? this.axis.from() - at : at)}`;
+      const place = `at ${this.app.text(this.axis.kind, this.axis.from ? this.axis.from() - this.hover : this.hover)}`;
       context.fillText(place, right, box.top - 6);
       right -= context.measureText(place).width + 10;
     }

@@ -38,7 +38,7 @@ export class Chip {
   }
 
   made() {
-    const { schema } = this.app.views.get("explorer");
+    const { schema } = this.app.entry("explorer");
     const changed = Object.entries(CHANGES).filter(([field]) => (
       this.bat[field] !== undefined && JSON.stringify(this.bat[field]) !== JSON.stringify(schema[field].default ?? null)));
     return changed.map(([field, words]) => [field, words(this.bat[field], this.app)]);
@@ -78,12 +78,12 @@ export class Chip {
     });
     const made = this.made();
     const list = made.length ? make("ul", {}, ...made.map(([field, words]) => make("li", {}, `${words} `,
-      Object.assign(act("Undo", () => app.setState({ [field]: unchanged({ schema: app.views.get("explorer").schema })[field] })), { ariaLabel: `Undo: ${words}` }))))
+      Object.assign(act("Undo", () => app.setState({ [field]: unchanged({ schema: app.entry("explorer").schema })[field] })), { ariaLabel: `Undo: ${words}` }))))
       : make("p", { className: "note", textContent: "Nothing was changed of it." });
     dialog.append(
       make("h2", { id: "bench-name", textContent: this.name.textContent }), list,
       make("div", { className: "row" },
-        act("As it was", () => app.setState(unchanged({ schema: app.views.get("explorer").schema }))),
+        act("As it was", () => app.setState(unchanged({ schema: app.entry("explorer").schema }))),
         act("Save as bat.toml", async () => download("bat.toml", "application/toml", await batText(app))),
         act("Describe another bat …", () => wizard(app)),
         act("Compare this with …", () => app.visit(app.addressFor("compare"))),

@@ -11,6 +11,7 @@
 //   button("Reset", () => ..., { primary: false })
 // Each returns an element to append. A control shows the value of app.state[field] and calls app.setState.
 
+import { partOf } from "./parts.js";
 import { fromShown, toShown, unitOf } from "./units.js";
 
 /** @import { App, State } from "./main.js" */
@@ -26,7 +27,7 @@ let count = 0;
 /**
  * @param {Desk} app
  * @param {string} field
- * @param {{ label: Words, step: number, empty?: number | null | (() => number | null), note?: string, onInput?: (value: number) => void }} look
+ * @param {{ label: Words, step: number, empty?: number | null | (() => number | null), note?: string, onInput?: ((value: number) => void) | null }} look
  */
 export function slider(app, field, { label, step, empty = null, note = "", onInput = null }) {
   const limits = () => narrowed(boundsOf(app.schema[field]), app.bounds?.(field));
@@ -39,8 +40,8 @@ export function slider(app, field, { label, step, empty = null, note = "", onInp
   number.setAttribute("inputmode", "decimal");
   range.setAttribute("aria-describedby", `${id}-fault`);
   number.setAttribute("aria-describedby", `${id}-fault`);
-  box.querySelector(".entry").append(range, number, unit);
-  let scaled = null;
+  partOf(box, ".entry", HTMLElement).append(range, number, unit);
+  let scaled = "";
   const shown = (value) => toShown(field, value, app.units);
   const stepShown = () => niceStep(Math.abs(shown(step) - shown(0)), app.units === "us" ? 0 : 1);
 
@@ -107,7 +108,7 @@ export function slider(app, field, { label, step, empty = null, note = "", onInp
 /**
  * @param {Desk} app
  * @param {string} field
- * @param {{ label: Words, options: Options | Promise<Options>, note?: string, follows?: boolean, shown?: (state: State) => any, take?: (value: string) => void }} look
+ * @param {{ label: Words, options: Options | Promise<Options>, note?: string, follows?: boolean, shown?: (state: State) => any, take?: ((value: string) => void) | null }} look
  */
 export function choice(app, field, { label, options, note = "", follows = false, shown = (state) => state[field], take = null }) {
   const { box, fault, id } = frame(field, label, note);
@@ -118,7 +119,7 @@ export function choice(app, field, { label, options, note = "", follows = false,
     select.replaceChildren(...list.map(([value, words]) => new Option(words, value)));
     if (app.state) control.sync(app.state);
   };
-  box.querySelector(".entry").append(select);
+  partOf(box, ".entry", HTMLElement).append(select);
   select.addEventListener("change", () => {
     if (take) take(select.value);
     else app.setState({ [field]: select.value });
@@ -147,7 +148,7 @@ export function choice(app, field, { label, options, note = "", follows = false,
 export function toggle(app, field, { label, note = "" }) {
   const { box, fault, id } = frame(field, label, note);
   const tick = input("checkbox", id);
-  box.querySelector(".entry").append(tick);
+  partOf(box, ".entry", HTMLElement).append(tick);
   tick.addEventListener("change", () => app.setState({ [field]: tick.checked }));
   const control = { field, sync: (state) => (tick.checked = Boolean(state[field])), fault: faultSetter(fault, [tick]) };
   app.control(control);

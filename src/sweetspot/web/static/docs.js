@@ -1,8 +1,9 @@
 // The API's description as a page, made from the same OpenAPI document that programs read.
 
+import { partOf } from "./parts.js";
 import { posted } from "./post.js";
 
-const main = document.getElementById("api");
+const main = partOf(document, "#api", HTMLElement);
 
 function make(tag, words, properties = {}) {
   return Object.assign(document.createElement(tag), { textContent: words, ...properties });
@@ -68,7 +69,7 @@ function route(document, path, method, operation) {
 
 const response = await fetch("/api/v1/openapi.json");
 const found = await response.json();
-main.querySelector("#about").textContent = found.info.description;
+partOf(main, "#about", HTMLElement).textContent = found.info.description;
 for (const [path, methods] of Object.entries(found.paths)) {
   for (const [method, operation] of Object.entries(methods)) main.append(route(found, path, method, operation));
 }

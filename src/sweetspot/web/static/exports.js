@@ -2,6 +2,7 @@
 
 import { posted } from "./post.js";
 import { FONT, wrapped } from "./surface.js";
+import { partOf } from "./parts.js";
 import { SvgContext } from "./svgcontext.js";
 /** @import { App } from "./main.js" */
 
@@ -23,7 +24,7 @@ async function open(app) {
   dialog.innerHTML = "<h2>Take it with you</h2><div class=\"row files\"></div><div class=\"lines\"></div>" +
     "<form method=\"dialog\"><button>Close</button></form>";
   dialog.addEventListener("close", () => dialog.remove());
-  const files = dialog.querySelector(".files");
+  const files = partOf(dialog, ".files", HTMLElement);
   for (const [words, make] of choices(app)) {
     const button = Object.assign(document.createElement("button"), { type: "button", textContent: words });
     button.dataset.format = words.toLowerCase();
@@ -41,7 +42,7 @@ function choices(app) {
   if (app.view.figures?.().length) {
     found.push(["PNG", () => savePng(app)], ["SVG", () => save(app, "svg", "image/svg+xml", svgOf(app))]);
   }
-  if (app.view.table) found.push(["CSV", () => save(app, "csv", "text/csv", csvOf(app.view.table()))]);
+  if (app.view.table) found.push(["CSV", () => save(app, "csv", "text/csv", csvOf(app.view.table?.() ?? {}))]);
   found.push(["JSON", () => save(app, "json", "application/json", jsonOf(app))]);
   return found;
 }
@@ -106,7 +107,7 @@ function block(app, words, lines, key) {
 // by what and when below, so that a picture that travels alone still says what it is.
 /** @param {App} app */
 function onto(app, make) {
-  const figures = app.view.figures();
+  const figures = app.view.figures?.() ?? [];
   const width = Math.max(...figures.map((figure) => figure.width));
   const measure = document.createElement("canvas").getContext("2d");
   const rows = [
@@ -136,7 +137,7 @@ function onto(app, make) {
 }
 
 /** @param {App} app */
-const titleOf = (app) => document.getElementById("verdict")?.textContent || app.views.get(app.name).title;
+const titleOf = (app) => document.getElementById("verdict")?.textContent || app.entry(app.name).title;
 
 // The conditions of the answer, in words and in the reader's units.
 /** @param {App} app */
@@ -145,7 +146,7 @@ function conditionsOf(app) {
   const said = Object.entries(app.answer?.conditions ?? {}).filter(([name, value]) => known[name] && typeof value === "number")
     .map(([name, value]) => `${known[name]} ${app.text(name, value)}`);
   const changes = app.chip.made().map(([, words]) => words);
-  return [app.views.get(app.name).title, app.answer?.bat?.name, ...changes, ...said].filter(Boolean).join(" · ");
+  return [app.entry(app.name).title, app.answer?.bat?.name, ...changes, ...said].filter(Boolean).join(" · ");
 }
 
 /** @param {App} app */
@@ -165,7 +166,7 @@ function savePng(app) {
   onto(app, (width, height) => {
     Object.assign(canvas, { width: width * SHARP, height: height * SHARP });
     const context = canvas.getContext("2d");
-    context.scale(SHARP, SHARP);
+    context?.scale(SHARP, SHARP);
     return context;
   });
   canvas.toBlob((blob) => downloadBlob(`sweetspot-${app.name}.png`, blob));

@@ -39,7 +39,7 @@ function find(words, start, sign) {
 
 function term(word) {
   if (UNITS.includes(word)) return element("mtext", `\u2009${word}`);
-  const [, base, below, above] = /^(.+?)(?:_([^_^]+))?(?:\^([^_^]+))?$/.exec(word);
+  const [, base, below, above] = /^(.+?)(?:_([^_^]+))?(?:\^([^_^]+))?$/.exec(word) ?? ["", word];
   const parts = [base, below, above].filter((part) => part !== undefined).map(token);
   if (below !== undefined && above !== undefined) return element("msubsup", ...parts);
   if (below !== undefined) return element("msub", ...parts);

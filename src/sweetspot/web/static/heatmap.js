@@ -24,11 +24,15 @@ import { fromShown, kindOf, toShown, unitOf } from "./units.js";
 /** @import { Span, Zoom } from "./zoom.js" */
 
 const HEAD = 22, FOOT = 34;
+/** @param {number[]} values @returns {Span} */
+const ends = (values) => [values[0], values[values.length - 1]];
+
+/** @typedef {{ x: number[], y: number[], z: Values[], cross?: number[], outline?: number[][], range?: Span, heights?: Span }} Drawn */
 
 export class HeatMap {
   /**
    * @param {App} app
-   * @param {{ label: string, title: string, height: number, x: Axis, y: Axis, z: { kind: string }, zoom?: Zoom, lines?: boolean, onPick?: (x: number, y: number, on: { last: boolean }) => void }} look
+   * @param {{ label: string, title: string, height: number, x: Axis, y: Axis, z: { kind: string }, zoom?: Zoom | null, lines?: boolean, onPick?: ((x: number, y: number, on: { last: boolean }) => void) | null }} look
    */
   constructor(app, { label, title, height, x, y, z, zoom = null, lines = true, onPick = null }) {
     this.app = app;
@@ -39,7 +43,8 @@ export class HeatMap {
     this.z = z;
     this.zoom = zoom;
     this.lines = lines;
-    this.data = null;
+    /** @type {Drawn} */
+    this.data = /** @type {any} */ (null); // until it is first drawn
     this.axis = x;
     this.surface = new Surface(app, { label, height: () => HEAD + height + FOOT, paint: (context, width) => this.paint(context, width) });
     this.element = this.surface.element;
@@ -56,11 +61,11 @@ export class HeatMap {
   }
 
   clear() {
-    this.data = null;
+    this.data = /** @type {any} */ (null);
     this.surface.draw();
   }
 
-  /** @param {{ x: number[], y: number[], z: Values[], cross?: number[], outline?: number[][], range?: Span, heights?: Span }} data */
+  /** @param {Drawn} data */
   draw(data) {
     this.data = data;
     this.surface.draw();
@@ -87,8 +92,8 @@ export class HeatMap {
     };
   }
 
-  get range() { return this.zoom ? this.zoom.range : this.data.range ?? [this.data.x[0], this.data.x.at(-1)]; }
-  get height() { return this.data.heights ?? [this.data.y[0], this.data.y.at(-1)]; }
+  get range() { return this.zoom ? this.zoom.range : this.data.range ?? ends(this.data.x); }
+  get height() { return this.data.heights ?? ends(this.data.y); }
   xAt(pixel) {
     const [low, high] = this.range;
     return low + Math.min(1, Math.max(0, (pixel - LEFT) / (this.surface.width - LEFT - RIGHT))) * (high - low);
@@ -164,7 +169,7 @@ export class HeatMap {
   paintOutline(context) {
     Object.assign(context, { strokeStyle: this.app.colors.ink, lineWidth: 1.5 });
     context.beginPath();
-    for (const [x, y] of this.data.outline) context.lineTo(this.across(x), this.up(y));
+    for (const [x, y] of this.data.outline ?? []) context.lineTo(this.across(x), this.up(y));
     context.closePath();
     context.stroke();
   }

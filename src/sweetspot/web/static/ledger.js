@@ -36,7 +36,7 @@ class Areas extends Chart {
   // Where each name fits into its own area, as high as possible; names that fit nowhere stand in the list alone.
   placed(context, panel, box, across) {
     const { x, lines } = this.data;
-    const total = Math.max(...x.map((_, i) => panel.lines.reduce((sum, { key }) => sum + lines[key][i], 0)));
+    const total = Math.max(...x.map((_, i) => panel.lines.reduce((sum, { key }) => sum + (lines[key][i] ?? 0), 0)));
     const up = (joules) => ((box.bottom - box.top) * joules) / (1.06 * total);
     const at = x.map(across);
     context.font = `600 12px ${FONT}`;
@@ -47,12 +47,12 @@ class Areas extends Chart {
       let best = { room: 15 };
       for (let middle = box.left + half; middle < box.right - half; middle += 8) {
         const inside = x.map((_, i) => i).filter((i) => Math.abs(at[i] - middle) < half + 4);
-        const top = Math.min(...inside.map((i) => up(below[i] + lines[key][i])));
+        const top = Math.min(...inside.map((i) => up(below[i] + (lines[key][i] ?? 0))));
         const bottom = Math.max(...inside.map((i) => up(below[i])));
         if (top - bottom > best.room) best = { room: top - bottom, middle, y: box.bottom - (top + bottom) / 2 };
       }
       if (best.middle) found.push({ name, ...best });
-      lines[key].forEach((joules, i) => (below[i] += joules));
+      lines[key].forEach((joules, i) => (below[i] += joules ?? 0));
     }
     return found;
   }
@@ -103,7 +103,8 @@ export class Ledger {
     this.panel.lines.forEach(({ key }, i) => {
       const joules = moment <= 0 ? (key === "ball" ? incoming : 0) : film.value(film.energy[key], moment);
       const words = `${this.app.text("energy_j", joules)} · ${((100 * joules) / incoming).toFixed(0)} %`;
-      if (this.values[i].textContent !== words) this.values[i].textContent = words;
+      const value = this.values?.[i];
+      if (value && value.textContent !== words) value.textContent = words;
     });
   }
 

@@ -11,7 +11,7 @@ const SIGNS = { pass: ["✓", "kept"], fail: ["✗", "not kept"], doubt: ["?", "
 export class Lights {
   constructor(title) {
     this.list = make("ul", {});
-    this.element = make("div", { className: "lights", hidden: true }, make("h3", { textContent: title }), this.list);
+    this.element = make("div", { className: "lights", hidden: true }, make("h2", { textContent: title }), this.list);
   }
 
   show(lights) {

@@ -54,7 +54,7 @@ export class Listening {
   take(piece) {
     if (!this.on) return;
     const most = piece.reduce((best, one) => Math.max(best, Math.abs(one)), 0);
-    const rate = this.audio.sampleRate;
+    const rate = this.audio?.sampleRate ?? 48000;
     this.pieces.push(piece);
     this.onLevel(most);
     if (this.left > 0) {

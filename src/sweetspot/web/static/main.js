@@ -43,14 +43,14 @@ import { explain, listTerms } from "./terms.js";
 import { text } from "./units.js";
 /** @import { System } from "./units.js" */
 
-const facts = JSON.parse(document.getElementById("facts").textContent);
+const facts = JSON.parse(document.getElementById("facts")?.textContent ?? "{}");
 const LONGEST_ADDRESS = 16000;
 const LONG_TEXT = 2000; // letters of a field beyond which it does not go into an address that is too long
 const EMBED = "/embed/";
 const LISTS = ["bats", "balls", "materials", "leagues", "parks", "implements", "pitches"];
 const QUESTION = "answer";
 const MEANINGS = "meanings of words";
-const element = (id) => document.getElementById(id);
+const element = (id) => partOf(document, `#${id}`, HTMLElement);
 
 /**
  * What the server answers; its shape is that of the view (web/views) and is not written down a second time here.
@@ -78,17 +78,20 @@ const element = (id) => document.getElementById(id);
 
 export class App {
   /** @type {View} */
-  view;
+  view = /** @type {any} */ (null); // until the first one's files are there
   /** @type {State} */
-  state;
+  state = {};
   /** @type {State} */
-  defaults;
-  /** @type {string} */
-  name;
+  defaults = {};
+  name = "";
   /** @type {AbortSignal} */
-  signal;
+  signal = new AbortController().signal;
   /** @type {Colors} */
-  colors;
+  colors = {};
+  /** @type {Line} */
+  line = /** @type {any} */ (null); // it and the chip are there before the first view
+  /** @type {Chip} */
+  chip = /** @type {any} */ (null);
 
   constructor() {
     /** @type {Map<string, Entry>} */
@@ -115,8 +118,19 @@ export class App {
     this.version = facts.version;
   }
 
+  // What is known of a view; every name that the page uses is known.
+  /**
+   * @param {string} name
+   * @returns {Entry}
+   */
+  entry(name) {
+    const known = this.views.get(name);
+    if (known) return known;
+    throw new RangeError(`there is no view ${name}`);
+  }
+
   get schema() {
-    return this.views.get(this.name).schema;
+    return this.entry(this.name).schema;
   }
 
   /**
@@ -139,7 +153,7 @@ export class App {
   // A merge is a name: steps of the same one after the other, such as key presses on a slider, are undone together.
   /**
    * @param {State} partial
-   * @param {Step} step
+   * @param {Step} [step]
    */
   setState(partial, { commit = true, merge = null } = {}) {
     this.take({ ...this.state, ...partial });
@@ -164,6 +178,7 @@ export class App {
   }
 
   // Put the state into the address as a step that the back button, and Undo, take back.
+  /** @param {Step} [step] */
   commit({ merge = null } = {}) {
     this.dragged = false;
     const again = merge !== null && merge === this.merging;
@@ -302,7 +317,7 @@ export class App {
     this.turn += 1;
     const turn = this.turn;
     const name = location.pathname.split("/").at(-1) || "explorer";
-    const entry = this.views.get(name) ?? this.views.values().next().value;
+    const entry = this.views.get(name) ?? this.entry("explorer");
     if (entry.name !== this.name || !this.view) {
       let view;
       try {
@@ -351,7 +366,7 @@ export class App {
 
   // Where a view's link leads: its own controls as they were left, with the bat and the hit that go along.
   addressFor(name) {
-    const { schema } = this.views.get(name);
+    const { schema } = this.entry(name);
     const first = defaultsOf(schema);
     const along = Object.entries(this.carried).filter(([field]) => Object.hasOwn(schema, field));
     return addressOf(name, { ...first, ...this.left.get(name), ...Object.fromEntries(along) }, first, this.embedded);
@@ -396,10 +411,10 @@ export class App {
     for (const control of this.controls.values()) control.fault?.("");
     const homeless = faults.filter(({ field, message }) => {
       const control = this.controlOf(field);
-      control?.fault(message);
+      control?.fault?.(message);
       return !control;
     });
-    element("fault").querySelector("span").textContent = homeless.map(({ field, message }) => (field ? `${field}: ${message}` : message)).join("; ");
+    partOf(element("fault"), "span", HTMLElement).textContent = homeless.map(({ field, message }) => (field ? `${field}: ${message}` : message)).join("; ");
     element("fault").hidden = homeless.length === 0;
   }
 
@@ -442,7 +457,7 @@ export class App {
     this.chip = new Chip(this);
     element("chip").append(this.chip.element);
     element("terms").addEventListener("click", () => listTerms());
-    element("fault").querySelector("button").addEventListener("click", () => this.reset());
+    partOf(element("fault"), "button", HTMLElement).addEventListener("click", () => this.reset());
     this.line = new Line({
       onAnswer: (view, answer, state) => view === this.name && this.answers(answer, state),
       onFault: (view, fault, state) => view === this.name && this.faulted(fault, state),

@@ -44,13 +44,13 @@ export class Line {
   }
 
   flush() {
-    if (this.socket.readyState !== WebSocket.OPEN) return;
+    if (this.socket?.readyState !== WebSocket.OPEN) return;
     for (const [view, state] of this.next) {
       if (this.asked.has(view)) continue; // one question at a time; the latest waits
       this.next.delete(view);
       this.id += 1;
       this.asked.set(view, { id: this.id, state });
-      this.socket.send(JSON.stringify({ id: this.id, view, state }));
+      this.socket?.send(JSON.stringify({ id: this.id, view, state }));
       clearTimeout(this.slow);
       this.slow = setTimeout(() => this.handlers.onStatus("slow"), SLOW);
     }

@@ -23,7 +23,9 @@ export class Surface {
     this.tall = 0;
     this.ratio = 0;
     this.pressed = false;
-    this.context = this.element.getContext("2d");
+    this.context = /** @type {CanvasRenderingContext2D} */ (this.element.getContext("2d")); // which every browser has
+    /** @type {Map<number, number>} */
+    this.fingers = new Map(); // that touch it, by their number: where
     new ResizeObserver(() => this.fit() && this.draw()).observe(this.element);
     this.element.addEventListener("pointerdown", () => (this.pressed = true)); // from now on the wheel is the picture's
     this.element.addEventListener("pointerleave", () => (this.pressed = false));
@@ -70,10 +72,10 @@ export class Surface {
       return { x: event.clientX - box.left, y: event.clientY - box.top };
     };
     this.element.addEventListener("pointerdown", (event) => {
-      if (event.button !== 0 || this.fingers?.size > 1) return;
+      if (event.button !== 0 || this.fingers.size > 1) return;
       if (onMove({ ...place(event), first: true, last: false }) === false) return;
       this.element.setPointerCapture(event.pointerId);
-      const move = (moved) => !(this.fingers?.size > 1) && onMove({ ...place(moved), first: false, last: false });
+      const move = (moved) => !(this.fingers.size > 1) && onMove({ ...place(moved), first: false, last: false });
       const end = (ended) => {
         this.element.removeEventListener("pointermove", move);
         this.element.removeEventListener("pointerup", end);
@@ -98,7 +100,6 @@ export class Surface {
   // Call onPinch({x, factor}) while two fingers move apart (factor above 1) or together about x.
   /** @param {(at: { x: number, factor: number }) => void} onPinch */
   pinches(onPinch) {
-    this.fingers = new Map();
     const far = () => {
       const [one, other] = [...this.fingers.values()];
       return { x: (one + other) / 2, apart: Math.max(20, Math.abs(one - other)) };

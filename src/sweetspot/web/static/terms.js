@@ -2,9 +2,12 @@
 
 import { make } from "./parts.js";
 
+/** @type {Promise<Map<string, any>> | null} */
 let known = null; // promise of a map from a word, in small letters, to { words, source }
+/** @type {HTMLElement | null} */
 let tip = null; // one for the page: what the word that is pointed at means
 
+/** @returns {Promise<Map<string, any>>} */
 function meanings() {
   known ??= fetch("/api/v1/terms").then((response) => response.json()).then((terms) => (
     new Map(terms.flatMap((term) => term.names.map((name) => [name, term]))))).catch(() => {

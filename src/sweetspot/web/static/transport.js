@@ -93,6 +93,7 @@ export class Transport {
   play() {
     if (this.stop) return;
     if (this.moment >= this.to - 1e-9) this.moment = this.from;
+    /** @type {number | null} */
     let before = null;
     this.stop = this.app.onFrame((now) => {
       const passed = before === null ? 0 : Math.min(100, now - before);

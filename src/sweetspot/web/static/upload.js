@@ -33,7 +33,7 @@ export function whereTo(what) {
  */
 export function takeDrops(root, kind, signal, take) {
   root.addEventListener("drop", (event) => {
-    const files = [...event.dataTransfer.files].filter(({ name }) => kind.test(name));
+    const files = [...(event.dataTransfer?.files ?? [])].filter(({ name }) => kind.test(name));
     if (!files.length) return;
     event.preventDefault();
     event.stopPropagation();

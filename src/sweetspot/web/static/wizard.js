@@ -52,7 +52,7 @@ export function wizard(app) {
     try {
       const { toml } = await posted("/api/v1/describe", wanted);
       dialog.close();
-      const fields = unchanged({ schema: app.views.get("explorer").schema });
+      const fields = unchanged({ schema: app.entry("explorer").schema });
       if (Object.hasOwn(app.schema, "bat_toml")) app.setState({ ...fields, bat_toml: toml });
       else {
         Object.assign(app.carried, fields, { bat_toml: toml });

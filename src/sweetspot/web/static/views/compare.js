@@ -180,6 +180,7 @@ export const view = {
   },
 
   table() {
+    /** @type {Record<string, unknown[]>} */
     const columns = { label: [], position_m: [], exit_speed_m_s: [], collision_efficiency: [], bbcor: [] };
     for (const { label, scan } of this.app.answer.bats) {
       columns.label.push(...scan.position_m.map(() => label));

@@ -65,7 +65,7 @@ export class Slots {
   async read(input, one, index) {
     const file = input.files[0];
     if (!file) return;
-    const say = (message) => this.app.controls.get(`others.${index}.bat`).fault(message);
+    const say = (message) => this.app.controls.get(`others.${index}.bat`)?.fault?.(message);
     try {
       const text = await textOf(file);
       await checked(text);

@@ -108,7 +108,7 @@ export const view = {
       file.removeAttribute("aria-busy");
     };
     file.addEventListener("change", async () => {
-      const one = file.files[0];
+      const one = file.files?.[0];
       if (!one) return;
       const text = await one.text();
       file.value = "";
@@ -241,7 +241,7 @@ export const view = {
       const words = this.app.text({ speed: "speed_change", place: "length" }[sign ? scale : ""] ?? scale, value, scale === "contact" ? 2 : undefined);
       return sign && value > 0 && Number.parseFloat(words) !== 0 ? `+${words}` : words;
     };
-    this.beside.replaceChildren(tableOf("Beside the present bat", ["", "present", "this bat", "change"], measures.map(({ label, scale, present, value, change }) => (
+    this.beside.replaceChildren(tableOf("Beside the present bat", ["Measure", "present", "this bat", "change"], measures.map(({ label, scale, present, value, change }) => (
       [label, show(scale, present), show(scale, value), show(scale, change, true)]))));
   },
 

@@ -191,7 +191,7 @@ export class Front {
     box.querySelectorAll("tbody tr").forEach((row, i) => {
       const take = button("Take", () => this.onTake(this.found.front[i].numbers));
       take.setAttribute("aria-label", `Take bat ${i + 1}`);
-      row.lastElementChild.replaceChildren(take);
+      row.lastElementChild?.replaceChildren(take);
     });
     this.table.append(box);
   }

@@ -105,10 +105,10 @@ export const view = {
   fly() {
     if (this.stop) return this.rest();
     const { hang_time_s: hang } = this.answer.flight;
-    let begin = null;
+    let begin = NaN;
     this.play.textContent = "Stop";
     this.stop = this.app.onFrame((now) => {
-      begin ??= now;
+      if (Number.isNaN(begin)) begin = now;
       this.moment = (now - begin) / 1000;
       this.side.at(this.moment);
       this.field.at(this.moment);

@@ -157,11 +157,11 @@ export class FieldPicture {
     this.fences = null;
     this.winding = false;
     this.state = null;
-    /** @type {Point} */
+    /** @type {Point | null} */
     this.plate = null; // where home plate is painted
     this.scale = 1; // pixels per m
     /** @type {Point} */
-    this.vane = null; // where the wind's arrow is painted
+    this.vane = [0, 0]; // where the wind's arrow is painted
     this.surface = new Surface(app, { height: (width) => 0.98 * width, paint: (...all) => this.paint(...all) });
     this.element = this.surface.element;
     this.element.style.cursor = "grab";

@@ -42,7 +42,7 @@ export const view = {
     const picture = Object.assign(document.createElement("section"), { className: "picture" });
     picture.setAttribute("aria-label", "Motions of the bat");
     Object.assign(this.rowsBox, { tabIndex: 0 }).setAttribute("role", "region");
-    this.rowsBox.setAttribute("aria-label", "Motions of the bat");
+    this.rowsBox.setAttribute("aria-label", "List of the motions");
     this.aside = Object.assign(document.createElement("p"), { className: "note" });
     picture.append(this.words, this.stage.element, row, this.rowsBox, this.aside);
     root.append(this.controls(), picture);
@@ -109,9 +109,9 @@ export const view = {
   },
 
   play() {
-    let begin = null;
+    let begin = NaN;
     this.stop = this.app.onFrame((now) => {
-      begin ??= now;
+      if (Number.isNaN(begin)) begin = now;
       this.phase = Math.cos((2 * Math.PI * (now - begin)) / PERIOD);
       this.stage.draw();
     });
@@ -147,7 +147,7 @@ export const view = {
   },
 
   rows(rows) {
-    const held = Array.from(document.querySelectorAll("[name=motion]")).includes(document.activeElement);
+    const held = document.activeElement?.matches("[name=motion]") ?? false;
     const heads = ["Motion", "Frequency", "Damping", "Dies away in", "Share of the tap's energy", "Felt at the hands after 1 N s"];
     const table = Object.assign(document.createElement("table"), { className: "motions" });
     const caption = Object.assign(document.createElement("caption"), { className: "unseen", textContent: "Motions of the bat; choose one to see it" });

@@ -65,6 +65,7 @@ export const view = {
   figures() { return [this.map.figure("carry")]; },
   table() {
     const { map } = this.app.answer;
+    /** @type {Record<string, unknown[]>} */
     const columns = { exit_speed_m_s: [], launch_angle_rad: [], carry_m: [], chance: [] };
     map.launch_angle_rad.forEach((angle, row) => map.exit_speed_m_s.forEach((speed, column) => {
       columns.exit_speed_m_s.push(speed);

@@ -117,7 +117,7 @@ export const view = {
       const { name, counts } = rows[i];
       const act = button(counts ? "Leave out" : "Count it", () => app.setState({ left_out: counts ? [...left, name] : left.filter((one) => one !== name) }));
       act.setAttribute("aria-label", `${counts ? "Leave out" : "Count"}: ${name}`);
-      row.lastElementChild.replaceChildren(act);
+      row.lastElementChild?.replaceChildren(act);
     });
     this.residuals.replaceChildren(box);
   },

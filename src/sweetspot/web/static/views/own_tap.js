@@ -10,6 +10,7 @@ import { upload, whereTo } from "../upload.js";
 
 const LARGEST = 60e6; // bytes of a sound
 const PANELS = [{ title: "What rings, dB below the loudest", kind: "level_db", height: 150, empty: [-60, 0], lines: [{ key: "level", label: "the first good tap", color: "blue", width: 1.4 }] }];
+/** @type {{ recordings: string[], found: any }} */
 const kept = { recordings: [], found: null }; // as long as the page is open
 
 export class TapPlace {
@@ -29,7 +30,7 @@ export class TapPlace {
     this.level = make("meter", { min: 0, max: 1, high: 0.98, value: 0, ariaLabel: "Loudness" });
     this.file = make("input", { type: "file", id: "tap-file", accept: ".wav,.flac,.ogg,.mp3,.aiff,audio/*", multiple: true });
     this.file.addEventListener("change", () => {
-      this.add([...this.file.files]);
+      this.add([...(this.file.files ?? [])]);
       this.file.value = "";
     });
     this.clear = button("Forget the taps", () => this.forget());

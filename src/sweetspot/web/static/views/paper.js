@@ -68,7 +68,7 @@ export const view = {
   },
 
   update(answer, state) {
-    const step = STEPS.find(({ key }) => key === answer.question);
+    const step = STEPS.find(({ key }) => key === answer.question) ?? STEPS[0];
     this.bench.update(answer);
     if (this.shown !== step.key) this.show(step);
     this.formulas.replaceChildren(

@@ -57,7 +57,7 @@ export const view = {
     const text = await file.text();
     input.value = "";
     if (text.length > LONGEST) {
-      this.app.controlOf("swings_csv").fault(`${file.name} has ${text.length} letters; at most ${LONGEST}, about a thousand rows. The command fit-player takes more.`);
+      this.app.controlOf("swings_csv")?.fault?.(`${file.name} has ${text.length} letters; at most ${LONGEST}, about a thousand rows. The command fit-player takes more.`);
       return;
     }
     this.app.setState({ swings_csv: text });

@@ -44,6 +44,7 @@ export class BarrelMap {
   }
 
   most() {
+    if (!this.found) return "nowhere";
     const { fromTip, above, balls } = this.found;
     const most = Math.max(...balls.flat());
     const row = balls.findIndex((one) => one.includes(most));

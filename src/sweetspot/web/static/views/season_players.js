@@ -96,7 +96,7 @@ export class Players {
     const box = tableOf("Players", ["player", ...known.map(([, words]) => words)], shown.map((one) => (
       [one.name, ...known.map(([name, , scale]) => app.text(scale, one[name], digits[name]))])));
     box.querySelectorAll("tbody tr").forEach((row, i) => {
-      row.firstElementChild.replaceChildren(button(shown[i].name, () => app.setState({ batter: shown[i].batter })));
+      row.firstElementChild?.replaceChildren(button(shown[i].name, () => app.setState({ batter: shown[i].batter })));
     });
     this.place.replaceChildren(box);
   }

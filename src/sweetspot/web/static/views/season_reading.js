@@ -2,7 +2,7 @@
 
 import { button } from "../controls.js";
 import { longWork } from "../longwork.js";
-import { make } from "../parts.js";
+import { make, partOf } from "../parts.js";
 import { takeDrops, upload, whereTo } from "../upload.js";
 /** @import { App } from "../main.js" */
 
@@ -19,7 +19,7 @@ export class Reading {
     this.work = longWork("season/read");
     this.file = make("input", { type: "file", id: "season-files", multiple: true, accept: ".csv,.tsv,.txt,.gz,.parquet,text/csv" });
     this.file.addEventListener("change", () => {
-      const files = [...this.file.files];
+      const files = [...(this.file.files ?? [])];
       this.file.value = "";
       this.hand(files);
     });
@@ -36,7 +36,7 @@ export class Reading {
       make("p", { className: "note", textContent: whereTo("A table") }));
     this.element = make("div", {}, make("div", { className: "row" }, ...this.first, this.again, this.halt, this.on, this.bar), this.words, this.fault);
     for (const field of ["season", "uploads"]) app.control({ field, sync: () => {}, fault: (message) => this.say(message) });
-    takeDrops(document.getElementById("view"), TABLES, app.signal, (tables) => this.hand(tables));
+    takeDrops(partOf(document, "#view", HTMLElement), TABLES, app.signal, (tables) => this.hand(tables));
     app.signal.addEventListener("abort", () => this.going?.abort());
     this.work.watch(app.signal, () => this.update());
   }
