@@ -17,7 +17,7 @@
 // are shown in the chosen system. color names a colour of the theme. Missing values are null. The margins LEFT and RIGHT
 // are the same for every chart and for the bat above it.
 
-import { between, limits, paintArea, paintAxis, paintGrid, paintLine, paintPoints, shownPlace, shownValues, stack, vertical } from "./chartpaint.js";
+import { between, limits, paintArea, paintAxis, paintGrid, paintLine, paintPoints, paintPublished, shownPlace, shownValues, stack, vertical } from "./chartpaint.js";
 import { Numbers } from "./numbers.js";
 import { make } from "./parts.js";
 import { Surface, FONT, haloText } from "./surface.js";
@@ -36,6 +36,7 @@ const ROWS = 24; // of the table
 /** @typedef {{ title: string, kind: string, height: number, lines: Curve[], zero?: boolean, stacked?: boolean, empty?: number[], term?: string }} Panel */
 /** @typedef {{ kind: string, label: string, from?: () => number }} Axis */
 /** @typedef {{ at: number, color: string, label?: string }} Mark */
+/** @typedef {{ from: number, to: number, low?: number, high?: number, label: string }} Published a stretch of the axis, or values around one place */
 /** @typedef {{ x: number, y: number | null, low?: number | null, high?: number | null, label?: string }} Measured */
 /**
  * What a chart shows; xs are places of curves that have their own.
@@ -49,6 +50,7 @@ const ROWS = 24; // of the table
  * @property {{ from: number, to: number }[]} [bands]
  * @property {Mark[]} [marks]
  * @property {Record<string, Measured[]>} [points]
+ * @property {Record<string, Published[]>} [published]  beside which curve, by its key
  * @property {number | null} [cursor]
  */
 
@@ -125,7 +127,9 @@ export class Chart {
     const bands = panel.lines.map(({ band }) => band?.map((key) => shownValues(panel, data.lines[key], units)));
     const points = panel.lines.map(({ key }) => (data.points?.[key] ?? []).map((one) => ({
       ...one, ...Object.fromEntries(["y", "low", "high"].map((name) => [name, shownValues(panel, [one[name] ?? null], units)[0]])) })));
-    const [low, high] = limits({ xs, shown, bands, points, range: this.range }, panel);
+    const published = panel.lines.map(({ key }) => (data.published?.[key] ?? []).map((one) => this.publishedIn(panel, one)));
+    const wide = published.map((marks, i) => [...points[i], ...marks.map(({ from: x, low, high }) => ({ x, low, high }))]);
+    const [low, high] = limits({ xs, shown, bands, points: wide, range: this.range }, panel);
     const up = (value) => box.bottom - ((value - low) / (high - low || 1)) * (box.bottom - box.top);
     context.save();
     context.beginPath();
@@ -146,11 +150,18 @@ export class Chart {
       if (bands[i]) paintArea(context, xs[i], bands[i][1], bands[i][0], across, up, colors[line.color], 0.2);
       paintLine(context, line, xs[i], shown[i], { across, up, colors, area: panel.stacked ? { below: i > 0 ? shown[i - 1] : null, low } : null });
       paintPoints(context, points[i], across, up, colors[line.color], colors.panel);
+      paintPublished(context, published[i], { box, across, up, colors, hover: this.hover, width: this.surface.width });
     });
     this.paintCursors(context, panel, { xs, shown, box, across, up });
     context.restore();
     if (panel === this.panels[0]) this.paintMarkNames(context, box, across);
     this.paintTitle(context, panel, box, { xs, bare });
+  }
+
+  // A published number in the reader's units; values stand where they were given a place.
+  publishedIn(panel, one) {
+    const [low, high] = shownValues(panel, [one.low ?? null, one.high ?? null], this.app.units);
+    return { ...one, low, high };
   }
 
   // In the first panel, each name a row lower than the one before.

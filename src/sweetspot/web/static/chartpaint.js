@@ -1,6 +1,6 @@
 // What charts are painted with: grids, lines, areas, points and axes; and their numbers in the reader's units.
 
-import { FONT, ticks } from "./surface.js";
+import { FONT, haloText, ticks } from "./surface.js";
 import { kindOf, toShown, unitOf } from "./units.js";
 /** @import { Axis } from "./chart.js" */
 /** @import { System } from "./units.js" */
@@ -118,6 +118,48 @@ export function paintPoints(context, points, across, up, color, ground) {
     context.fill();
     context.stroke();
   }
+}
+
+const NEAR = 7; // pixels from a published mark at which the pointer is on it
+
+// Published numbers: a stretch as a bar with ends at the panel's foot, values as one across the curve, each with a
+// diamond; the one at the pointer says what it is.
+export function paintPublished(context, marks, { box, across, up, colors, hover, width }) {
+  let foot = box.bottom - 6;
+  /** @type {{ label: string, x: number, y: number, reach: number } | null} */
+  let told = null;
+  for (const mark of marks) {
+    const upright = typeof mark.low === "number";
+    const [x, y] = [(across(mark.from) + across(mark.to)) / 2, upright ? (up(mark.low) + up(mark.high)) / 2 : foot];
+    const half = upright ? Math.abs(up(mark.high) - up(mark.low)) / 2 : (across(mark.to) - across(mark.from)) / 2;
+    Object.assign(context, { strokeStyle: colors.ink, fillStyle: colors.panel, lineWidth: 1.4 });
+    context.beginPath();
+    for (const [dx, dy, cap] of upright ? [[0, 1, 0]] : [[1, 0, 1]]) {
+      context.moveTo(x - dx * half, y - dy * half);
+      context.lineTo(x + dx * half, y + dy * half);
+      for (const side of [-1, 1]) {
+        context.moveTo(x + side * dx * half - (cap ? 0 : 4), y + side * dy * half - (cap ? 4 : 0));
+        context.lineTo(x + side * dx * half + (cap ? 0 : 4), y + side * dy * half + (cap ? 4 : 0));
+      }
+    }
+    context.stroke();
+    context.beginPath();
+    context.moveTo(x - 5, y);
+    context.lineTo(x, y - 5);
+    context.lineTo(x + 5, y);
+    context.lineTo(x, y + 5);
+    context.closePath();
+    context.fill();
+    context.stroke();
+    const reach = upright ? NEAR : Math.max(NEAR, half + NEAR);
+    if (hover !== null && Math.abs(across(hover) - x) <= reach && (!told || reach < told.reach)) told = { label: mark.label, x, y: upright ? box.top + 10 : y - 14, reach };
+    if (!upright) foot -= 12;
+  }
+  if (!told) return;
+  Object.assign(context, { font: `11px ${FONT}`, textBaseline: "middle" });
+  const room = Math.min(context.measureText(told.label).width, box.right - box.left);
+  context.textAlign = "left";
+  haloText(context, told.label, Math.max(box.left + 2, Math.min(told.x - room / 2, Math.min(box.right, width) - room - 2)), told.y, colors.ink, colors.panel);
 }
 
 export function paintAxis(context, { app: { colors, units }, axis, range }, across, top) {

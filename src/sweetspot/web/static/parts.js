@@ -131,7 +131,7 @@ function decimalsFor(kind, value, app) {
  */
 export function scoped(app, list, index, bounds) {
   const { schema } = app;
-  const defaults = Object.fromEntries(app.entry(app.name).bat.map((field) => [field, schema[field].default ?? null]));
+  const defaults = Object.fromEntries((app.views.get(app.name)?.bat ?? []).map((field) => [field, schema[field].default ?? null]));
   return {
     schema,
     bounds,

@@ -21,6 +21,7 @@ from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH
 from sweetspot.web.drawings import ball_picture, bat_picture
 from sweetspot.web.errors import FieldError
+from sweetspot.web.publications import published
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, swing_options
 from sweetspot.web.states import HitState
 from sweetspot.web.view import View
@@ -59,6 +60,7 @@ def answer(state: ExplorerState) -> dict[str, Any]:
         "best_exit_speed_m_s": float(fastest),
         "lost_m_s": lost,
         "ball": ball_picture(state, conditions.ball),
+        "published": published(state),
         "conditions": conditions_json(conditions),
     }
 

@@ -74,12 +74,14 @@ export const view = {
     this.report = make("details", { className: "report", open: false }, make("summary", { textContent: "What the report says of this bat and swing" }));
     this.told = make("div", { className: "words" });
     this.report.append(this.told);
+    this.knownList = make("ul");
+    this.known = make("details", { className: "report" }, make("summary", { textContent: "What was published of this bat (diamonds on the curves)" }), this.knownList);
     const barrel = button("Barrel", () => this.zoom.back());
     const whole = button("Whole bat", () => this.zoom.all());
     this.heatSwitch = button("Colours off", () => this.switchHeat());
     const tools = make("div", { className: "row tight" }, barrel, whole, this.zoom.buttons(), this.heatSwitch);
     const picture = make("section", { className: "picture", ariaLabel: "Bat and curves" },
-      tools, this.picture.element, this.facts.element, this.why, this.power.element, this.power.numbers.element, this.chart.element, this.report);
+      tools, this.picture.element, this.facts.element, this.why, this.power.element, this.power.numbers.element, this.chart.element, this.known, this.report);
     root.append(this.words, side, picture);
     this.handle();
   },
@@ -158,9 +160,24 @@ export const view = {
       x: scan.position_m, lines: { ...scan, ...answer.energy_shares }, range: [0, bat.length_m], cursor: hit.position_m,
       bands: zone ? [{ from: zone[0], to: zone[1] }] : [],
       marks: [{ at: spots.max_exit_speed_m, color: "red" }],
+      published: this.published(answer),
       points: state.offset_in === 0 && this.costs ? { exit_speed_m_s: this.costs.map(({ position_m: x, low_m_s: low, high_m_s: high }) => ({ x, low, high })) } : {},
     });
     if (this.map) this.power.draw({ x: this.map.position_m, y: this.map.offset_m, z: this.map.exit_speed_m_s, cross: [hit.position_m, state.offset_in * INCH] });
+  },
+
+  // What others have published of this very bat, where it lies on the curves, and in a list with its source.
+  published({ published: known, bat, sweet_spots: spots }) {
+    const show = (places) => [...new Set(places.map((place) => this.app.text("from_m", place, 1)))].join(" to ");
+    const told = known.map(({ words, by, source, places_m: places, values, curve }) => ({ curve, source,
+      words: `${by}: ${words}: ${places ? `${show(places)} from the tip` : values.map((value) => value.toFixed(3)).join(" to ")}`,
+      from: places ? bat.length_m - places[1] : spots.max_collision_efficiency_m, to: places ? bat.length_m - places[0] : spots.max_collision_efficiency_m,
+      low: values?.[0], high: values?.[1] }));
+    this.known.hidden = told.length === 0;
+    this.knownList.replaceChildren(...told.map(({ words, source }) => make("li", {}, `${words} `, make("small", { textContent: source }))));
+    const marks = {};
+    for (const { curve, words, ...place } of told) (marks[curve] ??= []).push({ ...place, label: words });
+    return marks;
   },
 
   say({ bat, sweet_spots: spots, hit, best_exit_speed_m_s: best, why, energy_shares: shares, scan }) {

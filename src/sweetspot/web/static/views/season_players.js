@@ -98,6 +98,8 @@ export class Players {
     box.querySelectorAll("tbody tr").forEach((row, i) => {
       row.firstElementChild?.replaceChildren(button(shown[i].name, () => app.setState({ batter: shown[i].batter })));
     });
+    const held = this.place.contains(document.activeElement) ? document.activeElement?.textContent : null;
     this.place.replaceChildren(box);
+    if (held) [...box.querySelectorAll("button")].find((one) => one.textContent === held)?.focus(); // a redraw takes no focus away
   }
 }

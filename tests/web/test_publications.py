@@ -1,0 +1,37 @@
+"""What was published of a bat stands beside its curves with its source, as long as nothing of the bat was changed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from sweetspot.units import INCH
+from sweetspot.web.publications import published
+from sweetspot.web.states import BatState
+
+
+def test_places_and_values_come_with_their_source() -> None:
+    known = {(one["by"], one["curve"]): one for one in published(BatState(bat="r161-ash"))}
+    assert known[("Cross 1998", "sting_m_s")]["places_m"] == pytest.approx([6.5 * INCH] * 2)
+    best = known[("Nathan 2003", "exit_speed_m_s")]
+    assert best["places_m"] == pytest.approx([4 * INCH, 6 * INCH]) and "American Journal of Physics" in best["source"]
+    assert known[("Nathan 2011", "collision_efficiency")]["values"] == pytest.approx([0.188, 0.240])
+
+
+def test_a_changed_bat_is_not_the_one_that_was_measured() -> None:
+    assert published(BatState(bat="r161-ash", bore_diameter_in=1.0)) == []
+    assert published(BatState(bat="composite")) == []
+
+
+def test_the_page_lists_what_its_diamonds_are(page: Page, server: str, answered: Callable[..., int]) -> None:
+    page.goto(f"{server}/explorer")
+    count = answered(page)
+    page.locator("summary", has_text="What was published of this bat").click()
+    expect(page.get_by_text("Cross 1998: barrel node of mode 1: 6.5 in from the tip")).to_be_visible()
+    page.get_by_role("radio", name="SI").check()
+    expect(page.get_by_text("Cross 1998: barrel node of mode 1: 16.5 cm from the tip")).to_be_visible()
+    page.locator("[data-field=bat] select").select_option("composite")
+    answered(page, count)
+    expect(page.locator("summary", has_text="What was published of this bat")).to_be_hidden()
