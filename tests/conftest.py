@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import shutil
+import sys
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +13,7 @@ import pytest
 from hypothesis import settings
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the command line does; before anything loads the library
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # what one program has compiled the next that a test starts need not
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse
@@ -24,6 +26,7 @@ from sweetspot.equipment.material import Material
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
 
+sys.dont_write_bytecode = False  # nor the next run
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 FLAGS = ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"]
 

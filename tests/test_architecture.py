@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -57,8 +58,15 @@ HOMES = {
 """Third parties and the places that may import them."""
 
 
-def files() -> list[Path]:
-    return sorted(path for path in ROOT.rglob("*.py") if path != ROOT / "__init__.py")  # the front door may name all
+@cache
+def sources() -> dict[Path, str]:
+    """Return the text of every file of the package; the front door, which may name all, is not among them."""
+    return {
+        path: path.read_text(encoding="utf-8") for path in sorted(ROOT.rglob("*.py")) if path != ROOT / "__init__.py"
+    }
+
+
+parsed = cache(ast.parse)
 
 
 def dotted(path: Path) -> tuple[str, ...]:
@@ -70,7 +78,7 @@ def dotted(path: Path) -> tuple[str, ...]:
 def imports(source: str, folder: tuple[str, ...] = ()) -> Iterator[tuple[str, ...]]:
     """Yield every import of a source text as full dotted parts, names included; those for type checkers too."""
     home = [ROOT.name, *folder]
-    for node in ast.walk(ast.parse(source)):
+    for node in ast.walk(parsed(source)):
         if isinstance(node, ast.Import):
             yield from (tuple(alias.name.split(".")) for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
@@ -88,21 +96,21 @@ def wrong_imports(source: str, here: str, folder: tuple[str, ...] = ()) -> list[
 
 def test_imports_point_down() -> None:
     wrong = []
-    for path in files():
+    for path, source in sources().items():
         place = path.relative_to(ROOT)
         here = place.with_suffix("").parts[0]
-        faults = wrong_imports(path.read_text(encoding="utf-8"), here, place.parent.parts)
+        faults = wrong_imports(source, here, place.parent.parts)
         wrong += [f"{place} imports {there}" for there in faults]
     assert not wrong, "\n".join(wrong)
 
 
 def arrows() -> dict[tuple[str, ...], set[tuple[str, ...]]]:
     """Return for every module the modules of the package that it imports, `TYPE_CHECKING` included."""
-    modules = {dotted(path): path for path in files()}
+    modules = {dotted(path): path for path in sources()}
     graph: dict[tuple[str, ...], set[tuple[str, ...]]] = {}
     for module, path in modules.items():
         targets = set()
-        for target in imports(path.read_text(encoding="utf-8"), path.relative_to(ROOT).parent.parts):
+        for target in imports(sources()[path], path.relative_to(ROOT).parent.parts):
             name = target[1:] if target[0] == ROOT.name else ()
             while name and name not in modules:
                 name = name[:-1]
@@ -134,14 +142,15 @@ def cycles(graph: dict[tuple[str, ...], set[tuple[str, ...]]]) -> list[str]:
 
 
 def test_there_is_no_cycle() -> None:
-    assert not cycles(arrows()), "\n".join(cycles(arrows()))
+    rings = cycles(arrows())
+    assert not rings, "\n".join(rings)
 
 
 def test_third_parties_live_where_they_should() -> None:
     wrong = []
-    for path in files():
+    for path, source in sources().items():
         place = path.relative_to(ROOT).as_posix()
-        names = {target[0] for target in imports(path.read_text(encoding="utf-8")) if target}
+        names = {target[0] for target in imports(source) if target}
         wrong += [f"{place} imports {name}" for name in names & HOMES.keys() if not place.startswith(HOMES[name])]
     assert not wrong, "\n".join(wrong)
 
@@ -152,8 +161,8 @@ SLOW_TO_LOAD = {"scipy"}
 
 def test_no_module_loads_what_is_slow_to_load() -> None:
     wrong = []
-    for path in files():
-        for node in ast.parse(path.read_text(encoding="utf-8")).body:
+    for path, source in sources().items():
+        for node in parsed(source).body:
             if isinstance(node, ast.Import):
                 names = {alias.name for alias in node.names}
             elif isinstance(node, ast.ImportFrom):
@@ -167,10 +176,8 @@ def test_no_module_loads_what_is_slow_to_load() -> None:
 def test_no_module_is_named_like_its_function() -> None:
     """`from sweetspot.analysis import play` must never be a question of which one."""
     wrong = []
-    for path in files():
-        names = {
-            node.name for node in ast.parse(path.read_text(encoding="utf-8")).body if isinstance(node, ast.FunctionDef)
-        }
+    for path, source in sources().items():
+        names = {node.name for node in parsed(source).body if isinstance(node, ast.FunctionDef)}
         if path.stem in names:
             wrong.append(path.relative_to(ROOT).as_posix())
     assert not wrong, "\n".join(wrong)
@@ -200,7 +207,7 @@ def parameters(function: ast.FunctionDef) -> int:
 def long_trains(source: str) -> list[str]:
     """Return the public functions of a source text that take more than `MOST_PARAMETERS`; kernels may."""
     trains = []
-    for function in public_functions(ast.parse(source)):
+    for function in public_functions(parsed(source)):
         marks = {ast.unparse(mark).split("(")[0] for mark in function.decorator_list}
         if not marks & KERNELS and parameters(function) > MOST_PARAMETERS:
             trains.append(f"{function.name} takes {parameters(function)}")
@@ -210,9 +217,7 @@ def long_trains(source: str) -> list[str]:
 def test_nothing_public_takes_a_train_of_arguments() -> None:
     """Values (`Contact`, `FlightConditions`, ...) take their place."""
     wrong = [
-        f"{path.relative_to(ROOT)}: {train}"
-        for path in files()
-        for train in long_trains(path.read_text(encoding="utf-8"))
+        f"{path.relative_to(ROOT)}: {train}" for path, source in sources().items() for train in long_trains(source)
     ]
     assert not wrong, "\n".join(wrong)
 
@@ -229,7 +234,7 @@ def test_the_house_has_few_rooms() -> None:
     names = {path.name for path in ROOT.iterdir() if not path.name.startswith((".", "__pycache__"))}
     doors = {"py.typed", "references.bib", "__init__.py", "__init__.pyi", "__main__.py"}
     assert len(names - doors) <= 20, sorted(names)  # the layers above, nothing else
-    assert {dotted(path)[0] for path in files()} <= set(RANK)
+    assert {dotted(path)[0] for path in sources()} <= set(RANK)
 
 
 @pytest.mark.parametrize(

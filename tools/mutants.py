@@ -92,8 +92,7 @@ def _found(text: str, old: str, start: int, end: int) -> Iterator[int]:
 def _code_spans(name: str, package: Path) -> Iterator[tuple[Path, str, int, int]]:
     """Yield (file, text, start, end) of every definition of a name; of a function, without its docstring."""
     outer, _, inner = name.partition(".")
-    for path in sorted(package.rglob("*.py")):
-        text = path.read_text("utf-8")
+    for path, text in _texts(package):
         if outer not in text:
             continue
         starts = [0, *(match.end() for match in re.finditer("\n", text))]
@@ -102,6 +101,11 @@ def _code_spans(name: str, package: Path) -> Iterator[tuple[Path, str, int, int]
                 body = getattr(one, "body", None)
                 first = body[0] if body and ast.get_docstring(one) is None else body[1] if body else one  # type: ignore[arg-type]
                 yield path, text, starts[first.lineno - 1], starts[min(one.end_lineno or 0, len(starts) - 1)]
+
+
+@lru_cache(maxsize=1)
+def _texts(package: Path) -> list[tuple[Path, str]]:
+    return [(path, path.read_text("utf-8")) for path in sorted(package.rglob("*.py"))]
 
 
 @lru_cache(maxsize=512)

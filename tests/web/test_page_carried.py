@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from itertools import pairwise
 from pathlib import Path
 from urllib.parse import quote
 
@@ -43,24 +44,44 @@ def test_carried_fields_mean_the_same_in_every_view() -> None:
         assert known and all(one == known[0] for one in known), field
 
 
+def round_of(start: str) -> list[str]:
+    """Return all views from one on: the rounds of all views together go every way from one to another once.
+
+    For an even number n of views, in a circle: one on, two back, three on, four back (a Williams square).
+    """
+    names = list(VIEWS)
+    first, count = names.index(start), len(names)
+    steps = [(step + 1) // 2 * (1 if step % 2 else -1) for step in range(count)]
+    return [names[(first + step) % count] for step in steps]
+
+
+def test_the_rounds_go_every_way_once() -> None:
+    ways = [way for start in STARTS for way in pairwise(round_of(start))]
+    assert len(ways) == len({*ways}) == len(VIEWS) * (len(VIEWS) - 1)
+    assert all({*round_of(start)} == {*VIEWS} and round_of(start)[0] == start for start in STARTS)
+
+
 @pytest.mark.parametrize("start", STARTS)
 def test_no_way_to_another_view_ends_blank(page: Page, server: str, answered: Answered, start: str) -> None:
-    page.goto(f"{server}/{start}?{STARTS[start]}")
-    answered(page)
-    name = page.locator("#bench-chip").get_attribute("aria-label")
-    for other in VIEWS:
-        if other == start:
-            continue
-        page.get_by_role("link", name=VIEWS[other].title, exact=True).click()
-        expect(page.locator("#view")).to_have_attribute("data-view", other)
+    """Each view's own address is carried through all the others, and is there again when one goes back."""
+
+    def check(view: str) -> None:
+        expect(page.locator("#view")).to_have_attribute("data-view", view)
         answered(page)
         expect(page.locator("#fault")).to_be_hidden()
         expect(page.locator("#bench-chip")).to_have_attribute("aria-label", name or "")
+
+    page.goto(f"{server}/{start}?{STARTS[start]}")
+    answered(page)
+    name = page.locator("#bench-chip").get_attribute("aria-label")
+    for other in (others := round_of(start)[1:]):
+        page.get_by_role("link", name=VIEWS[other].title, exact=True).click()
+        check(other)
         assert page.evaluate("scrollY") == 0
-        page.go_back()
-        expect(page.locator("#view")).to_have_attribute("data-view", start)
-        answered(page)
-        expect(page.locator("#fault")).to_be_hidden()
+    page.go_back()
+    check(others[-2])
+    page.evaluate(f"history.go({1 - len(others)})")
+    check(start)
 
 
 def test_a_wrong_address_shows_the_first_picture_and_each_fault_beside_its_control(
