@@ -13,13 +13,13 @@ import numpy as np
 from sweetspot.equipment.ball import Ball
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import Air
+from sweetspot.flight.carry_scatter import MORE_DRAG, SPIN_SCATTER, LaunchErrors, braked, carry_errors, usual_launch
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.home_runs import USUAL, home_run_chances
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.numerics.arrays import Array
 from sweetspot.season.balls import Balls
-from sweetspot.season.carry_scatter import MORE_DRAG, SPIN_SCATTER, braked, carry_errors, usual_launch
 from sweetspot.season.fields import Fields, thirty_parks
 from sweetspot.season.launch_bend import first_directions
 from sweetspot.season.swings import USUAL_ERRORS, Errors
@@ -104,8 +104,9 @@ def flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, *, tempera
         per_drag[flying] = (again.carry - flown.carry[flying]) / np.log1p(MORE_DRAG)
     per_drag = np.where(flown.landed & ~flying, 0.0, per_drag)
     shift, spread = np.array([*(USUAL.of(park) for park in fields.parks), (0.0, USUAL.open)]).T[:, fields.index]
+    errors = LaunchErrors(setting.errors.exit_speed, setting.errors.launch_angle)
     doubt = carry_errors(
-        setting.ball, setting.aerodynamics, setting.air, errors=setting.errors, spin_scatter=setting.spin_scatter
+        setting.ball, setting.aerodynamics, setting.air, errors=errors, spin_scatter=setting.spin_scatter
     )  # fmt: skip
     carry_spread = doubt.spread(balls.exit_speed, balls.launch_angle, per_drag=per_drag, scatter=spread)
     here, everywhere, count = _chances(balls, solved, fields, setting, away & known)

@@ -194,7 +194,9 @@ def _column(heading: str, name: str, system: str, file_name: str) -> TableColumn
             unit = name.removeprefix(alias).strip("_") if name.startswith(f"{alias}_") else ""
             if name != alias and (not unit or unit not in KNOWN_UNITS):
                 continue
-            if name == alias and quantity not in ESSENTIAL and entry["kind"] not in ("text", "count"):
+            if name == alias and entry["kind"] == "time":
+                unit = "s"  # nobody gives it in anything else
+            elif name == alias and quantity not in ESSENTIAL and entry["kind"] not in ("text", "count"):
                 return None  # an extra measurement without a unit is left alone
             return _made(quantity, heading, entry["kind"], unit, file_name)
     return None

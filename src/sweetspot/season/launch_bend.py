@@ -9,11 +9,11 @@ import numpy as np
 from sweetspot.equipment.ball import Ball
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import Air
+from sweetspot.flight.carry_scatter import ANGLES, SPEEDS, usual_launch
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import flights
 from sweetspot.numerics.arrays import Array
 from sweetspot.season.balls import Balls
-from sweetspot.season.carry_scatter import ANGLES, SPEEDS, usual_launch
 from sweetspot.units import DEGREE
 
 SPRAYS: Array = np.arange(-110.0, 111.0, 5.0) * DEGREE

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sweetspot.equipment.ball import Ball
+from sweetspot.flight.carry_scatter import TRACKED
 from sweetspot.motion.swing_path import path_axes, steep_enough
 from sweetspot.numerics.arrays import Array
 from sweetspot.season.balls import Balls
@@ -43,9 +44,9 @@ class Errors:
     axial_offset : m, where it was measured.
     """
 
-    exit_speed: float = 1.0 * MPH
+    exit_speed: float = TRACKED.exit_speed
     bat_speed: float = 1.0 * MPH
-    launch_angle: float = 1.0 * DEGREE
+    launch_angle: float = TRACKED.launch_angle
     attack_angle: float = 3.0 * DEGREE
     axial_offset: float = 0.0127
 

@@ -14,6 +14,7 @@ from sweetspot.flight.all_parks import landings_everywhere
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence import Landing, landing
 from sweetspot.flight.hit_alike import carry_spread
+from sweetspot.flight.home_runs import USUAL as SCATTER
 from sweetspot.flight.home_runs import home_run_chances
 from sweetspot.flight.park import Park
 from sweetspot.flight.sweep import BattedBall, directed
@@ -86,7 +87,13 @@ def batted_flight(
     conditions = replace(outdoors, aerodynamics=law)
     flight = fly(hit.motion, conditions)
     landed = flight.outcome is FlightOutcome.LANDED and sport.key == "baseball"
-    flown = BattedFlight(hit, flight, ball, sport, spread=carry_spread(hit.motion, conditions) if landed else 0.0)
+    spread = 0.0
+    if landed:
+        measured = hit.backspin is not None  # then it is no other than it is
+        drag = SCATTER.open if park is None else SCATTER.of(park)[1]
+        known = {"spin_scatter": 0.0} if measured else {}
+        spread = carry_spread(hit.motion, conditions, drag_scatter=drag, **known)
+    flown = BattedFlight(hit, flight, ball, sport, spread=spread)
     if park is None or flight.outcome is not FlightOutcome.LANDED:
         return flown
     motion, parks = hit.motion, catalog.parks()
@@ -168,7 +175,8 @@ def _words(flown: BattedFlight) -> Sentence:
     if flown.spread:
         sentences.append(
             say(
-                "Balls, spin and weather differ: two in three hit like it come down within {spread} of that.",
+                "{what} differ: two in three hit like it come down within {spread} of that.",
+                what="Balls, spin and weather" if flown.hit.backspin is None else "Balls and weather",
                 spread=Slot(flown.spread, "distance", digits=0),
             )
         )

@@ -1,0 +1,169 @@
+"""How surely a carry is known: drag and spin that single balls scatter in, and the errors of what was measured.
+
+What a carry does when exit speed, launch angle or backspin are a little more is tabled once in some air, with the
+flight kernel; what it does with more drag is known ball by ball. All four are independent. `hit_alike` says the same of
+one flight.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sweetspot.equipment.ball import Ball
+from sweetspot.flight.aerodynamics import Aerodynamics
+from sweetspot.flight.air import Air
+from sweetspot.flight.batted_spin import USUAL_ANGLES, batted_ball_spin
+from sweetspot.flight.conditions import FlightConditions
+from sweetspot.flight.kernel import flights
+from sweetspot.motion.ball_motion import BallMotions, spin_axes
+from sweetspot.numerics.arrays import Array
+from sweetspot.units import DEGREE, FOOT, MPH, RPM
+
+START = (0.0, 2 * FOOT, 3 * FOOT)
+"""m, where balls leave the bat."""
+SPEEDS: Array = np.arange(30.0, 131.0, 10.0) * MPH
+ANGLES: Array = np.arange(-30.0, 76.0, 2.5) * DEGREE
+"""Nodes of the table; beyond them the nearest counts."""
+SPIN_SCATTER = 400 * RPM
+"""rad/s that backspin scatters by about the usual line: what tracked distances of balls hit at 10 to 25 deg scatter by
+beyond drag and the stated errors of the launch, 390 +- 32 rpm; games of even number alone say 419, those of odd number
+358, under the roof 404, in the open 376 [savant_2022rays]. `tools/tracked_flights.py` repeats it."""
+HOME_RUN = (103.8 * MPH, 28.1 * DEGREE)
+"""Mean exit speed and launch angle of home runs [savant_2019homeruns]: the ball for which the scatter of drag was told,
+with everything else in it."""
+MORE_DRAG = 0.1
+"""Part of drag that the second flight has more, to learn what drag does to carry."""
+
+
+class LaunchErrors(NamedTuple):
+    """Measuring errors of a launch, as standard deviations: of the exit speed in m/s, of the launch angle in rad."""
+
+    exit_speed: float
+    launch_angle: float
+
+
+TRACKED = LaunchErrors(1.0 * MPH, 1.0 * DEGREE)
+"""Of tracked balls, stated: nobody publishes them."""
+
+
+@dataclass(frozen=True)
+class CarryErrors:
+    """What carries scatter by beside drag, m, at nodes of exit speed and launch angle.
+
+    Parameters
+    ----------
+    variances : m^2, of measuring errors and spin together, shape (speeds, angles).
+    home_run : the same of the average tracked home run over what drag does to it, squared: it is in what home runs
+        scatter by.
+    """
+
+    variances: Array
+    home_run: float
+
+    def spread(self, exit_speed: Array, launch_angle: Array, *, per_drag: Array, scatter: Array) -> Array:
+        """Return the standard deviation of carries, m.
+
+        ``scatter`` has everything in it that makes home runs scatter. What measuring errors and spin have in that is
+        taken away before those of this launch are added.
+
+        Parameters
+        ----------
+        exit_speed, launch_angle : as measured, m/s and rad, shape (n,).
+        per_drag : m by which the carry grows with the logarithm of drag, shape (n,).
+        scatter : of home runs, all told as drag, shape (n,); see `flight.home_runs.Scatter`.
+        """
+        from scipy.interpolate import RegularGridInterpolator
+
+        table = RegularGridInterpolator((SPEEDS, ANGLES), self.variances)
+        places = np.stack([
+            np.clip(np.nan_to_num(exit_speed), SPEEDS[0], SPEEDS[-1]),
+            np.clip(np.nan_to_num(launch_angle), ANGLES[0], ANGLES[-1]),
+        ], axis=1)  # fmt: skip
+        return np.sqrt(drag_alone(per_drag * scatter, per_drag=per_drag, home_run=self.home_run) + table(places))
+
+
+def drag_alone(by_drag: Array, *, per_drag: Array, home_run: float) -> Array:
+    """Return the variance that drag alone makes, m^2, of a scatter that was told for home runs with all in it.
+
+    Parameters
+    ----------
+    by_drag : m, what carries would scatter by if all of it were drag.
+    per_drag : m by which the carry grows with the logarithm of drag.
+    home_run : see `CarryErrors`.
+    """
+    return np.asarray(np.maximum(np.square(by_drag) - np.square(per_drag) * home_run, 0.0))
+
+
+def carry_errors(
+    ball: Ball, aerodynamics: Aerodynamics, air: Air, *, errors: LaunchErrors, spin_scatter: float = SPIN_SCATTER
+) -> CarryErrors:
+    """Return what carries scatter by in some air.
+
+    Parameters
+    ----------
+    errors : of the measurements.
+    spin_scatter : standard deviation of backspin about the usual line, rad/s.
+    """
+    through = FlightConditions(ball=ball, aerodynamics=aerodynamics, air=air)
+    speeds, angles = np.meshgrid(SPEEDS, ANGLES, indexing="ij")
+    found = _variances(speeds.ravel(), angles.ravel(), through, errors, spin_scatter).reshape(speeds.shape)
+    return CarryErrors(np.nan_to_num(found), home_run_share(through))
+
+
+def home_run_share(conditions: FlightConditions) -> float:
+    """Return the ``home_run`` of `CarryErrors`: what errors and spin have in the scatter of tracked home runs.
+
+    Parameters
+    ----------
+    conditions : ball, law and air of the flights.
+    """
+    fast, far = (np.array([value]) for value in HOME_RUN)
+    law = braked(conditions.aerodynamics)
+    more = _carried(fast, far, replace(conditions, aerodynamics=law)) - _carried(fast, far, conditions)
+    per_drag = more / np.log1p(MORE_DRAG)
+    return float((_variances(fast, far, conditions, TRACKED, SPIN_SCATTER) / np.square(per_drag))[0])
+
+
+def _carried(speed: Array, angle: Array, conditions: FlightConditions, spin: float = 0.0) -> Array:
+    launch = usual_launch(speed, angle, np.zeros(len(speed)), left=np.zeros(len(speed), bool), more_spin=spin)
+    return flights(launch, conditions).carry
+
+
+def _variances(
+    speed: Array, angle: Array, conditions: FlightConditions, errors: LaunchErrors, spin: float
+) -> Array:  # fmt: skip
+    """Return what errors and spin do to carries, m^2."""
+    fast, steep = errors
+    steps = (
+        _carried(speed + fast, angle, conditions) - _carried(speed - fast, angle, conditions),
+        _carried(speed, angle + steep, conditions) - _carried(speed, angle - steep, conditions),
+        _carried(speed, angle, conditions, spin) - _carried(speed, angle, conditions, -spin),
+    )
+    return np.asarray(sum(np.square(step / 2) for step in steps))
+
+
+def usual_launch(
+    speed: Array, angle: Array, spray: Array, *, left: NDArray[np.bool_], more_spin: float | Array = 0.0
+) -> BallMotions:
+    """Return balls with their usual spin; beyond the angles it is known for, the spin of the nearest.
+
+    Parameters
+    ----------
+    speed, angle, spray : m/s and rad, shape (n,).
+    left : whether each was hit from the left side.
+    more_spin : backspin beyond the usual, rad/s.
+    """
+    axes = spin_axes(angle, spray)
+    usual = np.clip(angle, USUAL_ANGLES[0] * DEGREE, USUAL_ANGLES[1] * DEGREE)
+    back, side = batted_ball_spin(usual, spray, bats=np.where(left, "left", "right"))
+    spin = (back + more_spin)[:, None] * axes[0] + side[:, None] * axes[1]
+    return BallMotions(velocity=speed[:, None] * axes[2], spin=spin, position=START)
+
+
+def braked(law: Aerodynamics) -> Aerodynamics:
+    """Return a law with a little more drag."""
+    return law.with_drag(1 + MORE_DRAG)
