@@ -115,7 +115,7 @@ def test_a_softball_flies_by_a_softballs_drag(run_json: Callable[..., Any]) -> N
     """The bat decides which ball, the ball by which law it flies; another ball can be asked for."""
     bat, arguments = catalog.bat("slow-pitch"), ("--at", "6in-from-tip", "--offset", "0.9in")
     usual = run_json("play", "slow-pitch", *arguments)
-    asked = run_json("play", "slow-pitch", *arguments, "--ball", "softball-12in-fast")
+    asked = run_json("play", "slow-pitch", *arguments, "--ball", "softball-12in")
     conditions = standard_conditions(bat)
     ball = conditions.ball
     flown = {}

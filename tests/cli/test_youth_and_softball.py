@@ -13,6 +13,7 @@ from sweetspot.catalog.deliveries import delivery_sport, other_delivery_names
 from sweetspot.flight.pitch import PLATE
 from sweetspot.units import FOOT, MPH, OUNCE
 
+SMALL_FIELDS = ("youth-baseball", "softball", "slow-pitch")
 Run = Callable[..., tuple[int, str, str]]
 
 
@@ -39,9 +40,7 @@ def test_every_sport_s_pitches_balls_and_fields_are_in_the_catalogue() -> None:
             assert delivery_sport(pitch) == sport.key
         assert set(sport.fields) <= set(field_names())
         assert all(catalog.ball(ball).mass > 0 for ball in sport.balls)
-    assert {pitch for name in ("youth-baseball", "softball") for pitch in catalog.sport(name).pitches} == set(
-        other_delivery_names()
-    )
+    assert {pitch for name in SMALL_FIELDS for pitch in catalog.sport(name).pitches} == set(other_delivery_names())
 
 
 def test_a_field_s_fence_goes_through_its_three_distances() -> None:
@@ -65,6 +64,43 @@ def test_optimum_throws_what_is_thrown_there(run: Run) -> None:
     code, text, _ = run("optimum", "youth-30", "--show", "swing", "--at", "5in-from-tip", "--attack-angle", "15deg")
     assert code == 0
     assert "Little League fastball" in text and "Little League changeup" in text and "four-seam" not in text
+
+
+@pytest.mark.parametrize(
+    ("bat", "thrown", "others"),
+    [
+        ("slow-pitch", ("slow pitch",), ("windmill", "four-seam")),
+        ("youth-alloy", ("Little League fastball",), ("slow pitch", "four-seam")),
+        ("r161-ash", ("four-seam fastball", "curve"), ("slow pitch", "Little League")),
+    ],
+)
+def test_optimum_begins_with_what_its_bat_meets(
+    run: Run, bat: str, thrown: tuple[str, ...], others: tuple[str, ...]
+) -> None:
+    _, text, _ = run("optimum", bat, "--show", "swing", "--at", "6in-from-tip", "--attack-angle", "10deg")
+    assert all(name in text for name in thrown) and not any(name in text for name in others)
+
+
+def test_a_slow_pitch_swing_leaves_the_ball_below_its_test_s_limit(run_json: Callable[..., Any]) -> None:
+    """Published: men of slow pitch swing at 85 mph against 25 mph, and 98 mph is the limit of that test [asa_limit]."""
+    best = run_json("report", "slow-pitch")
+    assert best["conditions"]["pitch_speed_m_s"] == pytest.approx(25 * MPH)
+    assert 80 < best["best_hit"]["exit_speed_m_s"] / MPH < 98
+
+
+@pytest.mark.parametrize(
+    ("given", "usual"),
+    [
+        (("fly", "--exit-speed", "100m/s"), "5 to 130 mph"),
+        (("fly", "--ball", "table-tennis", "--exit-speed", "60m/s"), "0.3 to 40 m/s"),
+        (("fly", "--ball", "tennis", "--exit-speed", "20m/s:120m/s:3"), "1 to 80 m/s"),
+        (("optimum", "youth-30", "--show", "launch", "--exit-speed", "140mph"), "5 to 130 mph"),
+    ],
+)
+def test_each_sport_has_its_own_exit_speeds(run: Run, given: tuple[str, ...], usual: str) -> None:
+    code, _, error = run(*given)
+    assert code == 2 and usual in error and error.count("\n") == 1
+    assert run(*given, "--force")[0] == 0
 
 
 def test_rules_are_those_of_the_bat_s_sport(run: Run) -> None:

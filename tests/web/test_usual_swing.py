@@ -42,7 +42,7 @@ def test_a_control_that_was_moved_stays_where_it_is() -> None:
     usual = standard_conditions(catalog.bat("slow-pitch"))
     assert (state.pitch_speed_mph, state.ball) == (61.0, "baseball")
     assert state.bat_speed_mph == pytest.approx(usual.swing.bat_speed / MPH)
-    assert state.pitch == catalog.sport("softball").pitches[0]
+    assert state.pitch == catalog.sport("slow-pitch").pitches[0]
     moved = conditions_of(state, described(state))
     assert moved.pitch.speed == pytest.approx(61 * MPH) and moved.ball == catalog.ball("baseball")
 
@@ -68,7 +68,7 @@ def test_choosing_a_bat_brings_its_sport_s_ball_and_pitch(
     page.locator("[data-field=bat] select").select_option("youth-alloy")
     expect(page.locator(PITCH)).to_have_value("50")
     page.locator("[data-field=bat] select").select_option("slow-pitch")
-    expect(page.locator(BALL)).to_have_value(catalog.sport("softball").balls[0])
+    expect(page.locator(BALL)).to_have_value(catalog.sport("slow-pitch").balls[0])
     assert "pitch_speed_mph" not in page.url and "ball=" not in page.url
     page.locator(PITCH).fill("40")
     page.locator(PITCH).press("Enter")
@@ -77,7 +77,7 @@ def test_choosing_a_bat_brings_its_sport_s_ball_and_pitch(
     expect(page.locator(BALL)).to_have_value("baseball")
     expect(page.locator(PITCH)).to_have_value("40")  # moved by hand: it stays
     page.locator("#undo").click()
-    expect(page.locator(BALL)).to_have_value(catalog.sport("softball").balls[0])
+    expect(page.locator(BALL)).to_have_value(catalog.sport("slow-pitch").balls[0])
     page.get_by_role("button", name="As usual with this bat").click()
     expect(page.locator(PITCH)).not_to_have_value("40")
     assert "pitch_speed_mph" not in page.url

@@ -39,6 +39,7 @@ BATS = UsualBody((0.3, 1.3), (0.48, 0.74), (0.21, 0.35), (90.0, 320.0))
 USUAL_BODIES = {
     "baseball": BATS,
     "softball": BATS,
+    "slow-pitch": BATS,
     "cricket": UsualBody((0.7, 1.7), (0.5, 0.7), (0.2, 0.33), (60.0, 250.0)),
     "tennis": UsualBody((0.2, 0.42), (0.4, 0.6), (0.27, 0.38), (80.0, 250.0)),
     "badminton": UsualBody((0.06, 0.13), (0.33, 0.55), (0.3, 0.43), (25.0, 120.0)),

@@ -93,6 +93,9 @@ def fly(
             )
     for name, values_of in ranges:
         values[name] = values_of[0]
+    _check_exit_speeds(
+        launch, [values["exit_speed"], *(at for name, row in ranges if name == "exit_speed" for at in row)]
+    )
     hit = BattedBall(**values, bats=launch.bats, line=usual_spin_line(launch.law or DEFAULT_AERODYNAMICS))
     if len(ranges) > 2:
         named = " and ".join(_option(name) for name, _ in ranges)
@@ -127,6 +130,15 @@ def _texts(launch: LaunchOptions, air: AirOptions) -> dict[str, str]:
     found["wind_exponent"] = air.wind_profile
     found["elevation"] = air.elevation or f"{0.0 if park is None else park.elevation!r} m"
     return {name: text for name, text in found.items() if text is not None}
+
+
+def _check_exit_speeds(launch: LaunchOptions, speeds: list[float]) -> None:
+    """Refuse speeds that no ball of this ball's sport leaves with."""
+    from sweetspot.catalog import ball_sport
+    from sweetspot.catalog.sports import check_exit_speed
+
+    for speed in speeds:
+        check_exit_speed(speed, ball_sport(launch.ball), "--exit-speed", launch.exit_speed)
 
 
 def _option(name: str) -> str:

@@ -21,7 +21,9 @@ if TYPE_CHECKING:
 
 ALL = "all"
 SPEEDS, SLOWER = ("90mph", "100mph", "110mph"), ("60mph", "70mph", "80mph")
-"""Exit speeds that are asked for: of grown-ups' baseball, and of youth and softball."""
+"""Exit speeds that are asked for: where bats are swung at 65 mph and more, and where slower."""
+FAST_SWING = 29.0
+"""m/s."""
 
 
 @Parameter(name="*")
@@ -65,7 +67,7 @@ class SentOptions:
 
     exit_speed: Annotated[
         tuple[str, ...],
-        Parameter(help="For the best launch angle; may be given again; 90, 100, 110mph in baseball.", negative=""),
+        Parameter(help="For the best launch angle; may be given again; default: three of its sport.", negative=""),
     ] = ()
     backspin: Annotated[str, Parameter(help="Of the ball in the last two questions.")] = "2200rpm"
 
@@ -102,7 +104,9 @@ def optimum(
     its = catalog.sport(described.sport)
     ball = contact.ball or its.balls[0]
     contact, pitch = replace(contact, ball=ball), replace(pitch, pitch=pitch.pitch or its.pitches)
-    sent = replace(sent, exit_speed=sent.exit_speed or (SPEEDS if its.key == "baseball" else SLOWER))
+    sent = replace(
+        sent, exit_speed=sent.exit_speed or (SPEEDS if its.stroke.swing_speed.value > FAST_SWING else SLOWER)
+    )
     with patience():
         optimum = Optimum(
             described,
@@ -153,6 +157,8 @@ def _swings(
 
 def _launches(sent: SentOptions, ball: str, weather: AirOptions) -> list[AskedLaunch]:
     from sweetspot.analysis.optimum import best_launch
+    from sweetspot.catalog.balls import ball_sport
+    from sweetspot.catalog.sports import check_exit_speed
     from sweetspot.cli.options.weather import through
     from sweetspot.report.optimum.answers import AskedLaunch
     from sweetspot.units import parse
@@ -162,6 +168,7 @@ def _launches(sent: SentOptions, ball: str, weather: AirOptions) -> list[AskedLa
     rows = []
     for text in sent.exit_speed:
         speed = parse(text, "speed", "--exit-speed")
+        check_exit_speed(speed, ball_sport(ball), "--exit-speed", text)
         best = best_launch(speed, flying, backspin=spin)
         rows.append(AskedLaunch(speed, spin, best))
     return rows

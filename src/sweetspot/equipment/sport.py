@@ -158,6 +158,7 @@ class Sport(Validated):
     balls : catalogue names, the usual one first.
     aerodynamics : catalogue name of the coefficients of drag and lift of its balls.
     stroke : the usual one.
+    usual_exit_speed : m/s, least and most that its balls usually leave with.
     words : what its people call things.
     speeds : other typical speeds and spins.
     limits : of the rules.
@@ -177,6 +178,7 @@ class Sport(Validated):
     balls: tuple[str, ...]
     aerodynamics: str
     stroke: Stroke
+    usual_exit_speed: tuple[NonNegative, Positive] = (2.0, 112.0)
     words: Words = Words()
     speeds: tuple[Known, ...] = ()
     limits: tuple[Limit, ...] = ()

@@ -69,10 +69,10 @@ SEA_LEVEL = (
     "field give it with --elevation 0ft"
 )
 
+# How fast a ball leaves differs from sport to sport: `sports.toml` of the catalogue has the bounds of each.
 USUAL: dict[str, Usual] = {
     "pitch_speed": Usual(10, 125, "mph", MPH, "pitches come with up to 110mph; for a ball at rest say tee", above=0),
     "release_speed": Usual(15, 125, "mph", MPH, above=15),
-    "exit_speed": Usual(5, 250, "mph", MPH, above=-0.001),
     "bat_speed": Usual(5, 150, "mph", MPH, above=0, below=MOST_BAT_SPEED),
     "median_bat_speed": Usual(33, 95, "mph", MPH, FILE_UNITS),
     "median_exit_speed": Usual(33, 118, "mph", MPH, FILE_UNITS),
@@ -138,15 +138,14 @@ def check_usual(value: float, what: str, given: object) -> None:
     Parameters
     ----------
     value : SI.
-    what : name of the quantity, or its option: ``--exit-speed``.
+    what : name of the quantity, or its option: ``--wind-speed``.
     given : as it was written, for the message.
 
-    >>> check_usual(44.7, "--exit-speed", "100mph")
-    >>> check_usual(447.0, "--exit-speed", "1000mph")
+    >>> check_usual(44.7, "--wind-speed", "100mph")
     Traceback (most recent call last):
     ...
-    sweetspot.errors.InputError: --exit-speed was given as 1000mph; usual is 5 to 250 mph. Check the unit and the \
-decimal point, or add --force if it is meant
+    sweetspot.errors.InputError: --wind-speed was given as 100mph; usual is 0 to 60 mph; the direction is given with \
+--wind-direction. Check the unit and the decimal point, or add --force if it is meant
     """
     usual = USUAL.get(what.removeprefix("--").replace("-", "_").replace(" ", "_"))
     if usual is not None:

@@ -35,7 +35,7 @@ from sweetspot.report.quantities import Reader, reader
 from sweetspot.report.sentences import Sentence, Slot, joined, say
 from sweetspot.units import DEGREE
 
-BALLPARKS = ("baseball", "softball", "youth-baseball")
+BALLPARKS = ("baseball", "softball", "slow-pitch", "youth-baseball")
 """Sports whose field has a home plate and a centre field."""
 
 
