@@ -5,7 +5,7 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Sequence
 from difflib import get_close_matches
-from typing import Annotated, Any, Self, TypeVar, cast
+from typing import TYPE_CHECKING, Annotated, Any, Self, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,11 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstra
 from pydantic_core import ErrorDetails
 
 from sweetspot.errors import InputError
+
+if TYPE_CHECKING:
+    from pydantic._internal._model_construction import ModelMetaclass
+else:
+    ModelMetaclass = type(BaseModel)  # what pydantic makes its classes by has no public name
 
 Real = TypeVar("Real", float, NDArray[np.float64])
 """One number or an array of them; what comes out has the shape of what went in."""
@@ -36,16 +41,27 @@ JOINERS = "\u200c\u200d"
 """Format characters that some scripts are written with."""
 Name = Annotated[str, StringConstraints(min_length=1, max_length=100), AfterValidator(_readable)]
 """What people call a thing: it is printed, written into tables and drawn."""
+MACHINERY = {name for name in (*dir(BaseModel), *vars(BaseModel)) if name not in dir(object)}
+"""Names that checked things have from pydantic; they work, and are not ours to explain."""
 MOST_FAULTS, LONGEST_INPUT = 5, 80
 """Faults told of at once, and letters of what was given that are repeated."""
 
 
-class Validated(BaseModel):  # noqa: PLW1641  # pydantic hashes what is frozen
+class _Readable(ModelMetaclass):
+    """Lets `dir` and `help` of a class name what is its own, not the machinery that checks its fields."""
+
+    def __dir__(self) -> list[str]:
+        own = (name for name in super().__dir__() if name not in MACHINERY)
+        return [name for name in own if not name.startswith(("__pydantic", "__private", "__class_vars", "__weakref"))]
+
+
+class Validated(BaseModel, metaclass=_Readable):  # noqa: PLW1641  # pydantic hashes what is frozen
     """An immutable, validated value; a wrong one raises `InputError` with one clear message."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
     def __init__(self, **values: Any) -> None:
+        """Take fields by name, in SI; raises `InputError` that says what is wrong with them."""
         try:
             super().__init__(**values)
         except ValidationError as error:
@@ -57,8 +73,17 @@ class Validated(BaseModel):  # noqa: PLW1641  # pydantic hashes what is frozen
             return NotImplemented
         return all(getattr(self, name) == getattr(other, name) for name in type(self).model_fields)
 
+    def __dir__(self) -> list[str]:
+        """Return the names of fields and methods, for help and for completion in notebooks."""
+        return sorted({*type(self).model_fields, *dir(type(self))})
+
     def replaced(self, **changes: Any) -> Self:
-        """Return a copy with some fields changed, validated like a new one."""
+        """Return a copy with some fields changed, validated like a new one.
+
+        >>> from sweetspot import Pitch
+        >>> Pitch(speed=40.0).replaced(speed=35.0).speed
+        35.0
+        """
         kept = {name: getattr(self, name) for name in type(self).model_fields}
         return type(self)(**{**kept, **changes})
 

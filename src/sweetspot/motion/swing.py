@@ -8,8 +8,7 @@ from pydantic import Field, model_validator
 
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.base import NonNegative, Validated
-from sweetspot.units import MPH, shown
-from sweetspot.units.usual import LONGEST_IMPLEMENT
+from sweetspot.units import MPH, check_place, shown
 
 MAX_SPEED = 70.0
 """m/s (157 mph): half as fast again as any recorded pitch or swing."""
@@ -49,11 +48,13 @@ class Swing(Validated):
     """
 
     bat_speed: float
-    measured_at: Annotated[float, Field(gt=0, le=LONGEST_IMPLEMENT)]
+    measured_at: Annotated[float, Field(gt=0)]
     pivot: float = 0.0
 
     @model_validator(mode="after")
     def _is_a_swing(self) -> Swing:
+        check_place(self.measured_at, "measured_at")
+        check_place(self.pivot, "pivot")
         if not 0 < self.bat_speed <= MAX_SPEED:
             raise ValueError(
                 f"bat speed is {_speed(self.bat_speed)}; allowed is more than 0 and at most {_speed(MAX_SPEED)}"
