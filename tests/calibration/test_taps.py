@@ -56,6 +56,31 @@ def test_good_taps_give_the_modes_back(modes: Modes, sound: Recording) -> None:
         assert one.tone.damping_ratio.value == pytest.approx(modes.damping_ratio[mode], rel=0.05)
 
 
+@pytest.mark.parametrize("mains", [50.0, 60.0])
+def test_hum_is_no_tap_and_no_tone(modes: Modes, sound: Recording, mains: float) -> None:
+    time = np.arange(len(sound.samples)) / sound.rate
+    hum = np.sin(2 * np.pi * mains * time) + 0.6 * np.sin(2 * np.pi * 3 * mains * time + 1.0)
+    loud = replace(sound, samples=sound.samples + 0.04 * np.abs(sound.samples).max() * hum)
+    test = tap_test([loud], modes=modes, positions=[0.813])
+    assert [tap.start for tap in test.good] == pytest.approx([0.3, 1.3, 2.3], abs=0.003)
+    assert all(one.name is not None for one in test.tones)
+    first = next(one.tone.frequency for one in test.tones if str(one.name) == "bending 1")
+    assert first.low < modes.frequency[modes.of_family("bending")[0]] < first.high
+
+
+def test_a_plate_that_nobody_described_has_no_names() -> None:
+    """Its tones of 171 and 611 Hz might be a bat's, but for the others below and between."""
+    rate = 8000.0
+    time, ringing = np.arange(int(1.2 * rate)) / rate, np.zeros(int(1.2 * rate))
+    for frequency, level in ((96.0, 0.6), (171.0, 1.0), (243.0, 0.8), (355.0, 0.4), (611.0, 0.2)):
+        ringing += level * np.exp(-2 * np.pi * 0.008 * frequency * time) * np.sin(2 * np.pi * frequency * time)
+    noise = 1e-3 * np.random.default_rng(1).standard_normal(len(time) + 2000)
+    plate = Recording("plate", np.concatenate([np.zeros(2000), 0.3 * ringing]) + noise, rate)
+    tones = tap_test([plate]).tones
+    assert [one.name for one in tones] == [None] * 5
+    assert [one.tone.frequency.value for one in tones] == pytest.approx([96, 171, 243, 355, 611], rel=1e-3)
+
+
 def test_a_clipped_tap(sound: Recording) -> None:
     top = 0.3 * np.abs(sound.samples).max()
     for scale in (1.0, 1 / top):  # anywhere below full scale, and at it

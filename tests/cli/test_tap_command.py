@@ -43,6 +43,18 @@ def test_a_bar_of_sizes(run: Run, sound: str) -> None:
     assert "What the doubt about E comes from: thickness" in out
 
 
+@pytest.mark.parametrize(("name", "at"), [("tennis-racket", "1cm-from-tip"), ("golf-driver", "50cm-from-tip")])
+def test_other_sports(run: Run, run_json: Callable[..., Any], tmp_path: Path, name: str, at: str) -> None:
+    """Strings are held still; a club's lowest tone, 42 Hz, is looked for below a bat's band."""
+    path = str(tmp_path / "sound.wav")
+    assert run("tap", "--synthesise", name, "--at", at, "--listen-at", at, "--out", path)[0] == 0
+    tones = run_json("tap", path, "--bat", name, "--at", at)["tones"]
+    named = {one["harmonic"]: one for one in tones if one["family"] == "bending"}
+    assert {1, 2} <= set(named)
+    for one in named.values():
+        assert one["frequency_hz"] == pytest.approx(one["expected_hz"], rel=5e-3)
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sweetspot.calibration.bar import Bar, BarModulus, bar_modulus
-from sweetspot.calibration.naming import Expected, NamedTone, any_bat, expected_of, named, uniform_bar
+from sweetspot.calibration.naming import LOUD, Expected, NamedTone, any_bat, expected_of, named, uniform_bar
 from sweetspot.calibration.recording import BAT_BAND, Band, Recording
 from sweetspot.calibration.ring import tones_of
 from sweetspot.calibration.taps import HELD, Tap, find_taps
@@ -102,9 +102,13 @@ def told_taps(
 
 
 def _like_a_bat(tones: tuple[NamedTone, ...]) -> tuple[NamedTone, ...]:
-    """Return tones with the names of bats in general, or without names where the two lowest modes are not among them.
+    """Return tones with the names of bats in general, or without names where they are not those of a bat.
 
-    A plate, a brace or a pipe that nobody described has tones, but no names.
+    A bat's two lowest modes are heard, and nothing else as loud below the second: hoop modes are higher. A plate, a
+    brace or a pipe that nobody described has tones, but no names.
     """
-    heard = {one.name.harmonic for one in tones if one.name}
-    return tones if {1, 2} <= heard else tuple(NamedTone(one.tone, None, None) for one in tones)
+    heard = {one.name.harmonic: one.tone.frequency.value for one in tones if one.name}
+    others = [one.tone for one in tones if one.name is None and one.tone.level > LOUD]
+    if {1, 2} <= set(heard) and not any(tone.frequency.value < heard[2] for tone in others):
+        return tones
+    return tuple(NamedTone(one.tone, None, None) for one in tones)

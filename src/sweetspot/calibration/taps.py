@@ -13,7 +13,7 @@ from itertools import pairwise
 import numpy as np
 
 from sweetspot.calibration.recording import Band, Recording, in_band
-from sweetspot.calibration.sinusoids import Fit, fit_sinusoids
+from sweetspot.calibration.sinusoids import Fit, Sinusoid, fit_sinusoids
 from sweetspot.numerics.arrays import Array
 
 FRAME = 0.002
@@ -51,6 +51,11 @@ HELD = 0.02
 """Damping ratio of the lowest tone from which on something holds the implement (assumed): freely hung bats have 0.001
 to 0.015, hands damp strongly [russell_bendsweet]."""
 
+MAINS, MAINS_SPREAD = (50.0, 60.0), 0.3
+"""Hz of the mains, and how far a multiple may seem to lie from it."""
+HIGHEST_HUM, HUM_LEVEL, HUM_DAMPING = 1000.0, 0.3, 2e-4
+"""Hz up to which hum is looked for, the part of the loudest tone's amplitude that it has at most, and the damping ratio
+below which a tone may not die away at all; bats have five times that and more (all assumed)."""
 HEARD = 0.1
 """Amplitude over the loudest tone's; the lowest tone that is at least this loud says whether the implement is free."""
 
@@ -99,13 +104,16 @@ def find_taps(recording: Recording, *, band: Band, held: float = HELD) -> tuple[
 
 def _starts(sound: Recording) -> list[float]:
     """Return the times in s at which the sound suddenly rises; a recording may begin within a tap."""
+    import scipy.ndimage
+
     frame = max(1, round(FRAME * sound.rate))
     count = len(sound.samples) // frame
     if count < 3:
         return [0.0]
     power = np.mean(sound.samples[: count * frame].reshape(count, frame) ** 2, axis=1)
     level = 10 * np.log10(power + 1e-30)
-    floor, before = float(np.quantile(level, 0.1)), round(QUIET_BEFORE / FRAME)
+    before = round(QUIET_BEFORE / FRAME)
+    floor = float(np.quantile(scipy.ndimage.maximum_filter1d(level, before), 0.1))  # hum is as loud as at its tops
     starts: list[int] = []
     for index in range(count):
         earlier = level[max(0, index - before) : index]
@@ -135,7 +143,7 @@ def _tap(recording: Recording, sound: Recording, start: float, end: float, band:
     if len(late):
         return rejected(f"doubled: a second blow {1e3 * late[0]:.0f} ms after the first; let the hammer bounce off")
     window = whole[int((struck.max(initial=0.0) + SETTLE) * sound.rate) :]
-    fit = fit_sinusoids(window, sound.rate, band=band)
+    fit = without_hum(fit_sinusoids(window, sound.rate, band=band))
     if not fit.sinusoids or fit.misfit > LARGEST_MISFIT:
         return rejected(
             f"too quiet: {100 * min(fit.misfit, 1):.0f} % of the sound is noise; tap harder or nearer the microphone",
@@ -151,6 +159,18 @@ def _tap(recording: Recording, sound: Recording, start: float, end: float, band:
             fit,
         )
     return Tap(recording.name, start, None, fit)
+
+
+def without_hum(fit: Fit) -> Fit:
+    """Return a fit without the mains: fainter tones at a multiple of 50 or 60 Hz that do not die away."""
+    loudest = max((one.amplitude for one in fit.sinusoids), default=0.0)
+    kept = tuple(one for one in fit.sinusoids if one.amplitude > HUM_LEVEL * loudest or not _hums(one))
+    return replace(fit, sinusoids=kept)
+
+
+def _hums(one: Sinusoid) -> bool:
+    near = min(abs(one.frequency.value - base * round(one.frequency.value / base)) for base in MAINS)
+    return one.frequency.value < HIGHEST_HUM and near < MAINS_SPREAD and one.damping_ratio.low < HUM_DAMPING
 
 
 def clipped(samples: Array) -> bool:

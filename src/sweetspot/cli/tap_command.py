@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from sweetspot.dynamics.modes import Modes
     from sweetspot.equipment.implement import Implement
 
+BELOW_FIRST = 0.6
+"""Part of the lowest mode's frequency at which the band of a limp implement begins."""
+
 
 @Parameter(name="*")
 @dataclass(frozen=True)
@@ -37,7 +40,9 @@ class TappedOptions:
 class ListeningOptions:
     """What counts as a tone."""
 
-    band: Annotated[str, Parameter(help="Frequencies looked at.")] = "60Hz:5kHz"
+    band: Annotated[
+        str | None, Parameter(help="Frequencies looked at; default: 60Hz:5kHz, from lower on for a limp --bat.")
+    ] = None
     most_damping: Annotated[
         str, Parameter(help="Damping ratio of the lowest loud tone above which the implement counts as held.")
     ] = "2%"
@@ -87,13 +92,14 @@ def tap(
     described = None if tapped.bat is None else catalog.load_implement(tapped.bat)
     if tapped.at and described is None:
         raise InputError("--at was given without --bat; say what was tapped")
+    modes = None if described is None else modes_to_name(described)
     output, bar = answer.into(out), _bar(tapped.bar, tapped.mass)
     test = tap_test(
         [read_recording(path) for path in recordings],
-        modes=None if described is None else modes_to_name(described),
+        modes=modes,
         positions=[] if described is None else tap_places(described, tapped.at or []),
         bar=bar,
-        band=_band(listening.band),
+        band=usual_band(modes) if listening.band is None else _band(listening.band),
         held=parse(listening.most_damping, "ratio", "--most-damping"),
     )
     title = "A tapped bar" if bar else described.name if described else "A tap"
@@ -107,6 +113,16 @@ def modes_to_name(described: Implement) -> Modes:
     from sweetspot.dynamics.mode_assembly import all_modes
 
     return all_modes(beam_model(described), standard_conditions(described).ball)
+
+
+def usual_band(modes: Modes | None) -> Band:
+    """Return the frequencies that are looked at unless somebody says: those of bats, and lower for a golf club."""
+    from sweetspot.calibration.recording import BAT_BAND, Band
+
+    bending = [] if modes is None else modes.of_family("bending")
+    if modes is None or not bending:
+        return BAT_BAND
+    return Band(min(BAT_BAND.low, BELOW_FIRST * float(modes.frequency[bending[0]])), BAT_BAND.high)
 
 
 def tap_places(described: Implement, texts: list[str]) -> list[float]:
@@ -162,9 +178,9 @@ def _synthesise(name: str, synthesis: SynthesisOptions, at: list[str], out: Path
     if len(places) > 1:
         raise InputError("--synthesise taps in one place; give --at once")
     listened = tap_places(described, [synthesis.listen_at])[0]
-    sound = synthesised(
-        modes_to_name(described), position=places[0], listened=listened, noise=noise, seed=synthesis.seed
-    )
+    modes = modes_to_name(described)  # strings and rubber are held still, the frame is tapped
+    modes = modes.kept([index for index, family in enumerate(modes.families) if family != "face"])
+    sound = synthesised(modes, position=places[0], listened=listened, noise=noise, seed=synthesis.seed)
     path = out or Path(f"{Path(name).stem}-tap.wav")
     write_all({path: recording_bytes(sound, path)})
     print(f"sweetspot: wrote {path}", file=sys.stderr)
