@@ -25,13 +25,24 @@ def check(page: Page, name: str) -> Any:
     return page.evaluate(f"{CHECKS.rstrip()}.{name}()")
 
 
-@pytest.mark.parametrize("name", [*VIEWS, "docs"])
-def test_names_roles_and_contrast(page: Page, server: str, settled: Callable[[Page], None], name: str) -> None:
+@pytest.mark.parametrize("name", VIEWS)
+def test_every_view_by_keyboard_names_roles_and_contrast(
+    page: Page, server: str, settled: Callable[[Page], None], name: str
+) -> None:
     page.goto(f"{server}/{name}")
-    if name == "docs":
-        page.locator("section").first.wait_for()
-    else:
-        settled(page)
+    settled(page)
+    reached_in_order_and_seen(page)
+    named_and_seen(page)
+
+
+def test_the_description_by_names_roles_and_contrast(page: Page, server: str) -> None:
+    page.goto(f"{server}/docs")
+    page.locator("section").first.wait_for()
+    named_and_seen(page)
+
+
+def named_and_seen(page: Page) -> None:
+    """Check names, roles and contrast of all that a page holds, in both themes."""
     page.evaluate("document.querySelectorAll('details').forEach((details) => (details.open = true))")
     assert check(page, "names") == []
     assert check(page, "contrast") == []
@@ -63,13 +74,8 @@ def contrast(one: str, other: str) -> float:
     return (high + 0.05) / (low + 0.05)
 
 
-@pytest.mark.parametrize("name", VIEWS)
-def test_everything_is_reached_by_the_keyboard_in_order_and_seen(
-    page: Page, server: str, settled: Callable[[Page], None], name: str
-) -> None:
-    """Tab goes through all that can be used, in the order of the document, and each stop shows an outline."""
-    page.goto(f"{server}/{name}")
-    settled(page)
+def reached_in_order_and_seen(page: Page) -> None:
+    """Check that Tab goes through all that can be used, in the order of the document, and each stop has an outline."""
     page.evaluate(
         "window.stops = [...document.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex]')]"
         ".filter((element) => element.tabIndex >= 0 && !element.disabled && element.checkVisibility())"

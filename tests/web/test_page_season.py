@@ -33,8 +33,8 @@ def read(page: Page, server: str, answered: Answered, balls: Path) -> Page:
     return page
 
 
-def test_a_table_is_read_chosen_from_and_taken_away(
-    read: Page, settled: Callable[[Page], None], narrow: Callable[[Page], None]
+def test_a_table_is_read_chosen_from_taken_away_and_read_with_another_bat(
+    read: Page, answered: Answered, settled: Callable[[Page], None], narrow: Callable[[Page], None]
 ) -> None:
     page = read
     expect(page.get_by_role("status").filter(has_text="rows of my balls.csv")).to_be_visible()
@@ -66,10 +66,7 @@ def test_a_table_is_read_chosen_from_and_taken_away(
     narrow(page)
     page.reload()  # the address holds it
     expect(page.locator("#verdict")).to_contain_text("of 600003")
-
-
-def test_another_bat_asks_to_read_again(read: Page, answered: Answered) -> None:
-    page = read
+    page.set_viewport_size({"width": 1280, "height": 900})
     count = answered(page)
     page.locator("summary", has_text="Bat").first.click()
     page.locator("[data-field=bat] select").select_option("mlb-a")
