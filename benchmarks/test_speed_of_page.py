@@ -15,6 +15,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
+from urllib.parse import parse_qsl
 
 import httpx
 import pytest
@@ -32,48 +33,38 @@ PAUSE = 0.05
 """s between two moves of a dragged slider, as a hand makes them."""
 UPDATES = 1000 if QUICK else 10_000
 FLAGS = ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"]
+FOUR = 'compare?others=[{"bat":"corked-r161"},{"bat":"russell-b6"},{"bat":"mlb-a"}]'
 DRAGS = {
-    "Explorer": ("explorer", "pitch_speed_mph"),
-    "Explorer, hollow wall": ("explorer?bat=single-wall", "wall_factor"),
-    "Explorer, hole": ("explorer?bore_diameter_in=0.5", "bore_diameter_in"),
-    "Slow motion": ("hit", "pitch_speed_mph"),
-    "Modes, tap": ("modes", "tap_from_tip_in"),
-    "Modes, hollow wall": ("modes?bat=single-wall", "wall_factor"),
-    "Compare": ("compare", "pitch_speed_mph"),
-    "Compare of four": (
-        'compare?others=[{"bat":"corked-r161"},{"bat":"russell-b6"},{"bat":"mlb-a"}]',
-        "pitch_speed_mph",
-    ),
-    "Compare, hole": ("compare?bore_diameter_in=0.5", "bore_diameter_in"),
-    "Flight": ("flight", "exit_speed_mph"),
-    "Flight from the swing": ("flight?start=swing", "pitch_speed_mph"),
-    "Best swing": ("optimum", "pitch_speed_mph"),
-    "Player": ("player", "given_pitch_mph"),
-    "Own bat": ("own?weighed_oz=31", "weighed_oz"),
-    "Design": ("design", "contact_in"),
-    "Season": ("season", "weight_oz"),
-    "Every sport": ("sports", "swing_mph"),
-    "The paper": ("paper", "entry_angle_deg"),
+    "Explorer": ("explorer", "pitch_speed_mph", 50, 90),
+    "Explorer, hollow wall": ("explorer?bat=single-wall", "wall_factor", 0.8, 1.4),
+    "Explorer, hole": ("explorer?bore_diameter_in=0.5", "bore_diameter_in", 0.3, 1.2),
+    "Slow motion": ("hit", "pitch_speed_mph", 50, 90),
+    "Modes, tap": ("modes", "tap_from_tip_in", 1, 20),
+    "Modes, hollow wall": ("modes?bat=single-wall", "wall_factor", 0.8, 1.4),
+    "Compare": ("compare", "pitch_speed_mph", 50, 90),
+    "Compare of four": (FOUR, "pitch_speed_mph", 50, 90),
+    "Compare, hole": ("compare?bore_diameter_in=0.5", "bore_diameter_in", 0.3, 1.2),
+    "Flight": ("flight", "exit_speed_mph", 70, 110),
+    "Flight from the swing": ("flight?start=swing", "pitch_speed_mph", 50, 90),
+    "Best swing": ("optimum", "exit_speed_mph", 80, 110),
+    "Player": ("player", "given_pitch_mph", 40, 90),
+    "Own bat": ("own?weighed_oz=31", "weighed_oz", 30, 32),
+    "Design": ("design", "contact_in", 4, 9),
+    "Season": ("season?weight_oz=1", "weight_oz", 0.1, 4),
+    "Every sport": ("sports", "swing_mph", 40, 90),
+    "The paper": ("paper", "entry_angle_deg", 5, 30),
 }
-"""What is dragged: the view's address, and the field of its slider."""
-CROWDED = {
-    "Explorer": ("explorer", "pitch_speed_mph", 50, 90), "Slow motion": ("hit", "pitch_speed_mph", 50, 90),
-    "Modes": ("modes", "tap_from_tip_in", 1, 20), "Compare": ("compare", "pitch_speed_mph", 50, 90),
-    "Flight": ("flight", "exit_speed_mph", 70, 110), "Best swing": ("optimum", "pitch_speed_mph", 60, 95),
-    "Player": ("player", "given_pitch_mph", 40, 90), "Own bat": ("own", "weighed_oz", 29, 33),
-    "Design": ("design", "contact_in", 4, 9), "Season": ("season", "weight_oz", 0.1, 4),
-    "Every sport": ("sports", "swing_mph", 40, 90), "The paper": ("paper", "entry_angle_deg", 5, 30),
-}  # fmt: skip
-"""What fifty people drag in each view, from where to where."""
-DRAG = """async ({ field, moves, pauses }) => {
+"""What is dragged: the view's address, and the field of its slider, from where to where."""
+CROWDED = tuple(name for name in DRAGS if "," not in name or name == "Modes, tap")
+"""What fifty people drag."""
+DRAG = """async ({ field, least, most, moves, pauses }) => {
   const view = document.querySelector('#view');
   const range = document.querySelector(`[data-field=${field}] input[type=range]`);
-  const [least, most] = [Number(range.min), Number(range.max)];
   const times = [];
   for (let move = 0; move < moves; move += 1) {
     await new Promise((done) => setTimeout(done, 17 + pauses[move]));
     const start = performance.now();
-    range.value = String(least + (most - least) * (0.2 + 0.5 * ((move * 0.381966) % 1)));
+    range.value = String(least + (most - least) * ((move * 0.381966) % 1));
     range.dispatchEvent(new Event('input', { bubbles: true }));
     await new Promise((done) => new MutationObserver((_, observer) => {
       observer.disconnect();
@@ -193,13 +184,14 @@ def test_start_to_first_picture(benchmark: Any, record: Record, drawn: Any) -> N
 
 @pytest.mark.parametrize("name", DRAGS)
 def test_slider_to_redraw(benchmark: Any, record: Record, running: Running, drawn: Any, name: str) -> None:
-    page, (view, field) = drawn[0], DRAGS[name]
+    page, (view, field, least, most) = drawn[0], DRAGS[name]
     page.goto(f"{running.address}/{view}")
     page.evaluate(FIRST)
     page.evaluate("document.querySelectorAll('details').forEach((one) => (one.open = true))")
     pauses = [(move * 7919) % 16 for move in range(MOVES)]  # so that moves fall anywhere between two frames
-    page.evaluate(DRAG, {"field": field, "moves": 5, "pauses": pauses})
-    times = sorted(value / 1000 for value in page.evaluate(DRAG, {"field": field, "moves": MOVES, "pauses": pauses}))
+    asked = {"field": field, "least": least, "most": most, "pauses": pauses}
+    page.evaluate(DRAG, {**asked, "moves": 5})
+    times = sorted(value / 1000 for value in page.evaluate(DRAG, {**asked, "moves": MOVES}))
     measured(benchmark, lambda: None, 1)
     record(f"{name}: slider to redraw, median", duration(statistics.median(times)), goal="30 ms")
     record(f"{name}: slider to redraw, 90 of 100", duration(times[int(0.9 * len(times))]), goal="50 ms")
@@ -207,7 +199,7 @@ def test_slider_to_redraw(benchmark: Any, record: Record, running: Running, draw
 
 @pytest.mark.parametrize("name", CROWDED)
 def test_fifty_people_dragging(benchmark: Any, record: Record, running: Running, name: str) -> None:
-    times = sorted(apart(_crowd(running.address, CLIENTS, SECONDS, CROWDED[name])))
+    times = sorted(apart(_crowd(running.address, CLIENTS, SECONDS, DRAGS[name])))
     measured(benchmark, lambda: None, 1)
     record(f"{CLIENTS} people in {name}, 95 of 100", duration(times[int(0.95 * len(times))]), goal="250 ms",
            rival=f"{len(times) / SECONDS:,.0f} answers/s, median {duration(statistics.median(times))}")  # fmt: skip
@@ -265,7 +257,9 @@ def apart(work: Coroutine[Any, Any, Result]) -> Result:
 async def _crowd(address: str, clients: int, seconds: float, dragged: tuple[str, str, float, float]) -> list[float]:
     """Return how long every question of many people took, s; each drags a slider and waits for the answer."""
     loop = asyncio.get_running_loop()
-    view, field, least, most = dragged
+    address_of_view, field, least, most = dragged
+    view, _, query = address_of_view.partition("?")
+    fixed = {key: json.loads(value) if value[0] in "[0123456789" else value for key, value in parse_qsl(query)}
     end = loop.time() + seconds
 
     async def person(number: int) -> list[float]:
@@ -276,7 +270,7 @@ async def _crowd(address: str, clients: int, seconds: float, dragged: tuple[str,
             while loop.time() < end:
                 move += 1
                 part = (0.381966 * move + number / 1009) % 1  # nobody asks what another asked
-                state = {field: least + (most - least) * part}
+                state = {**fixed, field: least + (most - least) * part}
                 begin = loop.time()
                 await line.send(json.dumps({"id": move, "view": view, "state": state}))
                 text = await line.recv(decode=False)

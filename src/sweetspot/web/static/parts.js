@@ -69,8 +69,11 @@ function labelled(cell, column) {
   return cell;
 }
 
+// Sentences as they are printed: with minus signs, where programs are told hyphens, and no line between number and unit.
+const printed = (text) => unbroken(text.replace(/(^|[\s(])-(?=\d)/g, "$1−"));
+
 export function paragraphs(place, texts) {
-  place.replaceChildren(...texts.map((text) => make("p", { textContent: text })));
+  place.replaceChildren(...texts.map((text) => make("p", { textContent: printed(text) })));
 }
 
 // Numbers with a unit inside a sentence, in the reader's units: "2.9 mph" is "1.30 m/s" for those who read SI.

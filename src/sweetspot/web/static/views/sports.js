@@ -50,7 +50,7 @@ export const view = {
     this.words = make("p", { className: "verdict", id: "verdict" });
     this.facts = factList(FACTS, app);
     const axis = { kind: "position_m", from: () => this.answer?.tool.length_m ?? 0.7, label: "from the tip" };
-    this.map = new HeatMap(app, { label: "", title: "How fast the ball leaves from every place of the face", height: 240,
+    this.map = new HeatMap(app, { label: "", title: "Ball speed over the face", height: 240,
       x: axis, y: { kind: "lateral_m", label: "across" }, z: { kind: "exit_speed_m_s" }, onPick: (x, y, { last }) => this.pick(x, y, last) });
     this.map.element.classList.add("pinned");
     this.chart = new Chart(app, { label: "", axis, onPick: (x, { last }) => this.pick(x, null, last), panels: [
