@@ -29,6 +29,20 @@ def test_a_table_of_contacts(tmp_path: Path) -> None:
     assert contacts_of_file(file) @ FROM_TIP == pytest.approx(7.5 * INCH)
 
 
+def test_one_batter_of_a_seasons_table(tmp_path: Path) -> None:
+    """Lines without a place are left out, those of others too."""
+    file = tmp_path / "balls.csv"
+    file.write_text("batter,from_tip_in\n7,5.25\n9,2.0\n7,\n7,8.25\n", encoding="utf-8")
+    assert contacts_of_file(file, batter="7") @ FROM_TIP == pytest.approx(6.75 * INCH)
+    with pytest.raises(InputError, match="2 batters; name one of them by --batter: 7"):
+        contacts_of_file(file)
+    with pytest.raises(InputError, match="no contact of the batter '8'"):
+        contacts_of_file(file, batter="8")
+    file.write_text("from_tip_in\n5\n", encoding="utf-8")
+    with pytest.raises(InputError, match="no column batter"):
+        contacts_of_file(file, batter="7")
+
+
 @pytest.mark.parametrize(
     ("text", "fault"),
     [

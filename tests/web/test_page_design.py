@@ -43,10 +43,10 @@ def test_a_handle_is_pulled_by_hand_and_by_keyboard(page: Page, server: str, ans
 
 
 def test_the_search_grows_a_front_and_a_bat_is_taken(page: Page, server: str, answered: Answered) -> None:
-    page.goto(f"{server}/design?generations=3&also_want=exit_speed&want=zone")
+    page.goto(f"{server}/design?generations=2&also_want=swing_time&want=sting")
     answered(page)
     page.get_by_role("button", name="Find better").click()
-    page.get_by_text("Looked at 3 of 3 generations").wait_for(timeout=PATIENT)
+    page.get_by_text("Looked at 2 of 2 generations").wait_for(timeout=PATIENT)
     page.get_by_text("These bats as a table, to take one").click()
     page.get_by_role("button", name="Take bat 1").click()
     expect(page.locator("#verdict")).to_contain_text("Over these contacts")

@@ -36,7 +36,13 @@ def pulled(client: httpx.Client) -> dict[str, Any]:
 def test_the_first_answer_is_the_present_bat(client: httpx.Client) -> None:
     answer = asked(client)
     assert not answer["own"] and len(answer["design"]["stations"]) == 11
-    assert abs(measure(answer, "exit_speed")["change"]) < 0.05  # m/s: eleven handles say what the bat's stations did
+    assert {one["change"] for one in answer["measures"] if one["change"] is not None} == {0.0}
+    assert set(answer["curves"]["difference_m_s"]) == {0.0}
+    assert answer["design"]["outline"] == answer["present"]["outline"]
+    assert asked(client, "/gain")["expected_m_s"] == 0.0
+    handles = {**{"design_si": [one["value"] for one in answer["variables"]], "design_for": answer["key"]}}
+    smooth = measure(asked(client, **handles), "exit_speed")
+    assert abs(smooth["change"]) < 0.05  # m/s: eleven handles say what the bat's stations did
     assert all(one["kept"] for one in answer["locks"] + answer["limits"])
     assert {one["verdict"] for one in answer["rules"]} <= {"pass", "not decidable", "does not apply"}
 
@@ -96,7 +102,9 @@ def test_a_batter_comes_from_a_fit_or_is_refused_in_a_line(client: httpx.Client)
     found = asked(client, "/batter", swings_csv=text)
     assert found["contact_in"] == pytest.approx(7.87) and found["bat_speed_mph"] == pytest.approx(67.11)
     assert asked(client, "/batter") == {}
-    for wrong in ("{", "{}", "a,b\n1,2\n"):
+    season = "batter,from_tip_in\n7,6\n7,8\n7,\n"  # of a season's table: a ball that no barrel met has no place
+    assert asked(client, "/batter", swings_csv=season)["contact_in"] == pytest.approx(7.0)
+    for wrong in ("{", "{}", "from_tip_in\n", "a,b\n1,2\n"):
         response = client.post(f"{URL}/batter", json={"swings_csv": wrong})
         assert response.status_code == 422 and response.json()["error"]["field"] == "swings_csv"
         assert "/tmp" not in response.text and "Traceback" not in response.text

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from sweetspot.errors import InputError
+from sweetspot.errors import InputError, nearest_names
 from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.text_files import read_text
@@ -94,13 +94,20 @@ def normal_contact(mean: float, spread: float) -> Array:
     return np.asarray(weight / weight.sum())
 
 
-def contacts_of_file(path: Path) -> Array:
+def contacts_of_file(path: Path, *, batter: str | None = None) -> Array:
     """Return the parts of contacts at `FROM_TIP` of a CSV file: a column ``from_tip_in``, and perhaps ``weight``.
+
+    Lines without a place are left out, as in the table of a season whose balls were not all met by a barrel.
+
+    Parameters
+    ----------
+    batter : whose lines count, by a column ``batter``; None: all lines, which have to be one batter's.
 
     Raises
     ------
     InputError
-        when the file has no such column, no contact in it, or a value that is no place on a bat.
+        when the file has no such column, several batters and none was named, no contact in it, or a value that is no
+        place on a bat.
     """
     rows = list(
         csv.DictReader(read_text(path, most=MOST_BYTES, advice="a contact table is a few lines of CSV").splitlines())
@@ -111,17 +118,59 @@ def contacts_of_file(path: Path) -> Array:
     head = next((name for name in heads if name in PLACE_HEADS), None)
     if head is None:
         raise InputError(f"{path} has the columns {', '.join(heads)}; name one of them from_tip_in or from_tip_m")
-    place = np.array([_number(row[heads[head]], path, line) for line, row in enumerate(rows, 2)]) * PLACE_HEADS[head]
-    share = np.ones(len(rows))
+    lines = [(line, row) for line, row in enumerate(rows, 2) if (row[heads[head]] or "").strip()]
+    lines = _of_batter(lines, heads.get("batter"), batter, path)
+    place = np.array([_number(row[heads[head]], path, line) for line, row in lines]) * PLACE_HEADS[head]
+    share = np.ones(len(lines))
     if "weight" in heads:
-        share = np.array([_number(row[heads["weight"]], path, line) for line, row in enumerate(rows, 2)])
+        share = np.array([_number(row[heads["weight"]], path, line) for line, row in lines])
+    try:
+        return contacts_at(place, share)
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from None
+
+
+def contacts_at(place: Array, share: Array | None = None) -> Array:
+    """Return the parts of contacts at `FROM_TIP` of single ones.
+
+    Parameters
+    ----------
+    place : m from the tip, shape (n,).
+    share : how much each counts, shape (n,); None: all alike.
+
+    Raises
+    ------
+    InputError
+        when none lies on a bat, or one counts less than nothing.
+    """
+    share = np.ones(len(place)) if share is None else share
     usable = (place >= 0) & (place <= FROM_TIP[-1] + 0.25 * INCH)
     if not np.any(share[usable] > 0) or np.any(share < 0):
-        raise InputError(f"{path} holds no contact on the outer 13 in of a bat; check its unit and its weights")
+        raise InputError("no contact on the outer 13 in of a bat was given; check its unit and its weights")
     edges = np.concatenate([FROM_TIP - 0.25 * INCH, [FROM_TIP[-1] + 0.25 * INCH]])
     counts, _ = np.histogram(place[usable], bins=edges, weights=share[usable])
     spread = np.convolve(counts, [0.25, 0.5, 0.25], mode="same")  # a table knows places to half an inch
     return np.asarray(spread / spread.sum())
+
+
+def _of_batter(
+    lines: list[tuple[int, dict[str, Any]]], head: str | None, batter: str | None, path: Path
+) -> list[tuple[int, dict[str, Any]]]:
+    """Return the lines of one batter."""
+    if head is None:
+        if batter is not None:
+            raise InputError(
+                f"{path} has no column batter, so that {batter!r} cannot be found in it; leave --batter out"
+            )
+        return lines
+    known = sorted({str(row[head]).strip() for _, row in lines})
+    if batter is None and len(known) > 1:
+        raise InputError(
+            f"{path} holds contacts of {len(known)} batters; name one of them by --batter: {known[0]}, ..."
+        )
+    if batter is not None and batter not in known:
+        raise InputError(f"{path} holds no contact of the batter {batter!r}. {nearest_names(batter, known)}")
+    return [(line, row) for line, row in lines if batter is None or str(row[head]).strip() == batter]
 
 
 def fitted_player(path: Path) -> dict[str, float]:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from sweetspot.equipment.implement import Implement
     from sweetspot.motion.swing import Conditions
     from sweetspot.motion.swing_law import SwingLaw
+    from sweetspot.numerics.arrays import Array
 
 
 @Parameter(name="*")
@@ -30,7 +31,13 @@ class BatterOptions:
         str | None, Parameter(help="Standard deviation of that; default: 1.8in, at most a sixth of a face.")
     ] = None
     contacts: Annotated[
-        Path | None, Parameter(help="CSV of contacts instead: a column from_tip_in, and perhaps weight.")
+        Path | None,
+        Parameter(
+            help="CSV of contacts instead: a column from_tip_in, perhaps weight; or the folder that season --out wrote."
+        ),
+    ] = None
+    batter: Annotated[
+        str | None, Parameter(help="Whose of them, where the table has a column batter: a number or a name.")
     ] = None
     player: Annotated[
         Path | None, Parameter(help="Answer of fit-player --format json instead: contacts and speeds of that player.")
@@ -55,9 +62,11 @@ DEFAULT_BATTER = BatterOptions()
 
 def batter_of(options: BatterOptions, bat: Implement, conditions: Conditions) -> Batter:
     """Return the batter that the options describe, with the present bat under these conditions."""
-    from sweetspot.design.batter import USUAL, Batter, contacts_of_file, fitted_player, normal_contact
+    from sweetspot.design.batter import USUAL, Batter, fitted_player, normal_contact
     from sweetspot.units import parse
 
+    if options.batter is not None and options.contacts is None:
+        raise InputError(f"--batter was given as {options.batter}, but no table; give it by --contacts")
     ways = [name for name in ("contact", "contacts", "player") if getattr(options, name) is not None]
     if len(ways) > 1:
         raise InputError(f"--{' and --'.join(ways)} both say where the ball is met; give one of them")
@@ -71,7 +80,7 @@ def batter_of(options: BatterOptions, bat: Implement, conditions: Conditions) ->
         return known[name] if text is None else parse(text, "length", option)
 
     if options.contacts is not None:
-        weight = contacts_of_file(options.contacts)
+        weight = _contacts(options.contacts, options.batter)
     else:
         mean = length(options.contact, "position", "--contact")
         weight = normal_contact(mean, length(options.contact_spread, "position_spread", "--contact-spread"))
@@ -85,6 +94,19 @@ def batter_of(options: BatterOptions, bat: Implement, conditions: Conditions) ->
         pitch_speed=known.get("pitch_speed", conditions.pitch.speed), law=_law(options, bat), doubt=doubt,
         speed_from_tip=bat.length - conditions.swing.measured_at,
     )  # fmt: skip
+
+
+def _contacts(path: Path, batter: str | None) -> Array:
+    """Return the parts of contacts of a table, or of one batter of a season's folder."""
+    from sweetspot.design.batter import contacts_at, contacts_of_file
+
+    if not path.is_dir():
+        return contacts_of_file(path, batter=batter)
+    from sweetspot.season.places_met import contact_places
+
+    if batter is None:
+        raise InputError(f"{path} is a season's folder; name the batter by --batter, a number of its players.csv")
+    return contacts_at(contact_places(path, batter))
 
 
 def _on_a_face(bat: Implement, conditions: Conditions) -> dict[str, float]:

@@ -52,7 +52,7 @@ def design_document(design: Designed, *, complete: bool = True) -> Document:
     picture = Picture(
         "design", partial(_drawn, design),
         label="The design's outline, its difference from the present bat, and the front.",
-        caption="Band: two bats of one shape, 95 %. Grey: where this batter meets the ball.",
+        caption="Band: two of one shape, 95 %. Grey: where the ball is met.",
     )  # fmt: skip
     notes: list[Words] = [_assumed(design)]
     if not complete:

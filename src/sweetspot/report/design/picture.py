@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
+from sweetspot.catalog.sports import sport
 from sweetspot.design.answer import Designed
 from sweetspot.design.batter import FROM_TIP
 from sweetspot.design.measures import MEASURES
@@ -49,7 +50,7 @@ def design_figure(design: Designed, reading: Reader = US) -> Figure:
     two = len(design.question.wants) > 1
     height = HEADER + OUTLINES + BETWEEN + CURVES + BETWEEN + (FRONT + FOOTER if two else FOOTER)
     figure = Figure(figsize=(WIDTH, height))
-    figure.text(SIDE / WIDTH, 1 - 0.42 / height, "A bat for this batter", size=HUGE, weight="bold")
+    figure.text(SIDE / WIDTH, 1 - 0.42 / height, _title(design), size=HUGE, weight="bold")
     figure.text(SIDE / WIDTH, 1 - 0.66 / height, f"against {present.name}", color=MUTED, size=NORMAL, parse_math=False)
 
     def panel(top: float, tall: float) -> Axes:
@@ -64,6 +65,11 @@ def design_figure(design: Designed, reading: Reader = US) -> Figure:
     if two:
         _front(panel(HEADER + OUTLINES + BETWEEN + CURVES + BETWEEN, FRONT), design, reading)
     return figure
+
+
+def _title(design: Designed) -> str:
+    tool = sport(design.bench.space.present.sport).words.implement
+    return f"A {tool} for this {'batter' if tool == 'bat' else 'player'}"
 
 
 def _contour(implement: Implement) -> tuple[np.ndarray, np.ndarray]:
@@ -109,8 +115,8 @@ def _difference(axes: Axes, design: Designed, length: float, reading: Reader) ->
     axes.set_xlim(length - FROM_TIP[-1], length * (1 + ruler.MARGIN))
     axes.set_xlabel(ruler.from_the_tip(design.bench.space.present, reading))
     heading(
-        axes, "Design minus present bat",
-        f"exit speed, {reading.unit('speed_change')}; band: two bats of one shape; grey: your contacts",
+        axes, "Design minus present",
+        f"exit speed, {reading.unit('speed_change')}; band: two of one shape; grey: your contacts",
     )  # fmt: skip
 
 
@@ -133,7 +139,7 @@ def _front(axes: Axes, design: Designed, reading: Reader) -> None:
     else:
         beyond = " and ".join(reading.shown(value * reading.units[scale].size, scale)
                               for value, scale in zip((now_x, now_y), scales, strict=True))  # fmt: skip
-        axes.text(0.01, 0.03, f"the present bat lies beyond: {beyond}", transform=axes.transAxes, color=INK, size=SMALL)
+        axes.text(0.01, 0.03, f"the present one lies beyond: {beyond}", transform=axes.transAxes, color=INK, size=SMALL)
     some = sorted({*np.linspace(0, len(x) - 1, min(MOST_BATS, len(x))).round().astype(int).tolist(), design.picked})
     across, up = np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim())
     scale = BAT_LENGTH * across / design.bat.length
@@ -154,4 +160,4 @@ def _front(axes: Axes, design: Designed, reading: Reader) -> None:
                       color=colour, size=SMALL)  # fmt: skip
     axes.set_xlabel(f"{MEASURES[wants[0]].label}, {reading.unit(scales[0])}")
     axes.set_ylabel(f"{MEASURES[wants[1]].label}, {reading.unit(scales[1])}")
-    heading(axes, "The front", "none of these bats is better in everything; red: the one told about")
+    heading(axes, "The front", "none of these is better in everything; red: the one told about")

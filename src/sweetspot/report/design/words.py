@@ -47,8 +47,8 @@ def worth_words(design: Designed) -> Sentence:
     """Return what the design is worth to this batter, beside what could hide it."""
     gain, batter = design.gain, design.bench.batter
     first = say(
-        "For contacts around {place} from the tip the ball leaves {gain} on average, give or take {doubt}: {verdict}. "
-        "The design is the faster one in {odds} of 100 such pairs.",
+        "For contacts around {place} from the tip the ball leaves {gain} on average, give or take {doubt}: {verdict}; "
+        "faster in {odds} of 100 such pairs.",
         place=Slot(batter.mean_contact, "place"), gain=_faster(gain.expected), doubt=Slot(gain.doubt, "speed_change"),
         verdict=gain.verdict.value, odds=f"{min(99, max(1, round(100 * gain.odds)))}",
     )  # fmt: skip
@@ -79,8 +79,7 @@ def _doubts(design: Designed) -> Sentence:
         parts.append(
             say(
                 "Two bats of one shape differ by {wood} (one standard deviation: density {density}, stiffness "
-                "{modulus}; {weighed} where the wood is chosen by weight), the best and worst of a dozen by up to "
-                "{shipment}, which is {pair} between two; the larger counts.",
+                "{modulus}; {weighed} chosen by weight), or by {pair}: best and worst of a dozen by up to {shipment}.",
                 wood=Slot(gain.wood, "speed_change"), density=_spread(DENSITY_SPREAD), modulus=_spread(MODULUS_SPREAD),
                 weighed=Slot(gain.by_weight, "speed_change"), shipment=Slot(SHIPMENT, "speed", 0, round=True),
                 pair=Slot(gain.shipment, "speed_change"),
@@ -88,12 +87,12 @@ def _doubts(design: Designed) -> Sentence:
         )  # fmt: skip
     law = design.bench.batter.law
     swing = (
-        say("How your swing depends on the bat adds {law}, ", law=Slot(gain.law, "speed_change"))
+        say("The swing law adds {law}; ", law=Slot(gain.law, "speed_change"))
         if law is not None
         else say("All are swung alike; ")
     )
     met = say(
-        "where you meet the ball, known to {doubt}, adds {contact}.", doubt=Slot(design.bench.batter.doubt, "place"),
+        "the place of contact, known to {doubt}, adds {contact}.", doubt=Slot(design.bench.batter.doubt, "place"),
         contact=Slot(gain.contact, "speed_change"),
     )  # fmt: skip
     return joined([*parts, swing + met])

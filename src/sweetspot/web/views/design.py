@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import json
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
 from shlex import quote
-from typing import Any
+from typing import Any, TypeVar
 
 from sweetspot.analysis.certification.rules import check_rules, title
 from sweetspot.calibration.measured import REACH
 from sweetspot.catalog.files.write import bat_toml
 from sweetspot.design.answer import Designed, findings_of
-from sweetspot.design.batter import FROM_TIP, fitted_player
+from sweetspot.design.batter import FROM_TIP, contacts_of_file, fitted_player
 from sweetspot.design.fronts import Front
 from sweetspot.design.gain import CLEARLY, LIKELY, gain_of
 from sweetspot.design.gain import Verdict as GainVerdict
@@ -56,6 +56,7 @@ from sweetspot.web.views.design_state import (
 )
 from sweetspot.web.views.player import PlayerState, learned
 
+Read = TypeVar("Read")
 CLOSE = 1e-3
 """Grains by which a limit may be missed and still be called kept: rounding on the way to the page and back."""
 
@@ -63,11 +64,9 @@ CLOSE = 1e-3
 def answer(state: DesignState) -> dict[str, Any]:
     """Return the bat that is being shaped beside the present one: sizes, weights, rules, and curves along both."""
     request = asked(state)
-    bench, space = request.bench, request.bench.space
+    space = request.bench.space
     numbers, own = numbers_of(state, request)
-    measured = bench.measured(numbers)
-    bat = space.made(numbers, f"{space.present.name}, designed")
-    assert isinstance(bat, Bat)
+    bat, measured = _made(request, numbers, own=own)
     body = rigid_body(beam_model(bat))
     return {
         "bat": bat_picture(state, reduced(state, ball_of(state))),
@@ -91,6 +90,18 @@ def answer(state: DesignState) -> dict[str, Any]:
         "rules": _rules(state, request, bat, measured),
         "curves": _curves(request, measured),
     }  # fmt: skip
+
+
+def _made(request: Asked, numbers: Array, *, own: bool) -> tuple[Bat, Measured]:
+    """Return the bat of some numbers and what it is; while nothing was changed, the present bat to the last digit."""
+    space = request.bench.space
+    measured = request.bench.measured(numbers)
+    if not own:
+        now = request.now
+        return _present(request), Measured({**measured.values, **now.values}, now.curve, now.worth)
+    bat = space.made(numbers, f"{space.present.name}, designed")
+    assert isinstance(bat, Bat)
+    return bat, measured
 
 
 def _present(request: Asked) -> Bat:
@@ -152,8 +163,7 @@ def _curves(request: Asked, measured: Measured) -> dict[str, Any]:
 def gain(state: DesignState) -> dict[str, Any]:
     """Return what the bat gains in this batter's hands beside wood that differs, in words and as a band."""
     request = asked(state)
-    numbers, _ = numbers_of(state, request)
-    design = _designed(state, request, numbers)
+    design = _designed(state, request)
     words = [moved_words(design), worth_words(design), warning_words(design), effort_words(design)]
     tolerance = tolerance_words(design)
     every = [*words, *([] if tolerance is None else [tolerance])]
@@ -170,12 +180,12 @@ def gain(state: DesignState) -> dict[str, Any]:
     }
 
 
-def _designed(state: DesignState, request: Asked, numbers: Array) -> Designed:
+def _designed(state: DesignState, request: Asked) -> Designed:
     """Return one bat as the only one of its front, with everything around it."""
     bench = request.bench
-    measured = bench.measured(numbers)
+    numbers, own = numbers_of(state, request)
+    bat, measured = _made(request, numbers, own=own)
     front = Front(numbers[None], measured, 0, numbers[None])
-    bat = bench.space.made(numbers, f"{bench.space.present.name}, designed")
     gain = gain_of(bench, numbers, measured, request.now)
     return Designed(bench, question_of(state), front, 0, request.now, gain, bat, checks=(), bent=None)
 
@@ -183,10 +193,8 @@ def _designed(state: DesignState, request: Asked, numbers: Array) -> Designed:
 def files(state: DesignState) -> dict[str, Any]:
     """Return the bat's file and its drawings for the maker, in either system of units."""
     request = asked(state)
-    numbers, _ = numbers_of(state, request)
-    present = _present(request)
-    bat = request.bench.space.made(numbers, f"{present.name}, designed")
-    assert isinstance(bat, Bat)
+    numbers, own = numbers_of(state, request)
+    bat, _ = _made(request, numbers, own=own)
     endings = ("svg", "dxf", "csv") if bat.shell is None else ()
     return {
         "toml": bat_toml(bat),
@@ -196,11 +204,15 @@ def files(state: DesignState) -> dict[str, Any]:
 
 
 def batter(state: DesignState) -> dict[str, Any]:
-    """Return the batter that a table of swings, or an answer of fit-player, tells of: as fields of a state."""
+    """Return the batter that swings, contacts or an answer of fit-player tell of: as fields of a state."""
     if state.swings_csv is None:
         return {}
     if state.swings_csv.lstrip().startswith("{"):
-        values = _of_json(state.swings_csv)
+        values = _of_file(state.swings_csv, "fit-player.json", fitted_player)
+    elif "from_tip" in state.swings_csv.partition("\n")[0].lower():
+        weight = _of_file(state.swings_csv, "contacts.csv", contacts_of_file)
+        mean = float(weight @ FROM_TIP)
+        values = {"position": mean, "position_spread": float(weight @ (FROM_TIP - mean) ** 2) ** 0.5}
     else:
         own = {name: getattr(state, name) for name in BatState.model_fields}
         posterior = learned(PlayerState(**own, swings_csv=state.swings_csv))
@@ -212,17 +224,15 @@ def batter(state: DesignState) -> dict[str, Any]:
     return {field: round(values[name] / size, 2) for field, (name, size) in scales.items() if name in values}
 
 
-def _of_json(text: str) -> dict[str, float]:
+def _of_file(text: str, name: str, read: Callable[[Path], Read]) -> Read:
+    """Return what a reader makes of a text as a file; its faults are the field's."""
     with tempfile.TemporaryDirectory() as folder, about("swings_csv"):
-        path = Path(folder) / "fit-player.json"
+        path = Path(folder) / name
         path.write_text(text, encoding="utf-8")
         try:
-            json.loads(text)
-            return fitted_player(path)
-        except ValueError as error:
-            if isinstance(error, SweetspotError):
-                raise FieldError("swings_csv", str(error).replace(str(path), "the file")) from None
-            raise FieldError("swings_csv", f"the file is no JSON: {error}") from None
+            return read(path)
+        except SweetspotError as error:
+            raise FieldError("swings_csv", str(error).replace(str(path), "the file")) from None
 
 
 def recipe(state: DesignState) -> dict[str, str]:

@@ -254,7 +254,7 @@ export const view = {
     const seen = sure ? `: ${verdictOf(speed.change, sure)}` : "";
     const doubt = sure ? `, give or take ${app.text("speed_change", sure.half_interval_m_s)}` : "";
     const design = answer.design;
-    const gained = answer.own ? `Over these contacts the ball leaves ${change}${doubt}${seen}.` : "This is the present bat still, as smooth as its handles draw it: pull one, or let the search find better.";
+    const gained = answer.own ? `Over these contacts the ball leaves ${change}${doubt}${seen}.` : "This is the present bat still: pull a round handle, or let the search find better.";
     this.words.textContent = `${gained} ` +
       `${app.text("mass_kg", design.mass_kg)}, balance ${app.text("balance_point_m", design.balance_point_m, 1)} from the knob, swing weight ${withDoubt("moi_kg_m2", design.moi_6in_kg_m2, design.moi_6in_half_kg_m2, app)}.`;
     app.announce(this.words.textContent);

@@ -186,7 +186,7 @@ export class Front {
     const names = [...new Set([...this.found.wants, "best_from_tip", "mass", "moi"])];
     const heads = { best_from_tip: ["place", "best place from the tip"], mass: ["mass", "weight"], ...WANTS };
     const chosen = this.chosen();
-    const box = tableOf("The front", ["Bat", ...names.map((name) => heads[name][1]), ""], this.found.front.map(({ values }, row) => (
+    const box = tableOf("The front", ["Bat", ...names.map((name) => heads[name][1]), "take it"], this.found.front.map(({ values }, row) => (
       [`${row + 1}${row === chosen ? " (taken)" : ""}`, ...names.map((name) => this.app.text(heads[name][0], values[name])), ""])));
     box.querySelectorAll("tbody tr").forEach((row, i) => {
       const take = button("Take", () => this.onTake(this.found.front[i].numbers));
