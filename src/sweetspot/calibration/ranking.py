@@ -76,9 +76,14 @@ class Ranking:
     wood: float
 
     @property
+    def by_chance(self) -> float:
+        """How much bats that are all alike would seem to differ at most by what is not known of each, m/s."""
+        return math.sqrt(2.0) * self.not_known
+
+    @property
     def beyond_doubt(self) -> bool:
         """Whether the bats differ by more than what is not known of them leaves (twice, in variance)."""
-        return self.scatter**2 > 2 * self.not_known**2
+        return self.scatter > self.by_chance
 
 
 def rank_bats(

@@ -65,24 +65,31 @@ def ranking_words(ranking: Ranking) -> Sentence:
             apart=Slot(first.exit_speed.value - last.exit_speed.value, "speed_change"),
         )
     ]  # fmt: skip
-    sizes = {"scatter": Slot(ranking.scatter, "speed_change", 2), "doubt": Slot(ranking.not_known, "speed_change", 2),
+    sizes = {"scatter": Slot(ranking.scatter, "speed_change", 2), "chance": Slot(ranking.by_chance, "speed_change", 2),
+             "doubt": Slot(ranking.not_known, "speed_change", 2),
              "wood": Slot(ranking.wood, "speed_change", 2)}  # fmt: skip
     verdict = (
-        "The bats differ by {scatter} (one sigma), more than the {doubt} that is not known of each: the order means "
-        "something."
+        "The bats differ by {scatter} (one sigma), more than the {chance} that chance alone could make of the {doubt} "
+        "that is not known of each: the order means something."
         if ranking.beyond_doubt
-        else "The bats differ by {scatter} (one sigma), no more than the {doubt} that is not known of each allows: "
-        "the order may be chance."
+        else "The bats differ by {scatter} (one sigma), no more than the {chance} that chance alone could make of the "
+        "{doubt} that is not known of each: the order may be chance."
     )
     words.append(say(verdict, **sizes))
     words.append(
         say(
             "Bats of this outline in any billet of this wood would differ by {wood}; these differ by {more}.",
-            more="more: look for another reason" if ranking.scatter > 1.5 * ranking.wood else
-            "no more than wood does by itself", **sizes,
+            more=_beside_wood(ranking), **sizes,
         )
     )  # fmt: skip
     return joined(words)
+
+
+def _beside_wood(ranking: Ranking) -> str:
+    if ranking.scatter <= ranking.wood:
+        return "no more than wood does by itself"
+    much = ranking.scatter > 1.5 * ranking.wood
+    return "much more: look for another reason" if much else "little more, which wood may do by itself"
 
 
 def ranking_json(ranking: Ranking) -> dict[str, Any]:
@@ -92,6 +99,7 @@ def ranking_json(ranking: Ranking) -> dict[str, Any]:
             "interval_level": LEVEL,
             "scatter_m_s": ranking.scatter,
             "not_known_m_s": ranking.not_known,
+            "by_chance_m_s": ranking.by_chance,
             "wood_m_s": ranking.wood,
             "beyond_doubt": ranking.beyond_doubt,
             "bats": [_bat_json(one) for one in ranking.bats],

@@ -1,0 +1,87 @@
+"""Sentences of bats that were measured, of taps and of drops: their numbers are the tables', their words the signs'."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from sweetspot.report.document import Table
+from sweetspot.report.quantities import SYSTEMS, US
+from tests.report.told import Run, Tell, blocks, check_sentences, known_numbers, tell, text_of
+
+__all__ = ["tell"]
+READERS = tuple(SYSTEMS.values())
+HEAD = "name,mass_oz,balance_point_in,pendulum_s,bending_1_hz,moisture_percent\n"
+WEIGHED = ("--mass", "31.00oz±0.05oz", "--balance-point", "22.05in±0.05in", "--tone", "bending-1:171.8Hz")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("--height", "1m"),
+        ("--ball", "tennis", "--height", "254cm", "--material", "concrete", "--in-air"),
+        ("--speed", "60mph", "--material", "aluminium-7xxx", "--thickness", "3mm", "--support", "clamped"),
+    ],
+    ids=" ".join,
+)
+def test_a_drop(tell: Tell, words: tuple[str, ...]) -> None:
+    document = tell("drop", *words)
+    check_sentences(document, READERS)
+    assert known_numbers(document).size > 10 and any(isinstance(block, Table) for block in blocks(document))
+    assert ("gives way by" in text_of(document, US)) == ("3mm" in words)  # only what is thinner than that
+
+
+@pytest.mark.parametrize("tone", [155.0, 171.0])
+def test_an_order_of_bats(tell: Tell, tmp_path: Path, tone: float) -> None:
+    table = tmp_path / "bats.csv"
+    row = "31.00±0.05,22.05±0.05,1.4545±0.003"
+    table.write_text(f"{HEAD}A,{row},171.5±0.4,12\nB,{row},{tone}±0.4,12\n", encoding="utf-8")
+    document = tell("rank", str(table), "--like", "r161-ash")
+    bats = sorted(document.data["bats"], key=lambda one: -one["exit_speed_m_s"])
+    check_sentences(document, READERS, [bats[0]["exit_speed_m_s"] - bats[-1]["exit_speed_m_s"]])
+    text = text_of(document, US)
+    assert text.startswith(f"{bats[0]['name']} hits best") and f"{bats[-1]['name']} comes last" in text
+    found = re.search(r"differ by ([\d.]+) mph \(one sigma\), (no more|more) than the ([\d.]+) mph that chance", text)
+    assert found is not None
+    assert (found[2] == "more") == (float(found[1]) > float(found[3]))
+    assert ("may be chance" in text) == (found[2] == "no more")
+    data = document.data
+    wood = re.search(r"these differ by (no more|little more|much more)", text)
+    assert wood is not None and (wood[1] == "no more") == (data["scatter_m_s"] <= data["wood_m_s"])
+
+
+def test_a_tap(tell: Tell, run: Run, tmp_path: Path) -> None:
+    sound = str(tmp_path / "tap.wav")
+    run("tap", "--synthesise", "r161-ash", "--at", "1in-from-tip", "--out", sound)
+    for words in (
+        ("--bat", "r161-ash", "--at", "1in-from-tip"),
+        ("--bar", "500mm x 40mm x 10mm", "--mass", "0.14kg±1g"),
+    ):
+        document = tell("tap", sound, *words)
+        check_sentences(document, READERS)
+        taps = document.data["taps"]
+        assert f"{sum(one['used'] for one in taps)} of {len(taps)} taps used" in text_of(document, US)
+
+
+def test_measurements_that_contradict(tell: Tell) -> None:
+    """The pendulum's period is what the scale, the balance and the tone make of the drawing: within a part in 300."""
+    document = tell("calibrate", "r161-ash", *WEIGHED, "--pendulum", "1.50s±0.003s")
+    text = text_of(document, US)
+    told = re.search(r"it should be ([\d.]+) s and not 1\.5000 s", text)
+    assert told is not None and float(told[1]) == pytest.approx(1.4545, rel=1 / 300)
+    others = [number for block in blocks(document) for number in _told(block)]
+    check_sentences(
+        document, READERS, [number for number in others if number == pytest.approx(float(told[1]), abs=5e-5)]
+    )
+    assert not document.data["consistent"] and "contradict each other" in text
+    shares = [float(one) for one in re.findall(r"(\d+) %(?=[,.])", text.split("comes from: ")[1].split(".")[0] + ".")]
+    assert shares == sorted(shares, reverse=True) and 90 < sum(shares) < 101
+
+
+def _told(block: object) -> list[float]:
+    from tests.report.told import numbers_in
+
+    words = getattr(block, "words", None)
+    return list(numbers_in(words)) if words is not None else []
