@@ -11,6 +11,8 @@ import numpy as np
 import polars as pl
 import pytest
 
+from sweetspot.equipment.bat import Bat
+from sweetspot.errors import InputError
 from sweetspot.web.views import season_work
 
 URL = "/api/v1/season"
@@ -117,14 +119,25 @@ def test_a_players_page_and_the_tables_are_there_and_nothing_else(client: httpx.
         ("words.csv", "launch_speed,launch_angle\nfast,high\n", "none of 1 rows"),
     ],
 )
-def test_a_bad_table_is_one_clear_line(client: httpx.Client, tmp_path: Path, name: str, text: str, words: str) -> None:
+def test_a_bad_table_is_one_clear_line(r161: Bat, tmp_path: Path, name: str, text: str, words: str) -> None:
     path = tmp_path / name
     path.write_text(text)
+    with pytest.raises(InputError) as fault:
+        season_work.read_season(
+            ((path, name),), tmp_path / "own", "key", r161, "as it is", after=None, say=lambda *_: None
+        )
+    message = str(fault.value)
+    assert name in message and words in message and "\n" not in message
+    assert "/" not in message.replace("and/or", "")
+
+
+def test_a_reading_that_fails_says_why(client: httpx.Client, tmp_path: Path) -> None:
+    path = tmp_path / "words.csv"
+    path.write_text("launch_speed,launch_angle\nfast,high\n")
     told = read(client, handed_in(client, path))
     assert told["status"] == "failed"
     message = told["error"]["message"]
-    assert name in message and words in message and "\n" not in message
-    assert "/" not in message.replace("and/or", "") and "Traceback" not in message
+    assert message.startswith("words.csv: none of 1 rows") and "Traceback" not in message
 
 
 @pytest.mark.parametrize(
