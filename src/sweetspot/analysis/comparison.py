@@ -144,7 +144,7 @@ def compare_reduced(
     if labels is not None and len(labels) != len(reductions):
         raise InputError(f"{len(labels)} labels were given for {len(reductions)} bats; give one for each")
     first = reductions[0]
-    found: list[Compared[Given]] = []
+    rows: list[Compared[Given]] = []
     names = labels or [reduced.bat.name for reduced in reductions]
     for reduced, label in zip(reductions, names, strict=True):
         bat, reference = reduced.bat, first.bat
@@ -153,8 +153,8 @@ def compare_reduced(
             swung_conditions(bat, reference=reference, conditions=conditions, ratio=None if law is None else ratio)
             for ratio in (ratios.value, ratios.low, ratios.high)
         ]
-        found.append(_compared(label, analyse_reduced(reduced, swung[0]), swung, found[0] if found else None))
-    return Comparison(tuple(found), law)
+        rows.append(_compared(label, analyse_reduced(reduced, swung[0]), swung, rows[0] if rows else None))
+    return Comparison(tuple(rows), law)
 
 
 def speed_ratios(

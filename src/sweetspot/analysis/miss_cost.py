@@ -48,13 +48,13 @@ def miss_costs(analysis: Analysis[Implement], distances: tuple[float, ...]) -> l
     other = viscous_scan(analysis, reach=max(distances))
     index, shift, best = top(other.exit_speed)
     place = float(other.position[index] + shift * (other.position[1] - other.position[0]))
-    found = []
+    costs = []
     for distance in distances:
         ours = miss_cost(analysis.scan, distance)
         theirs = [best - float(np.interp(place + way * distance, *other, left=np.nan, right=np.nan)) for way in (-1, 1)]
         inside, outside = (Loss(one, *_span(one, two)) for one, two in zip(ours, theirs, strict=True))
-        found.append((inside, outside))
-    return found
+        costs.append((inside, outside))
+    return costs
 
 
 def _span(one: float, two: float) -> tuple[float, float]:

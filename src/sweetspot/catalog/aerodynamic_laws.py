@@ -41,9 +41,9 @@ def aerodynamics(name: str = DEFAULT_AERODYNAMICS) -> Aerodynamics:
     >>> round(aerodynamics("trajectory-calculator").drag_coefficient(0.2, spin=261.8), 4)  # 0.3008 + 0.0292 x 2.5
     0.3738
     """
-    _, found = entry(read_table(FILE), name, "aerodynamics")
-    values: dict[str, Any] = {field: quantity(found, field, kind, found["name"]) for field, kind in FIELDS.items()}
-    return Aerodynamics(name=found["name"], **{field: value for field, value in values.items() if value is not None})
+    _, table = entry(read_table(FILE), name, "aerodynamics")
+    values: dict[str, Any] = {field: quantity(table, field, kind, table["name"]) for field, kind in FIELDS.items()}
+    return Aerodynamics(name=table["name"], **{field: value for field, value in values.items() if value is not None})
 
 
 def aerodynamics_in(park: Park | None, law: Aerodynamics) -> Aerodynamics:

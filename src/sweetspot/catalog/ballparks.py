@@ -102,8 +102,8 @@ def field_names() -> list[str]:
 
 def _field(key: str) -> Park:
     """Return a field whose fence is an arc of a circle through both foul poles and centre field."""
-    found = read_table(FIELDS)[key]
-    sizes = {name: quantity(found, name, "length", key) for name in ("foul_lines", "centre", "height")}
+    field = read_table(FIELDS)[key]
+    sizes = {name: quantity(field, name, "length", key) for name in ("foul_lines", "centre", "height")}
     line, centre, high = (value for value in sizes.values() if value is not None)
     # a circle about (0, c) of radius centre - c passes the pole at line / sqrt(2) (1, 1)
     along = line / math.sqrt(2)
@@ -113,7 +113,7 @@ def _field(key: str) -> Park:
         middle * math.cos(turn) + math.sqrt((centre - middle) ** 2 - (middle * math.sin(turn)) ** 2) for turn in turns
     ]
     return Park(
-        name=found["name"], team=found["league"], city="", elevation=0.0, roof="open",
+        name=field["name"], team=field["league"], city="", elevation=0.0, roof="open",
         fence=tuple((turn, distance, high) for turn, distance in zip(turns, far, strict=True)),
     )  # fmt: skip
 

@@ -50,9 +50,9 @@ def delivery(name: str = "fastball") -> Delivery:
     >>> delivery("CU").name, round(delivery("CU").speed / 0.44704, 1)
     ('curve ball', 78.0)
     """
-    found = _entry(name)
-    values = {field: quantity(found, field, kind, name) for field, kind in FIELDS.items()}
-    return Delivery(name=found["name"], **{field: value for field, value in values.items() if value is not None})
+    pitch = _entry(name)
+    values = {field: quantity(pitch, field, kind, name) for field, kind in FIELDS.items()}
+    return Delivery(name=pitch["name"], **{field: value for field, value in values.items() if value is not None})
 
 
 def usual_height(name: str) -> float:

@@ -78,13 +78,13 @@ def unwrapped(value: Any) -> Any:
 
 def all_records(entry: dict[str, Any], name: str) -> list[Record]:
     """Return the provenance of every value in an entry that has one."""
-    found = []
+    records = []
     for field, value in entry.items():
         if isinstance(value, dict) and "value" in value and "source" in value:
-            found.append(
+            records.append(
                 Record(
                     f"{name}.{field}", value["value"], value.get("spread"), value["source"], value.get("where", ""),
                     value["kind"],
                 )
             )  # fmt: skip
-    return found
+    return records

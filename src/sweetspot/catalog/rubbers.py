@@ -27,6 +27,6 @@ def rubber(name: str) -> Rubber:
     >>> rubber("anti-spin").friction < rubber("inverted").friction
     True
     """
-    _, found = entry(read_table(FILE), name, "rubber")
-    values = {field: quantity(found, field, kind, found["name"]) for field, kind in KINDS.items()}
-    return Rubber(name=found["name"], **values)
+    _, table = entry(read_table(FILE), name, "rubber")
+    values = {field: quantity(table, field, kind, table["name"]) for field, kind in KINDS.items()}
+    return Rubber(name=table["name"], **values)

@@ -24,10 +24,10 @@ def swing_law(name: str = DEFAULT_SWING_LAW) -> SwingLaw:
     >>> swing_law("baseball").exponent
     0.29
     """
-    _, found = entry(read_table(FILE), name, "swing law")
-    what = found["name"]
-    exponent, axis = quantity(found, "exponent", "ratio", what), quantity(found, "axis", "length", what)
-    lightest = quantity(found, "lightest_moi", "moi", what)
+    _, table = entry(read_table(FILE), name, "swing law")
+    what = table["name"]
+    exponent, axis = quantity(table, "exponent", "ratio", what), quantity(table, "axis", "length", what)
+    lightest = quantity(table, "lightest_moi", "moi", what)
     assert exponent is not None and axis is not None and lightest is not None, f"{FILE}: {name} is not complete"
-    spread = parse(unwrapped(found["exponent"]["spread"]), "ratio", f"{what} spread")
+    spread = parse(unwrapped(table["exponent"]["spread"]), "ratio", f"{what} spread")
     return SwingLaw(what, exponent, spread, axis, lightest)

@@ -20,7 +20,7 @@ def swing_weight(sport: str) -> SwingWeight:
     >>> swing_weight("tennis").axis
     0.1
     """
-    _, found = entry(read_table(FILE), sport, "sport")
-    axis = parse(found["axis"], "length", f"{sport} axis")
-    size = parse(found["size"], MOMENTS[found["order"]], f"{sport} size")
-    return SwingWeight(**{**found, "axis": axis, "size": size})
+    _, table = entry(read_table(FILE), sport, "sport")
+    axis = parse(table["axis"], "length", f"{sport} axis")
+    size = parse(table["size"], MOMENTS[table["order"]], f"{sport} size")
+    return SwingWeight(**{**table, "axis": axis, "size": size})

@@ -112,7 +112,7 @@ def _texts(launch: LaunchOptions, air: AirOptions) -> dict[str, str]:
     """Return every option that was given or has a default, by the name that a `BattedBall` has for it."""
     from sweetspot.catalog import ball_sport
 
-    found: dict[str, str | None] = {
+    options: dict[str, str | None] = {
         name: getattr(launch, name)
         for name in ("exit_speed", "launch_angle", "spray", "bearing", "backspin", "sidespin", "gyrospin", "height",
                      "forward")
@@ -123,13 +123,13 @@ def _texts(launch: LaunchOptions, air: AirOptions) -> dict[str, str]:
             "place where the ball comes down"
         )
     if ball_sport(launch.ball) != "baseball":  # the usual spin is that of batted baseballs
-        found |= {name: found[name] or "0rpm" for name in ("backspin", "sidespin")}
+        options |= {name: options[name] or "0rpm" for name in ("backspin", "sidespin")}
     for name in ("temperature", "humidity", "pressure", "wind_speed", "wind_direction", "calm_below"):
-        found[name] = getattr(air, name)
+        options[name] = getattr(air, name)
     park = park_of(air)
-    found["wind_exponent"] = air.wind_profile
-    found["elevation"] = air.elevation or f"{0.0 if park is None else park.elevation!r} m"
-    return {name: text for name, text in found.items() if text is not None}
+    options["wind_exponent"] = air.wind_profile
+    options["elevation"] = air.elevation or f"{0.0 if park is None else park.elevation!r} m"
+    return {name: text for name, text in options.items() if text is not None}
 
 
 def _check_exit_speeds(launch: LaunchOptions, speeds: list[float]) -> None:

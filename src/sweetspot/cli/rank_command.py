@@ -71,10 +71,10 @@ def _measured(table: Path) -> dict[str, list[Measurement]]:
     files = sorted(table.glob("*.csv"))
     if not files:
         raise InputError(f"{table} holds no CSV file; put one with the bats' measurements there")
-    found: dict[str, list[Measurement]] = {}
+    measured: dict[str, list[Measurement]] = {}
     for file in files:
         for name, given in read_bats(file).items():
-            if name in found:
+            if name in measured:
                 raise InputError(f"{file}: there are two bats of the name {name!r}; give each its own")
-            found[name] = given
-    return found
+            measured[name] = given
+    return measured

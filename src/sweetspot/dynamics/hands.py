@@ -76,13 +76,13 @@ def _names(modes: Modes, vectors: Array) -> tuple[tuple[Family, ...], tuple[int,
     names = list(zip(modes.families, modes.harmonics, strict=True))
     others = [name for number, name in enumerate(names) if number not in apart]
     in_order = iter(sorted(others, key=lambda name: name[0] != "rigid"))
-    found: list[tuple[Family, int]] = []
+    named: list[tuple[Family, int]] = []
     for index in range(count + 2):
         if index in of_hands:
-            found.append(("hand", 1 + sum(name == "hand" for name, _ in found)))
+            named.append(("hand", 1 + sum(name == "hand" for name, _ in named)))
         elif ringing[index]:
-            found.append(names[apart[int(np.argmax(vectors[apart, index] ** 2))]])
+            named.append(names[apart[int(np.argmax(vectors[apart, index] ** 2))]])
         else:
-            found.append(next(in_order))
-    families, harmonics = zip(*found, strict=True)
+            named.append(next(in_order))
+    families, harmonics = zip(*named, strict=True)
     return families, harmonics

@@ -72,12 +72,12 @@ class Piecewise:
         width = np.diff(self.ends)
         powers = np.arange(len(self.coefficients) - 1, -1, -1)[:, None]
         sizes = np.abs(self.coefficients) * width**powers
-        found = []
+        roots = []
         for piece in np.flatnonzero(sizes[:-1].sum(axis=0) >= sizes[-1]):
             every = np.roots(self.coefficients[:, piece])
             real = every.real[every.imag == 0]
-            found.append(self.ends[piece] + real[(real >= 0) & (real <= width[piece])])
-        return np.unique(np.concatenate([np.zeros(0), *found]))
+            roots.append(self.ends[piece] + real[(real >= 0) & (real <= width[piece])])
+        return np.unique(np.concatenate([np.zeros(0), *roots]))
 
 
 def cubic_spline(places: ArrayLike, values: ArrayLike) -> Piecewise:

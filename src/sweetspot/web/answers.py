@@ -88,8 +88,8 @@ class Answers:
 def answer_json(name: str, state: ViewState, aside: str = "") -> bytes:
     """Return a view's answer, or one of its asides, as JSON; numbers that are not finite become null."""
     view = VIEWS[name]
-    found = view.asides[aside](state) if aside else view.answer(state)
-    return pydantic_core.to_json(found, inf_nan_mode="null", fallback=_plain)
+    answer = view.asides[aside](state) if aside else view.answer(state)
+    return pydantic_core.to_json(answer, inf_nan_mode="null", fallback=_plain)
 
 
 def _plain(value: Any) -> Any:
@@ -105,5 +105,5 @@ def state_of(name: str, table: Any) -> ViewState:
     try:
         return view.state.model_validate(table)
     except ValidationError as error:
-        found = fault(error)
-        raise FieldError(found["field"], found["message"], tuple(found.get("more", ()))) from None
+        refusal = fault(error)
+        raise FieldError(refusal["field"], refusal["message"], tuple(refusal.get("more", ()))) from None

@@ -43,8 +43,8 @@ def described(state: BatState) -> Bat:
 
 def reduced(state: BatState, ball: Ball) -> ReducedBat:
     """Return a state's bat with its beam and modes; only another bat or another make of ball works them out anew."""
-    found = _reduced(_unheld(state), _make(ball))
-    return replace(found, bat=described(state)) if state.choke_up_in else found
+    model = _reduced(_unheld(state), _make(ball))
+    return replace(model, bat=described(state)) if state.choke_up_in else model
 
 
 class Usual(NamedTuple):
@@ -159,8 +159,8 @@ _FIRST = BatState()
 def _reduced(state: BatState, ball: Ball) -> ReducedBat:
     bat = _changed(state)
     with about("bat_toml" if state.bat_toml is not None else "bat"):
-        found = reduced_bat(bat, ball=ball)
-    return ReducedBat(bat, found.line, found.body, found.modes)
+        model = reduced_bat(bat, ball=ball)
+    return ReducedBat(bat, model.line, model.body, model.modes)
 
 
 @lru_cache(maxsize=KEPT)

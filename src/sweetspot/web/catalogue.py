@@ -84,8 +84,8 @@ def catalogue_routes(api: APIRouter) -> None:
     def bat(text: BatText) -> BatFacts:
         """Return the facts of a bat written as TOML, or what is wrong with it."""
         with about("toml"):
-            found = bat_from_text(text.toml)
-            return _facts(found.name, found)
+            bat = bat_from_text(text.toml)
+            return _facts(bat.name, bat)
 
 
 def load_lists() -> None:
@@ -101,9 +101,9 @@ def _bats() -> tuple[BatFacts, ...]:
 
 @cache
 def _implements() -> tuple[Choice, ...]:
-    found = [(catalog.sport(tool.sport).name, key, tool.name) for key in catalog.implement_names()
+    tools = [(catalog.sport(tool.sport).name, key, tool.name) for key in catalog.implement_names()
              for tool in [catalog.implement(key)]]  # fmt: skip
-    return tuple(Choice(key=key, name=f"{sport}: {name}") for sport, key, name in sorted(found))
+    return tuple(Choice(key=key, name=f"{sport}: {name}") for sport, key, name in sorted(tools))
 
 
 def _facts(key: str, bat: Bat) -> BatFacts:

@@ -34,8 +34,8 @@ class File:
 
 def static_files() -> dict[str, File]:
     """Return every file of the page by its path below /static/; the table of quantities is one, as a module."""
-    found = (path for path in sorted(FOLDER.rglob("*")) if path.suffix in TYPES)
-    files = {path.relative_to(FOLDER).as_posix(): _file(path.read_bytes(), path.suffix) for path in found}
+    paths = (path for path in sorted(FOLDER.rglob("*")) if path.suffix in TYPES)
+    files = {path.relative_to(FOLDER).as_posix(): _file(path.read_bytes(), path.suffix) for path in paths}
     return files | {"quantities.js": _file(f"export default {json.dumps(quantity_data())};\n".encode(), ".js")}
 
 

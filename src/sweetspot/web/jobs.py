@@ -198,7 +198,7 @@ def _run(line: Connection, work: Work, arguments: tuple[Any, ...], after: Any) -
 
     with suppress(BrokenPipeError):
         try:
-            found = work(*arguments, after=after, say=say)
+            result = work(*arguments, after=after, say=say)
         except SweetspotError as error:
             line.send(("failed", fault(error), None))
         except Exception:
@@ -207,4 +207,4 @@ def _run(line: Connection, work: Work, arguments: tuple[Any, ...], after: Any) -
             logging.getLogger("sweetspot.web").exception("long work")
             line.send(("failed", {"field": "", "message": BROKEN}, None))
         else:
-            line.send(("done", found, None))
+            line.send(("done", result, None))

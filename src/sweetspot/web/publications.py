@@ -27,8 +27,8 @@ def published(state: BatState) -> list[dict[str, Any]]:
 
 @cache
 def _of_bat(name: str) -> list[dict[str, Any]]:
-    found = [_mark(row, case, name) for case in sources() for row in case.rows if row.inputs.get("bat") == name]
-    return [one for one in found if one is not None]
+    marks = [_mark(row, case, name) for case in sources() for row in case.rows if row.inputs.get("bat") == name]
+    return [one for one in marks if one is not None]
 
 
 def _mark(row: Row, case: Case, name: str) -> dict[str, Any] | None:

@@ -72,8 +72,8 @@ def best_launch(
 
     if not (math.isfinite(exit_speed) and exit_speed > 0):
         raise InputError(f"exit_speed is {exit_speed:g} m/s; allowed is a number above zero")
-    found = minimize_scalar(shortfall, bounds=LAUNCH_ANGLES, method="bounded", options={"xatol": 1e-5})
-    return BestLaunch(float(found.x), -float(found.fun))
+    minimum = minimize_scalar(shortfall, bounds=LAUNCH_ANGLES, method="bounded", options={"xatol": 1e-5})
+    return BestLaunch(float(minimum.x), -float(minimum.fun))
 
 
 @dataclass(frozen=True)
@@ -138,9 +138,9 @@ def easiest_home_run(
 
         return float(brentq(clearance, 0.9 * rough, 1.2 * rough, xtol=1e-6))
 
-    found = minimize_scalar(least, bounds=(near - REFINED, near + REFINED), method="bounded", options={"xatol": 1e-4})
+    minimum = minimize_scalar(least, bounds=(near - REFINED, near + REFINED), method="bounded", options={"xatol": 1e-4})
     return EasiestHomeRun(
-        park, float(found.fun), float(found.x), float(wanted[at]), float(distance[at]), float(height[at])
+        park, float(minimum.fun), float(minimum.x), float(wanted[at]), float(distance[at]), float(height[at])
     )
 
 

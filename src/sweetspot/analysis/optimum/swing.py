@@ -159,8 +159,8 @@ def _climbed(tried: Tried, *, length: float, held: Held) -> Array:
 
     none = np.zeros(len(moving))
     simplex = np.vstack([none, 2 * np.eye(len(moving))])
-    found = minimize(
+    minimum = minimize(
         shortfall, none, method="Nelder-Mead",
         options={"xatol": SHARP, "fatol": SHARP, "maxiter": MOST_STEPS, "initial_simplex": simplex},
     )  # fmt: skip
-    return placed(found.x)
+    return placed(minimum.x)

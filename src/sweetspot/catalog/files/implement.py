@@ -211,12 +211,12 @@ def _unwrapped(value: Any) -> Any:
 
 def _common(file: CommonTable) -> dict[str, Any]:
     left_out = ("kind", "note", "point_mass")
-    found = {name: value for name, value in in_si(file, implement=file.kind).items() if name not in left_out}
+    fields = {name: value for name, value in in_si(file, implement=file.kind).items() if name not in left_out}
     weights = [in_si(weight, "point_mass", implement=file.kind) for weight in file.point_mass]
-    found["added"] = tuple(
+    fields["added"] = tuple(
         AddedMass(position=one["position"], mass=one["mass"], lateral=one["beside"]) for one in weights
     )
-    return found
+    return fields
 
 
 def _racket(file: RacketFile) -> Racket:

@@ -48,8 +48,8 @@ def _plain(value: Any) -> Any:
 
 
 def _completed(base: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:
-    found = dict(base)
+    table = dict(base)
     for key, value in changes.items():
-        own = found.get(key)
-        found[key] = _completed(own, value) if isinstance(own, dict) and isinstance(value, dict) else value
-    return found
+        own = table.get(key)
+        table[key] = _completed(own, value) if isinstance(own, dict) and isinstance(value, dict) else value
+    return table

@@ -157,11 +157,11 @@ class SolidBats:
             into_cup = 1 - (self.length[owner] - position) / self.cup_depth[owner]
         into_cup = np.where(self.cup_depth[owner] > 0, into_cup, 0.0)
         void = self.cup_diameter[owner] / 2 * np.sqrt(np.maximum(into_cup, 0.0))
-        found = of_solid(self.material, outer=outer, void=void, inclusions=(), scale=self.density_factor[owner])
+        solid = of_solid(self.material, outer=outer, void=void, inclusions=(), scale=self.density_factor[owner])
         stiffer = self.stiffness_factor[owner]
         return Section(
-            found.mass, found.rotary_inertia, found.bending_stiffness * stiffer, found.shear_stiffness * stiffer,
-            found.roll_inertia,
+            solid.mass, solid.rotary_inertia, solid.bending_stiffness * stiffer, solid.shear_stiffness * stiffer,
+            solid.roll_inertia,
         )  # fmt: skip
 
     def part(self, which: slice) -> SolidBats:
@@ -215,8 +215,8 @@ class BeamRow:
     def section_at(self, position: Array, owner: IntArray) -> Section:
         """Return the sections at places in m of the beams whose numbers ``owner`` are, in rising order."""
         borders = np.searchsorted(owner, np.arange(len(self) + 1))
-        found = [section(line, position[borders[i] : borders[i + 1]]) for i, line in enumerate(self.lines)]
-        return Section(*(np.concatenate([getattr(one, field.name) for one in found]) for field in fields(Section)))
+        sections = [section(line, position[borders[i] : borders[i + 1]]) for i, line in enumerate(self.lines)]
+        return Section(*(np.concatenate([getattr(one, field.name) for one in sections]) for field in fields(Section)))
 
     def part(self, which: slice) -> BeamRow:
         """Return some of them."""

@@ -239,11 +239,11 @@ def _bodies(
 
 def _nodes(mesh: Mesh, lumps: Lumps) -> IntArray:
     """Return the element end nearest to every point mass, counted from each beam's first."""
-    found = np.zeros(lumps.mass.shape, np.int64)
+    nearest = np.zeros(lumps.mass.shape, np.int64)
     for beam, column in zip(*np.nonzero(lumps.mass != 0), strict=True):
         ends = mesh.ends[mesh.first[beam] : mesh.first[beam + 1]]
-        found[beam, column] = np.argmin(np.abs(ends - lumps.position[beam, column]))
-    return found
+        nearest[beam, column] = np.argmin(np.abs(ends - lumps.position[beam, column]))
+    return nearest
 
 
 def _slowly(beams: Beams, slices: Mesh, points: Points, even: Array) -> Array:
@@ -257,10 +257,10 @@ def _slowly(beams: Beams, slices: Mesh, points: Points, even: Array) -> Array:
     owner = np.repeat(np.arange(len(beams)), counts - 1)
     at = beams.section_at(middle, owner)
     first = np.concatenate([[0], np.cumsum(counts - 1)])
-    found = np.empty_like(even)
+    compliance = np.empty_like(even)
     parts = (width, at.mass, at.rotary_inertia, at.bending_stiffness, at.shear_stiffness)
-    give_slowly(first, middle, parts, points, even, found)
-    return found
+    give_slowly(first, middle, parts, points, even, compliance)
+    return compliance
 
 
 def even_splines(values: Array) -> Array:

@@ -97,11 +97,11 @@ def bend(
             heavy[at] += points.mass[beam, k]
             heavy[at + 1] += points.moi[beam, k]
         shift = SHIFT * EVEN_BEAM / (flexible * mass[beam] * length**2)
-        found = lowest_pairs(
+        solved = lowest_pairs(
             size, (stiff[:padded], stiff_below[:padded]), (heavy[:padded], heavy_below[:padded]), shift,
             rigid[:, :padded], squares[beam], vectors[:, :padded],
         )  # fmt: skip
-        if not found:
+        if not solved:
             return beam
         _write_shapes(start, number, vectors, coefficients)
     return -1

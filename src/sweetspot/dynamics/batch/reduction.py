@@ -165,5 +165,5 @@ def reduced_lines(lines: Sequence[BeamModel], *, ball: Ball, threads: int | None
 
 def fast_reduced_bat(line: BeamModel, *, ball: Ball) -> ReducedBat:
     """Return one bat reduced by the compiled kernels; see `reduced_bat`, which it is to 1e-9."""
-    found = reduced_lines([line], ball=ball, threads=1)
-    return ReducedBat(line.bat, line, found.bending.body(0), found.modes(0))  # type: ignore[arg-type]
+    batch = reduced_lines([line], ball=ball, threads=1)
+    return ReducedBat(line.bat, line, batch.bending.body(0), batch.modes(0))  # type: ignore[arg-type]

@@ -67,10 +67,10 @@ def answer(state: CompareState) -> dict[str, Any]:
     reductions, labels = _bats(state, ball)
     with about("swing_law"):
         law = swing_law(state.swing_law or "") if state.same == "effort" else None
-    found = compare_reduced(reductions, conditions=conditions_of(state, reductions[0].bat), law=law, labels=labels)
-    words, assumed = _words(state, found), assumptions(found)
-    table = comparison_json(found, [sentence.read(US) for sentence in words])
-    for row, one in zip(table["bats"], found.compared, strict=True):
+    comparison = compare_reduced(reductions, conditions=conditions_of(state, reductions[0].bat), law=law, labels=labels)
+    words, assumed = _words(state, comparison), assumptions(comparison)
+    table = comparison_json(comparison, [sentence.read(US) for sentence in words])
+    for row, one in zip(table["bats"], comparison.compared, strict=True):
         row["shape"] = outline(one.analysis.bat)
         row["scan"] |= {
             "collision_efficiency": one.analysis.scan.collision_efficiency,
@@ -123,8 +123,8 @@ def _bats(state: CompareState, ball: Ball) -> tuple[list[ReducedBat], list[str]]
         thickness = state.wall_factor * state.wall_times
         other = _made(_changed(state, wall_factor=thickness), ball, "wall_times")
         return [first, other], ["wall as it is", f"wall x {state.wall_times:.3g}"]
-    found = [first, *(_other(bat, ball, number) for number, bat in enumerate(state.others, start=2))]
-    return found, _distinct([one.bat.name for one in found])
+    bats = [first, *(_other(bat, ball, number) for number, bat in enumerate(state.others, start=2))]
+    return bats, _distinct([one.bat.name for one in bats])
 
 
 def _others(state: CompareState, reductions: list[ReducedBat]) -> list[tuple[BatState, Bat]]:

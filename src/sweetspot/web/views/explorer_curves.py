@@ -83,12 +83,12 @@ def _shared(state: HitState) -> dict[str, Any]:
 
 @lru_cache(maxsize=KEPT)
 def _along(state: HitState) -> Met:
-    found = reduced(state, ball_of(state))
-    conditions = conditions_of(state, found.bat)
-    check_conditions(found.bat, conditions, body=found.body)
-    scanned = scan(found.bat, body=found.body, modes=found.modes, conditions=conditions)
+    model = reduced(state, ball_of(state))
+    conditions = conditions_of(state, model.bat)
+    check_conditions(model.bat, conditions, body=model.body)
+    scanned = scan(model.bat, body=model.body, modes=model.modes, conditions=conditions)
     return Met(
-        found, conditions, scanned, sweet_spots(scanned, body=found.body, modes=found.modes, conditions=conditions)
+        model, conditions, scanned, sweet_spots(scanned, body=model.body, modes=model.modes, conditions=conditions)
     )
 
 

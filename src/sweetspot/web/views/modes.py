@@ -70,21 +70,21 @@ class _Held(NamedTuple):
 
 @lru_cache(maxsize=64)
 def _held(state: ModesState) -> _Held:
-    found = reduced(state, ball_of(state))
-    conditions = conditions_of(state, found.bat)
-    check_conditions(found.bat, conditions, body=found.body)
-    bat, hands, modes = found.bat, conditions.hands, found.modes
+    model = reduced(state, ball_of(state))
+    conditions = conditions_of(state, model.bat)
+    check_conditions(model.bat, conditions, body=model.body)
+    bat, hands, modes = model.bat, conditions.hands, model.modes
     if state.held:
         modes = gripped(modes, Hands(position=hands.position, spacing=hands.spacing, **TYPICAL_HAND))
     places = np.linspace(0, bat.length, PLACES)
     order = np.argsort(modes.frequency, kind="stable")
     listed = [int(index) for index in order if modes.frequency[index] < HIGHEST]
     table = {
-        "bat": bat_picture(state, found),
+        "bat": bat_picture(state, model),
         "hands_m": hands.places,
-        "nodes": {f"node_{n}_m": barrel_node(found.modes, harmonic=n) for n in (1, 2)},
+        "nodes": {f"node_{n}_m": barrel_node(model.modes, harmonic=n) for n in (1, 2)},
         "place_m": np.round(places, 5),
-        "hoop_start_m": barrel_range(found.line)[0] if bat.shell is not None else None,
+        "hoop_start_m": barrel_range(model.line)[0] if bat.shell is not None else None,
         "modes": _rows(modes, listed, places),
     }
     return _Held(modes, listed, hands.position, table)

@@ -63,9 +63,9 @@ class PaperState(SwungState):
 
 def answer(state: PaperState) -> dict[str, Any]:
     """Return the paper's statements on one question with its formula's number and the full model's, and a picture."""
-    found = reduced(state, ball_of(state))
+    model = reduced(state, ball_of(state))
     with about("hands_in"):
-        analysis = analyse_reduced(found, conditions_of(state, found.bat))
+        analysis = analyse_reduced(model, conditions_of(state, model.bat))
     choices = choices_of(state)
     control = {"corking": "hole_diameter_in", "drop": "block_thickness_m", "percussion": "rod_hands_in"}
     with about(control.get(state.question, "")):
@@ -76,7 +76,7 @@ def answer(state: PaperState) -> dict[str, Any]:
         "rows": [asdict(row) for row in rows],
         "picture": cleaned(picture),
         "ball": ball_picture(state, analysis.conditions.ball),
-        "bat": bat_picture(state, found),
+        "bat": bat_picture(state, model),
         "conditions": conditions_json(analysis.conditions),
     }
 
