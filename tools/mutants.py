@@ -3,7 +3,8 @@
     python tools/mutants.py [--only TEXT] [--workers N] [--minutes M]
 
 The mistakes are in `mutations.toml`: text replaced in a named function, class, constant or catalogue table. Each is
-made in a copy of the package, and its group's tests run against the copy, which should fail. Results are kept in
+made in a copy of the package, and its group's tests run against the copy, which should fail. Each worker has the third
+parties imported and forks for every mistake; the copies bring along what is compiled. Results are kept in
 build/mutants.json and taken up again as long as package, tests and mistake are the same, so that a broken-off run goes
 on. Exit 0 when at least `GOAL` of the mistakes in code and catalogue each were noticed; 1 otherwise.
 """
@@ -13,10 +14,12 @@ from __future__ import annotations
 import argparse
 import ast
 import hashlib
+import importlib
 import json
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -34,6 +37,10 @@ TESTS = ROOT / "tests"
 WORK = ROOT / "build" / "mutants"
 RESULTS = ROOT / "build" / "mutants.json"
 GOAL = 0.97
+THIRD_PARTIES = (
+    "hypothesis", "matplotlib", "numba", "numpy", "pint", "polars", "pydantic", "pytest", "scipy.integrate",
+    "scipy.interpolate", "scipy.linalg", "scipy.optimize", "scipy.sparse.linalg", "scipy.stats", "skfem",
+)  # fmt: skip
 PATIENCE = 600
 """s for the tests of one mistake; what takes longer, on a busy machine or for ever, counts as not tried."""
 
@@ -133,32 +140,82 @@ def _catalogue_spans(where: str, package: Path) -> Iterator[tuple[Path, str, int
             yield path, text, head.end(), end.start() if end else len(text)
 
 
-def noticed(mutation: Mutation, home: Path) -> bool:
-    """Return whether the tests fail when the mistake is made in the copy of the package in ``home``.
+class Runner:
+    """A process with the third parties imported, which runs tests against a copy of the package in forks of itself."""
+
+    def __init__(self, home: Path) -> None:
+        self.home = home
+        shutil.rmtree(home / "src", ignore_errors=True)
+        shutil.copytree(ROOT / "src", home / "src")  # with times: what is compiled stays valid
+        environment = {**os.environ, "PYTHONPATH": str(home / "src"), "OPENBLAS_NUM_THREADS": "1"}
+        self.process = subprocess.Popen(
+            [sys.executable, __file__, "--serve", str(home / "tests.log")],
+            cwd=ROOT, env=environment, text=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+        )  # fmt: skip
+
+    def exit_code(self, arguments: list[str]) -> int | None:
+        """Return how pytest ends; None when it takes longer than `PATIENCE`."""
+        assert self.process.stdin is not None and self.process.stdout is not None
+        self.process.stdin.write(json.dumps(arguments) + "\n")
+        self.process.stdin.flush()
+        return json.loads(self.process.stdout.readline())
+
+    def close(self) -> None:
+        """End the process."""
+        assert self.process.stdin is not None
+        self.process.stdin.close()
+        self.process.wait()
+
+
+def serve(log: Path) -> None:
+    """Run pytest with the arguments of each line of standard input, in a fork; print the exit codes."""
+    for module in THIRD_PARTIES:
+        importlib.import_module(module)
+    for line in sys.stdin:
+        child = os.fork()
+        if child == 0:
+            os.setsid()
+            with log.open("w") as file:
+                os.dup2(file.fileno(), 1)
+                os.dup2(file.fileno(), 2)
+                code = int(importlib.import_module("pytest").main(json.loads(line)))
+                sys.stdout.flush()
+            os._exit(code)
+        until, ended, status = time.monotonic() + PATIENCE, 0, 0
+        while not ended and time.monotonic() < until:
+            time.sleep(0.02)
+            ended, status = os.waitpid(child, os.WNOHANG)
+        if not ended:
+            os.killpg(child, signal.SIGKILL)
+            os.waitpid(child, 0)
+        print(json.dumps(os.waitstatus_to_exitcode(status) if ended else None), flush=True)
+
+
+def noticed(mutation: Mutation, runner: Runner) -> bool:
+    """Return whether the tests fail when the mistake is made in a runner's copy of the package.
 
     Raises
     ------
-    subprocess.TimeoutExpired
+    TimeoutError
         when they take longer than `PATIENCE`.
     """
-    package = home / "src" / "sweetspot"
+    package = runner.home / "src" / "sweetspot"
     relative, text = applied(mutation, package)
     changed = package / relative
     before, stat = changed.read_bytes(), changed.stat()
     changed.write_text(text, encoding="utf-8")
-    environment = {**os.environ, "PYTHONPATH": str(home / "src")}
-    command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "--no-header"]
+    options = ["-x", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "--no-header", "--hypothesis-profile=few"]
+    tests = sorted(mutation.tests, key=lambda name: Path(name).stem != f"test_{relative.stem}")  # its own ones first
     try:
-        done = subprocess.run(
-            [*command, *(str(TESTS / name) for name in mutation.tests)],
-            cwd=ROOT, env=environment, capture_output=True, timeout=PATIENCE, check=False,
-        )  # fmt: skip
+        code = runner.exit_code([*options, *(str(TESTS / name) for name in tests)])
     finally:
         changed.write_bytes(before)
         os.utime(changed, ns=(stat.st_atime_ns, stat.st_mtime_ns))
-    if done.returncode not in (0, 1, 2):  # 2: the tests could not even be collected
-        raise RuntimeError(f"{mutation}: pytest ended with {done.returncode}: {done.stdout.decode()[-800:]}")
-    return done.returncode != 0
+    if code is None:
+        raise TimeoutError(str(mutation))
+    if code not in (0, 1, 2):  # 2: the tests could not even be collected
+        raise RuntimeError(f"{mutation}: pytest ended with {code}: {(runner.home / 'tests.log').read_text()[-800:]}")
+    return code != 0
 
 
 def _fingerprint() -> str:
@@ -184,7 +241,11 @@ def main() -> int:
     parser.add_argument("--only", default="", help="only mistakes whose description holds this text")
     parser.add_argument("--workers", type=int, default=2, help="mistakes tried side by side")
     parser.add_argument("--minutes", type=float, default=60.0, help="begin no further mistake after so long")
+    parser.add_argument("--serve", type=Path, help=argparse.SUPPRESS)
     options = parser.parse_args()
+    if options.serve:
+        serve(options.serve)
+        return 0
     chosen = [mutation for mutation in mutations() if options.only in str(mutation)]
     fingerprint = _fingerprint()
     known, stale = _known(fingerprint), []
@@ -194,35 +255,42 @@ def main() -> int:
         except StaleError as error:
             stale.append(str(error))
     fresh = [mutation for mutation in chosen if str(mutation) not in known]
-    homes: SimpleQueue[Path] = SimpleQueue()
-    for number in range(options.workers):
-        home = WORK / str(number)
-        shutil.rmtree(home / "src", ignore_errors=True)
-        shutil.copytree(ROOT / "src", home / "src", ignore=shutil.ignore_patterns("__pycache__"))
-        homes.put(home)
+    runners = [Runner(WORK / str(number)) for number in range(options.workers)]
+    free: SimpleQueue[Runner] = SimpleQueue()
+    for runner in runners:
+        free.put(runner)
     start = time.monotonic()
 
     def tried(mutation: Mutation) -> None:
         if time.monotonic() - start > 60 * options.minutes:
             return
-        home = homes.get()
+        runner = free.get()
         began = time.monotonic()
         try:
-            known[str(mutation)] = noticed(mutation, home)
+            known[str(mutation)] = noticed(mutation, runner)
         except StaleError:
             return
-        except subprocess.TimeoutExpired:
+        except TimeoutError:
             print(f"TOO LONG {PATIENCE:5.0f} s  {mutation}", flush=True)
             return
         finally:
-            homes.put(home)
+            free.put(runner)
         word = "noticed " if known[str(mutation)] else "SURVIVED"
         print(f"{word} {time.monotonic() - began:5.1f} s  {mutation}", flush=True)
         RESULTS.write_text(json.dumps({"fingerprint": fingerprint, "noticed": dict(known)}, indent=1), "utf-8")
 
     with ThreadPoolExecutor(options.workers) as pool:
         list(pool.map(tried, fresh))
+    for runner in runners:
+        runner.close()
+    print(f"tried for {(time.monotonic() - start) / 60:.1f} min, {_processor_minutes():.1f} min of a processor")
     return _told(chosen, known, stale)
+
+
+def _processor_minutes() -> float:
+    """Return the time of processors that the runners and their forks have used."""
+    used = os.times()
+    return (used.children_user + used.children_system) / 60
 
 
 def _told(chosen: list[Mutation], known: dict[str, bool], stale: list[str]) -> int:

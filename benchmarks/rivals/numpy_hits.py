@@ -6,6 +6,7 @@ import numpy as np
 
 from benchmarks.cases import Array
 from sweetspot.collision.modal_propagator import modal_propagator_of
+from sweetspot.collision.time_step import first_kick_after_touch
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import COR_FLOOR, Ball
 
@@ -16,8 +17,8 @@ def efficiencies(modes: Modes, *, ball: Ball, position: Array, closing: Array, s
     (a, b), (c, d) = modal_propagator_of(modes, step).transpose(1, 2, 0)
     result = np.full(len(closing), np.nan)
     row, shape, speed = np.arange(len(closing)), modes.shape_at(position), closing.copy()
-    place, q, p = speed * step / 2, np.zeros_like(shape), np.zeros_like(shape)
-    correction = step**2 / 12 * (1 / mass + (shape**2).sum(axis=1))
+    place, q, p = speed * step * first_kick_after_touch(exponent), np.zeros_like(shape), np.zeros_like(shape)
+    give = step**2 / 12 * (1 / mass + (shape**2).sum(axis=1))
     peak, before, earlier = (np.zeros_like(speed) for _ in range(3))
     factor, power, rising = np.full_like(speed, stiffness), np.full_like(speed, exponent), np.ones(len(speed), bool)
     while len(row):
@@ -25,28 +26,36 @@ def efficiencies(modes: Modes, *, ball: Ball, position: Array, closing: Array, s
         if (squeeze <= 0).any():  # take out what has left
             left = squeeze <= 0
             result[row[left]] = -speed[left] / closing[row[left]]
-            every = (row, shape, speed, place, q, p, correction, peak, before, earlier, factor, power, rising, squeeze)
-            row, shape, speed, place, q, p, correction, peak, before, earlier, factor, power, rising, squeeze = (
+            every = (row, shape, speed, place, q, p, give, peak, before, earlier, factor, power, rising, squeeze)
+            row, shape, speed, place, q, p, give, peak, before, earlier, factor, power, rising, squeeze = (
                 array[~left] for array in every
             )
-        up = squeeze >= peak
-        turned = rising & ~up
+        falling = (squeeze < before) | ((earlier > 0) & (3 * squeeze - 4 * before + earlier < 0))
+        turned, again = rising & falling, ~rising & (squeeze >= peak)
+        peak = np.maximum(peak, squeeze)
         if turned.any():
             first, middle, last = earlier[turned], before[turned], squeeze[turned]
-            top = np.maximum(peak[turned], middle - (last - first) ** 2 / (8 * (first - 2 * middle + last)))
-            top -= correction[turned] * stiffness * top**exponent
+            peak[turned] = np.maximum(peak[turned], middle - (last - first) ** 2 / (8 * (first - 2 * middle + last)))
+            top = _pressed(peak[turned], give[turned], stiffness, exponent)
             wall_speed = np.sqrt(2 * stiffness * top ** (exponent + 1) / (exponent + 1) / mass)
             line = law.reference - law.slope * (wall_speed - law.reference_speed)
             power[turned] = (exponent + 1) / np.clip(line, COR_FLOOR, 1.0) ** 2 - 1
             factor[turned] = stiffness * top ** (exponent - power[turned])
-            peak[turned] = top
-        factor[up], power[up], rising = stiffness, exponent, up
-        peak = np.maximum(peak, np.where(up, squeeze, 0.0))
-        force = factor * squeeze**power
-        impulse = force * (1 - correction * power * force / squeeze) * step
+        factor[again], power[again] = stiffness, exponent
+        rising = (rising & ~turned) | again
+        impulse = factor * _pressed(squeeze, give, factor, power) ** power * step
         speed = speed - impulse / mass
         place = place + speed * step
         p = p + shape * impulse[:, None]
         q, p = a * q + b * p, c * q + d * p
         earlier, before = before, squeeze
     return result
+
+
+def _pressed(approach: Array, give: Array, factor: Array | float, power: Array | float) -> Array:
+    """Return the compression u of u + C factor u^power = approach, by Newton's method."""
+    compression = approach.copy()
+    for _ in range(3):
+        force = factor * compression**power
+        compression += (approach - compression - give * force) / (1 + give * power * force / compression)
+    return compression

@@ -18,6 +18,7 @@ from sweetspot.collision.contact_law import Hysteretic, pressed_in_series
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Outcome
 from sweetspot.collision.kernel import hits, hits_with_motion
+from sweetspot.collision.time_step import first_kick_after_touch
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.mode_assembly import all_modes
@@ -56,13 +57,24 @@ def game_hits(count: int) -> tuple[Array, Array]:
     return generator.uniform(0.60, 0.82, count), generator.uniform(60.0, 80.0, count)
 
 
-def test_exit_speed_converges_at_more_than_second_order() -> None:
-    # Between two (leapfrog) and four (corrected kicks): the force's kink at its peak leaves about three.
+def test_exit_speed_converges_at_more_than_third_order() -> None:
+    # Four from corrected kicks; the force's kink at its peak, found between kicks, leaves a third-order scatter.
     places, closing = game_hits(300)
     converged = exit_speed(MODES, places=places, closing=closing, step=0.05e-6)
-    steps = np.array([8.0, 4.0, 2.0, 1.0, 0.5]) * 1e-6
+    steps = np.array([20.0, 16.0, 8.0, 4.0, 2.0]) * 1e-6
     errors = [rms(exit_speed(MODES, places=places, closing=closing, step=step) / converged - 1) for step in steps]
-    assert 2.3 < order(steps, errors) < 4.2
+    assert 3.0 < order(steps, errors) < 4.5
+    assert errors[0] < 2e-5
+
+
+@pytest.mark.parametrize("exponent", [1.0, 1.2, 1.5, 2.0, 2.5, 3.0])
+def test_kicks_of_a_power_add_up_to_its_integral(exponent: float) -> None:
+    # exact: the sum over kicks ends like Euler's and Maclaurin's, so only what the beginning adds is left to see
+    begin, count = first_kick_after_touch(exponent), 2000
+    places = np.arange(count) + begin
+    end = places[-1] + 0.5
+    integral = end ** (exponent + 1) / (exponent + 1) - exponent * end ** (exponent - 1) / 24
+    assert abs(np.sum(places**exponent) - integral) < 2e-3 * 0.5 ** (exponent + 1)
 
 
 @pytest.mark.parametrize(("step", "allowed"), [(coupled.STEP, 1e-5), (kernel.STEP, 1e-4)])

@@ -51,7 +51,7 @@ BATS = st.one_of(
     modes=BATS,
     place=st.floats(0.0, BAT.length),
     closing=st.floats(0.5, 110.0),
-    step=st.sampled_from([4e-6, 8e-6, 14e-6]),
+    step=st.sampled_from([4e-6, 8e-6, 20e-6]),
 )
 def test_kernel_is_the_readable_version(modes: Modes, place: float, closing: float, step: float) -> None:
     one = hit(modes, ball=BALL, position=place, closing_speed=closing, step=step)

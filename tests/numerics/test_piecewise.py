@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline, PPoly
 
-from sweetspot.numerics.piecewise import Piecewise, cubic_spline
+from sweetspot.numerics.piecewise import MANY, Piecewise, cubic_spline
 
 seeds = st.integers(0, 2**32 - 1)
 
@@ -37,3 +37,14 @@ def test_roots_are_those_of_scipy(seed: int) -> None:
 def test_a_function_that_is_zero_on_a_piece_has_no_roots_there() -> None:
     still = Piecewise(np.array([[0.0, 1.0], [0.0, -0.25]]), np.array([0.0, 1.0, 2.0]))
     assert still.roots() == pytest.approx([1.25])
+
+
+@pytest.mark.parametrize("functions", [(), (3,)])
+def test_many_places_are_few_places_to_the_last_digit(functions: tuple[int, ...]) -> None:
+    """From `MANY` places on compiled code does the sums."""
+    generator = np.random.default_rng(5)
+    curve = Piecewise(generator.normal(size=(4, 6, *functions)), np.array([0.0, 0.1, 0.3, 0.4, 0.7, 0.9, 1.0]))
+    places = generator.uniform(-0.1, 1.1, (MANY, 2))
+    for order in (0, 1):
+        one_by_one = np.array([[curve(place, order) for place in row] for row in places])
+        assert np.array_equal(curve(places, order), one_by_one)

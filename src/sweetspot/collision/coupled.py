@@ -2,14 +2,19 @@
 
 The bat's undisturbed swing is taken out, so the bat starts at rest and the ball comes with the closing speed.
 Between kicks by the contact force, ball and modes drift freely and exactly; each kick lies in the middle of its
-step: a symplectic leapfrog of second order. Two corrections follow from its modified energy
-H + h^2 (T V''/(6 mu) - V'^2/(24 mu)), mu the mass that ball and bat together show at the contact:
+step: a symplectic leapfrog of second order. Three corrections leave an error of about fourth order:
 
-* the kick takes the force F (1 - h^2 F' / (12 mu)), which makes a contact that starts and ends at F = 0 effectively of
-  fourth order (Takahashi and Imada's device [takahashi1984]);
-* the peak compression, which decides how much the ball gives back, is lowered by h^2 F / (12 mu).
+* The leapfrog follows a neighbour of the energy, H + h^2 (T V''/(6 mu) - V'^2/(24 mu)), mu the mass that ball and bat
+  together show at the contact. Seen at the kicks, a push F that changes slowly moves the two apart by h^2 F / (12 mu)
+  more than it should: steps make the contact look softer by that compliance, and it is counted as the surface's
+  (to first order Takahashi and Imada's device [takahashi1984]). So the peak, which decides how much the ball gives
+  back, is right too.
+* The ball springs back from the moment when the approach is greatest, not from the first kick that finds it smaller:
+  a kick belongs to the way back as soon as the parabola through the last three kicks has its top before it.
+* The first kick comes after touch by the part of a step that makes the sum of kicks of a force u^n its integral
+  (`first_kick_after_touch`).
 
-The kink of the force at its peak leaves about third order. Release is the root of the approach between kicks.
+Release is the root of the approach between kicks.
 
 What gives way at once under the ball (`Modes.compliance_at`) is a spring without mass between ball and modes: the
 approach w of ball and modes is shared between the ball's compression u and the surface, u + C F(u) = w. The potential
@@ -30,7 +35,7 @@ import numpy as np
 from sweetspot.collision.contact_law import ContactLaw, Hysteretic, pressed_in_series
 from sweetspot.collision.impact import CONTACT_FORCE, EnergyLedger, Impact, Outcome, bat_energy
 from sweetspot.collision.modal_propagator import dashed, dashpot_factors, modal_propagator_of, moved
-from sweetspot.collision.time_step import contact_step
+from sweetspot.collision.time_step import contact_step, first_kick_after_touch
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
@@ -90,6 +95,7 @@ def hit(
         modes.shape_at(position, lateral, closing_speed=closing_speed),
         float(modes.compliance_at(position, closing_speed=closing_speed)),
     )
+    first_kick = first_kick_after_touch(ball.exponent)
     done = _integrated(modes, ball, struck, closing_speed, step, law or Hysteretic(ball))
     translation, rotation, bending, hoop, face = map(float, bat_energy(modes, done.displacement, done.velocity))
     separated = done.outcome is Outcome.SEPARATED
@@ -99,9 +105,9 @@ def hit(
         position=position,
         closing_speed=closing_speed,
         collision_efficiency=-done.ball_speed / closing_speed if separated else math.nan,
-        contact_time=_contact_time(done.forces, step) if separated else math.nan,
+        contact_time=_contact_time(done.forces, first_kick) * step if separated else math.nan,
         release_time=done.release,
-        peak_force=max(done.forces),
+        peak_force=max(done.hardest, *done.forces),
         peak_compression=done.peak,
         energy=EnergyLedger(
             incoming=ball.mass * closing_speed**2 / 2,
@@ -116,7 +122,7 @@ def hit(
         ),
         displacement=displacement,
         velocity=velocity,
-        times=np.concatenate([[0.0], (np.arange(len(done.forces) - 1) + 0.5) * step]),
+        times=np.concatenate([[0.0], (np.arange(len(done.forces) - 1) + first_kick) * step]),
         force=np.array(done.forces),
         compression=np.array(done.compressions),
         impulse=np.array(done.impulses),
@@ -135,6 +141,7 @@ class _Contact:
     displacement: Array
     velocity: Array
     peak: float
+    hardest: float
     damping: float
     forces: list[float]
     compressions: list[float]
@@ -165,11 +172,13 @@ def _integrated(
     modes: Modes, ball: Ball, struck: _Struck, closing_speed: float, step: float, law: ContactLaw
 ) -> _Contact:
     """Step ball and modes from first touch until the ball is gone for good, or to the time limit."""
-    shape, correction = struck.shape, step**2 / 12 * (1 / ball.mass + float(struck.shape @ struck.shape))
+    shape, first_kick = struck.shape, first_kick_after_touch(ball.exponent)
+    by_steps = step**2 / 12 * (1 / ball.mass + float(shape @ shape))
+    struck = struck._replace(compliance=struck.compliance + by_steps)
     flow = _Flow(modes, step)
     still = np.zeros(len(modes))
-    motion = _Motion(closing_speed * step / 2, closing_speed, still, still)
-    peak, greatest = 0.0, 0.0
+    motion = _Motion(closing_speed * step * first_kick, closing_speed, still, still)
+    peak, greatest, hardest = 0.0, 0.0, 0.0
     turned_at: float | None = None
     approaches, compressions, forces, impulses = [0.0], [0.0], [0.0], [0.0]
     outcome, release, late = Outcome.STILL_IN_CONTACT, math.nan, 0.0
@@ -179,7 +188,7 @@ def _integrated(
             outcome = Outcome.SEPARATED
             before = approaches[-2] if len(approaches) > 1 else 0.0
             late = (1 - crossing(before, approaches[-1], approach)) * step
-            release = (len(forces) - 0.5) * step - late
+            release = (len(forces) - 1 + first_kick) * step - late
             again = flow.overtaken(motion, shape, kicks=round(TIME_LIMIT / step) - len(forces))
             if again is None:
                 break
@@ -190,24 +199,23 @@ def _integrated(
             approaches = [0.0]
             continue
         rate = motion.ball_speed - float(shape @ motion.velocity)
-        if approach >= peak:
+        if turned_at is None and _past_the_top(approaches, approach):
+            peak = max(peak, approach, _vertex(approaches, approach))
+            turned_at, force, _ = struck.pressed(law, peak, 0.0, None)
+            greatest, hardest = max(greatest, turned_at), max(hardest, force)
+        elif approach >= peak:
             peak, turned_at = approach, None
-        elif turned_at is None:
-            peak = max(peak, _vertex(approaches, approach))
-            peak -= correction * struck.pressed(law, peak, 0.0, None)[1]
-            turned_at = struck.pressed(law, peak, 0.0, None)[0]
-            greatest = max(greatest, turned_at)
         expected = 2 * forces[-1] - forces[-2] if len(forces) > 1 else 0.0
-        compression, force, slope = struck.pressed(law, approach, rate, turned_at, expected)
-        impulse = force * (1 - correction * slope / (1 + struck.compliance * slope)) * step
+        compression, force, _ = struck.pressed(law, approach, rate, turned_at, expected)
+        impulse = force * step
         approaches.append(approach)
         compressions.append(compression)
         forces.append(force)
         impulses.append(impulse)
         motion = flow.drifted(motion.kicked(struck, impulse, ball.mass))
     return _Contact(
-        outcome, release, late, motion.ball_speed, motion.displacement, motion.velocity, greatest or max(compressions),
-        motion.work - flow.energy(motion), forces, compressions, impulses,
+        outcome, release, late, motion.ball_speed, motion.displacement, motion.velocity,
+        greatest or max(compressions), hardest, motion.work - flow.energy(motion), forces, compressions, impulses,
     )  # fmt: skip
 
 
@@ -280,21 +288,26 @@ def check_step(step: float) -> None:
         raise InputError(f"step is {step:g} s; allowed is a number above zero, for example 4e-6")
 
 
+def _past_the_top(approaches: list[float], latest: float) -> bool:
+    """Return whether the parabola through the last three kicks goes down at the latest one."""
+    return latest < approaches[-1] or (len(approaches) > 2 and 3 * latest - 4 * approaches[-1] + approaches[-2] < 0)
+
+
 def _vertex(approaches: list[float], latest: float) -> float:
-    """Return the top of the parabola through the last three kicks, the middle one being the highest."""
+    """Return the height of the top of the parabola through the last three kicks."""
     if len(approaches) < 3:
         return approaches[-1]
     first, middle = approaches[-2:]
     return vertex(first, middle, latest)[1]
 
 
-def _contact_time(forces: list[float], step: float) -> float:
-    """Return when the force falls below `CONTACT_FORCE` of its peak for the last time, s."""
+def _contact_time(forces: list[float], first_kick: float) -> float:
+    """Return when the force falls below `CONTACT_FORCE` of its peak for the last time, in steps after touch."""
     force = np.array([*forces, 0.0])
     last = int(np.flatnonzero(force >= CONTACT_FORCE * force.max())[-1])
     threshold = CONTACT_FORCE * force[: last + 2].max()
     part = (force[last] - threshold) / (force[last] - force[last + 1])
-    return float((last - 0.5 + part) * step)
+    return float(last - 1 + first_kick + part)
 
 
 def _no_contact(modes: Modes, position: float, closing_speed: float) -> Impact:

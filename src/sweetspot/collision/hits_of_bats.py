@@ -8,9 +8,8 @@ from typing import Protocol
 
 import numpy as np
 
-from sweetspot.collision.coupled import TIME_LIMIT
 from sweetspot.collision.impact import Impacts
-from sweetspot.collision.kernel import LANES, LATE, RESULT_ROWS, STEP, Bat, Output, numbers_of, solve
+from sweetspot.collision.kernel import LANES, LATE, RESULT_ROWS, STEP, Bat, Output, numbers_of, solve, steps_of
 from sweetspot.collision.modal_propagator import free_steps, moved_freely
 from sweetspot.equipment.ball import Ball
 from sweetspot.numerics.arrays import Array
@@ -65,8 +64,8 @@ def struck(
     outcome = np.empty((count, places), np.int64)
     results = np.empty((RESULT_ROWS, count, places))
     motion = np.empty((2, count, places if keep_motion else 0, size))
-    limit = float(round(TIME_LIMIT / step))
-    constants = [numbers_of(ball)] * count if isinstance(ball, Ball) else [numbers_of(one) for one in ball]
+    balls = {one: (numbers_of(one), steps_of(one, step)) for one in ({ball} if isinstance(ball, Ball) else {*ball})}
+    constants = [balls[one] for one in ([ball] * count if isinstance(ball, Ball) else ball)]
     lanes = min(LANES, 4 * math.ceil(places / 4))
     nothing, none = np.zeros((0, size)), np.zeros(0)
     speeds = np.ascontiguousarray(closing_speed)
@@ -75,7 +74,7 @@ def struck(
         for i in range(part.start, part.stop):
             bat = Bat(shapes[i], give[i], omega[i], drift[i], nothing, none)
             output = Output(outcome[i], results[:, i], motion[:, i])
-            solve(lanes, speeds[i], bat, constants[i], step, limit, output)
+            solve(lanes, speeds[i], bat, *constants[i], output)
 
     in_parts(work, count, size=BATS, threads=threads)
     if keep_motion:

@@ -18,7 +18,7 @@ from sweetspot.collision.contact_law import NEWTON_STEPS
 from sweetspot.collision.coupled import SLOW, TIME_LIMIT, check_step
 from sweetspot.collision.impact import CONTACT_FORCE, Impacts, Outcome
 from sweetspot.collision.modal_propagator import dashpot_factors, modal_propagator_of, moved
-from sweetspot.collision.time_step import contact_step
+from sweetspot.collision.time_step import contact_step, first_kick_after_touch
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball, restitution_at
 from sweetspot.numerics import parabola
@@ -30,9 +30,9 @@ from sweetspot.units import check_place
 
 LANES = 64
 """Most hits side by side; fewer hits than that take only the lanes they need, in fours."""
-STEP = 14e-6
+STEP = 20e-6
 """s; exit speeds are within 1e-4 of the converged ones for hits at game speed (`make bench` prints the curve)."""
-NEARLY = 1e-6
+NEARLY = 1e-4
 QUIET = -230.0
 """Logarithm of a force that moves nothing, far above the numbers that make processors slow."""
 CHUNK = 8192
@@ -108,7 +108,7 @@ def _hits(
     results = np.empty((RESULT_ROWS, count))
     motion = np.empty((2, count if keep_motion else 0, size))
     drift, half_dash = modal_propagator_of(modes, step), dashpot_factors(modes, step / 2)
-    numbers = numbers_of(ball)
+    numbers, steps = numbers_of(ball), steps_of(ball, step)
     omega = modes.angular_frequency
 
     def work(part: slice) -> None:
@@ -118,9 +118,8 @@ def _hits(
         kept = motion[:, part] if keep_motion else motion
         lanes = min(LANES, 4 * math.ceil(len(shapes) / 4))
         output = Output(outcome[part], results[:, part], kept)
-        limit = float(round(TIME_LIMIT / step))
         bat = Bat(shapes, give, omega, drift, modes.dashpots, half_dash)
-        solve(lanes, speed, bat, numbers, step, limit, output)
+        solve(lanes, speed, bat, numbers, steps, output)
         if keep_motion:
             displacement, velocity = motion[:, part]
             motion[:, part] = moved(modes, displacement, velocity, -np.nan_to_num(results[LATE, part]))
@@ -146,6 +145,11 @@ class BallNumbers(NamedTuple):
     restitution: RestitutionNumbers
 
 
+def steps_of(ball: Ball, step: float) -> Steps:
+    """Return the time steps of a hit, of ``step`` s."""
+    return Steps(step, first_kick_after_touch(ball.exponent), float(round(TIME_LIMIT / step)))
+
+
 def numbers_of(ball: Ball) -> BallNumbers:
     """Return what the kernel knows of a ball."""
     law = ball.restitution
@@ -155,8 +159,8 @@ def numbers_of(ball: Ball) -> BallNumbers:
 
 # rows of the lanes' state
 CLOSING, BALL_POSITION, BALL_SPEED, SURFACE, APPROACH, BEFORE, EARLIER = range(7)
-PEAK, RISING, OFFSET, POWER, IMPULSE, LARGEST, KICKS, INVERSE_MASS, FORCE, CONTACT = range(7, 17)
-GIVE, FORMER, PRESSED, STEEPNESS, DEEPEST, UNTIL = range(17, 23)
+PEAK, RISING, OFFSET, POWER, IMPULSE, LARGEST, KICKS, EVENT, FORCE, CONTACT = range(7, 17)
+GIVE, FORMER, PRESSED, DEEPEST, HARDEST, UNTIL = range(17, 23)
 STATE_ROWS = 23
 # rows of the results
 EFFICIENCY, CONTACT_TIME, RELEASE_TIME, GREATEST_FORCE, GREATEST_COMPRESSION, LATE = range(6)
@@ -180,6 +184,21 @@ class Bat(NamedTuple):
     drift: Array
     dashpots: Array
     half_dash: Array
+
+
+class Steps(NamedTuple):
+    """The time steps.
+
+    Parameters
+    ----------
+    step : s.
+    first_kick : time of the first kick after touch, in steps; see `first_kick_after_touch`.
+    limit : number of steps after which a hit is given up.
+    """
+
+    step: float
+    first_kick: float
+    limit: float
 
 
 class Lanes(NamedTuple):
@@ -210,17 +229,8 @@ _unloading_power = register_jitable(contact_law.unloading_power)
 register_jitable(restitution_at)
 
 
-@compiled()
-def _unloading(peak: float, force: float, ball: BallNumbers) -> tuple[float, float]:
-    """Return (a, b) of the unloading curve F = exp(a + b log u) from a peak compression and the force there."""
-    power = _unloading_power(ball, peak, force)
-    return math.log(force) - power * math.log(peak), power
-
-
 @compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
-def solve(
-    lane_count: int, closing_speed: Array, bat: Bat, ball: BallNumbers, step: float, limit: float, output: Output
-) -> None:
+def solve(lane_count: int, closing_speed: Array, bat: Bat, ball: BallNumbers, steps: Steps, output: Output) -> None:
     """Fill ``output`` for n hits.
 
     Every lane carries one hit; when it ends, the lane takes the next hit, so that no lane waits for another.
@@ -234,61 +244,61 @@ def solve(
     lane_count : hits side by side.
     closing_speed : (n,) m/s.
     ball : of every hit.
-    step, limit : s, and the number of steps after which a hit is given up.
+    steps : their length and number.
     """
+    step, limit = steps.step, steps.limit
     drift, dashpots, half_dash = bat.drift, bat.dashpots, bat.half_dash
     size = bat.shapes.shape[1]
     mass = ball.mass
+    # rows as long as the most lanes, whose distances the compiler then knows: it need not ask whether they overlap
     lanes = Lanes(
-        np.zeros((STATE_ROWS, lane_count)),
-        np.empty((size, lane_count)),
-        np.empty((size, lane_count)),
-        np.empty((size, lane_count)),
+        np.zeros((STATE_ROWS, LANES)),
+        np.empty((size, LANES)),
+        np.empty((size, LANES)),
+        np.empty((size, LANES)),
         np.empty(lane_count, np.int64),
     )
     state = lanes.state
     following, busy = 0, 0
     for lane in range(lane_count):
-        following = _start(lane, following, closing_speed, bat, ball, step, lanes, output)
+        following = _start(lane, following, closing_speed, bat, ball, steps, lanes, output)
         busy += lanes.hit_of[lane] >= 0
     ball_position, ball_speed, surface = state[BALL_POSITION], state[BALL_SPEED], state[SURFACE]
     approach, before, earlier = state[APPROACH], state[BEFORE], state[EARLIER]
-    peak, rising, kicks = state[PEAK], state[RISING], state[KICKS]
+    peak, rising, kicks, event = state[PEAK], state[RISING], state[KICKS], state[EVENT]
     offset, power, impulse, largest = state[OFFSET], state[POWER], state[IMPULSE], state[LARGEST]
     force, former, contact = state[FORCE], state[FORMER], state[CONTACT]
-    give, pressed, steepness, until = state[GIVE], state[PRESSED], state[STEEPNESS], state[UNTIL]
-    inverse_mass, event, rate = state[INVERSE_MASS], np.zeros(lane_count), np.zeros(lane_count)
-    missing, bend, softened = np.zeros((3, lane_count))
+    give, pressed, until = state[GIVE], state[PRESSED], state[UNTIL]
+    rate = np.zeros(LANES)
     approach[:] = 0.0  # before first touch
-    # Many short loops: the compiler turns a loop into vector instructions only when it touches few arrays.
     while busy > 0:
         any_event = 0.0
         for lane in range(lane_count):
             earlier[lane] = before[lane]
             before[lane] = approach[lane]
-        for lane in range(lane_count):
             approach[lane] = ball_position[lane] - surface[lane]
             surface[lane] = 0.0
             kicks[lane] += 1.0
-        for lane in range(lane_count):
-            up = 1.0 if approach[lane] >= peak[lane] else 0.0
-            gone = 1.0 if approach[lane] <= 0.0 else 0.0
-            late = 1.0 if kicks[lane] > limit else 0.0
-            event[lane] = max(abs(up - rising[lane]), max(gone, late))  # noqa: PLW3301 - numba takes two at a time
+            level = 0.0 if earlier[lane] > 0.0 else -np.inf  # before the third kick there is no parabola
+            falling = 3.0 * approach[lane] - 4.0 * before[lane] + earlier[lane] < level
+            turned = 1.0 if (approach[lane] < before[lane]) | falling else 0.0
+            again = 1.0 if approach[lane] >= peak[lane] else 0.0
+            over = 1.0 if (approach[lane] <= 0.0) | (kicks[lane] > limit) else 0.0
+            event[lane] = max(turned if rising[lane] > 0.0 else again, over)
+            peak[lane] = max(peak[lane], approach[lane])
         for lane in range(lane_count):
             any_event = max(any_event, event[lane])
-            peak[lane] = max(peak[lane], approach[lane])
         if any_event > 0.0:
             for lane in range(lane_count):
                 if event[lane] == 0.0:
                     continue
                 if approach[lane] <= 0 or kicks[lane] > limit:
                     if until[lane] == 0.0:
-                        _finish(lane, ball, step, lanes, output)
+                        _finish(lane, ball, steps, lanes, output)
                         until[lane] = min(limit, kicks[lane] + _kicks_within_reach(lane, bat.omega, step, limit, lanes))
                         offset[lane] = QUIET
                     if kicks[lane] >= until[lane]:
-                        following = _start(lane, following, closing_speed, bat, ball, step, lanes, output)
+                        following = _start(lane, following, closing_speed, bat, ball, steps, lanes, output)
                         kicks[lane] += 1.0
                         busy -= lanes.hit_of[lane] < 0
                     else:  # the bat may catch up: go on without a force; any touch is an event
@@ -296,43 +306,27 @@ def solve(
                 elif until[lane] > 0.0:
                     _touch(lane, ball, state)
                 else:
-                    _turn(lane, ball, step, state)
+                    _turn(lane, ball, state)
         for lane in range(lane_count):
-            guess = approach[lane] - give[lane] * (2.0 * force[lane] - former[lane])
-            pressed[lane] = max(guess, 0.25 * approach[lane])
+            guess = max(approach[lane] - give[lane] * (2.0 * force[lane] - former[lane]), 0.25 * approach[lane])
+            pushing = exp(offset[lane] + power[lane] * log(guess))
+            missing = approach[lane] - guess - give[lane] * pushing
+            inverse = 1.0 / guess
+            steepness = power[lane] * pushing * inverse
+            bend = (0.5 * power[lane] - 0.5) * steepness * inverse
+            softened = 1.0 / (1.0 + give[lane] * steepness)
+            missing *= softened
+            missing *= 1.0 - give[lane] * bend * missing * softened
+            pressed[lane] = pushing + missing * (steepness + bend * missing)
         for lane in range(lane_count):
-            impulse[lane] = exp(offset[lane] + power[lane] * log(pressed[lane]))
-        for lane in range(lane_count):
-            missing[lane] = approach[lane] - pressed[lane] - give[lane] * impulse[lane]
-        for lane in range(lane_count):
-            pressed[lane] = 1.0 / pressed[lane]
-        for lane in range(lane_count):
-            steepness[lane] = power[lane] * impulse[lane] * pressed[lane]
-        for lane in range(lane_count):
-            bend[lane] = (0.5 * power[lane] - 0.5) * steepness[lane] * pressed[lane]
-        for lane in range(lane_count):
-            softened[lane] = 1.0 / (1.0 + give[lane] * steepness[lane])
-        for lane in range(lane_count):
-            missing[lane] *= softened[lane]
-        for lane in range(lane_count):
-            missing[lane] *= 1.0 - give[lane] * bend[lane] * missing[lane] * softened[lane]
-        for lane in range(lane_count):
-            impulse[lane] += missing[lane] * (steepness[lane] + bend[lane] * missing[lane])
-        for lane in range(lane_count):
-            steepness[lane] = (steepness[lane] + 2.0 * bend[lane] * missing[lane] * softened[lane]) * softened[lane]
-        for lane in range(lane_count):
-            largest[lane] = max(largest[lane], impulse[lane])
-        for lane in range(lane_count):
+            largest[lane] = max(largest[lane], pressed[lane])
             threshold = CONTACT_FORCE * largest[lane]
-            ebbing = (force[lane] >= threshold) & (impulse[lane] < threshold)
-            part = (force[lane] - threshold) / (force[lane] - impulse[lane])
+            ebbing = (force[lane] >= threshold) & (pressed[lane] < threshold)
+            part = (force[lane] - threshold) / (force[lane] - pressed[lane])
             contact[lane] = kicks[lane] + part if ebbing else contact[lane]
-        for lane in range(lane_count):
             former[lane] = force[lane]
-            force[lane] = impulse[lane]
-        for lane in range(lane_count):
-            impulse[lane] *= step * (1.0 - step**2 / 12 * inverse_mass[lane] * steepness[lane])
-        for lane in range(lane_count):
+            force[lane] = pressed[lane]
+            impulse[lane] = pressed[lane] * step
             ball_speed[lane] -= impulse[lane] / mass
             ball_position[lane] += ball_speed[lane] * step
         if len(half_dash) > 0:  # the kick alone, then dampers for half a step on both sides of the drift
@@ -374,7 +368,7 @@ def _start(
     closing_speed: Array,
     bat: Bat,
     ball: BallNumbers,
-    step: float,
+    steps: Steps,
     lanes: Lanes,
     output: Output,
 ) -> int:
@@ -400,9 +394,8 @@ def _start(
     state[:, lane] = 0.0
     state[CLOSING, lane] = speed
     state[BALL_SPEED, lane] = speed
-    state[BALL_POSITION, lane] = 1.0 if idle else speed * step / 2
-    state[INVERSE_MASS, lane] = inverse_mass
-    state[GIVE, lane] = 0.0 if idle else bat.give[following]
+    state[BALL_POSITION, lane] = 1.0 if idle else speed * steps.first_kick * steps.step
+    state[GIVE, lane] = steps.step**2 / 12 * inverse_mass + (0.0 if idle else bat.give[following])
     state[APPROACH, lane] = state[BALL_POSITION, lane]
     _touch(lane, ball, state)
     if idle:  # never turns, ends or pushes
@@ -421,40 +414,43 @@ def _touch(lane: int, ball: BallNumbers, state: Array) -> None:
 
 
 @compiled()
-def _turn(lane: int, ball: BallNumbers, step: float, state: Array) -> None:
+def _turn(lane: int, ball: BallNumbers, state: Array) -> None:
     """Change a lane from loading to unloading, at the top of the parabola through three kicks, or back."""
-    latest, peak, give = state[APPROACH, lane], state[PEAK, lane], state[GIVE, lane]
-    if latest >= peak and state[RISING, lane] == 0.0:
+    if state[RISING, lane] == 0.0:
         state[RISING, lane] = 1.0
         state[OFFSET, lane], state[POWER, lane] = math.log(ball.stiffness), ball.exponent
-    elif latest < peak and state[RISING, lane] == 1.0:
+    else:
         state[RISING, lane] = 0.0
         if state[EARLIER, lane] > 0:
-            first, middle = state[EARLIER, lane], state[BEFORE, lane]
-            peak = max(peak, _vertex(first, middle, latest)[1])
-        deepest, force = _loaded(peak, give, state[FORCE, lane], ball)
-        lowered = step**2 / 12 * state[INVERSE_MASS, lane] * force
-        state[PEAK, lane] = peak - lowered
-        deepest, force = _loaded(peak - lowered, give, force, ball)
+            height = _vertex(state[EARLIER, lane], state[BEFORE, lane], state[APPROACH, lane])[1]
+            state[PEAK, lane] = max(state[PEAK, lane], height)
+        deepest, force = _loaded(state[PEAK, lane], state[GIVE, lane], state[FORCE, lane], ball)
         state[DEEPEST, lane] = max(state[DEEPEST, lane], deepest)
-        state[OFFSET, lane], state[POWER, lane] = _unloading(deepest, force, ball)
+        state[HARDEST, lane] = max(state[HARDEST, lane], force)
+        power = _unloading_power(ball, deepest, force)
+        state[OFFSET, lane], state[POWER, lane] = math.log(force) - power * math.log(deepest), power
 
 
 @compiled()
 def _loaded(approach: float, give: float, force: float, ball: BallNumbers) -> tuple[float, float]:
-    """Return the ball's compression u and its force on the loading curve: u + C k u^n = w, by Newton's method.
+    """Return the ball's compression u and its force on the loading curve: u + C k u^n = w, by Halley's method.
 
     ``force`` is about the one expected.
     """
-    stiffness, exponent = ball.stiffness, ball.exponent
-    compression = approach - give * force
+    exponent = ball.exponent
+    compression = max(approach - give * force, 0.25 * approach)
     for _ in range(NEWTON_STEPS):
-        force = stiffness * compression**exponent
-        change = (approach - compression - give * force) / (1 + give * exponent * force / compression)
+        force = ball.stiffness * compression**exponent
+        steepness = exponent * force / compression
+        softened = 1 / (1 + give * steepness)
+        change = (approach - compression - give * force) * softened
+        bend = (0.5 * exponent - 0.5) * steepness / compression
+        change *= 1 - give * bend * change * softened
         compression += change
-        if abs(change) < NEARLY * approach:  # the next change is about the square of this one
+        force += change * (steepness + bend * change)
+        if abs(change) < NEARLY * approach:  # the next change is about the cube of this one
             break
-    return compression, force * (1 + exponent * change / compression)
+    return compression, force
 
 
 @compiled()
@@ -464,13 +460,21 @@ def _kicks_within_reach(lane: int, omega: Array, step: float, limit: float, lane
     See `_Flow.overtaken` in `coupled`.
     """
     state = lanes.state
-    speed, fastest = -state[BALL_SPEED, lane], 0.0
+    speed, push, energy = -state[BALL_SPEED, lane], 0.0, 0.0
     for i in range(len(omega)):
         shape, p = lanes.shape[i, lane], lanes.velocity[i, lane]
         if omega[i] < SLOW:
             speed += shape * p
         else:
-            fastest += abs(shape) * math.sqrt(p * p + (omega[i] * lanes.displacement[i, lane]) ** 2)
+            push += shape * shape
+            energy += p * p + (omega[i] * lanes.displacement[i, lane]) ** 2
+    if speed > 0 and speed * speed > push * energy:  # by Cauchy's inequality faster than all vibrations together
+        return 0.0
+    fastest = 0.0
+    for i in range(len(omega)):
+        if omega[i] >= SLOW:
+            p, from_place = lanes.velocity[i, lane], omega[i] * lanes.displacement[i, lane]
+            fastest += abs(lanes.shape[i, lane]) * math.sqrt(p * p + from_place * from_place)
     if speed > fastest:
         return 0.0
     if speed <= 0:
@@ -486,13 +490,13 @@ def _kicks_within_reach(lane: int, omega: Array, step: float, limit: float, lane
 
 
 @compiled()
-def _finish(lane: int, ball: BallNumbers, step: float, lanes: Lanes, output: Output) -> None:
+def _finish(lane: int, ball: BallNumbers, steps: Steps, lanes: Lanes, output: Output) -> None:
     """Write the results of a lane whose ball has left, or whose time is up."""
     state, results, row = lanes.state, output.results, lanes.hit_of[lane]
     separated = state[APPROACH, lane] <= 0
     output.outcome[row] = SEPARATED if separated else STILL_IN_CONTACT
     results[: RELEASE_TIME + 1, row], results[LATE, row] = np.nan, 0.0
-    results[GREATEST_FORCE, row] = state[LARGEST, lane]
+    results[GREATEST_FORCE, row] = max(state[LARGEST, lane], state[HARDEST, lane])
     if state[DEEPEST, lane] == 0:
         state[DEEPEST, lane], _ = _loaded(state[PEAK, lane], state[GIVE, lane], state[FORCE, lane], ball)
     results[GREATEST_COMPRESSION, row] = state[DEEPEST, lane]
@@ -502,9 +506,9 @@ def _finish(lane: int, ball: BallNumbers, step: float, lanes: Lanes, output: Out
             state[CONTACT, lane] = state[KICKS, lane] + 1 - threshold / state[FORCE, lane]
         crossing = _crossing(state[EARLIER, lane], state[BEFORE, lane], state[APPROACH, lane])
         results[EFFICIENCY, row] = -state[BALL_SPEED, lane] / state[CLOSING, lane]
-        results[CONTACT_TIME, row] = (state[CONTACT, lane] - 1.5) * step
-        results[LATE, row] = (1 - crossing) * step
-        results[RELEASE_TIME, row] = (state[KICKS, lane] - 0.5) * step - results[LATE, row]
+        results[CONTACT_TIME, row] = (state[CONTACT, lane] - 2 + steps.first_kick) * steps.step
+        results[LATE, row] = (1 - crossing) * steps.step
+        results[RELEASE_TIME, row] = (state[KICKS, lane] - 1 + steps.first_kick) * steps.step - results[LATE, row]
     if output.motion.shape[1]:
         output.motion[0, row] = lanes.displacement[:, lane]
         output.motion[1, row] = lanes.velocity[:, lane]

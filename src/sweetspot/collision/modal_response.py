@@ -111,7 +111,7 @@ def free_motion(modes: Modes, *, displacement: Array, velocity: Array, step: flo
 
 def kick_step(impact: Impact) -> float:
     """Return the time step in s between the kicks of a hit that touched."""
-    return float(impact.times[-1] - impact.times[-2]) if len(impact.times) > 2 else float(2 * impact.times[-1])
+    return float(impact.impulse[1] / impact.force[1])
 
 
 def _energy(modes: Modes, displacement: Array, velocity: Array) -> Array:

@@ -13,6 +13,9 @@ from numpy.typing import ArrayLike
 
 from sweetspot.numerics.arrays import Array
 
+MANY = 512
+"""Places from which on compiled code is faster, its loading included."""
+
 
 @dataclass(frozen=True, eq=False)
 class Piecewise:
@@ -48,6 +51,10 @@ class Piecewise:
         piece = np.minimum(np.maximum(found, 0), len(self.ends) - 2)  # as np.clip, in a third of its time
         part = (places - self.ends[piece]).reshape(places.shape + (1,) * (self.coefficients.ndim - 2))
         coefficients = self.derivative(order).coefficients if order else self.coefficients
+        if coefficients.ndim <= 3 and places.size >= MANY:
+            from sweetspot.numerics.many_polynomials import values_at
+
+            return values_at(coefficients, piece, part)
         value = coefficients[0, piece]
         for row in coefficients[1:]:
             value = value * part + row[piece]

@@ -142,13 +142,6 @@ def rigid_zone_width(*, bat: str, within: float) -> float:
     return float((np.interp(fine, places, ratio) > -within).sum() * (fine[1] - fine[0]))
 
 
-def flexible_loss_aside(*, bat: str, distance: float) -> float:
-    """Return the smaller loss against a rigid bat at ``distance`` on either side of the best place, as a ratio."""
-    places, ratio = _flexible_over_rigid(bat)
-    best = shared.standard(bat).sweet_spots.max_exit_speed
-    return float(-max(np.interp(best - distance, places, ratio), np.interp(best + distance, places, ratio)))
-
-
 def _flexible_over_rigid(bat: str) -> tuple[Array, Array]:
     """Return places beyond the balance point and flexible over rigid exit speed there, less one.
 
@@ -257,7 +250,6 @@ COMPUTATIONS = (
     standard_angular_speed,
     flexible_over_rigid,
     rigid_zone_width,
-    flexible_loss_aside,
     best_from_tip,
     best_efficiency_from_tip,
     best_restitution_from_tip,
