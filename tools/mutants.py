@@ -158,7 +158,8 @@ class Runner:
         assert self.process.stdin is not None and self.process.stdout is not None
         self.process.stdin.write(json.dumps(arguments) + "\n")
         self.process.stdin.flush()
-        return json.loads(self.process.stdout.readline())
+        code: int | None = json.loads(self.process.stdout.readline())
+        return code
 
     def close(self) -> None:
         """End the process."""
