@@ -13,6 +13,10 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.calibration.calibrated_file import known_deviations
+from sweetspot.calibration.draws.comparison_draws import drawn_comparison
+from sweetspot.calibration.draws.drawn_plays import drawn_flight, drawn_play
+from sweetspot.calibration.draws.drawn_reports import drawn_hit, drawn_report
+from sweetspot.calibration.draws.drawn_tests import drawn_test
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_frequencies
 
@@ -89,6 +93,15 @@ def test_shots_are_measurements_too(run_json: Callable[..., Any], tmp_path: Path
     assert "ball_restitution" in {one["name"] for one in found["unknowns"]}
 
 
+@pytest.fixture
+def few_draws(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A quarter of the draws: enough for which interval stands where."""
+    functions: tuple[Any, ...] = (drawn_report, drawn_hit, drawn_comparison, drawn_test, drawn_play, drawn_flight)
+    for function in functions:
+        monkeypatch.setitem(function.__kwdefaults__, "count", 256)
+
+
+@pytest.mark.usefixtures("few_draws")
 def test_how_sure_a_report_a_hit_and_a_comparison_are(run: Run, run_json: Callable[..., Any]) -> None:
     """One mechanism: the same interval of the best hit in a report and in a hit, and beside the numbers of both."""
     report = run_json("report", "russell-b1", "--uncertainty")
@@ -104,8 +117,11 @@ def test_how_sure_a_report_a_hit_and_a_comparison_are(run: Run, run_json: Callab
     assert code == 0
     assert "probability" in out
     assert "swing law" in out
+    played = out.split("In play")[1].split("By the rules")[0]
+    assert played.splitlines()[4].count("±") + played.splitlines()[4].count("(") >= 4, "speeds, change and break-even"
 
 
+@pytest.mark.usefixtures("few_draws")
 def test_a_certificate_says_how_sure_passing_is(run: Run, tmp_path: Path) -> None:
     told = run("certify", "college-alloy", "--uncertainty", "--out", str(tmp_path))[1]
     sure = json.loads((tmp_path / "certify.json").read_text(encoding="utf-8"))
@@ -114,8 +130,10 @@ def test_a_certificate_says_how_sure_passing_is(run: Run, tmp_path: Path) -> Non
     assert 0.5 < passes["bbcor"] < 0.99, "it passes by 0.0016, less than its doubt"
     assert sure["uncertainty"]["sources"].keys().isdisjoint({"ball restitution", "swing"}), "a test normalises the ball"
     assert "probability" in told
+    assert "(" in told.split("+0.00")[1].split("ncaa ")[0], "the margin has an interval too"
 
 
+@pytest.mark.usefixtures("few_draws")
 def test_speeds_written_with_errors_widen_the_intervals(run_json: Callable[..., Any]) -> None:
     flown = {error: run_json("fly", "--exit-speed", f"100mph±{error}", "--uncertainty") for error in ("0.1mph", "3mph")}
     narrow, wide = (one["carry_high_m"] - one["carry_low_m"] for one in flown.values())
@@ -124,3 +142,4 @@ def test_speeds_written_with_errors_widen_the_intervals(run_json: Callable[..., 
     played = run_json("play", "--bat-speed", "70mph±2mph", "--uncertainty")
     assert played["flight"]["carry_low_m"] < played["flight"]["carry_m"] < played["flight"]["carry_high_m"]
     assert "swing" in played["uncertainty"]["shares"]
+    assert played["backspin_low_rad_s"] < played["backspin_rad_s"] < played["backspin_high_rad_s"]

@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from sweetspot.analysis.comparison import Comparison
+from sweetspot.analysis.comparison import Compared, Comparison
 from sweetspot.calibration.draws.drawn_hits import Draws, draws_of, hits_along
 from sweetspot.calibration.draws.intervals import DrawnAnswers
 from sweetspot.calibration.draws.sources import DRAWS, Source, Sources
@@ -22,6 +22,8 @@ from sweetspot.numerics.parabola import peak
 
 PLACES = 41
 LAW = "swing law"
+LEAST_APART = 0.05
+"""m/s of bat speed from which on two exit speeds tell how one goes with the other."""
 
 
 def drawn_comparison(comparison: Comparison[Implement], sources: list[Sources], *, count: int = DRAWS) -> DrawnAnswers:
@@ -52,12 +54,30 @@ def drawn_comparison(comparison: Comparison[Implement], sources: list[Sources], 
     known = values["bats.0.exit_speed_m_s"]
     for index in range(len(sources)):
         values[f"bats.{index}.change_m_s"] = values[f"bats.{index}.exit_speed_m_s"] - known
+    for index, one in enumerate(comparison.compared):
+        if index:
+            values |= _against_the_first(one, index, values)
     names = tuple(
         name for name, one in zip(names_of_bats(comparison), normals, strict=True) for _ in range(one.shape[1])
     )
     names += tuple(one.name for one in first.others) + tuple(one.name for one in _of_law(law))
     normal = np.hstack([*normals, shared])
     return DrawnAnswers(np.vstack([np.zeros((1, normal.shape[1])), normal]), names, values)
+
+
+def _against_the_first(one: Compared[Implement], index: int, values: dict[str, Array]) -> dict[str, Array]:
+    """Return how much faster a bat is swung, and the speed at which it would send the ball off as fast.
+
+    Near there the exit speed goes with the bat speed as it does for the bats as described.
+    """
+    swung, change = values[f"bats.{index}.bat_speed_m_s"], values[f"bats.{index}.change_m_s"]
+    found = {f"bats.{index}.swung_faster_m_s": swung - values["bats.0.bat_speed_m_s"]}
+    apart = one.bat_speed.value - one.break_even
+    if np.isfinite(apart):
+        slope = one.change.value / apart if abs(apart) > LEAST_APART else 1 + one.collision_efficiency
+        needed = swung - change / slope
+        found[f"bats.{index}.break_even_bat_speed_m_s"] = one.break_even + needed - needed[0]
+    return found
 
 
 def names_of_bats(comparison: Comparison[Implement]) -> tuple[str, ...]:

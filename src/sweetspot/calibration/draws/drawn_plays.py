@@ -22,7 +22,7 @@ from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.bat import Bat
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import Flights, flights
-from sweetspot.motion.ball_motion import BallMotion, BallMotions
+from sweetspot.motion.ball_motion import BallMotion, BallMotions, launch_angles
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.numerics.arrays import Array
@@ -84,7 +84,7 @@ def drawn_play(asked: PlayAsked, sources: Sources, *, count: int = DRAWS) -> Dra
     left = BallMotions(velocity=velocity, spin=met.spin, position=np.asarray(pitch.position))
     values = {
         "bat_speed_m_s": speed, "pitch_speed_m_s": draws.pitch_speed, "closing_speed_m_s": met.closing_speed,
-        "collision_efficiency": own, **launch_values(velocity),
+        "collision_efficiency": own, **launch_values(velocity), **_spins(velocity, met.spin),
         **{f"flight.{name}": value for name, value in drawn_flights(left, asked.flying, sources.of(DRAG, off)).items()},
     }  # fmt: skip
     return DrawnAnswers(draws.normal, sources.names, values)
@@ -121,6 +121,11 @@ def drawn_flight(
     balls = BallMotions(velocity=velocity, spin=np.asarray(left.spin), position=np.asarray(left.position))
     values = {**launch_values(velocity), **drawn_flights(balls, flying, sources.of(DRAG, off))}
     return DrawnAnswers(normal, sources.names, values), sources
+
+
+def _spins(velocity: Array, spin: Array) -> dict[str, Array]:
+    _, _, (back, side, gyro) = launch_angles(velocity, np.broadcast_to(spin, velocity.shape))
+    return {"backspin_rad_s": back, "sidespin_rad_s": side, "gyrospin_rad_s": gyro}
 
 
 def launch_values(velocity: Array) -> dict[str, Array]:

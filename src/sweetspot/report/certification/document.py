@@ -10,6 +10,7 @@ from sweetspot.analysis.certification.rules import Check, League, Verdict, title
 from sweetspot.analysis.certification.shot_statistics import Estimate, Measured
 from sweetspot.analysis.certification.shots import Shots
 from sweetspot.analysis.certification.simulated_test import CLAMP, OLD_BALL_SPEED, OLD_BAT_SPEED, BatTest, Certification
+from sweetspot.calibration.draws.drawn_tests import RULED
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.certification.limits_shown import limit_shown, value_shown
 from sweetspot.report.certification.numbers import check_json, measured_json, simulated_json, wall_json
@@ -193,10 +194,11 @@ def _rules(checks: Sequence[tuple[League, Check]]) -> Table:
     for league, check in checks:
         rule = check.rule
         reading = "" if rule.reading == "primary" else f", {rule.reading}"
+        of = RULED.get(rule.quantity, "")
         rows.append([
             league.key, title(rule), Marked(check.verdict.value, MARKS.get(check.verdict, "")),
-            value_shown(rule.quantity, check.value), limit_shown(check),
-            value_shown(rule.quantity, check.margin, sign=True),
+            value_shown(rule.quantity, check.value, of=of), limit_shown(check),
+            value_shown(rule.quantity, check.margin, sign=True, of=f"-{of}" if rule.least is None and of else of),
             f"{rule.source} {rule.year or ''}".strip() + reading,
         ])  # fmt: skip
     return Table("Rules", [*columns, Column("source")], rows)

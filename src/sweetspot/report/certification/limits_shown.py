@@ -21,12 +21,12 @@ def limit_shown(check: Check) -> Words:
     )  # fmt: skip
 
 
-def value_shown(quantity: str, value: float | None, *, sign: bool = False) -> Sentence:
-    """Return a value in the unit that people use for it."""
+def value_shown(quantity: str, value: float | None, *, sign: bool = False, of: str = "") -> Sentence:
+    """Return a value in the unit that people use for it; ``of`` as in `Slot`."""
     if value is None:
         return Sentence(())
     unit = QUANTITIES[quantity][1]
     if unit == "yes or no":
         return say("yes" if value else "no")
     scale, digits = SCALES.get(unit, ("ratio", 4))
-    return Sentence((Slot(value, scale, digits, sign),))
+    return Sentence((Slot(value, scale, digits, sign, of=of),))

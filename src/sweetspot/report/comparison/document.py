@@ -124,7 +124,7 @@ def _in_play(compared: Sequence[Compared[Implement]]) -> Table:
             within(one.exit_speed, "speed", unit=False, of=f"bats.{number}.exit_speed_m_s"),
             within(one.change, "speed_change", sign=True, unit=False, of=f"bats.{number}.change_m_s")
             if number else "reference",
-            one.break_even,
+            Slot(one.break_even, "speed", unit=False, of=f"bats.{number}.break_even_bat_speed_m_s"),
         ]
         for number, one in enumerate(compared)
     ]  # fmt: skip

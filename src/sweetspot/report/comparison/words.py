@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from sweetspot.analysis.comparison import Compared, Comparison
 from sweetspot.analysis.trampoline import wall_point_of
@@ -23,7 +24,7 @@ INTERVAL_MEANS = "95 % of the spread of the swing law's exponent, and nothing el
 
 def verdict(comparison: Comparison[Implement]) -> list[Sentence]:
     """Return one sentence for every bat after the first."""
-    return [_sentence(compared, comparison.reference) for compared in comparison.compared[1:]]
+    return [_sentence(one, comparison.reference, index) for index, one in enumerate(comparison.compared) if index]
 
 
 def cork_verdict(comparison: Comparison[Implement]) -> list[Sentence]:
@@ -97,12 +98,14 @@ def _change(speed: float, *, sign: bool = False) -> Slot:
     return Slot(speed, "speed_change", sign=sign)
 
 
-def _sentence(compared: Compared[Implement], first: Compared[Implement]) -> Sentence:
+def _sentence(compared: Compared[Implement], first: Compared[Implement], index: int) -> Sentence:
     faster = compared.bat_speed.value - first.bat_speed.value
     change = compared.change
     swung = say("")
     if abs(faster) > NOTHING:
-        swung = say("swung {speed} {way}, ", speed=_change(abs(faster)), way="faster" if faster > 0 else "slower")
+        of = f"{'-' if faster < 0 else ''}bats.{index}.swung_faster_m_s"
+        much = replace(_change(abs(faster)), of=of)
+        swung = say("swung {speed} {way}, ", speed=much, way="faster" if faster > 0 else "slower")
     text = say("{label}: {swung}the ball leaves ", label=compared.label, swung=swung)
     if max(abs(change.low), abs(change.high)) < NOTHING:
         return text + f"as fast as from {first.label}."

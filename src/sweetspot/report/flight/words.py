@@ -101,33 +101,34 @@ def launch_words(ball: BallMotion, *, ballpark: bool = True) -> Sentence:
         "at {speed}, {up} and {aside}, with {spin}",
         speed=Slot(ball.speed, "speed", of="exit_speed_m_s"),
         up=signed(ball.launch_angle, "angle", "up", "down", of="launch_angle_rad"),
-        aside=direction_words(ball.spray, ballpark=ballpark), spin=spin_words(ball),
+        aside=direction_words(ball.spray, ballpark=ballpark, of="spray_rad"), spin=spin_words(ball),
     )  # fmt: skip
 
 
-def direction_words(angle: float, *, ballpark: bool = True) -> Sentence:
+def direction_words(angle: float, *, ballpark: bool = True, of: str = "") -> Sentence:
     """Return a direction over the field in words.
 
     Parameters
     ----------
     angle : rad, positive to right field.
     ballpark : whether the field has a home plate and a centre field.
+    of : see `Slot`.
     """
     ahead, back, right, left = PLACES_OF_BALLPARKS if ballpark else PLACES_OF_FIELDS
     if abs(angle) < STRAIGHT:
         return say(ahead)
     if abs(abs(angle) - 180 * DEGREE) < STRAIGHT:
         return say(back)
-    return signed(angle, "angle", right, left)
+    return signed(angle, "angle", right, left, of=of)
 
 
 def spin_words(ball: BallMotion) -> Sentence:
     """Return a ball's spin, as "2200 rpm of backspin and 849 rpm that bend it right"; no spin is said to be none."""
     parts = [
-        (ball.backspin, "of backspin", "of topspin"),
-        (ball.sidespin, "that bend it left", "that bend it right"),
+        (ball.backspin, "of backspin", "of topspin", "backspin_rad_s"),
+        (ball.sidespin, "that bend it left", "that bend it right", "sidespin_rad_s"),
     ]
-    turning = [signed(value, "spin", right, left) for value, right, left in parts if abs(value) >= DEGREE]
+    turning = [signed(value, "spin", right, left, of=of) for value, right, left, of in parts if abs(value) >= DEGREE]
     if not turning:
         return say("no spin")
     return turning[0] if len(turning) == 1 else say("{back} and {side}", back=turning[0], side=turning[1])

@@ -24,7 +24,11 @@ def play_document(played: PlayedPitch) -> Document:
     """Return a play as a document."""
     words = play_words(played)
     speed = played.pitch.speed
-    arriving = say("{speed} pitch", speed=Slot(speed, "speed", digits=0)) if speed > 0 else say("a ball at rest")
+    arriving = (
+        say("{speed} pitch", speed=Slot(speed, "speed", digits=0, of="pitch_speed_m_s"))
+        if speed > 0
+        else say("a ball at rest")
+    )
     picture = Picture(
         "play", lambda reading: _drawn(played, words, reading),
         label="The contact of bat and ball, and the ball's path from above and from the side.",
@@ -77,7 +81,11 @@ def play_words(played: PlayedPitch) -> Sentence:
     if ball is None or played.play.flight is None:
         return say("The bat came {met}: {outcome}.", met=met, outcome=struck.outcome.sentence)
     sentences = [
-        say("The bat meets the ball {met}, at {speed}.", met=met, speed=Slot(struck.bat_speed, "speed")),
+        say(
+            "The bat meets the ball {met}, at {speed}.",
+            met=met,
+            speed=Slot(struck.bat_speed, "speed", of="bat_speed_m_s"),
+        ),
         say("The ball leaves {launch}.", launch=launch_words(ball)),
         "" if struck.gripped else "It slides on the bat all through the contact: friction cannot turn it further.",
         flight_words(played.play.flight),
