@@ -49,8 +49,8 @@ class Limit:
             raise InputError(f"a limit on {self.measure} has no end; give least, most or both")
         if self.least is not None and self.most is not None and self.least > self.most:
             raise InputError(
-                f"the limit on {MEASURES[self.measure].label} goes from {self.least:.4g} down to {self.most:.4g}; give "
-                "the smaller end first"
+                f"the limit on {MEASURES[self.measure].label} goes from {_number(self.least, self.measure)} down to "
+                f"{_number(self.most, self.measure)}; give the smaller end first"
             )
 
     def excess(self, values: Array) -> Array:

@@ -86,8 +86,12 @@ def batter_of(options: BatterOptions, bat: Implement, conditions: Conditions) ->
         weight = normal_contact(mean, length(options.contact_spread, "position_spread", "--contact-spread"))
     spread = length(options.offset_spread, "offset_spread", "--offset-spread")
     doubt = parse(options.doubt, "length", "--doubt")
-    if not (0 < spread < 0.1 and 0 <= doubt < 0.2):
-        raise InputError("--offset-spread must lie between 0 and 4 in, and --doubt between 0 and 8 in; give inches")
+    if not 0 < spread < 0.1:
+        raise InputError(
+            f"--offset-spread was given as {options.offset_spread}; allowed is more than 0 in, up to 3.9 in"
+        )
+    if not 0 <= doubt < 0.2:
+        raise InputError(f"--doubt was given as {options.doubt}; allowed is 0 in to 7.8 in")
     return Batter(
         weight=weight, offset=length(options.offset, "offset", "--offset"), offset_spread=spread,
         bat_speed=known.get("bat_speed", conditions.swing.bat_speed),
