@@ -102,3 +102,11 @@ def test_units_phone_and_lines(opened: Page, narrow: Callable[[Page], None]) -> 
     opened.get_by_role("button", name="Export").click()
     expect(opened.locator("dialog pre").first).to_contain_text("sweetspot paper r161-ash --entry-angle 10deg")
     expect(opened.locator("dialog pre").nth(1)).to_contain_text('PARTS["end"]')
+
+
+def test_symbols_of_the_statements_are_formulas(page: Page, server: str, answered: Callable[..., int]) -> None:
+    page.goto(f"{server}/paper?question=percussion")
+    answered(page)
+    table = page.locator("#view table").last
+    expect(table.locator("math").first).to_be_attached()
+    assert not re.search(r"[A-Za-z]_[A-Z]|\^2", table.inner_text())

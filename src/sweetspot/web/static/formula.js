@@ -46,6 +46,27 @@ function term(word) {
   return above !== undefined ? element("msup", ...parts) : parts[0];
 }
 
+// Symbols inside running text: J_C, k_bat, v1^2, l^2, alpha. Each becomes a small formula in its place.
+const SYMBOL = /\b(?:[aJEk]_(?:bat|ball|[A-Za-z]\b)(?:\^2)?|[mvkWz][012](?:\^2)?|[a-zA-Z]\^2|alpha)(?![\w^])/g;
+
+/** @param {Element} place */
+export function typeset(place) {
+  const texts = document.createTreeWalker(place, NodeFilter.SHOW_TEXT);
+  const found = [];
+  for (let node = texts.nextNode(); node; node = texts.nextNode()) if ((node.textContent ?? "").search(SYMBOL) >= 0) found.push(node);
+  for (const node of found) {
+    const words = node.textContent ?? "";
+    const parts = [];
+    let end = 0;
+    for (const match of words.matchAll(SYMBOL)) {
+      const source = match[0] === "alpha" ? "α" : match[0].replace(/^([a-zA-Z])([012])/, "$1_$2");
+      parts.push(words.slice(end, match.index), mathOf(source, { block: false }));
+      end = match.index + match[0].length;
+    }
+    /** @type {ChildNode} */ (node).replaceWith(...parts, words.slice(end));
+  }
+}
+
 const UNITS = ["mm", "cm", "in", "kN", "lbf", "N", "s", "J", "%"];
 
 function token(text) {

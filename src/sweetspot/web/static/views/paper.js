@@ -2,7 +2,7 @@
 
 import { Bench, ballGroup, swingGroup } from "../bench.js";
 import { button, group } from "../controls.js";
-import { mathOf } from "../formula.js";
+import { mathOf, typeset } from "../formula.js";
 import { inReadersUnit, inUnits, make, tableOf } from "../parts.js";
 import { PICTURES } from "./paper_pictures.js";
 import { STEPS } from "./paper_steps.js";
@@ -78,6 +78,7 @@ export const view = {
     this.app.announce(this.truth.textContent);
     this.drawing.draw(answer, state);
     this.rows.replaceChildren(this.table_(answer.rows));
+    typeset(this.rows);
     const at = STEPS.indexOf(step);
     this.turn.firstChild.disabled = at === 0;
     this.turn.lastChild.disabled = at === STEPS.length - 1;
@@ -89,6 +90,7 @@ export const view = {
     this.said.replaceChildren(...step.claim.map((text) => make("p", { textContent: text })));
     this.slips.replaceChildren(make("summary", { textContent: "Misprints to know" }),
       make("ul", {}, ...step.slips.map((text) => make("li", { textContent: text }))));
+    typeset(this.slips);
     this.slips.hidden = step.slips.length === 0;
     this.sliders.hidden = this.own[step.key].childElementCount === 0;
     this.drawing = PICTURES[step.key](this.app);
