@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -39,10 +40,13 @@ STEEPER = math.radians(7)
 FARTHEST, OFFSETS = 0.97, 121
 """Largest offset as a part of both radii together, and how many offsets from one side to the other."""
 
+KEPT_TABLES = 256
+"""Tables that a process keeps: a league's batters swing the same few bats."""
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, eq=False)
 class ContactTable:
-    """One bat's answers.
+    """One bat's answers; the same object for the same bat, so it is compared and kept by what it is.
 
     Parameters
     ----------
@@ -82,6 +86,11 @@ def contact_table(bat: Bat, *, ball: Ball, axis: float, like: ContactTable | Non
     InputError
         when the bat is no heavier than the ball, or does not send it back anywhere on the barrel.
     """
+    return _made(bat, ball, axis, like)
+
+
+@lru_cache(maxsize=KEPT_TABLES)
+def _made(bat: Bat, ball: Ball, axis: float, like: ContactTable | None) -> ContactTable:
     model = reduced_bat(bat, ball=ball)
     if ball.mass >= model.body.mass:
         raise InputError(

@@ -122,10 +122,14 @@ class Expectation:
     def _head_on(self, table: ContactTable, speed: Array, place: Array) -> Array:
         there = speed * arm_ratio(table, place, speed_from_tip=self.model.speed_from_tip)
         closing = self.pitch_speed + there
-        efficiency = (
-            np.interp(place, table.from_tip, table.efficiency) + self.draws[:, NAMES.index("efficiency_shift"), None]
+        at = place / (table.from_tip[1] - table.from_tip[0])  # even, from the tip on
+        low = np.clip(at, 0, len(table.from_tip) - 1.000001).astype(np.int64)
+        part = np.clip(at - low, 0.0, 1.0)
+        still, rise = (
+            values[low] + part * (values[low + 1] - values[low])
+            for values in (table.efficiency, table.efficiency_slope)
         )
-        efficiency = efficiency + closing * np.interp(place, table.from_tip, table.efficiency_slope)
+        efficiency = still + self.draws[:, NAMES.index("efficiency_shift"), None] + closing * rise
         return np.maximum(efficiency * closing + there, 0.0)
 
 
@@ -147,7 +151,7 @@ def expectation(
 
 def _kept(table: ContactTable, offset: Array, ratio: Array) -> Array:
     """Return the part of the head-on exit speed that is left, straight lines between the table's rows and columns."""
-    rows = np.clip(np.interp(ratio, RATIOS, np.arange(len(RATIOS))), 0, len(RATIOS) - 1.000001)
+    rows = np.clip((ratio - RATIOS[0]) / (RATIOS[1] - RATIOS[0]), 0, len(RATIOS) - 1.000001)
     step = table.offset[1] - table.offset[0]
     columns = np.clip((offset - table.offset[0]) / step, 0, len(table.offset) - 1.000001)
     i, j = rows.astype(np.int64), columns.astype(np.int64)

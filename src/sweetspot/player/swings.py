@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import date
 from difflib import get_close_matches
+from functools import lru_cache
 from pathlib import Path
 
 from sweetspot.analysis.certification.shots import BadRow
@@ -36,6 +37,7 @@ MOST_SWINGS = 400
 """Swings that a fit takes: twice as many narrow the intervals by a quarter and take twice as long."""
 FOUL, BUNT = "foul", "bunt"
 """Words of an outcome, such as Statcast's description, that tell such a swing."""
+Lines = tuple[tuple[int, list[str]], ...]
 EMPTY = ("", "na", "n/a", "nan", "null", "none", "-", "--")
 
 
@@ -87,16 +89,12 @@ def read_swings(
         when the file cannot be read, lacks what is needed, holds several batters and none was named, or has no good
         row.
     """
-    lines = _lines(path)
-    headings = next(lines, None)
-    if headings is None:
+    headings = _lines(path)[:1]
+    if not headings:
         raise InputError(f"{path} is empty; it needs a line of column names, for example bat_speed_mph, exit_speed_mph")
-    start, names = headings
+    names = headings[0][1]
     columns = columns_of(names, units=units, file_name=str(path))
-    rows = [(line, cells) for line, cells in lines if line > start]
-    if not rows:
-        raise InputError(f"{path} has column names and no row; give one row per swing")
-    rows = _of_batter(rows, columns, batter, path)
+    rows = _of_batter(columns, batter, path)
     read = [
         _read(line, cells, columns, width=len(names), length=length, pitch_speed=pitch_speed) for line, cells in rows
     ]
@@ -131,19 +129,18 @@ def batters(path: Path, *, units: Units | None = None) -> tuple[str, ...]:
     InputError
         when the file cannot be read, or names none.
     """
-    lines = _lines(path)
-    headings = next(lines, None)
-    column = None if headings is None else columns_of(headings[1], units=units, file_name=str(path)).found.get("batter")
+    headings = _lines(path)[:1]
+    column = columns_of(headings[0][1], units=units, file_name=str(path)).found.get("batter") if headings else None
     if column is None:
         raise InputError(f"{path} has no column that names the batter; add one called player, or leave --batter out")
-    names = {_name(cells, column) for _, cells in lines} - {""}
+    names = set(_by_batter(path, column.index)) - {""}
     if not names:
         raise InputError(f"{path} names no batter in its column {column.heading}")
     return tuple(sorted(names))
 
 
-def _name(cells: list[str], column: Column) -> str:
-    text = cells[column.index].strip() if column.index < len(cells) else ""
+def _name(cells: list[str], column: int) -> str:
+    text = cells[column].strip() if column < len(cells) else ""
     return text.removesuffix(".0")
 
 
@@ -160,33 +157,54 @@ def evenly(swings: Sequence[PlayerSwing], most: int) -> tuple[tuple[PlayerSwing,
     return taken, (f"{count} swings are usable; {most} of them, taken evenly, are enough and are used.",)
 
 
-def _lines(path: Path) -> Iterator[tuple[int, list[str]]]:
-    """Yield (line, cells) from the line of column names on, blank lines left out."""
+def _lines(path: Path) -> Lines:
+    """Return (line, cells) from the line of column names on, blank lines left out."""
     if path.is_dir():
         raise InputError(f"{path} is not a file; give a CSV file with a row per swing")
+    return _parsed(path, _signature(path))
+
+
+def _signature(path: Path) -> tuple[int, int]:
+    try:
+        status = path.stat()
+    except OSError:
+        return 0, 0  # reading it says what is wrong
+    return status.st_mtime_ns, status.st_size
+
+
+@lru_cache(maxsize=1)
+def _parsed(path: Path, signature: tuple[int, int]) -> Lines:  # noqa: ARG001 - a changed file is another file
+    """Return the lines of a file; the last one is kept, for a league is asked for player after player."""
     text = read_text(path, most=MOST_TABLE_BYTES, advice="give a CSV file with the rows of one batter")
-    before: list[tuple[int, list[str]]] = []
-    found = False
-    for line, cells in table_rows(text, path, is_heading=is_heading_line):
-        found = found or is_heading_line(cells)
-        if found:
-            yield line, cells
-        elif len(before) < PREAMBLE:
-            before.append((line, cells))
-    if not found:
-        yield from before
+    lines = list(table_rows(text, path, is_heading=is_heading_line))
+    first = next((place for place, (_, cells) in enumerate(lines) if is_heading_line(cells)), None)
+    return tuple(lines[:PREAMBLE] if first is None else lines[first:])
 
 
-def _of_batter(
-    rows: list[tuple[int, list[str]]], columns: Columns, batter: str | None, path: Path
-) -> list[tuple[int, list[str]]]:
+def _by_batter(path: Path, column: int) -> dict[str, Lines]:
+    """Return the rows of every batter of a file."""
+    return _parted(path, _signature(path), column)
+
+
+@lru_cache(maxsize=1)
+def _parted(path: Path, signature: tuple[int, int], column: int) -> dict[str, Lines]:
+    found: dict[str, list[tuple[int, list[str]]]] = {}
+    for line, cells in _parsed(path, signature)[1:]:
+        found.setdefault(_name(cells, column), []).append((line, cells))
+    return {name: tuple(rows) for name, rows in found.items()}
+
+
+def _of_batter(columns: Columns, batter: str | None, path: Path) -> Lines:
     """Return the rows of one batter; a file of several without a name is refused."""
-    column = columns.found.get("batter")
+    column, rows = columns.found.get("batter"), _lines(path)[1:]
+    if not rows:
+        raise InputError(f"{path} has column names and no row; give one row per swing")
     if column is None:
         if batter is not None:
             raise InputError(f"--batter {batter} was given, and {path} has no column that names the batter")
         return rows
-    names = sorted({_name(cells, column) for _, cells in rows} - {""})
+    parted = _by_batter(path, column.index)
+    names = sorted(set(parted) - {""})
     if batter is None:
         if len(names) > 1:
             shown_names = ", ".join(names[:8]) + (", ..." if len(names) > 8 else "")
@@ -197,7 +215,7 @@ def _of_batter(
         return rows
     if batter not in names:
         raise InputError(f"batter {batter!r} is not in {path}. {nearest_names(batter, names)}")
-    return [(line, cells) for line, cells in rows if _name(cells, column) == batter]
+    return parted[batter]
 
 
 def _read(
