@@ -29,6 +29,8 @@ MEASURES: Mapping[str, tuple[str, str]] = {
     "from_best": ("offset", "distance from the best place along the bat"),
     "centred": ("share", "centred: within 4 in along the bat"),
     "lined_up": ("share", "lined up: within 2 in over or under"),
+    "on_time": ("share", "on time: within 7 ms, where a table has the place of contact before the batter"),
+    "perfect": ("share", "met perfectly: centred, lined up and on time"),
     "tip_side": ("share", "met on the tip's side"),
     "offset": ("offset", "ball's centre above the bat's axis"),
     "above_usual": ("speed", "exit speed above what such swings usually give"),
