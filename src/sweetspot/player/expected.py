@@ -130,7 +130,7 @@ class Expectation:
             for values in (table.efficiency, table.efficiency_slope)
         )
         efficiency = still + self.draws[:, NAMES.index("efficiency_shift"), None] + closing * rise
-        return np.maximum(efficiency * closing + there, 0.0)
+        return np.asarray(np.maximum(efficiency * closing + there, 0.0))
 
 
 def expectation(
