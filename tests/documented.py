@@ -25,6 +25,8 @@ NEEDS_ONE_S_OWN = {
 LONG = {
     "design mlb-a": "seconds of searching; tests/cli/test_design_command.py runs shorter ones",
     "design my-bat.toml": "the same",
+    "design cricket-bat": "the same",
+    "design tennis-racket": "the same",
     "tap r161.wav": "tests/cli/test_tap_command.py runs the same, and calibrate on the page on one's own bat",
     "tap taps.wav": "the same",
     "report mine.toml --uncertainty": "a thousand draws; tests/calibration/draws runs them",

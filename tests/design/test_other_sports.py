@@ -104,6 +104,8 @@ def test_two_pieces_of_one_model_hide_small_gains_of_every_sport(willow: Bench) 
     gain = gain_of(willow, near, willow.measured(near), present_measured(willow))
     assert gain.wood > 0 and gain.shipment == 0 and gain.verdict is not GainVerdict.SEEN
     assert (gain.noise > 0).all()  # all of the outer 13 in are blade
+    flat = np.array([*willow.space.start[:-1], 1.0])  # a back of two planes: nothing is less concave
+    assert gain_of(willow, flat, willow.measured(flat), present_measured(willow)).wood > 0
 
 
 def test_off_the_face_nothing_is_told() -> None:

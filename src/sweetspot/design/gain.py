@@ -209,7 +209,9 @@ def _alike(bench: Bench, numbers: Array) -> tuple[Array, Array]:
     assert isinstance(space, ImplementSpace)
     count = len(numbers)
     steps = TURNED_ALIKE * np.diag(numbers)
-    made = space.all_made(np.concatenate([numbers + steps, numbers - steps]))
+    low, high = (np.array([getattr(one, end) for one in space.variables]) for end in ("low", "high"))
+    more, less = np.clip(numbers + steps, low, high), np.clip(numbers - steps, low, high)  # what can be made
+    made = space.all_made(np.concatenate([more, less]))
     pairs = list(zip(made[:count], made[count:], strict=True))
     if isinstance(space.present, CricketBat):
         pairs += willows(space.change(space.present, numbers))
@@ -219,6 +221,7 @@ def _alike(bench: Bench, numbers: Array) -> tuple[Array, Array]:
     widths = np.array([one.width_at(row) for one, row in zip(every, places, strict=True)])
     worth = bench.of_bats(bats, {}, widths).worth
     changes = (worth[: len(pairs)] - worth[len(pairs) :]) / 2
+    changes[:count] *= (2 * np.diag(steps) / np.diag(more - less))[:, None]  # at the end of a range: its slope there
     return changes, changes
 
 
