@@ -217,6 +217,9 @@ def test_pages_come_with_a_policy_and_a_tag(client: httpx.Client) -> None:
     assert response.headers["content-type"].startswith("text/html")
     assert "default-src 'none'" in response.headers["content-security-policy"]
     assert response.headers["x-content-type-options"] == "nosniff"
+    assert "microphone=(self)" in response.headers["permissions-policy"]
+    module = client.get("/static/main.js")  # no document, so what is said of documents is left out
+    assert "content-security-policy" not in module.headers and module.headers["x-content-type-options"] == "nosniff"
     again = client.get("/explorer", headers={"if-none-match": response.headers["etag"]})
     assert again.status_code == 304
     assert "http://" not in response.text.replace("http://www.w3.org", "")
@@ -378,6 +381,17 @@ def test_why_here_adds_up_and_is_what_the_report_says(client: httpx.Client) -> N
     told = client.post("/api/v1/explorer/why", json={}).json()["sentences"]
     assert any("Why not at the tip?" in one for one in told["us"])
     assert any("What a miss costs" in one for one in told["si"])
+
+
+def test_modules_are_sent_without_their_comments_line_by_line(client: httpx.Client) -> None:
+    from sweetspot.web.files import FOLDER
+
+    written = (FOLDER / "main.js").read_text(encoding="utf-8").splitlines()
+    sent = client.get("/static/main.js").text.splitlines()
+    assert len(sent) == len(written)  # a fault is told with the line of the source
+    assert all(line in ("", source) for line, source in zip(sent, written, strict=True))
+    assert not any(line.strip().startswith(("//", "/*")) for line in sent)
+    assert "new App().start();" in sent
 
 
 def test_people_get_a_page_where_there_is_none(client: httpx.Client) -> None:

@@ -35,7 +35,7 @@ class File:
 def static_files() -> dict[str, File]:
     """Return every file of the page by its path below /static/; the table of quantities is one, as a module."""
     paths = (path for path in sorted(FOLDER.rglob("*")) if path.suffix in TYPES)
-    files = {path.relative_to(FOLDER).as_posix(): _file(path.read_bytes(), path.suffix) for path in paths}
+    files = {path.relative_to(FOLDER).as_posix(): _file(_sent(path), path.suffix) for path in paths}
     return files | {"quantities.js": _file(f"export default {json.dumps(quantity_data())};\n".encode(), ".js")}
 
 
@@ -46,6 +46,19 @@ def shell(template: File) -> File:
     ]
     facts = json.dumps({"version": __version__, "views": views, "carried": CARRIED}).replace("<", "\\u003c")
     return _file(template.content.replace(b"@facts@", facts.encode()), ".html")
+
+
+def _sent(path: Path) -> bytes:
+    """Return a file as browsers get it: lines of a module that are comments alone are empty there, in their places."""
+    if path.suffix != ".js":
+        return path.read_bytes()
+    lines, inside = [], False
+    for line in path.read_text(encoding="utf-8").splitlines():
+        told = line.strip()
+        inside = inside or told.startswith("/*")
+        lines.append("" if inside or told.startswith("//") else line)
+        inside = inside and not told.endswith("*/")
+    return "\n".join([*lines, ""]).encode()
 
 
 def _file(content: bytes, suffix: str) -> File:
