@@ -392,6 +392,8 @@ def test_modules_are_sent_without_their_comments_line_by_line(client: httpx.Clie
     assert all(line in ("", source) for line, source in zip(sent, written, strict=True))
     assert not any(line.strip().startswith(("//", "/*")) for line in sent)
     assert "new App().start();" in sent
+    formulas = client.get("/static/formula.js").text  # a line of it has code behind its comment
+    assert "/** @type {ChildNode} */ (node).replaceWith(" in formulas and formulas.rstrip().endswith("}")
 
 
 def test_people_get_a_page_where_there_is_none(client: httpx.Client) -> None:

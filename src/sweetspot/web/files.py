@@ -55,7 +55,8 @@ def _sent(path: Path) -> bytes:
     lines, inside = [], False
     for line in path.read_text(encoding="utf-8").splitlines():
         told = line.strip()
-        inside = inside or told.startswith("/*")
+        begins = told.startswith("/*") and ("*/" not in told or told.endswith("*/"))  # no code behind it
+        inside = inside or begins
         lines.append("" if inside or told.startswith("//") else line)
         inside = inside and not told.endswith("*/")
     return "\n".join([*lines, ""]).encode()
