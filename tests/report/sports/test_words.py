@@ -19,7 +19,7 @@ from sweetspot.report.quantities import SI
 from sweetspot.report.sport_words import arriving, reader_of
 
 Run = Callable[..., tuple[int, str, str]]
-OTHERS = [name for name in sport_names() if "ball" not in name and sport_implements(name)]
+OTHERS = [name for name in sport_names() if sport(name).words.incoming != "pitch" and sport_implements(name)]
 
 
 def told(found: Analysis[Implement]) -> str:
