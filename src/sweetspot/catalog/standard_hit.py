@@ -30,7 +30,7 @@ def standard_conditions(
     pitch_speed, bat_speed : m/s, in place of the usual ones; 0 is a ball on a tee.
 
     >>> standard_conditions(catalog.bat("slow-pitch")).ball.name
-    'softball, 12 in, fast pitch'
+    'softball, 12 in, slow pitch'
     """
     usual = sport(implement.sport)
     stroke = usual.stroke

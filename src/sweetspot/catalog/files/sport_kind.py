@@ -5,7 +5,7 @@ from __future__ import annotations
 import tomllib
 from functools import cache
 
-from sweetspot.catalog.records import FOLDER, canonical
+from sweetspot.catalog.records import FOLDER, canonical, read_table
 from sweetspot.errors import InputError
 
 
@@ -26,7 +26,7 @@ def check_sport(sport: str, *, kind: str) -> None:
     Traceback (most recent call last):
     ...
     sweetspot.errors.InputError: sport was given as 'tennis', and that is played with a racket, not with a bat; \
-allowed for a bat: baseball, softball, youth-baseball
+allowed for a bat: baseball, slow-pitch, softball, youth-baseball
     """
     kinds = _kinds()
     found = kinds.get(canonical(sport))
@@ -41,11 +41,14 @@ allowed for a bat: baseball, softball, youth-baseball
 
 @cache
 def _kinds() -> dict[str, frozenset[str]]:
-    """Return the kinds of implements that the catalogue has for each sport; sports with none are left out."""
-    found: dict[str, set[str]] = {}
+    """Return the kinds of implements that the catalogue has for each sport, its own and borrowed ones."""
+    kinds: dict[str, set[str]] = {}
+    kind_of: dict[str, str] = {}
     for folder in ("bats", "implements"):
         for path in (FOLDER / folder).glob("*.toml"):
             table = tomllib.loads(path.read_text(encoding="utf-8"))
-            kind = str(table.get("kind", "bat"))
-            found.setdefault(canonical(str(table.get("sport", "baseball"))), set()).add(kind)
-    return {sport: frozenset(kinds) for sport, kinds in found.items()}
+            kind_of[path.stem] = str(table.get("kind", "bat"))
+            kinds.setdefault(canonical(str(table.get("sport", "baseball"))), set()).add(kind_of[path.stem])
+    for sport, table in read_table("sports.toml").items():
+        kinds.setdefault(canonical(sport), set()).update(kind_of[name] for name in table.get("implements", ()))
+    return {sport: frozenset(those) for sport, those in kinds.items() if those}
