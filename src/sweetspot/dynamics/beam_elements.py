@@ -1,8 +1,8 @@
 """Finite elements of a line: straight between an element's ends, and inside it polynomials that vanish there.
 
 On an element, s = -1..1 from its left end to its right one, the functions are (1 - s) / 2, (1 + s) / 2 and, inside, the
-integrals of Legendre's polynomials, sqrt((2 p - 1) / 2) int_-1^s P_{p-1}, p = 2 ... degree: hierarchical, so that a
-higher degree leaves the lower functions as they are.
+integrals of Legendre's polynomials of order p - 1 from -1 to s, times the root of (2 p - 1) / 2, p = 2 ... degree:
+hierarchical, so that a higher degree leaves the lower functions as they are.
 """
 
 from __future__ import annotations
