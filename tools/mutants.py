@@ -24,7 +24,7 @@ import subprocess
 import sys
 import time
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import lru_cache
@@ -38,9 +38,10 @@ WORK = ROOT / "build" / "mutants"
 RESULTS = ROOT / "build" / "mutants.json"
 GOAL = 0.97
 THIRD_PARTIES = (
-    "hypothesis", "matplotlib", "numba", "numpy", "pint", "polars", "pydantic", "pytest", "scipy.integrate",
-    "scipy.interpolate", "scipy.linalg", "scipy.optimize", "scipy.sparse.linalg", "scipy.stats", "skfem",
+    "matplotlib", "numba", "numpy", "pint", "polars", "pydantic", "pytest", "scipy.integrate", "scipy.interpolate",
+    "scipy.linalg", "scipy.optimize", "scipy.sparse.linalg", "scipy.stats", "skfem",
 )  # fmt: skip
+"""What every test needs; no plugins of pytest, which it wants to import itself."""
 PATIENCE = 600
 """s for the tests of one mistake; what takes longer, on a busy machine or for ever, counts as not tried."""
 
@@ -205,17 +206,28 @@ def noticed(mutation: Mutation, runner: Runner) -> bool:
     changed = package / relative
     before, stat = changed.read_bytes(), changed.stat()
     changed.write_text(text, encoding="utf-8")
-    options = ["-x", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "--no-header", "--hypothesis-profile=few"]
     tests = sorted(mutation.tests, key=lambda name: Path(name).stem != f"test_{relative.stem}")  # its own ones first
     try:
-        code = runner.exit_code([*options, *(str(TESTS / name) for name in tests)])
+        return fail(tests, runner)
     finally:
         changed.write_bytes(before)
         os.utime(changed, ns=(stat.st_atime_ns, stat.st_mtime_ns))
+
+
+def fail(tests: Sequence[str], runner: Runner) -> bool:
+    """Return whether tests fail against a runner's copy of the package as it is.
+
+    Raises
+    ------
+    TimeoutError
+        when they take longer than `PATIENCE`.
+    """
+    options = ["-x", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "--no-header", "--hypothesis-profile=few"]
+    code = runner.exit_code([*options, *(str(TESTS / name) for name in tests)])
     if code is None:
-        raise TimeoutError(str(mutation))
+        raise TimeoutError(" ".join(tests))
     if code not in (0, 1, 2):  # 2: the tests could not even be collected
-        raise RuntimeError(f"{mutation}: pytest ended with {code}: {(runner.home / 'tests.log').read_text()[-800:]}")
+        raise RuntimeError(f"{tests}: pytest ended with {code}: {(runner.home / 'tests.log').read_text()[-800:]}")
     return code != 0
 
 
@@ -262,6 +274,15 @@ def main() -> int:
         free.put(runner)
     start = time.monotonic()
 
+    def refuse_broken(tests: tuple[str, ...]) -> None:
+        runner = free.get()
+        try:
+            if fail(tests, runner):
+                told = (runner.home / "tests.log").read_text()[-1500:]
+                raise SystemExit(f"these tests fail without any mistake and can notice none: {' '.join(tests)}\n{told}")
+        finally:
+            free.put(runner)
+
     def tried(mutation: Mutation) -> None:
         if time.monotonic() - start > 60 * options.minutes:
             return
@@ -281,6 +302,7 @@ def main() -> int:
         RESULTS.write_text(json.dumps({"fingerprint": fingerprint, "noticed": dict(known)}, indent=1), "utf-8")
 
     with ThreadPoolExecutor(options.workers) as pool:
+        list(pool.map(refuse_broken, dict.fromkeys(mutation.tests for mutation in fresh)))
         list(pool.map(tried, fresh))
     for runner in runners:
         runner.close()
