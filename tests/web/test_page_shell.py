@@ -161,6 +161,20 @@ def test_the_description_of_the_api_is_readable_and_works(page: Page, server: st
     expect(section.locator("pre")).to_contain_text("R161, white ash")
 
 
+def test_what_is_being_typed_stays_when_an_answer_comes(page: Page, server: str, answered: Answered) -> None:
+    page.goto(f"{server}/explorer")
+    count = answered(page)
+    speed = field(page, "pitch_speed_mph")
+    speed.focus()
+    speed.evaluate("""node => {
+      const give = (value, event) => { node.value = value; node.dispatchEvent(new Event(event, { bubbles: true })); };
+      give("80", "change");
+      give("70", "input");
+    }""")
+    answered(page, count)
+    expect(speed).to_have_value("70")
+
+
 def test_undo_redo_and_reset(page: Page, server: str, answered: Answered) -> None:
     page.goto(f"{server}/explorer")
     answered(page)

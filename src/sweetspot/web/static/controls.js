@@ -83,7 +83,12 @@ export function slider(app, field, { label, step, empty = null, note = "", onInp
   range.addEventListener("pointerdown", () => (byKey = false));
   range.addEventListener("input", () => take(range.value, false));
   range.addEventListener("change", () => app.commit({ merge: byKey ? `keys ${id}` : null }));
-  number.addEventListener("change", () => take(number.value, true));
+  let typing = false; // what is being typed stays when an answer comes meanwhile
+  number.addEventListener("input", () => (typing = true));
+  number.addEventListener("change", () => {
+    typing = false;
+    take(number.value, true);
+  });
   const control = {
     field,
     follows: true,
@@ -93,7 +98,7 @@ export function slider(app, field, { label, step, empty = null, note = "", onInp
       if (typeof value !== "number") return;
       const fine = stepShown();
       if (document.activeElement !== range || Math.abs(Number(range.value) - shown(value)) > fine / 2) range.value = String(shown(value));
-      if (document.activeElement !== number || fault.hidden) number.value = String(Number(shown(value).toFixed(decimals(fine))));
+      if (document.activeElement !== number || (fault.hidden && !typing)) number.value = String(Number(shown(value).toFixed(decimals(fine))));
       range.setAttribute("aria-valuetext", `${number.value} ${unit.textContent}`);
       box.classList.toggle("untouched", state[field] === null);
     },
