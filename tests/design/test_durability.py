@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
-from sweetspot.analysis.strain import PUBLISHED_FAILURE_STRAIN, damage, linear_limit, material_at
+from sweetspot.analysis.strain import PUBLISHED_FAILURE_STRAIN, linear_limit, material_at
 from sweetspot.catalog.standard_hit import standard_conditions
-from sweetspot.collision.coupled import hit
-from sweetspot.design.batter import FROM_TIP, usual_places
+from sweetspot.design.batter import FROM_TIP
+from sweetspot.design.breaking import usual_strains
 from sweetspot.design.durability import borne_strain, breaking_of
 from sweetspot.design.fronts import Question, excesses
 from sweetspot.design.gain import present_measured
@@ -20,8 +20,6 @@ from sweetspot.design.measures import Bench, bench_of
 from sweetspot.design.other_sports import racket_space
 from sweetspot.design.polish import polished
 from sweetspot.design.variables import hollow_space
-from sweetspot.dynamics.batch.reduction import reduced_lines
-from sweetspot.dynamics.beam import beam_model
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.racket import Racket
 from sweetspot.errors import InputError
@@ -36,16 +34,8 @@ def single_hits(bench: Bench) -> float:
     """Return the least margin of single hits, one after the other."""
     bat = bench.space.present
     assert isinstance(bat, Bat)
-    line = beam_model(bat)
-    bats = reduced_lines([line], ball=bench.conditions.ball)
-    modes, turning = bats.modes(0), float(bench.turning_speed(bats)[0])
     margins = []
-    for place in FROM_TIP[usual_places(bench.batter)].tolist():
-        at = bat.length - place
-        closing = bench.batter.pitch_speed + turning * (at - bench.conditions.swing.pivot)
-        strains = damage(
-            hit(modes, ball=bench.conditions.ball, position=at, closing_speed=closing), line=line, modes=modes
-        )
+    for _, strains in usual_strains(bench, bat):
         borne = borne_strain(material_at(bat, strains.handle_position))
         assert borne is not None
         margins.append(borne / strains.handle_strain)

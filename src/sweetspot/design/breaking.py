@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
-from sweetspot.analysis.strain import damage
+from sweetspot.analysis.strain import Damage, damage
 from sweetspot.collision.coupled import hit
 from sweetspot.design.batter import FROM_TIP, usual_places
 from sweetspot.design.measures import Bench
@@ -29,16 +30,25 @@ class HandleBending:
     limit: float | None
 
 
-def handle_bending(bench: Bench, bat: Bat) -> HandleBending:
-    """Return how far this batter's hits bend the handle of a bat, swung as the swing law has it."""
+def usual_strains(bench: Bench, bat: Bat) -> Iterator[tuple[float, Damage]]:
+    """Yield every place where this batter usually meets the ball, m from the tip, and the strains of a hit there.
+
+    The bat is swung as the swing law has it; one hit follows the other, by the readable collision.
+    """
     line = beam_model(bat)
     bats = reduced_lines([line], ball=bench.conditions.ball)
     modes, turning = bats.modes(0), float(bench.turning_speed(bats)[0])
-    found = []
     for place in FROM_TIP[usual_places(bench.batter)].tolist():
         position = bat.length - place
         closing = bench.batter.pitch_speed + turning * (position - bench.conditions.swing.pivot)
         impact = hit(modes, ball=bench.conditions.ball, position=position, closing_speed=closing)
-        strains = damage(impact, line=line, modes=modes)
-        found.append(HandleBending(strains.handle_strain, place, strains.strain_limit))
+        yield place, damage(impact, line=line, modes=modes)
+
+
+def handle_bending(bench: Bench, bat: Bat) -> HandleBending:
+    """Return how far this batter's hits bend the handle of a bat, swung as the swing law has it."""
+    found = [
+        HandleBending(strains.handle_strain, place, strains.strain_limit)
+        for place, strains in usual_strains(bench, bat)
+    ]
     return max(found, key=lambda one: one.strain)
