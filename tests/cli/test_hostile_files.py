@@ -18,7 +18,7 @@ from sweetspot.calibration import bat_table
 from sweetspot.calibration.outline.outline_file import read_outline
 from sweetspot.calibration.recording import read_recording
 from sweetspot.catalog.bats import load_bat
-from sweetspot.design.batter import contacts_of_file
+from sweetspot.design.batter_files import contacts_of_file
 from sweetspot.errors import InputError
 from sweetspot.player.swings import read_swings
 from sweetspot.season.bat_table import read_bats

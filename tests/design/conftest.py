@@ -11,7 +11,8 @@ from sweetspot.catalog.rules import league
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.design.answer import starts_of
-from sweetspot.design.batter import Batter, normal_contact
+from sweetspot.design.batter import Batter
+from sweetspot.design.contacts import normal_contact
 from sweetspot.design.fronts import Question
 from sweetspot.design.gain import present_measured
 from sweetspot.design.limits import Limit, band, lathe_limits, league_limits

@@ -7,8 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.special import ndtri
 
-from sweetspot.design.batter import FROM_TIP, contacts_of_file, fitted_player, normal_contact
+from sweetspot.design.batter_files import contacts_of_file, fitted_player
+from sweetspot.design.contacts import FROM_TIP, contacts_at, fitted_contact, known_contact, normal_contact
 from sweetspot.errors import InputError
 from sweetspot.units import INCH
 
@@ -25,15 +27,45 @@ def test_contacts_around_a_place() -> None:
 
 def test_a_table_of_contacts(tmp_path: Path) -> None:
     file = tmp_path / "contacts.csv"
-    file.write_text("from_tip_in,weight\n5.25,1\n8.25,3\n", encoding="utf-8")
-    assert contacts_of_file(file) @ FROM_TIP == pytest.approx(7.5 * INCH)
+    file.write_text("from_tip_in,weight\n5.25,1000\n8.25,3000\n", encoding="utf-8")
+    found = contacts_of_file(file)
+    assert found.balls == 4000 and found.mean == pytest.approx(7.5 * INCH, abs=0.01 * INCH)
+    file.write_text("from_tip_in,weight\n5.25,0.25\n8.25,0.75\n", encoding="utf-8")
+    assert contacts_of_file(file).balls == pytest.approx(1.6)  # shares say nothing of how many balls there were
+
+
+@pytest.mark.parametrize("count", [1, 3, 30])
+def test_what_balls_leave_open_is_the_posterior(count: int) -> None:
+    """By brute force: means 6.5 +- 1 in, scatters 1.8 in times exp(+- 0.4), marks half an inch wide."""
+    place = 8.0 + 1.2 * ndtri((np.arange(count) + 0.5) / count)
+    mean, log = np.meshgrid(np.linspace(0.1, 13, 261), np.linspace(np.log(1.8) - 2, np.log(1.8) + 2, 161))
+    seen = np.exp(2 * log) + 0.5**2
+    density = -((mean - 6.5) ** 2) / 2 - ((log - np.log(1.8)) / 0.4) ** 2 / 2
+    density -= count / 2 * np.log(seen) + sum((one - mean) ** 2 for one in place) / (2 * seen)
+    likely = np.exp(density - density.max())
+    likely /= likely.sum()
+    middle = (likely * mean).sum()
+    found = contacts_at(place * INCH)
+    means = found.possible @ FROM_TIP / INCH
+    assert found.likely @ means == pytest.approx(middle, abs=0.05)  # cut at the bat's tip
+    assert found.mean_doubt / INCH == pytest.approx(np.sqrt((likely * (mean - middle) ** 2).sum()), rel=0.08)
+    assert found.balls == count and found.weight.sum() == pytest.approx(1.0)
+
+
+def test_a_fit_brings_its_own_doubt() -> None:
+    found = fitted_contact((7 * INCH, 0.4 * INCH), (1.5 * INCH, 0.2), balls=40)
+    assert found.mean == pytest.approx(7 * INCH, abs=0.05 * INCH)
+    assert found.mean_doubt == pytest.approx(0.4 * INCH, rel=0.05)
+    assert found.spread == pytest.approx(1.5 * INCH, rel=0.06)
+    assert known_contact(7 * INCH, 1.5 * INCH).mean_doubt == 0
 
 
 def test_one_batter_of_a_seasons_table(tmp_path: Path) -> None:
     """Lines without a place are left out, those of others too."""
     file = tmp_path / "balls.csv"
     file.write_text("batter,from_tip_in\n7,5.25\n9,2.0\n7,\n7,8.25\n", encoding="utf-8")
-    assert contacts_of_file(file, batter="7") @ FROM_TIP == pytest.approx(6.75 * INCH)
+    found = contacts_of_file(file, batter="7")
+    assert found.balls == 2 and 6.5 * INCH < found.mean < 6.75 * INCH
     with pytest.raises(InputError, match="2 batters; name one of them by --batter: 7"):
         contacts_of_file(file)
     with pytest.raises(InputError, match="no contact of the batter '8'"):

@@ -10,8 +10,8 @@ import pytest
 from sweetspot import catalog
 from sweetspot.analysis.strain import PUBLISHED_FAILURE_STRAIN, linear_limit, material_at
 from sweetspot.catalog.standard_hit import standard_conditions
-from sweetspot.design.batter import FROM_TIP
 from sweetspot.design.breaking import usual_strains
+from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.durability import borne_strain, breaking_of
 from sweetspot.design.fronts import Question, excesses
 from sweetspot.design.gain import present_measured

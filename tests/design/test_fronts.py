@@ -10,7 +10,7 @@ import pytest
 
 from sweetspot.design import answer
 from sweetspot.design.answer import designed, starts_of
-from sweetspot.design.batter import FROM_TIP
+from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.fronts import Question, excesses, resumed, saved, search, wanted
 from sweetspot.design.limits import Limit
 from sweetspot.design.measures import Bench

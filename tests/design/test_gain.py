@@ -7,12 +7,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.special import ndtri
 
 from sweetspot.analysis.certification.rules import Verdict
 from sweetspot.catalog.rules import league
 from sweetspot.design.answer import Designed, told
-from sweetspot.design.batter import FROM_TIP
-from sweetspot.design.fronts import Question, search
+from sweetspot.design.contacts import FROM_TIP, contacts_at
+from sweetspot.design.fronts import Front, Question, search
 from sweetspot.design.gain import CLEARLY, PAIR, gain_of, present_measured
 from sweetspot.design.gain import Verdict as GainVerdict
 from sweetspot.design.limits import Limit
@@ -21,6 +22,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.design.document import design_document
+from sweetspot.report.design.words import worth_words
 from sweetspot.report.quantities import US
 from sweetspot.report.sentences import read
 from sweetspot.units import INCH
@@ -54,6 +56,34 @@ def test_a_gain_is_seen_only_where_its_interval_clearly_leaves_zero_out(bench: B
     ]  # fmt: skip
     assert replace(none, expected=CLEARLY * none.spread).odds == pytest.approx(0.995, abs=1e-5)
     assert said[1.97].expected > said[1.97].doubt  # its 95 % interval is above zero, and yet only likely
+
+
+@pytest.mark.parametrize(("balls", "seen"), [(3, False), (30, True), (300, True)])
+def test_few_balls_are_no_gain_that_you_could_see(design: Designed, balls: int, seen: bool) -> None:
+    """Met 8 in from the tip, give or take 1.2 in: three balls may be anybody's, thirty are this batter's."""
+    batter = design.bench.batter
+    place = (8 + 1.2 * ndtri((np.arange(balls) + 0.5) / balls)) * INCH
+    contacts = contacts_at(place)
+    few = replace(design.bench, batter=replace(batter, weight=contacts.weight, sample=contacts))
+    measured = few.measured(design.numbers)
+    gain = gain_of(few, design.numbers, measured, present_measured(few))
+    assert (gain.verdict is GainVerdict.SEEN) == seen == (gain.balls_needed is None)
+    front = Front(design.numbers[None], measured, 0, design.numbers[None])
+    text = read(worth_words(told(few, design.question, front, pick=1, league=None)), US)
+    assert f"{balls} balls tell of the contacts" in text
+    assert ("met as these the gain would be seen" in text) == (not seen)
+    if not seen:
+        needed = gain.balls_needed
+        assert needed is not None and 20 < needed < 100
+        later = replace(gain, balls=needed, sample=gain.sample * np.sqrt((balls + 3.5) / (needed + 3.5)))
+        assert later.verdict is GainVerdict.SEEN  # from so many balls on
+
+
+def test_what_no_number_of_balls_would_show(design: Designed) -> None:
+    gain = replace(design.gain, sample=0.3, balls=5, expected=1.3 * design.gain.pieces)
+    assert gain.balls_needed is None and gain.verdict is not GainVerdict.SEEN
+    text = read(worth_words(replace(design, gain=gain)), US)
+    assert "5 balls tell" in text and "from no number of balls" in text
 
 
 def test_a_torpedo_for_who_meets_the_ball_inside(design: Designed) -> None:

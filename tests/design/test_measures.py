@@ -9,7 +9,7 @@ import pytest
 
 from sweetspot import analyse, catalog
 from sweetspot.analysis.two_way import varied
-from sweetspot.design.batter import FROM_TIP
+from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.measures import Bench
 from sweetspot.design.outline_curve import HANDLES, STATIONS, stations, waist
 from sweetspot.design.variables import TurnedSpace, turned_space

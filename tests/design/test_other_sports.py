@@ -10,7 +10,8 @@ from sweetspot.analysis.certification.rules import Verdict, check_rules
 from sweetspot.catalog.rules import league
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.design.answer import findings_of
-from sweetspot.design.batter import FROM_TIP, Batter, normal_contact
+from sweetspot.design.batter import Batter
+from sweetspot.design.contacts import FROM_TIP, normal_contact
 from sweetspot.design.gain import Verdict as GainVerdict
 from sweetspot.design.gain import gain_of, present_measured
 from sweetspot.design.limits import league_limits

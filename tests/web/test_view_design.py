@@ -103,7 +103,8 @@ def test_a_batter_comes_from_a_fit_or_is_refused_in_a_line(client: httpx.Client)
     assert found["contact_in"] == pytest.approx(7.87) and found["bat_speed_mph"] == pytest.approx(67.11)
     assert asked(client, "/batter") == {}
     season = "batter,from_tip_in\n7,6\n7,8\n7,\n"  # of a season's table: a ball that no barrel met has no place
-    assert asked(client, "/batter", swings_csv=season)["contact_in"] == pytest.approx(7.0)
+    few = asked(client, "/batter", swings_csv=season)
+    assert 6.5 < few["contact_in"] < 7.0 and 0.8 < few["contact_doubt_in"] < 1.2  # two balls, and what all players do
     for wrong in ("{", "{}", "from_tip_in\n", "a,b\n1,2\n"):
         response = client.post(f"{URL}/batter", json={"swings_csv": wrong})
         assert response.status_code == 422 and response.json()["error"]["field"] == "swings_csv"

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 from sweetspot.analysis.strain import Damage, damage
 from sweetspot.collision.coupled import hit
-from sweetspot.design.batter import FROM_TIP, usual_places
+from sweetspot.design.batter import usual_places
+from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.measures import Bench
 from sweetspot.dynamics.batch.reduction import reduced_lines
 from sweetspot.dynamics.beam import beam_model

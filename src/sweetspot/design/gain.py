@@ -9,7 +9,7 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 
-from sweetspot.design.batter import FROM_TIP
+from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.measures import Bench, Measured
 from sweetspot.design.other_sports import willows
 from sweetspot.design.variables import DENSITY_SPREAD, MODULUS_SPREAD, ImplementSpace, TurnedSpace, sizes_of
@@ -34,6 +34,10 @@ TOWARDS_END = 2 * INCH
 """m from the tip, where it is told what a design costs who meets the ball there."""
 
 
+PRIOR_BALLS = 3.5
+"""Balls that what is known of all players is worth: the variance of a usual scatter over that of players' means."""
+
+
 class Verdict(StrEnum):
     """What of a gain can be said, beside what could hide it."""
 
@@ -54,9 +58,11 @@ class Gain:
     greatest : m/s by which the greatest exit speed grows.
     expected : m/s by which the exit speed over this batter's contacts grows.
     wood, law, contact : standard deviations of ``expected`` in m/s: from two pieces of one model (of wood, where they
-        are turned), from how this batter's swing depends on the bat, from where the ball is met.
+        are turned), from how this batter's swing depends on the bat, from where the ball is met on average.
     by_weight : the part of ``wood`` that is left when the wood is chosen by weight.
     shipment : standard deviation between two of a dozen as is reported, m/s; 0: nothing is.
+    sample : standard deviation of ``expected`` in m/s from how few balls tell of the contacts; 0: none do.
+    balls : how many do.
     curve : change of the exit speed at `FROM_TIP`, m/s.
     noise : standard deviation of that change from two pieces of wood, m/s, shape of ``curve``.
     time : s by which the time to contact grows.
@@ -74,6 +80,8 @@ class Gain:
     noise: Array
     time: float
     shipment: float = 0.0
+    sample: float = 0.0
+    balls: float = 0.0
 
     @property
     def pieces(self) -> float:
@@ -83,7 +91,7 @@ class Gain:
     @property
     def spread(self) -> float:
         """Standard deviation of ``expected``, m/s."""
-        return math.hypot(self.pieces, self.law, self.contact)
+        return math.hypot(self.pieces, self.law, self.contact, self.sample)
 
     @property
     def doubt(self) -> float:
@@ -105,6 +113,18 @@ class Gain:
         if self.expected > LIKELY * self.spread:
             return Verdict.LIKELY
         return Verdict.LOSS if self.expected < -self.doubt else Verdict.HIDDEN
+
+    @property
+    def balls_needed(self) -> int | None:
+        """From how many balls such a gain would be seen, were they all met as these; None: never, or it is seen.
+
+        What balls leave open falls with the square root of their number, those that the league's prior is worth
+        (`PRIOR_BALLS`) among them.
+        """
+        room = (self.expected / CLEARLY) ** 2 - math.hypot(self.pieces, self.law, self.contact) ** 2
+        if self.sample == 0 or self.expected <= 0 or room <= 0 or self.verdict is Verdict.SEEN:
+            return None
+        return math.ceil(self.sample**2 * (self.balls + PRIOR_BALLS) / room - PRIOR_BALLS)
 
     @property
     def turning_place(self) -> float | None:
@@ -144,7 +164,7 @@ def gain_of(bench: Bench, numbers: Array, design: Measured, now: Measured) -> Ga
     numbers : of the design, shape (variables,).
     design, now : both measured, one row each.
     """
-    weight = bench.batter.weight
+    weight, sample = bench.batter.weight, bench.batter.sample
     apart = design.worth[0] - now.worth[0]
     expected = float(apart @ weight)
     turned = isinstance(bench.space, TurnedSpace)
@@ -165,6 +185,8 @@ def gain_of(bench: Bench, numbers: Array, design: Measured, now: Measured) -> Ga
         noise=np.where(face, np.sqrt(2 * np.sum(curves**2, axis=0)), 0.0),
         time=float(design.values["swing_time"][0] - now.values["swing_time"][0]),
         shipment=PAIR if turned else 0.0,
+        sample=0.0 if sample is None else sample.doubt_of(apart),
+        balls=0.0 if sample is None else sample.balls,
     )
 
 

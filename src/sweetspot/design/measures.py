@@ -14,7 +14,8 @@ from sweetspot.collision.closed_form import restitution_from_efficiency
 from sweetspot.collision.hits_of_bats import struck
 from sweetspot.collision.kernel import STEP
 from sweetspot.collision.time_step import contact_step
-from sweetspot.design.batter import FROM_TIP, OFFSETS, Batter
+from sweetspot.design.batter import OFFSETS, Batter
+from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.durability import BatterHits, Breaking, breaking_of, margins
 from sweetspot.design.variables import Space
 from sweetspot.dynamics.batch.beams import Beams

@@ -12,10 +12,10 @@ from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
     from sweetspot.design.batter import Batter
+    from sweetspot.design.contacts import Contacts
     from sweetspot.equipment.implement import Implement
     from sweetspot.motion.swing import Conditions
     from sweetspot.motion.swing_law import SwingLaw
-    from sweetspot.numerics.arrays import Array
 
 
 @Parameter(name="*")
@@ -42,7 +42,12 @@ class BatterOptions:
     player: Annotated[
         Path | None, Parameter(help="Answer of fit-player --format json instead: contacts and speeds of that player.")
     ] = None
-    doubt: Annotated[str, Parameter(help="How well the mean contact is known, one standard deviation.")] = "0.5in"
+    doubt: Annotated[
+        str,
+        Parameter(
+            help="How well the mean contact is known, one standard deviation; what few balls leave open comes on top."
+        ),
+    ] = "0.5in"
     offset: Annotated[str | None, Parameter(help="Ball's centre above the bat's axis on average; default: 0.2in.")] = (
         None
     )
@@ -62,7 +67,9 @@ DEFAULT_BATTER = BatterOptions()
 
 def batter_of(options: BatterOptions, bat: Implement, conditions: Conditions) -> Batter:
     """Return the batter that the options describe, with the present bat under these conditions."""
-    from sweetspot.design.batter import USUAL, Batter, fitted_player, normal_contact
+    from sweetspot.design.batter import Batter
+    from sweetspot.design.batter_files import fitted_player
+    from sweetspot.design.contacts import fitted_contact, known_contact, usual_batter
     from sweetspot.units import parse
 
     if options.batter is not None and options.contacts is None:
@@ -70,7 +77,7 @@ def batter_of(options: BatterOptions, bat: Implement, conditions: Conditions) ->
     ways = [name for name in ("contact", "contacts", "player") if getattr(options, name) is not None]
     if len(ways) > 1:
         raise InputError(f"--{' and --'.join(ways)} both say where the ball is met; give one of them")
-    known = dict(USUAL)
+    known = dict(usual_batter())
     if bat.outline is not None:
         known |= _on_a_face(bat, conditions)
     if options.player is not None:
@@ -80,10 +87,13 @@ def batter_of(options: BatterOptions, bat: Implement, conditions: Conditions) ->
         return known[name] if text is None else parse(text, "length", option)
 
     if options.contacts is not None:
-        weight = _contacts(options.contacts, options.batter)
+        contacts = _contacts(options.contacts, options.batter)
     else:
         mean = length(options.contact, "position", "--contact")
-        weight = normal_contact(mean, length(options.contact_spread, "position_spread", "--contact-spread"))
+        scatter = length(options.contact_spread, "position_spread", "--contact-spread")
+        contacts = known_contact(mean, scatter) if not known.get("balls") else fitted_contact(
+            (mean, known["position_doubt"]), (scatter, known["position_spread_doubt"]), balls=known["balls"]
+        )  # fmt: skip
     spread = length(options.offset_spread, "offset_spread", "--offset-spread")
     doubt = parse(options.doubt, "length", "--doubt")
     if not 0 < spread < 0.1:
@@ -93,16 +103,17 @@ def batter_of(options: BatterOptions, bat: Implement, conditions: Conditions) ->
     if not 0 <= doubt < 0.2:
         raise InputError(f"--doubt was given as {options.doubt}; allowed is 0 in to 7.8 in")
     return Batter(
-        weight=weight, offset=length(options.offset, "offset", "--offset"), offset_spread=spread,
+        weight=contacts.weight, offset=length(options.offset, "offset", "--offset"), offset_spread=spread,
         bat_speed=known.get("bat_speed", conditions.swing.bat_speed),
         pitch_speed=known.get("pitch_speed", conditions.pitch.speed), law=_law(options, bat), doubt=doubt,
-        speed_from_tip=bat.length - conditions.swing.measured_at,
+        speed_from_tip=bat.length - conditions.swing.measured_at, sample=contacts if contacts.balls else None,
     )  # fmt: skip
 
 
-def _contacts(path: Path, batter: str | None) -> Array:
-    """Return the parts of contacts of a table, or of one batter of a season's folder."""
-    from sweetspot.design.batter import contacts_at, contacts_of_file
+def _contacts(path: Path, batter: str | None) -> Contacts:
+    """Return the contacts of a table, or of one batter of a season's folder."""
+    from sweetspot.design.batter_files import contacts_of_file
+    from sweetspot.design.contacts import contacts_at
 
     if not path.is_dir():
         return contacts_of_file(path, batter=batter)
@@ -116,13 +127,13 @@ def _contacts(path: Path, batter: str | None) -> Array:
 def _on_a_face(bat: Implement, conditions: Conditions) -> dict[str, float]:
     """Return where a player who is not known meets the ball: where it is fastest, give or take a sixth of the face."""
     from sweetspot.analysis.bat_analysis import analyse
-    from sweetspot.design.batter import USUAL
+    from sweetspot.design.contacts import usual_batter
 
     assert bat.outline is not None
     best = analyse(bat, conditions).best.position
     return {
         "position": bat.length - best,
-        "position_spread": min(USUAL["position_spread"], (bat.outline.end - bat.outline.start) / 6),
+        "position_spread": min(usual_batter()["position_spread"], (bat.outline.end - bat.outline.start) / 6),
     }
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from sweetspot.catalog.files.write_implement import implement_toml
 from sweetspot.catalog.sports import sport
 from sweetspot.design.answer import Designed
-from sweetspot.design.batter import FROM_TIP
+from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.fronts import saved
 from sweetspot.design.gain import Verdict
 from sweetspot.design.measures import MEASURES
@@ -204,7 +204,8 @@ def design_json(design: Designed, words: list[str]) -> dict[str, Any]:
             "expected_exit_speed_m_s": gain.expected, "half_interval_m_s": gain.doubt, "verdict": gain.verdict.value,
             "probability": gain.odds, "seen": gain.verdict is Verdict.SEEN, "between_two_of_a_dozen_m_s": gain.pieces,
             "from_wood_m_s": gain.wood, "from_wood_chosen_by_weight_m_s": gain.by_weight, "from_swing_m_s": gain.law,
-            "from_contact_m_s": gain.contact, "time_to_contact_s": gain.time,
+            "from_contact_m_s": gain.contact, "from_few_balls_m_s": gain.sample, "balls": gain.balls,
+            "balls_needed": gain.balls_needed, "time_to_contact_s": gain.time,
             "present_is_better_within_from_tip_m": gain.turning_place,
         },
         "difference": {"from_tip_m": FROM_TIP, "exit_speed_m_s": gain.curve, "wood_m_s": gain.noise},

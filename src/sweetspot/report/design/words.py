@@ -7,8 +7,9 @@ import numpy as np
 from sweetspot.analysis.certification.rules import Verdict, title
 from sweetspot.catalog.sports import sport
 from sweetspot.design.answer import Designed
-from sweetspot.design.batter import FROM_TIP
+from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.gain import SHIPMENT, TOWARDS_END, TURNED_ALIKE
+from sweetspot.design.gain import Verdict as GainVerdict
 from sweetspot.design.variables import DENSITY_SPREAD, MODULUS_SPREAD
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.report.sentences import Sentence, Slot, joined, say
@@ -52,7 +53,32 @@ def worth_words(design: Designed) -> Sentence:
         place=Slot(batter.mean_contact, "place"), gain=_faster(gain.expected), doubt=Slot(gain.doubt, "speed_change"),
         verdict=gain.verdict.value, odds=f"{min(99, max(1, round(100 * gain.odds)))}",
     )  # fmt: skip
-    return joined([first, _doubts(design)])
+    return joined([first, *_balls(design), _doubts(design)])
+
+
+def _balls(design: Designed) -> list[Sentence]:
+    """Return how far the number of balls limits what is known; nothing where the contacts were simply told."""
+    gain = design.gain
+    if not gain.balls:
+        return []
+    count = f"{gain.balls:.0f} {'ball tells' if round(gain.balls) == 1 else 'balls tell'}"
+    told = say(
+        "{count} of the contacts, beside what is known of all batters, and that adds {sample}",
+        count=count[0].upper() + count[1:], sample=Slot(gain.sample, "speed_change"),
+    )  # fmt: skip
+    if gain.balls_needed is not None:
+        return [
+            told + say("; from about {needed} met as these the gain would be seen.", needed=_about(gain.balls_needed))
+        ]
+    if gain.expected > 0 and gain.verdict is not GainVerdict.SEEN:
+        return [told + say("; a gain of this size would be seen from no number of balls.")]
+    return [told + say(".")]
+
+
+def _about(count: int) -> str:
+    """Return a number of balls to two digits, upwards."""
+    unit = 10 ** max(0, len(str(count)) - 2)
+    return f"{-(-count // unit) * unit:,}"
 
 
 def _faster(change: float) -> Sentence:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
@@ -12,7 +13,8 @@ from sweetspot.analysis.certification.rules import check_rules, title
 from sweetspot.calibration.measured import REACH
 from sweetspot.catalog.files.write import bat_toml
 from sweetspot.design.answer import Designed, findings_of
-from sweetspot.design.batter import FROM_TIP, contacts_of_file, fitted_player
+from sweetspot.design.batter_files import contacts_of_file, fitted_player
+from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.fronts import Front
 from sweetspot.design.gain import CLEARLY, LIKELY, gain_of
 from sweetspot.design.gain import Verdict as GainVerdict
@@ -57,6 +59,8 @@ from sweetspot.web.views.design_state import (
 from sweetspot.web.views.player import PlayerState, learned
 
 Read = TypeVar("Read")
+PLACES_DOUBT = 0.5 * INCH
+"""m, standard deviation of where the mean contact lies, beyond what balls leave open: as on the command line."""
 CLOSE = 1e-3
 """Grains by which a limit may be missed and still be called kept: rounding on the way to the page and back."""
 
@@ -210,15 +214,18 @@ def batter(state: DesignState) -> dict[str, Any]:
     if state.swings_csv.lstrip().startswith("{"):
         values = _of_file(state.swings_csv, "fit-player.json", fitted_player)
     elif "from_tip" in state.swings_csv.partition("\n")[0].lower():
-        weight = _of_file(state.swings_csv, "contacts.csv", contacts_of_file)
-        mean = float(weight @ FROM_TIP)
-        values = {"position": mean, "position_spread": float(weight @ (FROM_TIP - mean) ** 2) ** 0.5}
+        contacts = _of_file(state.swings_csv, "contacts.csv", contacts_of_file)
+        values = {"position": contacts.mean, "position_spread": contacts.spread, "position_doubt": contacts.mean_doubt}
     else:
         own = {name: getattr(state, name) for name in BatState.model_fields}
         posterior = learned(PlayerState(**own, swings_csv=state.swings_csv))
         values = {name: posterior.learned[name].interval.value for name in
                   ("position", "position_spread", "offset", "offset_spread", "bat_speed")}  # fmt: skip
+        place = posterior.learned["position"].interval
+        values["position_doubt"] = (place.high - place.low) / (2 * TWO_SIDED_95)
+    values["position_doubt"] = math.hypot(values["position_doubt"], PLACES_DOUBT)
     scales = {"contact_in": ("position", INCH), "contact_spread_in": ("position_spread", INCH),
+              "contact_doubt_in": ("position_doubt", INCH),
               "miss_in": ("offset", INCH), "miss_spread_in": ("offset_spread", INCH),
               "bat_speed_mph": ("bat_speed", MPH), "pitch_speed_mph": ("pitch_speed", MPH)}  # fmt: skip
     return {field: round(values[name] / size, 2) for field, (name, size) in scales.items() if name in values}

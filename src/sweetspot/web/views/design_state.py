@@ -13,7 +13,8 @@ from pydantic import Field
 from sweetspot.analysis.certification.rules import League
 from sweetspot.catalog.rules import league
 from sweetspot.catalog.swing_laws import swing_law
-from sweetspot.design.batter import Batter, normal_contact
+from sweetspot.design.batter import Batter
+from sweetspot.design.contacts import normal_contact
 from sweetspot.design.fronts import Question
 from sweetspot.design.gain import present_measured
 from sweetspot.design.limits import Limit
