@@ -5,6 +5,7 @@ from __future__ import annotations
 import gzip
 import hashlib
 import json
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -20,6 +21,8 @@ TYPES = {
     ".css": "text/css; charset=utf-8",
     ".svg": "image/svg+xml",
 }
+COMMENT = re.compile(r"^[ \t]*(?://.*|/\*(?:(?!\*/)[\s\S])*\*/[ \t]*)$", re.MULTILINE)
+"""Whole lines that are a comment and nothing else; one with code before or behind it is none."""
 
 
 @dataclass(frozen=True)
@@ -48,18 +51,18 @@ def shell(template: File) -> File:
     return _file(template.content.replace(b"@facts@", facts.encode()), ".html")
 
 
+def without_comments(module: str) -> str:
+    r"""Return a module's text whose lines that are comments alone are empty, in their places.
+
+    >>> without_comments("/* one\n two */\n// three\nlet a;\n/* four\n */ let b;\n")
+    '\n\n\nlet a;\n/* four\n */ let b;\n'
+    """
+    return COMMENT.sub(lambda found: "\n" * found[0].count("\n"), module)
+
+
 def _sent(path: Path) -> bytes:
-    """Return a file as browsers get it: lines of a module that are comments alone are empty there, in their places."""
-    if path.suffix != ".js":
-        return path.read_bytes()
-    lines, inside = [], False
-    for line in path.read_text(encoding="utf-8").splitlines():
-        told = line.strip()
-        begins = told.startswith("/*") and ("*/" not in told or told.endswith("*/"))  # no code behind it
-        inside = inside or begins
-        lines.append("" if inside or told.startswith("//") else line)
-        inside = inside and not told.endswith("*/")
-    return "\n".join([*lines, ""]).encode()
+    """Return a file as browsers get it."""
+    return without_comments(path.read_text(encoding="utf-8")).encode() if path.suffix == ".js" else path.read_bytes()
 
 
 def _file(content: bytes, suffix: str) -> File:
