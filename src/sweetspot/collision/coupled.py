@@ -34,7 +34,7 @@ import numpy as np
 
 from sweetspot.collision.contact_law import ContactLaw, Hysteretic, pressed_in_series
 from sweetspot.collision.impact import CONTACT_FORCE, EnergyLedger, Impact, Outcome, bat_energy
-from sweetspot.collision.modal_propagator import dashed, dashpot_factors, modal_propagator_of, moved
+from sweetspot.collision.modal_propagator import dashpot_factors, modal_propagator_of, moved
 from sweetspot.collision.time_step import contact_step, first_kick_after_touch
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
@@ -91,10 +91,7 @@ def hit(
     check_place(position, "position")
     if not closing_speed > 0:
         return _no_contact(modes, position, closing_speed)
-    struck = _Struck(
-        modes.shape_at(position, lateral, closing_speed=closing_speed),
-        float(modes.compliance_at(position, closing_speed=closing_speed)),
-    )
+    struck = _struck(modes, position, lateral, closing_speed)
     first_kick = first_kick_after_touch(ball.exponent)
     done = _integrated(modes, ball, struck, closing_speed, step, law or Hysteretic(ball))
     translation, rotation, bending, hoop, face = map(float, bat_energy(modes, done.displacement, done.velocity))
@@ -149,47 +146,46 @@ class _Contact:
 
 
 class _Motion(NamedTuple):
-    """Ball and bat between two kicks, seen from the undisturbed bat: m and m/s, sqrt(kg) m and sqrt(kg) m/s.
+    """Ball and bat between two kicks, seen from the undisturbed bat: m and m/s.
 
-    ``work`` is what kicks have given the bat so far, J.
+    ``bat`` holds the modes' displacements, sqrt(kg) m, and behind them their velocities, sqrt(kg) m/s; ``work`` is what
+    kicks have given the bat so far, J.
     """
 
     ball_position: float
     ball_speed: float
-    displacement: Array
-    velocity: Array
+    bat: Array
     work: float = 0.0
 
-    def kicked(self, struck: _Struck, impulse: float, mass: float) -> _Motion:
-        """Return the motion after an impulse in N s between ball and bat."""
-        velocity = self.velocity + struck.shape * impulse
-        given = impulse * float(struck.shape @ (self.velocity + velocity)) / 2
-        speed = self.ball_speed - impulse / mass
-        return _Motion(self.ball_position, speed, self.displacement, velocity, self.work + given)
+    def kicked(self, struck: _Struck, impulse: float, mass: float, *, speed: float) -> _Motion:
+        """Return the motion after an impulse in N s between ball and bat, whose struck place had a speed in m/s."""
+        given = impulse * (speed + impulse * struck.lightness / 2)
+        bat = self.bat + impulse * struck.kick
+        return _Motion(self.ball_position, self.ball_speed - impulse / mass, bat, self.work + given)
 
 
 def _integrated(
     modes: Modes, ball: Ball, struck: _Struck, closing_speed: float, step: float, law: ContactLaw
 ) -> _Contact:
     """Step ball and modes from first touch until the ball is gone for good, or to the time limit."""
-    shape, first_kick = struck.shape, first_kick_after_touch(ball.exponent)
-    by_steps = step**2 / 12 * (1 / ball.mass + float(shape @ shape))
+    first_kick = first_kick_after_touch(ball.exponent)
+    by_steps = step**2 / 12 * (1 / ball.mass + struck.lightness)
     struck = struck._replace(compliance=struck.compliance + by_steps)
     flow = _Flow(modes, step)
-    still = np.zeros(len(modes))
-    motion = _Motion(closing_speed * step * first_kick, closing_speed, still, still)
+    motion = _Motion(closing_speed * step * first_kick, closing_speed, np.zeros(2 * len(modes)))
     peak, greatest, hardest = 0.0, 0.0, 0.0
     turned_at: float | None = None
     approaches, compressions, forces, impulses = [0.0], [0.0], [0.0], [0.0]
     outcome, release, late = Outcome.STILL_IN_CONTACT, math.nan, 0.0
     while len(forces) <= round(TIME_LIMIT / step):
-        approach = motion.ball_position - float(shape @ motion.displacement)
+        place, speed = (struck.seen @ motion.bat).tolist()
+        approach = motion.ball_position - place
         if approach <= 0:
             outcome = Outcome.SEPARATED
             before = approaches[-2] if len(approaches) > 1 else 0.0
             late = (1 - crossing(before, approaches[-1], approach)) * step
             release = (len(forces) - 1 + first_kick) * step - late
-            again = flow.overtaken(motion, shape, kicks=round(TIME_LIMIT / step) - len(forces))
+            again = flow.overtaken(motion, struck, kicks=round(TIME_LIMIT / step) - len(forces))
             if again is None:
                 break
             apart, motion = again
@@ -198,7 +194,7 @@ def _integrated(
                 history.extend([0.0] * apart)
             approaches = [0.0]
             continue
-        rate = motion.ball_speed - float(shape @ motion.velocity)
+        rate = motion.ball_speed - speed
         if turned_at is None and _past_the_top(approaches, approach):
             peak = max(peak, approach, _vertex(approaches, approach))
             turned_at, force, _ = struck.pressed(law, peak, 0.0, None)
@@ -212,17 +208,27 @@ def _integrated(
         compressions.append(compression)
         forces.append(force)
         impulses.append(impulse)
-        motion = flow.drifted(motion.kicked(struck, impulse, ball.mass))
+        motion = flow.drifted(motion.kicked(struck, impulse, ball.mass, speed=speed))
     return _Contact(
-        outcome, release, late, motion.ball_speed, motion.displacement, motion.velocity,
+        outcome, release, late, motion.ball_speed, *motion.bat.reshape(2, -1),
         greatest or max(compressions), hardest, motion.work - flow.energy(motion), forces, compressions, impulses,
     )  # fmt: skip
 
 
 class _Struck(NamedTuple):
-    """The place that is hit: shapes of the modes there, 1/sqrt(kg), and what gives way at once, m/N."""
+    """The place that is hit.
 
-    shape: Array
+    Parameters
+    ----------
+    seen : (2, 2 modes); from the bat's motion to this place's displacement, m, and speed, m/s.
+    kick : (2 modes,); what an impulse of 1 N s here changes of the bat's motion.
+    lightness : 1/kg, sum of the squared shapes.
+    compliance : what gives way at once, m/N.
+    """
+
+    seen: Array
+    kick: Array
+    lightness: float
     compliance: float
 
     def pressed(
@@ -234,49 +240,61 @@ class _Struck(NamedTuple):
         )
 
 
+def _struck(modes: Modes, position: float, lateral: float, closing_speed: float) -> _Struck:
+    shape = modes.shape_at(position, lateral, closing_speed=closing_speed)
+    still = np.zeros(len(shape))
+    return _Struck(
+        np.array([[*shape, *still], [*still, *shape]]),
+        np.concatenate([still, shape]),
+        float(shape @ shape),
+        float(modes.compliance_at(position, closing_speed=closing_speed)),
+    )
+
+
 class _Flow:
-    """Ball and bat between kicks: the ball flies straight on, the modes move freely, exactly."""
+    """Ball and bat between kicks: the ball flies straight on, the modes move freely, exactly.
+
+    All that is linear in the bat's motion, so one matrix does it: dampers for half a step on both sides of the drift.
+    """
 
     def __init__(self, modes: Modes, step: float) -> None:
         self.modes, self.step = modes, step
-        drift, self.half_dash = modal_propagator_of(modes, step), dashpot_factors(modes, step / 2)
-        self.place, self.place_of_speed, self.speed_of_place, self.speed = (
-            np.ascontiguousarray(drift[:, row, column]) for row in (0, 1) for column in (0, 1)
-        )
+        drift = modal_propagator_of(modes, step)
+        whole = np.block([[np.diag(drift[:, row, column]) for column in (0, 1)] for row in (0, 1)])
+        size, dampers = len(modes), modes.dashpots
+        half = np.eye(2 * size)
+        half[size:, size:] -= (dashpot_factors(modes, step / 2) * dampers.T) @ dampers
+        self.matrix = half @ whole @ half if len(dampers) else whole
         self.stiffness = modes.angular_frequency**2
 
     def drifted(self, motion: _Motion) -> _Motion:
         """Return the motion one step later."""
-        velocity = dashed(self.modes, self.half_dash, motion.velocity)
-        displacement, velocity = (
-            self.place * motion.displacement + self.place_of_speed * velocity,
-            self.speed_of_place * motion.displacement + self.speed * velocity,
-        )
-        velocity = dashed(self.modes, self.half_dash, velocity)
         place = motion.ball_position + motion.ball_speed * self.step
-        return _Motion(place, motion.ball_speed, displacement, velocity, motion.work)
+        return _Motion(place, motion.ball_speed, self.matrix @ motion.bat, motion.work)
 
     def energy(self, motion: _Motion) -> float:
         """Return the energy of the bat's motion, J."""
-        displacement, velocity = motion.displacement, motion.velocity
+        displacement, velocity = motion.bat.reshape(2, -1)
         return float(velocity @ velocity + displacement @ (self.stiffness * displacement)) / 2
 
-    def overtaken(self, motion: _Motion, shape: Array, *, kicks: int) -> tuple[int, _Motion] | None:
+    def overtaken(self, motion: _Motion, struck: _Struck, *, kicks: int) -> tuple[int, _Motion] | None:
         """Return after how many kicks the bat catches up with a ball that has just left it, and the motion then.
 
         None: it never does, or not within ``kicks``. Without its vibrations the struck place moves evenly; the ball is
         gone for good when it is further from there than all vibrations together can reach.
         """
+        shape = struck.kick[len(self.modes) :]
+        displacement, velocity = motion.bat.reshape(2, -1)
         slow = self.modes.angular_frequency < SLOW
-        speed = float(shape[slow] @ motion.velocity[slow]) - motion.ball_speed
-        distance = float(shape[slow] @ motion.displacement[slow]) - motion.ball_position
+        speed = float(shape[slow] @ velocity[slow]) - motion.ball_speed
+        distance = float(shape[slow] @ displacement[slow]) - motion.ball_position
         fast = ~slow
-        amplitude = np.hypot(motion.displacement[fast], motion.velocity[fast] / self.modes.angular_frequency[fast])
+        amplitude = np.hypot(displacement[fast], velocity[fast] / self.modes.angular_frequency[fast])
         reach = float(np.abs(shape[fast]) @ amplitude)
         for kick in range(kicks):
             if speed > 0 and distance + kick * self.step * speed > reach:
                 return None
-            if motion.ball_position > float(shape @ motion.displacement):
+            if motion.ball_position > float(struck.seen[0] @ motion.bat):
                 return kick, motion
             motion = self.drifted(motion)
         return None

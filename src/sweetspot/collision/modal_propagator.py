@@ -83,10 +83,3 @@ def _dashed_for(modes: Modes, velocity: Array, span: Array) -> Array:
     squares = np.sum(modes.dashpots**2, axis=1)
     parts = np.where(squares > 0, -np.expm1(-squares * span) / np.where(squares > 0, squares, 1.0), span)
     return np.asarray(velocity - (parts * (velocity @ modes.dashpots.T)) @ modes.dashpots)
-
-
-def dashed(modes: Modes, factors: Array, velocity: Array) -> Array:
-    """Return the modal velocities after the dashpots have acted, with ``factors`` from `dashpot_factors`."""
-    if not len(factors):
-        return velocity
-    return np.asarray(velocity - (factors * (modes.dashpots @ velocity)) @ modes.dashpots)

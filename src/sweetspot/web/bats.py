@@ -8,6 +8,7 @@ from functools import lru_cache
 from typing import Any, NamedTuple, TypeVar
 
 from sweetspot import catalog
+from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced
 from sweetspot.analysis.trampoline import with_wall_factor
 from sweetspot.analysis.two_way import varied
 from sweetspot.catalog.bats import bat_tables
@@ -28,6 +29,8 @@ NOTHING = "nothing"
 """What an empty hole is filled with."""
 KEPT = 256
 """Bats kept with their modes; a hollow one takes about 100 kB."""
+KEPT_ANALYSES = 64
+"""Bats kept with a swing and what they give, about 100 kB each."""
 MOST_VALUES, LONGEST_VALUE, DEEPEST = 600, 2000, 8
 """Of an uploaded file: values, letters per value, tables inside tables."""
 PLUG = 1 * INCH
@@ -103,6 +106,11 @@ def conditions_of(state: SwungState, bat: Bat) -> Conditions:
     )
 
 
+def analysed(state: SwungState) -> Analysis[Bat]:
+    """Return the full answer for a state's bat and swing, worked out once for all that is asked of them."""
+    return _analysed(SwungState.model_construct(**{name: getattr(state, name) for name in SwungState.model_fields}))
+
+
 def bat_from_text(text: str) -> Bat:
     """Return the bat of an uploaded TOML text, within limits on its size and depth; no file is opened."""
     table = table_of_text(text, "the bat file")
@@ -161,6 +169,13 @@ def _reduced(state: BatState, ball: Ball) -> ReducedBat:
     with about("bat_toml" if state.bat_toml is not None else "bat"):
         model = reduced_bat(bat, ball=ball)
     return ReducedBat(bat, model.line, model.body, model.modes)
+
+
+@lru_cache(maxsize=KEPT_ANALYSES)
+def _analysed(state: SwungState) -> Analysis[Bat]:
+    model = reduced(state, ball_of(state))
+    with about("hands_in"):
+        return analyse_reduced(model, conditions_of(state, model.bat))
 
 
 @lru_cache(maxsize=KEPT)

@@ -13,7 +13,7 @@ import numpy as np
 from pydantic import Field
 
 from sweetspot import catalog
-from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced
+from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.drop_test import bounce
 from sweetspot.dynamics.block import Block, Support
 from sweetspot.dynamics.rigid import centre_of_percussion, hand_impulse_ratio
@@ -24,7 +24,7 @@ from sweetspot.paper.formulas import Row
 from sweetspot.report.hit.json import conditions_json
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.units import INCH
-from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.bats import analysed
 from sweetspot.web.drawings import ball_picture, bat_picture, outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, swing_options
@@ -63,9 +63,7 @@ class PaperState(SwungState):
 
 def answer(state: PaperState) -> dict[str, Any]:
     """Return the paper's statements on one question with its formula's number and the full model's, and a picture."""
-    model = reduced(state, ball_of(state))
-    with about("hands_in"):
-        analysis = analyse_reduced(model, conditions_of(state, model.bat))
+    analysis = analysed(state)
     choices = choices_of(state)
     control = {"corking": "hole_diameter_in", "drop": "block_thickness_m", "percussion": "rod_hands_in"}
     with about(control.get(state.question, "")):
@@ -76,7 +74,7 @@ def answer(state: PaperState) -> dict[str, Any]:
         "rows": [asdict(row) for row in rows],
         "picture": cleaned(picture),
         "ball": ball_picture(state, analysis.conditions.ball),
-        "bat": bat_picture(state, model),
+        "bat": bat_picture(state, analysis.reduced),
         "conditions": conditions_json(analysis.conditions),
     }
 
