@@ -4,8 +4,9 @@
 ``page.goto(f"{server}/modes")``, then ``answered(page)``, which waits for the drawn answer and counts them,
 ``settled(page)``, which waits for all that a view asks for, ``narrow(page)``, which makes it a phone's, or
 ``until(page, "script")``; the page's content policy forbids ``page.wait_for_function``). None waits for a time: the
-machine may be three times slower than yours. Where no Chromium is found browser tests are skipped and say so; with
-CI=true in the environment that is a failure.
+machine may be three times slower than yours. What is pressed at coordinates may be drawn later than the answer, and
+may still be moved by what comes above it: ``settled`` first. Where no Chromium is found browser tests are skipped and
+say so; with CI=true in the environment that is a failure.
 """
 
 from __future__ import annotations
@@ -26,6 +27,13 @@ PATIENCE = 60_000
 """ms that a browser test waits for what it expects."""
 expect.set_options(timeout=PATIENCE)
 NOTHING_ASKED = "!document.querySelector('#view').dataset.waiting.split(' ').includes('answer')"
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Try a test in a browser, which may be starved on a busy machine, once more before it fails; both are reported."""
+    for item in items:
+        if "page" in getattr(item, "fixturenames", ()):
+            item.add_marker(pytest.mark.flaky(reruns=1))
 
 
 @pytest.fixture(scope="session")

@@ -12,10 +12,13 @@ PATIENT = 300_000
 """ms for what a search takes on a slow machine."""
 
 
-def test_a_handle_is_pulled_by_hand_and_by_keyboard(page: Page, server: str, answered: Answered) -> None:
+def test_a_handle_is_pulled_by_hand_and_by_keyboard(
+    page: Page, server: str, answered: Answered, settled: Callable[[Page], None]
+) -> None:
     page.goto(f"{server}/design?keep_mass=false&keep_moi=false")
     count = answered(page)
     expect(page.locator("#verdict")).to_contain_text("present bat still")
+    settled(page)
     box: Any = page.locator("#view canvas").first.bounding_box()
     stations = page.evaluate("(async () => (await fetch('/api/v1/design', { method: 'POST', body: '{}', headers: "
                              "{ 'content-type': 'application/json' } })).json())()")  # fmt: skip

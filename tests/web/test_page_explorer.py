@@ -112,7 +112,8 @@ def test_dragging_a_slider_redraws_before_it_is_let_go(opened: Page, answered: A
     expect(opened).to_have_url(re.compile("pitch_speed_mph="))
 
 
-def test_dragging_the_ball_along_the_bat(opened: Page, answered: Answered) -> None:
+def test_dragging_the_ball_along_the_bat(opened: Page, answered: Answered, settled: Callable[[Page], None]) -> None:
+    settled(opened)
     before, count = number(opened, "Exit speed"), answered(opened)
     canvas = opened.locator("#view canvas").first.bounding_box()
     assert canvas is not None
@@ -126,9 +127,13 @@ def test_dragging_the_ball_along_the_bat(opened: Page, answered: Answered) -> No
     assert number(opened, "Exit speed") < before - 5
 
 
-def test_the_curves_can_be_pressed_too(opened: Page, answered: Answered) -> None:
+@pytest.mark.parametrize("pressed", ["Exit speed over the barrel", "Curves along the bat"])
+def test_the_map_and_the_curves_can_be_pressed_too(
+    opened: Page, answered: Answered, settled: Callable[[Page], None], pressed: str
+) -> None:
+    settled(opened)  # the map comes after the answer
     count = answered(opened)
-    opened.locator("#view canvas").nth(1).click(position={"x": 700, "y": 100})
+    opened.get_by_role("img", name=pressed).click(position={"x": 700, "y": 100})
     answered(opened, count)
     expect(opened).to_have_url(re.compile("impact_from_tip_in="))
 
@@ -198,11 +203,12 @@ def test_a_wrong_file_is_explained_beside_the_field(opened: Page, answered: Answ
     assert number(opened, "Exit speed") > 100  # the last good picture stays
 
 
-def test_drawing_the_outline(opened: Page, answered: Answered) -> None:
+def test_drawing_the_outline(opened: Page, answered: Answered, settled: Callable[[Page], None]) -> None:
     before, count = number(opened, "Weight"), answered(opened)
     opened.get_by_role("button", name="Whole bat").click()
     opened.locator("summary", has_text="Draw the outline").click()
     expect(opened.locator(".stations tbody tr").first).to_be_visible()  # the page hears of an opened box a task later
+    settled(opened)
     station = catalog.bat().profile[9]  # type: ignore[index]
     place = opened.evaluate(
         """([position, diameter]) => {

@@ -72,7 +72,10 @@ def test_direction_and_sidespin_move_the_path_on_the_field(opened: Page, answere
     expect(opened.locator("#verdict")).to_contain_text("Foul")
 
 
-def test_dragging_on_the_field_turns_the_ball(opened: Page, answered: Answered) -> None:
+def test_dragging_on_the_field_turns_the_ball(
+    opened: Page, answered: Answered, settled: Callable[[Page], None]
+) -> None:
+    settled(opened)
     count = answered(opened)
     box = opened.get_by_role("img", name=re.compile("^The field of")).bounding_box()
     assert box is not None

@@ -74,8 +74,9 @@ def test_a_tap_on_a_node_leaves_its_motion_alone(still: Page, server: str, answe
     assert picture(still) != before  # the arrow has moved
 
 
-def test_the_tap_can_be_dragged(still: Page, server: str, answered: Answered) -> None:
+def test_the_tap_can_be_dragged(still: Page, server: str, answered: Answered, settled: Callable[[Page], None]) -> None:
     still.goto(f"{server}/modes")
+    settled(still)
     drawn = answered(still)
     box = still.locator(".picture canvas").bounding_box()
     assert box is not None
