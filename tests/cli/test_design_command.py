@@ -52,6 +52,21 @@ def short_polish(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.usefixtures("short_polish")
+def test_the_best_of_several_woods_and_lengths(run: Run, tmp_path: Path) -> None:
+    out = tmp_path / "woods"
+    code, text, _ = run(
+        "design", "mlb-a", "--wood", "maple", "--wood", "ash", "--length", "33.5in:34.5in", "--keep", "moi", *QUICK,
+        "--out", str(out),
+    )  # fmt: skip
+    answer = json.loads((out / "design.json").read_text(encoding="utf-8"))
+    assert code == 0 and {one["name"] for one in answer["materials"]} == {"sugar maple", "white ash"}
+    best = max(answer["materials"], key=lambda one: one["exit_speed_m_s"])
+    assert read_bat(out / "designed-bat.toml").material.name == best["name"]
+    assert 33.5 * 0.0254 <= answer["variables"]["length"]["value"] <= 34.5 * 0.0254
+    assert "Materials: the best of each front" in text
+
+
+@pytest.mark.usefixtures("short_polish")
 def test_a_hollow_bat_by_the_same_command(run_json: RunJson) -> None:
     answer = run_json("design", "single-wall", "--league", "nobody", *QUICK)
     assert 0.5 < answer["measures"]["bbcor"] < 0.6
@@ -100,6 +115,12 @@ def test_other_sports_by_the_same_command(run: Run, tmp_path: Path, name: str) -
         (("golf-driver", "--wood", "ash"), "is no bat turned from one piece"),
         (("tennis-racket", "--want", "durability"), "no bat with a round handle"),
         (("corked-r161",), "not turned from one piece of wood"),
+        (("--length", "33in"), "give a range LOW:HIGH, such as 33in:34.5in"),
+        (("--knob", "0.2in:1in"), "inside 0.02032 m (0.8 in)"),
+        (("single-wall", "--length", "30in:33in"), "its length, knob and cup stay"),
+        (("single-wall", "--material", "ash"), "is not built of white ash"),
+        (("--material", "steel"), "steel is no wood"),
+        (("--wood", "ash", "--wood", "maple", "--resume", "x.json"), "goes on with one material"),
     ],
 )
 @pytest.mark.usefixtures("short_polish")

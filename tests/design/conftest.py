@@ -17,7 +17,7 @@ from sweetspot.design.fronts import Question
 from sweetspot.design.gain import present_measured
 from sweetspot.design.limits import Limit, band, lathe_limits, league_limits
 from sweetspot.design.measures import Bench, bench_of
-from sweetspot.design.variables import turned_space
+from sweetspot.design.turned import turned_space
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import INCH
 

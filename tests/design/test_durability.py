@@ -15,11 +15,11 @@ from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.durability import borne_strain, breaking_of
 from sweetspot.design.fronts import Question, excesses
 from sweetspot.design.gain import present_measured
+from sweetspot.design.hollow import hollow_space
 from sweetspot.design.limits import Limit
 from sweetspot.design.measures import Bench, bench_of
 from sweetspot.design.other_sports import racket_space
 from sweetspot.design.polish import polished
-from sweetspot.design.variables import hollow_space
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.racket import Racket
 from sweetspot.errors import InputError

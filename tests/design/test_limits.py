@@ -9,10 +9,11 @@ from sweetspot.analysis.certification.simulated_test import certify
 from sweetspot.catalog.rules import league
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.design.gain import present_measured
+from sweetspot.design.hollow import hollow_space
 from sweetspot.design.limits import Limit, band, check_limits, drawn_values, league_limits
 from sweetspot.design.measures import Bench, bench_of
+from sweetspot.design.turned import turned_space
 from sweetspot.design.usual_limits import kept_limits
-from sweetspot.design.variables import hollow_space, turned_space
 from sweetspot.errors import InputError
 
 

@@ -10,9 +10,14 @@ import pytest
 from sweetspot import analyse, catalog
 from sweetspot.analysis.two_way import varied
 from sweetspot.design.contacts import FROM_TIP
+from sweetspot.design.gain import present_measured
+from sweetspot.design.hollow import hollow_space
 from sweetspot.design.measures import Bench
 from sweetspot.design.outline_curve import HANDLES, STATIONS, stations, waist
-from sweetspot.design.variables import TurnedSpace, turned_space
+from sweetspot.design.turned import TurnedSpace, turned_space
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.units import INCH
 
@@ -81,6 +86,51 @@ def test_stations_follow_the_handles() -> None:
     assert waist(diameters)[0] == 0
     diameters[0, 7] = 0.04
     assert waist(diameters)[0] == pytest.approx(diameters[0, 6] - 0.04)
+
+
+def test_length_knob_and_width_of_the_cup_are_variables_where_asked(bench: Bench) -> None:
+    """Each does what it must to the weights, and the bat that is made has it."""
+    bat = catalog.bat("mlb-a")
+    ranges = {"length": (0.83, 0.90), "knob": (0.040, 0.055), "cup_diameter": (0.026, 0.038)}
+    space = turned_space(bat, ranges=ranges)
+    own = replace(bench, space=space)
+    names = [one.name for one in space.variables]
+    start = space.start
+    start[names.index("cup_depth")] = 0.02
+    kept = turned_space(bat)
+    as_before = replace(bench, space=kept).measured(start[: len(kept.variables)])
+    assert own.measured(start).curve == pytest.approx(as_before.curve, rel=1e-12)
+    rows = np.tile(start, (4, 1))
+    for row, (name, (_, most)) in enumerate(ranges.items(), 1):
+        rows[row, names.index(name)] = most
+    values = own.measured(rows).values
+    assert values["moi"][1] > values["moi"][0]  # longer
+    assert values["mass"][2] > values["mass"][0] and values["balance_point"][2] < values["balance_point"][0]
+    assert values["mass"][3] < values["mass"][0]  # more hollowed out
+    for row, (name, (_, most)) in enumerate(ranges.items(), 1):
+        assert values[name][row] == pytest.approx(most)
+        again = replace(own, space=turned_space(space.made(rows[row], "made")))
+        assert present_measured(again).values[name] == pytest.approx(most, rel=1e-3)
+
+
+def test_another_wood_keeps_the_weight_of_wood_where_it_can(bench: Bench) -> None:
+    """Its density starts at the present bat's, as far as the species has such; the present bat stays what it is."""
+    bat = catalog.bat("mlb-a")
+    space = turned_space(bat, wood=catalog.material("white_ash"))
+    made = space.made(space.start, "ash")
+    assert made.material == catalog.material("white_ash") and space.present.material == bat.material
+    assert present_measured(replace(bench, space=space)).curve == pytest.approx(present_measured(bench).curve)
+    assert rigid_body(beam_model(made)).mass == pytest.approx(rigid_body(beam_model(bat)).mass, rel=0.02)
+
+
+def test_a_hollow_bat_of_another_material(bench: Bench) -> None:
+    """Steel is heavier than aluminium; two and a half to three times."""
+    bat = catalog.bat("single-wall")
+    space = hollow_space(bat, material=catalog.material("steel"))
+    made = space.made(space.start, "steel")
+    assert isinstance(made, Bat) and made.material.name == catalog.material("steel").name
+    wall = [rigid_body(beam_model(one)).mass for one in (bat.replaced(mass=None, moi=None, balance_point=None), made)]
+    assert 1.6 < wall[1] / wall[0] < 3.0  # knob and cap stay
 
 
 def test_a_cup_leaves_a_rim_at_a_narrow_tip() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
@@ -9,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from cyclopts import Parameter
 
 from sweetspot.cli.options.batter import DEFAULT_BATTER, BatterOptions
-from sweetspot.cli.options.limits import DEFAULT_LIMITS, LimitOptions, league_of, limits_of, of_wood, space_of
+from sweetspot.cli.options.limits import DEFAULT_LIMITS, LimitOptions, league_of, limits_of, materials_of, space_of
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
 from sweetspot.errors import InputError
@@ -17,6 +18,7 @@ from sweetspot.errors import InputError
 if TYPE_CHECKING:
     from sweetspot.design.fronts import Front, Question
     from sweetspot.design.measures import Bench
+    from sweetspot.design.variables import Space
 
 Want = Literal["exit-speed", "zone", "best", "sting", "swing-time", "durability"]
 
@@ -69,26 +71,52 @@ def design(
     from sweetspot.cli.options.batter import batter_of
     from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.output import present
-    from sweetspot.design.answer import told
+    from sweetspot.design.answer import best_of, told
     from sweetspot.design.fronts import Question
     from sweetspot.design.measures import bench_of
     from sweetspot.report.design.document import design_document
 
     own = catalog.load_implement(bat)
-    if limit.wood is not None:
-        own = of_wood(own, limit.wood)
-    space, rules = space_of(own, limit), league_of(own, limit)
+    materials, rules = materials_of(limit), league_of(own, limit)
+    if search.resume is not None and len(materials) > 1:
+        raise InputError(f"--resume goes on with one material, and {len(materials)} were given; give the one it was of")
+    spaces = [space_of(own, limit, material) for material in materials]
     conditions = conditions_for(own, swing)
     wants = tuple(name.replace("-", "_") for name in want or ("exit-speed", "zone"))
     durable = "durability" in wants or limit.durability is not None
-    bench = bench_of(space, batter_of(batter, own, conditions), conditions, durable=durable)
-    question = Question(
-        wants, limits_of(bench, limit, rules), seed=search.seed, population=search.population,
-        generations=search.generations,
-    )  # fmt: skip
-    front = _searched(bench, question, search)
-    answer = told(bench, question, front, pick=search.pick, league=rules)
+    player = batter_of(batter, own, conditions)
+
+    def asked(space: Space) -> tuple[Bench, Question]:
+        bench = bench_of(space, player, conditions, durable=durable)
+        return bench, Question(
+            wants, limits_of(bench, limit, rules), seed=search.seed, population=search.population,
+            generations=search.generations,
+        )  # fmt: skip
+
+    questions = [asked(space) for space in spaces]
+    fronts = _all_searched(questions, search)
+    found = [number for number, front in enumerate(fronts) if front is not None]
+    best = found[best_of([front for front in fronts if front is not None], wants[0])]
+    (bench, question), front = questions[best], fronts[best]
+    assert front is not None
+    beside = [(one.name, front) for one, front in zip(materials, fronts, strict=True) if one is not None]
+    answer = told(bench, question, front, pick=search.pick, league=rules, materials=beside)
     return present(design_document(answer, complete=front.generation >= search.generations), output)
+
+
+def _all_searched(questions: Sequence[tuple[Bench, Question]], search: SearchOptions) -> list[Front | None]:
+    """Return the front of every question; None where no bat keeps its limits, unless that is so of all."""
+    fronts: list[Front | None] = []
+    faults = []
+    for bench, question in questions:
+        try:
+            fronts.append(_searched(bench, question, search))
+        except InputError as fault:
+            fronts.append(None)
+            faults.append(fault)
+    if len(faults) == len(questions):
+        raise faults[0]
+    return fronts
 
 
 def _searched(bench: Bench, question: Question, search: SearchOptions) -> Front:

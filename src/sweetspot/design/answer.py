@@ -12,7 +12,7 @@ from sweetspot.design.breaking import HandleBending, handle_bending
 from sweetspot.design.fronts import Front, Question, search
 from sweetspot.design.gain import Gain, gain_of, present_measured
 from sweetspot.design.limits import check_limits
-from sweetspot.design.measures import Bench, Measured
+from sweetspot.design.measures import MEASURES, Bench, Measured
 from sweetspot.design.polish import polished
 from sweetspot.design.variables import sizes_of
 from sweetspot.dynamics.beam import beam_model
@@ -38,6 +38,8 @@ class Designed:
     bat : the picked one, as everybody else takes it.
     checks : the league's rules held against it.
     bent : how far the handles of the present bat and of the picked one are bent; None for other implements.
+    materials : where several were looked at: the name of each and the best of its front in every want; empty: it has
+        none, for no bat of it keeps every limit.
     """
 
     bench: Bench
@@ -49,6 +51,7 @@ class Designed:
     bat: Implement
     checks: tuple[Check, ...]
     bent: tuple[HandleBending, HandleBending] | None
+    materials: tuple[tuple[str, tuple[float, ...]], ...] = ()
 
     @property
     def numbers(self) -> Array:
@@ -96,13 +99,32 @@ def designed(
     return front if np.array_equal(numbers, front.numbers[0]) else _with_first(front, numbers, measured)
 
 
-def told(bench: Bench, question: Question, front: Front, *, pick: int, league: League | None) -> Designed:
+def best_of(fronts: Sequence[Front], want: str) -> int:
+    """Return which of several fronts has the best bat in a want."""
+    return int(np.argmax([_best(front, want) * MEASURES[want].better for front in fronts]))
+
+
+def _best(front: Front, want: str) -> float:
+    better = MEASURES[want].better
+    return float(better * np.max(better * front.measured.values[want]))
+
+
+def told(
+    bench: Bench,
+    question: Question,
+    front: Front,
+    *,
+    pick: int,
+    league: League | None,
+    materials: Sequence[tuple[str, Front | None]] = (),
+) -> Designed:
     """Return a design with everything around it.
 
     Parameters
     ----------
     pick : which bat of the front is told about, from 1.
     league : whose rules are held against it; None: nobody's.
+    materials : names and fronts of all that were looked at, where these were several; None: no bat keeps the limits.
 
     Raises
     ------
@@ -125,7 +147,12 @@ def told(bench: Bench, question: Question, front: Front, *, pick: int, league: L
     bent = None
     if isinstance(present, Bat) and isinstance(bat, Bat):
         bent = handle_bending(bench, present), handle_bending(bench, bat)
-    return Designed(bench, question, front, pick - 1, now, gain, bat, checks, bent)
+    beside = [
+        (name, () if one is None else tuple(_best(one, want) for want in question.wants)) for name, one in materials
+    ]
+    return Designed(
+        bench, question, front, pick - 1, now, gain, bat, checks, bent, tuple(beside) if len(beside) > 1 else ()
+    )
 
 
 def findings_of(bat: Implement, measured: Measured) -> dict[str, Finding]:

@@ -10,9 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sweetspot.design.contacts import FROM_TIP
+from sweetspot.design.durability import breaking_of
 from sweetspot.design.measures import Bench, Measured
 from sweetspot.design.other_sports import willows
-from sweetspot.design.variables import DENSITY_SPREAD, MODULUS_SPREAD, ImplementSpace, TurnedSpace, sizes_of
+from sweetspot.design.turned import TurnedSpace, knob_of
+from sweetspot.design.variables import DENSITY_SPREAD, MODULUS_SPREAD, ImplementSpace, sizes_of
 from sweetspot.dynamics.batch.beams import BeamRow
 from sweetspot.dynamics.batch.reduction import ReducedBats, reduced_lines, reduced_outlines
 from sweetspot.dynamics.beam import beam_model
@@ -152,6 +154,9 @@ def present_measured(bench: Bench) -> Measured:
     beams = BeamRow([beam_model(present)])
     bats = reduced_lines(beams.lines, ball=bench.conditions.ball)
     breaking = bench.breaking
+    if breaking is not None and isinstance(present, Bat):
+        breaking = breaking_of(present, bench.batter)  # of its own material
+        bench = replace(bench, breaking=breaking)
     handles = None if breaking is None else (beams, present.width_at(breaking.position)[None])
     return bench.of_bats(bats, _sizes(bench), present.width_at(present.length - FROM_TIP)[None], handles)
 
@@ -199,6 +204,8 @@ def _sizes(bench: Bench) -> dict[str, Array]:
         found |= {
             "handle": np.array([float(present.diameter_at(grip).min())]),
             "cup_depth": np.array([0.0 if present.cup is None else present.cup.depth]),
+            "cup_diameter": np.array([0.0 if present.cup is None else present.cup.diameter]),
+            "knob": np.array([knob_of(present)]),
         }  # fmt: skip
     if isinstance(bench.space, TurnedSpace):
         found["density"] = bench.space.parts(bench.space.start[None])[2]

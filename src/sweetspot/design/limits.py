@@ -63,13 +63,11 @@ class Limit:
 
 def league_limits(league: League, bat: Implement) -> tuple[Limit, ...]:
     """Return the limits of a league that an outline, a weight or a pendulum decides, for bats like this one."""
-    kept = []
-    for rule in league.rules:
-        if applies(rule, bat) and rule.quantity in MEASURES and (rule.least is not None or rule.most is not None):
-            if rule.quantity == "cup_diameter":
-                continue  # the cup keeps its width
-            kept.append(Limit(rule.quantity, rule.least, rule.most, league.name))
-    return tuple(kept)
+    return tuple(
+        Limit(rule.quantity, rule.least, rule.most, league.name)
+        for rule in league.rules
+        if applies(rule, bat) and rule.quantity in MEASURES and (rule.least is not None or rule.most is not None)
+    )
 
 
 def lathe_limits() -> tuple[Limit, ...]:

@@ -72,6 +72,7 @@ MEASURES: Mapping[str, Measure] = {
     "handle": Measure("smallest diameter of the grip", "length", 0, 1e-5),
     "cup_depth": Measure("depth of the cup", "length", 0, 1e-5),
     "cup_diameter": Measure("width of the cup", "length", 0, 1e-5),
+    "knob": Measure("diameter of the knob", "length", 0, 1e-5),
     "blade_width": Measure("width of the blade", "length", 0, 1e-5),
     "blade_depth": Measure("depth of the blade", "length", 0, 1e-5),
     "blade_edge": Measure("thickness of the edges", "length", 0, 1e-5),
@@ -274,7 +275,8 @@ def bench_of(space: Space, batter: Batter, conditions: Conditions, *, durable: b
     hollow = isinstance(present, Bat) and present.shell is not None
     if durable and not isinstance(present, Bat):
         raise InputError(f"{present.name} is no bat with a round handle; its durability is not computed. Leave it out")
-    breaking = breaking_of(present, batter) if durable and isinstance(present, Bat) else None
+    built = space.made(space.start, present.name) if durable else None
+    breaking = breaking_of(built, batter) if isinstance(built, Bat) else None
     return Bench(space, batter, conditions, body.moi(axis), sine, kept, step, tested=hollow, breaking=breaking)
 
 

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from sweetspot.design.limits import Limit
     from sweetspot.design.measures import Bench
     from sweetspot.design.variables import Space
-    from sweetspot.equipment.bat import Bat
     from sweetspot.equipment.implement import Implement
+    from sweetspot.equipment.material import Material
     from sweetspot.units import Kind
 
 Kept = Literal["mass", "moi", "wood", "balance", "grip", "nothing"]
@@ -24,6 +24,8 @@ KINDS: dict[str, Kind] = {"mass": "mass", "moi": "moi", "balance_point": "length
 EXAMPLES: dict[str, str] = {
     "mass": "30oz:31.5oz", "moi": "10500oz*in^2:11000oz*in^2", "length": "22in:23in", "ratio": "1.1:",
 }  # fmt: skip
+
+RANGES = {"cup_diameter": "1in:2in", "knob": "1.7in:2.2in", "length": "33in:34.5in"}
 
 
 @Parameter(name="*")
@@ -54,7 +56,23 @@ class LimitOptions:
         Parameter(help="Band of the strain that handle and wall bear over the greatest of these contacts: 1.1: or so."),
     ] = None
     cup: Annotated[str, Parameter(help="Deepest cup that may be turned; 0in: none.")] = "1in"
-    wood: Annotated[str | None, Parameter(help="Species of the catalogue; default: the present bat's.")] = None
+    cup_diameter: Annotated[
+        str | None, Parameter(help="Range in which the cup's width may change: 1in:2in; default: it stays.")
+    ] = None
+    knob: Annotated[
+        str | None, Parameter(help="Range in which the knob's diameter may change: 1.7in:2.2in; default: it stays.")
+    ] = None
+    length: Annotated[
+        str | None, Parameter(help="Range in which the length may change: 33in:34.5in; default: it stays.")
+    ] = None
+    wood: Annotated[
+        list[str] | None,
+        Parameter(
+            name=["--wood", "--material"], negative="",
+            help="Species of the catalogue, or a hollow bat's metal or laminate; given again, the best of them is "
+            "looked for. Default: the present bat's.",
+        ),
+    ] = None  # fmt: skip
     league: Annotated[
         str,
         Parameter(
@@ -66,25 +84,34 @@ class LimitOptions:
 DEFAULT_LIMITS = LimitOptions()
 
 
-def of_wood(bat: Implement, wood: str) -> Bat:
-    """Return a bat of another species of the catalogue."""
+def materials_of(options: LimitOptions) -> list[Material | None]:
+    """Return the materials that are looked at, each once; None: the present bat's."""
     from sweetspot import catalog
-    from sweetspot.equipment.bat import Bat
 
-    if not isinstance(bat, Bat):
-        raise InputError(f"--wood was given as {wood}, but {bat.name} is no bat turned from one piece; leave it out")
-    return bat.with_material(catalog.material(wood))
+    return [catalog.material(name) for name in dict.fromkeys(options.wood or ())] or [None]
 
 
-def space_of(bat: Implement, options: LimitOptions) -> Space:
-    """Return what may change of a bat."""
+def space_of(bat: Implement, options: LimitOptions, material: Material | None) -> Space:
+    """Return what may change of a bat, built of this material."""
     from sweetspot.design.usual_limits import space_of as space_around
     from sweetspot.units import parse
 
     deepest = parse(options.cup, "length", "--cup")
     if not 0 <= deepest < bat.length / 4:
         raise InputError(f"--cup was given as {options.cup}; allowed is 0in to a quarter of the bat")
-    return space_around(bat, deepest_cup=deepest)
+    given = {"cup_diameter": options.cup_diameter, "knob": options.knob, "length": options.length}
+    ranges = {name: _range_of(name, text) for name, text in given.items() if text is not None}
+    return space_around(bat, deepest_cup=deepest, material=material, ranges=ranges)
+
+
+def _range_of(name: str, text: str) -> tuple[float, float]:
+    from sweetspot.units import parse
+
+    option, parts = f"--{name.replace('_', '-')}", text.split(":")
+    if len(parts) != 2 or not all(part.strip() for part in parts):
+        raise InputError(f"{option} was given as {text!r}; give a range LOW:HIGH, such as {RANGES[name]}")
+    low, high = (parse(part, "length", option) for part in parts)
+    return low, high
 
 
 def league_of(bat: Implement, options: LimitOptions) -> League | None:

@@ -13,7 +13,8 @@ from sweetspot.design.answer import Designed
 from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.fronts import saved
 from sweetspot.design.gain import Verdict
-from sweetspot.design.measures import MEASURES
+from sweetspot.design.measures import MEASURES, Measured
+from sweetspot.design.variables import Space
 from sweetspot.equipment.bat import Bat
 from sweetspot.report.design.sizes import drawing, sizes_table, tolerance_paragraph
 from sweetspot.report.design.words import (
@@ -31,7 +32,10 @@ from sweetspot.report.quantities import SCALES, Reader, reader
 from sweetspot.report.sentences import Slot, Words, read, say
 
 BESIDE = ("exit_speed", "best", "best_from_tip", "zone", "sting", "bat_speed", "swing_time", "mass", "balance_point",
-          "moi", "diameter", "handle", "cup_depth", "frequency", "durability")  # fmt: skip
+          "moi", "length", "diameter", "handle", "knob", "cup_depth", "cup_diameter", "frequency",
+          "durability")  # fmt: skip
+ASKED = ("length", "knob", "cup_diameter")
+"""What stands beside the present bat only where it was allowed to change."""
 ON_FRONT = ("best_from_tip", "mass", "moi", "diameter")
 MOST_ROWS = 8
 FILES = "designed-bat"
@@ -62,7 +66,7 @@ def design_document(design: Designed, *, complete: bool = True) -> Document:
         )
     bat = design.bat
     details: list[Block] = [
-        _front(design), *([_rules(design)] if design.checks else []), *_limits(design),
+        *_materials(design), _front(design), *([_rules(design)] if design.checks else []), *_limits(design),
         *([sizes_table(bat)] if isinstance(bat, Bat) else []), *tolerance_paragraph(design),
     ]  # fmt: skip
     return Document(
@@ -107,12 +111,16 @@ def _assumed(design: Designed) -> Words:
     )  # fmt: skip
 
 
+def compared(space: Space, measured: Measured) -> list[str]:
+    """Return which measures of a design stand beside the present bat's."""
+    changing = {one.name for one in space.variables}
+    return [name for name in BESIDE if name in measured.values and (name not in ASKED or name in changing)]
+
+
 def _beside(design: Designed) -> Table:
     rows: list[list[Cell]] = []
-    for name in BESIDE:
+    for name in compared(design.bench.space, design.front.measured):
         measure = MEASURES[name]
-        if name not in design.front.measured.values:
-            continue
         value = design.value(name)
         now = design.now.values.get(name)
         before: Cell = None if now is None else Slot(float(now[0]), measure.scale)
@@ -146,6 +154,14 @@ def _front(design: Designed) -> Table:
         columns,
         rows,
     )
+
+
+def _materials(design: Designed) -> list[Block]:
+    """Return the best in every want of each material, where several were looked at; none: it keeps no limit."""
+    wants = design.question.wants
+    rows: list[list[Cell]] = [[name, *(values or [None] * len(wants))] for name, values in design.materials]
+    columns = [Column("material")] + [Column(_short(name), MEASURES[name].scale) for name in wants]
+    return [Table("Materials: the best of each front", columns, rows)] if rows else []
 
 
 def _short(name: str) -> str:
@@ -185,7 +201,7 @@ def _drawn(design: Designed, reading: Reader) -> Any:
 
 def design_json(design: Designed, words: list[str]) -> dict[str, Any]:
     """Return everything about a design; SI, places from the tip where their names say so."""
-    gain, space = design.gain, design.bench.space
+    gain, space, wants = design.gain, design.bench.space, design.question.wants
     return cleaned({
         "bat": design.bat.name,
         "present": space.present.name,
@@ -197,6 +213,8 @@ def design_json(design: Designed, words: list[str]) -> dict[str, Any]:
         "picked": design.picked + 1,
         "variables": {one.name: {"value": value, "present": one.start, "low": one.low, "high": one.high}
                       for one, value in zip(space.variables, design.numbers.tolist(), strict=True)},
+        "materials": [{"name": name, **{_key(want): value for want, value in zip(wants, values, strict=False)}}
+                      for name, values in design.materials],
         "measures": {_key(name): values[design.picked] for name, values in design.front.measured.values.items()},
         "present_measures": {_key(name): values[0] for name, values in design.now.values.items()},
         "gain": {

@@ -6,7 +6,7 @@ import numpy as np
 
 from sweetspot.design.answer import Designed
 from sweetspot.design.outline_curve import HANDLES
-from sweetspot.design.variables import TurnedSpace
+from sweetspot.design.turned import TurnedSpace
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.document import Cell, Column, Paragraph, Table

@@ -21,7 +21,7 @@ from sweetspot.design.gain import Verdict as GainVerdict
 from sweetspot.design.limits import Limit
 from sweetspot.design.measures import MEASURES, Measured
 from sweetspot.design.outline_curve import HANDLES
-from sweetspot.design.variables import TurnedSpace
+from sweetspot.design.turned import TurnedSpace
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import rigid_body
@@ -32,7 +32,7 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.certification.numbers import check_json
-from sweetspot.report.design.document import BESIDE
+from sweetspot.report.design.document import compared
 from sweetspot.report.design.sizes import drawing, tolerance_words
 from sweetspot.report.design.words import effort_words, moved_words, warning_words, worth_words
 from sweetspot.report.quantities import SCALES, SYSTEMS
@@ -88,7 +88,7 @@ def answer(state: DesignState) -> dict[str, Any]:
             "moi_6in_half_kg_m2": REACH * moi_doubt(bat, body, STANDARD_AXIS),
             "stations": _handles(request, numbers),
         },
-        "measures": [_beside(name, measured, request.now) for name in BESIDE if name in measured.values],
+        "measures": [_beside(name, measured, request.now) for name in compared(space, measured)],
         "locks": [_light(limit, measured) for limit in locks_of(state)],
         "limits": [_light(limit, measured) for limit in limits_of(state) if limit.why != "kept as it is"],
         "rules": _rules(state, request, bat, measured),

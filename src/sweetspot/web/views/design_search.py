@@ -10,7 +10,7 @@ import numpy as np
 from sweetspot.design.answer import designed
 from sweetspot.design.fronts import Front
 from sweetspot.design.measures import Bench
-from sweetspot.design.variables import TurnedSpace
+from sweetspot.design.turned import TurnedSpace
 from sweetspot.web.jobs import Say
 from sweetspot.web.views.design_state import DesignState, asked, question_of
 
