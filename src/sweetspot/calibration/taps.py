@@ -54,8 +54,13 @@ to 0.015, hands damp strongly [russell_bendsweet]."""
 MAINS, MAINS_SPREAD = (50.0, 60.0), 0.3
 """Hz of the mains, and how far a multiple may seem to lie from it."""
 HIGHEST_HUM, HUM_LEVEL, HUM_DAMPING = 1000.0, 0.3, 2e-4
-"""Hz up to which hum is looked for, the part of the loudest tone's amplitude that it has at most, and the damping ratio
-below which a tone may not die away at all; bats have five times that and more (all assumed)."""
+"""Hz up to which hum is looked for, the part of the loudest tone's amplitude that it has at most unless it was there
+before the tap, and the damping ratio below which a tone may not die away at all; bats have five times that and more
+(all assumed)."""
+BEFORE, AS_LOUD = (0.3, 0.004), 0.5
+"""s before a tap between which hum is looked for, and how loud it is there at least, over its amplitude after it."""
+HUMLESS, CLEARER = 400.0, 6.0
+"""Hz from which on taps are looked for where they stand out by this many dB more: mains and steps are below."""
 HEARD = 0.1
 """Amplitude over the loudest tone's; the lowest tone that is at least this loud says whether the implement is free."""
 
@@ -92,7 +97,7 @@ def find_taps(recording: Recording, *, band: Band, held: float = HELD) -> tuple[
     held : damping ratio of the lowest tone from which on the implement counts as held.
     """
     sound = in_band(recording, band)
-    starts = _starts(sound)
+    starts = _starts(_where_taps_stand_out(recording, sound, band))
     ends = [*starts[1:], sound.duration]
     found = [_tap(recording, sound, start, end, band, held) for start, end in zip(starts, ends, strict=True)]
     for index, (before, after) in enumerate(pairwise(starts)):
@@ -102,18 +107,39 @@ def find_taps(recording: Recording, *, band: Band, held: float = HELD) -> tuple[
     return tuple(found)
 
 
-def _starts(sound: Recording) -> list[float]:
-    """Return the times in s at which the sound suddenly rises; a recording may begin within a tap."""
+def _where_taps_stand_out(recording: Recording, sound: Recording, band: Band) -> Recording:
+    """Return the sound in its band, or without what is low where taps then stand out of hum much farther."""
+    if not band.low < HUMLESS < min(band.high, 0.45 * recording.rate) / 2:
+        return sound
+    without = in_band(recording, Band(HUMLESS, band.high))
+    gains = []
+    for one in (sound, without):
+        level, floor = _levels(one)
+        gains.append(float(level.max(initial=floor)) - floor)
+    return without if gains[1] > gains[0] + CLEARER else sound
+
+
+def _levels(sound: Recording) -> tuple[Array, float]:
+    """Return the loudness of every frame in dB, and that of the recording's quietest tenth."""
     import scipy.ndimage
 
     frame = max(1, round(FRAME * sound.rate))
     count = len(sound.samples) // frame
-    if count < 3:
-        return [0.0]
     power = np.mean(sound.samples[: count * frame].reshape(count, frame) ** 2, axis=1)
     level = 10 * np.log10(power + 1e-30)
+    if not count:
+        return level, 0.0
+    tops = scipy.ndimage.maximum_filter1d(level, round(QUIET_BEFORE / FRAME))  # hum is as loud as at its tops
+    return level, float(np.quantile(tops, 0.1))
+
+
+def _starts(sound: Recording) -> list[float]:
+    """Return the times in s at which the sound suddenly rises; a recording may begin within a tap."""
+    level, floor = _levels(sound)
+    frame, count = max(1, round(FRAME * sound.rate)), len(level)
+    if count < 3:
+        return [0.0]
     before = round(QUIET_BEFORE / FRAME)
-    floor = float(np.quantile(scipy.ndimage.maximum_filter1d(level, before), 0.1))  # hum is as loud as at its tops
     starts: list[int] = []
     for index in range(count):
         earlier = level[max(0, index - before) : index]
@@ -143,7 +169,8 @@ def _tap(recording: Recording, sound: Recording, start: float, end: float, band:
     if len(late):
         return rejected(f"doubled: a second blow {1e3 * late[0]:.0f} ms after the first; let the hammer bounce off")
     window = whole[int((struck.max(initial=0.0) + SETTLE) * sound.rate) :]
-    fit = without_hum(fit_sinusoids(window, sound.rate, band=band))
+    earlier = sound.samples[int(max(start - BEFORE[0], 0.0) * sound.rate) : int(max(start - BEFORE[1], 0) * sound.rate)]
+    fit = without_hum(fit_sinusoids(window, sound.rate, band=band), earlier)
     if not fit.sinusoids or fit.misfit > LARGEST_MISFIT:
         return rejected(
             f"too quiet: {100 * min(fit.misfit, 1):.0f} % of the sound is noise; tap harder or nearer the microphone",
@@ -161,11 +188,31 @@ def _tap(recording: Recording, sound: Recording, start: float, end: float, band:
     return Tap(recording.name, start, None, fit)
 
 
-def without_hum(fit: Fit) -> Fit:
-    """Return a fit without the mains: fainter tones at a multiple of 50 or 60 Hz that do not die away."""
-    loudest = max((one.amplitude for one in fit.sinusoids), default=0.0)
-    kept = tuple(one for one in fit.sinusoids if one.amplitude > HUM_LEVEL * loudest or not _hums(one))
+def without_hum(fit: Fit, earlier: Array) -> Fit:
+    """Return a fit without the mains: tones at a multiple of 50 or 60 Hz that do not die away.
+
+    They are fainter than what rings, or were there before.
+
+    Parameters
+    ----------
+    earlier : the sound before the tap; may be empty.
+    """
+    loudest = max((one.amplitude for one in fit.sinusoids if not _hums(one)), default=0.0)
+    kept = tuple(
+        one
+        for one in fit.sinusoids
+        if not _hums(one)
+        or (one.amplitude > HUM_LEVEL * loudest and _amplitude(earlier, one, fit.rate) < AS_LOUD * one.amplitude)
+    )
     return replace(fit, sinusoids=kept)
+
+
+def _amplitude(samples: Array, one: Sinusoid, rate: float) -> float:
+    """Return how loud a tone is in a sound that is too short for nothing: 0 below two of its periods."""
+    if len(samples) < 2 * rate / one.frequency.value:
+        return 0.0
+    turning = np.exp(-2j * np.pi * one.frequency.value * np.arange(len(samples)) / rate)
+    return float(2 * abs(np.mean(samples * turning)))
 
 
 def _hums(one: Sinusoid) -> bool:
