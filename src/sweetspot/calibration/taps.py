@@ -170,7 +170,7 @@ def _tap(recording: Recording, sound: Recording, start: float, end: float, band:
         return rejected(f"doubled: a second blow {1e3 * late[0]:.0f} ms after the first; let the hammer bounce off")
     window = whole[int((struck.max(initial=0.0) + SETTLE) * sound.rate) :]
     earlier = sound.samples[int(max(start - BEFORE[0], 0.0) * sound.rate) : int(max(start - BEFORE[1], 0) * sound.rate)]
-    fit = without_hum(fit_sinusoids(window, sound.rate, band=band), earlier)
+    fit = _without_hum(fit_sinusoids(window, sound.rate, band=band), earlier)
     if not fit.sinusoids or fit.misfit > LARGEST_MISFIT:
         return rejected(
             f"too quiet: {100 * min(fit.misfit, 1):.0f} % of the sound is noise; tap harder or nearer the microphone",
@@ -188,7 +188,7 @@ def _tap(recording: Recording, sound: Recording, start: float, end: float, band:
     return Tap(recording.name, start, None, fit)
 
 
-def without_hum(fit: Fit, earlier: Array) -> Fit:
+def _without_hum(fit: Fit, earlier: Array) -> Fit:
     """Return a fit without the mains: tones at a multiple of 50 or 60 Hz that do not die away.
 
     They are fainter than what rings, or were there before.
