@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import json
 import os
 import shutil
@@ -18,7 +19,7 @@ os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # what one program has compiled
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse
 from sweetspot.catalog.standard_hit import standard_conditions
-from sweetspot.cli import main, output
+from sweetspot.cli import UNTIDIED, main, output
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.material import Material
@@ -30,6 +31,7 @@ sys.dont_write_bytecode = False  # nor the next run
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 FLAGS = ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"]
 
+gc.set_threshold(UNTIDIED, *gc.get_threshold()[1:])  # as the command line does
 output.BEAT = 1e6  # s: on a busy machine a command may take so long that it says so, which is not what tests look for
 settings.register_profile("sweetspot", deadline=None)  # how long an example takes says how busy the machine is
 settings.register_profile("few", deadline=None, max_examples=8)  # for `make coverage`: each branch once is enough

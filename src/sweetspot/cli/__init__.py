@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 import warnings
@@ -16,6 +17,8 @@ EXIT_BAD_INPUT = 2
 EXIT_INTERRUPTED = 130
 SERVER = "app"
 """The command that is done when somebody ends it."""
+UNTIDIED = 100_000
+"""New objects between two looks for garbage: a command makes a million that stay, and looking takes a tenth of it."""
 FORCE = "--force"
 """Takes every number as it is given, whatever is usual; every command understands it."""
 
@@ -26,6 +29,7 @@ def main(arguments: list[str] | None = None) -> None:
     What a command prints comes out when it has done everything else, so that no terminal, pipe or full disk at the
     other end costs the files it writes.
     """
+    gc.set_threshold(UNTIDIED, *gc.get_threshold()[1:])
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # our matrices are small; threads only get in each other's way
     from cyclopts import CycloptsError
 

@@ -64,9 +64,6 @@ def present(document: Document, options: OutputOptions, *, long: bool = False) -
     written: list[Path] = []
     document = replace(document, title=options.title or document.title, made_for=options.made_for, made=_made())
     if options.out is not None:
-        from sweetspot.report.pictures.quick_start import load_without_help
-
-        load_without_help()
         from sweetspot.report.files import write_document
 
         written = write_document(document, options.out, reader=document.reader_of(options.units), long=long)

@@ -32,8 +32,7 @@ def report(
     from sweetspot.report.bat.unhit import unhit_document
 
     if output.out is not None:
-        from sweetspot.report.file_set import check_folder
-        from sweetspot.report.files import files_of
+        from sweetspot.report.file_set import check_folder, files_of
 
         check_folder(output.out, files_of("report"))
     implement = catalog.load_implement(bat)

@@ -148,11 +148,8 @@ def _surface_compliance(stiffness: Array, waves: Array, void: float) -> Array:
     """
     size = ELEMENTS * DEGREE + 1
     parts = _radial_parts(stiffness, void)  # of K = sum over powers n^i k^j
-    harmonics = np.arange(HARMONICS)[:, None, None, None]
-    wave = waves[None, :, None, None]
-    whole = np.zeros((HARMONICS, len(waves), 3 * size, 3 * size))
-    for (i, j), part in parts.items():
-        whole += harmonics**i * wave**j * part
+    powers = np.stack([np.arange(HARMONICS)[:, None] ** i * waves**j for i, j in parts], axis=-1)
+    whole = np.tensordot(powers, np.stack(list(parts.values())), axes=1)
     surface = np.array([size - 1, 2 * size - 1])
     push = np.zeros((3 * size, 2))
     push[surface, [0, 1]] = 1.0
@@ -185,8 +182,10 @@ def _radial_parts(stiffness: Array, void: float) -> dict[tuple[int, int], Array]
         at = np.concatenate([number * DEGREE + np.arange(DEGREE + 1) + i * size for i in range(3)])
         for first, (i, j) in enumerate([(0, 0), (1, 0), (0, 1)]):
             for second, (k, m) in enumerate([(0, 0), (1, 0), (0, 1)]):
-                local = np.einsum("aiq,ab,bjq,q->ij", strains[first], stiffness, strains[second], area)
-                parts[i + k, j + m][np.ix_(at, at)] += local
+                stress = np.tensordot(stiffness, strains[second], axes=1)
+                parts[i + k, j + m][np.ix_(at, at)] += np.tensordot(
+                    strains[first] * area, stress, axes=([0, 2], [0, 2])
+                )
     return parts
 
 

@@ -143,6 +143,11 @@ def _sync(folder: Path) -> None:
             os.close(handle)
 
 
+def files_of(name: str) -> tuple[str, ...]:
+    """Return the files that a document of this name is written to."""
+    return tuple(name + ending for ending in (".html", ".json", ".png", ".svg"))
+
+
 def check_folder(folder: Path, names: Sequence[str]) -> None:
     """Refuse a folder that a report of files with these names could not be written to, without touching anything.
 

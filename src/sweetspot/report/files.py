@@ -39,8 +39,3 @@ def write_document(document: Document, folder: Path, *, reader: Reader, long: bo
 def as_json(document: Document) -> bytes:
     """Return the numbers of a document as JSON text; what is not finite is null there, as JSON has neither."""
     return to_json(document.data, indent=1, inf_nan_mode="null", fallback=np.ndarray.tolist) + b"\n"
-
-
-def files_of(name: str) -> tuple[str, ...]:
-    """Return the files that a document of this name is written to."""
-    return tuple(name + ending for ending in (".html", ".json", ".png", ".svg"))

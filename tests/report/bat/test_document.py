@@ -24,8 +24,8 @@ from sweetspot.report.bat.json import report_json
 from sweetspot.report.bat.provenance import bat_records, own_values, shown, sources_of, used_records
 from sweetspot.report.bat.words import misses_of
 from sweetspot.report.document import Section
-from sweetspot.report.file_set import check_folder, write_folder
-from sweetspot.report.files import files_of, write_document
+from sweetspot.report.file_set import check_folder, files_of, write_folder
+from sweetspot.report.files import write_document
 from sweetspot.report.html import page
 from sweetspot.report.pictures.style import INK
 from sweetspot.report.quantities import SI, US

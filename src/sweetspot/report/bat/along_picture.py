@@ -209,11 +209,11 @@ def _band(
 
 def _prepare(axes: Axes, analysis: Analysis[Implement], reading: Reader, title: str, note: str) -> None:
     ruler.set_window(axes, analysis.bat)
-    ruler.show_from_tip(axes, analysis.bat.length, reading, labels=ruler.is_zoomed(analysis.bat))
+    ruler.show_from_tip(axes, analysis.bat.length, reading, labels=ruler.is_zoomed(analysis.bat), grid=True)
     if ruler.is_zoomed(analysis.bat):
         _own_guides(axes, analysis)
     axes.yaxis.set_major_locator(MaxNLocator(nbins=4))
-    light_grid(axes)
+    light_grid(axes, vertical=False)
     heading(axes, title, note)
 
 

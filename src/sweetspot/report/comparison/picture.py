@@ -113,9 +113,9 @@ def _outlines(axes: Axes, compared: Sequence[Compared[Implement]], length: float
 
 
 def _curves(axes: Axes, compared: Sequence[Compared[Implement]], length: float, reading: Reader) -> None:
-    ruler.show_from_tip(axes, length, reading, labels=False)
+    ruler.show_from_tip(axes, length, reading, labels=False, grid=True)
     axes.yaxis.set_major_locator(MaxNLocator(nbins=6, prune="lower"))
-    light_grid(axes)
+    light_grid(axes, vertical=False)
     heading(axes, "Exit speed", f"how fast the ball leaves, {reading.unit('speed')}")
     size = reading.units["speed"].size
     tops, lows = [], []
@@ -134,9 +134,9 @@ def _curves(axes: Axes, compared: Sequence[Compared[Implement]], length: float, 
 
 def _differences(axes: Axes, compared: Sequence[Compared[Implement]], length: float, reading: Reader) -> None:
     """Draw by how much the ball leaves faster than from the first one, equally far from the tip."""
-    ruler.show_from_tip(axes, length, reading, labels=False)
+    ruler.show_from_tip(axes, length, reading, labels=False, grid=True)
     axes.yaxis.set_major_locator(MaxNLocator(nbins=5, prune="upper"))
-    light_grid(axes)
+    light_grid(axes, vertical=False)
     heading(
         axes, "Difference from the first", f"equally far from the tip, {reading.unit('speed_change')}; above 0: faster"
     )

@@ -7,7 +7,8 @@ from matplotlib.axes import Axes
 from matplotlib.markers import TICKDOWN
 
 from sweetspot.equipment.implement import Implement
-from sweetspot.report.pictures.style import MUTED
+from sweetspot.numerics.arrays import Array
+from sweetspot.report.pictures.style import GRID, MUTED
 from sweetspot.report.quantities import Reader
 from sweetspot.report.sport_words import words_of
 
@@ -51,23 +52,40 @@ def metres_per_inch_of_paper(length: float, width: float) -> float:
     return (1 + 2 * MARGIN) * length / width
 
 
-def show_from_tip(axes: Axes, length: float, reading: Reader, *, labels: bool = True) -> None:
-    """Put ticks every few inches or centimetres from the tip, as people count."""
+def show_from_tip(axes: Axes, length: float, reading: Reader, *, labels: bool = True, grid: bool = False) -> None:
+    """Put ticks every few inches or centimetres from the tip, as people count.
+
+    Marks and grid are one artist each: of matplotlib's own ticks every one takes five.
+
+    Parameters
+    ----------
+    labels : whether numbers stand below, and a mark for every unit.
+    grid : whether a faint line goes up from every tick.
+    """
     unit = reading.units["place"]
-    size = unit.size
-    shown = axes.get_xlim()[1] - axes.get_xlim()[0]
-    step = TICKS[unit.name][1] if shown > length / 2 else 1
     limits = axes.get_xlim()
-    counts = np.arange(0, length / size + 1e-6, step)
-    names = [f"{value:.0f}" for value in counts] if labels else [""] * len(counts)
-    axes.set_xticks(length - counts * size, names)
-    if labels:  # a mark for every unit, as one line: matplotlib's own minor ticks take a tenth of a second
-        places = length - np.arange(0, length / size + 1e-6) * size
-        axes.plot(
-            places, np.zeros_like(places), linestyle="", marker=TICKDOWN, markersize=1.8, markeredgewidth=0.5,
-            color=MUTED, transform=axes.get_xaxis_transform(), clip_on=shown <= length / 2, scalex=False, scaley=False,
-        )  # fmt: skip
+    shown = limits[1] - limits[0]
+    step = TICKS[unit.name][1] if shown > length / 2 else 1
+    counts = np.arange(0, length / unit.size + 1e-6, step)
+    places = length - counts * unit.size
+    if grid:
+        axes.vlines(places, 0, 1, transform=axes.get_xaxis_transform(), colors=GRID, linewidth=0.6, zorder=0.5)
+    if labels:
+        axes.set_xticks(places, [f"{value:.0f}" for value in counts])
+        _marks(axes, length - np.arange(0, length / unit.size + 1e-6) * unit.size, size=1.8, width=0.5,
+               clipped=shown <= length / 2)  # fmt: skip
+    else:
+        axes.set_xticks([])
+        _marks(axes, places, size=3.0, width=0.7, clipped=False)
     axes.set_xlim(limits)
+
+
+def _marks(axes: Axes, places: Array, *, size: float, width: float, clipped: bool) -> None:
+    """Draw short lines below the axis."""
+    axes.plot(
+        places, np.zeros_like(places), linestyle="", marker=TICKDOWN, markersize=size, markeredgewidth=width,
+        color=MUTED, transform=axes.get_xaxis_transform(), clip_on=clipped, scalex=False, scaley=False,
+    )  # fmt: skip
 
 
 def from_the_tip(implement: Implement, reading: Reader) -> str:

@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.patheffects import AbstractPathEffect, withStroke
-from matplotlib.textpath import TextPath
+from matplotlib.textpath import text_to_path
 
 from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY
 
@@ -100,9 +100,11 @@ def fitted(words: str, *, width: float, size: float, smallest: float = 9.0) -> t
 
 def _width(words: str, size: float) -> float:
     """Return how wide bold words are in points."""
+    type_face = BOLD.copy()
+    type_face.set_size(size)
     with warnings.catch_warnings():  # a letter the typeface lacks is drawn as a box, which has a width too
         warnings.simplefilter("ignore")
-        return float(TextPath((0, 0), words.replace("$", "S"), size=size, prop=BOLD).get_extents().width)
+        return float(text_to_path.get_text_width_height_descent(words, type_face, ismath=False)[0])
 
 
 def halo(width: float = 2.5) -> list[AbstractPathEffect]:
