@@ -26,8 +26,8 @@ NEAR = 8.0
 """m by which paths through thinner or thicker air may be ahead at the nearest fence."""
 MORE_DRAG = 0.1
 """Part of its drag coefficient that the extra flight has more."""
-TURNS = 6
-"""Corrections of the moment at which a path passes the fence."""
+TURNS, NO_MISS = 6, 1e-4
+"""Most corrections of the moment at which a path passes the fence, and m beside it that call for none."""
 LANES, PATHS = 16, 4
 """Flights side by side, and at most of one ball: three airs and more drag."""
 BALLS = LANES // PATHS
@@ -86,8 +86,9 @@ def chances(
             ball, lane = far[first + place], PATHS * place
             last = points[lane : lane + nodes + 1].min()
             begin, end = _seen_from_home(paths, lane, last, nearest - NEAR, farthest, seen, lost)
+            hint = begin + 1
             for park in range(len(weights)):
-                height, fall = _over(seen, lost, begin, end, weights[park], fences[:, park])
+                height, fall, hint = _over(seen, lost, begin, end, weights[park], fences[:, park], hint)
                 height -= fall * drags[park] / MORE_DRAG
                 margin[ball, park] = height
                 spread = max(abs(fall) * scatters[park] / MORE_DRAG, 1e-9)
@@ -206,46 +207,65 @@ def _seen_from_home(
 
 
 @compiled(error_model="numpy")
+def _beyond(seen: Array, point: int, weights: Array, fence: Array) -> tuple[float, float]:
+    """Return how far beyond a fence a path is at a step, m, and its direction from home plate."""
+    far, way = 0.0, 0.0
+    for node in range(len(weights)):
+        far += weights[node] * seen[point, FAR, node]
+        way += weights[node] * seen[point, WAY, node]
+    return far - _at(fence[0], way), way
+
+
+@compiled(error_model="numpy")
 def _over(
-    seen: Array, lost: Array, begin: int, end: int, weights: Array, fence: Array
-) -> tuple[float, float]:  # fmt: skip
-    """Return how high over a fence's top a ball passes, m, and what it loses of that by `MORE_DRAG`; NaN where foul."""
-    before = -1.0
-    for point in range(begin + 1, end):
-        far, way = 0.0, 0.0
-        for node in range(len(weights)):
-            far += weights[node] * seen[point, FAR, node]
-            way += weights[node] * seen[point, WAY, node]
-        beyond = far - _at(fence[0], way)
-        if beyond < 0:
-            before = beyond
-            continue
-        if abs(way) > BEHIND:
-            return math.nan, 0.0
-        part = 0.5 if before >= 0 else before / (before - beyond)
-        low, high = 0.0, 1.0
-        rate = 0.0
-        for node in range(len(weights)):
-            rate += weights[node] * seen[point, FARTHER, node]
-        for _ in range(TURNS):
-            way = _mixed(seen, weights, point, WAY, part)
-            miss = _mixed(seen, weights, point, FAR, part) - _at(fence[0], way)
-            if miss > 0:
-                high = part
-            else:
-                low = part
-            part = part - miss / rate
-            if not low <= part <= high:
-                part = (low + high) / 2
-        if abs(way) > FOUL:
-            return math.nan, 0.0
-        height = _mixed(seen, weights, point, HIGH, part) - _at(fence[1], way)
-        middle = len(weights) // 2
-        outwards = max(seen[point, FARTHER, middle], STEP)
-        shorter = (1 - part) * lost[point - 1, 0] + part * lost[point, 0]
-        lower = (1 - part) * lost[point - 1, 1] + part * lost[point, 1]
-        return height, seen[point, HIGHER, middle] / outwards * shorter - lower
-    return math.nan, 0.0
+    seen: Array, lost: Array, begin: int, end: int, weights: Array, fence: Array, hint: int
+) -> tuple[float, float, int]:  # fmt: skip
+    """Return how high over a fence's top a ball passes, m, and what it loses of that by `MORE_DRAG`; NaN where foul.
+
+    Also the step in which it passes, or the last one: ``hint`` for the next fence, which is not far from this one.
+    """
+    point = min(max(hint, begin + 1), end - 1)
+    if point <= begin:
+        return math.nan, 0.0, hint
+    beyond, way = _beyond(seen, point, weights, fence)
+    before = beyond
+    while beyond < 0:
+        before, point = beyond, point + 1
+        if point >= end:
+            return math.nan, 0.0, end - 1
+        beyond, way = _beyond(seen, point, weights, fence)
+    while before >= 0 and point > begin + 1:
+        before, earlier = _beyond(seen, point - 1, weights, fence)
+        if before >= 0:
+            beyond, way, point = before, earlier, point - 1
+    if abs(way) > BEHIND:
+        return math.nan, 0.0, point
+    before = -1.0 if before >= 0 else before  # beyond already at the first step
+    part = before / (before - beyond)
+    low, high = 0.0, 1.0
+    rate = 0.0
+    for node in range(len(weights)):
+        rate += weights[node] * seen[point, FARTHER, node]
+    for _ in range(TURNS):
+        way = _mixed(seen, weights, point, WAY, part)
+        miss = _mixed(seen, weights, point, FAR, part) - _at(fence[0], way)
+        if abs(miss) < NO_MISS:
+            break
+        if miss > 0:
+            high = part
+        else:
+            low = part
+        part = part - miss / rate
+        if not low <= part <= high:
+            part = (low + high) / 2
+    if abs(way) > FOUL:
+        return math.nan, 0.0, point
+    height = _mixed(seen, weights, point, HIGH, part) - _at(fence[1], way)
+    middle = len(weights) // 2
+    outwards = max(seen[point, FARTHER, middle], STEP)
+    shorter = (1 - part) * lost[point - 1, 0] + part * lost[point, 0]
+    lower = (1 - part) * lost[point - 1, 1] + part * lost[point, 1]
+    return height, seen[point, HIGHER, middle] / outwards * shorter - lower, point
 
 
 @compiled(error_model="numpy")

@@ -25,6 +25,8 @@ FLY_BALLS = (15 * DEGREE, 45 * DEGREE)
 FLY_SPEED = 80 * MPH
 """Balls whose tracked distance is compared with the carry."""
 UNKNOWN_BAT = "unknown"
+WHOSE_BAT = ("batter", "batter_name", "bat")
+"""Quantities by which the bat of a ball is known, the last one first."""
 FLIGHT_OUTCOMES = ("flown", "no launch angle", "not flown", "direction unknown")
 HOME_RUN_KINDS = (None, "doubter", "mostly gone", "no doubter")
 
@@ -70,7 +72,7 @@ def answers_of(rows: pl.DataFrame, setting: SeasonSetting) -> Answers:
     ----------
     rows : those that are used.
     """
-    balls = balls_of(rows)
+    balls = balls_of(rows, pitches=setting.contact is not None)
     clubs = rows["home_team"] if "home_team" in rows.columns else [None] * len(rows)
     fields = fields_of(clubs, balls.season)
     warm = rows["temperature"].fill_null(np.nan).to_numpy() if "temperature" in rows.columns else np.full(
@@ -86,7 +88,7 @@ def bats_of(rows: pl.DataFrame, setting: SeasonSetting) -> NDArray[np.int64]:
     number = {name: index for index, name in enumerate(setting.bat_names)}
     usual = number.get(setting.bats.get("", ""), -1)
     found = np.full(len(rows), usual, np.int64)
-    for column in ("batter", "batter_name", "bat"):
+    for column in WHOSE_BAT:
         if column in rows.columns:
             known = setting.bats if column != "bat" else {name: name for name in number}
             mapped = rows[column].replace_strict(

@@ -74,8 +74,13 @@ class Balls:
         return len(self.exit_speed)
 
 
-def balls_of(rows: pl.DataFrame) -> Balls:
-    """Return the balls of rows from `rows_of`, those that are used or any others."""
+def balls_of(rows: pl.DataFrame, *, pitches: bool = True) -> Balls:
+    """Return the balls of rows from `rows_of`, those that are used or any others.
+
+    Parameters
+    ----------
+    pitches : whether how they were pitched is wanted; flights do not ask.
+    """
 
     def column(name: str) -> Array:
         if name not in rows.columns:
@@ -87,7 +92,7 @@ def balls_of(rows: pl.DataFrame) -> Balls:
     bearing = column("bearing")
     if "map_x" in rows.columns and "map_y" in rows.columns:
         bearing = np.where(np.isnan(bearing), bearing_of_place(column("map_x"), column("map_y")), bearing)
-    speed, descent, crossing, spin, side, height, moved = _pitch(column, season)
+    speed, descent, crossing, spin, side, height, moved = (_pitch if pitches else _no_pitch)(column, season)
     attack_direction = column("attack_direction")
     to_right = column("attack_to_right")
     attack_direction = np.where(np.isnan(attack_direction), np.where(left, -to_right, to_right), attack_direction)
@@ -126,6 +131,13 @@ def _pitch(
     descent = np.where(tracked, np.arctan2(-up, -out), USUAL_DESCENT)
     crossing = np.where(tracked, np.arctan2(across, -out), 0.0)
     return speed, descent, crossing, _spin(pitch, tracked), side, height, moved
+
+
+def _no_pitch(
+    _: Callable[[str], Array], season: NDArray[np.int64]
+) -> tuple[Array, Array, Array, Array, Array, Array, NDArray[np.bool_]]:
+    none, count = np.full(len(season), np.nan), len(season)
+    return none, none, none, np.zeros((count, 3)), none, none, np.zeros(count, np.bool_)
 
 
 def _spin(pitch: NineParameters, tracked: NDArray[np.bool_]) -> Array:

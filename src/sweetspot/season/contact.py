@@ -207,13 +207,14 @@ def _posteriors(
     found = np.full((len(rows), kernel.ROWS), np.nan)
     weights = np.zeros((len(rows) if setting.others else 1, len(surface.arm)))
     relation = setting.relation
-    aims = np.stack([best, _chances_of(balls)], axis=-1)
+    aims = np.stack([best, _chances_of(balls)], axis=-1)[rows]
     noise = np.ascontiguousarray(relation.noises(speed_term(balls))[rows])
+    measured, before = plane.exit_speed[rows], prior[rows]
 
     def work(part: slice) -> None:
         kernel.fill_posteriors(
-            surface.axes, surface.after, surface.reach, surface.arm, asked[part], plane.exit_speed[rows][part],
-            prior[rows][part], aims[rows][part], _error_array(setting.errors), relation.level, noise[part],
+            surface.axes, surface.after, surface.reach, surface.arm, asked[part], measured[part],
+            before[part], aims[part], _error_array(setting.errors), relation.level, noise[part],
             found[part], weights[part] if setting.others else weights,
         )  # fmt: skip
 

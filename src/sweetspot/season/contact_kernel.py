@@ -54,14 +54,15 @@ def predict(
     middle = (len(axes[3]) - 1) / 2
     guess = middle + 0.75 * turned / (axes[3][1] - axes[3][0])
     best, top, best_guess = -1, 0.0, middle
-    count = len(fast)
+    count, before, moved = len(fast), guess, 0.0
     for place in range(0, count, STRIDE):
         size, offset, found = hit_towards(
             axes, after, reach[place], place, speed * arm[place], ahead, up, tangent, cos, sin, guess
         )
         fast[place], above[place] = size, offset
         if math.isfinite(size):
-            guess = found
+            moved, before = (found - before if place else 0.0), found
+            guess = found + moved
             if size > top:
                 best, top, best_guess = place, size, found
     for place in range(1, count - 1, STRIDE):
@@ -173,17 +174,25 @@ def _summarise(places: Array, part: Array, above: Array, best: float, draw: floa
         passed += part[place]
     result[OFFSET_SPREAD] = max(square - offset * offset, 0.0)  # of the places alone, squared
     result[OFFSET], result[TIP_SIDE], result[MEAN_PLACE] = offset, tip, mean
-    size, level, inside, reached = step / 4, 0, 0.0, 0.0
     passed = 0.0
     for place in range(len(part)):  # from here on: the part below the upper edge of each cell
         passed += part[place]
         part[place] = passed
-    while level < len(LEVELS) and reached < places[-1]:
-        before, reached = inside, reached + size
+    level, inside, reached = 0, 0.0, 0.0
+    edge = (best - places[0]) / step + 0.5
+    edge -= math.floor(edge)  # between two edges of cells, to either side, what is inside grows as a straight line
+    near, far = min(edge, 1 - edge), max(edge, 1 - edge)
+    for turn in range(2 * len(part)):
+        before, start = inside, reached
+        reached = step * (turn // 2 + (far if turn % 2 else near))
         inside = _below(places, part, best + reached) - _below(places, part, best - reached)
         while level < len(LEVELS) and inside >= LEVELS[level]:
-            result[DISTANCE + level] = reached - size * (inside - LEVELS[level]) / max(inside - before, 1e-12)
+            result[DISTANCE + level] = reached - (reached - start) * (inside - LEVELS[level]) / max(
+                inside - before, 1e-12
+            )
             level += 1
+        if level == len(LEVELS):
+            return
 
 
 @compiled(nogil=True, error_model="numpy")

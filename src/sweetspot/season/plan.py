@@ -30,6 +30,8 @@ from sweetspot.season.table_file import TableFile
 
 TASK_ROWS = 131_072
 """Rows of a task; the answers of a row do not depend on it."""
+ONLY_KEYS = {"at_bat", "pitch", "pitch_id", "player_name"}
+"""Quantities that tell pitches apart, and are asked for no more."""
 BALLS, LEDGER, COUNTED, MARK = "balls", "ledger", "counted", "sweetspot"
 SIZE_SEEN = 1 << 16
 """Bytes of a file's beginning and end that go into the fingerprint of a plan."""
@@ -102,7 +104,8 @@ def do_task(plan: Plan, task: Task) -> int:
         return task.rows
     table = plan.tables[task.table]
     frame = table.part(task.start, task.rows)
-    rows = with_duplicates(rows_of(frame, table.headings, first=task.start), plan.duplicates[task.table])
+    asked = table.headings.only(*(name for name in table.headings.columns if name not in ONLY_KEYS))
+    rows = with_duplicates(rows_of(frame, asked, first=task.start), plan.duplicates[task.table])
     used = (rows["reason"] == USED).to_numpy()
     found = answers_of(rows.filter(used), plan.setting)
     columns = answer_columns(found, plan.setting)
@@ -123,7 +126,9 @@ def _write(frame: pl.DataFrame, path: Path, plan: Plan) -> None:
     waiting = path.with_name(f".{path.name}.{os.getpid()}")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        frame.write_parquet(waiting, metadata={MARK: json.dumps({"plan": plan.fingerprint, "rows": len(frame)})})
+        frame.write_parquet(
+            waiting, compression="lz4", metadata={MARK: json.dumps({"plan": plan.fingerprint, "rows": len(frame)})}
+        )
         with waiting.open("rb") as file:
             os.fsync(file.fileno())
         waiting.replace(path)
@@ -149,9 +154,10 @@ def plan_fingerprint(tables: tuple[TableFile, ...], setting: SeasonSetting, *, t
     from sweetspot.flight.fence_compiled import chances
     from sweetspot.numerics.kernel_cache import fingerprint
     from sweetspot.season.contact_kernel import fill_posteriors
+    from sweetspot.season.launch_table import expected_of
 
     digest = hashlib.blake2b(digest_size=16)
-    kernels: tuple[Callable[..., Any], ...] = (solve, chances, fill_posteriors)
+    kernels: tuple[Callable[..., Any], ...] = (solve, chances, fill_posteriors, expected_of)
     for part in (__version__, task_rows, setting.system, sorted(setting.bats.items()),
                  replace(setting.flight, threads=None),
                  *map(fingerprint, kernels)):  # fmt: skip

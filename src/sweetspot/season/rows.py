@@ -8,7 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
+import numpy as np
 import polars as pl
+from numpy.typing import NDArray
 
 from sweetspot.season.headings import UNITS, Headings, TableColumn
 from sweetspot.units import MPH
@@ -31,6 +33,10 @@ IN_PLAY = "in ?play|hit_into_play"
 FOUL, TIP = "foul", "foul.?tip"
 BUNTED = ("event", "words", "batted_type", "description")
 """Quantities in which a bunt may be told."""
+REASONED = ("exit_speed", "launch_angle", "description", "result_type", *BUNTED)
+"""Quantities that a row's reason hangs on."""
+SIDED, DATED = ("bats", "bats_left"), ("date", "year")
+"""Quantities that tell the batter's side, and the day and season."""
 MISSING = {"left": pl.Boolean, "day": pl.Date}
 """What stands in every row even where a table does not tell it."""
 SELDOM = 2
@@ -40,8 +46,10 @@ KEYS = (("pitch_id",), ("game", "at_bat", "pitch"))
 """What tells pitches apart, the first that a table has."""
 WHO = ("game", "date", "batter", "pitcher")
 MEASURED = ("exit_speed", "launch_angle", "map_x", "map_y", "release_speed", "velocity_x", "velocity_z", "plate_side")
-KEY_PARTS = (*(name for names in KEYS for name in names), *WHO, *MEASURED)
-"""All quantities that may tell pitches apart."""
+MIXED = (0x9E3779B97F4A7C15, 0xBF58476D1CE4E5B9, 0x94D049BB133111EB)
+"""Constants of splitmix64, a mixing of 64 bits in which no number gets lost."""
+NAMED = 1 << 63
+"""Bit of the keys of what is no whole number."""
 ENOUGH = 4
 """Measurements that must agree before two rows without a number are the same pitch."""
 
@@ -61,7 +69,7 @@ def rows_of(frame: pl.DataFrame, headings: Headings, *, first: int = 0) -> pl.Da
         written so that no number could be read).
     """
     columns = headings.columns
-    words = {name: _tidied(frame[column.heading]) for name, column in columns.items() if column.kind == "text"}
+    words = {name: _Texts(frame[column.heading]) for name, column in columns.items() if column.kind == "text"}
     selected = frame.select(
         *(_number(frame, column).alias(name) for name, column in columns.items() if column.kind != "text"),
         *(
@@ -69,9 +77,9 @@ def rows_of(frame: pl.DataFrame, headings: Headings, *, first: int = 0) -> pl.Da
             for name, column in columns.items()
             if column.kind != "text" and not frame.schema[column.heading].is_numeric()
         ),
-    ).with_columns(*(text.alias(name) for name, text in words.items()))
+    ).with_columns(*(text.column.alias(name) for name, text in words.items()))
     lost = [name for name in selected.columns if name.startswith("lost ")]
-    said = {name: by_value(words[of], change) for name, (of, change) in _said(headings).items()}
+    said = {name: words[of].turned(change) for name, (of, change) in _said(headings).items()}
     return (
         selected.with_row_index("row", offset=first)
         .with_columns(
@@ -103,10 +111,34 @@ def by_value(column: pl.Series, change: Callable[[pl.Expr], pl.Expr]) -> pl.Seri
     return changed.gather(column.cast(pl.Enum(values)).to_physical())
 
 
-def _tidied(column: pl.Series) -> pl.Series:
-    """Return a column of texts without blanks about them and without the ``.0`` of whole numbers."""
-    text = column.cast(pl.String)
-    return text if column.dtype.is_integer() else by_value(text, _tidy)
+class _Texts:
+    """A column of texts without blanks about them and without the ``.0`` of whole numbers, and what they turn into.
+
+    Parameters
+    ----------
+    column : as the table has it.
+    """
+
+    def __init__(self, column: pl.Series) -> None:
+        self.number: pl.Series | None = None
+        text = column.cast(pl.String)
+        self.column = text
+        if column.dtype.is_integer():
+            return
+        values = text.unique().drop_nulls()
+        if len(values) > len(text) // SELDOM:
+            self.column = pl.select(_tidy(pl.lit(text))).to_series()
+            return
+        self.values = pl.select(_tidy(pl.lit(values))).to_series()
+        self.number = text.cast(pl.Enum(values)).to_physical()
+        if not self.values.equals(values, null_equal=True):
+            self.column = self.values.gather(self.number)
+
+    def turned(self, change: Callable[[pl.Expr], pl.Expr]) -> pl.Series:
+        """Return what the texts turn into."""
+        if self.number is None:
+            return by_value(self.column, change)
+        return pl.select(change(pl.lit(self.values))).to_series().gather(self.number)
 
 
 def _tidy(text: pl.Expr) -> pl.Expr:
@@ -199,24 +231,77 @@ def _conditions(headings: Headings) -> Iterator[tuple[str, pl.Expr]]:
     yield "impossible", ~pl.col("exit_speed").is_between(SLOWEST, FASTEST) | steep
 
 
-def pitch_key(headings: Headings) -> pl.Expr | None:
-    """Return a 64-bit key that is the same for the same pitch in any table; None where a table cannot tell.
+def tells_pitches(headings: Headings) -> bool:
+    """Return whether a table has what tells pitches apart."""
+    return _numbered(headings) is not None or bool(_measured(headings))
+
+
+def key_quantities(headings: Headings) -> tuple[str, ...]:
+    """Return the quantities that `pitch_keys` asks of a table."""
+    return tuple(dict.fromkeys((*(_numbered(headings) or ()), *_measured(headings))))
+
+
+def pitch_keys(frame: pl.DataFrame, headings: Headings) -> tuple[NDArray[np.uint64], NDArray[np.bool_]]:
+    """Return 64-bit keys that are the same for the same pitch in any table, and for which rows they are known.
 
     Where pitches are not numbered, rows are the same pitch that agree in everything that is measured.
 
     Parameters
     ----------
-    headings : of a table whose rows went through `rows_of`.
+    frame : rows of the table as they are.
+
+    >>> frame = pl.DataFrame({"launch_speed": [90.0] * 3, "game_pk": [7, 7, 8], "at_bat_number": [1.0, 1.0, None],
+    ...                       "pitch_number": ["2", "2.0", "2"]})
+    >>> from sweetspot.season.headings import headings_of
+    >>> key, known = pitch_keys(frame, headings_of(frame.columns))
+    >>> bool(key[0] == key[1]), known.tolist()
+    (True, [True, True, False])
     """
-    found: list[pl.Expr] = []
-    for names in KEYS:
-        if headings.has(*names):
-            known = pl.all_horizontal(pl.col(name).is_not_null() for name in names)
-            found.append(pl.when(known).then(pl.concat_str(names, separator="|").hash(seed=1)))
+    names, measured = _numbered(headings), _measured(headings)
+    key, known = np.zeros(len(frame), np.uint64), np.zeros(len(frame), np.bool_)
+    if names is not None:
+        known[:] = True
+        for name in names:
+            told, there = _whole(frame[headings.columns[name].heading])
+            key = _mixed(key ^ told)
+            known &= there
+    if measured and not known.all():
+        rows = rows_of(frame, headings.only("exit_speed", *measured))
+        parts = [pl.col(name).cast(pl.String).fill_null("") for name in measured]
+        alike = rows.select(pl.concat_str(parts, separator="|").hash(seed=1)).to_series().to_numpy()
+        key, known = np.where(known, key, alike), np.ones(len(frame), np.bool_)
+    return key, known
+
+
+def _numbered(headings: Headings) -> tuple[str, ...] | None:
+    return next((names for names in KEYS if headings.has(*names)), None)
+
+
+def _measured(headings: Headings) -> tuple[str, ...]:
+    """Return who and what must agree for two rows to be the same pitch; nothing where that is too little."""
     measured = [name for name in MEASURED if headings.has(name)]
     if headings.has("batter") and (headings.has("game") or headings.has("date")) and len(measured) >= ENOUGH:
-        who = [name for name in WHO if headings.has(name)]
-        parts = [*(pl.col(name).fill_null("") for name in who), *(pl.col(name).cast(pl.String).fill_null("")
-                 for name in measured)]  # fmt: skip
-        found.append(pl.concat_str(parts, separator="|").hash(seed=1))
-    return pl.coalesce(found) if found else None
+        return (*(name for name in WHO if headings.has(name)), *measured)
+    return ()
+
+
+def _whole(column: pl.Series) -> tuple[NDArray[np.uint64], NDArray[np.bool_]]:
+    """Return the whole numbers of a column, a key where a text is none, and where there is anything."""
+    if not column.dtype.is_integer():
+        column = _Texts(column).turned(_whole_or_key)
+    elif column.dtype != pl.UInt64:
+        column = column.cast(pl.Int64).reinterpret(signed=False)
+    return column.fill_null(0).to_numpy(), column.is_not_null().to_numpy()
+
+
+def _whole_or_key(text: pl.Expr) -> pl.Expr:
+    number = pl.when(text.str.contains(r"^(0|[1-9]\d{0,17})$")).then(text).cast(pl.UInt64, strict=False)
+    return pl.when(text.is_not_null()).then(pl.coalesce(number, text.hash(seed=1) | NAMED))
+
+
+def _mixed(key: NDArray[np.uint64]) -> NDArray[np.uint64]:
+    add, first, second = (np.uint64(value) for value in MIXED)
+    key = key + add
+    key = (key ^ (key >> np.uint64(30))) * first
+    key = (key ^ (key >> np.uint64(27))) * second
+    return key ^ (key >> np.uint64(31))

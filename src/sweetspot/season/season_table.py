@@ -23,7 +23,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.flight.air import Air
-from sweetspot.season.answers import UNKNOWN_BAT, SeasonSetting, answer_columns, answers_of, bats_of
+from sweetspot.season.answers import UNKNOWN_BAT, WHOSE_BAT, SeasonSetting, answer_columns, answers_of, bats_of
 from sweetspot.season.balls import balls_of
 from sweetspot.season.bat_surface import surface_of
 from sweetspot.season.contact import LEARNT_FROM, ContactSetting, OtherBat, learnt
@@ -32,10 +32,12 @@ from sweetspot.season.headings import headings_of
 from sweetspot.season.output_columns import System
 from sweetspot.season.place_relation import PlaceRelation
 from sweetspot.season.plan import BALLS, COUNTED, LEDGER, Plan, do_task, plan_fingerprint
-from sweetspot.season.rows import USED, rows_of
-from sweetspot.season.survey import Survey, parts, survey_tables, with_duplicates
+from sweetspot.season.rows import DATED, REASONED, SIDED, USED, rows_of
+from sweetspot.season.survey import PART, Survey, parts, survey_tables, with_duplicates
 
 Progress = Callable[[int, int], None]
+MOST_PARTS = 64
+"""Parts of all tables that the relation of places is learnt from, at most."""
 
 
 @dataclass(frozen=True)
@@ -216,8 +218,7 @@ def learn_relation(found: Survey, setting: SeasonSetting) -> PlaceRelation:
     assert setting.contact is not None
     swung = sum(counts[USED] for table, counts in zip(found.tables, found.counts, strict=True)
                 if table.headings.has("bat_speed"))  # fmt: skip
-    step = max(1, swung // LEARNT_FROM)
-    frames = list(_sampled(found, step))
+    frames = list(_sampled(found, swung))
     balls, bats = [balls_of(rows) for rows in frames], [bats_of(rows, setting) for rows in frames]
     if not balls:
         return setting.contact.relation
@@ -225,12 +226,18 @@ def learn_relation(found: Survey, setting: SeasonSetting) -> PlaceRelation:
     return learnt(together, np.concatenate(bats), setting.contact)
 
 
-def _sampled(found: Survey, step: int) -> Iterator[pl.DataFrame]:
-    for table, duplicates in zip(found.tables, found.duplicates, strict=True):
-        if not table.headings.has("bat_speed"):
-            continue
-        for rows in parts(table, chosen=pl.col("row").cast(pl.UInt64) * 7919 % step == 0):
-            used = with_duplicates(rows, duplicates).filter(
+def _sampled(found: Survey, swung: int) -> Iterator[pl.DataFrame]:
+    """Yield about `LEARNT_FROM` rows with a swing, of evenly drawn parts of the tables where these are many."""
+    places = [(number, start) for number, table in enumerate(found.tables) if table.headings.has("bat_speed")
+              for start in range(0, table.rows, PART)]  # fmt: skip
+    every = max(1, -(-len(places) // MOST_PARTS))
+    step = max(1, swung // every // LEARNT_FROM)
+    for number, table in enumerate(found.tables):
+        starts = [start for mine, start in places[::every] if mine == number]
+        measured = [name for name, column in table.headings.columns.items() if column.kind != "text"]
+        wanted = (*measured, *WHOSE_BAT, *REASONED, *SIDED, *DATED)
+        for rows in parts(table, quantities=wanted, step=step, starts=starts):
+            used = with_duplicates(rows, found.duplicates[number]).filter(
                 (pl.col("reason") == USED) & pl.col("bat_speed").is_not_null()
             )
             if len(used):

@@ -98,6 +98,13 @@ def hit_towards(
         before = at
         at = min(max(at - miss / slope, at - 12.0), at + 12.0)
         at = min(max(at, 0.0), last)
+        low = min(max(int(before), 0), after.shape[3] - 2)
+        inside = at - (before - miss / slope)
+        if low <= at <= low + 1 and inside == 0.0:  # between two nodes all is a straight line: this step is exact
+            size += (d_out * cos + d_high * sin) * (at - before)
+            angle = axes[3][0] + at * (axes[3][1] - axes[3][0])
+            offset = reach * (way * math.sin(angle) + across * math.cos(angle))
+            return (size, offset, at) if size > 0 else (math.nan, math.nan, at)
         if at == before:
             return math.nan, math.nan, guess
     return math.nan, math.nan, guess

@@ -18,13 +18,26 @@ from sweetspot.flight.bearing import bearing_of_place
 from sweetspot.season.balls import FIRST_MIDDLE_SEASON
 from sweetspot.season.fields import home_park
 from sweetspot.season.headings import Headings
-from sweetspot.season.rows import KEY_PARTS, REASONS, USED, pitch_key, rows_of
+from sweetspot.season.rows import (
+    DATED,
+    REASONED,
+    REASONS,
+    SIDED,
+    USED,
+    key_quantities,
+    pitch_keys,
+    rows_of,
+    tells_pitches,
+)
 from sweetspot.season.table_file import TableFile, open_table
 from sweetspot.units import MPH, is_usual
 
 PART = 65_536
 """Rows that are read together."""
-MOST_KEYS = 20_000_000
+LOOKED_AT = ("bat_speed", "velocity_y", "release_speed", "plate_speed", "plate_side", "map_x", "map_y", "home_team",
+             *REASONED, *SIDED, *DATED)  # fmt: skip
+"""Quantities that the first look asks of every row; of the others only whether they hold anything."""
+MOST_KEYS = 10_000_000
 """Keys of pitches held at a time; larger tables are gone through several times."""
 SHOWN = 20
 """Rows named with a warning."""
@@ -149,7 +162,8 @@ def survey_tables(
     total, done = sum(table.rows for table in tables), 0
     for number, table in enumerate(tables):
         look = _Look(number, table)
-        for rows in parts(table):
+        for start in range(0, table.rows, PART):
+            rows = _part(table, start, look.wanted())
             look.take(rows, duplicates[number])
             _count_endings(rows, endings)
             done += len(rows)
@@ -178,50 +192,74 @@ def _count_endings(rows: pl.DataFrame, endings: dict[str, tuple[int, float, int]
 
 
 def parts(
-    table: TableFile, *, quantities: Sequence[str] | None = None, chosen: pl.Expr | None = None
-) -> Iterator[pl.DataFrame]:
-    """Yield a table's rows as `rows_of` gives them, some at a time, only what is understood.
+    table: TableFile, *, quantities: Sequence[str], step: int, starts: Sequence[int]
+) -> Iterator[pl.DataFrame]:  # fmt: skip
+    """Yield some of a table's rows as `rows_of` gives them, a part at a time; as good as drawn, and always the same.
 
     Parameters
     ----------
-    quantities : that are wanted, beside the exit speed; None: all that the table has.
-    chosen : of the column ``row``, which rows are wanted; None: all.
+    quantities : that are wanted, beside the exit speed.
+    step : one row of so many.
+    starts : first rows of the parts.
     """
-    headings = table.headings if quantities is None else table.headings.only("exit_speed", *quantities)
-    known = [column.heading for column in headings.columns.values()]
-    for start in range(0, table.rows, PART):
-        frame = pl.scan_parquet(table.data).select(known).slice(start, PART).collect()
-        if chosen is None:
-            yield rows_of(frame, headings, first=start)
-            continue
-        wanted = pl.select(row=pl.int_range(start, start + len(frame), dtype=pl.UInt32)).filter(chosen)["row"]
-        if len(wanted):
-            yield rows_of(frame[wanted - start], headings).with_columns(wanted)
+    headings = table.headings.only("exit_speed", *quantities)
+    for start in starts:
+        frame = table.part(start, PART, headings=[column.heading for column in headings.columns.values()])
+        number = np.arange(start, start + len(frame), dtype=np.uint32)
+        number = number[number.astype(np.uint64) * np.uint64(7919) % np.uint64(step) == 0]
+        if len(number):
+            rows = rows_of(frame[number.astype(np.int64) - start], headings)
+            yield rows.with_columns(pl.Series("row", number))
+
+
+def _part(table: TableFile, start: int, quantities: Sequence[str]) -> pl.DataFrame:
+    headings = table.headings.only(*quantities)
+    frame = table.part(start, PART, headings=[column.heading for column in headings.columns.values()])
+    return rows_of(frame, headings, first=start)
 
 
 def _duplicates(tables: Sequence[TableFile]) -> list[NDArray[np.uint32]]:
-    """Return for each table the rows whose pitch stands earlier, in this table or one before."""
+    """Return for each table the rows whose pitch stands earlier, in this table or one before.
+
+    Keys alone are sorted first; rows are asked for only of those that stand there twice, which are few.
+    """
     passes = max(1, -(-sum(table.rows for table in tables) // MOST_KEYS))
     found: list[list[NDArray[np.uint32]]] = [[] for _ in tables]
     for turn in range(passes):
-        keys, places = [], []
-        for number, table in enumerate(tables):
-            key = pitch_key(table.headings)
-            if key is None:
-                continue
-            for rows in parts(table, quantities=KEY_PARTS):
-                known = rows.select("row", key=key).drop_nulls().filter(pl.col("key") % passes == turn)
-                keys.append(known["key"].to_numpy())
-                places.append(known["row"].cast(pl.UInt64).to_numpy() + (np.uint64(number) << np.uint64(40)))
+        keys = [key[known] for _, _, key, known in _keys(tables, passes, turn)]
         if not keys:
             continue
-        key_of, place_of = np.concatenate(keys), np.concatenate(places)
-        order = np.argsort(key_of, kind="stable")
-        again = place_of[order[1:][key_of[order[1:]] == key_of[order[:-1]]]]
-        for number in range(len(tables)):
-            mine = again[(again >> np.uint64(40)) == number]
-            found[number].append((mine & np.uint64((1 << 40) - 1)).astype(np.uint32))
+        every = np.concatenate(keys)
+        keys.clear()
+        every.sort()
+        twice = np.unique(every[1:][every[1:] == every[:-1]])
+        del every
+        if not len(twice):
+            continue
+        seen = np.zeros(len(twice), np.bool_)
+        for number, start, key, known in _keys(tables, passes, turn):
+            place = np.minimum(np.searchsorted(twice, key), len(twice) - 1)
+            rows = np.flatnonzero(known & (twice[place] == key))
+            place = place[rows]
+            first = np.zeros(len(rows), np.bool_)
+            first[np.unique(place, return_index=True)[1]] = True
+            found[number].append((start + rows[~first | seen[place]]).astype(np.uint32))
+            seen[place] = True
     return [np.sort(np.concatenate(one)) if one else np.empty(0, np.uint32) for one in found]
+
+
+def _keys(
+    tables: Sequence[TableFile], passes: int, turn: int
+) -> Iterator[tuple[int, int, NDArray[np.uint64], NDArray[np.bool_]]]:
+    """Yield number of the table, first row, keys of pitches and which of them count in this turn, part by part."""
+    for number, table in enumerate(tables):
+        asked = table.headings.only(*key_quantities(table.headings))
+        if not asked.columns:
+            continue
+        names = [column.heading for column in asked.columns.values()]
+        for start in range(0, table.rows, PART):
+            key, known = pitch_keys(table.part(start, PART, headings=names), table.headings)
+            yield number, start, key, known if passes == 1 else known & (key % np.uint64(passes) == turn)
 
 
 class _Look:
@@ -235,13 +273,22 @@ class _Look:
         self.held: dict[str, int] = {}
         self.endings: set[str] = set()
         self.lost: dict[str, int] = {}
+        held = pl.scan_parquet(table.data).collect_schema()
+        columns = table.headings.columns.items()
+        self.texts = [name for name, one in columns if one.kind != "text" and not held[one.heading].is_numeric()]
+
+    def wanted(self) -> list[str]:
+        """Return the quantities to look at next: what is always looked at, and of what nothing was seen yet."""
+        unseen = [name for name in self.table.headings.columns if not self.held.get(name)]
+        return list(dict.fromkeys((*LOOKED_AT, *self.texts, *unseen)))
 
     def note(self, name: str, rows: pl.DataFrame, condition: pl.Expr | None = None, detail: str = "") -> None:
-        where = rows if condition is None else rows.filter(condition)
+        row = pl.col("row")
+        where = rows.select(row if condition is None else row.filter(condition))["row"]
         if len(where):
             warning = self.seen.setdefault(name, TableWarning(name, self.number, detail=detail))
             warning.count += len(where)
-            warning.rows += (where["row"].head(SHOWN - len(warning.rows)) + 1).to_list()
+            warning.rows += (where.head(SHOWN - len(warning.rows)) + 1).to_list()
 
     def take(self, rows: pl.DataFrame, duplicates: NDArray[np.uint32]) -> None:
         headings = self.table.headings
@@ -250,7 +297,8 @@ class _Look:
             self.counts[reason] += count
         self.days |= set(rows["day"].drop_nulls().unique())
         for name in headings.columns:
-            self.held[name] = self.held.get(name, 0) + rows[name].len() - rows[name].null_count()
+            if name in rows.columns:
+                self.held[name] = self.held.get(name, 0) + rows[name].len() - rows[name].null_count()
         for reason, name in (("untracked", "untracked"), ("bunt", "bunts"), ("foul", "fouls unmeasured"),
                              ("impossible", "impossible"), ("duplicate", "duplicates")):  # fmt: skip
             self.note(name, rows, pl.col("reason") == reason)
@@ -316,7 +364,7 @@ class _Look:
             extra.append(TableWarning("selected", number, self.counts[USED], detail=f"all {next(iter(self.endings))}"))
         if table.headings.has("player_name", "pitcher", "batter"):
             extra.append(TableWarning("name of the pitcher", number, table.rows))
-        if pitch_key(table.headings) is None:
+        if not tells_pitches(table.headings):
             extra.append(TableWarning("cannot find duplicates", number, table.rows))
         for name, held in self.held.items():
             if not held and table.rows:

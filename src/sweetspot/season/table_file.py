@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import gzip
 import zlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -54,10 +54,18 @@ class TableFile:
         """Whether it has as many rows as public exports are cut at."""
         return self.rows > 0 and any(self.rows % size == 0 for size in CUTS)
 
-    def part(self, start: int, count: int) -> pl.DataFrame:
-        """Return some rows, all columns as they are; an empty measurement is a number that is missing."""
-        numbers = [pl.col(name).cast(pl.Float64, strict=False) for name in self.empty]
-        return pl.scan_parquet(self.data).slice(start, count).with_columns(numbers).collect()
+    def part(self, start: int, count: int, *, headings: Sequence[str] | None = None) -> pl.DataFrame:
+        """Return some rows, columns as they are; an empty measurement is a number that is missing.
+
+        Parameters
+        ----------
+        headings : of the columns that are wanted; None: all.
+        """
+        frame = pl.scan_parquet(self.data)
+        frame = frame if headings is None else frame.select(headings)
+        wanted = [name for name in self.empty if headings is None or name in headings]
+        numbers = [pl.col(name).cast(pl.Float64, strict=False) for name in wanted]
+        return frame.slice(start, count).with_columns(numbers).collect()
 
 
 def open_table(path: Path, *, staging: Path, given: Mapping[str, str] | None = None) -> TableFile:

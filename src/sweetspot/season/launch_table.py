@@ -1,0 +1,94 @@
+"""What is known of a ball's flight before it is flown: how far it bends on its way, and what drag does to its carry.
+
+Tabled once with the flight kernel for exit speeds, launch angles and bearings, in thin and in thick air. The bend tells
+where the search for a launch direction begins, and its change how far to turn for what the landing missed.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from sweetspot.equipment.ball import Ball
+from sweetspot.flight.aerodynamics import Aerodynamics
+from sweetspot.flight.air import Air
+from sweetspot.flight.carry_scatter import MORE_DRAG, SPEEDS, braked, usual_launch
+from sweetspot.flight.conditions import FlightConditions
+from sweetspot.flight.kernel import flights
+from sweetspot.numerics.arrays import Array
+from sweetspot.season.balls import Balls
+from sweetspot.season.launch_kernel import fill_between
+from sweetspot.units import DEGREE
+
+ANGLES: Array = np.arange(-85.0, 86.0, 2.5) * DEGREE
+SPRAYS: Array = np.arange(-110.0, 111.0, 5.0) * DEGREE
+BEARINGS: Array = np.arange(-90.0, 91.0, 5.0) * DEGREE
+THIN, THICK = 0.8, 1.0
+"""Of the table's air: its densities; others lie on the straight line through the two."""
+BEND, TURN, PER_DRAG = 0, 1, 2
+"""Values in thin air; those in thick air follow."""
+
+
+@dataclass(frozen=True)
+class Expected:
+    """What a table says of n balls, every array of shape (n,).
+
+    Parameters
+    ----------
+    direction : rad from centre field, positive to right field: about which way they set out.
+    turn : by how much that changes with the bearing.
+    carry_per_drag : m by which the carry grows with the logarithm of drag; negative.
+    """
+
+    direction: Array
+    turn: Array
+    carry_per_drag: Array
+
+
+def expected_of(
+    balls: Balls, bearing: Array, *, ball: Ball, aerodynamics: Aerodynamics, air: Air, density: Array
+) -> Expected:  # fmt: skip
+    """Return what is known of flights that come down in some direction.
+
+    Parameters
+    ----------
+    bearing : where they come down, rad from centre field, shape (n,); 0 where it is not known.
+    ball, aerodynamics, air : of the table.
+    density : of the air that each ball flies through, kg/m^3, shape (n,).
+    """
+    side = np.where(balls.left, -1.0, 1.0)  # a left-handed batter's ball is a right-handed one's in a mirror
+    asked = np.stack([balls.exit_speed, balls.launch_angle, side * bearing])
+    found = np.empty((len(balls), 2 * (PER_DRAG + 1)))
+    fill_between((SPEEDS, ANGLES, BEARINGS), _table(ball, aerodynamics, air), asked, found)
+    thick = (density / air.density - THIN) / (THICK - THIN)
+    bend, turn, per_drag = ((1 - thick) * found[:, value] + thick * found[:, PER_DRAG + 1 + value]
+                            for value in (BEND, TURN, PER_DRAG))  # fmt: skip
+    return Expected(bearing + side * bend, turn, per_drag)
+
+
+@lru_cache(maxsize=8)
+def _table(ball: Ball, aerodynamics: Aerodynamics, air: Air) -> Array:
+    """Return the table for right-handed batters, shape (speeds, angles, bearings, 6)."""
+    return np.ascontiguousarray(np.concatenate(
+        [_values(ball, aerodynamics, share * air.density) for share in (THIN, THICK)], axis=-1
+    ))  # fmt: skip
+
+
+def _values(ball: Ball, aerodynamics: Aerodynamics, density: float) -> Array:
+    speed, angle, spray = (grid.ravel() for grid in np.meshgrid(SPEEDS, ANGLES, SPRAYS, indexing="ij"))
+    launch = usual_launch(speed, angle, spray, left=np.zeros(len(speed), bool))
+    shape = (len(SPEEDS), len(ANGLES), len(SPRAYS))
+    flown, again = (
+        flights(launch, FlightConditions(ball=ball, aerodynamics=law, air=np.full(len(speed), density)))
+        for law in (aerodynamics, braked(aerodynamics))
+    )
+    landed = np.unwrap(np.nan_to_num(flown.bearing).reshape(shape), axis=2)
+    longer = np.nan_to_num((again.carry - flown.carry) / np.log1p(MORE_DRAG)).reshape(shape)
+    bend, turn, per_drag = np.empty((3, len(SPEEDS), len(ANGLES), len(BEARINGS)))
+    for place in np.ndindex(*shape[:2]):
+        bend[place] = np.interp(BEARINGS, landed[place], SPRAYS - landed[place])
+        turn[place] = 1 + np.gradient(bend[place], BEARINGS)
+        per_drag[place] = np.interp(BEARINGS, landed[place], longer[place])
+    return np.stack([bend, turn, per_drag], axis=-1)
