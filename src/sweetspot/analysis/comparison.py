@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Generic
 
 import numpy as np
@@ -26,12 +27,14 @@ from sweetspot.motion.swing import MAX_SPEED, Conditions
 from sweetspot.motion.swing_law import Interval, SwingLaw, turned_faster
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.notebook_display import ShownInNotebooks
-from sweetspot.numerics.parabola import peak
+from sweetspot.numerics.parabola import peak, top
 from sweetspot.units import insisted
 
 ACCURACY = 1e-9
 """m/s of exit speed to which a break-even bat speed is found."""
 TRIALS = 30
+NEARBY, RIVAL = 7, 3.0
+"""Places on either side of the best one that another swing is tried at, and m/s below it from which tops are rivals."""
 USUAL_SLOPE = 1.2
 """About 1 + q: exit speed gained by bat speed, where no two swings tell."""
 
@@ -206,19 +209,63 @@ def best_exit_speeds(modes: Modes, *, positions: Array, swung: Sequence[Conditio
 
     All swings meet the same ball.
     """
+    return [peak(curve) for curve in _exit_speeds(modes, positions=positions, swung=swung)]
+
+
+def _exit_speeds(modes: Modes, *, positions: Array, swung: Sequence[Conditions]) -> list[Array]:
+    """Return the exit speeds of the same, swing by swing."""
     bat_speeds = [one.swing.angular_speed * (positions - one.swing.pivot) for one in swung]
     pitches = [one.pitch.speed for one in swung]
     closing = np.concatenate([pitch + speed for pitch, speed in zip(pitches, bat_speeds, strict=True)])
     done = hits(modes, ball=swung[0].ball, position=np.tile(positions, len(swung)), closing_speed=closing)
     shared = np.split(done.collision_efficiency, len(swung))
     return [
-        peak(exit_speed(efficiency, ball_speed=pitch, bat_speed=speed))
+        exit_speed(efficiency, ball_speed=pitch, bat_speed=speed)
         for efficiency, pitch, speed in zip(shared, pitches, bat_speeds, strict=True)
     ]
 
 
-def _break_even_speed(modes: Modes, *, positions: Array, swung: Sequence[Conditions], exits: Interval,
-                     exit_speed: float) -> float:  # fmt: skip
+@dataclass(frozen=True)
+class _Barrel:
+    """Where a bat hits best with other swings than the one it was scanned with.
+
+    The best place moves by millimetres with the swing, so hits at `NEARBY` places on either side tell; where the top is
+    not inside them, or the curve has other tops nearly as high, the whole barrel is hit.
+
+    Parameters
+    ----------
+    positions : m from the knob end, increasing.
+    known : m/s, exit speeds there with the swing of the scan.
+    """
+
+    modes: Modes
+    positions: Array
+    known: Array
+
+    def best(self, swung: Sequence[Conditions]) -> list[float]:
+        """Return the greatest exit speed in m/s, swing by swing."""
+        near = self._near
+        curves = _exit_speeds(self.modes, positions=self.positions[near], swung=swung)
+        if all(self._inside(near, top(curve)[0]) for curve in curves):
+            return [peak(curve) for curve in curves]
+        return best_exit_speeds(self.modes, positions=self.positions, swung=swung)
+
+    @cached_property
+    def _near(self) -> slice:
+        at, _, height = top(self.known)
+        inner, last = self.known[1:-1], len(self.known)
+        rivals = 1 + np.flatnonzero((inner > height - RIVAL) & (inner >= self.known[:-2]) & (inner >= self.known[2:]))
+        if np.any(np.abs(rivals - at) > NEARBY) or np.isnan(self.known).any():
+            return slice(0, last)
+        first = max(0, min(at - NEARBY, last - 2 * NEARBY - 1))
+        return slice(first, min(first + 2 * NEARBY + 1, last))
+
+    def _inside(self, near: slice, index: int) -> bool:
+        """Return whether a top of hits nearby is one of the whole barrel too: not at an end that is none there."""
+        return (index > 0 or near.start == 0) and (near.start + index < near.stop - 1 or near.stop == len(self.known))
+
+
+def _break_even_speed(barrel: _Barrel, *, swung: Sequence[Conditions], exits: Interval, exit_speed: float) -> float:
     """Return the bat speed in m/s, where the swing measures it, that gives this greatest exit speed.
 
     It is nan when no bat speed that a swing may have does.
@@ -230,7 +277,7 @@ def _break_even_speed(modes: Modes, *, positions: Array, swung: Sequence[Conditi
 
     def excess(bat_speed: float) -> float:
         swing = swung[0].swing.replaced(bat_speed=bat_speed)
-        return best_exit_speeds(modes, positions=positions, swung=[swung[0].replaced(swing=swing)])[0] - exit_speed
+        return barrel.best([swung[0].replaced(swing=swing)])[0] - exit_speed
 
     speed, *ends = (one.swing.bat_speed for one in swung)
     known = max(ends) - min(ends)
@@ -249,18 +296,18 @@ def _break_even_speed(modes: Modes, *, positions: Array, swung: Sequence[Conditi
 def _compared(
     label: str, analysis: Analysis[Given], swung: list[Conditions], reference: Compared[Given] | None
 ) -> Compared[Given]:
-    body, along, modes = analysis.body, analysis.scan, analysis.modes
-    barrel = along.position > body.balance_point
-    places = on_barrel(along.position, body)
-    exits = Interval(*best_exit_speeds(modes, positions=places, swung=swung))
+    body, along = analysis.body, analysis.scan
+    outer = along.position > body.balance_point
+    barrel = _Barrel(analysis.modes, along.position[outer], along.exit_speed[outer])
+    exits = Interval(peak(barrel.known), *barrel.best(swung[1:]))
     known = exits.value if reference is None else reference.exit_speed.value
     return Compared(
         label=label,
         analysis=analysis,
-        collision_efficiency=peak(along.collision_efficiency[barrel]),
-        bbcor=peak(along.bbcor[barrel]),
+        collision_efficiency=peak(along.collision_efficiency[outer]),
+        bbcor=peak(along.bbcor[outer]),
         bat_speed=Interval(*(conditions.swing.bat_speed for conditions in swung)),
         exit_speed=exits,
         change=exits.shifted(-known),
-        break_even=_break_even_speed(modes, positions=places, swung=swung, exits=exits, exit_speed=known),
+        break_even=_break_even_speed(barrel, swung=swung, exits=exits, exit_speed=known),
     )
