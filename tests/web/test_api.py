@@ -233,6 +233,8 @@ def test_files_travel_packed_to_those_who_can_unpack(server: str) -> None:
     assert "content-encoding" not in plain.headers
     assert packed.content == plain.content
     assert int(packed.headers["content-length"]) < len(plain.content) / 2
+    answer = httpx.post(f"{server}/api/v1/explorer", json={}, headers={"accept-encoding": "gzip"})
+    assert answer.headers["content-encoding"] == "gzip" and answer.json()["bat"]
 
 
 HALVES = {

@@ -205,6 +205,33 @@ def test_the_last_question_wins(run: Callable[[str], Any]) -> None:
     assert drawn == [["first", 1], ["last", 3]]
 
 
+def test_the_first_question_goes_apart_and_falls_back_on_the_line(run: Callable[[str], Any]) -> None:
+    """Its answer is drawn and not asked for again; where none comes the line asks; a line that was lost asks again."""
+    sent, drawn = run("""(async () => {
+      const [sent, drawn, Real, real] = [[], [], window.WebSocket, window.fetch];
+      window.WebSocket = class {
+        static OPEN = 1; readyState = 0;
+        send(text) { sent.push(JSON.parse(text)); }
+      };
+      for (const gone of [false, true]) {
+        window.fetch = async (path, { body }) => {
+          if (gone) throw new Error("gone");
+          return { ok: true, status: 200, json: async () => `${path} ${body}` };
+        };
+        const line = new m.socket.Line({ apart: true, onAnswer: (view, answer) => drawn.push(answer), onStatus() {} });
+        line.ask("v", { a: 1 });
+        await new Promise((done) => setTimeout(done, 0));
+        line.socket.readyState = 1;
+        line.socket.onopen();
+        if (!gone) line.back = true, line.socket.onopen();  // lost, and there again
+      }
+      [window.WebSocket, window.fetch] = [Real, real];
+      return [sent, drawn];
+    })()""")
+    assert drawn == ['/api/v1/v {"a":1}']
+    assert sent == 2 * [{"id": 2, "view": "v", "state": {"a": 1}}]
+
+
 def test_the_controls_of_another_bat_keep_its_part_of_the_state(run: Callable[[str], Any]) -> None:
     """What is as usual is left out; what is to be undone together is handed on."""
     seen = run("""(() => {

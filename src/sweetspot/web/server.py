@@ -12,6 +12,7 @@ from fastapi import APIRouter, FastAPI, Request, Response, WebSocket
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import HTMLResponse, JSONResponse
 from starlette.exceptions import HTTPException
+from starlette.middleware.gzip import GZipMiddleware
 
 from sweetspot import __version__
 from sweetspot.errors import SweetspotError
@@ -30,6 +31,8 @@ from sweetspot.web.views import VIEWS
 LOCAL_NAMES = ("localhost", "testserver")
 API = "/api/v1"
 NOT_FOUND = 404
+PACKED_FROM, PACKED_AT = 1000, 3
+"""Bytes from which an answer is packed for those who can unpack it, and how thoroughly: 30 kB take 0.3 ms."""
 LAST_WORK = 10.0
 """s that a server which ends waits for what it was still preparing."""
 _BROKEN = "this question breaks the program; the fault is not yours. Please report it with the question"
@@ -70,6 +73,7 @@ def create_app(*, names: Iterable[str] = ()) -> FastAPI:
         lifespan=life,
     )
     app.state.answers = answers
+    app.add_middleware(GZipMiddleware, minimum_size=PACKED_FROM, compresslevel=PACKED_AT)
     app.add_middleware(Guard, names=(*LOCAL_NAMES, *names))
     app.add_exception_handler(RequestValidationError, _invalid)
     app.add_exception_handler(HTTPException, _refused)

@@ -459,6 +459,7 @@ export class App {
     element("terms").addEventListener("click", () => listTerms());
     partOf(element("fault"), "button", HTMLElement).addEventListener("click", () => this.reset());
     this.line = new Line({
+      apart: true,
       onAnswer: (view, answer, state) => view === this.name && this.answers(answer, state),
       onFault: (view, fault, state) => view === this.name && this.faulted(fault, state),
       onStatus: (status) => {

@@ -3,23 +3,49 @@
 const SLOW = 4000; // ms after which a missing answer is said to be slow
 const AGAIN = 1000; // ms until a question that took too long is asked again
 const FIRST_WAIT = 250, LONGEST_WAIT = 4000;
+const PATIENCE = 1500; // ms that the first answer may take apart; then the line asks, and hears how far it is
 
 export class Line {
   // onAnswer(view, answer, state), onFault(view, {field, message}, state), onStatus("open" | "lost" | "slow" | "preparing")
-  constructor({ onAnswer, onFault, onStatus }) {
+  // apart: whether the first question is a request of its own, whose answer comes packed
+  constructor({ onAnswer, onFault, onStatus, apart = false }) {
+    this.apart = apart;
     this.handlers = { onAnswer, onFault, onStatus };
     this.asked = new Map(); // view -> {id, state} under way
     this.next = new Map(); // view -> state to ask when that one is answered
     this.last = null; // {view, state} to ask again after a loss
     this.id = 0;
     this.wait = FIRST_WAIT;
+    this.back = false; // whether this line was lost before
     this.open();
   }
 
   ask(view, state) {
     this.last = { view, state };
     this.next.set(view, state);
-    this.flush();
+    if (this.apart && this.id === 0) this.askApart(view, state);
+    else this.flush();
+  }
+
+  async askApart(view, state) {
+    this.id += 1;
+    const asked = { id: this.id, state };
+    this.next.delete(view);
+    this.asked.set(view, asked);
+    try {
+      const response = await fetch(`/api/v1/${view}`, {
+        method: "POST", headers: { "content-type": "application/json" }, body: JSON.stringify(state),
+        signal: AbortSignal.timeout(PATIENCE),
+      });
+      const table = await response.json();
+      if (!response.ok && response.status !== 422) throw new Error(`status ${response.status}`);
+      this.take({ id: asked.id, ...(response.ok ? { answer: table } : table) });
+    } catch { // the line is asked then
+      if (this.asked.get(view) !== asked) return;
+      this.asked.delete(view);
+      if (!this.next.has(view)) this.next.set(view, state);
+      this.flush();
+    }
   }
 
   open() {
@@ -28,7 +54,7 @@ export class Line {
     this.socket.onopen = () => {
       this.wait = FIRST_WAIT;
       this.handlers.onStatus("open");
-      if (this.last && !this.next.has(this.last.view)) this.next.set(this.last.view, this.last.state);
+      if (this.back && this.last && !this.next.has(this.last.view)) this.next.set(this.last.view, this.last.state);
       this.flush();
     };
     this.socket.onmessage = (event) => this.take(JSON.parse(event.data));
@@ -38,6 +64,7 @@ export class Line {
   lost() {
     clearTimeout(this.slow);
     this.asked.clear();
+    this.back = true;
     this.handlers.onStatus("lost");
     setTimeout(() => this.open(), this.wait);
     this.wait = Math.min(2 * this.wait, LONGEST_WAIT);
