@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from enum import StrEnum
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,8 +19,10 @@ from sweetspot.design.variables import DENSITY_SPREAD, MODULUS_SPREAD, Implement
 from sweetspot.dynamics.batch.beams import BeamRow
 from sweetspot.dynamics.batch.reduction import ReducedBats, reduced_lines, reduced_outlines
 from sweetspot.dynamics.beam import beam_model
+from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
+from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing_law import TWO_SIDED_95, SwingLaw
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import INCH, MPH
@@ -151,14 +154,20 @@ class Gain:
 def present_measured(bench: Bench) -> Measured:
     """Return the batter's present bat, as it is described and not as the handles have it, on the same bench."""
     present = bench.space.present
-    beams = BeamRow([beam_model(present)])
-    bats = reduced_lines(beams.lines, ball=bench.conditions.ball)
+    beams, bats = _reduced(present, bench.conditions.ball)
     breaking = bench.breaking
     if breaking is not None and isinstance(present, Bat):
         breaking = breaking_of(present, bench.batter)  # of its own material
         bench = replace(bench, breaking=breaking)
     handles = None if breaking is None else (beams, present.width_at(breaking.position)[None])
     return bench.of_bats(bats, _sizes(bench), present.width_at(present.length - FROM_TIP)[None], handles)
+
+
+@lru_cache(maxsize=32)
+def _reduced(present: Implement, ball: Ball) -> tuple[BeamRow, ReducedBats]:
+    """Return the present bat as a beam and ready to be hit, which no batter changes."""
+    beams = BeamRow([beam_model(present)])
+    return beams, reduced_lines(beams.lines, ball=ball)
 
 
 def gain_of(bench: Bench, numbers: Array, design: Measured, now: Measured) -> Gain:

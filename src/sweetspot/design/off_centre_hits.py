@@ -7,12 +7,13 @@ met is a little harder to hit well, and that is all that its width does here.
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 
 import numpy as np
 
 from sweetspot.collision.hit_in_space import Contact, strikes
 from sweetspot.design.batter import Batter
-from sweetspot.dynamics.reduction import reduced_bat
+from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.motion.ball_motion import BallMotions
@@ -39,10 +40,16 @@ def off_centre(bat: Bat, ball: Ball, batter: Batter) -> tuple[Array, Array]:
     pitch = max(batter.pitch_speed, 1e-6) * np.array([0.0, -math.cos(DESCENT), -math.sin(DESCENT)])
     speed = batter.bat_speed
     done = strikes(
-        reduced_bat(bat, ball=ball), ball=ball, swings=Swings(speed, axes),
+        _reduced(bat, ball), ball=ball, swings=Swings(speed, axes),
         pitches=BallMotions(velocity=pitch, spin=np.zeros(3)),
         contact=Contact(place, both * reach),
     )  # fmt: skip
     left = np.asarray(done.exit_speed).reshape(2, len(SINES))
     left = np.where(np.isfinite(left), left, 0.0).mean(axis=0)
     return SINES, left / left[0]
+
+
+@lru_cache(maxsize=32)
+def _reduced(bat: Bat, ball: Ball) -> ReducedBat[Bat]:
+    """Return the present bat's beam and modes, which no batter changes."""
+    return reduced_bat(bat, ball=ball)

@@ -9,7 +9,7 @@ from sweetspot.catalog.sports import sport
 from sweetspot.design.gain import present_measured
 from sweetspot.design.hollow import hollow_space
 from sweetspot.design.limits import Limit, band, lathe_limits, league_limits
-from sweetspot.design.measures import Bench
+from sweetspot.design.measures import Bench, Measured
 from sweetspot.design.other_sports import club_space, cricket_space, racket_space
 from sweetspot.design.turned import TurnedSpace, turned_space
 from sweetspot.design.variables import Space
@@ -91,6 +91,7 @@ def kept_limits(
     bands: Sequence[Limit] = (),
     league: League | None,
     handle: float | None = None,
+    now: Measured | None = None,
 ) -> tuple[Limit, ...]:
     """Return the limits of a question about the bats of a bench.
 
@@ -100,9 +101,11 @@ def kept_limits(
     bands : other limits that somebody gave.
     league : whose rules are kept; None: nobody's.
     handle : smallest diameter of the grip, m; None: the present one's, so that the bat breaks no sooner.
+    now : the present bat, measured on this bench; None: it is measured here.
     """
-    present, now = bench.space.present, present_measured(bench).values
-    found = [band(name, float(now[name][0]), part=WITHIN) for name in kept if name != "handle" and name in now]
+    present = bench.space.present
+    values = (now or present_measured(bench)).values
+    found = [band(name, float(values[name][0]), part=WITHIN) for name in kept if name != "handle" and name in values]
     found += bands
     if league is not None:
         left_out = set() if bench.tested else {"bbcor", "bpf"}
@@ -111,9 +114,9 @@ def kept_limits(
         found += [one for one in league_limits(league, present) if one.measure not in left_out]
     if isinstance(bench.space, TurnedSpace):
         if "handle" in kept:
-            found.append(band("handle", float(now["handle"][0]), part=GRIP_WITHIN))
+            found.append(band("handle", float(values["handle"][0]), part=GRIP_WITHIN))
         else:
-            least = float(now["handle"][0]) if handle is None else handle
+            least = float(values["handle"][0]) if handle is None else handle
             found.append(Limit("handle", 0.999 * least, None, "breaking"))
         found += lathe_limits()
     return tuple(found)

@@ -9,6 +9,8 @@ from pathlib import Path
 from shlex import quote
 from typing import Any, TypeVar
 
+import numpy as np
+
 from sweetspot.analysis.certification.rules import check_rules, title
 from sweetspot.calibration.measured import REACH
 from sweetspot.catalog.files.write import bat_toml
@@ -98,11 +100,11 @@ def answer(state: DesignState) -> dict[str, Any]:
 
 def _made(request: Asked, numbers: Array, *, own: bool) -> tuple[Bat, Measured]:
     """Return the bat of some numbers and what it is; while nothing was changed, the present bat to the last digit."""
-    space = request.bench.space
-    measured = request.bench.measured(numbers)
+    space, now = request.bench.space, request.now
     if not own:
-        now = request.now
-        return _present(request), Measured({**measured.values, **now.values}, now.curve, now.worth)
+        sizes = space.shapes(np.atleast_2d(numbers))
+        return _present(request), Measured({**sizes, **now.values}, now.curve, now.worth)
+    measured = request.bench.measured(numbers)
     bat = space.made(numbers, f"{space.present.name}, designed")
     assert isinstance(bat, Bat)
     return bat, measured

@@ -144,7 +144,7 @@ def limits_of(state: DesignState) -> tuple[Limit, ...]:
 def _limits(state: DesignState) -> tuple[Limit, ...]:
     request = asked(state)
     kept = [measure for field, measure in LOCKS.items() if getattr(state, field)]
-    return kept_limits(request.bench, kept, league=league_of(state, request))
+    return kept_limits(request.bench, kept, league=league_of(state, request), now=request.now)
 
 
 def locks_of(state: DesignState) -> tuple[Limit, ...]:
