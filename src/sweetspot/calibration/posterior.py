@@ -148,6 +148,20 @@ def _misses(
     return quick
 
 
+def _once(misses: Callable[[Array], Array]) -> Callable[[Array], Array]:
+    """Return the same function, which remembers the last place that it was asked for."""
+    last: dict[bytes, Array] = {}
+
+    def remembered(x: Array) -> Array:
+        place = x.tobytes()
+        if place not in last:
+            last.clear()
+            last[place] = misses(x)
+        return last[place]
+
+    return remembered
+
+
 def _said(
     line: BeamModel, unknowns: Sequence[Unknown], deviations: Array, measurements: Sequence[Measurement]
 ) -> Array:
@@ -187,7 +201,7 @@ def calibrate(line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequen
     if not measurements:
         raise InputError("nothing was measured; give at least a weight, a balance point, a pendulum's period or a tap")
     spreads = np.array([one.spread for one in unknowns])
-    misses = _misses(line, unknowns, measurements)
+    misses = _once(_misses(line, unknowns, measurements))
 
     def forward(x: Array) -> Array:
         here = misses(x)

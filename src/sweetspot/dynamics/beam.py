@@ -6,7 +6,6 @@ so Gauss-Legendre quadrature on each piece gives the mass integrals exactly, to 
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -106,27 +105,29 @@ def density_scale(line: BeamModel, position: Array) -> Array:
     return line.density_factor * (1 + line.density_gradient * (2 * part - 1) + grip)
 
 
-def integrate(line: BeamModel, density_of: Callable[[Array], Array]) -> float:
-    """Integrate a function of position over the bat, piece by piece between its breakpoints."""
-    places, weights = quadrature(line.bat.breakpoints())
-    return float(np.sum(weights * density_of(places)))
-
-
 def moments(line: BeamModel) -> tuple[float, float, float]:
-    """Return mass (kg), first moment (kg m) and second moment (kg m^2) about the knob end.
+    """Return mass (kg), first moment (kg m) and second moment (kg m^2) about the knob end; see `moments_with_roll`."""
+    return moments_with_roll(line)[:3]
 
-    The second moment includes the rotary inertia of the sections, the point masses, and what was measured beyond them.
+
+def moments_with_roll(line: BeamModel) -> tuple[float, float, float, float]:
+    """Return mass (kg), first moment (kg m) and second moment (kg m^2) about the knob end, and about the bat's axis.
+
+    The second moment includes the rotary inertia of the sections, the point masses, and what was measured beyond them;
+    the last one what point masses have of their own.
     """
     places, weights = quadrature(line.bat.breakpoints())
     at = section(line, places)
     zeroth = float(np.sum(weights * at.mass))
     first = float(np.sum(weights * at.mass * places)) + line.unplaced[0]
     second = float(np.sum(weights * (at.mass * places**2 + at.rotary_inertia))) + line.unplaced[1]
+    roll = float(np.sum(weights * at.roll_inertia))
     for weight in line.point_masses:
         zeroth += weight.mass
         first += weight.mass * weight.position
         second += weight.mass * weight.position**2 + weight.moi
-    return zeroth, first, second
+        roll += weight.roll_moi
+    return zeroth, first, second, roll
 
 
 def _fitted(bat: Implement, known: DensityRange) -> BeamModel:

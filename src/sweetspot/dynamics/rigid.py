@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.dynamics.beam import BeamModel, integrate, moments, section
+from sweetspot.dynamics.beam import BeamModel, moments_with_roll
 from sweetspot.equipment.base import Real
 from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_GRAVITY
@@ -59,10 +59,8 @@ def rigid_body(line: BeamModel) -> RigidBody:
     >>> round(body.mass, 3), round(body.balance_point, 3), round(body.moi(0.1524), 3)  # kg, m, kg m^2 about 6 in
     (0.879, 0.56, 0.188)
     """
-    mass, first, second = moments(line)
+    mass, first, second, roll = moments_with_roll(line)
     balance_point = first / mass
-    roll = integrate(line, lambda position: section(line, position).roll_inertia)
-    roll += sum(weight.roll_moi for weight in line.point_masses)
     return RigidBody(mass, balance_point, second - first * balance_point, roll)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, lru_cache
 
 import numpy as np
 
@@ -12,12 +12,16 @@ GAUSS_POINTS = 6
 """Exact to degree 11; the highest degree met is 10 (r^4 of a cone times the density of a heavier grip)."""
 
 
+@lru_cache(maxsize=256)
 def quadrature(edges: tuple[float, ...]) -> tuple[Array, Array]:
-    """Return Gauss-Legendre positions and weights on every piece between ``edges``, one after the other."""
+    """Return Gauss-Legendre positions and weights on every piece between ``edges``, one after the other; read-only."""
     nodes, weights = rule()
     left, width = np.array(edges[:-1]), np.diff(edges)
     places = left[:, None] + width[:, None] * (nodes + 1) / 2
-    return places.ravel(), (width[:, None] * weights / 2).ravel()
+    found = places.ravel(), (width[:, None] * weights / 2).ravel()
+    for values in found:  # they are shared
+        values.flags.writeable = False
+    return found
 
 
 @cache
