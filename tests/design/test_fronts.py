@@ -49,14 +49,9 @@ def test_who_meets_the_ball_inside_gets_a_torpedo(
     assert far - near > 0.3 * INCH
 
 
-def test_slopes_are_those_of_other_steps(bench: Bench) -> None:
-    numbers = bench.space.start.copy()
-    numbers[len(HANDLES)] = 0.3 * INCH
-    for measure in ("exit_speed", "moi", "zone"):
-        one, two = (gradient(bench, numbers, measure, step=step) for step in (1e-4, 3e-4))
-        assert np.abs(one - two).max() < 0.02 * np.abs(one).max()
+def test_slopes_of_what_is_not_measured_are_refused(bench: Bench) -> None:
     with pytest.raises(InputError, match="no measure"):
-        gradient(bench, numbers, "beauty")
+        gradient(bench, bench.space.start, "beauty")
 
 
 def test_another_way_of_looking_finds_no_better_bat(

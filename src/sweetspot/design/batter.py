@@ -11,8 +11,6 @@ from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.units import INCH
 
-OFFSETS = np.linspace(-2.0, 2.0, 41)
-"""Standard deviations of the offset that are summed over."""
 RARE = 0.02
 """Part of the contacts on either side that is left out: the farthest of a scatter would be met once in a career."""
 USUAL_PLACES = 8

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,9 +16,10 @@ from sweetspot.collision.closed_form import restitution_from_efficiency
 from sweetspot.collision.hits_of_bats import struck
 from sweetspot.collision.kernel import STEP
 from sweetspot.collision.time_step import contact_step
-from sweetspot.design.batter import OFFSETS, Batter
+from sweetspot.design.batter import Batter
 from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.durability import BatterHits, Breaking, breaking_of, margins
+from sweetspot.design.off_centre_hits import WIDTHS, kept_at_widths, off_centre
 from sweetspot.design.variables import Space
 from sweetspot.dynamics.batch.beams import Beams
 from sweetspot.dynamics.batch.bending import BendingBatch
@@ -29,11 +32,12 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.units import INCH, OUNCE
 
+if TYPE_CHECKING:
+    from scipy.interpolate import PchipInterpolator
+
 SWING_TIME = 0.15
 """s from the start of a swing to contact, with the present bat (assumed; only differences of bats are asked for)."""
-SOFT_EDGE = 0.1
-"""m/s over which a place passes from outside the zone to inside, so that its width changes without steps."""
-FINE = np.linspace(FROM_TIP[0], FROM_TIP[-1], 241)
+HALVINGS = 45
 
 
 @dataclass(frozen=True)
@@ -166,13 +170,11 @@ class Bench:
         curve = efficiency * pitch + (1 + efficiency) * speed
         worth = np.maximum(curve, 0.0) * self.kept_of(widths)
         best, place = _tops(curve)
-        fine = _interpolated(curve)
-        inside = np.clip((fine - (best - ZONE_LOSS)[:, None]) / SOFT_EDGE + 0.5, 0.0, 1.0)
         values = dict(shapes) | {
             "exit_speed": worth @ self.batter.weight,
             "best": best,
             "best_from_tip": place,
-            "zone": inside.mean(axis=1) * (FINE[-1] - FINE[0]),
+            "zone": _zone(curve, best - ZONE_LOSS),
             "sting": self._sting(bats, done.displacement, done.velocity) @ self.batter.weight,
             "bat_speed": turning * (bending.length - self.batter.speed_from_tip - pivot),
             "swing_time": SWING_TIME / ratio,
@@ -208,12 +210,15 @@ class Bench:
 
     def kept_of(self, widths: Array) -> Array:
         """Return the part of the exit speed that this batter's scatter about the axis leaves, of the widths' shape."""
-        offset = self.batter.offset + OFFSETS * self.batter.offset_spread
-        weight = np.exp(-(OFFSETS**2) / 2)
-        reach = self.conditions.ball.radius + widths / 2
-        sine = np.abs(offset) / reach[..., None]
-        left = np.interp(sine, self.sine, self.kept, right=0.0)
-        return np.asarray(left @ (weight / weight.sum()))
+        return np.asarray(self._keeping(np.minimum(widths, self._keeping.x[-1])))
+
+    @cached_property
+    def _keeping(self) -> PchipInterpolator:
+        from scipy.interpolate import PchipInterpolator
+
+        return PchipInterpolator(
+            WIDTHS, kept_at_widths(self.sine, self.kept, batter=self.batter, ball=self.conditions.ball)
+        )
 
     def _sting(self, bats: ReducedBats, displacement: Array, velocity: Array) -> Array:
         """Return the vibration at the hands, m/s of shape (n, places); see `position_scan.sting`."""
@@ -254,7 +259,6 @@ def bench_of(space: Space, batter: Batter, conditions: Conditions, *, durable: b
     InputError
         when the present bat is no heavier than the ball, or how much its material bears is not known.
     """
-    from sweetspot.design.off_centre_hits import off_centre
     from sweetspot.dynamics.beam import beam_model
     from sweetspot.dynamics.rigid import rigid_body
 
@@ -292,9 +296,24 @@ def _tops(curve: Array) -> tuple[Array, Array]:
     return here - 0.25 * (before - after) * shift, FROM_TIP[index] + shift * step
 
 
-def _interpolated(curve: Array) -> Array:
-    """Return curves over `FROM_TIP` at `FINE`, straight lines between."""
-    at = (FINE - FROM_TIP[0]) / (FROM_TIP[1] - FROM_TIP[0])
-    low = np.minimum(at.astype(int), len(FROM_TIP) - 2)
-    part = at - low
-    return np.asarray(curve[:, low] * (1 - part) + curve[:, low + 1] * part)
+def _zone(curve: Array, least: Array) -> Array:
+    """Return the length over which every curve over `FROM_TIP` lies above a speed, m, shape (n,).
+
+    Between the places the curves are piecewise cubics that never overshoot, so that each crosses the speed at most once
+    there; where, is halved in on, and the width changes without steps.
+    """
+    from scipy.interpolate import PchipInterpolator
+
+    cubic = PchipInterpolator(FROM_TIP, curve, axis=1).c  # (4, places - 1, n)
+    above = curve - least[:, None]
+    first, last = above[:, :-1] > 0, above[:, 1:] > 0
+    rows, cells = np.nonzero(first != last)
+    third, second, slope, start = cubic[:, cells, rows]
+    low, high = np.zeros(len(rows)), np.diff(FROM_TIP)[cells]
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        same = (((third * middle + second) * middle + slope) * middle + start > least[rows]) == first[rows, cells]
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    inside = np.diff(FROM_TIP) * (first & last)
+    inside[rows, cells] = np.where(first[rows, cells], low, np.diff(FROM_TIP)[cells] - low)
+    return np.asarray(inside.sum(axis=1))

@@ -24,6 +24,11 @@ from sweetspot.units import DEGREE
 ATTACK, TILT, DESCENT = 9 * DEGREE, 35 * DEGREE, 6 * DEGREE
 """Usual attack angle and tilt of the swing and descent of the pitch; the part kept hardly depends on them (assumed)."""
 SINES = np.linspace(0.0, 0.97, 33)
+WIDTHS = np.linspace(0.0, 0.4, 801)
+"""m; places thicker than that keep what the thickest keeps."""
+REACH = 2.0
+"""Standard deviations of the offset that are looked at; nobody counts the rest as contacts."""
+NODES = 24
 
 
 def off_centre(bat: Bat, ball: Ball, batter: Batter) -> tuple[Array, Array]:
@@ -53,3 +58,29 @@ def off_centre(bat: Bat, ball: Ball, batter: Batter) -> tuple[Array, Array]:
 def _reduced(bat: Bat, ball: Ball) -> ReducedBat[Bat]:
     """Return the present bat's beam and modes, which no batter changes."""
     return reduced_bat(bat, ball=ball)
+
+
+def kept_at_widths(sine: Array, kept: Array, *, batter: Batter, ball: Ball) -> Array:
+    """Return the part of the exit speed that a batter's scatter about the axis leaves at `WIDTHS`.
+
+    The mean over offsets within `REACH` standard deviations, by quadrature on either side of the axis up to the last
+    sine: what is farther out is a miss. So the mean follows the width without steps.
+
+    Parameters
+    ----------
+    sine, kept : sines of angles and the parts kept there; see `off_centre`.
+    """
+    from scipy.interpolate import PchipInterpolator
+
+    part, count = PchipInterpolator(sine, kept), np.polynomial.legendre.leggauss(NODES)
+    farthest = sine[-1] * (ball.radius + WIDTHS / 2) if sine[-1] < 1 else np.full(len(WIDTHS), np.inf)
+    ends = batter.offset + batter.offset_spread * np.array([-REACH, REACH])
+    found = np.zeros(len(WIDTHS))
+    for low, high in ((ends[0], min(0.0, ends[1])), (max(0.0, ends[0]), ends[1])):
+        first, last = np.clip(low, -farthest, farthest), np.clip(high, -farthest, farthest)
+        half = np.maximum(last - first, 0.0) / 2
+        offset = ((first + last) / 2)[:, None] + half[:, None] * count[0]
+        density = np.exp(-(((offset - batter.offset) / batter.offset_spread) ** 2) / 2)
+        angle = np.abs(offset) / (ball.radius + WIDTHS / 2)[:, None]
+        found += half * ((part(angle) * density) @ count[1])
+    return np.asarray(found / (batter.offset_spread * math.sqrt(2 * math.pi) * math.erf(REACH / math.sqrt(2))))
