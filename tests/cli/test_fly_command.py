@@ -92,7 +92,7 @@ def test_two_way_table(run: Run, run_json: RunJson) -> None:
     ranges = ("--exit-speed", "90mph:110mph:3", "--launch-angle", "20deg:40deg:5")
     _, out, _ = run("fly", *ranges)
     lines = out.splitlines()
-    assert lines[0].strip() == "carry in ft: exit speed in mph down, launch angle in ° across"
+    assert lines[0].strip() == "carry (ft): exit speed (mph) down, launch angle (°) across"
     assert lines[1].split() == ["20.0", "25.0", "30.0", "35.0", "40.0"]
     assert [line.split()[0] for line in lines[2:5]] == ["90.0", "100.0", "110.0"]
     found = run_json("fly", *ranges)
@@ -108,7 +108,7 @@ def test_weather_down_and_elevation_across(run: Run) -> None:
         "fly", "--temperature", "50degF:90degF:3", "--elevation", "0ft:5000ft:2", "--cell", "hang-time"
     )  # fmt: skip
     lines = out.splitlines()
-    assert lines[0].strip() == "hang time in s: temperature in °F down, elevation in ft across"
+    assert lines[0].strip() == "hang time (s): temperature (°F) down, elevation (ft) across"
     assert [line.split()[0] for line in lines[2:5]] == ["50", "70", "90"]
 
 

@@ -155,5 +155,5 @@ def test_the_usual_spin_of_a_pop_up_is_not_guessed() -> None:
         check_usual_spin(angle * DEGREE, known=False)
     for angle in (-15.1, 50.1, 80.0):
         check_usual_spin(angle * DEGREE, known=True)
-        with pytest.raises(InputError, match="known for -15 to 50 deg only; give backspin and sidespin"):
+        with pytest.raises(InputError, match="known for -15 to 50 deg only; give the spin"):
             check_usual_spin(angle * DEGREE, known=False)

@@ -112,8 +112,12 @@ def _opened(values: Array, window: int) -> Array:
 
 
 def min_sting(scan: Scan, *, body: RigidBody) -> float:
-    """Return where on the barrel the hands feel least vibration: between the nodes of modes 1 and 2."""
-    barrel = scan.position > body.balance_point
+    """Return where on the barrel the hands feel least vibration: between the nodes of modes 1 and 2.
+
+    Within half an inch of either end of the scan none is looked for: on a racket the ball is on the frame there.
+    """
+    ends = scan.position[0] + NARROWEST, scan.position[-1] - NARROWEST
+    barrel = (scan.position > body.balance_point) & (scan.position > ends[0]) & (scan.position < ends[1])
     return _top(scan.position[barrel], -scan.sting[barrel])
 
 

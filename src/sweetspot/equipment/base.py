@@ -134,7 +134,7 @@ def _allowed(fault: ErrorDetails) -> str:
 
 def _is_other_branch(fault: ErrorDetails) -> bool:
     """Return whether a fault says only that a table is no text: then the table's own faults say more."""
-    return fault["loc"][-1:] == ("str",) and isinstance(fault["input"], dict)
+    return fault["type"] == "string_type" and fault["loc"][-1:] == ("str",) and isinstance(fault["input"], dict)
 
 
 def _all_known(known: Sequence[str]) -> str:
@@ -152,7 +152,8 @@ def _fault(fault: ErrorDetails, known: Sequence[str]) -> str:
             meant = f": did you mean {close[0]!r}?" if close else _all_known(known) if len(parts) == 1 else ""
             return f"unknown key {place[:LONGEST_INPUT]!r}{meant}"
         case "missing":
-            return f"{place} is missing"
+            meant = ': write like = "..." with a name of the catalogue, of which the rest is kept'
+            return f"{place} is missing{meant if parts[-1] == 'like' else ''}"
         case "value_error":
             return f"{place}: {text}" if place else text
         case "string_type" if isinstance(fault["input"], (int, float)):

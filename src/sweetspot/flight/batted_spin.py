@@ -50,8 +50,8 @@ def check_usual_spin(launch_angle: float, *, known: bool) -> None:
     low, high = USUAL_ANGLES
     if not known and not low - 1e-9 <= launch_angle / DEGREE <= high + 1e-9:
         raise InputError(
-            f"launch_angle is {launch_angle / DEGREE:.4g} deg, and what spin hits usually have is known for {low:g} to "
-            f"{high:g} deg only; give backspin and sidespin"
+            f"the launch angle is {launch_angle / DEGREE:.4g} deg, and what spin hits usually have is known for "
+            f"{low:g} to {high:g} deg only; give the spin: --backspin and --sidespin, in Python backspin and sidespin"
         )
 
 

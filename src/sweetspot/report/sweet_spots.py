@@ -33,26 +33,28 @@ class Spot:
     def labelled(self, words: Words) -> str:
         """Return the label as a sport's people have it."""
         own = words.strongest if "{efficiency}" in self.name else ""
-        return own or self.label.format(**words.model_dump())
+        short = words.efficiency.replace("collision ", "").replace("coefficient of ", "")
+        return own or self.label.format(**words.model_dump(), short_efficiency=short)
 
     def explained(self, words: Words) -> str:
         """Return the meaning as a sport's people have it."""
-        return self.meaning.format(**words.model_dump())
+        top_hand = "top hand" if words.hands == "hands" else words.hands
+        return self.meaning.format(**words.model_dump(), top_hand=top_hand)
 
 
 SPOTS: Mapping[str, Spot] = {
     "max_exit_speed": Spot(
-        "greatest {exit_speed}", "fastest {ball}", "where the ball leaves fastest for this swing", RED
+        "greatest {exit_speed}", "fastest {ball}", "where the {ball} leaves fastest for this swing", RED
     ),
     "max_collision_efficiency": Spot(
-        "greatest {efficiency}", "greatest efficiency q", "where a {implement} at rest throws a ball back fastest",
-        ORANGE
+        "greatest {efficiency}", "greatest {short_efficiency}",
+        "where a {implement} at rest throws a {ball} back fastest", ORANGE
     ),
-    "min_sting": Spot("least vibration", "least sting", "where the hands feel least sting", PURPLE),
+    "min_sting": Spot("least vibration", "least sting", "where least sting is felt at the {hands}", PURPLE),
     "node_1": Spot("node of mode 1", "node of mode 1", "a hit here does not excite the first bending mode", SKY),
     "node_2": Spot("node of mode 2", "node of mode 2", "a hit here does not excite the second bending mode", BLUE),
     "center_of_percussion": Spot(
-        "centre of percussion", "centre of percussion", "a hit here does not jolt the top hand", GREEN
+        "centre of percussion", "centre of percussion", "a hit here does not jolt the {top_hand}", GREEN
     ),
 }  # fmt: skip
 """By field of `SweetSpots`."""

@@ -122,7 +122,10 @@ def parse(text: str | float, kind: Kind, what: str = "value") -> float:
     if NOT_FINITE.match(text):
         raise InputError(f"{what} was given as {text!r}; allowed is a finite number, for example {example}")
     if DIFFERENCE.search(text):
-        raise InputError(f"{what} was given as {text!r}; write one number and its unit, as in {example}")
+        raise InputError(
+            f"{what} was given as {text!r}; write one number and its unit, as in {example}; where a "
+            "range is taken it is written from:to:count"
+        )
     if THOUSANDS.search(text):
         raise InputError(
             f"{what} was given as {text!r}; a comma is no part of a number here: write thousands without it and "

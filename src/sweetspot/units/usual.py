@@ -15,6 +15,7 @@ from typing import Any
 
 from sweetspot.errors import InputError
 from sweetspot.units.sizes import DEGREE, FOOT, INCH, INCH_OF_MERCURY, MPH, OUNCE, RPM
+from sweetspot.units.usual_units import in_unit_of
 
 LONGEST_IMPLEMENT = 5.0
 """m; nothing that is swung at a ball is nearly as long, and in inches every bat is longer."""
@@ -99,7 +100,7 @@ USUAL: dict[str, Usual] = {
     "ball_cor": Usual(0.2, 0.9, "", above=0),
     "mass": Usual(2, 80, "oz", OUNCE),
     "length": Usual(5, 60, "in", INCH, "the bats of grown-ups are 30 to 34in long"),
-    "bbcor": Usual(-0.2, 0.8, "", 1, "bats have 0.2 to 0.6; check the speeds and their columns"),
+    "bbcor": Usual(-0.2, 0.8, "", 1, "bats have 0.2 to 0.6: check the speeds and their columns"),
     "bat_length": Usual(13.5, 50, "in", INCH, "the bats of grown-ups are 30 to 34in long"),
     "balance_point": Usual(4, 60, "in", INCH, "it counts from the knob end", above=0),
     "period": Usual(0.5, 3, "s", 1.0, "one swing is there and back; give the time of one, not of ten", above=0),
@@ -164,9 +165,10 @@ def refuse_unusual(usual: Usual, value: float, what: str, given: object) -> None
     if _insisted.get() or usual.holds(value):
         return
     hint = f"; {usual.hint}" if usual.hint else ""
-    unit = f" {usual.unit}" if usual.unit else ""
+    (low, high), unit = in_unit_of(str(given), (usual.low, usual.high), usual.unit)
+    usually = f"{float(f'{low:.3g}'):g} to {float(f'{high:.3g}'):g}"
     raise InputError(
-        f"{what} was given as {given}; usual is {usual.low:g} to {usual.high:g}{unit}{hint}. Check the unit and the "
+        f"{what} was given as {given}; usual is {usually}{f' {unit}' if unit else ''}{hint}. Check the unit and the "
         "decimal point, or add --force if it is meant"
     )
 

@@ -60,3 +60,27 @@ def written(text: str, kind: str) -> float | None:
         return (number - zero) * size
     size_of = WRITTEN.get(kind, {})
     return number * size_of[unit] if unit in size_of else None
+
+
+def in_unit_of(given: str, bounds: tuple[float, float], unit: str) -> tuple[tuple[float, float], str]:
+    """Return bounds in the unit that somebody wrote, and that unit; as they are where none of one kind is found.
+
+    Parameters
+    ----------
+    given : as it was written, with its unit.
+    bounds : in ``unit``.
+
+    >>> in_unit_of("-300degF", (-40, 60), "degC"), in_unit_of("0.6 m", (-1, 2), "ft")
+    (((-40.0, 140.0), 'degF'), ((-0.3048, 0.6096), 'm'))
+    """
+    match = ONE_NUMBER_AND_UNIT.fullmatch(given.strip())
+    theirs = match[2] if match else unit
+    if theirs in TEMPERATURES and unit in TEMPERATURES:
+        (our_size, our_zero), (size, zero) = TEMPERATURES[unit], TEMPERATURES[theirs]
+        low, high = ((bound - our_zero) * our_size / size + zero for bound in bounds)
+        return (low, high), theirs
+    for sizes in WRITTEN.values():
+        if theirs in sizes and unit in sizes:
+            low, high = (bound * sizes[unit] / sizes[theirs] for bound in bounds)
+            return (low, high), theirs
+    return bounds, unit

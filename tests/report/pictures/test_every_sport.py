@@ -10,11 +10,14 @@ import pytest
 import sweetspot
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis
+from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.report.bat.figure import report_figure
+from sweetspot.report.bat.words import answer
 from sweetspot.report.flight.park_picture import parks_figure
 from sweetspot.report.notebook import figure_of
 from sweetspot.report.pictures import ruler
+from sweetspot.report.sport_words import reader_of, words_of
 from sweetspot.report.sweet_spots import SPOTS
 from tests.report.pictures.labels import check_labels, texts
 
@@ -35,7 +38,33 @@ def test_a_report_picture_of_any_sport(analysed: Analysis[Implement]) -> None:
     for axes in figure.axes[2:4]:  # the curves take a good part of their panels
         curve = axes.get_lines()[0].get_xdata()
         shown = axes.get_xlim()
-        assert np.ptp(np.asarray(curve, float)) > (0.3 if zoomed else 0.2) * (shown[1] - shown[0])
+        assert np.ptp(np.asarray(curve, float)) > (0.75 if zoomed else 0.2) * (shown[1] - shown[0])
+
+
+def test_a_hand_is_one_and_a_shuttle_no_ball(analysed: Analysis[Implement]) -> None:
+    """A racket is held in one hand, and what is told of its places names what it hits."""
+    own = words_of(analysed.bat)
+    words = " ".join(one.read(reader_of(analysed.bat)) for one in answer(analysed, []))
+    told = " ".join(spot.explained(own) for spot in SPOTS.values())
+    assert (" hands " in words, "top hand" in told) == (own.hands == "hands", own.hands == "hands")
+    assert (" ball" in words + told) == (own.ball == "ball")
+
+
+def test_least_sting_is_not_where_the_ball_meets_the_frame() -> None:
+    """A shuttle on a badminton racket's frame hardly shakes it, which is no sweet spot."""
+    racket = sweetspot.standard_analysis("badminton-racket")
+    spots, scan = racket.sweet_spots, racket.scan
+    assert scan.sting[0] < float(np.interp(spots.min_sting, scan.position, scan.sting))
+    assert spots.min_sting == pytest.approx(spots.node_2, abs=0.01)
+
+
+def test_labels_of_a_bat_drawn_from_the_tip() -> None:
+    """Balance and hands lie close together there, and the best place where a label stands on other bats."""
+    bat = catalog.bat("r161-ash")
+    assert bat.profile is not None
+    turned = tuple((bat.length - place, diameter) for place, diameter in reversed(bat.profile))
+    backwards = Bat(name="from the tip", length=bat.length, material=bat.material, profile=turned)
+    check_labels(report_figure(sweetspot.analyse(backwards, sweetspot.standard_conditions(backwards))))
 
 
 def test_spots_of_a_face_lie_on_its_line(analysed: Analysis[Implement]) -> None:

@@ -23,7 +23,7 @@ from sweetspot.dynamics.rigid import RigidBody, effective_mass
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
-from sweetspot.units import INCH, MPH, check_usual
+from sweetspot.units import INCH, MPH, USUAL, is_usual
 
 VALID_HITS = 6
 """Hits that the mean at the best location takes [ncaa_bbcor]."""
@@ -178,7 +178,11 @@ def measure(
                 f"row {hit.shot.row} gives a BBCOR of {hit.normalised:.3g}; allowed is below 1, where ball and bat "
                 "part as fast as they met. Check the speeds, the ball's restitution and the bat's moment of inertia"
             )
-        check_usual(hit.normalised, "bbcor", f"{hit.normalised:.3g} by row {hit.shot.row}")
+        if not is_usual(hit.normalised, "bbcor"):
+            raise InputError(
+                f"row {hit.shot.row} gives a BBCOR of {hit.normalised:.3g}; usual is {USUAL['bbcor'].low:g} to "
+                f"{USUAL['bbcor'].high:g}, and {USUAL['bbcor'].hint}, or add --force if it is meant"
+            )
     groups = _places(hits)
     best = _best(groups)
     values = [hit.normalised for hit in best]

@@ -25,7 +25,7 @@ from sweetspot.equipment.ring import Ring
 from sweetspot.equipment.shell import InnerWall, Shell, check_count
 from sweetspot.errors import InputError
 from sweetspot.numerics.text_files import read_text
-from sweetspot.units import check_usual, parse, shown
+from sweetspot.units import INCH, check_usual, parse, shown
 
 Text = str
 Pairs = tuple[tuple[Text, Text], ...]
@@ -230,7 +230,7 @@ def checked_drawing(bat: Bat) -> Bat:
         walls = [thickness for _, thickness in bat.shell.wall]
         walls += [] if bat.shell.inner_wall is None else [thickness for _, thickness in bat.shell.inner_wall.wall]
         for what, wall in (("thinnest wall", min(walls)), ("thickest wall", max(walls))):
-            check_usual(wall, what, f"{1e3 * wall:.3g} mm")
+            check_usual(wall, what, f"{1e3 * wall:.3g} mm ({wall / INCH:.3g} in)")
         if bat.shell.joint is not None:
             joint = bat.shell.joint / bat.length
             check_usual(joint, "joint", f"{joint:.2f} of the length")

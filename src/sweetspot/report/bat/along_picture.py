@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.text import Text
 from matplotlib.ticker import MaxNLocator
 
 from sweetspot.analysis.bat_analysis import Analysis
@@ -35,6 +37,8 @@ from sweetspot.report.uncertainty.document_intervals import reached
 MODES_SHOWN = 3
 NO_REACHES: Reaches = {}
 KM_H = Unit("km/h", 1 / 3.6, 1)
+TRIED = (0.3, 0.55, 0.7, 0.85, 0.97, 0.15, 0.05)
+"""Parts of the horizontal axis where a label may stand when its first place is taken."""
 
 
 @styled
@@ -74,10 +78,9 @@ def exit_speed(axes: Axes, analysis: Analysis[Implement], reading: Reader, reach
         arrowprops={"arrowstyle": "-", "color": RED, "linewidth": 0.8, "shrinkA": 1, "shrinkB": 3, "relpos": (1, 0.4)},
     )  # fmt: skip
     rigid_at = 0.97 if ruler.is_zoomed(analysis.bat) else 0.42
-    _curve_label(
-        axes, scan.position, rigid, f"if the {words.implement} were rigid", at=rigid_at, colour=MUTED, above=True
-    )
-    _curve_label(axes, scan.position, speed, f"this {words.implement}", at=0.42, colour=RED, above=False)
+    curves = {"rigid": (scan.position, rigid), "real": (scan.position, speed)}
+    _curve_label(axes, "rigid", curves, f"if the {words.implement} were rigid", at=rigid_at, colour=MUTED, above=True)
+    _curve_label(axes, "real", curves, f"this {words.implement}", at=0.42, colour=RED, above=False)
 
 
 @styled
@@ -117,7 +120,7 @@ def hand_impulse(axes: Axes, analysis: Analysis[Implement], reading: Reader, rea
         analysis,
         reading,
         "Jolt at the top hand" if words.hands == "hands" else "Jolt at the hand",
-        f"the blow that the {tool}'s turning passes on",
+        f"passed on by the {tool}'s turning; + handle driven back, \N{MINUS SIGN} pulled forward",
     )
     axes.axhline(0, color=MUTED, linewidth=0.7)
     axes.fill_between(scan.position, 0, scan.hand_impulse, color=GREEN, alpha=0.16, linewidth=0)
@@ -126,9 +129,6 @@ def hand_impulse(axes: Axes, analysis: Analysis[Implement], reading: Reader, rea
     _limits(axes, scan.hand_impulse, room=0.3)
     axes.set_ylabel("N s")
     _dot(axes, analysis.sweet_spots.center_of_percussion, 0.0, GREEN)
-    signs: dict[str, Any] = {"transform": axes.transAxes, "color": MUTED, "size": SMALL, "ha": "left"}
-    axes.text(0.012, 0.9, "+  handle is driven back", va="top", **signs)
-    axes.text(0.012, 0.06, "\N{MINUS SIGN}  handle is pulled forward", va="bottom", **signs)
 
 
 @styled
@@ -238,12 +238,36 @@ def _dot(axes: Axes, place: float, height: float, colour: str, *, filled: bool =
     )  # fmt: skip
 
 
-def _curve_label(axes: Axes, places: Array, values: Array, words: str, *, at: float, colour: str, above: bool) -> None:
-    """Write beside a curve what it is, at a part of the horizontal axis."""
-    place = axes.get_xlim()[0] + at * (axes.get_xlim()[1] - axes.get_xlim()[0])
-    place = float(np.clip(place, places[0], places[-1]))
-    axes.annotate(
-        words, (place, float(np.interp(place, places, values))), xytext=(-4 if above else 4, 3 if above else -3),
-        textcoords="offset points", ha="right" if above else "left", va="bottom" if above else "top", color=colour,
-        size=SMALL, path_effects=halo(),
-    )  # fmt: skip
+def _curve_label(
+    axes: Axes, name: str, curves: Mapping[str, tuple[Array, Array]], words: str, *, at: float, colour: str, above: bool
+) -> None:
+    """Write beside a curve what it is, where nothing else stands.
+
+    Parameters
+    ----------
+    name : of the curve in ``curves``, which hold places and values.
+    at : part of the horizontal axis where it is tried first.
+    above : on which side of the curve it is tried first.
+    """
+    places, values = curves[name]
+    taken = [Text.get_window_extent(text).padded(1) for text in axes.texts]
+    lines = [axes.transData.transform(np.column_stack(curve)) for curve in curves.values()]
+    least, kept = np.inf, {}
+    for part in (at, *TRIED):
+        for over in (above, not above):
+            place = axes.get_xlim()[0] + part * (axes.get_xlim()[1] - axes.get_xlim()[0])
+            place = float(np.clip(place, places[0], places[-1]))
+            look: dict[str, Any] = {"xytext": (-4, 3), "ha": "right", "va": "bottom"}
+            look = look if over else {"xytext": (4, -3), "ha": "left", "va": "top"}
+            look["xy"] = (place, float(np.interp(place, places, values)))
+            text = axes.annotate(words, textcoords="offset points", size=SMALL, **look)
+            box = Text.get_window_extent(text)
+            text.remove()
+            outside = not (axes.bbox.x0 <= box.x0 and box.x1 <= axes.bbox.x1 and axes.bbox.y0 <= box.y0)
+            faults = 100 * sum(box.overlaps(other) for other in taken) + 50 * outside
+            faults += sum(int(np.sum(np.all((line > box.min) & (line < box.max), axis=1))) for line in lines)
+            if faults < least:
+                least, kept = faults, look
+        if least == 0:
+            break
+    axes.annotate(words, textcoords="offset points", color=colour, size=SMALL, path_effects=halo(), **kept)

@@ -128,7 +128,7 @@ def misses_table(misses: Sequence[Miss], implement: Implement) -> Table:
     ]
     columns = [
         Column("miss by"),
-        Column("towards the hands", right=True),
+        Column(f"towards the {words.hands}", right=True),
         Column(f"towards the {words.tip}", right=True),
     ]
     return Table("", columns, rows)

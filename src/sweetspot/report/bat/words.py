@@ -90,7 +90,8 @@ def _by_ball(analysis: Analysis[Implement]) -> Sentence:
     speed = speed_by_ball(analysis)
     if speed is None:
         return say("")
-    return say(", give or take {half} by the ball alone", half=Slot(speed.high - speed.value, "speed"))
+    words = words_of(analysis.bat)
+    return in_words(", give or take {half} by the {ball} alone", words, half=Slot(speed.high - speed.value, "speed"))
 
 
 def _where(analysis: Analysis[Implement], words: Words, *, by_ball: bool) -> Sentence:
@@ -109,7 +110,7 @@ def _where(analysis: Analysis[Implement], words: Words, *, by_ball: bool) -> Sen
     if spots.zone is None:
         return text + in_words(" No stretch is both fast and quiet: there is no {zone} by our measure.", words)
     return text + in_words(
-        " The {zone}, within {loss} of that and with less than half the mean vibration at the hands, reaches from "
+        " The {zone}, within {loss} of that and with less than half the mean vibration at the {hands}, reaches from "
         "{outer} to {inner} from the {tip}, {width} wide.", words,
         loss=Slot(ZONE_LOSS, "speed", round=True),
         outer=from_tip(analysis, spots.zone[1], "sweet_spots.zone_end_m").bare,
@@ -181,7 +182,7 @@ def _why_not_the_end(analysis: Analysis[Implement], words: Words) -> Sentence:
 def _miss(misses: Sequence[Miss], words: Words, *, drawn: bool) -> Sentence:
     costs = [
         in_words(
-            "{distance}: {inside} towards the hands, {outside} towards the {tip}", words,
+            "{distance}: {inside} towards the {hands}, {outside} towards the {tip}", words,
             distance=Slot(one.distance, "place", round=True), inside=cost(one.inside, hand_and_tip(number)[0]),
             outside=f"off the {words.implement}" if np.isnan(one.outside.value)
             else cost(one.outside, hand_and_tip(number)[1]),
@@ -196,12 +197,13 @@ def _miss(misses: Sequence[Miss], words: Words, *, drawn: bool) -> Sentence:
 
 
 def _hands(analysis: Analysis[Implement], words: Words) -> Sentence:
-    spots, effect = analysis.sweet_spots, analysis.grip_effect
+    spots, effect, both = analysis.sweet_spots, analysis.grip_effect, words.hands == "hands"
     size = Slot(effect, "share", 1, sign=True) if abs(effect) >= SMALL else say("less than 0.1 %")
     return in_words(
-        "The hands feel least vibration from a hit {quiet} from the {tip} (nodes of the first and second bending mode: "
-        "{first} and {second}), and no jolt from one at the centre of percussion, {percussion}. How the {implement} is "
-        "held hardly matters to the {ball}: typical hands change its speed by {size}.", words,
+        f"The {'hands feel' if both else 'hand feels'} least vibration from a hit {{quiet}} from the "
+        "{tip} (nodes of the first and second bending mode: {first} and {second}), and no jolt from one at the centre "
+        "of percussion, {percussion}. How the {implement} is held hardly matters to the {ball}: "
+        f"{'typical hands change' if both else 'a typical hand changes'} its speed by {{size}}.", words,
         quiet=from_tip(analysis, spots.min_sting, "sweet_spots.min_sting_m"),
         first=from_tip(analysis, spots.node_1, "sweet_spots.node_1_m").bare,
         second=from_tip(analysis, spots.node_2, "sweet_spots.node_2_m"),

@@ -42,7 +42,12 @@ def parks_figure(parks: Sequence[Park], named: Sequence[Park] = (), reading: Rea
     for park, colour in zip(named, COLOURS, strict=False):
         draw_fence(axes, park, colour=colour, thick=True, label=park.name, reading=reading)
     if named:
-        axes.legend(loc="lower left", frameon=False, title="line as thick as the wall is high")
+        axes.legend(
+            loc="lower left",
+            frameon=False,
+            title="line as thick as the wall is high; grey: the others",
+            alignment="left",
+        )
     return figure
 
 

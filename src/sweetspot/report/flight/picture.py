@@ -53,12 +53,14 @@ def draw_side(axes: Axes, flight: Flight, park: Park | None = None, reading: Rea
         )  # fmt: skip
     if park is not None and (met := landing(flight.positions, park)).outcome != "foul":
         distance, height = park.distance_at(met.direction), park.height_at(met.direction)
+        over = bool(over_ground[-1] > distance / unit)  # the ball comes down where the label would stand
         axes.plot(
             [distance / unit, distance / unit], [0, height / unit], color=GREEN, linewidth=3, solid_capstyle="butt"
         )
         axes.annotate(
-            f"{shown(distance)},\n{shown(height)} high", (distance / unit, height / unit), xytext=(5, 2),
-            textcoords="offset points", size=SMALL, color=GREEN, ha="left", va="center", path_effects=halo(),
+            f"{shown(distance)},\n{shown(height)} high", (distance / unit, height / unit),
+            xytext=(-5 if over else 5, 2), textcoords="offset points", size=SMALL, color=GREEN,
+            ha="right" if over else "left", va="bottom" if over else "center", path_effects=halo(),
         )  # fmt: skip
     axes.axhline(0, color=INK, linewidth=0.8)
     heading(axes, "From the side", "to scale; a dot every second")

@@ -71,5 +71,5 @@ def varied(name: str, value: float) -> Slot:
 
 def _named(name: str) -> Sentence:
     scale = QUANTITIES[name].scale
-    unit = say("in {unit}", unit=UnitName(scale)) if SCALES[scale].us.name else ""
+    unit = say("({unit})", unit=UnitName(scale)) if SCALES[scale].us.name else ""
     return joined([name.replace("_", " "), unit])

@@ -106,19 +106,18 @@ def draw_notes(axes: Axes, analysis: Analysis[Implement], reading: Reader, scale
     below = -float(bat.width_at(body.balance_point)) / 2 - 0.08 * scale
     axes.plot(body.balance_point, below, "^", color=INK, markersize=6, zorder=4, clip_on=False)
     balance = f"balance {reading.shown(body.balance_point, 'place')} from the {words_of(bat).butt}"
-    axes.text(
-        body.balance_point - 0.12 * scale, upper, balance, ha="right", va="center_baseline", color=MUTED, size=SMALL
-    )
+    quiet: dict[str, Any] = {"va": "center_baseline", "color": MUTED, "size": SMALL}
+    told = axes.text(body.balance_point - 0.12 * scale, upper, balance, ha="right", **quiet)
     hands = analysis.conditions.hands.places
     for place in hands:
         reach = float(bat.width_at(place)) / 2 + 0.05 * scale
         axes.plot([place, place], [-reach, reach], color=MUTED, linewidth=1.2, linestyle=(0, (1.5, 1.5)), zorder=3)
-    axes.text(sum(hands) / 2, upper, words_of(bat).hands, ha="center", va="center_baseline", color=MUTED, size=SMALL)
+    held = axes.text(sum(hands) / 2, upper, words_of(bat).hands, ha="center", **quiet)
+    if told.get_window_extent().overlaps(held.get_window_extent()):  # a balance point near the hands
+        told.set(x=body.balance_point + 0.12 * scale, ha="left")
     note = _inside_note(analysis, reading)
     if note:
-        axes.text(
-            body.balance_point - 0.12 * scale, lower, note, ha="right", va="center_baseline", color=MUTED, size=SMALL
-        )
+        axes.text(body.balance_point - 0.12 * scale, lower, note, ha="right", **quiet)
 
 
 def _zone(axes: Axes, analysis: Analysis[Implement], reading: Reader, upper: float, lower: float) -> None:

@@ -26,6 +26,10 @@ def set_limits(axes: Axes, length: float) -> None:
 
 SMALL_FACE = 0.3
 """Part of the length below which the panels show the face alone, and what lies near it."""
+AROUND_FACE = 0.15
+"""How much of the shaft such panels show, as a part of the face."""
+STEPS, MOST_TICKS = (1, 2, 5, 10, 20, 50), 16
+"""Places between ticks where a part of the length is shown, and how many ticks there may be."""
 
 
 def window(implement: Implement) -> tuple[float, float]:
@@ -33,7 +37,7 @@ def window(implement: Implement) -> tuple[float, float]:
     face = implement.outline
     if face is None or face.end - face.start > SMALL_FACE * implement.length:
         return 0.0, implement.length
-    return max(0.0, face.start - (face.end - face.start)), implement.length
+    return max(0.0, face.start - AROUND_FACE * (face.end - face.start)), implement.length
 
 
 def is_zoomed(implement: Implement) -> bool:
@@ -65,26 +69,29 @@ def show_from_tip(axes: Axes, length: float, reading: Reader, *, labels: bool = 
     unit = reading.units["place"]
     limits = axes.get_xlim()
     shown = limits[1] - limits[0]
-    step = TICKS[unit.name][1] if shown > length / 2 else 1
+    step = TICKS[unit.name][1]
+    if shown <= length / 2:
+        step = next(one for one in STEPS if shown / (one * unit.size) < MOST_TICKS)
     counts = np.arange(0, length / unit.size + 1e-6, step)
     places = length - counts * unit.size
     if grid:
         axes.vlines(places, 0, 1, transform=axes.get_xaxis_transform(), colors=GRID, linewidth=0.6, zorder=0.5)
     if labels:
         axes.set_xticks(places, [f"{value:.0f}" for value in counts])
-        _marks(axes, length - np.arange(0, length / unit.size + 1e-6) * unit.size, size=1.8, width=0.5,
-               clipped=shown <= length / 2)  # fmt: skip
+        every = length - np.arange(0, length / unit.size + 1e-6) * unit.size
+        every = every[(every >= limits[0]) & (every <= limits[1])]
+        _marks(axes, every, size=1.8, width=0.5)
     else:
         axes.set_xticks([])
-        _marks(axes, places, size=3.0, width=0.7, clipped=False)
+        _marks(axes, places, size=3.0, width=0.7)
     axes.set_xlim(limits)
 
 
-def _marks(axes: Axes, places: Array, *, size: float, width: float, clipped: bool) -> None:
+def _marks(axes: Axes, places: Array, *, size: float, width: float) -> None:
     """Draw short lines below the axis."""
     axes.plot(
         places, np.zeros_like(places), linestyle="", marker=TICKDOWN, markersize=size, markeredgewidth=width,
-        color=MUTED, transform=axes.get_xaxis_transform(), clip_on=clipped, scalex=False, scaley=False,
+        color=MUTED, transform=axes.get_xaxis_transform(), clip_on=False, scalex=False, scaley=False,
     )  # fmt: skip
 
 

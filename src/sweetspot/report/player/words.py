@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Sequence
+from textwrap import shorten
 
 from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.motion.swing_law import Interval
@@ -40,7 +41,7 @@ USUAL_EXPONENT = (
     "How much slower this player swings a heavier bat is not known from these swings: every answer about another bat "
     "rests on what is usual for players, and its interval with it."
 )
-REASONS, LONGEST_REASON = 3, 90
+REASONS, LONGEST_REASON = 3, 160
 """Kinds of reasons told in the first line, and letters of each."""
 ROWS_SHOWN = 8
 """Rows not used that are listed; the JSON has all."""
@@ -114,7 +115,7 @@ def _reasons(swings: Swings) -> list[str]:
         alike[re.sub(r"[-\d.]+", "", row.reason)].append(row)
     found = []
     for rows in sorted(alike.values(), key=len, reverse=True)[:REASONS]:
-        reason = rows[0].reason if len(rows[0].reason) <= LONGEST_REASON else f"{rows[0].reason[:LONGEST_REASON]} ..."
+        reason = shorten(rows[0].reason, LONGEST_REASON, placeholder=" ...")
         found.append(f"row {rows[0].row}{f' and {len(rows) - 1} like it' if len(rows) > 1 else ''}: {reason}")
     return found
 
