@@ -251,7 +251,8 @@ def _curve_label(
     """
     places, values = curves[name]
     taken = [Text.get_window_extent(text).padded(1) for text in axes.texts]
-    lines = [axes.transData.transform(np.column_stack(curve)) for curve in curves.values()]
+    fine = np.linspace(places[0], places[-1], 8 * len(places))  # where a curve is steep its own points lie far apart
+    lines = [axes.transData.transform(np.column_stack([fine, np.interp(fine, *curve)])) for curve in curves.values()]
     least, kept = np.inf, {}
     for part in (at, *TRIED):
         for over in (above, not above):
