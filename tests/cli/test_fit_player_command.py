@@ -106,3 +106,34 @@ def test_bad_input_is_told_in_one_line(run: Run, file: Path, options: tuple[str,
 def test_no_file(run: Run, tmp_path: Path) -> None:
     code, _, said = run("fit-player", str(tmp_path / "none.csv"))
     assert code == 2 and ("is not a file" in said or "no such file" in said)
+
+
+def test_a_league_is_pooled_and_says_by_how_much(run: Run, run_json: Callable[..., Any], tmp_path: Path) -> None:
+    lines = ["batter,bat_speed_mph,exit_speed_mph,launch_angle_deg"]
+    for number in range(6):
+        place = natural(np.full(10, 0.1 * number))
+        count = 28 if number == 5 else 8
+        made = simulated_swings(place, bats=[catalog.bat("r161-ash")], ball=catalog.ball(), count=count,
+                                pitch_speed=60 * MPH, seed=number)  # fmt: skip
+        for one in made:
+            assert one.bat_speed and one.exit_speed and one.launch_angle
+            numbers = one.bat_speed / MPH, one.exit_speed / MPH, math.degrees(one.launch_angle)
+            lines.append(f"b{number}," + ",".join(f"{value:.1f}" for value in numbers))
+    path = tmp_path / "league.csv"
+    path.write_text("\n".join(lines), encoding="utf-8")
+    given = ("fit-player", str(path), "--pitch-speed", "60mph", "--batter", "all")
+    found = run_json(*given)
+    assert found["league"]["players"] == 6 and found["league"]["position_spread"]["mean_m"] > 0
+    by_name = {batter["batter"]: batter["parameters"] for batter in found["batters"]}
+    for parameters in by_name.values():
+        one = parameters["bat_speed_spread"]
+        assert one["moved_m_s"] == pytest.approx(one["pooled"]["value_m_s"] - one["alone"]["value_m_s"], abs=1e-9)
+    shares = {name: parameters["bat_speed_spread"]["own_share"] for name, parameters in by_name.items()}
+    assert max(shares, key=lambda name: shares[name]) == "b5" and all(0 <= share <= 1 for share in shares.values())
+    again = run_json(*given)
+    assert again == found  # whatever thread did what
+    few = tmp_path / "few.csv"
+    few.write_text("\n".join(line for line in lines if not line.startswith(("b3", "b4"))), encoding="utf-8")
+    code, text, said = run("fit-player", str(few), *given[2:])
+    assert code == 0, said
+    assert "fewer than five batters" in re.sub(r"\s+", " ", text) and "Alone and pooled" not in text

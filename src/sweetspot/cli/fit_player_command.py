@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
@@ -78,8 +79,9 @@ def fit_player(
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Learn a player's bat speed and scatter from measured swings, and say which bat and contact point serve."""
-    from sweetspot.cli.output import present
+    from sweetspot.cli.output import present, progress
     from sweetspot.player.goal import Goal
+    from sweetspot.player.posterior import fit_player as fitted
     from sweetspot.report.player.document import player_document
     from sweetspot.units import parse
 
@@ -91,51 +93,66 @@ def fit_player(
     if given.batter == ALL:
         return _team(file, given, wanted, goal, air, output)
     swings, model = _read(file, given)
-    posterior, advice = _advised(model, wanted, goal, air, given)
+    with progress("reading the swings") as report:
+        posterior = fitted(model, method=wanted.sampler, seed=wanted.seed, progress=report)
+    with progress("trying bats") as report:
+        advice = _advised(posterior, wanted, goal, air, given, report)
     return present(player_document(posterior, advice, swings, player=output.made_for), output)
 
 
 def _team(
     file: Path, given: FileOptions, wanted: WantedOptions, goal: Goal, air: AirOptions, output: OutputOptions
 ) -> int:
-    """Present one sheet with a row for every batter of a file."""
+    """Present one sheet with a row for every batter of a file, each fitted knowing how the others differ."""
     from sweetspot.cli.output import present, progress
     from sweetspot.errors import SweetspotError
+    from sweetspot.numerics.threads import side_by_side
+    from sweetspot.player.league import population_of
+    from sweetspot.player.posterior import fit_player as fitted
+    from sweetspot.player.posterior import refitted
     from sweetspot.player.swings import batters
-    from sweetspot.report.player.team import Teammate, team_document
+    from sweetspot.report.player.team import team_document
+    from sweetspot.report.player.teammate import Teammate
 
-    names = batters(file, units=given.file_units)
-    members: list[Teammate] = []
-    left_out: list[str] = []
-    with progress("batters") as report:
-        for number, name in enumerate(names, start=1):
-            try:
-                _, model = _read(file, replace(given, batter=name))
-                members.append(Teammate(name, *_advised(model, wanted, goal, air, given)))
-            except SweetspotError as error:
-                left_out.append(f"{name}: {' '.join(str(error).split())}")
-            report(number, len(names))
-    if not members:
+    def fit(name: str) -> tuple[str, Posterior | str]:
+        try:
+            _, model = _read(file, replace(given, batter=name))
+            return name, fitted(model, method=wanted.sampler, seed=wanted.seed).lighter()
+        except SweetspotError as error:
+            return name, " ".join(str(error).split())
+
+    def ask(member: tuple[str, Posterior]) -> Teammate:
+        name, alone = member
+        posterior = alone if league is None else refitted(alone, league)
+        return Teammate(name, replace(alone, weighted=None), _advised(posterior, wanted, goal, air, given).lighter())
+
+    with progress("reading the swings") as report:
+        fits = side_by_side(fit, batters(file, units=given.file_units), progress=report)
+    known = [(name, fit) for name, fit in fits if not isinstance(fit, str)]
+    left_out = [f"{name}: {why}" for name, why in fits if isinstance(why, str)]
+    if not known:
         raise InputError(f"{file} has no batter who can be told of: {'; '.join(left_out[:3])}")
-    return present(team_document(members, left_out, goal), output)
+    league = population_of([fit for _, fit in known])
+    with progress("trying bats") as report:
+        members = side_by_side(ask, known, progress=report)
+    return present(team_document(members, left_out, goal, league), output)
 
 
 def _advised(
-    model: PlayerModel, wanted: WantedOptions, goal: Goal, air: AirOptions, given: FileOptions
-) -> tuple[Posterior, Advice]:
+    posterior: Posterior,
+    wanted: WantedOptions,
+    goal: Goal,
+    air: AirOptions,
+    given: FileOptions,
+    progress: Callable[[int, int], None] | None = None,
+) -> Advice:
     from sweetspot import catalog
     from sweetspot.cli.options.weather import air_of
-    from sweetspot.cli.output import progress
     from sweetspot.player.advice import advise
-    from sweetspot.player.posterior import fit_player as fitted
 
     others = [catalog.load_bat(name) for name in wanted.try_bat or []]
-    law = catalog.aerodynamics_of_ball(_ball_name(given, model.bats[0].bat))
-    with progress("reading the swings") as report:
-        posterior = fitted(model, method=wanted.sampler, seed=wanted.seed, progress=report)
-    with progress("trying bats") as report:
-        advice = advise(posterior, goal=goal, aerodynamics=law, air=air_of(air), others=others, progress=report)
-    return posterior, advice
+    law = catalog.aerodynamics_of_ball(_ball_name(given, posterior.model.bats[0].bat))
+    return advise(posterior, goal=goal, aerodynamics=law, air=air_of(air), others=others, progress=progress)
 
 
 def _ball_name(given: FileOptions, bat: Bat) -> str:

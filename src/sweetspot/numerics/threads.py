@@ -1,11 +1,18 @@
-"""Threads for compiled kernels that release the interpreter: one long job in equal parts."""
+"""Threads for compiled kernels that release the interpreter: a long job in equal parts, or many jobs at once."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
-from concurrent.futures import Future, ThreadPoolExecutor
+import threading
+from collections.abc import Callable, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from contextlib import suppress
+from typing import TypeVar
+
+ITEM = TypeVar("ITEM")
+RESULT = TypeVar("RESULT")
+_here = threading.local()
+"""Whether this thread is one of `side_by_side`, in which further threads would only be in the way."""
 
 
 def in_parts(work: Callable[[slice], None], count: int, *, size: int, threads: int | None = None) -> None:
@@ -23,7 +30,7 @@ def in_parts(work: Callable[[slice], None], count: int, *, size: int, threads: i
     [(0, 2), (2, 4), (4, 5)]
     """
     parts = [slice(first, min(first + size, count)) for first in range(0, count, size)]
-    workers = min(threads or os.cpu_count() or 1, len(parts))
+    workers = 1 if getattr(_here, "at_work", False) else min(threads or os.cpu_count() or 1, len(parts))
     running: list[Future[None]] = []
     if workers > 1:
         with ThreadPoolExecutor(workers) as pool, suppress(RuntimeError):  # the system may refuse another thread
@@ -33,3 +40,45 @@ def in_parts(work: Callable[[slice], None], count: int, *, size: int, threads: i
             job.result()
     for part in parts[len(running) :]:
         work(part)
+
+
+def side_by_side(
+    work: Callable[[ITEM], RESULT],
+    items: Sequence[ITEM],
+    *,
+    threads: int | None = None,
+    progress: Callable[[int, int], None] | None = None,
+) -> list[RESULT]:
+    """Return what ``work`` makes of every item, in the order of the items, as many at a time as there are threads.
+
+    An error or an interrupt ends it after the items that are being worked on; the others are not begun.
+
+    Parameters
+    ----------
+    work : of one item; its own results must not depend on which others are being worked on.
+    items : what is worked on.
+    threads : workers; None: one per core.
+    progress : called with (items done, items in all), from the thread that called.
+
+    >>> side_by_side(lambda number: number**2, [1, 2, 3], threads=2)
+    [1, 4, 9]
+    """
+
+    def alone(item: ITEM) -> RESULT:
+        _here.at_work = True
+        return work(item)
+
+    pool = ThreadPoolExecutor(threads or os.cpu_count() or 1)
+    running: list[Future[RESULT]] = []
+    try:
+        with suppress(RuntimeError):  # the system may refuse another thread
+            while len(running) < len(items):
+                running.append(pool.submit(alone, items[len(running)]))
+        for done, job in enumerate(as_completed(running), start=1):
+            job.result()
+            if progress is not None:
+                progress(done, len(items))
+        found = [job.result() for job in running]
+        return [*found, *(work(item) for item in items[len(found) :])]
+    finally:
+        pool.shutdown(cancel_futures=True)

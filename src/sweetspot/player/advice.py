@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from statistics import median
 
 import numpy as np
@@ -104,6 +104,10 @@ class Advice:
     height_point: Interval
     height_gain: Interval
     worth: dict[str, Worth]
+
+    def lighter(self) -> Advice:
+        """Return the advice with few of the fit's draws."""
+        return replace(self, posterior=replace(self.posterior.lighter(), weighted=None))
 
     def best(self, family: str) -> Option | None:
         """Return the best option of a family of bats, None where it has none."""

@@ -8,8 +8,9 @@ import numpy as np
 
 from sweetspot.numerics.arrays import Array
 from sweetspot.player.contact_tables import RATIOS, ContactTable, farthest_offset
+from sweetspot.player.gain_kernel import CARRY, LINE, SPEED, BatInHand, CarryGrid, Scattered, Wanted, fill_gains
 from sweetspot.player.goal import CarryTable, Goal
-from sweetspot.player.model import PlayerModel, arm_ratio, speed_ratio
+from sweetspot.player.model import PlayerModel, speed_ratio
 from sweetspot.player.posterior import Posterior
 from sweetspot.player.prior import NAMES, fixed
 from sweetspot.units import FOOT
@@ -76,20 +77,10 @@ class Expectation:
         change : of the player.
         position, offset : means in place of every draw's own, m, shape (draws,).
         """
-        from scipy.special import ndtr
-
-        speed, place, above, attack = self._swings(table, change, position, offset)
-        own = self.model.bats[0]
-        hit = (place >= 0) & (place <= own.from_tip[-1]) & (np.abs(above) <= farthest_offset(own))
-        ball_out = self._head_on(table, speed, place)
-        kept = _kept(table, above, self.pitch_speed / np.maximum(speed, 1.0))
-        if self.carries is None:
-            gained = ball_out * kept
-        else:
-            carry = self.carries.at(ball_out, above, attack)
-            gained = carry if self.goal.line is None else ndtr((carry - self.goal.line) / CARRY_SCATTER)
-        total: Array = np.sum(np.where(hit, gained, 0.0), axis=1)
-        return np.asarray(total / (np.maximum(hit.sum(axis=1), 1) if self.carries is None else hit.shape[1]))
+        gains = np.empty(len(self.draws))
+        fill_gains(self._in_hand(table), self._wanted(), self._scattered(table, change, position, offset),
+                   self.pitch_speed, gains)  # fmt: skip
+        return gains
 
     def bat_speed(self, table: ContactTable) -> Array:
         """Return the player's mean bat speed with a bat for every draw, m/s, where bat speed is measured."""
@@ -99,38 +90,42 @@ class Expectation:
         )  # fmt: skip
         return ratio * self.draws[:, NAMES.index("bat_speed")]
 
-    def _swings(
+    def _scattered(
         self, table: ContactTable, change: Change, position: Array | None, offset: Array | None
-    ) -> tuple[Array, Array, Array, Array]:
-        """Return bat speed, place, offset and attack angle of every swing, shape (draws, swings)."""
-        value = {name: self.draws[:, index : index + 1] for index, name in enumerate(NAMES)}
-        ratio = (self.bat_speed(table) / self.draws[:, NAMES.index("bat_speed")])[:, None]
-        centre = value["position"] if position is None else position[:, None]
-        middle = value["offset"] if offset is None else offset[:, None]
-        scatter = self.scatter
-        speed = ratio * (value["bat_speed"] + change.bat_speed) + value["bat_speed_spread"] * scatter[0]
-        along = np.maximum(value["position_spread"] + change.position_spread, 0.0)
-        across = np.maximum(value["offset_spread"] + change.offset_spread, 0.0)
-        attack = value["attack_angle"] + change.attack_angle + fixed("attack_angle_spread") * scatter[3]
-        return (
-            speed,
-            centre + change.position + along * scatter[1],
-            middle + change.offset + across * scatter[2],
-            attack,
+    ) -> Scattered:
+        """Return how the swings of every draw scatter."""
+        value = {name: self.draws[:, index] for index, name in enumerate(NAMES)}
+        ratio = self.bat_speed(table) / value["bat_speed"]
+        return Scattered(
+            speed=ratio * (value["bat_speed"] + change.bat_speed),
+            position=(value["position"] if position is None else position) + change.position,
+            offset=(value["offset"] if offset is None else offset) + change.offset,
+            attack=value["attack_angle"] + change.attack_angle,
+            speed_spread=value["bat_speed_spread"] + 0.0,
+            position_spread=np.maximum(value["position_spread"] + change.position_spread, 0.0),
+            offset_spread=np.maximum(value["offset_spread"] + change.offset_spread, 0.0),
+            attack_spread=fixed("attack_angle_spread"),
+            shift=value["efficiency_shift"] + 0.0,
+            normal=self.scatter,
         )
 
-    def _head_on(self, table: ContactTable, speed: Array, place: Array) -> Array:
-        there = speed * arm_ratio(table, place, speed_from_tip=self.model.speed_from_tip)
-        closing = self.pitch_speed + there
-        at = place / (table.from_tip[1] - table.from_tip[0])  # even, from the tip on
-        low = np.clip(at, 0, len(table.from_tip) - 1.000001).astype(np.int64)
-        part = np.clip(at - low, 0.0, 1.0)
-        still, rise = (
-            values[low] + part * (values[low + 1] - values[low])
-            for values in (table.efficiency, table.efficiency_slope)
-        )
-        efficiency = still + self.draws[:, NAMES.index("efficiency_shift"), None] + closing * rise
-        return np.asarray(np.maximum(efficiency * closing + there, 0.0))
+    def _in_hand(self, table: ContactTable) -> BatInHand:
+        """Return a bat's tables; what counts as a hit is the own bat's, so that the same swings count for all."""
+        own, arm = self.model.bats[0], table.bat.length - table.bat.choke
+        return BatInHand(
+            arm=arm, measured_arm=arm - self.model.speed_from_tip, reach=float(own.from_tip[-1]),
+            farthest=farthest_offset(own), place_step=float(table.from_tip[1] - table.from_tip[0]),
+            efficiency=table.efficiency, efficiency_slope=table.efficiency_slope, offset_start=float(table.offset[0]),
+            offset_step=float(table.offset[1] - table.offset[0]), ratio_start=float(RATIOS[0]),
+            ratio_step=float(RATIOS[1] - RATIOS[0]), kept=table.kept,
+        )  # fmt: skip
+
+    def _wanted(self) -> Wanted:
+        """Return what a hit brings."""
+        carries, line = self.carries, self.goal.line
+        if carries is None:
+            return Wanted(SPEED, 0.0, 1.0, CarryGrid(np.zeros(3), np.ones(3), np.zeros((2, 2, 2))))
+        return Wanted(CARRY if line is None else LINE, line or 0.0, CARRY_SCATTER, carries.grid)
 
 
 def expectation(
@@ -147,15 +142,3 @@ def expectation(
     draws = posterior.thinned(DRAWS)
     scatter = np.random.default_rng(seed).standard_normal((4, len(draws), SWINGS))
     return Expectation(posterior.model, draws, goal, pitch_speed, carries, scatter)
-
-
-def _kept(table: ContactTable, offset: Array, ratio: Array) -> Array:
-    """Return the part of the head-on exit speed that is left, straight lines between the table's rows and columns."""
-    rows = np.clip((ratio - RATIOS[0]) / (RATIOS[1] - RATIOS[0]), 0, len(RATIOS) - 1.000001)
-    step = table.offset[1] - table.offset[0]
-    columns = np.clip((offset - table.offset[0]) / step, 0, len(table.offset) - 1.000001)
-    i, j = rows.astype(np.int64), columns.astype(np.int64)
-    down, across = rows - i, columns - j
-    left = table.kept[i, j] * (1 - down) + table.kept[i + 1, j] * down
-    right = table.kept[i, j + 1] * (1 - down) + table.kept[i + 1, j + 1] * down
-    return np.asarray(left * (1 - across) + right * across)

@@ -19,6 +19,7 @@ from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.motion.swing_path import Swings, path_axes, steep_enough
 from sweetspot.numerics.arrays import Array
 from sweetspot.player.contact_tables import BARREL, BAT_SPEED
+from sweetspot.player.gain_kernel import CarryGrid, fill_carries
 from sweetspot.player.model import PlayerModel
 from sweetspot.player.prior import fixed
 from sweetspot.units import FOOT
@@ -76,18 +77,17 @@ class CarryTable:
     carry: Array
 
     def at(self, exit_speed: Array, offset: Array, attack_angle: Array) -> Array:
-        """Return the carry in m of hits, straight lines between the grids; beyond a grid its end counts."""
-        total = np.zeros(np.shape(exit_speed))
-        corners = [_bracket(grid, value) for grid, value in (
-            (self.exit_speed, exit_speed), (self.offset, offset), (self.attack_angle, attack_angle))]  # fmt: skip
-        for corner in range(8):
-            weight, index = np.ones(np.shape(exit_speed)), []
-            for axis, (low, part) in enumerate(corners):
-                upper = corner >> axis & 1
-                weight = weight * (part if upper else 1 - part)
-                index.append(low + upper)
-            total += weight * self.carry[tuple(index)]
-        return total
+        """Return the carry in m of hits, all shaped (n,), straight lines between the grids; beyond one its end."""
+        carry = np.empty(len(exit_speed))
+        fill_carries(self.grid, exit_speed, offset, attack_angle, carry)
+        return carry
+
+    @property
+    def grid(self) -> CarryGrid:
+        """The table as compiled code reads it."""
+        grids = (self.exit_speed, self.offset, self.attack_angle)
+        first, second = np.array([grid[:2] for grid in grids]).T
+        return CarryGrid(first, second - first, self.carry)
 
 
 def carry_table(model: PlayerModel, *, pitch_speed: float, aerodynamics: Aerodynamics, air: Air) -> CarryTable:
@@ -129,10 +129,3 @@ def carry_table(model: PlayerModel, *, pitch_speed: float, aerodynamics: Aerodyn
     forward = flown.landing_position[:, 1] > 0  # a ball that goes behind the plate is foul and carries nothing
     carry = np.where(flown.landed & forward, flown.carry, 0.0).reshape(len(SPEEDS), len(ATTACKS), OFFSET_COUNT)
     return CarryTable(SPEEDS, offset, ATTACKS, np.ascontiguousarray(carry.transpose(0, 2, 1)))
-
-
-def _bracket(grid: Array, value: Array) -> tuple[np.ndarray, Array]:
-    """Return the lower neighbour on an even grid and how far on the way to the next one a value lies."""
-    at = np.clip((value - grid[0]) / (grid[1] - grid[0]), 0.0, len(grid) - 1.000001)
-    low = at.astype(np.int64)
-    return low, at - low

@@ -1,10 +1,10 @@
 """Draws from a player's posterior in a fraction of a second: Laplace's normal, then importance sampling about it.
 
 From the likeliest parameters and the curvature there (Laplace) begins a mixture of two wide-tailed normals, the second
-with the contact point on the other side of the bat's best place. Draws are weighted by how likely they are against how
-often the mixture gives them; the mixture is fitted to the weighted draws, round by round, and the draws of the best
-round are taken as often as they weigh [cappe2008]. Their effective number says whether that was good enough;
-`posterior.fit_player` walks instead where it was not.
+with the contact point on the other side of the bat's best place. The mixture is fitted to the weighted draws, round by
+round [cappe2008]. No draw is thrown away: each is weighted by how likely it is against how often the mixtures of all
+rounds together give it [cornuet2012]. Their effective number says when that is enough; `posterior.fit_player` walks
+where it never is.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import numpy as np
 
 from sweetspot.numerics.arrays import Array
 
-ROUNDS, MOST_ROUNDS, DRAWS = 3, 7, 1000
+ROUNDS, MOST_ROUNDS, DRAWS = 4, 16, 300
 """Rounds of draws at least and at most, and how many draws in each."""
 GOOD = 300.0
 """Effective draws at which the rounds end."""
@@ -48,10 +48,20 @@ class Part:
 
 @dataclass(frozen=True)
 class Weighted:
-    """Weighted draws, shapes (draws, n) and (draws,); the weights add to one."""
+    """Weighted draws, and what they were drawn from.
+
+    Parameters
+    ----------
+    draws : shape (draws, n).
+    weights : shape (draws,); they add to one.
+    heights : shape (draws,), logarithm of the density at every draw.
+    mixtures : of every round, each with as many draws.
+    """
 
     draws: Array
     weights: Array
+    heights: Array
+    mixtures: tuple[list[Part], ...]
 
     @property
     def effective(self) -> float:
@@ -72,21 +82,51 @@ def importance_draws(log_density: Density, *, other_side: Callable[[Array], Arra
     >>> bool(np.all(abs(found.weights @ found.draws - 1) < 0.1)), found.effective > 500
     (True, True)
     """
-    generator = np.random.default_rng(seed)
     place = highest(log_density, np.zeros(size))
     covariance = _covariance(log_density, place)
     parts = [Part(0.75, place, covariance), Part(0.25, other_side(place), covariance)]
-    best = Weighted(place[None], np.ones(1))
+    nothing = Weighted(np.empty((0, size)), np.empty(0), np.empty(0), ())
+    return _drawn_on(nothing, parts, log_density, rounds=ROUNDS, seed=seed)
+
+
+def drawn_further(known: Weighted, heights: Array, log_density: Density, *, seed: int) -> Weighted:
+    """Return weighted draws of another density not far from that of draws that there are, which count again.
+
+    Parameters
+    ----------
+    known : draws of the first density.
+    heights : shape (draws,), logarithm of the other density at each of them.
+    log_density : of rows of parameters, the other density.
+    """
+    again = _weighted(known.draws, heights, known.mixtures)
+    if again.effective > GOOD:
+        return again
+    return _drawn_on(again, _fitted(list(known.mixtures[-1]), again), log_density, rounds=1, seed=seed)
+
+
+def _drawn_on(known: Weighted, parts: list[Part], log_density: Density, *, rounds: int, seed: int) -> Weighted:
+    """Return draws with so many rounds at least beyond those known, begun with a mixture, until enough count."""
+    generator = np.random.default_rng(seed)
+    weighted = known
     for turn in range(1, MOST_ROUNDS + 1):
-        draws = _drawn(parts, DRAWS, generator)
-        log_weight = log_density(draws) - np.logaddexp.reduce(_log_parts(parts, draws), axis=0)
-        weights = np.exp(log_weight - log_weight.max())
-        weighted = Weighted(draws, weights / weights.sum())
-        best = max(best, weighted, key=lambda one: one.effective)
-        if turn >= ROUNDS and best.effective > GOOD:
+        fresh = _drawn(parts, DRAWS, generator)
+        weighted = _weighted(
+            np.concatenate([weighted.draws, fresh]),
+            np.concatenate([weighted.heights, log_density(fresh)]),
+            (*weighted.mixtures, parts),
+        )
+        if turn >= rounds and weighted.effective > GOOD:
             break
         parts = _fitted(parts, weighted)
-    return best
+    return weighted
+
+
+def _weighted(draws: Array, heights: Array, mixtures: tuple[list[Part], ...]) -> Weighted:
+    """Return draws weighted by the density, whose logarithms are given, over the mean of all rounds' mixtures."""
+    often = np.logaddexp.reduce(np.concatenate([_log_parts(parts, draws) for parts in mixtures]), axis=0)
+    log_weight = heights - often
+    weights = np.exp(log_weight - log_weight.max())
+    return Weighted(draws, weights / weights.sum(), heights, mixtures)
 
 
 def highest(log_density: Density, start: Array) -> Array:

@@ -22,6 +22,8 @@ NEAR_POINTS, FAR_POINTS = 2, 8
 """Offsets summed over when the launch angle was measured, and when not."""
 WRONG, WRONG_RANGE = 0.01, 60.0
 """Part of the exit speeds taken as wrong readings, spread evenly over this many m/s, so that one cannot rule."""
+LANES = 8
+"""Places are summed in whole eights, the last ones with no weight: what is left over would be done one by one."""
 TINY = 1e-300
 ROOT_TWO_PI = math.sqrt(2 * math.pi)
 
@@ -172,7 +174,7 @@ def _density(
     ball_out: Array,
     slope: Array,
     part: Array,
-    variance: Array,
+    narrow: Array,
 ) -> float:
     """Return the density of an exit speed summed over places; the last two arrays are room to work in.
 
@@ -181,14 +183,34 @@ def _density(
     """
     count = len(weight)
     for j in range(count):
-        variance[j] = noise**2 + (slope[j] * kept) ** 2 * speed_variance
+        narrow[j] = 1 / math.sqrt(noise**2 + (slope[j] * kept) ** 2 * speed_variance)
     for j in range(count):
-        part[j] = -0.5 * (out - ball_out[j] * kept) ** 2 / variance[j]
+        part[j] = -0.5 * ((out - ball_out[j] * kept) * narrow[j]) ** 2
     for j in range(count):
         part[j] = exp(part[j])
     for j in range(count):
-        variance[j] = weight[j] / math.sqrt(variance[j])
-    return _summed(variance, part)
+        narrow[j] *= weight[j]
+    return _summed(narrow, part)
+
+
+@compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
+def _fill_ball_out(
+    speed: float,
+    pitch: float,
+    shift: float,
+    efficiency: Array,
+    efficiency_slope: Array,
+    arm: Array,
+    ball_out: Array,
+    slope: Array,
+) -> None:
+    """Fill the exit speed of a ball met head-on at every place, and its change with bat speed, to first order."""
+    for j in range(len(arm)):
+        there = speed * arm[j]
+        closing = pitch + there
+        now = efficiency[j] + shift + efficiency_slope[j] * closing
+        ball_out[j] = now * closing + there
+        slope[j] = (1 + now + efficiency_slope[j] * closing) * arm[j]
 
 
 @compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
@@ -204,9 +226,10 @@ def log_likelihoods(parameters: Array, speeds: Array, table: Table, found: Array
     places = table.efficiency.shape[1]
     speed_noise, place_noise, attack_spread, usual_attack = table.constants[:4]
     slow, model_noise = (table.constants[4], table.constants[5], table.constants[6]), table.constants[7]
-    usual_weight, own_weight = np.empty(places), np.empty(places)
-    part, variance = np.empty(places), np.empty(places)
-    ball_out, slope, folded = np.empty(places), np.empty(places), np.empty(len(table.far))
+    room = places + LANES
+    usual_weight, own_weight = np.zeros(room), np.zeros(room)
+    part, narrow, ball_out, slope = np.empty(room), np.empty(room), np.zeros(room), np.zeros(room)
+    folded = np.empty(len(table.far))
     counted = np.empty(len(table.farthest))
     for row in range(len(parameters)):
         theta = parameters[row]
@@ -216,7 +239,7 @@ def log_likelihoods(parameters: Array, speeds: Array, table: Table, found: Array
         for bat in range(len(table.farthest)):
             counted[bat] = math.log(within(offset_mean, offset_spread, table.farthest[bat]))
         fill_folded(folded, table.far, offset_mean, offset_spread)
-        usual = fill_weights(usual_weight, table.place_start, table.place_step, centre, scatter**2)
+        usual = fill_weights(usual_weight[:places], table.place_start, table.place_step, centre, scatter**2)
         total = 0.0
         for i in range(len(table.bat_speed)):
             bat, pitch, out = table.bat[i], table.pitch_speed[i], table.exit_speed[i]
@@ -235,15 +258,22 @@ def log_likelihoods(parameters: Array, speeds: Array, table: Table, found: Array
                 total += normal(table.position[i], centre, scatter**2 + place_noise**2)
                 place, place_variance = combined(table.position[i], place_noise, centre, scatter)
                 weight = own_weight
-                first, last = fill_weights(weight, table.place_start, table.place_step, place, place_variance)
+                first, last = fill_weights(weight[:places], table.place_start, table.place_step, place, place_variance)
             if math.isnan(out):
                 continue
-            for j in range(first, last):
-                there = speed * table.arm[bat, j]
-                closing = pitch + there
-                efficiency = table.efficiency[bat, j] + shift + table.efficiency_slope[bat, j] * closing
-                ball_out[j] = efficiency * closing + there
-                slope[j] = (1 + efficiency + table.efficiency_slope[bat, j] * closing) * table.arm[bat, j]
+            _fill_ball_out(
+                speed,
+                pitch,
+                shift,
+                table.efficiency[bat, first:last],
+                table.efficiency_slope[bat, first:last],
+                table.arm[bat, first:last],
+                ball_out[first:last],
+                slope[first:last],
+            )
+            whole = first + -(-(last - first) // LANES) * LANES
+            for j in range(last, whole):
+                weight[j] = 0.0
             unknown = math.isnan(told)
             points, weights = (table.far, folded) if unknown else (table.near, table.near_weights)
             likelihood = 0.0
@@ -255,11 +285,11 @@ def log_likelihoods(parameters: Array, speeds: Array, table: Table, found: Array
                     kept,
                     noise,
                     speed_variance,
-                    weight[first:last],
-                    ball_out[first:last],
-                    slope[first:last],
-                    part[first:last],
-                    variance[first:last],
+                    weight[first:whole],
+                    ball_out[first:whole],
+                    slope[first:whole],
+                    part[first:whole],
+                    narrow[first:whole],
                 )
             total += math.log((1 - WRONG) / ROOT_TWO_PI * likelihood + WRONG / WRONG_RANGE)
         found[row] = total

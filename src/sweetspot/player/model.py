@@ -18,7 +18,7 @@ from sweetspot.numerics.threads import in_parts
 from sweetspot.player.contact_tables import OFFSETS, RATIOS, ContactTable, contact_table, farthest_offset
 from sweetspot.player.likelihood import FAR_POINTS, NEAR_POINTS, Table, log_likelihoods
 from sweetspot.player.player_swing import PlayerSwing
-from sweetspot.player.prior import NAMES, fixed, log_prior, natural, priors
+from sweetspot.player.prior import ANYBODY, NAMES, Population, fixed, log_prior, natural, priors
 from sweetspot.units import INCH
 
 SPEED_FROM_TIP = 6 * INCH
@@ -90,10 +90,10 @@ class PlayerModel:
         in_parts(work, len(parameters), size=max(1, -(-len(parameters) // THREADS)), threads=THREADS)
         return found
 
-    def log_posterior(self, standard: Array) -> Array:
+    def log_posterior(self, standard: Array, population: Population = ANYBODY) -> Array:
         """Return the log-likelihood, `COUNTED`, plus log-prior up to a constant, -inf where the prior forbids."""
         rows = np.atleast_2d(standard)
-        found = log_prior(rows)
+        found = log_prior(rows, population)
         allowed = np.isfinite(found)
         if allowed.any():
             found[allowed] += COUNTED * self.log_likelihood(rows[allowed])

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
+from functools import cache
 from typing import Literal
 
 import numpy as np
 
 from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.arrays import Array
-from sweetspot.player.importance import importance_draws
+from sweetspot.player.importance import Weighted, drawn_further, importance_draws
 from sweetspot.player.model import PlayerModel
-from sweetspot.player.prior import NAMES, natural, prior_draws, standardised
+from sweetspot.player.prior import NAMES, Population, natural, prior_draws, standardised
 
 WALKERS = 40
 STEPS, WARM_UP = 1200, 500
@@ -33,8 +34,8 @@ FARTHEST_START = 3.0
 """Prior standard deviations."""
 USUAL_CLOSING = 68.0
 """m/s, a pitch and a swing together, at which the bat's best place is read off."""
-RESAMPLED = 6000
-"""Draws taken from the weighted ones, each as often as it weighs."""
+RESAMPLED, LIGHT = 6000, 200
+"""Draws taken from the weighted ones, each as often as it weighs, and how many of them a league keeps."""
 Progress = Callable[[int, int], None]
 Method = Literal["draws", "walkers"]
 
@@ -76,17 +77,23 @@ class Posterior:
     draws : shape (draws, 10), SI, in the order of `NAMES`.
     learned : by name.
     seed : that the draws can be repeated with.
+    weighted : the draws as they were weighted, standard parameters; None: of walkers.
     """
 
     model: PlayerModel
     draws: Array
     learned: dict[str, Learned]
     seed: int
+    weighted: Weighted | None = field(default=None, repr=False)
 
     @property
     def converged(self) -> bool:
         """Whether every parameter is well mixed and has enough independent draws."""
         return all(one.mixing <= WELL_MIXED and one.independent_draws >= ENOUGH for one in self.learned.values())
+
+    def lighter(self) -> Posterior:
+        """Return the fit with few of its draws, which a league of hundreds has room for; intervals stay."""
+        return replace(self, draws=self.thinned(LIGHT))
 
     def thinned(self, count: int) -> Array:
         """Return about ``count`` draws, evenly taken, shape (count, 10)."""
@@ -115,9 +122,33 @@ def fit_player(
         return walked(model, seed=seed, progress=progress)
     if progress is not None:
         progress(1, 1)
+    return _resampled(model, weighted, seed)
+
+
+def refitted(posterior: Posterior, population: Population) -> Posterior:
+    """Return the fit of a player of whom it is known how the others of the league differ.
+
+    The draws that there are count again, as they are likely now; new ones are drawn where too few do.
+
+    Parameters
+    ----------
+    posterior : the fit without the league, with weighted draws.
+    population : the league.
+    """
+    model, known, seed = posterior.model, posterior.weighted, posterior.seed
+    if known is None:
+        return posterior
+    apart = (known.draws - population.mean) / population.spread
+    heights = known.heights + 0.5 * np.sum(known.draws**2 - apart**2, axis=1)  # -inf stays what is forbidden
+    weighted = drawn_further(known, heights, lambda rows: model.log_posterior(rows, population), seed=seed)
+    return _resampled(model, weighted, seed)
+
+
+def _resampled(model: PlayerModel, weighted: Weighted, seed: int) -> Posterior:
     taken = np.random.default_rng(seed).choice(len(weighted.weights), RESAMPLED, p=weighted.weights)
     draws = weighted.draws[taken]
-    return Posterior(model, natural(draws), summarised(draws[:, None], independent=weighted.effective), seed)
+    learned = summarised(draws[:, None], independent=weighted.effective)
+    return Posterior(model, natural(draws), learned, seed, weighted)
 
 
 def walked(
@@ -164,19 +195,26 @@ def summarised(chains: Array, *, independent: float | None = None) -> dict[str, 
     independent : how many draws count, where they are no chains but weighted draws; None: worked out from the chains.
     """
     flat = chains.reshape(-1, chains.shape[-1])
-    before = prior_draws(PRIOR_DRAWS, seed=0)
-    values, prior_values = natural(flat), natural(before)
+    values = natural(flat)
     learned = {}
     for index, name in enumerate(NAMES):
         learned[name] = Learned(
             name=name,
             interval=interval(values[:, index]),
-            before=interval(prior_values[:, index]),
-            width_ratio=float(flat[:, index].std() / before[:, index].std()),
+            before=_before()[index][0],
+            width_ratio=float(flat[:, index].std() / _before()[index][1]),
             mixing=1.0 if independent else split_r_hat(chains[:, :, index]),
             independent_draws=independent or independent_draws(chains[:, :, index]),
         )
     return learned
+
+
+@cache
+def _before() -> tuple[tuple[Interval, float], ...]:
+    """Return interval and standard deviation, in its own scale, of every parameter before any data."""
+    draws = prior_draws(PRIOR_DRAWS, seed=0)
+    values = natural(draws)
+    return tuple((interval(values[:, index]), float(draws[:, index].std())) for index in range(len(NAMES)))
 
 
 def interval(values: Array) -> Interval:

@@ -118,16 +118,35 @@ def standardised(values: Array) -> Array:
         return np.where(_ratios(), np.log(values / _centres()) / _widths(), (values - _centres()) / _widths())
 
 
-def log_prior(standard: Array) -> Array:
+@dataclass(frozen=True)
+class Population:
+    """How players differ, in standard parameters: normal distributions, one for each.
+
+    Parameters
+    ----------
+    mean, spread : shape (10,), in the order of `NAMES`.
+    """
+
+    mean: Array
+    spread: Array
+
+
+ANYBODY = Population(np.zeros(len(NAMES)), np.ones(len(NAMES)))
+"""A player of whom nothing is known, not even the league: the prior itself."""
+
+
+def log_prior(standard: Array, population: Population = ANYBODY) -> Array:
     """Return the logarithm of the prior's density up to a constant; -inf for an exponent outside 0 to 1/2.
 
     Parameters
     ----------
     standard : shape (..., 10).
+    population : that the player is one of.
     """
     exponent = natural(standard)[..., NAMES.index("exponent")]
     allowed = (exponent >= 0) & (exponent <= GREATEST_EXPONENT)
-    return np.where(allowed, -0.5 * np.sum(standard**2, axis=-1), -np.inf)
+    apart = (standard - population.mean) / population.spread
+    return np.where(allowed, -0.5 * np.sum(apart**2, axis=-1), -np.inf)
 
 
 def prior_draws(count: int, seed: int) -> Array:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from sweetspot.player.advice import Advice, Option
 from sweetspot.player.goal import Goal
-from sweetspot.player.posterior import Posterior
+from sweetspot.player.prior import Population
 from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Table
 from sweetspot.report.json_shapes import as_columns, cleaned
 from sweetspot.report.player.goals import GOALS, goal_words
+from sweetspot.report.player.pooled import league_json, league_sections, pooled_parameters
+from sweetspot.report.player.teammate import Teammate
 from sweetspot.report.player.tried_bats import option_words
 from sweetspot.report.sentences import Sentence, Slot, Words, say
 
@@ -21,35 +22,37 @@ MEANS = (
     "where its gain is sure by 95 %; (law) stands behind it where the average player's swing law says so and not these "
     "swings."
 )
+NO_LEAGUE = "With fewer than five batters nothing is known of how they differ; each is fitted alone."
 
 
-@dataclass(frozen=True)
-class Teammate:
-    """One batter: name, fit and advice."""
-
-    name: str
-    posterior: Posterior
-    advice: Advice
-
-
-def team_document(members: Sequence[Teammate], left_out: Sequence[str], goal: Goal) -> Document:
+def team_document(
+    members: Sequence[Teammate], left_out: Sequence[str], goal: Goal, league: Population | None = None
+) -> Document:
     """Return a team as a document of one sheet, the batter with the most to gain from less scatter first.
 
     Parameters
     ----------
     left_out : batters of whom nothing can be told, and why.
+    league : how the batters differ; None: too few to know, and each is fitted alone.
     """
     ordered = sorted(members, key=lambda member: -member.advice.worth["position_spread"].gain.value)
     blocks: list[Block] = [_table(ordered, goal), Paragraph(MEANS, "note")]
     if left_out:
         blocks += [Paragraph("Left out:"), Bullets(list(left_out))]
     rows = [_row(member) for member in ordered]
+    if league is None:
+        blocks.append(Paragraph(NO_LEAGUE, "note"))
     noun = "batter" if len(members) == 1 else "batters"
     return Document(
         name="team", title="Team sheet",
         subtitle=say("{count} {noun}, for {goal}; {bat}", count=len(members), noun=noun, goal=goal_words(goal),
                      bat=", ".join(_bats(members))),
-        kind="Training report", blocks=blocks, data={"batters": rows, "left_out": list(left_out)},
+        kind="Training report", blocks=blocks, details=[] if league is None else league_sections(ordered, league),
+        data={
+            "batters": [row | {"parameters": pooled_parameters(member, league)}
+                        for row, member in zip(rows, ordered, strict=True)],
+            "league": league and league_json(league, len(members)), "left_out": list(left_out),
+        },
         rows=as_columns(rows),
     )  # fmt: skip
 
@@ -103,7 +106,9 @@ def _row(member: Teammate) -> dict[str, Any]:
         "swings": len(member.posterior.model.swings),
         "bat": member.posterior.model.bats[0].bat.name,
         "bat_speed_m_s": learned["bat_speed"].interval.value,
+        "bat_speed_alone_m_s": member.alone.learned["bat_speed"].interval.value,
         "position_spread_m": learned["position_spread"].interval.value,
+        "position_spread_alone_m": member.alone.learned["position_spread"].interval.value,
         "goal": advice.goal.name,
         "expected": advice.now.value,
         "contact_point_from_tip_m": advice.contact_point.value,

@@ -1,0 +1,174 @@
+"""The compiled mean of a goal over a player's scatter of swings, draw by draw: what `expected.Expectation` asks."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.kernel_cache import compiled
+
+SPEED, CARRY, LINE = 0, 1, 2
+"""What is gained: exit speed, carry, or whether a line is passed."""
+INSIDE = 1.000001
+"""The last place of a grid that has a neighbour is so many steps before its end."""
+SLOWEST = 1.0
+"""m/s of the bat, below which pitch over bat speed is not followed."""
+
+
+class BatInHand(NamedTuple):
+    """A bat's tables as the kernel reads them: `ContactTable`, and where the player's own counts a hit.
+
+    Parameters
+    ----------
+    arm, measured_arm : m from the axis of the swing to the tip, and to where bat speed is measured.
+    reach, farthest : m; place from the tip and size of the offset up to which a swing is a hit.
+    place_step : m between places.
+    efficiency, efficiency_slope : (places,).
+    offset_start, offset_step : m.
+    ratio_start, ratio_step : of pitch speed over bat speed.
+    kept : (ratios, offsets).
+    """
+
+    arm: float
+    measured_arm: float
+    reach: float
+    farthest: float
+    place_step: float
+    efficiency: Array
+    efficiency_slope: Array
+    offset_start: float
+    offset_step: float
+    ratio_start: float
+    ratio_step: float
+    kept: Array
+
+
+class CarryGrid(NamedTuple):
+    """Carry on even grids of head-on exit speed, offset and attack angle.
+
+    Parameters
+    ----------
+    start, step : (3,) of the grids.
+    carry : m, shape of the three grids.
+    """
+
+    start: Array
+    step: Array
+    carry: Array
+
+
+class Wanted(NamedTuple):
+    """What is gained by a hit.
+
+    Parameters
+    ----------
+    kind : `SPEED`, `CARRY` or `LINE`.
+    line, scatter : m, where the line is and the standard deviation of carries about those tabled.
+    grid : of carries, for all but exit speed.
+    """
+
+    kind: int
+    line: float
+    scatter: float
+    grid: CarryGrid
+
+
+class Scattered(NamedTuple):
+    """How the swings of every draw scatter: means, shape (draws,), and spreads; SI.
+
+    Parameters
+    ----------
+    speed, position, offset, attack : means; speed with the bat in hand.
+    speed_spread, position_spread, offset_spread : standard deviations, shape (draws,).
+    attack_spread : one for all.
+    shift : of the collision efficiency, shape (draws,).
+    normal : standard normal numbers, shape (4, draws, swings).
+    """
+
+    speed: Array
+    position: Array
+    offset: Array
+    attack: Array
+    speed_spread: Array
+    position_spread: Array
+    offset_spread: Array
+    attack_spread: float
+    shift: Array
+    normal: Array
+
+
+@compiled(nogil=True, inline="always", error_model="numpy")
+def _bracket(at: float, count: int) -> tuple[int, float]:
+    """Return the lower neighbour on a grid of so many places, and how far on the way to the next one it is."""
+    inside = min(max(at, 0.0), count - INSIDE)
+    low = int(inside)
+    return low, inside - low
+
+
+@compiled(nogil=True, error_model="numpy")
+def _carry(grid: CarryGrid, exit_speed: float, offset: float, attack: float) -> float:
+    """Return the carry of a hit, straight lines between the grids; beyond a grid its end counts."""
+    start, step, carry = grid.start, grid.step, grid.carry
+    i, a = _bracket((exit_speed - start[0]) / step[0], carry.shape[0])
+    j, b = _bracket((offset - start[1]) / step[1], carry.shape[1])
+    k, c = _bracket((attack - start[2]) / step[2], carry.shape[2])
+    total = 0.0
+    for across in range(2):
+        for up in range(2):
+            weight = (b if across else 1 - b) * (c if up else 1 - c)
+            slow, fast = carry[i, j + across, k + up], carry[i + 1, j + across, k + up]
+            total += weight * (slow + a * (fast - slow))
+    return float(total)
+
+
+@compiled(nogil=True, error_model="numpy")
+def fill_carries(grid: CarryGrid, exit_speed: Array, offset: Array, attack_angle: Array, carry: Array) -> None:
+    """Fill the carry in m of hits, all of one shape (n,)."""
+    for one in range(len(carry)):
+        carry[one] = _carry(grid, exit_speed[one], offset[one], attack_angle[one])
+
+
+@compiled(nogil=True, error_model="numpy")
+def fill_gains(bat: BatInHand, wanted: Wanted, swings: Scattered, pitch: float, gains: Array) -> None:
+    """Fill the expected goal of every draw, shape (draws,).
+
+    Exit speed is the mean over hits; of carries and lines every swing counts, and one that is no hit brings nothing.
+
+    Parameters
+    ----------
+    pitch : m/s at the plate.
+    """
+    draws, count = swings.normal.shape[1:]
+    per_arm, per_place = 1 / bat.measured_arm, 1 / bat.place_step
+    per_ratio, per_offset = 1 / bat.ratio_step, 1 / bat.offset_step
+    for row in range(draws):
+        total, hits = 0.0, 0
+        for one in range(count):
+            place = swings.position[row] + swings.position_spread[row] * swings.normal[1, row, one]
+            above = swings.offset[row] + swings.offset_spread[row] * swings.normal[2, row, one]
+            if not (0 <= place <= bat.reach and abs(above) <= bat.farthest):
+                continue
+            hits += 1
+            speed = swings.speed[row] + swings.speed_spread[row] * swings.normal[0, row, one]
+            there = speed * (bat.arm - place) * per_arm
+            closing = pitch + there
+            low, part = _bracket(place * per_place, len(bat.efficiency))
+            still = bat.efficiency[low] + part * (bat.efficiency[low + 1] - bat.efficiency[low])
+            rise = bat.efficiency_slope[low] + part * (bat.efficiency_slope[low + 1] - bat.efficiency_slope[low])
+            head_on = max((still + swings.shift[row] + closing * rise) * closing + there, 0.0)
+            if wanted.kind == SPEED:
+                ratio = pitch / max(speed, SLOWEST)
+                i, down = _bracket((ratio - bat.ratio_start) * per_ratio, bat.kept.shape[0])
+                j, side = _bracket((above - bat.offset_start) * per_offset, bat.kept.shape[1])
+                left = bat.kept[i, j] * (1 - down) + bat.kept[i + 1, j] * down
+                right = bat.kept[i, j + 1] * (1 - down) + bat.kept[i + 1, j + 1] * down
+                total += head_on * (left * (1 - side) + right * side)
+                continue
+            attack = swings.attack[row] + swings.attack_spread * swings.normal[3, row, one]
+            carry = _carry(wanted.grid, head_on, above, attack)
+            if wanted.kind == CARRY:
+                total += carry
+            else:
+                total += 0.5 * math.erfc((wanted.line - carry) / (math.sqrt(2.0) * wanted.scatter))
+        gains[row] = total / max(hits, 1) if wanted.kind == SPEED else total / count
