@@ -20,8 +20,8 @@ browser:  ## Chromium for the page's tests, where apt-get may install it
 		apt-get update -qq && apt-get install -y -qq --no-install-recommends chromium > /dev/null; then exit 0; fi; \
 	echo "No Chromium here and none could be installed: tests of the page in a browser are skipped (with CI=true: fail)."
 
-test: $(VENV)/.dev browser  ## all tests
-	$(BIN)/python -m pytest -q -n 2 --dist worksteal
+test: $(VENV)/.dev browser  ## all tests; three at a time keep two cores busy, as tests of the page wait for a browser
+	$(BIN)/python -m pytest -q -n 3 --dist worksteal
 
 LOWEST := .venv-lowest
 UNDER_LOWEST := $(addprefix tests/,catalog collision dynamics equipment flight motion numerics units report cli calibration)

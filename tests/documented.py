@@ -29,6 +29,8 @@ LONG = {
     "design tennis-racket": "the same",
     "tap r161.wav": "tests/cli/test_tap_command.py runs the same, and calibrate on the page on one's own bat",
     "tap taps.wav": "the same",
+    "tap shaft.wav": "the same",
+    "tap frame.wav": "the same",
     "report mine.toml --uncertainty": "a thousand draws; tests/calibration/draws runs them",
     "compare r161-ash mine.toml --uncertainty": "the same",
     "compare russell-b5 --rows": "36 hollow bats; benchmarks/ runs them, and the page on drawings wooden ones",

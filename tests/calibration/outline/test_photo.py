@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Any
 
@@ -37,18 +38,18 @@ def rendered(
     ruler : m of a yellow ruler beside the bat.
     """
     fine = 2
-    y, x = np.mgrid[0 : size * fine, 0 : size * fine] / fine - size / 2 + 0.37
-    turn = np.deg2rad(angle)
-    along = pixel * (x * np.cos(turn) - y * np.sin(turn)) + BAT.length / 2
-    across = pixel * (x * np.sin(turn) + y * np.cos(turn))
+    y, x = np.mgrid[0 : size * fine, 0 : size * fine].astype(np.float32) / fine - np.float32(size / 2 - 0.37)
+    turn = float(np.deg2rad(angle))
+    along = pixel * (x * math.cos(turn) - y * math.sin(turn)) + BAT.length / 2
+    across = pixel * (x * math.sin(turn) + y * math.cos(turn))
     near = (along >= 0) & (along <= BAT.length) & (np.abs(across) < 0.06)
-    half = np.full(along.shape, -1.0)
+    half = np.full(along.shape, -1.0, np.float32)
     half[near] = BAT.diameter_at(along[near]) / 2
     light = 1 - slope * (x / size + 0.5)
     if shadow:
         falls = np.where((along > 0) & (along < BAT.length), np.clip(1 - (across - half) / 0.012, 0, 1), 0)
         light = light * (1 - shadow * np.where(across > 0, falls, 0))
-    linear = np.array(ground) ** 2.2 * light[..., None]
+    linear = np.array(ground, np.float32) ** 2.2 * light[..., None]
     if ruler is not None:
         beside = (np.abs(along - BAT.length / 2) < ruler / 2) & (np.abs(across + 0.10) < 0.015)
         linear[beside] = np.array((0.85, 0.7, 0.1)) ** 2.2
