@@ -47,8 +47,12 @@ MOISTURES = (0.02, 0.3)
 MOST_BATS = 200
 
 
-def read_bats(path: Path) -> dict[str, list[Measurement]]:
+def read_bats(path: Path, *, axis: float = STANDARD_AXIS) -> dict[str, list[Measurement]]:
     """Return what was measured on each bat of a CSV file, by name.
+
+    Parameters
+    ----------
+    axis : m from the knob end, of its moments of inertia and pendulums.
 
     Raises
     ------
@@ -68,7 +72,7 @@ def read_bats(path: Path) -> dict[str, list[Measurement]]:
         name = given.pop(("name", ""), f"bat {line - 1}")
         if name in bats:
             raise InputError(f"{path}, line {line}: there are two bats of the name {name!r}; give each its own")
-        bats[name] = _measurements(given, f"{path}, line {line}")
+        bats[name] = _measurements(given, f"{path}, line {line}", axis)
         if not bats[name]:
             raise InputError(f"{path}, line {line}: nothing was measured on {name}; its columns may be {HINT}")
     return bats
@@ -97,7 +101,7 @@ def _column(cell: str) -> tuple[str, str] | None:
     return None
 
 
-def _measurements(given: dict[tuple[str, str], str], what: str) -> list[Measurement]:
+def _measurements(given: dict[tuple[str, str], str], what: str, axis: float) -> list[Measurement]:
     values = {
         quantity: parse_measured(_with_unit(cell, unit), UNITS[quantity][0], f"{what}, {quantity}")
         for (quantity, unit), cell in given.items()
@@ -111,9 +115,9 @@ def _measurements(given: dict[tuple[str, str], str], what: str) -> list[Measurem
     measurements = []
     for quantity, value in values.items():
         if quantity in ("mass", "balance_point", "moi"):
-            measurements.append(Measurement(quantity, value, axis=STANDARD_AXIS))  # type: ignore[arg-type]
+            measurements.append(Measurement(quantity, value, axis=axis))  # type: ignore[arg-type]
         elif quantity == "pendulum":
-            measurements.append(Measurement("period", value, axis=STANDARD_AXIS))
+            measurements.append(Measurement("period", value, axis=axis))
         else:
             name = ModeName("hoop", 2) if quantity == "hoop" else ModeName("bending", int(quantity[-1]))
             measurements.append(Measurement("frequency", value, mode=name))

@@ -15,8 +15,10 @@ from sweetspot.calibration.unknowns import Unknown, UnknownName, deviated
 from sweetspot.catalog.bats import is_file
 from sweetspot.catalog.files.bat import read_toml
 from sweetspot.catalog.files.write import bat_table
+from sweetspot.catalog.files.write_implement import implement_table
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.numerics.arrays import Array
 
 SOURCE = "own_measurement"
@@ -37,9 +39,9 @@ class Value:
 
 
 def properties(posterior: Posterior) -> dict[str, Value]:
-    """Return mass, balance point and moment of inertia about 6 in, with errors of the whole posterior."""
+    """Return mass, balance point and moment of inertia about `moi_axis`, with errors of the whole posterior."""
     wanted = [Measurement("mass", Measured(1, 1)), Measurement("balance_point", Measured(1, 1)),
-              Measurement("moi", Measured(1, 1), axis=AXIS)]  # fmt: skip
+              Measurement("moi", Measured(1, 1), axis=moi_axis(posterior))]  # fmt: skip
     values = predicted(posterior.line, wanted)
     slopes = np.array([_slope(posterior, index, wanted) for index in range(len(posterior.unknowns))])
     errors = np.sqrt(np.einsum("ji,jk,ki->i", slopes, posterior.covariance, slopes))
@@ -52,6 +54,12 @@ def properties(posterior: Posterior) -> dict[str, Value]:
     }
 
 
+def moi_axis(posterior: Posterior) -> float:
+    """Return the axis of the told moment of inertia in m from the knob end: 6 in, or that of the swing weight."""
+    own = posterior.line.bat
+    return AXIS if isinstance(own, Bat) else own.moi_axis
+
+
 def _slope(posterior: Posterior, index: int, wanted: list[Measurement]) -> Array:
     step = np.zeros(len(posterior.unknowns))
     step[index] = 1e-3 * posterior.unknowns[index].spread
@@ -62,9 +70,14 @@ def _slope(posterior: Posterior, index: int, wanted: list[Measurement]) -> Array
 
 
 def material_values(posterior: Posterior) -> dict[str, Value]:
-    """Return moduli and density of the calibrated bat."""
+    """Return moduli and density of the calibrated bat; of a racket, club or stick the first frequency."""
     bat = posterior.line.bat
-    assert isinstance(bat, Bat)  # only bats are calibrated
+    if not isinstance(bat, Bat):
+        frequency = bat.frequency
+        assert frequency is not None  # guaranteed by implement_unknowns
+        error = posterior.deviation("first_frequency").error
+        rung = any(one.mode is not None for one in posterior.measurements)
+        return {"first_frequency": Value(Measured(frequency, frequency * error), "measured" if rung else "assumed")}
     centre = {
         "modulus": ("longitudinal_modulus", bat.material.longitudinal_modulus),
         "shear_modulus": ("shear_modulus", bat.material.shear),
@@ -98,6 +111,8 @@ def calibrated_bat(posterior: Posterior, damping: Measured | None) -> Bat:
 
 def calibrated_table(posterior: Posterior, damping: Measured | None) -> dict[str, Any]:
     """Return the content of a bat file with half widths of 90 % intervals, and the covariance of what is not known."""
+    if not isinstance(posterior.line.bat, Bat):
+        return _implement_table(posterior, damping)
     table = bat_table(calibrated_bat(posterior, damping))
     units = {"mass": "kg", "balance_point": "m", "moi": "kg*m^2"}
     for name, one in properties(posterior).items():
@@ -110,13 +125,34 @@ def calibrated_table(posterior: Posterior, damping: Measured | None) -> dict[str
     if damping is not None:
         material["damping_ratio"] = _record(damping.value, Value(damping, "measured"), "")
     table["material"] = material
+    return {**table, "calibration": _left_unknown(posterior)}
+
+
+def _left_unknown(posterior: Posterior) -> dict[str, Any]:
     own = [index for index, one in enumerate(posterior.unknowns) if one.name != OF_BALL]
-    table["calibration"] = {
+    return {
         "measured": [one.name for one in posterior.measurements],
         "unknowns": [posterior.unknowns[index].name for index in own],
         "covariance": posterior.covariance[np.ix_(own, own)].tolist(),
     }
-    return table
+
+
+def _implement_table(posterior: Posterior, damping: Measured | None) -> dict[str, Any]:
+    """Return the content of the file of a racket, club or stick; a club has head and grip for its weight."""
+    own = posterior.line.bat
+    table = implement_table(own.replaced(name=f"{own.name}, calibrated"))
+    units = {"mass": "kg", "balance_point": "m", "moi": "kg*m^2", "first_frequency": "Hz"}
+    for name, one in {**properties(posterior), **material_values(posterior)}.items():
+        if name in table:
+            table[name] = _record(f"{one.value.value!r} {units[name]}", one, units[name])
+    if damping is not None and "damping" in table:
+        table["damping"] = _record(damping.value, Value(damping, "measured"), "")
+    if isinstance(own, GolfClub):
+        for holder, name, unknown in ((table["head"], "mass", "end_mass"), (table, "grip_mass", "knob_mass")):
+            mass = own.head.mass if name == "mass" else own.grip_mass
+            error = mass * posterior.deviation(unknown).error
+            holder[name] = _record(f"{mass!r} kg", Value(Measured(mass, error), "fitted"), "kg")
+    return {**table, "calibration": _left_unknown(posterior)}
 
 
 def _record(written: Any, one: Value, unit: str) -> dict[str, Any]:

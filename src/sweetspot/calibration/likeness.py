@@ -8,7 +8,7 @@ from sweetspot.calibration.measurements import Measurement
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.rigid import pendulum_period, rigid_body
-from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.units import insisted
@@ -18,8 +18,12 @@ APART: Mapping[str, float] = {"mass": 1.5, "balance_point": 1.2, "moi": 1.7, "pe
 differs by half of these; a slip of a unit or of a column by more."""
 
 
-def check_likeness(bats: Mapping[str, Sequence[Measurement]], model: Bat) -> None:
+def check_likeness(bats: Mapping[str, Sequence[Measurement]], model: Implement, *, axis: float = STANDARD_AXIS) -> None:
     """Refuse measurements that no bat of a model comes near: in another unit, or in another column.
+
+    Parameters
+    ----------
+    axis : m from the knob end, of moments of inertia and pendulums.
 
     Raises
     ------
@@ -28,7 +32,6 @@ def check_likeness(bats: Mapping[str, Sequence[Measurement]], model: Bat) -> Non
     """
     line = beam_model(model)
     body, modes = rigid_body(line), bending_modes(line)
-    axis = STANDARD_AXIS
     own: dict[str, float] = {
         "mass": body.mass, "balance_point": body.balance_point, "moi": body.moi(axis),
         "period": pendulum_period(body.moi(axis), mass=body.mass, balance_point=body.balance_point, pivot=axis),

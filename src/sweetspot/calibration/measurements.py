@@ -114,6 +114,7 @@ def predicted(line: BeamModel, measurements: Sequence[Measurement], *, livelier:
     livelier : logarithm of the shot balls' restitution over that of their law.
     """
     body = rigid_body(line)
+    known = None if line.bat.added else line.bat.frequency
     bending = hoop = None
     count = max((one.mode.harmonic for one in measurements if one.mode and one.mode.family == "bending"), default=0)
     efficiencies = _efficiencies(line, [one.shooting for one in measurements if one.shooting], livelier)
@@ -132,6 +133,8 @@ def predicted(line: BeamModel, measurements: Sequence[Measurement], *, livelier:
             values.append(efficiencies[one.shooting])
         elif one.mode is None:
             raise InputError("a frequency needs the name of its mode")
+        elif known is not None and one.mode == ModeName("bending", 1):  # what the stiffness is scaled to
+            values.append(known)
         elif one.mode.family == "bending":
             bending = bending_frequencies(line, count=count, elements=ELEMENTS) if bending is None else bending
             values.append(float(bending[one.mode.harmonic - 1]))

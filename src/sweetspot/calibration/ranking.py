@@ -19,6 +19,8 @@ from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.posterior import Posterior
 from sweetspot.calibration.unknowns import Unknown, deviated
 from sweetspot.dynamics.beam import BeamModel
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_law import SwingLaw
@@ -29,6 +31,8 @@ PLACES = 25
 """Along the barrel."""
 REACHED = (0.08, 0.26)
 """m from the tip: the part of the barrel that is looked at."""
+ON_FACE = 0.1
+"""Of a face's length at either end that is not looked at."""
 DIFFERS = 2.0
 """Standard deviations from the mean of the bats at which a property is said to differ."""
 PROPERTIES = ("mass", "balance_point", "moi")
@@ -44,7 +48,8 @@ class RankedBat:
     exit_speed : m/s at its best place, for this player and the mean ball; the ball's doubt is not in it.
     best_chance : probability of being the best of all.
     place : m from the knob end, where it hits best.
-    properties : mass (kg), balance point (m), moment of inertia about 6 in (kg m^2) and modulus over the described one.
+    properties : mass (kg), balance point (m), moment of inertia about 6 in (kg m^2) and modulus over the described one;
+        of rackets, clubs and sticks the swing weight, and the square of the first frequency over the described one's.
     differs : properties that differ from the mean of all bats by more than twice what is not known of them.
     contradictions : measurements of it that contradict the others, with how many sigma.
     """
@@ -108,8 +113,7 @@ def rank_bats(
     first = next(iter(posteriors.values()))
     line, unknowns = first.prior, first.unknowns
     spreads = np.array([one.spread for one in unknowns])
-    length = line.bat.length
-    places = np.linspace(length - REACHED[1], length - REACHED[0], PLACES)
+    places = _places(line.bat)
     response = response_of_efficiency(line, conditions, unknowns=unknowns, positions=places)
     turning = _Turning.of(line, unknowns, axis=0.0 if law is None else law.axis)
     generator = np.random.default_rng(seed)
@@ -140,6 +144,15 @@ def rank_bats(
         tuple(sorted(ranked, key=lambda one: -one.exit_speed.value)),
         float(values.std(ddof=1)), float(np.sqrt(np.mean(errors**2))), float(by_nature.std()),
     )  # fmt: skip
+
+
+def _places(implement: Implement) -> Array:
+    """Return the places in m from the knob end that are looked at: of the barrel, or of the face."""
+    face, length = implement.outline, implement.length
+    if face is None:
+        return np.linspace(length - REACHED[1], length - REACHED[0], PLACES)
+    free = ON_FACE * (face.end - face.start)
+    return np.linspace(face.start + free, face.end - free, PLACES)
 
 
 @dataclass(frozen=True)
@@ -180,8 +193,11 @@ def _properties(posterior: Posterior) -> dict[str, Measured]:
     from sweetspot.calibration.calibrated_file import properties
 
     known = {name: one.value for name, one in properties(posterior).items() if name in PROPERTIES}
-    off = posterior.deviation("modulus")
-    return {**known, "modulus": Measured(math.exp(off.value), math.exp(off.value) * off.error)}
+    own = posterior.line.bat
+    off = posterior.deviation("modulus" if isinstance(own, Bat) else "first_frequency")
+    power = 1 if isinstance(own, Bat) else 2  # stiffness goes as the frequency squared
+    stiffness = math.exp(power * off.value)
+    return {**known, "modulus": Measured(stiffness, power * stiffness * off.error)}
 
 
 def _differing(properties: dict[str, dict[str, Measured]], name: str) -> tuple[str, ...]:

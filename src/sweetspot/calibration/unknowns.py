@@ -16,9 +16,11 @@ from typing import Literal
 
 import numpy as np
 
+from sweetspot.calibration.implement_unknowns import as_described, implement_deviated, implement_spreads
 from sweetspot.catalog.materials import material_spreads
 from sweetspot.dynamics.beam import BeamModel, beam_model
 from sweetspot.equipment.bat import Bat, PointMass
+from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.shell import Stations
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
@@ -34,6 +36,10 @@ UnknownName = Literal[
     "handle",
     "barrel",
     "ball_restitution",
+    "mass",
+    "balance_point",
+    "gyration",
+    "first_frequency",
 ]
 GRADIENT_SPREAD = 0.05
 """One sigma of the density's relative change from the middle to the tip (assumed)."""
@@ -63,8 +69,13 @@ class Unknown:
     spread: float
 
 
-def described(bat: Bat) -> BeamModel:
-    """Return a bat's beam as described, without what was measured, with tape and paint at a solid bat's knob."""
+def described(bat: Implement) -> BeamModel:
+    """Return a bat's beam as described, without what was measured, with tape and paint at a solid bat's knob.
+
+    A racket, club or stick is described by what was measured; see `implement_unknowns`.
+    """
+    if not isinstance(bat, Bat):
+        return as_described(bat)
     bare = bat.replaced(mass=None, balance_point=None, moi=None, original=None)
     if bat.shell is None and not any(weight.position == 0 for weight in bat.point_masses):
         weights = (*bat.point_masses, PointMass(position=0.0, mass=KNOB_EXTRA))
@@ -72,7 +83,7 @@ def described(bat: Bat) -> BeamModel:
     return beam_model(bare)
 
 
-def unknowns_of(bat: Bat, *, diameter_spread: float = DIAMETER_SPREAD) -> tuple[Unknown, ...]:
+def unknowns_of(bat: Implement, *, diameter_spread: float = DIAMETER_SPREAD) -> tuple[Unknown, ...]:
     """Return what is not known about a bat of this kind.
 
     Parameters
@@ -82,8 +93,10 @@ def unknowns_of(bat: Bat, *, diameter_spread: float = DIAMETER_SPREAD) -> tuple[
     Raises
     ------
     InputError
-        for a wall that is laid up of plies, whose moduli no file of one bat could hold.
+        for a wall that is laid up of plies, whose moduli no file of one bat could hold; for a table-tennis racket.
     """
+    if not isinstance(bat, Bat):
+        return tuple(Unknown(name, size) for name, size in implement_spreads(bat).items())  # type: ignore[arg-type]
     if bat.shell is not None and (bat.shell.laminate is not None or bat.shell.handle_material is not None):
         raise InputError(
             f"{bat.name} has walls of plies or a handle of its own material; calibrate knows bats of one material"
@@ -110,7 +123,8 @@ def unknowns_of(bat: Bat, *, diameter_spread: float = DIAMETER_SPREAD) -> tuple[
 def deviated(line: BeamModel, unknowns: Sequence[Unknown], deviations: Array) -> BeamModel:
     """Return a bat's beam with these deviations from it, shape (n,)."""
     by: dict[str, float] = {one.name: float(off) for one, off in zip(unknowns, deviations, strict=True)}
-    assert isinstance(line.bat, Bat)  # guaranteed by unknowns_of
+    if not isinstance(line.bat, Bat):
+        return implement_deviated(line, by)
     bat = _changed(line.bat, by)
     return replace(
         line,

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from sweetspot.calibration.measurements import Measurement
     from sweetspot.calibration.posterior import Posterior
     from sweetspot.calibration.unknowns import Unknown
-    from sweetspot.equipment.bat import Bat
+    from sweetspot.equipment.implement import Implement
 
 
 @Parameter(name="*")
@@ -74,7 +74,10 @@ DEFAULT_WEIGHED, DEFAULT_RUNG, DEFAULT_SHOTS, DEFAULT_TRUST = (
 
 
 def calibrate(
-    bat: Annotated[str, Parameter(help="The bat as described: a TOML file or a name of the catalogue.")],
+    bat: Annotated[
+        str,
+        Parameter(help="The bat, racket, club or stick as described: a TOML file or a name of the catalogue."),
+    ],
     /,
     *,
     weighed: WeighedOptions = DEFAULT_WEIGHED,
@@ -92,11 +95,11 @@ def calibrate(
     from sweetspot.report.calibration.document import calibration_document
     from sweetspot.units import parse
 
-    own = catalog.load_bat(bat)
+    own = catalog.load_implement(bat)
     unknowns = unknowns_of(own, diameter_spread=parse(trust.diameter_error, "ratio", "--diameter-error"))
     measurements = _weighed(own, weighed)
     tapped, damping = _tapped(own, rung.tap or [], rung.at or [])
-    measurements += tapped + [_tone(text) for text in rung.tone or []]
+    measurements += tapped + [_tone(text, own) for text in rung.tone or []]
     if shot.shots is not None:
         told, of_ball = _shot(own, shot.shots, shot.ball)
         measurements += told
@@ -122,7 +125,7 @@ def _write(posterior: Posterior, damping: Measured | None, path: Path) -> None:
     print(f"sweetspot: wrote {path}", file=sys.stderr)
 
 
-def _weighed(own: Bat, weighed: WeighedOptions) -> list[Measurement]:
+def _weighed(own: Implement, weighed: WeighedOptions) -> list[Measurement]:
     """Return what scale, balance and pendulum say."""
     from sweetspot.calibration.measurements import Measurement
     from sweetspot.calibration.written import parse_measured
@@ -143,7 +146,7 @@ def _weighed(own: Bat, weighed: WeighedOptions) -> list[Measurement]:
     return measurements
 
 
-def _tapped(own: Bat, recordings: list[Path], at: list[str]) -> tuple[list[Measurement], Measured | None]:
+def _tapped(own: Implement, recordings: list[Path], at: list[str]) -> tuple[list[Measurement], Measured | None]:
     """Return the tones that recordings hold, and the damping of the bending modes."""
     from sweetspot.calibration.measured import pooled
     from sweetspot.calibration.measurements import of_tones
@@ -162,16 +165,30 @@ def _tapped(own: Bat, recordings: list[Path], at: list[str]) -> tuple[list[Measu
         raise InputError(
             "no tone of the recordings is a bending mode of this bat; hang it freely, tap it 1 in from the tip"
         )
-    return of_tones(test.tones), pooled(bending)
+    return _told(of_tones(test.tones), own), pooled(bending)
 
 
-def _shot(own: Bat, path: Path, ball: str | None) -> tuple[list[Measurement], Unknown]:
+def _told(measurements: list[Measurement], own: Implement) -> list[Measurement]:
+    """Return the tones that tell something: of a racket, club or stick the first, to which its stiffness is scaled."""
+    from sweetspot.calibration.naming import ModeName
+    from sweetspot.equipment.bat import Bat
+
+    first = ModeName("bending", 1)
+    return [one for one in measurements if isinstance(own, Bat) or one.mode == first]
+
+
+def _shot(own: Implement, path: Path, ball: str | None) -> tuple[list[Measurement], Unknown]:
     """Return what shots say at each place, and how lively their balls may be."""
     from sweetspot import catalog
     from sweetspot.analysis.certification.shots import read_shots
     from sweetspot.calibration.shot_measurements import of_shots, shot_ball_unknown
     from sweetspot.catalog.standard_hit import standard_conditions
+    from sweetspot.equipment.bat import Bat
 
+    if not isinstance(own, Bat):
+        raise InputError(
+            f"--shots tell of bats only; {own.name} is calibrated by weight, balance, swing weight and tap"
+        )
     read = read_shots(path, length=own.length)
     for bad in read.bad_rows:
         print(f"sweetspot: {path}, row {bad.row} was left out: {bad.reason}", file=sys.stderr)
@@ -179,7 +196,7 @@ def _shot(own: Bat, path: Path, ball: str | None) -> tuple[list[Measurement], Un
     return of_shots(read.shots, used), shot_ball_unknown(read.shots, used)
 
 
-def _tone(text: str) -> Measurement:
+def _tone(text: str, own: Implement) -> Measurement:
     """Return the measurement that a text like ``bending-1:171.3Hz`` names."""
     from sweetspot.calibration.measurements import MOST_BENDING, Measurement
     from sweetspot.calibration.naming import ModeName
@@ -191,7 +208,13 @@ def _tone(text: str) -> Measurement:
     if name.strip() not in names or not value:
         raise InputError(f"--tone was given as {text!r}; write {', '.join(names)} and a frequency: bending-1:171.3Hz")
     frequency: Measured = parse_measured(value, "frequency", "--tone")
-    return Measurement("frequency", frequency, mode=names[name.strip()])
+    given = Measurement("frequency", frequency, mode=names[name.strip()])
+    if not _told([given], own):
+        raise InputError(
+            f"--tone was given as {text!r}; of {own.name} only the first bending mode counts, to which its "
+            "stiffness is scaled: bending-1"
+        )
+    return given
 
 
 def _without(measurements: list[Measurement], names: list[str]) -> list[Measurement]:

@@ -13,6 +13,7 @@ from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
     from sweetspot.calibration.measurements import Measurement
+    from sweetspot.equipment.implement import Implement
 
 
 def rank(
@@ -25,8 +26,15 @@ def rank(
     ],
     /,
     *,
-    like: Annotated[str, Parameter(help="The model as described: a bat file or a name of the catalogue.")],
+    like: Annotated[str, Parameter(help="The model as described: a file or a name of the catalogue.")],
     diameter_error: Annotated[str, Parameter(help="How well each bat's diameters are known.")] = "0.3%",
+    pivot: Annotated[
+        str | None,
+        Parameter(
+            name="--pivot-of-table",
+            help="Axis of the table's pendulum and moi, from the knob end; default: 6in, or that of the swing weight.",
+        ),
+    ] = None,
     same_speed: Annotated[
         bool, Parameter(negative="", help="Swing all bats at the same speed, not with the same effort.")
     ] = False,
@@ -42,12 +50,20 @@ def rank(
     from sweetspot.catalog.swing_laws import swing_law
     from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.output import patience, present, progress
+    from sweetspot.equipment.bat import Bat
+    from sweetspot.numerics.constants import STANDARD_AXIS
     from sweetspot.report.calibration.ranking_report import ranking_document
-    from sweetspot.units import parse
+    from sweetspot.units import parse, parse_position
 
-    model = catalog.load_bat(like)
-    measured = _measured(table)
-    check_likeness(measured, model)
+    model = catalog.load_implement(like)
+    if pivot is None:
+        axis = STANDARD_AXIS if isinstance(model, Bat) else model.moi_axis
+    else:
+        axis = parse_position(pivot, length=model.length, what="--pivot-of-table")
+    measured = _measured(table, axis)
+    check_likeness(measured, model, axis=axis)
+    if not isinstance(model, Bat):
+        _check_columns(measured, model)
     unknowns = unknowns_of(model, diameter_spread=parse(diameter_error, "ratio", "--diameter-error"))
     line, law = described(model), None if same_speed else swing_law(catalog.sport(model.sport).swing_law)
     with progress("bats") as step, patience():
@@ -59,21 +75,32 @@ def rank(
                 raise InputError(f"{name}: {error}") from None
             step(count, len(measured))
         ranking = rank_bats(posteriors, conditions=conditions_for(model, swing), law=law)
-    return present(ranking_document(ranking, model=model.name), output)
+    return present(ranking_document(ranking, model=model), output)
 
 
-def _measured(table: Path) -> dict[str, list[Measurement]]:
+def _check_columns(measured: dict[str, list[Measurement]], model: Implement) -> None:
+    """Refuse tones above the first of rackets, clubs and sticks: their stiffness is scaled to the first."""
+    for name, given in measured.items():
+        for one in given:
+            if one.mode is not None and (one.mode.family != "bending" or one.mode.harmonic > 1):
+                raise InputError(
+                    f"{name}: {one.mode} was given; of {model.name} only bending_1_hz counts, to which its stiffness "
+                    "is scaled. Leave the other columns out"
+                )
+
+
+def _measured(table: Path, axis: float) -> dict[str, list[Measurement]]:
     """Return what was measured on each bat: of a table, or of all tables of a folder."""
     from sweetspot.calibration.bat_table import read_bats
 
     if not table.is_dir():
-        return read_bats(table)
+        return read_bats(table, axis=axis)
     files = sorted(table.glob("*.csv"))
     if not files:
         raise InputError(f"{table} holds no CSV file; put one with the bats' measurements there")
     measured: dict[str, list[Measurement]] = {}
     for file in files:
-        for name, given in read_bats(file).items():
+        for name, given in read_bats(file, axis=axis).items():
             if name in measured:
                 raise InputError(f"{file}: there are two bats of the name {name!r}; give each its own")
             measured[name] = given

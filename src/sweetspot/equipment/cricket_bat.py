@@ -44,6 +44,7 @@ class CricketBat(OfMaterial):
     concavity : 1 for a back of two planes, more for one that was scooped out.
     splice : m that the handle reaches into the blade.
     grip_mass : kg of rubber, twine and glue on the handle, spread evenly.
+    first_frequency : Hz, measured, of bending mode 1 hung freely; None: as the materials have it.
 
     Raises
     ------
@@ -61,6 +62,7 @@ class CricketBat(OfMaterial):
     concavity: Annotated[float, Field(ge=1, le=4)] = 1.5
     splice: Positive
     grip_mass: NonNegative = 0.0
+    first_frequency: Positive | None = None
 
     @model_validator(mode="after")
     def _holds_together(self) -> CricketBat:
@@ -89,6 +91,11 @@ class CricketBat(OfMaterial):
     def materials(self) -> tuple[Material, ...]:
         """Of blade and handle."""
         return self.material, self.handle_material
+
+    @property
+    def frequency(self) -> float | None:
+        """As measured, if it was."""
+        return self.first_frequency
 
     @property
     def face(self) -> Face:

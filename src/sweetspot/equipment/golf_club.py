@@ -57,6 +57,7 @@ class GolfClub(OfMaterial):
     diameter, wall : (position, size) stations of the shaft, from the butt to where the head begins.
     head : at the end of the shaft. Its balance point is taken to lie on the shaft's line.
     grip_mass, grip_length : kg and m.
+    first_frequency : Hz, measured, of bending mode 1 hung freely; None: as the materials have it.
 
     Raises
     ------
@@ -71,6 +72,7 @@ class GolfClub(OfMaterial):
     head: ClubHead
     grip_mass: NonNegative = 0.05
     grip_length: Positive = 0.27
+    first_frequency: Positive | None = None
 
     @model_validator(mode="after")
     def _holds_together(self) -> GolfClub:
@@ -96,6 +98,11 @@ class GolfClub(OfMaterial):
     def density_range(self) -> None:
         """None: the club is weighed by its parts."""
         return None
+
+    @property
+    def frequency(self) -> float | None:
+        """As measured, if it was."""
+        return self.first_frequency
 
     @property
     def face(self) -> Face:

@@ -34,6 +34,7 @@ class HockeyStick(OfMaterial):
     face_start : m from the top of the handle, where the playing face begins.
     grip_mass, grip_length : kg and m of what is wrapped round the handle.
     hook_mass, hook_reach : kg of the head's hook and m from the stick's line to its middle.
+    first_frequency : Hz, measured, of bending mode 1 hung freely; None: as the materials have it.
 
     Raises
     ------
@@ -51,6 +52,7 @@ class HockeyStick(OfMaterial):
     grip_length: Positive = 0.3
     hook_mass: NonNegative = 0.0
     hook_reach: NonNegative = 0.0
+    first_frequency: Positive | None = None
 
     @model_validator(mode="after")
     def _holds_together(self) -> HockeyStick:
@@ -62,6 +64,11 @@ class HockeyStick(OfMaterial):
                 f"{self.length:.4g} m stick; allowed is one after the other"
             )
         return self
+
+    @property
+    def frequency(self) -> float | None:
+        """As measured, if it was."""
+        return self.first_frequency
 
     @property
     def face(self) -> Face:

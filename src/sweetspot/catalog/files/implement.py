@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
-from sweetspot.catalog.files.bat import BatFile, PlyTable, bat_from_table, laminate_of, read_toml
+from sweetspot.catalog.files.bat import BatFile, CalibrationTable, PlyTable, bat_from_table, laminate_of, read_toml
 from sweetspot.catalog.files.like import resolved
 from sweetspot.catalog.files.sport_kind import check_sport
 from sweetspot.catalog.files.tables import (
@@ -68,6 +68,12 @@ class CommonTable(FileTable):
     choke: Length = Field("0 cm", description="how far the grip is moved up from the butt end")
     note: str | None = Field(None, description="anything worth knowing about it")
     point_mass: tuple[AddedTable, ...] = Field((), description="small weights added after it was measured: lead tape")
+    calibration: CalibrationTable | None = None
+
+
+FirstFrequency = Annotated[
+    str | None, FREQUENCY, Field(description="measured, of bending mode 1, hung freely; absent: as the material has it")
+]
 
 
 class HeadTable(FileTable):
@@ -118,6 +124,7 @@ class CricketBatFile(CommonTable):
     concavity: float = Field(1.5, description="1: a back of two planes; more: scooped out")
     splice: Length = Field(description="how far the handle reaches into the blade")
     grip_mass: Mass = "0 g"
+    first_frequency: FirstFrequency = None
 
 
 class HockeyStickFile(CommonTable):
@@ -133,6 +140,7 @@ class HockeyStickFile(CommonTable):
     grip_length: Length = "30 cm"
     hook_mass: Mass = "0 g"
     hook_reach: Length = "0 cm"
+    first_frequency: FirstFrequency = None
 
 
 class ClubHeadTable(FileTable):
@@ -158,6 +166,7 @@ class GolfClubFile(CommonTable):
     head: ClubHeadTable
     grip_mass: Mass = "50 g"
     grip_length: Length = "27 cm"
+    first_frequency: FirstFrequency = None
 
 
 class TableTennisRacketFile(CommonTable):
@@ -210,7 +219,7 @@ def _unwrapped(value: Any) -> Any:
 
 
 def _common(file: CommonTable) -> dict[str, Any]:
-    left_out = ("kind", "note", "point_mass")
+    left_out = ("kind", "note", "point_mass", "calibration")
     fields = {name: value for name, value in in_si(file, implement=file.kind).items() if name not in left_out}
     weights = [in_si(weight, "point_mass", implement=file.kind) for weight in file.point_mass]
     fields["added"] = tuple(

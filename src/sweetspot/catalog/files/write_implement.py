@@ -9,6 +9,7 @@ from sweetspot.catalog.files.write import bat_table, length_text, material_key, 
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.golf_club import GolfClub
+from sweetspot.equipment.hockey_stick import HockeyStick
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.racket import Racket
 from sweetspot.errors import InputError
@@ -68,6 +69,17 @@ def _cricket_bat(bat: CricketBat) -> dict[str, Any]:
         "concavity": bat.concavity,
         "splice": length_text(bat.splice),
         "grip_mass": f"{bat.grip_mass!r} kg",
+        **_given(first_frequency=(bat.first_frequency, "Hz")),
+    }
+
+
+def _hockey_stick(stick: HockeyStick) -> dict[str, Any]:
+    return {
+        "material": material_key(stick.material),
+        **{name: pairs_text(getattr(stick, name)) for name in ("width", "depth", "wall")},
+        **{name: length_text(getattr(stick, name)) for name in ("face_start", "grip_length", "hook_reach")},
+        **{name: f"{getattr(stick, name)!r} kg" for name in ("grip_mass", "hook_mass")},
+        **_given(first_frequency=(stick.first_frequency, "Hz")),
     }
 
 
@@ -105,6 +117,7 @@ def _golf_club(club: GolfClub) -> dict[str, Any]:
         "wall": pairs_text(club.wall),
         "grip_mass": f"{club.grip_mass!r} kg",
         "grip_length": length_text(club.grip_length),
+        **_given(first_frequency=(club.first_frequency, "Hz")),
         "head": {
             "mass": f"{head.mass!r} kg",
             "height": length_text(head.height),
@@ -125,5 +138,6 @@ KINDS: dict[str, tuple[type[Implement], Callable[[Any], dict[str, Any]]]] = {
     "racket": (Racket, _racket),
     "cricket-bat": (CricketBat, _cricket_bat),
     "golf-club": (GolfClub, _golf_club),
+    "hockey-stick": (HockeyStick, _hockey_stick),
 }
 """What is written, by what its file calls it."""

@@ -8,10 +8,12 @@ from sweetspot.calibration.calibrated_file import Value, material_values, proper
 from sweetspot.calibration.measured import LEVEL, REACH, Measured
 from sweetspot.calibration.measurements import MeasuredKind, Measurement, predicted
 from sweetspot.calibration.posterior import CONTRADICTION, Posterior, suspects
+from sweetspot.catalog.sports import sport
+from sweetspot.equipment.bat import Bat
 from sweetspot.report.calibration.intervals import measured_json, measured_words
 from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Table
 from sweetspot.report.json_shapes import as_columns, cleaned
-from sweetspot.report.quantities import SCALES
+from sweetspot.report.quantities import SCALES, reader
 from sweetspot.report.sentences import Sentence, Slot, joined, say
 
 SCALE_OF: dict[MeasuredKind, tuple[str, int]] = {
@@ -23,12 +25,15 @@ VALUES = {
     "mass": ("mass", "mass"), "balance_point": ("balance point from the knob", "length"),
     "moi": ("MOI about 6 in", "moi"), "longitudinal_modulus": ("modulus E along the grain", "modulus"),
     "shear_modulus": ("shear modulus G", "modulus"), "density": ("density", "density"),
+    "first_frequency": ("first frequency", "frequency"),
 }  # fmt: skip
 """What each value of the calibrated bat is called, and how it is shown."""
 WORDS = {
     "modulus": "modulus E", "shear_modulus": "shear modulus G", "density": "density", "wall": "wall thickness",
     "density_gradient": "density, middle to tip", "knob_mass": "mass at the knob", "end_mass": "mass of the end cap",
     "ball_restitution": "restitution of the shot balls", "handle": "handle diameter", "barrel": "barrel diameter",
+    "mass": "weight", "balance_point": "balance point", "gyration": "radius of gyration",
+    "first_frequency": "first frequency",
 }  # fmt: skip
 LEAST_SHARE = 0.01
 
@@ -50,20 +55,38 @@ def calibration_document(posterior: Posterior, damping: Measured | None) -> Docu
     blocks: list[Block] = [Paragraph(words, "warning") for words in findings]
     blocks += [_values(posterior, damping), _unknowns(posterior), _measured(posterior)]
     blocks += [Paragraph(budget_words(posterior)), Paragraph(sigma, "note")]
+    own = posterior.line.bat
     return Document(
-        name="calibrate", title="The calibrated bat", kind="Calibration", blocks=blocks, data=data,
-        rows=as_columns(data["measurements"]), passed=not posterior.contradictions,
+        name="calibrate", title="The calibrated bat" if isinstance(own, Bat) else f"{own.name}, calibrated",
+        kind="Calibration", blocks=blocks, data=data, rows=as_columns(data["measurements"]),
+        passed=not posterior.contradictions, reader=reader(None, sport(own.sport).words),
     )  # fmt: skip
 
 
 def _values(posterior: Posterior, damping: Measured | None) -> Table:
     values = {**properties(posterior), **material_values(posterior)}
     rows: list[tuple[Cell, ...]] = [
-        (VALUES[name][0], measured_words(one.value, VALUES[name][1]), one.kind) for name, one in values.items()
+        (_called(name, posterior), measured_words(one.value, VALUES[name][1]), one.kind) for name, one in values.items()
     ]
     if damping is not None:
         rows.append(("damping", measured_words(damping, "share"), "measured"))
-    return Table("", [Column("the bat"), Column("value", right=True), Column("known from")], rows)
+    return Table("", [Column(_kind(posterior)), Column("value", right=True), Column("known from")], rows)
+
+
+def _kind(posterior: Posterior, which: str = "") -> str:
+    """Return what people call what was calibrated: the bat, the fitted racket."""
+    noun = sport(posterior.line.bat.sport).words.implement
+    return f"the {which} {noun}" if which else f"the {noun}"
+
+
+def _called(name: str, posterior: Posterior) -> str | Sentence:
+    """Return what a value of the calibrated bat, or of an implement of another sport, is called."""
+    own = posterior.line.bat
+    if isinstance(own, Bat) or name not in ("balance_point", "moi"):
+        return VALUES[name][0]
+    if name == "moi":
+        return say("swing weight about {axis}", axis=Slot(own.moi_axis, "place"))
+    return f"balance point from the {own.grip_end}"
 
 
 def _unknowns(posterior: Posterior) -> Table:
@@ -92,7 +115,7 @@ def _measured(posterior: Posterior) -> Table:
         for one, fitted, pull in _rows(posterior)
     ]
     columns = [
-        Column("measured"), Column("value", right=True), Column("the fitted bat", right=True),
+        Column("measured"), Column("value", right=True), Column(_kind(posterior, "fitted"), right=True),
         Column("off by sigma", right=True),
     ]  # fmt: skip
     return Table("The measurements", columns, rows)
@@ -122,7 +145,9 @@ def contradictions(posterior: Posterior) -> list[Sentence]:
     if len(words) == 1:
         words.append(
             say(
-                "No single measurement explains it: look for a wrong outline, another wood, or a bat that was not free."
+                "No single measurement explains it: look for a wrong {drawing}, or a {bat} that was not free.",
+                drawing="outline, another wood" if isinstance(posterior.line.bat, Bat) else "unit or axis",
+                bat=sport(posterior.line.bat.sport).words.implement,
             )
         )
     return words
@@ -136,12 +161,14 @@ def _rows(posterior: Posterior) -> list[tuple[Measurement, float, float]]:
 
 def budget_words(posterior: Posterior) -> Sentence:
     """Return in words what the doubt about the modulus comes from, and what a wrong handle would do to it."""
+    of_bat = isinstance(posterior.line.bat, Bat)
     shares = (
         say("{name} {share}", name=_source(name), share=Slot(share, "share"))
-        for name, share in posterior.budget("modulus").items()
+        for name, share in posterior.budget("modulus" if of_bat else "first_frequency").items()
         if share >= LEAST_SHARE
     )
-    words = [say("What the doubt about E comes from: {shares}.", shares=joined(shares, ", "))]
+    what = "E" if of_bat else "the first frequency"
+    words = [say("What the doubt about {what} comes from: {shares}.", what=what, shares=joined(shares, ", "))]
     names = posterior.sources
     if "expected handle" in names:
         index = [one.name for one in posterior.unknowns].index("handle")

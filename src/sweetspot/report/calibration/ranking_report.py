@@ -6,16 +6,20 @@ from typing import Any
 
 from sweetspot.calibration.measured import LEVEL
 from sweetspot.calibration.ranking import RankedBat, Ranking
+from sweetspot.catalog.sports import sport
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
 from sweetspot.report.calibration.intervals import half_width, measured_json
 from sweetspot.report.document import Block, Column, Document, Paragraph, Table
 from sweetspot.report.json_shapes import cleaned
+from sweetspot.report.quantities import reader
 from sweetspot.report.sentences import Sentence, Slot, joined, say
 
 WORDS = {"mass": "weight", "balance_point": "balance", "moi": "swing weight", "modulus": "stiffness"}
 UNITS = {"mass": "_kg", "balance_point": "_m", "moi": "_kg_m2", "modulus": ""}
 
 
-def ranking_document(ranking: Ranking, *, model: str) -> Document:
+def ranking_document(ranking: Ranking, *, model: Implement) -> Document:
     """Return a ranking as an answer: who is first and how surely, whether they differ at all, what differs."""
     rows = [
         (
@@ -25,37 +29,52 @@ def ranking_document(ranking: Ranking, *, model: str) -> Document:
         )
         for one in ranking.bats
     ]  # fmt: skip
+    wooden = isinstance(model, Bat)
+    words = sport(model.sport).words
     columns = [
-        Column("bat"), Column("exit speed", "speed"), Column("±", "speed", digits=2), Column("best of all", "share"),
-        Column("weight", "mass"), Column("MOI", "moi"), Column("E off", "share", digits=1, sign=True),
+        Column(words.implement), Column("exit speed", "speed"), Column("±", "speed", digits=2),
+        Column("best of all", "share"),
+        Column("weight", "mass"), Column("MOI" if wooden else "swing weight", "moi"),
+        Column("E off" if wooden else "stiffness off", "share", digits=1, sign=True),
         Column("differs in"),
     ]  # fmt: skip
-    blocks: list[Block] = [Paragraph(ranking_words(ranking))]
+    blocks: list[Block] = [Paragraph(ranking_words(ranking, of_bats=wooden))]
     for one in ranking.bats:
         off = ", ".join(f"{name} lies {abs(pull):.1f} sigma off" for name, pull in one.contradictions.items())
         if off:
             blocks.append(Paragraph(f"{one.name}: {off}; measure it again.", "warning"))
-    blocks.append(Table("The bats", columns, rows))
+    blocks.append(Table(f"The {words.implement}s", columns, rows))
     blocks.append(
         Paragraph(
             say(
                 "{level} intervals: of the bat alone, hit by the same ball. MOI: about 6 in from the knob. E off: "
-                "modulus against the drawing's. Where a moisture was given, all is told at 12 %.",
+                "modulus against the drawing's. Where a moisture was given, all is told at 12 %."
+                if wooden
+                else "{level} intervals: of the {thing} alone, hit by the same ball. Swing weight: about {axis} from "
+                "the {butt}. Stiffness off: the first frequency squared, against the description's.",
                 level=Slot(LEVEL, "share"),
+                thing=words.implement,
+                axis=Slot(model.moi_axis, "place"),
+                butt=words.butt,
             ),
             "note",
         )
     )
-    data = ranking_json(ranking)
+    data = ranking_json(ranking, axis=None if wooden else model.moi_axis)
     flat = [{key: value for key, value in one.items() if not isinstance(value, (dict, list))} for one in data["bats"]]
     return Document(
-        name="rank", title=f"{len(ranking.bats)} bats like {model}", blocks=blocks, data=data,
-        rows={key: [one[key] for one in flat] for key in flat[0]},
+        name="rank", title=f"{len(ranking.bats)} {words.implement}s like {model.name}", blocks=blocks, data=data,
+        rows={key: [one[key] for one in flat] for key in flat[0]}, reader=reader(None, words),
     )  # fmt: skip
 
 
-def ranking_words(ranking: Ranking) -> Sentence:
-    """Return in words who is first, how surely, and whether the bats differ by more than wood does."""
+def ranking_words(ranking: Ranking, *, of_bats: bool) -> Sentence:
+    """Return in words who is first, how surely, and whether bats differ by more than wood does.
+
+    Parameters
+    ----------
+    of_bats : whether they are of one wood, whose own scatter is known.
+    """
     first, last = ranking.bats[0], ranking.bats[-1]
     words = [
         say(
@@ -69,13 +88,15 @@ def ranking_words(ranking: Ranking) -> Sentence:
              "doubt": Slot(ranking.not_known, "speed_change", 2),
              "wood": Slot(ranking.wood, "speed_change", 2)}  # fmt: skip
     verdict = (
-        "The bats differ by {scatter} (one sigma), more than the {chance} that chance alone could make of the {doubt} "
+        "They differ by {scatter} (one sigma), more than the {chance} that chance alone could make of the {doubt} "
         "that is not known of each: the order means something."
         if ranking.beyond_doubt
-        else "The bats differ by {scatter} (one sigma), no more than the {chance} that chance alone could make of the "
+        else "They differ by {scatter} (one sigma), no more than the {chance} that chance alone could make of the "
         "{doubt} that is not known of each: the order may be chance."
     )
     words.append(say(verdict, **sizes))
+    if not of_bats:
+        return joined(words)
     words.append(
         say(
             "Bats of this outline in any billet of this wood would differ by {wood}; these differ by {more}.",
@@ -92,8 +113,13 @@ def _beside_wood(ranking: Ranking) -> str:
     return "much more: look for another reason" if much else "little more, which wood may do by itself"
 
 
-def ranking_json(ranking: Ranking) -> dict[str, Any]:
-    """Return a ranking, SI."""
+def ranking_json(ranking: Ranking, *, axis: float | None = None) -> dict[str, Any]:
+    """Return a ranking, SI.
+
+    Parameters
+    ----------
+    axis : m from the butt end, of the swing weight; None: the moment of inertia is about 6 in.
+    """
     found: dict[str, Any] = cleaned(
         {
             "interval_level": LEVEL,
@@ -102,20 +128,21 @@ def ranking_json(ranking: Ranking) -> dict[str, Any]:
             "by_chance_m_s": ranking.by_chance,
             "wood_m_s": ranking.wood,
             "beyond_doubt": ranking.beyond_doubt,
-            "bats": [_bat_json(one) for one in ranking.bats],
+            "bats": [_bat_json(one, axis) for one in ranking.bats],
         }
     )
     return found
 
 
-def _bat_json(one: RankedBat) -> dict[str, Any]:
+def _bat_json(one: RankedBat, axis: float | None) -> dict[str, Any]:
+    turning = one.properties["moi"].value
     return {
         "name": one.name,
         **measured_json(one.exit_speed, "exit_speed", "_m_s"),
         "best_chance": one.best_chance,
         "best_position_m": one.place,
         "mass_kg": one.properties["mass"].value,
-        "moi_6in_kg_m2": one.properties["moi"].value,
+        **({"moi_6in_kg_m2": turning} if axis is None else {"swing_weight_kg_m2": turning, "moi_axis_m": axis}),
         "properties": {name: measured_json(value, name, UNITS[name]) for name, value in one.properties.items()},
         "differs": list(one.differs),
         "contradictions": one.contradictions,
