@@ -63,6 +63,13 @@ def test_a_table_is_read_chosen_from_taken_away_and_read_with_another_bat(
     expect(page.locator("#verdict")).to_contain_text("m/s")
     settled(page)
     assert "mph" not in page.locator(".stack").inner_text().replace("_mph", "")
+    page.get_by_role("button", name="Design a bat for this player").click()
+    expect(page).to_have_url(re.compile(r"/design\?.*contact_in="))
+    expect(page.locator("#verdict")).to_contain_text("This is the present bat still")
+    settled(page)
+    page.go_back()
+    expect(page.locator("#verdict")).to_contain_text("of 600003")
+    settled(page)
     narrow(page)
     page.reload()  # the address holds it
     expect(page.locator("#verdict")).to_contain_text("of 600003")

@@ -111,6 +111,19 @@ def test_a_players_page_and_the_tables_are_there_and_nothing_else(client: httpx.
     assert command == f"sweetspot season TABLE.csv --bat r161-ash --player {one['batter']} --out season"
 
 
+def test_a_players_contacts_are_controls_of_the_design(client: httpx.Client, known: str) -> None:
+    """Drawn towards all players, and no better known than an inch; who was not seen is one clear line."""
+    one = asked(client, "/summary", season=known)["players"][0]
+    found = asked(client, "/contacts", season=known, batter=one["batter"])
+    assert 4 < found["contact_in"] < 10 and 1 < found["contact_doubt_in"] < 1.5
+    assert found["bat_speed_mph"] == pytest.approx(one["bat_speed"] / 0.44704, abs=0.01)
+    told = client.post("/api/v1/design", json=found)
+    assert told.status_code == 200 and told.json()["curves"]["contacts"]
+    assert asked(client, "/contacts", season=known) == asked(client, "/contacts") == {}
+    response = client.post(f"{URL}/contacts", json={"season": known, "batter": "nobody"})
+    assert response.status_code == 422 and response.json()["error"]["field"] == "batter"
+
+
 @pytest.mark.parametrize(
     ("name", "text", "words"),
     [

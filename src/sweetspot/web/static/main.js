@@ -493,6 +493,13 @@ export class App {
     this.visit(link.href);
   }
 
+  // To another view, with some of its controls set.
+  visitWith(name, fields) {
+    this.left.set(name, { ...defaultsOf(this.entry(name).schema), ...this.left.get(name), ...fields });
+    for (const field of Object.keys(fields)) if (Object.hasOwn(this.carried, field)) this.carried[field] = fields[field];
+    return this.visit(this.addressFor(name));
+  }
+
   async visit(address) {
     this.stepTo(address);
     await this.go();

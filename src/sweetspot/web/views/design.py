@@ -38,7 +38,7 @@ from sweetspot.report.design.document import compared
 from sweetspot.report.design.sizes import drawing, tolerance_words
 from sweetspot.report.design.words import effort_words, moved_words, warning_words, worth_words
 from sweetspot.report.quantities import SCALES, SYSTEMS
-from sweetspot.units import INCH, MPH
+from sweetspot.units import INCH
 from sweetspot.web.bats import ball_of, reduced
 from sweetspot.web.drawings import bat_picture, outline
 from sweetspot.web.errors import FieldError, about
@@ -52,6 +52,7 @@ from sweetspot.web.views.design_state import (
     Asked,
     DesignState,
     asked,
+    batter_controls,
     league_of,
     limits_of,
     locks_of,
@@ -226,11 +227,7 @@ def batter(state: DesignState) -> dict[str, Any]:
         place = posterior.learned["position"].interval
         values["position_doubt"] = (place.high - place.low) / (2 * TWO_SIDED_95)
     values["position_doubt"] = math.hypot(values["position_doubt"], PLACES_DOUBT)
-    scales = {"contact_in": ("position", INCH), "contact_spread_in": ("position_spread", INCH),
-              "contact_doubt_in": ("position_doubt", INCH),
-              "miss_in": ("offset", INCH), "miss_spread_in": ("offset_spread", INCH),
-              "bat_speed_mph": ("bat_speed", MPH), "pitch_speed_mph": ("pitch_speed", MPH)}  # fmt: skip
-    return {field: round(values[name] / size, 2) for field, (name, size) in scales.items() if name in values}
+    return batter_controls(values)
 
 
 def _of_file(text: str, name: str, read: Callable[[Path], Read]) -> Read:

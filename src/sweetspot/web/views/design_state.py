@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Annotated, Literal
@@ -23,7 +24,7 @@ from sweetspot.design.measures import Bench, Measured, bench_of
 from sweetspot.design.usual_limits import kept_limits, space_of, usual_league
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
-from sweetspot.units import INCH
+from sweetspot.units import INCH, MPH
 from sweetspot.web.bats import conditions_of, described
 from sweetspot.web.errors import about
 from sweetspot.web.states import Name, SwungState
@@ -177,3 +178,12 @@ def question_of(state: DesignState) -> Question:
     """Return what is looked for."""
     wants = tuple(dict.fromkeys((state.want, state.also_want)))
     return Question(wants, limits_of(state), seed=state.seed, generations=state.generations)
+
+
+def batter_controls(values: Mapping[str, float]) -> dict[str, float]:
+    """Return what is known of a batter, m and m/s by the names of a player's parameters, as fields of a state."""
+    scales = {"contact_in": ("position", INCH), "contact_spread_in": ("position_spread", INCH),
+              "contact_doubt_in": ("position_doubt", INCH),
+              "miss_in": ("offset", INCH), "miss_spread_in": ("offset_spread", INCH),
+              "bat_speed_mph": ("bat_speed", MPH), "pitch_speed_mph": ("pitch_speed", MPH)}  # fmt: skip
+    return {field: round(values[name] / size, 2) for field, (name, size) in scales.items() if name in values}

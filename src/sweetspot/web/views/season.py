@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import lru_cache
@@ -17,6 +18,7 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.flight.park import FOUL_LINE, fence_at
 from sweetspot.report.bat.json import bat_json
+from sweetspot.units import INCH
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import described
 from sweetspot.web.documents import told
@@ -27,6 +29,7 @@ from sweetspot.web.recipes import bat_name, bat_text
 from sweetspot.web.states import BatState, Name
 from sweetspot.web.uploads import UPLOADS, UploadKey
 from sweetspot.web.view import View
+from sweetspot.web.views.design_state import batter_controls
 from sweetspot.web.views.season_work import Handed, kept_report, kept_summary, read_season
 
 if TYPE_CHECKING:  # tables load slowly, and no other view needs them
@@ -34,6 +37,9 @@ if TYPE_CHECKING:  # tables load slowly, and no other view needs them
     from sweetspot.season.maps import BallMap
 
 MOST_TABLES = 60
+PLACES_DOUBT, LEAST_SPREAD = 1.0 * INCH, 0.2 * INCH
+"""m: a season's places are known to an inch, for inside and outside of the best one are told apart badly; and the
+smallest scatter that Design takes."""
 Choice = Annotated[str, Field(min_length=1, max_length=80)] | None
 DIRECTIONS = np.linspace(-FOUL_LINE, FOUL_LINE, 46)
 
@@ -141,6 +147,25 @@ def player(state: SeasonState) -> dict[str, Any]:
         return told(player_page(_report(folder), state.batter))
 
 
+def contacts(state: SeasonState) -> dict[str, Any]:
+    """Return where the chosen player meets the ball and how fast the swing is, as controls of the view Design."""
+    from sweetspot.design.contacts import contacts_at
+    from sweetspot.season.places_met import contact_places
+
+    folder = _folder(state)
+    if folder is None or state.batter is None:
+        return {}
+    with about("batter"):
+        found = contacts_at(contact_places(folder, state.batter))
+    values = {"position": found.mean, "position_spread": max(found.spread, LEAST_SPREAD),
+              "position_doubt": math.hypot(found.mean_doubt, PLACES_DOUBT)}  # fmt: skip
+    kept = kept_summary(folder)
+    own = next((one for one in ([] if kept is None else kept["players"]) if one["batter"] == state.batter), {})
+    if own.get("bat_speed") is not None:
+        values["bat_speed"] = own["bat_speed"]
+    return batter_controls(values)
+
+
 def _folder(state: SeasonState) -> Path | None:
     if state.season is None:
         return None
@@ -164,6 +189,7 @@ def recipe(state: SeasonState) -> dict[str, str]:
 
 
 VIEW = View(
-    "season", "Season", SeasonState, answer, recipe, asides={"summary": summary, "maps": maps, "player": player},
+    "season", "Season", SeasonState, answer, recipe,
+    asides={"summary": summary, "maps": maps, "player": player, "contacts": contacts},
     jobs={"read": LongWork(read_season, begun)},
 )  # fmt: skip

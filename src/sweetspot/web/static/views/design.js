@@ -71,7 +71,7 @@ export const view = {
         toggle(app, "keep_mass", { label: "Weight" }), toggle(app, "keep_moi", { label: "Swing weight (MOI about 6 in)" }),
         toggle(app, "keep_wood", { label: "Density of the wood" }),
         toggle(app, "keep_balance", { label: "Balance point" }), toggle(app, "keep_grip", { label: "Grip's smallest diameter" }),
-        make("p", { className: "note", textContent: "Within 1 %. The length always stays." }),
+        make("p", { className: "note", textContent: "Within 1 %. Length, knob and the cup's width stay; the command takes ranges for them (--length, --knob, --cup-diameter)." }),
         choice(app, "league", { label: "Rules of", options: leagues }),
       ]),
       group("The batter", [
@@ -87,6 +87,9 @@ export const view = {
         choice(app, "want", { label: "Better in", options: wants }), choice(app, "also_want", { label: "And in", options: wants }),
         slider(app, "generations", { label: "Generations", step: 5 }), slider(app, "deepest_cup_in", { label: "Deepest cup", step: 0.05 }),
       ], { open: false }),
+      group("Other sports", [make("p", { className: "note" },
+        "Here bats of baseball and softball are designed. Cricket bats, rackets and golf clubs have a few numbers of their own, and the command designs them: ",
+        make("code", { textContent: "sweetspot design cricket-bat --out blade" }), ", ", make("code", { textContent: "tennis-racket" }), ", ", make("code", { textContent: "golf-driver" }), ".")], { open: false }),
       group("The bat's numbers", [this.numbers], { open: false }), this.bench.element, swingGroup(app, { open: false }), ballGroup(app));
   },
 

@@ -46,7 +46,9 @@ export const view = {
     this.files = make("ul", { className: "files" });
     this.none = make("p", { className: "note", hidden: true });
     const section = (title, ...parts) => make("section", { className: "picture", hidden: true }, make("h2", { textContent: title }), ...parts);
-    this.player = section("This player", this.page.element);
+    this.wrong = make("p", { className: "fault", hidden: true });
+    this.design = button("Design a bat for this player", () => this.toDesign(), { title: "Where this player meets the ball, and how fast, goes along to the view Design" });
+    this.player = section("This player", make("div", { className: "row tight" }, this.design), this.wrong, this.page.element);
     this.told = [
       section("How they were hit", this.none, this.facts.element, this.barrel.element, this.ceilings.element),
       section("Where they come down", this.field.element), section("Players", this.players.table),
@@ -69,6 +71,7 @@ export const view = {
     this.told[1].hidden ||= !this.found?.field;
     this.told[2].hidden ||= !this.players.players.length;
     this.player.hidden = !season || app.state.batter === null;
+    this.wrong.hidden = true;
     for (const one of this.filters) one.fill(season?.choices[one.field] ?? []);
     if (!season) {
       this.found = null;
@@ -127,6 +130,17 @@ export const view = {
     const bats = typeof means.squared_up === "number" ? `, ${app.text("share", means.squared_up)} squared up against ${answer.season.same_bat ? answer.bat.name : "the bat they were read with"}, met ${app.text("offset", means.from_best)} from its best place on average` : "";
     this.words.textContent = `${means.balls.toLocaleString("en-US")} ${means.balls === 1 ? "ball" : "balls"} in play${whose}: ${app.text("speed", means.exit_speed)} of exit speed${bats}.`;
     app.announce(this.words.textContent);
+  },
+
+  async toDesign() {
+    const { app } = this;
+    this.wrong.hidden = true;
+    try {
+      app.visitWith("design", { ...await app.ask("season/contacts", app.state), design_si: null, design_for: null });
+    } catch (fault) {
+      this.wrong.textContent = fault?.message ?? "The server does not answer; try again.";
+      this.wrong.hidden = false;
+    }
   },
 
   listFiles(tables) {
