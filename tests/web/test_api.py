@@ -304,7 +304,7 @@ def test_a_fault_of_the_program_is_told_as_json(monkeypatch: pytest.MonkeyPatch)
     assert "report it" in response.json()["error"]["message"]
 
 
-HOSTILE = ('baseball" if not __import__("os").system("id") else "', "$(id)", "`id`", "a; id", "x' + str(1) + '", "\nid")
+HOSTILE = ('baseball" if not __import__("os").system("id") else "', "$(id)")
 
 
 def texts_of(name: str) -> list[str]:

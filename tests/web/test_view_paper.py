@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import math
+import re
 import shlex
 from collections.abc import Callable
 from contextlib import redirect_stdout
@@ -103,5 +104,16 @@ def test_the_command_line_gives_the_same_numbers(run_json: Callable[..., Any]) -
     state = PaperState(question="drop", drop_height_m=2.0, block_support="clamped", block_thickness_m=0.01)
     assert VIEW.recipe is not None
     rows = run_json(*shlex.split(VIEW.recipe(state)["command"])[1:])["rows"]
-    expected = answer(state)["rows"]
+    expected = [{key: value for key, value in row.items() if key != "words"} for row in answer(state)["rows"]]
     assert [row for row in rows if row["equation"] == "Fig. 6"] == expected
+
+
+@pytest.mark.parametrize("question", PARTS)
+def test_numbers_in_words_are_in_the_readers_units(question: str) -> None:
+    """As they are told in the chain, or worked out anew; no text is searched for units."""
+    rows = asked(question=question)["rows"]
+    told = {system: " ".join(text for row in rows for text in row["words"][system].values()) for system in ("us", "si")}
+    assert not re.search(r"\d (in|ft|mph)\b", told["si"])
+    assert not re.search(r"\d (m|cm|m/s)\b", told["us"])
+    if question == "corking":
+        assert "corked 1 in x 10 in" in told["us"] and "corked 2.5 cm x 25.4 cm" in told["si"]

@@ -24,6 +24,7 @@ from sweetspot.equipment.material import Material
 from sweetspot.motion.swing import Conditions
 from sweetspot.paper import formulas as paper
 from sweetspot.paper.formulas import Row
+from sweetspot.paper.words import Number, Words, inches, metres, miles_per_hour
 from sweetspot.units import INCH, MPH
 
 THIN_PLATE = 0.003
@@ -105,6 +106,8 @@ def _entry(analysis: Analysis, choices: Choices) -> Iterator[Row]:
     )  # fmt: skip
     yield Row("4", f"ball speed across the bat, {degrees}", "m/s", None, normal, normal, "v cos(alpha).")
 
+    from_tip = analysis.bat.length - analysis.sweet_spots.max_exit_speed
+
     def travel(rubbing: Rubbing) -> float:
         slanted = oblique(best, ball=ball, body=analysis.body, ball_speed=speed, angle=angle, rubbing=rubbing)
         return 1e3 * slanted.travel
@@ -116,9 +119,11 @@ def _entry(analysis: Analysis, choices: Choices) -> Iterator[Row]:
     )  # fmt: skip
     yield Row(
         "S", "travel along the bat, elastic contact without friction", "mm", None, travel("smooth"), travel("grip"),
-        "S = v sin(alpha) T. A real ball grips the wood, which gives the full model's figure between the two limits. "
-        f"The best point lies {1e3 * (analysis.bat.length - analysis.sweet_spots.max_exit_speed):.0f} mm from the end: "
-        "S is far too short to explain it.",
+        Words(
+            "S = v sin(alpha) T. A real ball grips the wood, which gives the full model's figure between the two "
+            "limits. The best point lies {} from the end: S is far too short to explain it.",
+            Number(from_tip, "place", f"{1e3 * from_tip:.0f} mm"),
+        ),
     )  # fmt: skip
 
 
@@ -127,29 +132,33 @@ def _percussion(analysis: Analysis, choices: Choices) -> Iterator[Row]:
     body, bat = analysis.body, analysis.bat
     hands = analysis.conditions.hands.position
     rod, on_rod = paper.rod(bat.length, body.mass), choices.rod_hands
-    held = "rod held at its end" if on_rod == 0 else f"rod held {on_rod / INCH:.3g} in from its end"
+    held = Words("rod held at its end") if on_rod == 0 else Words("rod held {} from its end", inches(on_rod))
+
+    def of_rod(text: str) -> Words:
+        return Words(f"{text}, {held.template}", *held.numbers)
+
     yield Row(
-        "12", f"J_D = J_C + m l^2, {held}", "kg m^2", None, rod.moi(on_rod), body.moi(on_rod),
+        "12", of_rod("J_D = J_C + m l^2"), "kg m^2", None, rod.moi(on_rod), body.moi(on_rod),
         "The parallel-axis theorem. A bat is thicker at the far end, so it is harder to turn than the rod.",
     )  # fmt: skip
     yield Row(
-        "5, 6", f"angular speed per N s at the tip, (l + x) / J_D, {held}", "1/(kg m)", None,
+        "5, 6", of_rod("angular speed per N s at the tip, (l + x) / J_D"), "1/(kg m)", None,
         paper.turning_per_blow(rod, bat.length, hands=on_rod), paper.turning_per_blow(body, bat.length, hands=hands),
         "Printed with 1 + x for l + x. Full model: this bat, this grip, held like the rod: its place can't move.",
     )  # fmt: skip
     yield Row(
-        "7, 8", f"speed of the mass centre per N s at the tip, l (l + x) / J_D, {held}", "1/kg", None,
+        "7, 8", of_rod("speed of the mass centre per N s at the tip, l (l + x) / J_D"), "1/kg", None,
         paper.centre_speed_per_blow(rod, bat.length, hands=on_rod),
         paper.centre_speed_per_blow(body, bat.length, hands=hands),
         "More than 1/m: the hands push the same way as the blow, F = I - m a_c is negative.",
     )  # fmt: skip
     yield Row(
-        "10", f"x = J_C / (m l), {held}", "m", None, paper.best_point_beyond_centre(rod, hands=on_rod),
+        "10", of_rod("x = J_C / (m l)"), "m", None, paper.best_point_beyond_centre(rod, hands=on_rod),
         paper.best_point_beyond_centre(body, hands=hands),
         "Printed with 1 + x for l + x in equations 5 to 9. L/6 for a uniform rod. Full model: this bat, this grip.",
     )  # fmt: skip
     yield Row(
-        "11", f"b = J_D / (m l), {held}", "m", None, centre_of_percussion(rod, pivot=on_rod) - on_rod,
+        "11", of_rod("b = J_D / (m l)"), "m", None, centre_of_percussion(rod, pivot=on_rod) - on_rod,
         centre_of_percussion(body, pivot=hands) - hands,
         "The centre of percussion, 2L/3 for a uniform rod; full model: distance from this bat's grip. The hands feel "
         "no jolt there, but the ball does not leave fastest there.",
@@ -163,7 +172,7 @@ def _percussion(analysis: Analysis, choices: Choices) -> Iterator[Row]:
         )  # fmt: skip
     moved = choices.hands_moved
     yield Row(
-        "11", f"percussion centre moves when the hands move {moved / INCH:.3g} in up", "mm",
+        "11", Words("percussion centre moves when the hands move {} up", inches(moved)), "mm",
         "closer to the mass centre as l grows",
         1e3 * (centre_of_percussion(rod, pivot=on_rod + moved) - centre_of_percussion(rod, pivot=on_rod)),
         1e3 * (centre_of_percussion(body, pivot=hands + moved) - centre_of_percussion(body, pivot=hands)),
@@ -214,10 +223,10 @@ def _hollowing(analysis: Analysis, choices: Choices) -> Iterator[Row]:
     before, after = exit_speed_of(best, conditions) / MPH, exit_speed_of(softer, conditions) / MPH
     q_before, q_after = best.collision_efficiency, softer.collision_efficiency
     needed = (before * MPH - q_after * conditions.pitch.speed) / (1 + q_after)
-    extra = (needed - conditions.swing.speed_at(softer.position)) / MPH
-    hole = f"{choices.bore_diameter / INCH:.3g} in x {choices.bore_depth / INCH:.3g} in"
+    extra = needed - conditions.swing.speed_at(softer.position)
+    hole = inches(choices.bore_diameter), inches(choices.bore_depth)
     yield Row(
-        "13", f"F = k x: peak force, plain bat and corked {hole}", "kN", "increases",
+        "13", Words("F = k x: peak force, plain bat and corked {} x {}", *hole), "kN", "increases",
         best.peak_force / 1e3, softer.peak_force / 1e3,
         "Computed: plain; full model: corked. Softer means more travel at less force, not more of both. A drilled "
         "barrel is still far stiffer than the ball, and the force falls a little because the bat is lighter.",
@@ -228,8 +237,11 @@ def _hollowing(analysis: Analysis, choices: Choices) -> Iterator[Row]:
     )  # fmt: skip
     yield Row(
         "14", "exit speed at the same bat speed, plain and corked", "mph", "increases", before, after,
-        f"Wrong: q falls from {q_before:.3f} to {q_after:.3f}. The lighter bat must be swung {extra:.1f} mph faster "
-        "just to break even; published bats: 0.214 to 0.193 and 2.9 mph [nathan2011corked].",
+        Words(
+            f"Wrong: q falls from {q_before:.3f} to {q_after:.3f}. The lighter bat must be swung {{}} faster "
+            "just to break even; published bats: 0.214 to 0.193 and {} [nathan2011corked].",
+            miles_per_hour(extra), miles_per_hour(2.9 * MPH),
+        ),
     )  # fmt: skip
 
 
@@ -244,11 +256,17 @@ def _drop(analysis: Analysis, choices: Choices) -> Iterator[Row]:
     plate = Block(material=catalog.material("aluminium-7xxx"), thickness=THIN_PLATE, support="clamped")
     sprung_height, sprung_share = bounce(plate, ball=ball, height=height)
     remarks = {
-        "wood": "Wood that gives back all it takes beats metal by a hair, since the block is the better spring; real "
-        "wood loses some of it.",
-        "metal": "A thick block measures the ball. It tells next to nothing about a thin wall: the same metal as a "
-        f"plate of {1e3 * THIN_PLATE:g} mm, clamped at its edges 20 cm apart, would hold "
-        f"{100 * sprung_share:.0f} % of the energy and throw the ball back to {sprung_height:.2f} m: a trampoline.",
+        "wood": Words(
+            "Wood that gives back all it takes beats metal by a hair, since the block is the better spring; real "
+            "wood loses some of it."
+        ),
+        "metal": Words(
+            "A thick block measures the ball. It tells next to nothing about a thin wall: the same metal as a plate of "
+            f"{1e3 * THIN_PLATE:g} mm, clamped at its edges {{}} apart, would hold {100 * sprung_share:.0f} % of the "
+            "energy and throw the ball back to {}: a trampoline.",
+            Number(0.2, "place", "20 cm"),
+            metres(sprung_height, f"{sprung_height:.2f}"),
+        ),
     }
     kind = "thick " if thickness >= Choices.block_thickness else ""
     for name, key in (("wood", "white-ash"), ("metal", "aluminium-7xxx")):
@@ -257,11 +275,14 @@ def _drop(analysis: Analysis, choices: Choices) -> Iterator[Row]:
         block = Block(material=material, thickness=thickness, support=choices.block_support)
         rebound, share = bounce(block, ball=ball, height=height)
         yield Row(
-            "Fig. 6", f"rebound from {height:.3g} m on a {kind}{name} block", "m",
+            "Fig. 6", Words(f"rebound from {{}} on a {kind}{name} block", metres(height, f"{height:.3g}")), "m",
             "metal higher" if name == "metal" else None, limit.rebound, rebound,
-            f"Full model: {100 * thickness:.3g} cm thick, {STANDS[choices.block_support]}. m g dH = E_D is the energy "
-            f"lost, {limit.lost_energy:.2f} J, and not an elastic one. The block takes {100 * share:.2f} % of "
-            f"the energy. {remarks[name]}",
+            Words(
+                f"Full model: {{}} thick, {STANDS[choices.block_support]}. m g dH = E_D is the energy lost, "
+                f"{limit.lost_energy:.2f} J, and not an elastic one. The block takes {100 * share:.2f} % of the "
+                f"energy. {remarks[name].template}",
+                Number(thickness, "place", f"{100 * thickness:.3g} cm"), *remarks[name].numbers,
+            ),
         )  # fmt: skip
 
 
@@ -287,11 +308,14 @@ def _energy(analysis: Analysis, choices: Choices) -> Iterator[Row]:
         yield Row(
             "W", f"{name}: energy returned over energy stored", "ratio", printed, returned,
             measured**2 if wood else metal.bbcor**2,
-            f"e = {math.sqrt(returned):.3f}, which on this bat means {speed / MPH:.1f} mph. "
-            + (
-                "Full model: this bat at its best point. The paper's 0.45 for the ball is low."
-                if wood
-                else "Full model: an aluminium bat whose wall takes a tenth of the energy, at its best point."
+            Words(
+                f"e = {math.sqrt(returned):.3f}, which on this bat means {{}}. "
+                + (
+                    "Full model: this bat at its best point. The paper's 0.45 for the ball is low."
+                    if wood
+                    else "Full model: an aluminium bat whose wall takes a tenth of the energy, at its best point."
+                ),
+                miles_per_hour(speed),
             ),
         )  # fmt: skip
     yield Row(
@@ -300,8 +324,10 @@ def _energy(analysis: Analysis, choices: Choices) -> Iterator[Row]:
     )  # fmt: skip
     yield Row(
         "z", "wall for which an aluminium bat takes that share", "mm", None, None, 1e3 * metal.thickness,
-        f"z = 10 %, from the hoop modes of the catalogue's {METAL_BAT} with other walls; nothing fitted. "
-        f"{metal.exit_speed / MPH:.0f} mph.",
+        Words(
+            f"z = 10 %, from the hoop modes of the catalogue's {METAL_BAT} with other walls; nothing fitted. {{}}.",
+            Number(metal.exit_speed, "speed", f"{metal.exit_speed / MPH:.0f} mph", 0),
+        ),
     )  # fmt: skip
     yield Row(
         "k", "restitution of that wall", "ratio", paper.PAPER_METAL_RESTITUTION, None, metal.restitution,
@@ -346,11 +372,15 @@ def _verdict(analysis: Analysis, _choices: Choices) -> Iterator[Row]:
     """Yield the paper's answer to its own question."""
     from_tip = analysis.bat.length - analysis.sweet_spots.max_exit_speed
     zone = analysis.sweet_spots.zone
-    width = "" if zone is None else f" The sweet zone is {(zone[1] - zone[0]) / INCH:.1f} in wide."
+    width = [] if zone is None else [Number(zone[1] - zone[0], "place", f"{(zone[1] - zone[0]) / INCH:.1f} in")]
     yield Row(
         "-", "best point, distance from the end", "mm", "between the end and S", None, 1e3 * from_tip,
-        "Not at the end, as the paper says, but for other reasons: out there the bat is light (its rotation gives "
-        "way) and its bending takes energy that comes back too late." + width,
+        Words(
+            "Not at the end, as the paper says, but for other reasons: out there the bat is light (its rotation gives "
+            "way) and its bending takes energy that comes back too late."
+            + (" The sweet zone is {} wide." if width else ""),
+            *width,
+        ),
     )  # fmt: skip
 
 

@@ -34,6 +34,15 @@ def bat_text(state: BatState) -> str:
     return bat_toml(described(state))
 
 
+def option(name: str, text: str) -> str:
+    """Return an option of the command line with any text as its value, which may begin like an option itself.
+
+    >>> option("--player", "A. Batter"), option("--player", "--out=x")
+    ("--player 'A. Batter'", '--player=--out=x')
+    """
+    return f"{name}{'=' if text.startswith('-') else ' '}{quote(text)}"
+
+
 def swing_options(state: SwungState) -> str:
     """Return the command line's options for swing and ball; those that have their usual value are left out."""
     first = SwungState()

@@ -1,6 +1,6 @@
 // Pieces that several views are made of: tables, paragraphs, sentences in either system of units, controls inside a list.
 
-import { INCH, MPH, toShown, unitOf } from "./units.js";
+import { MPH, toShown, unitOf } from "./units.js";
 /** @import { Answer, App, State } from "./main.js" */
 
 /**
@@ -74,23 +74,6 @@ const printed = (text) => unbroken(text.replace(/(^|[\s(])-(?=\d)/g, "$1−"));
 
 export function paragraphs(place, texts) {
   place.replaceChildren(...texts.map((text) => make("p", { textContent: printed(text) })));
-}
-
-// Numbers with a unit inside a sentence, in the reader's units: "2.9 mph" is "1.30 m/s" for those who read SI.
-const OTHER = {
-  si: { mph: ["m/s", MPH, 2], in: ["cm", 100 * INCH, 1] },
-  us: { mm: ["in", 1e-3 / INCH, 2], cm: ["in", 0.01 / INCH, 1], m: ["in", 1 / INCH, 1], kN: ["lbf", 1000 * toShown("x_n", 1, "us"), 0] },
-};
-const QUANTITY = /([-−+]?\d+(?:\.\d+)?) (mph|in|mm|cm|m|kN)(?=[ .,;:)]|$)/g;
-
-export function inUnits(text, system) {
-  return text.replace(QUANTITY, (whole, number, unit) => {
-    const found = OTHER[system][unit];
-    if (!found) return whole;
-    const [name, size, digits] = found;
-    const value = Number(number.replace("−", "-")) * size;
-    return `${(number.startsWith("+") && value > 0 ? "+" : "")}${value.toFixed(digits).replace("-", "−")} ${name}`;
-  });
 }
 
 // A value of a row whose unit stands beside it, in the reader's units: [number, unit].

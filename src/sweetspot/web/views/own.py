@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from shlex import quote
 from typing import Any
 
 import tomli_w
@@ -28,7 +27,7 @@ from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import described
 from sweetspot.web.drawings import outline
 from sweetspot.web.errors import FieldError, about
-from sweetspot.web.recipes import bat_name, bat_text
+from sweetspot.web.recipes import bat_name, bat_text, option
 from sweetspot.web.view import View
 from sweetspot.web.views.own_state import OwnState, bat_of, damping_of, measurements_of, posterior_of
 from sweetspot.web.views.own_tap import expected_tones, tap
@@ -172,7 +171,7 @@ def recipe(state: OwnState) -> dict[str, str]:
     }  # fmt: skip
     words = [f"{name} {value}" for name, value in parts.items() if value is not None]
     words += [f"--tone {name}:{hertz:.12g}Hz±{error:.12g}Hz" for name, hertz, error in state.tones]
-    words += [f"--leave-out {quote(name)}" for name in state.left_out]
+    words += [option("--leave-out", name) for name in state.left_out]
     command = f"sweetspot calibrate {bat_name(state)} {' '.join(words)} --out mine.toml"
     return {"command": command, "toml": bat_text(state)}
 

@@ -21,8 +21,11 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.paper import formulas as paper
 from sweetspot.paper.chain import PARTS, Choices, can_be_drilled, corked_analysis, metal_wall_point
 from sweetspot.paper.formulas import Row
+from sweetspot.paper.words import Number, Words
 from sweetspot.report.hit.json import conditions_json
 from sweetspot.report.json_shapes import cleaned
+from sweetspot.report.quantities import SYSTEMS, Reader
+from sweetspot.report.sentences import Slot
 from sweetspot.units import INCH
 from sweetspot.web.bats import analysed
 from sweetspot.web.drawings import ball_picture, bat_picture, outline
@@ -71,12 +74,28 @@ def answer(state: PaperState) -> dict[str, Any]:
         picture = PICTURES[state.question](analysis, choices, rows)
     return {
         "question": state.question,
-        "rows": [asdict(row) for row in rows],
+        "rows": [asdict(row) | {"words": _words(row)} for row in rows],
         "picture": cleaned(picture),
         "ball": ball_picture(state, analysis.conditions.ball),
         "bat": bat_picture(state, analysis.reduced),
         "conditions": conditions_json(analysis.conditions),
     }
+
+
+def _words(row: Row) -> dict[str, dict[str, str]]:
+    """Return statement and comment of a row as readers of either system see them."""
+    texts = {"quantity": row.quantity, "comment": row.comment}
+    return {system: {name: _read(text, reader) for name, text in texts.items()} for system, reader in SYSTEMS.items()}
+
+
+def _read(text: str, reader: Reader) -> str:
+    return text.template.format(*(_told(one, reader) for one in text.numbers)) if isinstance(text, Words) else text
+
+
+def _told(number: Number, reader: Reader) -> str:
+    """Return a number as the chain has it where that is the reader's unit, else in the reader's own."""
+    slot = Slot(number.value, number.scale, digits=number.digits, round=True)
+    return number.text if number.text.endswith(reader.behind(number.scale)) else slot.read(reader)
 
 
 def choices_of(state: PaperState) -> Choices:

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import lru_cache
 from pathlib import Path
-from shlex import quote
 from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
@@ -25,7 +24,7 @@ from sweetspot.web.documents import told
 from sweetspot.web.drawings import outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.jobs import LongWork
-from sweetspot.web.recipes import bat_name, bat_text
+from sweetspot.web.recipes import bat_name, bat_text, option
 from sweetspot.web.states import BatState, Name
 from sweetspot.web.uploads import UPLOADS, UploadKey
 from sweetspot.web.view import View
@@ -183,7 +182,7 @@ def _report(folder: Path) -> SeasonReport:
 
 def recipe(state: SeasonState) -> dict[str, str]:
     """Return the command line that reads the same tables, and the bat's file."""
-    page = "" if state.batter is None else f" --player {quote(state.batter)}"
+    page = "" if state.batter is None else " " + option("--player", state.batter)
     return {"command": f"sweetspot season TABLE.csv --bat {bat_name(state)}{page} --out season",
             "toml": bat_text(state)}  # fmt: skip
 

@@ -3,7 +3,7 @@
 import { Bench, ballGroup, swingGroup } from "../bench.js";
 import { button, group } from "../controls.js";
 import { mathOf, typeset } from "../formula.js";
-import { inReadersUnit, inUnits, make, tableOf } from "../parts.js";
+import { inReadersUnit, make, tableOf } from "../parts.js";
 import { PICTURES } from "./paper_pictures.js";
 import { STEPS } from "./paper_steps.js";
 /** @import { View } from "../main.js" */
@@ -102,7 +102,7 @@ export const view = {
     return tableOf("Each statement: the paper's number or claim, its formula evaluated here, the full model", [
       "Statement", "Paper", "Its formula", "Full model",
     ], rows.map((row) => [
-      { text: `${row.equation === "-" ? "" : `(${row.equation}) `}${inUnits(row.quantity, this.app.units)}`, note: inUnits(row.comment, this.app.units) },
+      { text: `${row.equation === "-" ? "" : `(${row.equation}) `}${row.words[this.app.units].quantity}`, note: row.words[this.app.units].comment },
       show(row.paper, row.unit), show(row.computed, row.unit), show(row.full_model, row.unit)]));
   },
 
