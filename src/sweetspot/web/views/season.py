@@ -159,7 +159,8 @@ def contacts(state: SeasonState) -> dict[str, Any]:
     values = {"position": found.mean, "position_spread": max(found.spread, LEAST_SPREAD),
               "position_doubt": math.hypot(found.mean_doubt, PLACES_DOUBT)}  # fmt: skip
     kept = kept_summary(folder)
-    own = next((one for one in ([] if kept is None else kept["players"]) if one["batter"] == state.batter), {})
+    players: list[dict[str, Any]] = [] if kept is None else kept["players"]
+    own = next((one for one in players if one["batter"] == state.batter), dict[str, Any]())
     if own.get("bat_speed") is not None:
         values["bat_speed"] = own["bat_speed"]
     return batter_controls(values)
