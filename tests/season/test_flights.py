@@ -1,20 +1,25 @@
-"""Launch directions are solved for, and what drag does to a carry is the flight kernel's own."""
+"""Launch directions are solved for, drag does to a carry what the kernel says, and what is left over is told."""
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
+import polars as pl
 
 from sweetspot.flight.carry_scatter import MORE_DRAG, braked, usual_launch
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import Flights, flights
+from sweetspot.report.quantities import US
+from sweetspot.report.season.left_over import left_over_words
 from sweetspot.season.balls import balls_of
 from sweetspot.season.fields import fields_of
 from sweetspot.season.flight_columns import CLOSE, flown_balls
 from sweetspot.season.headings import headings_of
 from sweetspot.season.rows import rows_of
 from sweetspot.season.season_table import season_setting
+from sweetspot.units import DEGREE, MPH
 from tests.season.conftest import made_up
 
 
@@ -42,3 +47,20 @@ def test_balls_set_out_so_that_they_come_down_where_they_did() -> None:
     exact = (slowed.carry - again.carry) / np.log1p(MORE_DRAG)
     off = np.abs(found.carry_per_drag - exact)[up]
     assert np.quantile(off, 0.99) < 0.6  # m, of 20 to 50
+
+
+def test_what_distances_leave_over_is_put_into_words() -> None:
+    """Balls of one park 3 m too long, steep ones of another 2 m too short; by exit speed nothing but chance."""
+    rng = np.random.default_rng(3)
+    count = 4000
+    steep = rng.uniform(15, 45, count)
+    park = np.array(["Here", "There"])[rng.integers(0, 2, count)]
+    above = rng.normal(0, 1, count) + np.where(park == "Here", 3.0, -2.0 * (steep > 39))
+    counted = pl.DataFrame({
+        "launch_angle": steep * DEGREE, "exit_speed": rng.uniform(80, 112, count) * MPH, "park": park,
+        "bearing": rng.uniform(-45, 45, count) * DEGREE, "carry_above": above,
+    }).lazy()  # fmt: skip
+    angle, speed, _, place = (sentence.read(US) for sentence in left_over_words(counted))
+    assert angle.startswith("By launch angle: from +") and ("at 40° to" in angle or "at 44° to" in angle)
+    assert speed.endswith(", which chance alone could do.")
+    assert re.fullmatch(r"By park: from -1\.\d ± 0\.1 ft at There to \+9\.[789] ± 0\.1 ft at Here\.", place)

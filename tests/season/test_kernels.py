@@ -26,7 +26,7 @@ def test_weights_of_places_are_bayes_rule_written_out() -> None:
     assert rank == pytest.approx((here * norm.cdf(OUT, speed, SPREAD)).sum(), abs=8e-8 * before)
     assert fast == pytest.approx((here * np.nan_to_num(FAST)).sum(), rel=1e-12)
     found = np.empty((1, 6))
-    expect(PLACES, FAST[None], np.array([OUT]), np.array([SPREAD]), np.array([[MEAN, WIDTH]]), LEVEL, found)
+    expect(PLACES, FAST[None], np.array([OUT]), np.array([SPREAD]), np.array([[MEAN, WIDTH]]), np.array([LEVEL]), found)
     weights = np.where(np.abs(PLACES - MEAN) < 5 * WIDTH, here, 0.0)
     both = weights * match / (weights * match).sum()
     middle = (both * PLACES).sum()

@@ -208,13 +208,14 @@ def _posteriors(
     weights = np.zeros((len(rows) if setting.others else 1, len(surface.arm)))
     relation = setting.relation
     aims = np.stack([best, _chances_of(balls)], axis=-1)[rows]
-    noise = np.ascontiguousarray(relation.noises(speed_term(balls))[rows])
+    swung = speed_term(balls)[rows]
+    noise, level = relation.noises(swung), relation.levels(swung)
     measured, before = plane.exit_speed[rows], prior[rows]
 
     def work(part: slice) -> None:
         kernel.fill_posteriors(
             surface.axes, surface.after, surface.reach, surface.arm, asked[part], measured[part],
-            before[part], aims[part], _error_array(setting.errors), relation.level, noise[part],
+            before[part], aims[part], _error_array(setting.errors), level[part], noise[part],
             found[part], weights[part] if setting.others else weights,
         )  # fmt: skip
 
@@ -241,7 +242,7 @@ def _above(balls: Balls, plane: InPlane, ceiling: Array, setting: ContactSetting
     parts = (setting.errors.exit_speed, plane.speed_error, per_speed * setting.errors.bat_speed,
              setting.relation.noises(speed_term(balls)))  # fmt: skip
     spread = np.sqrt(sum(np.square(part) for part in parts))
-    off = (balls.exit_speed - (1 + setting.relation.level) * ceiling) / spread
+    off = (balls.exit_speed - (1 + setting.relation.levels(speed_term(balls))) * ceiling) / spread
     return np.asarray(ndtr(off)), np.asarray(ndtr(-off))
 
 
@@ -266,7 +267,7 @@ def _with_other(
         means.append((mean, spread))
     same, _ = np.empty((2, len(rows)))
     kernel.fill_other_bat(own.axes, own.axes, own.after, own.reach, own.arm, asked, offset, parts, 1.0, same, _)
-    level = 1 + setting.relation.level
+    level = 1 + setting.relation.levels(speed_term(balls)[rows])
     law = np.abs(means[1][0] - means[2][0]) / (2 * 1.959964)
     reach = 1.644854 * level * law
     fast = plane.exit_speed[rows] + level * (means[0][0] - same)

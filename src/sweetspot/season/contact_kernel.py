@@ -110,7 +110,7 @@ def _spread(asked: Array, top: float, sensitive: float, errors: Array) -> float:
 @compiled(nogil=True, error_model="numpy")
 def fill_posteriors(
     axes: Axes, after: Array, reach: Array, arm: Array, asked: Array, measured: Array, prior: Array, best: Array,
-    errors: Array, level: float, noise: Array, results: Array, weights: Array,
+    errors: Array, level: Array, noise: Array, results: Array, weights: Array,
 ) -> None:  # fmt: skip
     """Fill what is known of each ball's contact.
 
@@ -121,7 +121,7 @@ def fill_posteriors(
     prior : (n, 2) mean and standard deviation of the place, m from the tip.
     best : (n, 2) m from the tip, the place of the greatest exit speed; and a number between 0 and 1, which part of the
         posterior the drawn place lies above.
-    level, noise : exit speeds are 1 + level times the table's, and scatter by noise (n,) m/s beside measuring errors.
+    level, noise : (n,), exit speeds are 1 + level times the table's, and scatter by noise m/s beside measuring errors.
     results : (n, ROWS).
     weights : (n, places), the posterior; or (1, places) where it is not wanted.
     """
@@ -135,8 +135,8 @@ def fill_posteriors(
         top = 0.0
         for place in range(count):
             top = max(top, fast[place]) if math.isfinite(fast[place]) else top
-        spread = math.sqrt(_spread(asked[i], top * (1 + level), sensitive, errors) ** 2 + noise[i] ** 2)
-        total, before, rank, mean = weigh(axes[2], fast, measured[i], spread, prior[i, 0], prior[i, 1], level, part,
+        spread = math.sqrt(_spread(asked[i], top * (1 + level[i]), sensitive, errors) ** 2 + noise[i] ** 2)
+        total, before, rank, mean = weigh(axes[2], fast, measured[i], spread, prior[i, 0], prior[i, 1], level[i], part,
                                           work)  # fmt: skip
         if not (total > 0 and before > 0):
             continue
@@ -147,7 +147,7 @@ def fill_posteriors(
         _summarise(axes[2], part, above, best[i, 0], best[i, 1], results[i])
         turning = per_turn * asked[i, 5]
         results[i, OFFSET_SPREAD] = math.sqrt(results[i, OFFSET_SPREAD] + turning * turning)
-        results[i, RANK], results[i, EXPECTED] = rank / before, (1 + level) * mean / before
+        results[i, RANK], results[i, EXPECTED] = rank / before, (1 + level[i]) * mean / before
         results[i, KEPT], results[i, SENSITIVE] = top, sensitive
         results[i, EVIDENCE] = math.log(total / before)
 

@@ -75,7 +75,7 @@ def weigh(
 
 @compiled(nogil=True, error_model="numpy")
 def expect(
-    places: Array, table: Array, out: Array, spread: Array, prior: Array, level: float, result: Array
+    places: Array, table: Array, out: Array, spread: Array, prior: Array, level: Array, result: Array
 ) -> None:  # fmt: skip
     """Fill what is expected of every ball under given parameters.
 
@@ -84,11 +84,12 @@ def expect(
     table : (n, places) m/s, NaN where none.
     out, spread : (n,) m/s, exit speeds and what they scatter by.
     prior : (n, 2) mean and standard deviation of the place.
+    level : (n,), exit speeds are 1 + level times the table's.
     result : (n, 6).
     """
     work = np.empty((4, len(places)))
     for i in range(len(out)):
-        _bells(places, table[i], out[i], spread[i], prior[i, 0], prior[i, 1], level, work)
+        _bells(places, table[i], out[i], spread[i], prior[i, 0], prior[i, 1], level[i], work)
         _expect(places, out[i], spread[i], prior[i, 0], prior[i, 1], work, result[i])
 
 

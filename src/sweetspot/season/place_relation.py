@@ -3,8 +3,10 @@
 A pitch inside is met nearer the hands, one outside nearer the tip. The place b of a ball is normal about
 mu = beta . x with standard deviation tau exp(k v), x = (1, o, h, o h, v) of the pitch's place outside o, its height h
 and bat speed v; its exit speed is (1 + level) times the table's at b, with scatter. The mean goes one way with o on
-purpose: exit speed falls to both sides of the best place and cannot tell them apart, geometry can. beta, tau, level and
-the scatter are what makes the measured exit speeds most likely, the places summed over (expectation and maximisation).
+purpose: exit speed falls to both sides of the best place and cannot tell them apart, geometry can. The level goes in a
+straight line with v: a bat speed is measured with an error, so swings that were read as fast were on average not quite
+so fast, and exit speeds do not keep up with what was read. beta, tau, level and the scatter are what makes the measured
+exit speeds most likely, the places summed over (expectation and maximisation).
 """
 
 from __future__ import annotations
@@ -23,6 +25,8 @@ USUAL_PLACE, USUAL_SPREAD = 6.5 * INCH, 1.8 * INCH
 """Before a table is read: middle of the stretch where hits are squared up [statcast], and scatter of contact."""
 LEVEL_WIDTH = 0.02
 """Standard deviation of the level known beforehand: restitution of balls, and bats that are not as described."""
+SLOPE_WIDTH = 0.01
+"""The same of what the level changes by for 5 mph of bat speed."""
 USUAL_SPEED = 71.5 * MPH
 """Mean of 20,023 tracked balls in play [sure2026]."""
 LEAST_NOISE = 0.05 * MPH
@@ -43,11 +47,12 @@ class PlaceRelation:
     weight_errors : standard errors of the same, as if the places themselves had been seen.
     spread : tau, m.
     marginal : mean and standard deviation of all places, for balls whose pitch has no place, m.
-    level : by how much exit speeds are above the table's, as a part.
+    level : by how much exit speeds of usual swings are above the table's, as a part.
     noise : m/s that exit speeds scatter beyond measuring errors.
     balls : how many it was learnt from; 0: nothing, the usual numbers stand.
     spread_slope : change of the logarithm of tau for 5 mph of bat speed.
     noise_slope : the same of the noise.
+    level_slope : change of the level for 5 mph of bat speed.
     evidence : logarithm of the likelihood of the balls it was learnt from.
     ranks : which part of the balls it was learnt from are hit less hard than the model says for every twentieth; what
         the model's shape misses.
@@ -62,6 +67,7 @@ class PlaceRelation:
     balls: int
     spread_slope: float = 0.0
     noise_slope: float = 0.0
+    level_slope: float = 0.0
     evidence: float = 0.0
     ranks: tuple[float, ...] = ()
 
@@ -80,6 +86,10 @@ class PlaceRelation:
         """Return the noise of balls by their `speed_term`, m/s."""
         return self.noise * np.exp(self.noise_slope * np.clip(swung, -3, 3))
 
+    def levels(self, swung: Array) -> Array:
+        """Return the level of balls by their `speed_term`."""
+        return np.asarray(self.level + self.level_slope * np.clip(swung, -3, 3))
+
     def ranked(self, rank: Array) -> Array:
         """Return ranks of exit speeds as the table's own balls have them, from those of the model."""
         if not self.ranks:
@@ -90,7 +100,10 @@ class PlaceRelation:
         """Return whether two relations are the same for every purpose: 0.01 mm, 1e-5 of level, 1 mm/s."""
         lengths = np.abs([*(self.weights - other.weights), self.spread - other.spread])
         return (
-            bool(lengths.max() < 1e-5) and abs(self.level - other.level) < 1e-5 and abs(self.noise - other.noise) < 1e-3
+            bool(lengths.max() < 1e-5)
+            and abs(self.level - other.level) < 1e-5
+            and abs(self.level_slope - other.level_slope) < 1e-5
+            and abs(self.noise - other.noise) < 1e-3
         )
 
 
@@ -146,7 +159,7 @@ def learn_places(
     for _ in range(ROUNDS):
         tau = now.spreads(swung)
         prior = np.stack([terms @ now.weights, tau], axis=-1)
-        expect(places, table, out, np.hypot(error, now.noises(swung)), prior, now.level, result)
+        expect(places, table, out, np.hypot(error, now.noises(swung)), prior, now.levels(swung), result)
         before, now = now, _maximised(now, terms, swung, out, error, result)
         if now.near(before):
             break
@@ -170,11 +183,15 @@ def _maximised(now: PlaceRelation, terms: Array, swung: Array, out: Array, error
     tau = float(np.sqrt(np.mean(square * np.exp(-2 * slope * swung))))
     own = now.noises(swung)
     heavy = 1 / (error**2 + own**2)
-    level = float(
-        np.sum(heavy * (found[:, PRODUCT] - found[:, SQUARE])) / (np.sum(heavy * found[:, SQUARE]) + 1 / LEVEL_WIDTH**2)
-    )
+    off, square_speed = heavy * (found[:, PRODUCT] - found[:, SQUARE]), heavy * found[:, SQUARE]
+    powers = [float(np.sum(square_speed * swung**power)) for power in range(3)]
+    level, tilt = np.linalg.solve(
+        [[powers[0] + 1 / LEVEL_WIDTH**2, powers[1]], [powers[1], powers[2] + 1 / SLOPE_WIDTH**2]],
+        [float(np.sum(off)), float(np.sum(off * swung))],
+    ).tolist()
+    grown = 1 + level + tilt * swung
     share = found[:, SHARE]
-    missed = share * out**2 - 2 * (1 + level) * found[:, PRODUCT] + (1 + level) ** 2 * found[:, SQUARE]
+    missed = share * out**2 - 2 * grown * found[:, PRODUCT] + grown**2 * found[:, SQUARE]
     gain = own**2 * heavy
     fresh = gain**2 * missed + share * gain * error**2  # variance of the noise alone, times the share
     pull = fresh / own**2
@@ -188,6 +205,7 @@ def _maximised(now: PlaceRelation, terms: Array, swung: Array, out: Array, error
         spread=tau,
         spread_slope=slope,
         level=level,
+        level_slope=tilt,
         noise=noise,
         noise_slope=bend,
     )

@@ -28,7 +28,7 @@ from sweetspot.season.rows import USED, rows_of
 from sweetspot.season.survey import with_duplicates
 from sweetspot.season.table_file import TableFile
 
-TASK_ROWS = 131_072
+TASK_ROWS = 65_536
 """Rows of a task; the answers of a row do not depend on it."""
 ONLY_KEYS = {"at_bat", "pitch", "pitch_id", "player_name"}
 """Quantities that tell pitches apart, and are asked for no more."""

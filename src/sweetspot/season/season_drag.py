@@ -98,3 +98,18 @@ def residuals(counted: pl.LazyFrame, *, by: str, edges: Sequence[float]) -> pl.D
     )  # fmt: skip
     inside = table.filter((pl.col("bin") > 0) & (pl.col("bin") < len(edges)))
     return inside.with_columns(middle=pl.Series([middles[number - 1] for number in inside["bin"]], dtype=pl.Float64))
+
+
+def residuals_in(counted: pl.LazyFrame, key: str) -> pl.DataFrame:
+    """Return mean tracked distance less carry and its standard error in groups of at least `FEWEST` balls, m.
+
+    Parameters
+    ----------
+    key : a column of names: park, month.
+    """
+    return (
+        counted.filter(pl.col("carry_above").is_not_null() & pl.col(key).is_not_null())
+        .select(name=key, above=pl.col("carry_above").cast(pl.Float64)).group_by("name")
+        .agg(mean=pl.col("above").mean(), error=pl.col("above").std() / pl.len().sqrt(), balls=pl.len())
+        .filter(pl.col("balls") >= FEWEST).sort("mean", "name").collect()
+    )  # fmt: skip

@@ -14,6 +14,7 @@ from sweetspot.motion.swing_law import Interval
 from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Picture, Section, Table
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.quantities import Reader
+from sweetspot.report.season.left_over import KINDS, left_over_by, left_over_words
 from sweetspot.report.sentences import Sentence, Slot, say, within
 from sweetspot.season.counted import WITH
 from sweetspot.season.maps import known_sum
@@ -40,6 +41,10 @@ CANNOT = (
     "own.",
 )
 """What a table of batted balls cannot tell."""
+PICTURED = (
+    "A season: exit speed against ceilings, where bats met the ball, and what is left over of tracked distances by "
+    "launch angle, exit speed, bearing and park."
+)
 
 
 @dataclass(frozen=True)
@@ -84,9 +89,10 @@ def season_document(report: SeasonReport) -> Document:
     details: list[Block] = []
     if report.drag:
         details.append(_drag(report.drag))
+    if words := left_over_words(report.counted):
+        details.append(Section("left_over", "Tracked distance less carry", [Paragraph(one) for one in words]))
     details += [_groups(report), Section("cannot", "What such tables cannot tell", [Bullets(CANNOT)])]
-    drawing = Picture("season", partial(_drawn, report), label="A season: exit speed against ceilings, where bats met "
-                      "the ball, and what is left over of tracked distances.")  # fmt: skip
+    drawing = Picture("season", partial(_drawn, report), label=PICTURED)
     players = report.standings.get("batter")
     return Document(
         name="season", title="Season", kind="Season", blocks=blocks, details=details, drawing=drawing,
@@ -246,6 +252,7 @@ def season_json(report: SeasonReport) -> dict[str, Any]:
             for surface in (*contact.surfaces, *(other.surface for other in contact.others))
         ],
         "drag": [asdict(one) for one in report.drag],
+        "left_over": {kind: left_over_by(report.counted, kind).to_dicts() for kind in KINDS},
         "scatter": {key: {name: asdict(spread) for name, spread in one.spreads.items()}
                     for key, one in report.standings.items()},
         "cannot_tell": list(CANNOT),

@@ -1,4 +1,7 @@
-"""One picture of a season: exit speed against the ceilings, where bats met the ball, and what distances leave over."""
+"""One picture of a season: exit speed against the ceilings, where bats met the ball, and what distances leave over.
+
+What is left over stands by launch angle, exit speed, bearing and park, and what drag explains it by month.
+"""
 
 from __future__ import annotations
 
@@ -9,16 +12,13 @@ from matplotlib.figure import Figure
 
 from sweetspot.report.pictures.style import MUTED, SMALL, heading, light_grid, styled
 from sweetspot.report.quantities import BLUE, ORANGE, RED, US, Reader
-from sweetspot.season.season_drag import residuals
-from sweetspot.units import DEGREE, INCH, MPH
+from sweetspot.report.season.left_over import KINDS, left_over_by
+from sweetspot.season.season_drag import drag_by_month
+from sweetspot.units import INCH
 
 BINS = np.linspace(0.4, 1.2, 81)
 PLACES, OFFSETS = np.linspace(0, 14, 57) * INCH, np.linspace(-2.4, 2.4, 49) * INCH
-LEFT_OVER = (
-    ("launch_angle", np.arange(15, 46, 3) * DEGREE, "launch angle °", DEGREE),
-    ("exit_speed", np.arange(80, 116, 4) * MPH, "exit speed", None),
-    ("bearing", np.arange(-45, 46, 9) * DEGREE, "bearing °, left to right field", DEGREE),
-)
+BINNED = tuple(name for name, kind in KINDS.items() if kind.scale)
 
 
 @styled
@@ -32,7 +32,9 @@ def season_figure(counted: pl.LazyFrame, *, title: str = "Season", reading: Read
     names = counted.collect_schema().names()
     swung = "squared_up_ratio" in names and counted.select(pl.col("squared_up_ratio").count()).collect().item() > 0
     tracked = counted.select(pl.col("carry_above").count()).collect().item() > 0
-    rows = int(swung) + int(tracked) or 1
+    parks = left_over_by(counted, "park") if tracked else None
+    named = parks is not None and len(parks) > 1
+    rows = int(swung) + int(tracked) + int(named) or 1
     figure = Figure(figsize=(8.0, 0.6 + 2.9 * rows), layout="constrained")
     figure.suptitle(title, weight="bold", x=0.02, ha="left", size=13)
     grid = figure.add_gridspec(rows, 6)
@@ -43,6 +45,9 @@ def season_figure(counted: pl.LazyFrame, *, title: str = "Season", reading: Read
         row = 1
     if tracked:
         _left_over([figure.add_subplot(grid[row, 2 * part : 2 * part + 2]) for part in range(3)], counted, reading)
+    if parks is not None and named:
+        _by_park(figure.add_subplot(grid[row + 1, :4]), parks, reading)
+        _by_month(figure.add_subplot(grid[row + 1, 4:]), counted)
     if not swung and not tracked:
         _speeds(figure.add_subplot(grid[0, :]), counted, reading)
     return figure
@@ -80,18 +85,44 @@ def barrel_map(axes: Axes, counted: pl.LazyFrame, reading: Reader = US) -> None:
 
 
 def _left_over(places: list[Axes], counted: pl.LazyFrame, reading: Reader) -> None:
-    unit, speed = reading.units["distance"], reading.units["speed"]
-    for axes, (name, edges, label, size) in zip(places, LEFT_OVER, strict=True):
-        table = residuals(counted, by=name, edges=edges.tolist())
+    unit = reading.units["distance"]
+    for axes, name in zip(places, BINNED, strict=True):
+        kind, table = KINDS[name], left_over_by(counted, name)
+        size = reading.units[kind.scale]
         light_grid(axes)
         axes.axhline(0, color=MUTED, linewidth=0.7)
         axes.errorbar(
-            table["middle"].to_numpy() / (size or speed.size), table["mean"].to_numpy() / unit.size,
+            table["middle"].to_numpy() / size.size, table["mean"].to_numpy() / unit.size,
             table["error"].fill_null(0).to_numpy() / unit.size, fmt="o", color=RED, markersize=3.5, linewidth=1.0,
         )  # fmt: skip
-        axes.set(xlabel=label if size else f"{label}, {speed.name}")
+        axes.set(xlabel=f"{kind.label}, {size.name}")
     places[0].set(ylabel=f"{unit.name}")
     heading(places[0], "Tracked distance less carry")
+
+
+def _by_park(axes: Axes, parks: pl.DataFrame, reading: Reader) -> None:
+    unit = reading.units["distance"]
+    light_grid(axes)
+    axes.axhline(0, color=MUTED, linewidth=0.7)
+    axes.errorbar(
+        np.arange(len(parks)), parks["mean"].to_numpy() / unit.size, parks["error"].to_numpy() / unit.size, fmt="o",
+        color=RED, markersize=3.5, linewidth=1.0,
+    )  # fmt: skip
+    axes.set_xticks(np.arange(len(parks)), parks["name"].to_list(), rotation=60, ha="right", fontsize=SMALL - 1)
+    axes.set(ylabel=f"{unit.name}")
+    heading(axes, "By park", "tracked distance less carry, with standard errors")
+
+
+def _by_month(axes: Axes, counted: pl.LazyFrame) -> None:
+    months = [one for one in drag_by_month(counted) if one.month != "all"]
+    light_grid(axes)
+    axes.axhline(1, color=MUTED, linewidth=0.7)
+    axes.errorbar(
+        np.arange(len(months)), [one.drag for one in months], [one.error for one in months], fmt="o", color=BLUE,
+        markersize=3.5, linewidth=1.0,
+    )  # fmt: skip
+    axes.set_xticks(np.arange(len(months)), [one.month for one in months], rotation=60, ha="right", fontsize=SMALL - 1)
+    heading(axes, "Drag over the law's", "by month")
 
 
 def _speeds(axes: Axes, counted: pl.LazyFrame, reading: Reader) -> None:
