@@ -52,7 +52,7 @@ HOMES = {
     "ezdxf": ("report/drawing/", "calibration/outline/"),
     "fontTools": ("calibration/outline/",),
     "PIL": ("calibration/outline/photo/",),
-    "polars": ("season/", "report/season/"),
+    "polars": ("season/", "report/season/", "player/swing_table.py"),
     "distributed": ("season/cluster.py",),
 }
 """Third parties and the places that may import them."""

@@ -70,7 +70,7 @@ DEFAULT_FILE, DEFAULT_WANTED = FileOptions(), WantedOptions()
 
 
 def fit_player(
-    file: Annotated[Path, Parameter(help="CSV file, one row per swing: Blast, HitTrax, Statcast or plain.")],
+    file: Annotated[Path, Parameter(help="CSV or Parquet, a row per swing: Blast, HitTrax, Statcast or plain.")],
     /,
     *,
     given: FileOptions = DEFAULT_FILE,

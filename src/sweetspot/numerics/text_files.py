@@ -18,9 +18,11 @@ from typing import Any
 from sweetspot.errors import InputError
 
 MOST_TABLE_BYTES = 16_000_000
-"""Of a CSV file, unpacked: some 15,000 swings with ninety columns, and read in a second."""
+"""Of a CSV file that is read whole, unpacked: some 15,000 swings with ninety columns, and read in a second."""
 
 
+MOST_PACKED = 100
+"""A packed table is none when it unpacks to more than so many times its size (exports: 5 to 20)."""
 LONGEST_NAME = 200
 """Letters of a name that are repeated in a message."""
 
@@ -76,6 +78,31 @@ def read_bytes(path: Path, *, most: int, advice: str) -> bytes:
         raise InputError(f"{str(path)[:LONGEST_NAME]} cannot be read: {reason.lower()}") from None
     _check_size(path, len(content), most=most, advice=advice)
     return content
+
+
+def is_larger(path: Path, *, most: int) -> bool:
+    """Return whether a file, unpacked where its name ends in .gz, is an ordinary one of more than ``most`` bytes.
+
+    Raises
+    ------
+    InputError
+        when a packed file unpacks to more than `MOST_PACKED` times its size.
+    """
+    if not path.is_file():
+        return False
+    size = path.stat().st_size
+    if path.suffix != ".gz":
+        return size > most
+    unpacked = 0
+    try:
+        with gzip.open(path) as file:
+            while block := file.read(1 << 20):
+                unpacked += len(block)
+                if unpacked > max(most, MOST_PACKED * size):
+                    raise InputError(f"{path} unpacks to more than {MOST_PACKED} times its size; give a table")
+    except (EOFError, OSError, zlib.error):
+        return False  # reading it says what is wrong
+    return unpacked > most
 
 
 def check_ordinary(path: Path, *, most: int, advice: str) -> None:
@@ -136,7 +163,7 @@ def table_rows(
         reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
         for cells in reader:
             if any(cell.strip() for cell in cells):
-                yield reader.line_num, cells if separator == "," else [_pointed(cell) for cell in cells]
+                yield reader.line_num, cells if separator == "," else [pointed(cell) for cell in cells]
     except csv.Error as error:
         raise InputError(f"{path} cannot be read as CSV text: {error}") from None
 
@@ -160,6 +187,10 @@ def _cells(text: str, separator: str) -> list[list[str]]:
     return list(csv.reader(io.StringIO(text, newline=""), delimiter=separator))
 
 
-def _pointed(cell: str) -> str:
-    """Return a number with its decimals after a point."""
+def pointed(cell: str) -> str:
+    """Return a cell with a number's decimals after a point.
+
+    >>> pointed("66,5"), pointed("a,b")
+    ('66.5', 'a,b')
+    """
     return cell.replace(",", ".") if DECIMAL_COMMA.fullmatch(cell) else cell

@@ -1,4 +1,4 @@
-"""A player's swings from a CSV file: one row per swing, faulty rows listed with the reason, the others used."""
+"""A player's swings from a CSV or Parquet file, a row each; faulty rows are listed with the reason, the others used."""
 
 from __future__ import annotations
 
@@ -7,12 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import date
 from difflib import get_close_matches
-from functools import lru_cache
 from pathlib import Path
 
 from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.errors import InputError, nearest_names
-from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text, table_rows
 from sweetspot.player.columns import (
     ALIASES,
     TEXTS,
@@ -21,23 +19,20 @@ from sweetspot.player.columns import (
     Units,
     columns_of,
     day_of,
-    is_heading_line,
     simplified,
 )
 from sweetspot.player.player_swing import PlayerSwing, check_speeds, fault_of, full_swings
+from sweetspot.player.swing_table import Lines, SwingTable, open_swings
 from sweetspot.units import INCH, MPH
 
 PLATE_OVER_RELEASE = 0.920
 """Speed of a pitch at the plate over that at release, 0.920 +- 0.007 over 2507 pitches [statcast]."""
-PREAMBLE = 20
-"""Lines above the column names that a file may have."""
 FEW = 20
 """Swings below which the intervals are said to be wide."""
 MOST_SWINGS = 400
 """Swings that a fit takes: twice as many narrow the intervals by a quarter and take twice as long."""
 FOUL, BUNT = "foul", "bunt"
 """Words of an outcome, such as Statcast's description, that tell such a swing."""
-Lines = tuple[tuple[int, list[str]], ...]
 EMPTY = ("", "na", "n/a", "nan", "null", "none", "-", "--")
 
 
@@ -74,7 +69,7 @@ def read_swings(
     pitch_speed: float | None = None,
     batter: str | None = None,
 ) -> Swings:
-    """Return the swings of a CSV file, plain or of Blast, HitTrax or Statcast; it may be compressed with gzip.
+    """Return the swings of a file, plain or of Blast, HitTrax or Statcast: CSV, also packed with gzip, or Parquet.
 
     Parameters
     ----------
@@ -89,15 +84,13 @@ def read_swings(
         when the file cannot be read, lacks what is needed, holds several batters and none was named, or has no good
         row.
     """
-    headings = _lines(path)[:1]
-    if not headings:
+    table = open_swings(path)
+    if not table.headings:
         raise InputError(f"{path} is empty; it needs a line of column names, for example bat_speed_mph, exit_speed_mph")
-    names = headings[0][1]
-    columns = columns_of(names, units=units, file_name=str(path))
-    rows = _of_batter(columns, batter, path)
-    read = [
-        _read(line, cells, columns, width=len(names), length=length, pitch_speed=pitch_speed) for line, cells in rows
-    ]
+    understood = columns_of(table.headings, units=units, file_name=str(path))
+    rows = _of_batter(table, understood, batter, path)
+    columns, width = table.narrowed(understood), table.width(understood)
+    read = [_read(line, cells, columns, width=width, length=length, pitch_speed=pitch_speed) for line, cells in rows]
     good = [one for one in read if isinstance(one, PlayerSwing)]
     bad = [one for one in read if isinstance(one, BadRow)]
     good, partial = full_swings(good)
@@ -129,19 +122,14 @@ def batters(path: Path, *, units: Units | None = None) -> tuple[str, ...]:
     InputError
         when the file cannot be read, or names none.
     """
-    headings = _lines(path)[:1]
-    column = columns_of(headings[0][1], units=units, file_name=str(path)).found.get("batter") if headings else None
-    if column is None:
+    table = open_swings(path)
+    columns = columns_of(table.headings, units=units, file_name=str(path)) if table.headings else None
+    if columns is None or "batter" not in columns.found:
         raise InputError(f"{path} has no column that names the batter; add one called player, or leave --batter out")
-    names = set(_by_batter(path, column.index)) - {""}
+    names = table.batters(columns)
     if not names:
-        raise InputError(f"{path} names no batter in its column {column.heading}")
-    return tuple(sorted(names))
-
-
-def _name(cells: list[str], column: int) -> str:
-    text = cells[column].strip() if column < len(cells) else ""
-    return text.removesuffix(".0")
+        raise InputError(f"{path} names no batter in its column {columns.found['batter'].heading}")
+    return tuple(names)
 
 
 def evenly(swings: Sequence[PlayerSwing], most: int) -> tuple[tuple[PlayerSwing, ...], tuple[str, ...]]:
@@ -157,65 +145,30 @@ def evenly(swings: Sequence[PlayerSwing], most: int) -> tuple[tuple[PlayerSwing,
     return taken, (f"{count} swings are usable; {most} of them, taken evenly, are enough and are used.",)
 
 
-def _lines(path: Path) -> Lines:
-    """Return (line, cells) from the line of column names on, blank lines left out."""
-    if path.is_dir():
-        raise InputError(f"{path} is not a file; give a CSV file with a row per swing")
-    return _parsed(path, _signature(path))
-
-
-def _signature(path: Path) -> tuple[int, int]:
-    try:
-        status = path.stat()
-    except OSError:
-        return 0, 0  # reading it says what is wrong
-    return status.st_mtime_ns, status.st_size
-
-
-@lru_cache(maxsize=1)
-def _parsed(path: Path, signature: tuple[int, int]) -> Lines:  # noqa: ARG001 - a changed file is another file
-    """Return the lines of a file; the last one is kept, for a league is asked for player after player."""
-    text = read_text(path, most=MOST_TABLE_BYTES, advice="give a CSV file with the rows of one batter")
-    lines = list(table_rows(text, path, is_heading=is_heading_line))
-    first = next((place for place, (_, cells) in enumerate(lines) if is_heading_line(cells)), None)
-    return tuple(lines[:PREAMBLE] if first is None else lines[first:])
-
-
-def _by_batter(path: Path, column: int) -> dict[str, Lines]:
-    """Return the rows of every batter of a file."""
-    return _parted(path, _signature(path), column)
-
-
-@lru_cache(maxsize=1)
-def _parted(path: Path, signature: tuple[int, int], column: int) -> dict[str, Lines]:
-    found: dict[str, list[tuple[int, list[str]]]] = {}
-    for line, cells in _parsed(path, signature)[1:]:
-        found.setdefault(_name(cells, column), []).append((line, cells))
-    return {name: tuple(rows) for name, rows in found.items()}
-
-
-def _of_batter(columns: Columns, batter: str | None, path: Path) -> Lines:
+def _of_batter(table: SwingTable, columns: Columns, batter: str | None, path: Path) -> Lines:
     """Return the rows of one batter; a file of several without a name is refused."""
-    column, rows = columns.found.get("batter"), _lines(path)[1:]
-    if not rows:
-        raise InputError(f"{path} has column names and no row; give one row per swing")
-    if column is None:
+    if "batter" not in columns.found:
         if batter is not None:
             raise InputError(f"--batter {batter} was given, and {path} has no column that names the batter")
+        return _some(table.rows(columns), path)
+    if batter is not None and (rows := table.rows(columns, batter)):
         return rows
-    parted = _by_batter(path, column.index)
-    names = sorted(set(parted) - {""})
-    if batter is None:
-        if len(names) > 1:
-            shown_names = ", ".join(names[:8]) + (", ..." if len(names) > 8 else "")
-            raise InputError(
-                f"{path} has swings of {len(names)} batters ({shown_names}); choose one with --batter NAME, "
-                "or --batter all for a team sheet"
-            )
-        return rows
-    if batter not in names:
+    names = table.batters(columns)
+    if batter is not None and batter not in names:
         raise InputError(f"batter {batter!r} is not in {path}. {nearest_names(batter, names)}")
-    return parted[batter]
+    if len(names) > 1:
+        shown_names = ", ".join(names[:8]) + (", ..." if len(names) > 8 else "")
+        raise InputError(
+            f"{path} has swings of {len(names)} batters ({shown_names}); choose one with --batter NAME, "
+            "or --batter all for a team sheet"
+        )
+    return _some(table.rows(columns), path)
+
+
+def _some(rows: Lines, path: Path) -> Lines:
+    if not rows:
+        raise InputError(f"{path} has column names and no row; give one row per swing")
+    return rows
 
 
 def _read(

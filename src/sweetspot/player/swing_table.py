@@ -1,0 +1,247 @@
+"""A file of swings as lines and cells: a small CSV file as it stands, a large one and Parquet by the columns needed.
+
+CSV files up to `MOST_TABLE_BYTES` are read whole, with whatever stands above their headings. Larger ones and Parquet
+are scanned by polars: only the columns that mean something are read, and only the rows of the batter asked for.
+"""
+
+from __future__ import annotations
+
+import gzip
+import zlib
+from abc import ABC, abstractmethod
+from dataclasses import replace
+from functools import lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from sweetspot.errors import InputError
+from sweetspot.numerics.text_files import MOST_TABLE_BYTES, SEPARATORS, is_larger, pointed, read_text, table_rows
+from sweetspot.player.columns import Column, Columns, is_heading_line
+
+if TYPE_CHECKING:
+    import polars as pl
+
+Lines = tuple[tuple[int, list[str]], ...]
+PREAMBLE = 20
+"""Lines above the column names that a file may have."""
+PARQUET = (".parquet", ".pq")
+"""Endings of names of Parquet files."""
+ADVICE = "give a CSV file with the rows of one batter, or Parquet"
+
+
+class SwingTable(ABC):
+    """A table whose headings are known; rows are (line of the file, cells)."""
+
+    headings: tuple[str, ...]
+
+    @abstractmethod
+    def narrowed(self, columns: Columns) -> Columns:
+        """Return the columns as they stand in the rows that are given."""
+
+    @abstractmethod
+    def width(self, columns: Columns) -> int:
+        """Return how many cells a whole row has."""
+
+    @abstractmethod
+    def rows(self, columns: Columns, batter: str | None = None) -> Lines:
+        """Return the rows, of one batter where one is named."""
+
+    @abstractmethod
+    def batters(self, columns: Columns) -> list[str]:
+        """Return the names of the batters, in the order of the alphabet."""
+
+
+class TextTable(SwingTable):
+    """A CSV file that is read whole."""
+
+    def __init__(self, lines: Lines) -> None:
+        self.headings = tuple(lines[0][1]) if lines else ()
+        self._lines = lines[1:]
+        self._parted: dict[int, dict[str, Lines]] = {}
+
+    def narrowed(self, columns: Columns) -> Columns:
+        """Return the columns as they are: cells stand as in the file."""
+        return columns
+
+    def width(self, columns: Columns) -> int:  # noqa: ARG002 - all columns are there
+        """Return how many cells a whole row has."""
+        return len(self.headings)
+
+    def rows(self, columns: Columns, batter: str | None = None) -> Lines:
+        """Return the rows, of one batter where one is named."""
+        return self._lines if batter is None else self._by_batter(columns).get(batter, ())
+
+    def batters(self, columns: Columns) -> list[str]:
+        """Return the names of the batters, in the order of the alphabet."""
+        return sorted(set(self._by_batter(columns)) - {""})
+
+    def _by_batter(self, columns: Columns) -> dict[str, Lines]:
+        place = columns.found["batter"].index
+        if place not in self._parted:
+            found: dict[str, list[tuple[int, list[str]]]] = {}
+            for line, cells in self._lines:
+                name = cells[place].strip().removesuffix(".0") if place < len(cells) else ""
+                found.setdefault(name, []).append((line, cells))
+            self._parted[place] = {name: tuple(rows) for name, rows in found.items()}
+        return self._parted[place]
+
+
+class ScannedTable(SwingTable):
+    """Parquet or a large CSV file, of which only what is needed is read.
+
+    Parameters
+    ----------
+    frame : its rows, with the line of each in ``LINE``.
+    commas : whether numbers may have decimal commas.
+    """
+
+    LINE = "line of the file"
+
+    def __init__(self, path: Path, frame: pl.LazyFrame, *, commas: bool = False) -> None:
+        self.path, self._frame, self._commas = path, frame, commas
+        self._schema = frame.collect_schema()
+        self.headings = tuple(name for name in self._schema.names() if name != self.LINE)
+        self._all: dict[str, pl.DataFrame] | None = None
+
+    def narrowed(self, columns: Columns) -> Columns:
+        """Return the columns as they stand in the rows: only those that mean something are there."""
+        order = {column.index: place for place, column in enumerate(self._needed(columns))}
+        found = {name: replace(column, index=order[column.index]) for name, column in columns.found.items()}
+        return replace(columns, found=found)
+
+    def width(self, columns: Columns) -> int:
+        """Return how many cells a whole row has."""
+        return len(columns.found)
+
+    def rows(self, columns: Columns, batter: str | None = None) -> Lines:
+        """Return the rows, of one batter where one is named; others are not read."""
+        if batter is not None and self._all is not None:
+            return self._lines(self._all[batter]) if batter in self._all else ()
+        frame = self._frame
+        if batter is not None:
+            frame = frame.filter(self._is(columns, batter))
+        return self._lines(self._collected(frame.select(self.LINE, *self._cells(columns))))
+
+    def batters(self, columns: Columns) -> list[str]:
+        """Return the names of the batters; the rows of all are kept, for they will be asked for one after another."""
+        if self._all is None:
+            named = self._named(columns).alias("who")
+            frame = self._collected(self._frame.select(self.LINE, *self._cells(columns), named))
+            parts = frame.partition_by("who", as_dict=True, include_key=False)
+            self._all = {str(key[0]): part for key, part in parts.items() if key[0]}
+        return sorted(self._all)
+
+    def _collected(self, frame: pl.LazyFrame) -> pl.DataFrame:
+        import polars as pl
+
+        try:
+            return frame.collect()
+        except (pl.exceptions.PolarsError, OSError) as error:
+            first = str(error).strip().split("\n")[0][:200]
+            raise InputError(f"{self.path} cannot be read as a table: {first}") from None
+
+    def _needed(self, columns: Columns) -> list[Column]:
+        return sorted(columns.found.values(), key=lambda column: column.index)
+
+    def _cells(self, columns: Columns) -> list[pl.Expr]:
+        import polars as pl
+
+        names = [self.headings[column.index] for column in self._needed(columns)]
+        return [pl.col(name).cast(pl.String).fill_null("") for name in names]
+
+    def _named(self, columns: Columns) -> pl.Expr:
+        import polars as pl
+
+        name = self.headings[columns.found["batter"].index]
+        return pl.col(name).cast(pl.String).str.strip_chars().str.strip_suffix(".0")
+
+    def _is(self, columns: Columns, batter: str) -> pl.Expr:
+        """Return whether a row is a batter's; numbers are compared as such, so that parts of a file are skipped."""
+        import polars as pl
+
+        name = self.headings[columns.found["batter"].index]
+        if self._schema[name].is_integer() and batter.lstrip("-").isdigit():
+            return pl.col(name) == int(batter)
+        return self._named(columns) == batter
+
+    def _lines(self, frame: pl.DataFrame) -> Lines:
+        rows = ((int(line), list(cells)) for line, *cells in frame.iter_rows())
+        if self._commas:
+            rows = ((line, [pointed(cell) for cell in cells]) for line, cells in rows)
+        return tuple((line, cells) for line, cells in rows if any(cell.strip() for cell in cells))
+
+
+def open_swings(path: Path) -> SwingTable:
+    """Return a file of swings; the last one is kept, for a league is asked for player after player.
+
+    Raises
+    ------
+    InputError
+        when it cannot be read, or is no table.
+    """
+    if path.is_dir():
+        raise InputError(f"{path} is not a file; give a CSV or Parquet file with a row per swing")
+    return _opened(path, _signature(path))
+
+
+def _signature(path: Path) -> tuple[int, int]:
+    try:
+        status = path.stat()
+    except OSError:
+        return 0, 0  # reading it says what is wrong
+    return status.st_mtime_ns, status.st_size
+
+
+@lru_cache(maxsize=1)
+def _opened(path: Path, signature: tuple[int, int]) -> SwingTable:  # noqa: ARG001 - a changed file is another file
+    if path.suffix.lower() in PARQUET:
+        return _scanned_parquet(path)
+    if is_larger(path, most=MOST_TABLE_BYTES):
+        return _scanned_csv(path)
+    text = read_text(path, most=MOST_TABLE_BYTES, advice=ADVICE)
+    lines = list(table_rows(text, path, is_heading=is_heading_line))
+    first = next((place for place, (_, cells) in enumerate(lines) if is_heading_line(cells)), None)
+    return TextTable(tuple(lines[:PREAMBLE] if first is None else lines[first:]))
+
+
+def _scanned_parquet(path: Path) -> SwingTable:
+    import polars as pl
+
+    if not path.is_file():
+        raise InputError(f"{path} is not a file; it cannot be read: there is no such file")
+    try:
+        return ScannedTable(path, pl.scan_parquet(path, row_index_name=ScannedTable.LINE, row_index_offset=1))
+    except (pl.exceptions.PolarsError, OSError) as error:
+        first = str(error).strip().split("\n")[0][:200]
+        raise InputError(f"{path} is no whole Parquet file: {first}; write or copy it anew") from None
+
+
+def _scanned_csv(path: Path) -> SwingTable:
+    """Return a large CSV file: every cell as text, for the same rules as a small one's are to hold."""
+    import polars as pl
+
+    separator = _separator(path)
+    try:
+        frame = pl.scan_csv(
+            path, separator=separator, infer_schema=False, truncate_ragged_lines=True, encoding="utf8-lossy",
+            row_index_name=ScannedTable.LINE, row_index_offset=2,
+        )  # fmt: skip
+        return ScannedTable(path, frame, commas=separator != ",")
+    except (pl.exceptions.PolarsError, OSError) as error:
+        raise InputError(f"{path} cannot be read as a table: {str(error).strip().splitlines()[0][:200]}") from None
+
+
+def _separator(path: Path) -> str:
+    """Return what stands between the cells of a large CSV file, which begins with its headings."""
+    try:
+        with gzip.open(path) if path.suffix == ".gz" else path.open("rb") as file:
+            first = file.readline(MOST_TABLE_BYTES).decode("utf-8-sig", "replace").strip()
+    except (OSError, EOFError, zlib.error) as error:
+        raise InputError(f"{path} is damaged: {error}") from None
+    for separator in SEPARATORS:
+        if is_heading_line(first.split(separator)):
+            return separator
+    raise InputError(
+        f"{path} is larger than {MOST_TABLE_BYTES / 1e6:g} MB and its first line names no column for bat speed or exit "
+        "speed; begin it with its column names, for example bat_speed_mph,exit_speed_mph"
+    )
