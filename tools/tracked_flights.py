@@ -1,7 +1,8 @@
 """Compare flights with tables of tracked balls: ``python tools/tracked_flights.py FILES``.
 
-Prints how distances come out by launch angle, what scatter of backspin the balls of 10 to 25 degrees tell (all games,
-and halves of them apart), and, where a table has hang times, how flights agree with them and whether the bars are met.
+Prints how distances come out by launch angle, what scatter of backspin line drives tell (all games, and halves of them
+apart, each shown on the other), and, where a table has hang times, how flights agree with them and whether the bars are
+met.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from sweetspot.season.balls import balls_of
 from sweetspot.season.fields import fields_of
 from sweetspot.season.flight_columns import GLOVE, FlightSetting, flown_balls
 from sweetspot.season.measured_hang import hang_check
+from sweetspot.season.pooling import HALF, NINETY
 from sweetspot.season.rows import USED, rows_of
 from sweetspot.season.season_table import season_setting
 from sweetspot.season.table_file import open_table
@@ -31,6 +33,7 @@ from sweetspot.units import DEGREE, FOOT, MPH, RPM
 Array = NDArray[np.float64]
 CAUGHT = ["field_out", "sac_fly", "double_play", "sac_fly_double_play"]
 LINERS = (10.0, 25.0)
+"""deg: what the league calls line drives."""
 BOOTSTRAPS = 40
 
 
@@ -96,6 +99,30 @@ def spins(balls: pl.DataFrame, setting: FlightSetting) -> None:
         for _ in range(BOOTSTRAPS)
     ]
     print(f"  standard error by games drawn anew: {np.std(many) / RPM:.0f} rpm")
+    for name, one, other in (("odd games, told by even ones", even, ~even), ("even, told by odd", ~even, even)):
+        if len(liners.filter(one)) > 50 and len(liners.filter(other)) > 50:
+            print(f"  {name}:")
+            held_out(balls.filter(other), setting, spin_scatter(liners.filter(one), *tables))
+    print("  by the scatter in use:")
+    held_out(balls, setting, SPIN_SCATTER)
+    held_out(balls.filter(~even), setting, SPIN_SCATTER)
+
+
+def held_out(balls: pl.DataFrame, setting: FlightSetting, spin: float) -> None:
+    """Print how many distances lie within the intervals that a scatter of backspin makes, which was set elsewhere."""
+    for low, high in (LINERS, (15.0, 25.0)):
+        mine = balls.filter(pl.col("angle").is_between(low, high))
+        told = carry_errors(setting.ball, setting.aerodynamics, setting.air, errors=TRACKED, spin_scatter=spin)
+        spread = told.spread(
+            mine["speed"].to_numpy(), mine["angle"].to_numpy() * DEGREE, per_drag=mine["per_drag"].to_numpy(),
+            scatter=mine["scatter"].to_numpy(),
+        )  # fmt: skip
+        long = mine["long"].to_numpy()
+        apart = np.abs(long - np.sum(long / spread**2) / np.sum(1 / spread**2)) / spread
+        print(
+            f"    with {spin / RPM:.0f} rpm, {low:g} to {high:g} deg: {100 * np.mean(apart < HALF):.1f} and "
+            f"{100 * np.mean(apart < NINETY):.1f} % within the intervals of 50 and 90 %, n {len(mine)}"
+        )
 
 
 def angles(balls: pl.DataFrame) -> None:
