@@ -3,20 +3,27 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple
 
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.swing import SwingOptions
+from sweetspot.cli.options.uncertainty import Uncertainty, sources_for
 from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
     from sweetspot.analysis.optimum import BestSwing, EasiestHomeRun
+    from sweetspot.calibration.draws.drawn_plays import PlayAsked
+    from sweetspot.calibration.draws.sources import Sources
+    from sweetspot.dynamics.reduction import ReducedBat
     from sweetspot.equipment.bat import Bat
+    from sweetspot.flight.conditions import FlightConditions
     from sweetspot.flight.park import Park
     from sweetspot.flight.pitch import PitchFlight
+    from sweetspot.motion.swing import Conditions
+    from sweetspot.report.document import Document
     from sweetspot.report.optimum.answers import AskedLaunch
 
 ALL = "all"
@@ -46,6 +53,7 @@ class ContactOptions:
     attack_angle: Annotated[str | None, Parameter(help="Swing this steeply; default: the best is searched.")] = None
     tilt: Annotated[str, Parameter(help="Of the plane of the swing; 0deg keeps the bat level.")] = "32deg"
     ball: Annotated[str | None, Parameter(help="Ball of the catalogue; default: the first of the bat's sport.")] = None
+    uncertainty: Uncertainty = False
 
 
 @Parameter(name="*")
@@ -91,9 +99,11 @@ def optimum(
 ) -> int:
     """Find the swing and the launch angle that carry farthest, and with --park (or --park all) the slowest home run."""
     from sweetspot import catalog
+    from sweetspot.cli.options.weather import through
     from sweetspot.cli.output import patience, present
     from sweetspot.report.optimum.answers import Optimum
     from sweetspot.report.optimum.document import optimum_document
+    from sweetspot.units import parse
 
     everywhere = air.park == ALL or (show == "parks" and air.park is None)
     weather = replace(air, park=None) if everywhere else air
@@ -107,19 +117,85 @@ def optimum(
     sent = replace(
         sent, exit_speed=sent.exit_speed or (SPEEDS if its.stroke.swing_speed.value > FAST_SWING else SLOWER)
     )
+    spin = parse(sent.backspin, "angular speed", "--backspin")
     with patience():
+        swung = _swings(described, pitch, contact, weather) if "swing" in asked else None
+        launches = _launches(sent, ball, weather) if "launch" in asked else None
+        searched = _parks(sent.backspin, ball, weather, everywhere) if "parks" in asked and parks else None
         optimum = Optimum(
-            described,
-            swings=_swings(described, pitch, contact, weather) if "swing" in asked else None,
-            launches=_launches(sent, ball, weather) if "launch" in asked else None,
-            parks=_parks(sent.backspin, ball, weather, everywhere) if "parks" in asked and parks else None,
-        )
-    return present(optimum_document(optimum), output)
+            described, swings=None if swung is None else swung.rows, launches=launches,
+            parks=None if searched is None else [best for best, _ in searched],
+        )  # fmt: skip
+        document = optimum_document(optimum, held=contact.uncertainty)
+        if contact.uncertainty:
+            sources = None if swung is None else sources_for(bat, described, swung.conditions, swung.told)
+            document = _sure(
+                document, swung, launches or [], searched or [], through(weather, ball), sources=sources, backspin=spin
+            )
+    return present(document, output)
 
 
-def _swings(
-    bat: Bat, pitch: PitchOptions, contact: ContactOptions, weather: AirOptions
-) -> list[tuple[BestSwing, PitchFlight]]:
+class _Swung(NamedTuple):
+    """The best contact with every pitch, and what it was searched with."""
+
+    rows: list[tuple[BestSwing, PitchFlight]]
+    model: ReducedBat[Bat]
+    conditions: Conditions
+    flying: FlightConditions
+    tilt: float
+    told: SwingOptions
+
+
+def _sure(
+    document: Document,
+    swung: _Swung | None,
+    launches: list[AskedLaunch],
+    searched: list[tuple[EasiestHomeRun, FlightConditions]],
+    flying: FlightConditions,
+    *,
+    sources: Sources | None,
+    backspin: float,
+) -> Document:
+    """Return the answer with an interval beside what follows from the best contact, launch angle and park."""
+    from sweetspot.analysis.optimum.launch import CONTACT
+    from sweetspot.calibration.draws.drawn_optima import AskedPark, drawn_optimum
+    from sweetspot.calibration.draws.drawn_plays import drag_source
+    from sweetspot.calibration.draws.sources import NOTHING
+    from sweetspot.catalog.aerodynamic_laws import drag_spread
+    from sweetspot.motion.ball_motion import launched
+    from sweetspot.report.uncertainty.uncertainty_section import uncertain
+
+    known = (sources or NOTHING).with_source(drag_source(drag_spread(flying.aerodynamics)))
+    left = [
+        launched(speed=one.exit_speed, launch_angle=one.best.launch_angle, backspin=one.backspin, position=CONTACT)
+        for one in launches
+    ]
+    answers = drawn_optimum(
+        known, backspin=backspin, swings=[] if swung is None else _played(swung),
+        launches=[(one, flying) for one in left],
+        parks=[AskedPark(best, here) for best, here in searched],
+    )  # fmt: skip
+    main = "swings.0.carry_m" if swung is not None else "launches.0.carry_m" if launches else "parks.0.exit_speed_m_s"
+    named = "slowest home run" if main.startswith("parks") else "first farthest carry"
+    return uncertain(document, answers, main=main, named=named, where=known.described)
+
+
+def _played(swung: _Swung) -> list[PlayAsked]:
+    """Return the best contact with every pitch as a play."""
+    from sweetspot.calibration.draws.drawn_plays import PlayAsked
+    from sweetspot.collision.hit_in_space import Contact
+    from sweetspot.motion.swing_path import SwingPath
+
+    conditions, plays = swung.conditions, []
+    for best, thrown in swung.rows:
+        path = SwingPath(attack_angle=best.attack_angle, tilt=max(swung.tilt, abs(best.attack_angle)))
+        pitched = conditions.replaced(pitch=conditions.pitch.replaced(speed=thrown.plate.speed))
+        contact = Contact(best.position, best.offset)
+        plays.append(PlayAsked(swung.model, pitched, swung.flying, path, thrown.plate, contact))
+    return plays
+
+
+def _swings(bat: Bat, pitch: PitchOptions, contact: ContactOptions, weather: AirOptions) -> _Swung:
     from sweetspot.analysis.optimum import best_swing
     from sweetspot.analysis.optimum.swing import Held
     from sweetspot.cli.options.pitching import pitched
@@ -140,7 +216,7 @@ def _swings(
         check_position(bat, position, "--at")
     steep = None if contact.attack_angle is None else parse(contact.attack_angle, "angle", "--attack-angle")
     model = reduced_bat(bat, ball=conditions.ball).held(conditions.hands)
-    rows = []
+    rows, tilt = [], parse(contact.tilt, "angle", "--tilt")
     for name in pitch.pitch:
         thrown = pitched(name, pitch.release_speed, flying)
         best = best_swing(
@@ -148,11 +224,11 @@ def _swings(
             flying,
             swing=conditions.swing,
             pitch=thrown.plate,
-            plane=SwingPlane(tilt=parse(contact.tilt, "angle", "--tilt")),
+            plane=SwingPlane(tilt=tilt),
             held=Held(position=position, attack_angle=steep),
         )
         rows.append((best, thrown))
-    return rows
+    return _Swung(rows, model, conditions, flying, tilt, told)
 
 
 def _launches(sent: SentOptions, ball: str, weather: AirOptions) -> list[AskedLaunch]:
@@ -174,7 +250,10 @@ def _launches(sent: SentOptions, ball: str, weather: AirOptions) -> list[AskedLa
     return rows
 
 
-def _parks(backspin: str, ball: str, weather: AirOptions, everywhere: bool) -> list[EasiestHomeRun]:
+def _parks(
+    backspin: str, ball: str, weather: AirOptions, everywhere: bool
+) -> list[tuple[EasiestHomeRun, FlightConditions]]:
+    """Return the slowest home run of every park that was asked for, and what was flown through there."""
     from sweetspot import catalog
     from sweetspot.analysis.optimum import easiest_home_run, own_air
     from sweetspot.cli.options.weather import park_of, through
@@ -193,5 +272,5 @@ def _parks(backspin: str, ball: str, weather: AirOptions, everywhere: bool) -> l
     for park in parks:
         own = everywhere and weather.elevation is None
         here = flying.in_air(own_air(flying.one_air, park)) if own else flying
-        rows.append(easiest_home_run(park, here, backspin=spin))
+        rows.append((easiest_home_run(park, here, backspin=spin), here))
     return rows

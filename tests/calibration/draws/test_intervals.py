@@ -52,3 +52,10 @@ def test_interval_of_a_normal_answer(normal: Array) -> None:
     assert np.isnan(answers.ends("y")[0]).all()
     assert answers.chance("x_m", least=None, most=5.0) == pytest.approx(0.5, abs=0.002)
     assert answers.chance("x_m", least=4.9, most=5.1) == pytest.approx(0.6827, abs=0.005)
+
+
+def test_one_source_alone_causes_everything() -> None:
+    """A flight as it is usually asked for doubts its drag only."""
+    normal = np.random.default_rng(1).standard_normal((200, 1))
+    shares = variance_shares(normal, ("drag",), 2 * normal[:, 0])
+    assert shares["drag"] == pytest.approx(1.0)

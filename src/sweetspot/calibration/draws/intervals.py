@@ -105,8 +105,8 @@ def variance_shares(normal: Array, names: Sequence[str], values: Array) -> dict[
     count = z.shape[1]
     pairs = list(combinations(range(count), 2))
     terms = [(i,) for i in range(count)] * 2 + pairs
-    columns = [z, (z**2 - 1) / np.sqrt(2), *(np.stack([z[:, i] * z[:, j] for i, j in pairs], axis=1),) * bool(pairs)]
-    design = np.hstack([np.ones((len(z), 1)), *columns])
+    together = [(z[:, i] * z[:, j])[:, None] for i, j in pairs]  # none where there is one source
+    design = np.hstack([np.ones((len(z), 1)), z, (z**2 - 1) / np.sqrt(2), *together])
     coefficients = np.linalg.lstsq(design, answer - answer.mean(), rcond=None)[0][1:]
     whole = max(float(np.var(answer)), float(coefficients @ coefficients), 1e-300)
     found = dict.fromkeys(names, 0.0)

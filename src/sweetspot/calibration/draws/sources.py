@@ -14,6 +14,7 @@ from sweetspot.calibration.posterior import calibrate
 from sweetspot.calibration.unknowns import Unknown, described, unknowns_of
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.dynamics.patch import PATCH_SPREAD
+from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
@@ -118,6 +119,10 @@ class Sources:
         return deviations[:, names.index(name)] if name in names else np.zeros(len(deviations))
 
 
+NOTHING = Sources((), np.zeros((0, 0)), ())
+"""Everything is known."""
+
+
 def sources_of(
     bat: Implement,
     conditions: Conditions,
@@ -169,8 +174,13 @@ def expected_deviations(bat: Implement) -> tuple[tuple[Unknown, ...], Array]:
 
 def ball_sources(conditions: Conditions) -> tuple[Source, ...]:
     """Return what is not known of the ball: the catalogue's spreads are half widths of 90 % intervals."""
-    where = f"spread of {conditions.ball.name} in the catalogue"
-    spreads = ball_spreads(conditions.ball)
+    return sources_of_ball(conditions.ball)
+
+
+def sources_of_ball(ball: Ball) -> tuple[Source, ...]:
+    """Return what is not known of a ball by itself; see `ball_sources`."""
+    where = f"spread of {ball.name} in the catalogue"
+    spreads = ball_spreads(ball)
     return tuple(Source(f"{OF_BALL}{name}".replace("_", " "), size / REACH, where) for name, size in spreads.items())
 
 

@@ -27,7 +27,7 @@ def drop_document(rebound: Rebound, *, fired: bool) -> Document:
     if rebound.deflection > rebound.block.thickness:
         bent = say(
             "Beware: the block gives way by {deflection}, more than its thickness: real plates are stiffer then.",
-            deflection=Slot(rebound.deflection, "compression"),
+            deflection=Slot(rebound.deflection, "compression", of="deflection_m"),
         )
         blocks.append(Paragraph(bent, "warning"))
     return Document(
@@ -77,31 +77,34 @@ def _rows(rebound: Rebound, *, fired: bool) -> list[tuple[Cell, Cell]]:
     block, impact = rebound.block, rebound.impact
     made_of = say(
         "{material}, {thickness} thick, {mass}, {support}", material=block.material.name,
-        support=SUPPORTS[block.support], thickness=Slot(block.thickness, "compression"), mass=Slot(block.mass, "mass"),
+        support=SUPPORTS[block.support], thickness=Slot(block.thickness, "compression"),
+        mass=Slot(block.mass, "mass", of="block_mass_kg"),
     )  # fmt: skip
     rows: list[tuple[Cell, Cell]] = [
         ("block", made_of),
-        ("the ball meets it at", Slot(rebound.fall_speed, "speed", 2)),
-        ("leaves it at", Slot(rebound.rebound_speed, "speed", 2)),
+        ("the ball meets it at", Slot(rebound.fall_speed, "speed", 2, of="fall_speed_m_s")),
+        ("leaves it at", Slot(rebound.rebound_speed, "speed", 2, of="rebound_speed_m_s")),
     ]
     if not fired:
         still = rebound.terminal == math.inf
         air = "none" if still else say("carries it at {speed}", speed=Slot(rebound.terminal, "speed"))
         rows += [
             ("falls from", Slot(rebound.fall_height, "place")),
-            ("comes back to", Slot(rebound.rebound, "place")),
+            ("comes back to", Slot(rebound.rebound, "place", of="rebound_height_m")),
             ("air", air),
         ]
     rows += [
-        ("restitution e", Slot(rebound.restitution, "ratio", 4)),
-        ("energy kept by the ball", Slot(rebound.energy_kept, "share", 1)),
-        ("energy the block would hold, pressed slowly", Slot(rebound.share, "share", 2)),
-        ("contact time", Slot(impact.contact_time, "contact", 2)),
-        ("peak force", Slot(impact.peak_force, "force", 2)),
+        ("restitution e", Slot(rebound.restitution, "ratio", 4, of="restitution")),
+        ("energy kept by the ball", Slot(rebound.energy_kept, "share", 1, of="energy_kept")),
+        ("energy the block would hold, pressed slowly", Slot(rebound.share, "share", 2, of="block_share")),
+        ("contact time", Slot(impact.contact_time, "contact", 2, of="contact_time_s")),
+        ("peak force", Slot(impact.peak_force, "force", 2, of="peak_force_n")),
     ]
     for name, joules in _ledger(impact.energy).items():
         size = say(
-            "{joules}, {part}", joules=Slot(joules, "energy", 3), part=Slot(joules / impact.energy.incoming, "share", 1)
+            "{joules}, {part}",
+            joules=Slot(joules, "energy", 3, of=f"energy_j.{name}"),
+            part=Slot(joules / impact.energy.incoming, "share", 1),
         )
         rows.append((f"energy: {name.replace('_', ' ')}", size))
     return rows

@@ -1,0 +1,88 @@
+"""The best way to hit, for bats, balls and speeds that may be meant.
+
+What is searched, place, undercut, attack and launch angle, is a choice and stays as it is best for everything as
+described. At a maximum the height does not change with the place to first order, so the carry of what would be best for
+each draw differs from that carry in the second order only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from sweetspot.analysis.optimum import EasiestHomeRun, easiest_home_run
+from sweetspot.calibration.draws.drawn_plays import DRAG, PlayAsked, drawn_flights, drawn_play
+from sweetspot.calibration.draws.intervals import DrawnAnswers
+from sweetspot.calibration.draws.sources import DRAWS, Sources
+from sweetspot.flight.conditions import FlightConditions
+from sweetspot.motion.ball_motion import BallMotion, BallMotions
+from sweetspot.numerics.arrays import Array
+
+TOLD = {
+    "exit_speed_m_s": "exit_speed_m_s", "launch_angle_rad": "launch_angle_rad", "spray_rad": "spray_rad",
+    "backspin_rad_s": "backspin_rad_s", "sidespin_rad_s": "sidespin_rad_s", "pitch_speed_m_s": "pitch_speed_m_s",
+    "flight.carry_m": "carry_m", "flight.hang_time_s": "hang_time_s",
+}  # fmt: skip
+"""Answers to a play, by their names in the data of a best swing."""
+
+
+@dataclass(frozen=True)
+class AskedPark:
+    """The slowest home run of a park as described, and what it flies through."""
+
+    best: EasiestHomeRun
+    conditions: FlightConditions
+
+
+def drawn_optimum(
+    sources: Sources,
+    *,
+    swings: Sequence[PlayAsked] = (),
+    launches: Sequence[tuple[BallMotion, FlightConditions]] = (),
+    parks: Sequence[AskedPark] = (),
+    backspin: float = 0.0,
+    count: int = DRAWS,
+) -> DrawnAnswers:
+    """Return the answers of draws to what was asked about the best way to hit, by their names in its data.
+
+    Parameters
+    ----------
+    sources : of the hit, and `drag_source`.
+    swings : the best contact with every pitch.
+    launches : balls as they leave best, and what they fly through.
+    parks, backspin : slowest home runs, and with which spin they fly, rad/s.
+    """
+    normal = np.vstack([np.zeros((1, len(sources.names))), sources.normal(count)])
+    off = sources.deviations(normal)
+    off[0] = 0.0
+    drag = sources.of(DRAG, off)
+    values: dict[str, Array] = {}
+    for index, asked in enumerate(swings):
+        answers = drawn_play(asked, sources, count=count).values
+        values |= {f"swings.{index}.{told}": answers[name] for name, told in TOLD.items()}
+    for index, (left, flying) in enumerate(launches):
+        balls = BallMotions(
+            velocity=np.tile(np.asarray(left.velocity), (len(off), 1)), spin=np.asarray(left.spin),
+            position=np.asarray(left.position),
+        )  # fmt: skip
+        values[f"launches.{index}.carry_m"] = drawn_flights(balls, flying, drag)["carry_m"]
+    size = float(np.std(drag))
+    for index, park in enumerate(parks):
+        where = [park.best.direction]  # the fence that asks least
+        up, down = (
+            easiest_home_run(
+                park.best.park, _dragged(park.conditions, sign * size), backspin=backspin, directions=where
+            ).exit_speed
+            for sign in (1.0, -1.0)
+        )
+        values[f"parks.{index}.exit_speed_m_s"] = park.best.exit_speed + drag / size * (up - down) / 2
+    return DrawnAnswers(normal, sources.names, values)
+
+
+def _dragged(flying: FlightConditions, off: float) -> FlightConditions:
+    """Return the same conditions with another drag, ``off`` the logarithm of it over the law's."""
+    law = flying.aerodynamics
+    other = law.replaced(drag=law.drag * float(np.exp(off)))
+    return FlightConditions(ball=flying.ball, aerodynamics=other, air=flying.air, wind=flying.wind)

@@ -1,0 +1,53 @@
+"""Intervals of a drop test: followed by slope and bend, they are those of tests done anew."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from sweetspot import catalog
+from sweetspot.analysis.drop_test import Rebound, fire
+from sweetspot.calibration.draws.drawn_drops import drawn_drop, drop_sources
+from sweetspot.calibration.draws.sources import OF_BALL
+from sweetspot.dynamics.block import Block
+from sweetspot.equipment.ball import Ball
+
+SPEED = 8.0
+
+
+def fired(block: Block, ball: Ball, more: float) -> Rebound:
+    return fire(block, ball=ball, speed=SPEED + more)
+
+
+def test_draws_are_tests_done_anew() -> None:
+    block = Block(material=catalog.material("white-ash"), thickness=0.05)
+    rebound = fired(block, catalog.ball(), 0.0)
+    sources = drop_sources(rebound, speed_error=0.3)
+    answers = drawn_drop(rebound, sources, fired, count=64)
+    off = sources.deviations(answers.normal)
+    assert answers.values["restitution"][0] == pytest.approx(rebound.restitution)
+    column = sources.names.index(f"{OF_BALL}restitution")
+    law = rebound.ball.restitution
+    row = int(np.argmax(np.abs(answers.normal[:, column])))
+    alone = np.zeros_like(off[row])
+    alone[column] = off[row, column]
+    other = rebound.ball.replaced(restitution=law.replaced(reference=law.reference + alone[column]))
+    done = fired(block, other, 0.0).restitution
+    shares = answers.shares("restitution")
+    low, high = answers.ends("restitution")
+    assert max(shares, key=lambda name: shares[name]).startswith(OF_BALL)
+    assert low < rebound.restitution < high
+    assert abs(done - rebound.restitution) == pytest.approx(abs(alone[column]), rel=0.2)  # e is the ball's on a block
+
+
+def test_the_command(run_json: Callable[..., Any], run: Callable[..., tuple[int, str, str]]) -> None:
+    found = run_json("drop", "--uncertainty")
+    assert found["rebound_height_low_m"] < found["rebound_height_m"] < found["rebound_height_high_m"]
+    assert found["energy_j"]["ball_low"] < found["energy_j"]["ball"]
+    assert found["uncertainty"]["of"] == "restitution"
+    code, out, _ = run("drop", "--speed", "60mph±1mph", "--uncertainty")
+    assert code == 0
+    assert "26.82 ± 0.7" in out
