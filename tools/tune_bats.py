@@ -79,6 +79,7 @@ SHELLS = {  # shell bats nobody measured: the barrel walls are chosen, all else 
     "composite": (B7, COMPOSITE),
     "two-piece": (B6, COMPOSITE),
     "slow-pitch": ({"mass": (28.0, 0.02), "moi_6in": (8500.0, 5.0)}, COMPOSITE),
+    "fast-pitch": ({"mass": (23.0, 0.02), "moi_6in": (6000.0, 5.0)}, COMPOSITE),
 }
 
 

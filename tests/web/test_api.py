@@ -379,7 +379,7 @@ def test_why_here_adds_up_and_is_what_the_report_says(client: httpx.Client) -> N
     above = client.post("/api/v1/explorer", json={"impact_from_tip_in": 5.8, "offset_in": 0.7}).json()
     best, missed = above["why"]["us"]
     assert best.startswith("This is the best place along the bat")
-    assert f"({-above['lost_m_s'] / MPH:.1f} mph)" in missed  # all that is lost here
+    assert f"(\N{MINUS SIGN}{above['lost_m_s'] / MPH:.1f} mph)" in missed  # all that is lost here
     told = client.post("/api/v1/explorer/why", json={}).json()["sentences"]
     assert any("Why not at the tip?" in one for one in told["us"])
     assert any("What a miss costs" in one for one in told["si"])

@@ -34,6 +34,8 @@ KEPT_ANALYSES = 64
 MOST_VALUES, LONGEST_VALUE, DEEPEST = 600, 2000, 8
 """Of an uploaded file: values, letters per value, tables inside tables."""
 PLUG = 1 * INCH
+PARK = "fenway-park"
+"""Of those who play in the big parks."""
 Swung = TypeVar("Swung", bound=SwungState)
 
 
@@ -59,13 +61,14 @@ class Usual(NamedTuple):
     pitch: str
     swing_law: str
     league: str
+    park: str
 
 
 def usual(bat: Bat) -> Usual:
     """Return what is usual in a bat's sport, as on the command line."""
     hit, its = standard_conditions(bat), catalog.sport(bat.sport)
     pitch, speed = round(hit.pitch.speed / MPH, 6), round(hit.swing.bat_speed / MPH, 6)
-    return Usual(pitch, speed, its.balls[0], its.pitches[0], its.swing_law, its.rules)
+    return Usual(pitch, speed, its.balls[0], its.pitches[0], its.swing_law, its.rules, (*its.fields, PARK)[0])
 
 
 def swung(state: Swung) -> Swung:

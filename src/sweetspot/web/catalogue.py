@@ -8,6 +8,7 @@ from typing import Any
 from fastapi import APIRouter
 
 from sweetspot import catalog
+from sweetspot.catalog.ballparks import field_names
 from sweetspot.catalog.deliveries import delivery_names, other_delivery_names
 from sweetspot.catalog.rules import league, league_names
 from sweetspot.catalog.word_meanings import terms as all_terms
@@ -56,8 +57,8 @@ def catalogue_routes(api: APIRouter) -> None:
 
     @api.get("/parks", tags=["catalogue"])
     def parks() -> list[Choice]:
-        """Return the ball parks of the catalogue."""
-        return [Choice(key=name, name=catalog.park(name).name) for name in catalog.park_names()]
+        """Return the ball parks of the catalogue, then the fields of youth and softball."""
+        return [Choice(key=name, name=catalog.park(name).name) for name in (*catalog.park_names(), *field_names())]
 
     @api.get("/quantities", tags=["catalogue"])
     def quantities() -> dict[str, Any]:
@@ -109,4 +110,4 @@ def _implements() -> tuple[Choice, ...]:
 def _facts(key: str, bat: Bat) -> BatFacts:
     known = bat_json(bat.name, bat.length, rigid_body(beam_model(bat)))
     facts = {name: known[name] for name in BatFacts.model_fields if name in known}
-    return BatFacts(key=key, hollow=bat.shell is not None, **facts)
+    return BatFacts(key=key, hollow=bat.shell is not None, sport=bat.sport, **facts)

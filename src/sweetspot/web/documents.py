@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
 from sweetspot.report.document import Block, Document, Picture, Section
-from sweetspot.report.html import fragment
+from sweetspot.report.html import fragment, with_minus_signs
 from sweetspot.report.quantities import SYSTEMS
+from sweetspot.report.sentences import Sentence
 
 BEFORE_UNIT = re.compile(r"(?<=\d) (?=(?:{})(?:[\s,;)]|$))".format("|".join(sorted(
     {re.escape(unit.name) for reader in SYSTEMS.values() for unit in reader.units.values() if unit.name}
@@ -32,6 +33,12 @@ def told(document: Document) -> dict[str, Any]:
         "title": str(document.title),
         "html": {system: unbroken(fragment(bare, reader)) for system, reader in SYSTEMS.items()},
     }
+
+
+def in_both_systems(sentences: Iterable[Sentence]) -> dict[str, list[str]]:
+    """Return sentences as readers of either system see them, with minus signs as the page's own numbers have."""
+    every = list(sentences)
+    return {system: [with_minus_signs(one.read(reader)) for one in every] for system, reader in SYSTEMS.items()}
 
 
 def _without_pictures(blocks: Sequence[Block]) -> list[Block]:

@@ -25,6 +25,7 @@ def bat_picture(state: BatState, found: ReducedBat) -> dict[str, Any]:
         **bat_json(found.bat.name, found.bat.length, found.body),
         **outline(found.bat),
         "bounds": bounds(state, found.bat),
+        "sport": found.bat.sport,
         "usual": usual(found.bat)._asdict(),
     }
 

@@ -64,6 +64,7 @@ class BatFacts(BaseModel):
     balance_point_m: float
     moi_6in_kg_m2: float
     hollow: bool
+    sport: str
 
 
 REFUSALS: dict[int | str, dict[str, Any]] = {

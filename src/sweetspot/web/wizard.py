@@ -17,7 +17,7 @@ from sweetspot.web.errors import about
 
 SHAPES = {
     ("baseball", "wood"): "r161-ash", ("baseball", "hollow"): "single-wall", ("softball", "wood"): "r161-ash",
-    ("softball", "hollow"): "slow-pitch", ("youth", "wood"): "youth-30", ("youth", "hollow"): "single-wall",
+    ("softball", "hollow"): "fast-pitch", ("youth", "wood"): "youth-30", ("youth", "hollow"): "youth-alloy",
 }  # fmt: skip
 """The bat of the catalogue whose outline is stretched to the asked length."""
 SPORTS = {"baseball": "baseball", "softball": "softball", "youth": "youth-baseball"}

@@ -23,10 +23,10 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.report.certification.numbers import check_json
 from sweetspot.report.comparison.document import comparison_json
 from sweetspot.report.comparison.words import assumptions, cork_verdict, verdict, wall_verdict
-from sweetspot.report.quantities import SI, US
 from sweetspot.report.sentences import Sentence, say
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import ball_of, conditions_of, reduced, swung
+from sweetspot.web.documents import in_both_systems
 from sweetspot.web.drawings import ball_picture, bat_picture, outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, is_catalogued, swing_options
@@ -69,7 +69,8 @@ def answer(state: CompareState) -> dict[str, Any]:
         law = swing_law(state.swing_law or "") if state.same == "effort" else None
     comparison = compare_reduced(reductions, conditions=conditions_of(state, reductions[0].bat), law=law, labels=labels)
     words, assumed = _words(state, comparison), assumptions(comparison)
-    table = comparison_json(comparison, [sentence.read(US) for sentence in words])
+    told, taken = in_both_systems(words), in_both_systems([assumed])
+    table = comparison_json(comparison, told["us"])
     for row, one in zip(table["bats"], comparison.compared, strict=True):
         row["shape"] = outline(one.analysis.bat)
         row["scan"] |= {
@@ -83,8 +84,8 @@ def answer(state: CompareState) -> dict[str, Any]:
         "bat": bat_picture(state, reductions[0]),
         "others_bounds": [bounds(*pair) for pair in _others(state, reductions)],
         "ball": ball_picture(state, ball),
-        "assumptions": assumed.read(US),
-        "si": {"verdict": [sentence.read(SI) for sentence in words], "assumptions": assumed.read(SI)},
+        "assumptions": taken["us"][0],
+        "si": {"verdict": told["si"], "assumptions": taken["si"][0]},
     }
 
 

@@ -40,6 +40,7 @@ from sweetspot.report.design.words import effort_words, moved_words, warning_wor
 from sweetspot.report.quantities import SCALES, SYSTEMS
 from sweetspot.units import INCH
 from sweetspot.web.bats import ball_of, reduced
+from sweetspot.web.documents import in_both_systems
 from sweetspot.web.drawings import bat_picture, outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.jobs import LongWork
@@ -176,7 +177,7 @@ def gain(state: DesignState) -> dict[str, Any]:
     every = [*words, *([] if tolerance is None else [tolerance])]
     band = TWO_SIDED_95 * design.gain.noise[::-1]
     return {
-        "sentences": {system: [one.read(reader) for one in every] for system, reader in SYSTEMS.items()},
+        "sentences": in_both_systems(every),
         "noise_low_m_s": -band,
         "noise_high_m_s": band,
         "expected_m_s": design.gain.expected,

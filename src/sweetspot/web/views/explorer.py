@@ -15,10 +15,9 @@ from sweetspot.report.bat.place_words import speed_difference, why_here, why_off
 from sweetspot.report.bat.words import answer as words_about
 from sweetspot.report.bat.words import misses_of
 from sweetspot.report.hit.json import conditions_json
-from sweetspot.report.quantities import SYSTEMS
-from sweetspot.report.sentences import Sentence
 from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH
+from sweetspot.web.documents import in_both_systems
 from sweetspot.web.drawings import ball_picture, bat_picture
 from sweetspot.web.errors import FieldError
 from sweetspot.web.publications import published
@@ -55,7 +54,7 @@ def answer(state: ExplorerState) -> dict[str, Any]:
         "scan": shown["curves"],
         "energy_shares": shown["energy"],
         "hit": hit,
-        "why": _both(why),
+        "why": in_both_systems(why),
         "difference_m_s": {name: getattr(difference, name) for name in ("motion", "giving", "keeping", "whole")},
         "best_exit_speed_m_s": float(fastest),
         "lost_m_s": lost,
@@ -77,12 +76,7 @@ def why(state: ExplorerState) -> dict[str, Any]:
         for place, loss in sorted(sides)
         if np.isfinite(loss.value)
     ]
-    return {"sentences": _both(words_about(analysis, misses)), "other_law": points}
-
-
-def _both(sentences: list[Sentence]) -> dict[str, list[str]]:
-    """Return sentences as readers of either system see them."""
-    return {system: [one.read(reader) for one in sentences] for system, reader in SYSTEMS.items()}
+    return {"sentences": in_both_systems(words_about(analysis, misses)), "other_law": points}
 
 
 def recipe(state: ExplorerState) -> dict[str, str]:

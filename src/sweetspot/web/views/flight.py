@@ -22,11 +22,11 @@ from sweetspot.flight.park import Park
 from sweetspot.motion.ball_motion import BallMotion, launched
 from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.units import FOOT, INCH, INCH_OF_MERCURY, MPH, RPM
-from sweetspot.web.bats import ball_of, conditions_of, reduced, swung
+from sweetspot.web.bats import ball_of, conditions_of, described, reduced, swung, usual
 from sweetspot.web.drawings import bat_picture
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.view import View
-from sweetspot.web.views.flight_parks import carries, in_parks, outlines, park_json
+from sweetspot.web.views.flight_parks import carries, in_parks, outlines, park_json, parks_of
 from sweetspot.web.views.flight_recipe import flight_lines
 from sweetspot.web.views.flight_state import FlightState
 
@@ -40,9 +40,10 @@ SHOWN = 2
 def answer(state: FlightState) -> dict[str, Any]:
     """Return the path, its end at the fence of the chosen park, and the outcome in every park."""
     start = _start(state)
-    park, conditions = start.park, start.conditions
+    park, conditions, usual_park = start.park, start.conditions, usual(described(state)).park
     if start.motion is None:
-        return {"start": state.start, "missed": True, **_swung(start.struck), "park": park_json(park), "parks": []}
+        return {"start": state.start, "missed": True, **_swung(start.struck), "park": park_json(park), "parks": [],
+                "usual_park": usual_park}  # fmt: skip
     flown = _flown(start.motion, conditions)
     own_elevation = state.own_elevation and state.elevation_ft is None  # a chosen elevation is that of every park
     return {
@@ -55,7 +56,15 @@ def answer(state: FlightState) -> dict[str, Any]:
         "path": _path(flown, 0),
         "path_without_air": _path(flown, 1),
         "park": park_json(park),
-        **in_parks(start.motion, flown.positions[0], conditions=conditions, here=park, own_elevation=own_elevation),
+        "usual_park": usual_park,
+        **in_parks(
+            start.motion,
+            flown.positions[0],
+            parks_of(described(state)),
+            conditions=conditions,
+            here=park,
+            own_elevation=own_elevation,
+        ),
         "air_density_kg_m3": conditions.one_air.density,
         "elevation_m": conditions.one_air.elevation,
     }
@@ -69,9 +78,9 @@ def carry_map(state: FlightState) -> dict[str, Any]:
     return carries(start.motion, conditions=start.conditions, park=start.park)
 
 
-def fences(_: FlightState) -> dict[str, Any]:
+def fences(state: FlightState) -> dict[str, Any]:
     """Return the fences of every park."""
-    return {"parks": outlines()}
+    return {"parks": outlines(parks_of(described(state)))}
 
 
 class _Start(NamedTuple):
@@ -85,7 +94,7 @@ class _Start(NamedTuple):
 
 def _start(state: FlightState) -> _Start:
     with about("park"):
-        park = catalog.park(state.park)
+        park = catalog.park(swung(state).park or "")
     ball = ball_of(state)
     conditions = _conditions(state, park, ball)
     struck = _struck(state, ball) if state.start == "swing" else None

@@ -11,6 +11,7 @@ import numpy as np
 
 from sweetspot import catalog
 from sweetspot.catalog.aerodynamic_laws import STILL_AIR
+from sweetspot.equipment.bat import Bat
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence import landing
 from sweetspot.flight.home_runs import NONE, home_run_chances
@@ -24,6 +25,12 @@ FENCE_POINTS = 91
 SPEEDS = np.arange(50.0, 121.0, 3.0) * MPH
 ANGLES = np.arange(-5.0, 66.0, 3.0) * DEGREE
 """Exit speeds and launch angles of the map."""
+
+
+def parks_of(bat: Bat) -> tuple[Park, ...]:
+    """Return where such bats are swung: the fields of the sport, or every big park."""
+    fields = catalog.sport(bat.sport).fields
+    return tuple(catalog.park(name) for name in fields) or catalog.parks()
 
 
 def park_json(park: Park) -> dict[str, Any]:
@@ -50,15 +57,22 @@ def _park_json(park: Park) -> dict[str, Any]:
 
 
 def in_parks(
-    motion: BallMotion, path: Array, *, conditions: FlightConditions, here: Park, own_elevation: bool
+    motion: BallMotion,
+    path: Array,
+    parks: tuple[Park, ...],
+    *,
+    conditions: FlightConditions,
+    here: Park,
+    own_elevation: bool,
 ) -> dict[str, Any]:
     """Return the outcome of one ball in every park, in how many it is out, and its chances with the scatter of flights.
 
     Parameters
     ----------
     path : m, shape (points, 3), of this very flight, which says where it ends in the park ``here``.
+    parks : that are asked.
     """
-    parks, conditions = catalog.parks(), _outdoors(conditions)
+    conditions = _outdoors(conditions)
     law = home_run_chances(motion, conditions, parks=parks, own_elevation=own_elevation, scatter=NONE)
     chance = home_run_chances(motion, conditions, parks=parks, own_elevation=own_elevation)
     end = landing(path, here)
@@ -134,6 +148,6 @@ def carries(motion: BallMotion, *, conditions: FlightConditions, park: Park) -> 
     }
 
 
-def outlines() -> list[dict[str, Any]]:
-    """Return the fences of every park as seen from above."""
-    return [{name: park_json(park)[name] for name in ("name", "right_m", "out_m")} for park in catalog.parks()]
+def outlines(parks: tuple[Park, ...]) -> list[dict[str, Any]]:
+    """Return the fences of parks as seen from above."""
+    return [{name: park_json(park)[name] for name in ("name", "right_m", "out_m")} for park in parks]

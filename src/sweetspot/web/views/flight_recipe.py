@@ -54,7 +54,7 @@ def _swing_options(state: FlightState) -> str:
 
 def _weather_options(state: FlightState) -> str:
     return _options(
-        park=quote(state.park),
+        park=quote(swung(state).park or ""),
         temperature=f"{state.temperature_degf:.12g}degF",
         humidity=f"{state.relative_humidity:.12g}",
         pressure=f"{state.pressure_inhg:.12g}inHg",

@@ -29,7 +29,7 @@ class FlightState(HitState):
     batter: Literal["right", "left"] = "right"
     pitch_angle_deg: float = Field(-6.0, ge=-20, le=5, description="of the pitch at the plate, negative falls")
     pitch_backspin_rpm: float = Field(2000.0, ge=-3500, le=3500, description="positive for a fastball")
-    park: Name = Field("fenway-park", description="name, team or its letters")
+    park: Name | None = Field(None, description="name, team or its letters; empty: where such bats are swung")
     temperature_degf: float = Field(70.0, ge=0, le=120)
     relative_humidity: float = Field(0.5, ge=0, le=1, description="of the air")
     pressure_inhg: float = Field(29.92, ge=26, le=32, description="reduced to sea level, as weather reports give it")

@@ -14,20 +14,21 @@ from sweetspot.analysis.optimum import EasiestHomeRun, best_launch, best_swing, 
 from sweetspot.catalog.sports import pitched_aerodynamics
 from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
+from sweetspot.flight.park import Park
 from sweetspot.flight.pitch import PitchFlight, aimed
 from sweetspot.motion.ball_motion import launched
 from sweetspot.motion.swing_path import SwingPlane
 from sweetspot.report.optimum.answers import AskedLaunch, Optimum
 from sweetspot.report.optimum.document import optimum_document
 from sweetspot.units import MPH, RPM
-from sweetspot.web.bats import ball_of, conditions_of, reduced, swung
+from sweetspot.web.bats import ball_of, conditions_of, described, reduced, swung
 from sweetspot.web.documents import told
 from sweetspot.web.drawings import bat_picture
 from sweetspot.web.errors import about
 from sweetspot.web.recipes import bat_name, bat_text
 from sweetspot.web.states import Name, SwungState
 from sweetspot.web.view import View
-from sweetspot.web.views.flight_parks import carries
+from sweetspot.web.views.flight_parks import carries, parks_of
 
 START = (0.0, 0.6096, 0.9144)
 """m, where the balls of the map leave the bat: 2 ft in front of the plate and 3 ft high."""
@@ -42,7 +43,7 @@ class OptimumState(SwungState):
     tilt_deg: float = Field(32.0, ge=0, le=75, description="of the swing's plane")
     exit_speed_mph: float = Field(100.0, ge=50, le=125, description="for the best launch angle")
     backspin_rpm: float = Field(2200.0, ge=-1000, le=5000, description="of the ball in the last two questions")
-    park: Name = Field("fenway-park", description="name, team or its letters")
+    park: Name | None = Field(None, description="name, team or its letters; empty: where such bats are swung")
 
 
 def answer(state: OptimumState) -> dict[str, Any]:
@@ -54,7 +55,7 @@ def answer(state: OptimumState) -> dict[str, Any]:
     speed = state.exit_speed_mph * MPH
     best = best_launch(speed, through, backspin=spin)
     with about("park"):
-        park = catalog.park(state.park)
+        park = catalog.park(state.park or "")
     ball = launched(speed=speed, launch_angle=best.launch_angle, backspin=spin, position=START)
     reduced_bat = reduced(state, ball_of(state))
     return {
@@ -85,12 +86,12 @@ def parks(state: OptimumState) -> dict[str, Any]:
     """Return the slowest home run of every park, each in its own air, as a document."""
     state = swung(state)
     reduced_bat = reduced(state, ball_of(state))
-    homers = _easiest(state.ball or "", state.backspin_rpm)
+    homers = _easiest(state.ball or "", state.backspin_rpm, parks_of(reduced_bat.bat))
     return told(optimum_document(Optimum(reduced_bat.bat, parks=list(homers))))
 
 
 @lru_cache(maxsize=32)
-def _easiest(ball: str, backspin_rpm: float) -> tuple[EasiestHomeRun, ...]:
+def _easiest(ball: str, backspin_rpm: float, parks: tuple[Park, ...]) -> tuple[EasiestHomeRun, ...]:
     law = catalog.aerodynamics_of_ball(ball)
     return tuple(
         easiest_home_run(
@@ -98,7 +99,7 @@ def _easiest(ball: str, backspin_rpm: float) -> tuple[EasiestHomeRun, ...]:
             FlightConditions(ball=catalog.ball(ball), aerodynamics=law, air=Air(elevation=park.elevation)),
             backspin=backspin_rpm * RPM,
         )
-        for park in catalog.parks()
+        for park in parks
     )
 
 
@@ -117,11 +118,12 @@ def _thrown(state: OptimumState, through: FlightConditions) -> PitchFlight:
 def recipe(state: OptimumState) -> dict[str, str]:
     """Return the command line that gives the same answers, and the bat's file."""
     state = swung(state)
+    small = catalog.sport(described(state).sport).fields
     command = (
         f"sweetspot optimum {bat_name(state)} --pitch {quote(state.pitch or '')} "
         f"--bat-speed {state.bat_speed_mph:.12g}mph --tilt {state.tilt_deg:.12g}deg "
         f"--exit-speed {state.exit_speed_mph:.12g}mph --backspin {state.backspin_rpm:.12g}rpm "
-        f"--ball {quote(state.ball or '')} --park all"
+        f"--ball {quote(state.ball or '')} --park {small[0] if small else 'all'}"
     )
     return {"command": command, "toml": bat_text(state)}
 

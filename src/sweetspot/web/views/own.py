@@ -21,10 +21,10 @@ from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.calibration.document import SCALE_OF, VALUES, WORDS, budget_words, contradictions
 from sweetspot.report.certification.numbers import check_json
-from sweetspot.report.quantities import SYSTEMS
 from sweetspot.units import INCH, OUNCE
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import described
+from sweetspot.web.documents import in_both_systems
 from sweetspot.web.drawings import outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.recipes import bat_name, bat_text, option
@@ -58,14 +58,10 @@ def answer(state: OwnState) -> dict[str, Any]:
         "values": [] if posterior is None else _values(known, posterior, damping_of(state)),
         "unknowns": [] if posterior is None else _unknowns(posterior),
         "measurements": _residuals(state, posterior),
-        "contradictions": _both(words),
-        "budget": _both(budget),
+        "contradictions": in_both_systems(words),
+        "budget": in_both_systems(budget),
         "rules": _rules(state, own, fitted, known),
     }  # fmt: skip
-
-
-def _both(sentences: list[Any]) -> dict[str, list[str]]:
-    return {system: [one.read(reader) for one in sentences] for system, reader in SYSTEMS.items()}
 
 
 def _guesses(own: Bat) -> dict[str, float]:

@@ -25,9 +25,9 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions, Pitch
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.bat.words import answer as words_about
-from sweetspot.report.quantities import SYSTEMS
 from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH, MPH
+from sweetspot.web.documents import in_both_systems
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.states import Name, ViewState
 from sweetspot.web.view import View
@@ -79,7 +79,7 @@ def answer(state: SportsState) -> dict[str, Any]:
 def sentences(state: SportsState) -> dict[str, Any]:
     """Return where it hits best and why, in either system of units."""
     told = words_about(_played(state), [])
-    return {"sentences": {system: [one.read(reader) for one in told] for system, reader in SYSTEMS.items()}}
+    return {"sentences": in_both_systems(told)}
 
 
 def face(state: SportsState) -> dict[str, Any]:

@@ -8,6 +8,7 @@ import { make, scoped } from "../parts.js";
 
 const MOST = 3;
 const FIRST_CHOICES = ["corked-r161", "russell-b6", "youth-30", "composite"];
+const SOFTBALL = ["softball", "slow-pitch"]; // both are played with one kind of bat
 
 export class Slots {
   /** @param {App} app */
@@ -47,13 +48,30 @@ export class Slots {
     this.element.hidden = asked !== "none";
   }
 
-  update({ bats }, { what_if: asked }) {
+  update({ bat, bats }, { what_if: asked, others }) {
+    if (asked === "none") this.keepToTheSport(bat.sport, others);
     if (asked === "none") bats.slice(1).forEach(({ shape }, i) => this.slots[i].show(shape));
   }
 
-  add() {
+  // The bats that stand there before anybody chose are baseball's: beside a bat of another sport those of its own stand.
+  async keepToTheSport(sport, others) {
+    const first = JSON.stringify(this.app.defaults.others);
+    if (JSON.stringify(others) !== first || alike(sport, "baseball")) return;
+    const next = (await this.ofTheSport(sport)).filter((name) => name !== this.app.state.bat);
+    if (next.length && JSON.stringify(this.app.state.others) === first) this.app.setState({ others: next.slice(0, 2).map((bat) => ({ bat })) });
+  }
+
+  /** @param {string} sport */
+  async ofTheSport(sport) {
+    const { bats } = await this.app.lists("bats");
+    return bats.filter((one) => alike(one.sport, sport)).map(({ key }) => key);
+  }
+
+  async add() {
+    const sport = this.app.answer?.bat.sport ?? "baseball";
+    const choices = alike(sport, "baseball") ? FIRST_CHOICES : [...(await this.ofTheSport(sport)), ...FIRST_CHOICES];
     const taken = [this.app.state.bat, ...this.app.state.others.map(({ bat }) => bat)];
-    const next = FIRST_CHOICES.find((name) => !taken.includes(name)) ?? FIRST_CHOICES[0];
+    const next = choices.find((name) => !taken.includes(name)) ?? choices[0];
     this.app.setState({ others: [...this.app.state.others, { bat: next }] });
   }
 
@@ -76,3 +94,7 @@ export class Slots {
     input.value = ""; // so that the same file, mended, can be chosen again
   }
 }
+
+// Whether bats of two sports meet the same ball in the same hands.
+/** @param {string} one @param {string} other */
+const alike = (one, other) => one === other || [one, other].every((name) => SOFTBALL.includes(name));

@@ -74,7 +74,7 @@ export const view = {
     const parks = app.lists("parks").then((lists) => lists.parks.map(({ key, name }) => [key, name]));
     this.elevation = slider(app, "elevation_ft", { label: "Elevation", step: 50, empty: 0, note: "The park's, until moved." });
     return group("Park and weather", [
-      choice(app, "park", { label: "Park", options: parks, take: (park) => app.setState({ park, elevation_ft: null }) }),
+      choice(app, "park", { label: "Park", options: parks, follows: true, shown: (state) => state.park ?? app.answer?.usual_park, take: (park) => app.setState({ park, elevation_ft: null }) }),
       slider(app, "wind_speed_mph", { label: "Wind", step: 0.5 }),
       slider(app, "wind_direction_deg", { label: "Wind blows to: 0 out, ±180 in", step: 5 }),
       slider(app, "temperature_degf", { label: "Temperature", step: 1 }),
@@ -126,7 +126,7 @@ export const view = {
   },
 
   async showFences() {
-    this.fences = this.fences ? null : (await this.app.ask("flight/fences", {})).parks;
+    this.fences = this.fences ? null : (await this.app.ask("flight/fences", this.app.state)).parks;
     this.outlines.textContent = this.fences ? "This park's fence alone" : "All parks' fences";
     this.field.others(this.fences);
   },
@@ -179,7 +179,7 @@ export const view = {
       foul: "foul",
     }[end.outcome];
     const name = end.outcome === "home run" ? "Home run: " : end.outcome === "foul" ? "" : "In play: ";
-    return `${name}${what}. Out in ${count} of ${of} parks.`.replace(/^./, (letter) => letter.toUpperCase());
+    return `${name}${what}. Out in ${count} of ${of} ${of === 1 ? "park" : "parks"}.`.replace(/^./, (letter) => letter.toUpperCase());
   },
 
   start({ launch, swing }) {

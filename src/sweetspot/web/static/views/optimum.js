@@ -1,7 +1,7 @@
 // The best way to hit: the launch angle of an exit speed, the swing at a pitch, and every park's slowest home run.
 
 import { Bench, ballGroup, swingGroup, usualChoice } from "../bench.js";
-import { choice, group, slider } from "../controls.js";
+import { group, slider } from "../controls.js";
 import { DocumentPlace } from "../document.js";
 import { HeatMap } from "../heatmap.js";
 import { make } from "../parts.js";
@@ -30,7 +30,7 @@ export const view = {
       group("A ball as it leaves", [
         slider(app, "exit_speed_mph", { label: "Exit speed", step: 0.5 }),
         slider(app, "backspin_rpm", { label: "Backspin", step: 50 }),
-        choice(app, "park", { label: "Park of the map's chances", options: parks }),
+        usualChoice(app, "park", { label: "Park of the map's chances", options: parks }),
       ]), this.bench.element, swingGroup(app, { title: "Swing" }), ballGroup(app));
     this.words = make("p", { className: "verdict", id: "verdict" });
     this.map = new HeatMap(app, { label: "", title: "How far it carries", height: 260, x: { kind: "exit_speed_m_s", label: "exit speed" },
