@@ -184,9 +184,11 @@ export const view = {
 
   start({ launch, swing }) {
     const show = (name, value, digits) => this.app.text(name, value, digits);
-    const side = launch.spray_rad < 0 ? "to left field" : "to right field";
-    const words = `The ball leaves at ${show("v_m_s", launch.exit_speed_m_s)}, ${show("a_rad", launch.launch_angle_rad)} up, ` +
-      `${show("a_rad", Math.abs(launch.spray_rad))} ${side}, with ${show("w_rad_s", launch.backspin_rad_s)} of backspin and ${show("w_rad_s", launch.sidespin_rad_s)} of sidespin.`;
+    const size = (name, value) => show(name, Math.abs(value));
+    const { launch_angle_rad: up, spray_rad: spray, backspin_rad_s: back, sidespin_rad_s: bend } = launch;
+    const side = Math.abs(spray) < 5e-4 ? "to centre field" : `${size("a_rad", spray)} to ${spray < 0 ? "left" : "right"} field`;
+    const words = `The ball leaves at ${show("v_m_s", launch.exit_speed_m_s)}, ${size("a_rad", up)} ${up < 0 ? "down" : "up"}, ${side}, ` +
+      `with ${size("w_rad_s", back)} of ${back < 0 ? "topspin" : "backspin"}${bend ? ` and ${size("w_rad_s", bend)} that bend it ${bend < 0 ? "right" : "left"}` : ""}.`;
     return swing ? `${words} The bat moves at ${show("v_m_s", swing.bat_speed_m_s)} where they meet.` : words;
   },
 

@@ -1,0 +1,131 @@
+"""Sentences that the page makes itself say the numbers of the answer, and their directions agree with the signs."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+import pytest
+from playwright.sync_api import BrowserContext
+
+from sweetspot import catalog
+from sweetspot.report.quantities import US
+from sweetspot.units import DEGREE, INCH
+from sweetspot.web.views import explorer, flight, hit, modes, optimum, sports
+from sweetspot.web.views.flight_state import FlightState
+
+Said = Callable[[str, str, Mapping[str, Any]], str]
+BATS = ("r161-ash", "corked-r161", "composite", "two-piece", "youth-alloy", "slow-pitch", "torpedo")
+SCRIPT = """(async ([name, method, answer]) => {
+  const { text } = await import("/static/units.js");
+  const { view } = await import(`/static/views/${name}.js`);
+  const get = (_, key) => (key === Symbol.toPrimitive ? () => "" : nothing);
+  const nothing = new Proxy(() => nothing, { get, set: () => true });
+  const app = { units: "us", answer, schema: {}, state: {}, announce() {}, aside() {} };
+  app.text = (one, value, digits) => text(one, value, "us", digits);
+  const it = Object.assign(Object.create(view), { app, answer, words: {}, state: { exaggeration: 1 } });
+  if (name === "modes") it.motion = () => answer.said;
+  const own = new Proxy(it, { get: (_, key) => it[key] ?? nothing });
+  return own[method](answer) ?? it.words.textContent;
+})"""
+
+
+@pytest.fixture(scope="module")
+def said(visitor: BrowserContext, server: str) -> Iterator[Said]:
+    """What a view's method says of an answer, in a page that draws nothing."""
+    page = visitor.new_page()
+    page.goto(f"{server}/docs")
+
+    def words(name: str, method: str, answer: Mapping[str, Any]) -> str:
+        plain = json.loads(json.dumps(answer, default=lambda values: values.tolist()))
+        return str(page.evaluate(SCRIPT, [name, method, plain])).replace("\N{NO-BREAK SPACE}", " ")
+
+    yield words
+    page.close()
+
+
+def shown(value: float, scale: str, digits: int | None = None) -> str:
+    return US.shown(value, scale, digits=digits).replace("-", "\N{MINUS SIGN}")
+
+
+@pytest.mark.parametrize("name", BATS)
+def test_explorer_and_hit_say_what_they_show(name: str, said: Said) -> None:
+    found = explorer.answer(explorer.ExplorerState(bat=name, impact_from_tip_in=3.0))
+    words, bat = said("explorer", "say", found), found["bat"]
+    best = shown(bat["length_m"] - found["sweet_spots"]["max_exit_speed_m"], "place", 1)
+    assert f"{bat['name']} hits fastest {best} from the tip: {shown(found['best_exit_speed_m_s'], 'speed')}." in words
+    assert f"Here, 3.0 in from the tip: {shown(found['hit']['exit_speed_m_s'], 'speed')}" in words
+    pressed = hit.answer(hit.HitFilmState(bat=name))
+    words, hands = said("hit", "say", pressed), pressed["hands"]
+    contact = pressed["hit"]["contact_time_s"]
+    assert f"the push is over {1e3 * contact:.2f} ms after first touch" in words
+    if hands["arrival_s"] is None:
+        assert "No wave to speak of" in words
+    else:
+        assert ("too late" in words) == (2 * hands["arrival_s"] > contact)
+
+
+@pytest.mark.parametrize(
+    ("asked", "begins", "holds"),
+    [
+        ({"exit_speed_mph": 110, "spray_deg": 0}, "Home run: ", "above its top"),
+        ({"exit_speed_mph": 98}, "In play: ", "below its top"),
+        ({"exit_speed_mph": 70, "spray_deg": 20}, "In play: ", "from the plate"),
+        ({"spray_deg": -58}, "Foul", ""),
+        ({"launch_angle_deg": -8, "backspin_rpm": -700, "sidespin_rpm": 400}, "In play: ", "from the plate"),
+        ({"bat": "slow-pitch", "ball": "softball-12in", "sidespin_rpm": -400}, "", ""),
+    ],
+)
+def test_flight_says_directions_as_signs_have_them(asked: dict[str, Any], begins: str, holds: str, said: Said) -> None:
+    found = flight.answer(FlightState(**asked))
+    words, clearance = said("flight", "headline", found), found["end"]["clearance_m"]
+    assert words.startswith(begins) and holds in words
+    assert ("above its top" in words) == (found["end"]["outcome"] == "home run")
+    if "its top" in words:
+        assert shown(abs(clearance), "distance") in words and ("above" in words) == (clearance > 0)
+    assert f"Out in {found['out_in']} of {found['of']} park" in words
+    launch, words = found["launch"], said("flight", "start", found)
+    for value, scale, positive, negative in (
+        (launch["launch_angle_rad"], "angle", "up", "down"),
+        (launch["spray_rad"], "angle", "to right field", "to left field"),
+        (launch["backspin_rad_s"], "spin", "of backspin", "of topspin"),
+        (launch["sidespin_rad_s"], "spin", "that bend it left", "that bend it right"),
+    ):
+        word, other = (positive, negative) if value > 0 else (negative, positive)
+        assert other not in words
+        assert (f"{shown(abs(value), scale)} {word}" in words) == (abs(value) > 0)
+    assert ("to centre field" in words) == (abs(launch["spray_rad"]) < DEGREE / 100)
+
+
+def test_best_swing_and_other_sports_say_what_they_show(said: Said) -> None:
+    found = optimum.answer(optimum.OptimumState())
+    launch, words = found["launch"], said("optimum", "update", found)
+    assert words == (
+        f"A ball at {shown(launch['exit_speed_m_s'], 'speed')} carries farthest at "
+        f"{shown(launch['launch_angle_rad'], 'angle')}: {shown(launch['carry_m'], 'distance')}."
+    )
+    for name in catalog.implement_names():
+        played = sports.answer(sports.SportsState(implement=name))
+        words, length, own = said("sports", "update", played), played["tool"]["length_m"], played["words"]
+        best = shown(length - played["sweet_spots"]["max_exit_speed_m"], "place", 1)
+        assert f"hits best {best} from the {own['tip']}" in words and f"the {own['ball']} leaves at" in words
+        if math.isfinite(played["hit"]["exit_speed_m_s"] or math.nan):
+            assert shown(played["hit"]["exit_speed_m_s"], "speed") in words
+
+
+@pytest.mark.parametrize("name", BATS)
+def test_modes_say_where_each_motion_stands_still(name: str, said: Said) -> None:
+    found = modes.answer(modes.ModesState(bat=name))
+    for motion in found["modes"]:
+        words = said("modes", "say", {**found, "said": motion})
+        assert ("stands still nowhere" in words) == (not motion["nodes_m"])
+        if not motion["nodes_m"]:
+            continue
+        told = [float(number) for number in re.findall(r"\d+\.\d+", words.partition("still ")[2].partition(" from")[0])]
+        still = sorted((found["bat"]["length_m"] - node) / INCH for node in motion["nodes_m"])
+        assert told == pytest.approx(still, abs=0.006)
+        if motion["frequency_hz"]:
+            assert shown(motion["frequency_hz"], "frequency") in words
