@@ -60,6 +60,27 @@ def test_a_fit_brings_its_own_doubt() -> None:
     assert known_contact(7 * INCH, 1.5 * INCH).mean_doubt == 0
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "From tip (in)\n7\n7\n",
+        "from_tip_cm;weight\n17,78;2\n",
+        "from tip\n7 in\n177.8mm\n",
+        "\ufefffrom_tip_in\n7\n\n7\n",
+    ],
+)
+def test_headings_and_values_with_their_units(tmp_path: Path, text: str) -> None:
+    file = tmp_path / "contacts.csv"
+    file.write_text(text, encoding="utf-8")
+    assert contacts_of_file(file).mean == pytest.approx(contacts_at(np.full(2, 7 * INCH)).mean, abs=1e-9)
+
+
+def test_contacts_beside_the_bat_are_refused() -> None:
+    with pytest.raises(InputError, match=r"50% of contacts .+ lie beyond the outer 13 in"):
+        normal_contact(13 * INCH, 1.8 * INCH)
+    assert normal_contact(1.0 * INCH, 0.5 * INCH).sum() == pytest.approx(1.0)
+
+
 def test_one_batter_of_a_seasons_table(tmp_path: Path) -> None:
     """Lines without a place are left out, those of others too."""
     file = tmp_path / "balls.csv"
@@ -82,7 +103,11 @@ def test_one_batter_of_a_seasons_table(tmp_path: Path) -> None:
         ("from_tip_in\n", "holds no contact"),
         ("place\n5\n", "name one of them from_tip_in"),
         ("from_tip_in\nfive\n", "line 2: 'five' was given"),
-        ("from_tip_in\n55\n", "no contact on the outer 13 in"),
+        ("from_tip_in\n55\n", "line 2: 55 was given, 1.397 m .55 in. from the tip; .+ check the unit"),
+        ("from_tip_in\n25\n", "no contact on the outer 13 in"),
+        ("from_tip_in\n6,5\n", "line 2 has 2 values for 1 columns; write decimals with a point"),
+        ("from_tip_in,weight\n5,1\n6,-1\n", "line 3: the weight -1 was given"),
+        ("from tip\n6\n", "line 2: from_tip was given as 6 without a unit"),
         ("from_tip_in,weight\n5,0\n", "no contact on the outer 13 in"),
     ],
 )

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import csv
 import json
 import math
+import re
 from pathlib import Path
 from typing import Any
 
@@ -13,18 +13,25 @@ import numpy as np
 from sweetspot.design.contacts import Contacts, contacts_at
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.motion.swing_law import TWO_SIDED_95
-from sweetspot.numerics.text_files import read_text
-from sweetspot.units import INCH
+from sweetspot.numerics.text_files import read_text, table_rows
+from sweetspot.units import INCH, parse, shown
 
 MOST_BYTES = 5_000_000
 LEARNED = ("position", "position_spread", "offset", "offset_spread", "bat_speed")
 ENDS = ("low", "high")
-PLACE_HEADS = {"from_tip_in": INCH, "from_tip_m": 1.0, "from_tip_cm": 0.01, "from_tip_mm": 1e-3}
+PLACE_HEADS = {
+    "from_tip_in": INCH, "from_tip_m": 1.0, "from_tip_cm": 0.01, "from_tip_mm": 1e-3, "from_tip_ft": 12 * INCH,
+    "from_tip": None,
+}  # fmt: skip
+"""Headings of a column of places with the size of their unit in m; None: every value brings its own."""
+LONGEST = 1.1
+"""m: no bat is longer."""
 
 
 def contacts_of_file(path: Path, *, batter: str | None = None) -> Contacts:
     """Return the contacts of a CSV file: a column ``from_tip_in``, and perhaps ``weight``.
 
+    The column may also be called ``from tip (cm)`` and the like; without a unit in its heading every value needs one.
     Lines without a place are left out, as in the table of a season whose balls were not all met by a barrel.
 
     Parameters
@@ -37,45 +44,78 @@ def contacts_of_file(path: Path, *, batter: str | None = None) -> Contacts:
         when the file has no such column, several batters and none was named, no contact in it, or a value that is no
         place on a bat.
     """
-    rows = list(
-        csv.DictReader(read_text(path, most=MOST_BYTES, advice="a contact table is a few lines of CSV").splitlines())
-    )
-    heads = {name.strip().lower(): name for name in (rows[0] if rows else {}) if name}
-    if not rows:
+    text = read_text(path, most=MOST_BYTES, advice="a contact table is a few lines of CSV")
+    rows = list(table_rows(text, path, is_heading=lambda cells: any(_head(cell) in PLACE_HEADS for cell in cells)))
+    if len(rows) < 2:
         raise InputError(f"{path} holds no contact; give a heading from_tip_in and a line for every contact")
-    head = next((name for name in heads if name in PLACE_HEADS), None)
-    if head is None:
+    heads = [_head(cell) for cell in rows[0][1]]
+    column = next((number for number, head in enumerate(heads) if head in PLACE_HEADS), None)
+    if column is None:
         raise InputError(f"{path} has the columns {', '.join(heads)}; name one of them from_tip_in or from_tip_m")
-    lines = [(line, row) for line, row in enumerate(rows, 2) if (row[heads[head]] or "").strip()]
-    lines = _of_batter(lines, heads.get("batter"), batter, path)
-    place = np.array([_number(row[heads[head]], path, line) for line, row in lines]) * PLACE_HEADS[head]
+    for line, cells in rows[1:]:
+        if len(cells) > len(heads) and any(cell.strip() for cell in cells[len(heads) :]):
+            raise InputError(
+                f"{path}, line {line} has {len(cells)} values for {len(heads)} columns; write decimals with a point, "
+                "or separate the columns by semicolons"
+            )
+    padded = [(line, cells + [""] * (len(heads) - len(cells))) for line, cells in rows[1:]]
+    lines = [(line, cells) for line, cells in padded if cells[column].strip()]
+    lines = _of_batter(lines, heads.index("batter") if "batter" in heads else None, batter, path)
+    place = np.array([_place(cells[column], heads[column], path, line) for line, cells in lines])
     share = np.ones(len(lines))
     if "weight" in heads:
-        share = np.array([_number(row[heads["weight"]], path, line) for line, row in lines])
+        share = np.array([_weight(cells[heads.index("weight")], path, line) for line, cells in lines])
     try:
         return contacts_at(place, share)
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
 
 
+def _head(cell: str) -> str:
+    """Return a heading in small letters and underscores: "From tip (in)" is from_tip_in."""
+    return "_".join(part for part in re.split(r"[^a-z0-9]+", cell.lower()) if part)
+
+
+def _place(text: str, head: str, path: Path, line: int) -> float:
+    """Return a place, m from the tip."""
+    size = PLACE_HEADS[head]
+    try:
+        place = parse(text, "length", "from_tip") if size is None else _number(text, path, line) * size
+    except InputError as error:
+        raise InputError(f"{path}, line {line}: {str(error).removeprefix(f'{path}, line {line}: ')}") from None
+    if not 0 <= place <= LONGEST:
+        raise InputError(
+            f"{path}, line {line}: {text.strip()} was given, {shown(place)} from the tip; allowed is a place on a bat, "
+            f"0 to {shown(LONGEST)}: check the unit"
+        )
+    return place
+
+
+def _weight(text: str, path: Path, line: int) -> float:
+    value = _number(text, path, line)
+    if value < 0:
+        raise InputError(f"{path}, line {line}: the weight {text.strip()} was given; allowed is 0 or more")
+    return value
+
+
 def _of_batter(
-    lines: list[tuple[int, dict[str, Any]]], head: str | None, batter: str | None, path: Path
-) -> list[tuple[int, dict[str, Any]]]:
+    lines: list[tuple[int, list[str]]], column: int | None, batter: str | None, path: Path
+) -> list[tuple[int, list[str]]]:
     """Return the lines of one batter."""
-    if head is None:
+    if column is None:
         if batter is not None:
             raise InputError(
                 f"{path} has no column batter, so that {batter!r} cannot be found in it; leave --batter out"
             )
         return lines
-    known = sorted({str(row[head]).strip() for _, row in lines})
+    known = sorted({cells[column].strip() for _, cells in lines})
     if batter is None and len(known) > 1:
         raise InputError(
             f"{path} holds contacts of {len(known)} batters; name one of them by --batter: {known[0]}, ..."
         )
     if batter is not None and batter not in known:
         raise InputError(f"{path} holds no contact of the batter {batter!r}. {nearest_names(batter, known)}")
-    return [(line, row) for line, row in lines if batter is None or str(row[head]).strip() == batter]
+    return [(line, cells) for line, cells in lines if batter is None or cells[column].strip() == batter]
 
 
 def fitted_player(path: Path) -> dict[str, float]:

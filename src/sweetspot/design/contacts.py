@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cache
 
@@ -15,6 +16,9 @@ from sweetspot.units import INCH, shown
 FROM_TIP = np.arange(0.25, 13.0, 0.5) * INCH
 """m from the tip where every bat is hit."""
 FARTHEST = 16 * INCH
+LAST = FROM_TIP[-1] + 0.25 * INCH
+LEAST_INSIDE = 2 / 3
+"""Least part of the contacts that has to lie where hits are computed."""
 PRIORS = "player_priors.toml"
 USUAL_OF = ("position", "position_spread", "offset", "offset_spread")
 SHAPE_BALLS = 20
@@ -89,9 +93,14 @@ def normal_contact(mean: float, spread: float) -> Array:
         )
     if not 0.1 * INCH <= spread <= 6 * INCH:
         raise InputError(f"the contacts spread by {shown(spread)}; allowed is {shown(0.1 * INCH)} to {shown(6 * INCH)}")
+    ends = (-mean, LAST - mean)
+    inside = 0.5 * (math.erf(ends[1] / spread / math.sqrt(2)) - math.erf(ends[0] / spread / math.sqrt(2)))
+    if inside < LEAST_INSIDE:
+        raise InputError(
+            f"{1 - inside:.0%} of contacts {shown(mean)} from the tip, give or take {shown(spread)}, lie beyond the "
+            f"outer 13 in of the bat, where hits are computed; allowed is up to {1 - LEAST_INSIDE:.0%}"
+        )
     weight = np.exp(-(((FROM_TIP - mean) / spread) ** 2) / 2)
-    if weight.sum() < 1e-9:
-        raise InputError(f"contact {shown(mean)} from the tip lies beyond what is computed; allowed is up to 13 in")
     return np.asarray(weight / weight.sum())
 
 
@@ -141,13 +150,13 @@ def contacts_at(place: Array, share: Array | None = None) -> Contacts:
         when none lies on a bat, or one counts less than nothing.
     """
     share = np.ones(len(place)) if share is None else share
-    usable = (place >= 0) & (place <= FROM_TIP[-1] + 0.25 * INCH)
+    usable = (place >= 0) & (place <= LAST)
     if not np.any(share[usable] > 0) or np.any(share < 0):
         raise InputError("no contact on the outer 13 in of a bat was given; check its unit and its weights")
     place, share = place[usable], share[usable]
     whole = bool(np.all(share == np.round(share)))
     balls = float(share.sum() if whole else share.sum() ** 2 / (share**2).sum())
-    edges = np.concatenate([FROM_TIP - 0.25 * INCH, [FROM_TIP[-1] + 0.25 * INCH]])
+    edges = np.concatenate([FROM_TIP - 0.25 * INCH, [LAST]])
     counts, _ = np.histogram(place, bins=edges, weights=share)
     table = np.convolve(counts, [0.25, 0.5, 0.25], mode="same")  # a table knows places to half an inch
     mean = float(share @ place / share.sum())

@@ -123,8 +123,9 @@ def _nearest_words(question: Question, measured: Measured, generation: int) -> s
     nearest = int(np.argmin(missed.sum(axis=1)))
     limit = question.limits[int(np.argmax(missed[nearest]))]
     told = near_words(limit, measured.values[limit.measure][nearest : nearest + 1])
+    looked = f"{generation} generation{'' if generation == 1 else 's'}"
     return (
-        f"no bat that keeps every limit was found in {generation} generations; the nearest has {told} ({limit.why}). "
+        f"no bat that keeps every limit was found in {looked}; the nearest has {told} ({limit.why}). "
         "Widen a limit, let more change, or look longer"
     )
 
