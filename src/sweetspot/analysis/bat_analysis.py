@@ -95,10 +95,10 @@ def analyse(bat: Given, conditions: Conditions) -> Analysis[Given]:
 
     >>> from sweetspot import analyse, catalog, standard_conditions
     >>> bat = catalog.bat("r161-ash")
-    >>> found = analyse(bat, standard_conditions(bat))
-    >>> round(bat.length - found.sweet_spots.max_exit_speed, 2)  # m from the tip
+    >>> analysis = analyse(bat, standard_conditions(bat))
+    >>> round(bat.length - analysis.sweet_spots.max_exit_speed, 2)  # m from the tip
     0.15
-    >>> round(float(found.scan.exit_speed.max()), 1)  # m/s
+    >>> round(float(analysis.scan.exit_speed.max()), 1)  # m/s
     46.4
     """
     return analyse_reduced(reduced_bat(bat, ball=conditions.ball), conditions)

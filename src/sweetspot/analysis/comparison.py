@@ -113,8 +113,8 @@ def compare(
 
     >>> from sweetspot import catalog, compare, standard_conditions
     >>> bats = [catalog.bat("r161-ash"), catalog.bat("corked-r161")]
-    >>> found = compare(bats, conditions=standard_conditions(bats[0]), law=catalog.swing_law())
-    >>> corked = found.compared[1]
+    >>> comparison = compare(bats, conditions=standard_conditions(bats[0]), law=catalog.swing_law())
+    >>> corked = comparison.compared[1]
     >>> round(corked.bat_speed.value, 1), round(corked.change.value, 1)  # m/s: swung faster, and what the ball loses
     (32.2, -0.4)
     """

@@ -185,21 +185,21 @@ def _warnings(
     wall: float | None,
     wall_limit: float | None,
 ) -> list[str]:
-    found = []
+    warnings = []
     low, high = PUBLISHED_FAILURE_STRAIN
     if material.family == "wood" and limit is not None and strain > low:
-        found.append(
+        warnings.append(
             f"The handle bends to {100 * strain:.2f} %: bats of maple break at {100 * low:.1f} to {100 * high:.1f} % "
             "[umass2022]."
         )
     elif material.family != "wood" and limit is not None and strain > limit:
-        found.append(
+        warnings.append(
             f"The handle bends to {100 * strain:.2f} %, beyond the {100 * limit:.2f} % at which {material.name} "
             "reaches its strength; the model is linear and says no more."
         )
     if wall is not None and wall_limit is not None and wall > wall_limit:
-        found.append(
+        warnings.append(
             f"The barrel's wall bends to a strain of {100 * wall:.2f} %, beyond the {100 * wall_limit:.2f} % at which "
             "its material reaches its strength: a dent is possible; the model is linear and says no more."
         )
-    return found
+    return warnings

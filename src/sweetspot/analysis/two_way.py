@@ -135,7 +135,7 @@ def what_if_table(
     body = rigid_body(beam_model(bat))
     across = ((columns.variation, value) for value in columns.values) if columns is not None else ((None, 0.0),)
     added: list[dict[Variation, float]] = [{} if name is None else {name: float(value)} for name, value in across]
-    found: list[tuple[Cell, ...]] = []
+    grid: list[tuple[Cell, ...]] = []
     for row, first in enumerate(rows.values):
         cells: list[Cell] = []
         for column, second in enumerate(added):
@@ -148,8 +148,8 @@ def what_if_table(
                 cells.append(Cell(row, column, None, str(error)))
             if progress is not None:
                 progress(row * len(added) + column + 1, len(rows.values) * len(added))
-        found.append(tuple(cells))
-    return TwoWay(rows, columns, tuple(found))
+        grid.append(tuple(cells))
+    return TwoWay(rows, columns, tuple(grid))
 
 
 def varied(bat: Bat, settings: Mapping[Variation, float], *, fill: Material) -> Bat:

@@ -111,14 +111,14 @@ def _solved(given: Array, heard: Sequence[tuple[int, Measured]]) -> Array:
     density = mass / (length * width * thickness)
 
     def misses(unknowns: Array) -> Array:
-        found = []
+        misfits = []
         for (mode, measured), tone in zip(heard, tones, strict=True):
             factor = frequency_factor(mode, slenderness=thickness / length, modulus_ratio=math.exp(unknowns[1]))
             modulus = 48 * math.pi**2 * density * length**4 * tone**2 / thickness**2 / ROOTS[mode] ** 4 * factor
-            found.append(
+            misfits.append(
                 (math.log(modulus) - unknowns[0]) / math.hypot(2 * measured.relative, RATIO_TRUST * (mode > 0))
             )
-        return np.array([*found, (unknowns[1] - expected) / MODULUS_RATIO.error])
+        return np.array([*misfits, (unknowns[1] - expected) / MODULUS_RATIO.error])
 
     return np.asarray(least_squares(misses, [math.log(1e10), expected], method="lm").x)
 

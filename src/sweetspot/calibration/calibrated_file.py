@@ -83,14 +83,14 @@ def material_values(posterior: Posterior) -> dict[str, Value]:
         "shear_modulus": ("shear_modulus", bat.material.shear),
         "density": ("density", bat.material.density * posterior.line.density_factor),
     }
-    found = {}
+    values = {}
     for unknown in posterior.unknowns:
         if unknown.name in centre:
             field, value = centre[unknown.name]
             error = posterior.deviation(unknown.name).error
             told = "fitted" if error < TOLD * unknown.spread else "assumed"
-            found[field] = Value(Measured(value, value * error), told)
-    return found
+            values[field] = Value(Measured(value, value * error), told)
+    return values
 
 
 def calibrated_bat(posterior: Posterior, damping: Measured | None) -> Bat:

@@ -96,14 +96,14 @@ def of_tones(tones: Sequence[NamedTone]) -> list[Measurement]:
     for one in tones:
         if one.name and (one.name.family == "bending" or one.name.harmonic == 2) and one.name.harmonic <= MOST_BENDING:
             by_name.setdefault(one.name, []).append(one.tone.frequency)
-    found = []
+    measurements = []
     for name, frequencies in by_name.items():
         first = frequencies[0]
         if name.family == "bending" and len(frequencies) > 1:
             values = [one.value for one in frequencies]
             first = Measured(float(np.mean(values)), first.error).widened(float(np.ptp(values)) / 2)
-        found.append(Measurement("frequency", first, mode=name))
-    return found
+        measurements.append(Measurement("frequency", first, mode=name))
+    return measurements
 
 
 def predicted(line: BeamModel, measurements: Sequence[Measurement], *, livelier: float = 0.0) -> Array:
@@ -146,7 +146,7 @@ def predicted(line: BeamModel, measurements: Sequence[Measurement], *, livelier:
 
 def _efficiencies(line: BeamModel, shootings: Sequence[Shooting], livelier: float) -> dict[Shooting, float]:
     """Return q of shots; a hit that does not end is as bad as none."""
-    found: dict[Shooting, float] = {}
+    efficiencies: dict[Shooting, float] = {}
     modes = all_modes(line, shootings[0].ball) if shootings else None
     for ball in {one.ball for one in shootings}:
         law = ball.restitution
@@ -158,5 +158,5 @@ def _efficiencies(line: BeamModel, shootings: Sequence[Shooting], livelier: floa
             closing_speed=[one.closing_speed for one in same],
         )  # fmt: skip
         values = np.nan_to_num(done.collision_efficiency, nan=-1.0).tolist()
-        found |= dict(zip(same, values, strict=True))
-    return found
+        efficiencies |= dict(zip(same, values, strict=True))
+    return efficiencies

@@ -99,12 +99,12 @@ def find_taps(recording: Recording, *, band: Band, held: float = HELD) -> tuple[
     sound = in_band(recording, band)
     starts = _starts(_where_taps_stand_out(recording, sound, band))
     ends = [*starts[1:], sound.duration]
-    found = [_tap(recording, sound, start, end, band, held) for start, end in zip(starts, ends, strict=True)]
+    taps = [_tap(recording, sound, start, end, band, held) for start, end in zip(starts, ends, strict=True)]
     for index, (before, after) in enumerate(pairwise(starts)):
         if after - before < APART:
             fault = f"doubled: two taps {1e3 * (after - before):.0f} ms apart; let it ring between taps"
-            found[index : index + 2] = [replace(one, fault=one.fault or fault) for one in found[index : index + 2]]
-    return tuple(found)
+            taps[index : index + 2] = [replace(one, fault=one.fault or fault) for one in taps[index : index + 2]]
+    return tuple(taps)
 
 
 def _where_taps_stand_out(recording: Recording, sound: Recording, band: Band) -> Recording:

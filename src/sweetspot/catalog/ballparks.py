@@ -85,14 +85,14 @@ def parks_of_season(year: int | None) -> tuple[Park, ...]:
 @cache
 def _keys() -> dict[str, str]:
     """Return the catalogue's key by every name that is understood."""
-    found: dict[str, str] = {}
+    keys: dict[str, str] = {}
     for key, entry in read_table(FILE).items():
         for name in (key, entry["name"], entry["team"], *entry["also"]):
-            assert found.setdefault(canonical(name), key) == key, f"parks.toml: {name} means two parks"
+            assert keys.setdefault(canonical(name), key) == key, f"parks.toml: {name} means two parks"
     for key, entry in read_table(FORMER).items():  # a club that is still there means its park of today
         for name in (key, entry["name"], *entry["also"]):
-            assert found.setdefault(canonical(name), key) == key, f"former_parks.toml: {name} means two parks"
-    return found
+            assert keys.setdefault(canonical(name), key) == key, f"former_parks.toml: {name} means two parks"
+    return keys
 
 
 def field_names() -> list[str]:

@@ -49,9 +49,9 @@ def entry_toml(name: str, kind: str | None = None, *, sources: bool = False) -> 
     wanted = canonical(name)
     tables = {one: KINDS[one]() for one in KINDS if kind in (None, one)}
     for table in tables.values():
-        for key, found in table.items():
+        for key, value in table.items():
             if canonical(key) == wanted:
-                return tomli_w.dumps(found if sources else _plain(found), multiline_strings=True)
+                return tomli_w.dumps(value if sources else _plain(value), multiline_strings=True)
     known = sorted({canonical(key) for table in tables.values() for key in table})
     raise InputError(f"{name[:60]!r} is not in the catalogue. {nearest_names(wanted[:60], known)}")
 

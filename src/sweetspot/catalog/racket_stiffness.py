@@ -20,10 +20,10 @@ def frequency_of_ra(ra: float) -> float:
     >>> round(frequency_of_ra(70))
     151
     """
-    found = read_table(FILE)["ra"]
-    low, high = unwrapped(found["low"]), unwrapped(found["high"])
+    table = read_table(FILE)["ra"]
+    low, high = unwrapped(table["low"]), unwrapped(table["high"])
     if not low <= ra <= high:
         raise InputError(f"ra was given as {ra:g}; frames have {low:g} to {high:g}. Give first_frequency in Hz instead")
-    base, slope = quantity(found, "frequency", "frequency", "ra"), quantity(found, "slope", "frequency", "ra")
+    base, slope = quantity(table, "frequency", "frequency", "ra"), quantity(table, "slope", "frequency", "ra")
     assert base is not None and slope is not None
-    return base + slope * (ra - float(unwrapped(found["reference"])))
+    return base + slope * (ra - float(unwrapped(table["reference"])))

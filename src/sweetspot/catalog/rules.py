@@ -27,9 +27,9 @@ def league(name: str = DEFAULT_LEAGUE) -> League:
     >>> league("ncaa").rules[0].most  # BBCOR
     0.5
     """
-    key, found = entry(read_table(FILE), name, "league")
-    rules = tuple(_rule(table, f"{key} {table['quantity']}") for table in found["rule"])
-    return League(canonical(key), found["name"], found["ball"], rules, found.get("superseded", ""))
+    key, described = entry(read_table(FILE), name, "league")
+    rules = tuple(_rule(table, f"{key} {table['quantity']}") for table in described["rule"])
+    return League(canonical(key), described["name"], described["ball"], rules, described.get("superseded", ""))
 
 
 def _rule(table: dict[str, Any], what: str) -> Rule:

@@ -74,10 +74,10 @@ def doubts(implement: Implement) -> tuple[str, ...]:
 
 def warn_of_doubts(implement: Implement) -> None:
     """Warn, with an `UnusualWarning`, of what is unusual about an implement as a whole."""
-    found = doubts(implement)
-    if found:
+    reasons = doubts(implement)
+    if reasons:
         warnings.warn(
-            f"{implement.name} {' and '.join(found)}, unlike other implements of {implement.sport}. "
+            f"{implement.name} {' and '.join(reasons)}, unlike other implements of {implement.sport}. "
             "Check the units of its sizes and the decimal points",
             UnusualWarning,
             stacklevel=2,

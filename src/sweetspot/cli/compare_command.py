@@ -153,26 +153,28 @@ def _with_doubt(
     from sweetspot.report.uncertainty.gains import INTERVAL_HOLDS, gain_json, gain_words
     from sweetspot.report.uncertainty.uncertainty_section import uncertain
 
-    found = comparison.compared
-    files = names if len(names) == len(found) else (None,) * len(found)
+    compared = comparison.compared
+    files = names if len(names) == len(compared) else (None,) * len(compared)
     sources = [
         sources_for(name, one.analysis.bat, one.analysis.conditions, swing if number == 0 else SwingOptions())
-        for number, (one, name) in enumerate(zip(found, files, strict=True))
+        for number, (one, name) in enumerate(zip(compared, files, strict=True))
     ]
     answers = drawn_comparison(comparison, sources)
     own = zip(names_of_bats(comparison), sources, strict=True)
     where = {name: one.bat_where for name, one in own} | sources[0].described
     where[LAW] = "spread of its exponent in the catalogue"
-    last = len(found) - 1
+    last = len(compared) - 1
     main, named = (
-        (f"bats.{last}.change_m_s", f"change of {found[-1].label}") if last else ("bats.0.exit_speed_m_s", "exit speed")
+        (f"bats.{last}.change_m_s", f"change of {compared[-1].label}")
+        if last
+        else ("bats.0.exit_speed_m_s", "exit speed")
     )
     document = comparison_document(
         with_drawn_intervals(comparison, answers), corking=corked, interval_is=INTERVAL_HOLDS, tested=tested
     )
     told = uncertain(document, answers, main=main, named=named, where=where)
-    gains = [(one.label, index) for index, one in enumerate(found) if index]
-    words = [Paragraph(gain_words(label, found[0].label, answers, index)) for label, index in gains]
+    gains = [(one.label, index) for index, one in enumerate(compared) if index]
+    words = [Paragraph(gain_words(label, compared[0].label, answers, index)) for label, index in gains]
     data = {**told.data, "uncertainty": {**told.data["uncertainty"], "gains": [
         {"label": label, **gain_json(answers, index)} for label, index in gains
     ]}}  # fmt: skip

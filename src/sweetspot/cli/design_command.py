@@ -95,8 +95,8 @@ def design(
 
     questions = [asked(space) for space in spaces]
     fronts = _all_searched(questions, search)
-    found = [number for number, front in enumerate(fronts) if front is not None]
-    best = found[best_of([front for front in fronts if front is not None], wants[0])]
+    done = [number for number, front in enumerate(fronts) if front is not None]
+    best = done[best_of([front for front in fronts if front is not None], wants[0])]
     (bench, question), front = questions[best], fronts[best]
     assert front is not None
     beside = [(one.name, front) for one, front in zip(materials, fronts, strict=True) if one is not None]

@@ -170,10 +170,10 @@ def _read(file: Path, given: FileOptions) -> tuple[Swings, PlayerModel]:
     from sweetspot.player.swings import MOST_SWINGS, evenly, read_swings
 
     own = catalog.load_bat(given.bat or DEFAULT_BAT)
-    found = read_swings(
+    table = read_swings(
         file, length=own.length, units=given.file_units, pitch_speed=_arriving(given), batter=given.batter
     )
-    good, bats, bad, notes = bats_of(found.swings, load=catalog.load_bat)
+    good, bats, bad, notes = bats_of(table.swings, load=catalog.load_bat)
     if given.bat is None and bats:  # the file says itself what is swung
         most = Counter(one.bat for one in good if one.bat in bats).most_common(1)[0][0]
         return _read(file, replace(given, bat=most))
@@ -181,11 +181,11 @@ def _read(file: Path, given: FileOptions) -> tuple[Swings, PlayerModel]:
     same = {name for name, other in bats.items() if other == own}
     good = tuple(replace(one, bat="") if one.bat in same else one for one in good)
     others = {name: other for name, other in bats.items() if name not in same}
-    rows = tuple(sorted((*found.bad_rows, *bad), key=lambda row: row.row))
+    rows = tuple(sorted((*table.bad_rows, *bad), key=lambda row: row.row))
     check_enough(good, file)
     good, thinned = evenly(good, MOST_SWINGS)
     assumed = () if given.bat else (f"No bat was named: the swings are taken as made with {own.name}; say --bat.",)
-    swings = replace(found, swings=good, bad_rows=rows, notes=(*assumed, *found.notes, *notes, *thinned))
+    swings = replace(table, swings=good, bad_rows=rows, notes=(*assumed, *table.notes, *notes, *thinned))
     ball = catalog.ball(_ball_name(given, own))
     law = catalog.swing_law(catalog.sport(own.sport).swing_law)
     return swings, player_model(good, bat=own, ball=ball, others=others, law=law, speed_from_tip=place)

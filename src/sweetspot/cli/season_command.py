@@ -167,8 +167,8 @@ def _answered(season: Season, output: OutputOptions, player: str | None) -> int:
         print(f"sweetspot: wrote {output.out}: folders balls, ledger, counted; {', '.join(written)}", file=sys.stderr)
     document = season_document(report) if player is None else player_page(report, player)
     code = present(document, output, long=True)
-    code = max(code, int(bool(season.found.faults)))
-    for path, reason in season.found.faults:
+    code = max(code, int(bool(season.survey.faults)))
+    for path, reason in season.survey.faults:
         print(f"sweetspot: not read: {path.name}: {reason}", file=sys.stderr)
     return code
 

@@ -82,8 +82,8 @@ def hit(
 
     >>> from sweetspot import all_modes, beam_model, catalog, hit
     >>> modes = all_modes(beam_model(catalog.bat("r161-ash")), catalog.ball())
-    >>> found = hit(modes, ball=catalog.ball(), position=0.7, closing_speed=70.0)
-    >>> round(found.collision_efficiency, 2), round(1e3 * found.contact_time, 1)  # q, and ms of contact
+    >>> impact = hit(modes, ball=catalog.ball(), position=0.7, closing_speed=70.0)
+    >>> round(impact.collision_efficiency, 2), round(1e3 * impact.contact_time, 1)  # q, and ms of contact
     (0.2, 0.8)
     """
     step = contact_step(modes, ball, longest=STEP) if step is None else step

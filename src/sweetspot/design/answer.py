@@ -72,11 +72,11 @@ def starts_of(bench: Bench, question: Question) -> Array:
         when limits quarrel; see `check_limits`.
     """
     first = check_limits(bench, question.limits)
-    found = [first]
+    starts = [first]
     for number in range(len(question.wants)):
         wants = question.wants[number:] + question.wants[:number]
-        found.append(polished(bench, Question(wants, question.limits, question.seed), first)[0])
-    return np.array(found)
+        starts.append(polished(bench, Question(wants, question.limits, question.seed), first)[0])
+    return np.array(starts)
 
 
 def designed(

@@ -131,15 +131,15 @@ def fitted_player(path: Path) -> dict[str, float]:
     """
     text = read_text(path, most=MOST_BYTES, advice="give the file that fit-player --out writes, player.json")
     try:
-        found: Any = json.loads(text)
-        parameters = found["parameters"]
+        table: Any = json.loads(text)
+        parameters = table["parameters"]
         values = {name: _learned(parameters[name]) for name in LEARNED}
-        values["pitch_speed"] = float(found["pitch_speed_m_s"])
+        values["pitch_speed"] = float(table["pitch_speed_m_s"])
         low, high = (_learned(parameters["position"], end) for end in ENDS)
         values["position_doubt"] = (high - low) / (2 * TWO_SIDED_95)
         low, high = (_learned(parameters["position_spread"], end) for end in ENDS)
         values["position_spread_doubt"] = math.log(high / low) / (2 * TWO_SIDED_95)
-        values["balls"] = float(found.get("swings", {}).get("used", 0))
+        values["balls"] = float(table.get("swings", {}).get("used", 0))
     except (ValueError, KeyError, TypeError, AttributeError, ArithmeticError) as error:
         raise InputError(f"{path} is not an answer of sweetspot fit-player --format json: {error}") from None
     return values

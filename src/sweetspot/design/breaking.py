@@ -48,8 +48,8 @@ def usual_strains(bench: Bench, bat: Bat) -> Iterator[tuple[float, Damage]]:
 
 def handle_bending(bench: Bench, bat: Bat) -> HandleBending:
     """Return how far this batter's hits bend the handle of a bat, swung as the swing law has it."""
-    found = [
+    bendings = [
         HandleBending(strains.handle_strain, place, strains.strain_limit)
         for place, strains in usual_strains(bench, bat)
     ]
-    return max(found, key=lambda one: one.strain)
+    return max(bendings, key=lambda one: one.strain)

@@ -160,9 +160,9 @@ def resumed(bench: Bench, question: Question, text: str) -> tuple[int, Array]:
         when it is no saved search, or one of another question.
     """
     try:
-        found: Any = json.loads(text)
-        same = found["question"] == fingerprint(bench, question)
-        generation, numbers = int(found["generation"]), np.array(found["population"], float)
+        kept: Any = json.loads(text)
+        same = kept["question"] == fingerprint(bench, question)
+        generation, numbers = int(kept["generation"]), np.array(kept["population"], float)
     except (ValueError, KeyError, TypeError) as error:
         raise InputError(f"this is no saved search: {error}; leave out --resume to begin anew") from None
     if not same:

@@ -207,18 +207,18 @@ def gain_of(bench: Bench, numbers: Array, design: Measured, now: Measured) -> Ga
 def _sizes(bench: Bench) -> dict[str, Array]:
     """Return what a design's outline would say, of the present bat: as far as it is asked for again."""
     present = bench.space.present
-    found = {name: np.array([size]) for name, size in sizes_of(present).items()}
+    sizes = {name: np.array([size]) for name, size in sizes_of(present).items()}
     if isinstance(present, Bat):
         grip = np.linspace(0.04 * present.length, 0.36 * present.length, 60)
-        found |= {
+        sizes |= {
             "handle": np.array([float(present.diameter_at(grip).min())]),
             "cup_depth": np.array([0.0 if present.cup is None else present.cup.depth]),
             "cup_diameter": np.array([0.0 if present.cup is None else present.cup.diameter]),
             "knob": np.array([knob_of(present)]),
         }  # fmt: skip
     if isinstance(bench.space, TurnedSpace):
-        found["density"] = bench.space.parts(bench.space.start[None])[2]
-    return found
+        sizes["density"] = bench.space.parts(bench.space.start[None])[2]
+    return sizes
 
 
 def _wood(bench: Bench, numbers: Array) -> tuple[Array, Array]:

@@ -103,9 +103,9 @@ def check_limits(bench: Bench, limits: Sequence[Limit]) -> Array:
         when there is none: with the limit, or the two limits, that quarrel, and by how much they miss each other.
     """
     drawn = [limit for limit in limits if not MEASURES[limit.measure].needs_hits and limit.measure not in IN_PLAY]
-    found, miss = _nearest(bench, drawn)
+    closest, miss = _nearest(bench, drawn)
     if miss <= INSIDE:
-        return found
+        return closest
     for size in (1, 2):
         worst: tuple[float, tuple[Limit, ...], Array] | None = None
         for some in combinations(drawn, size):

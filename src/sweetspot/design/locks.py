@@ -43,14 +43,14 @@ def locked(bench: Bench, numbers: Array, limits: Sequence[Limit], *, pulled: int
     for _ in range(ROUNDS):
         every = np.concatenate([parts[None], parts + STEP * np.eye(len(parts)), parts - STEP * np.eye(len(parts))])
         values = drawn_values(bench, low + every * width)
-        found = [limit for limit in limits if float(limit.excess(values[limit.measure][:1])[0]) > 0]
-        if not found:
+        broken = [limit for limit in limits if float(limit.excess(values[limit.measure][:1])[0]) > 0]
+        if not broken:
             break
-        miss = np.array([_miss(limit, float(values[limit.measure][0])) for limit in found])
+        miss = np.array([_miss(limit, float(values[limit.measure][0])) for limit in broken])
         count = len(parts)
         slopes = np.array([
             (values[limit.measure][1 : count + 1] - values[limit.measure][count + 1 :]) / (2 * STEP)
-            / MEASURES[limit.measure].grain for limit in found
+            / MEASURES[limit.measure].grain for limit in broken
         ])  # fmt: skip
         parts = _moved(parts, slopes, miss, ready)
     return np.asarray(low + parts * width)

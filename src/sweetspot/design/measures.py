@@ -232,13 +232,13 @@ class Bench:
 
 def weights_of(bending: BendingBatch) -> dict[str, Array]:
     """Return what scales, a pendulum and a tap say of many bats, by measure."""
-    found = {
+    weights = {
         "mass": bending.mass,
         "balance_point": bending.balance_point,
         "moi": bending.moi(STANDARD_AXIS),
         "drop": bending.length / INCH - bending.mass / OUNCE,
     }
-    return found | ({"frequency": bending.frequency[:, 0]} if bending.omega.shape[1] else {})
+    return weights | ({"frequency": bending.frequency[:, 0]} if bending.omega.shape[1] else {})
 
 
 def speed_ratios(law: SwingLaw, moi: Array, reference: float, exponent: float | None = None) -> Array:

@@ -75,12 +75,12 @@ def kept_at_widths(sine: Array, kept: Array, *, batter: Batter, ball: Ball) -> A
     part, count = PchipInterpolator(sine, kept), np.polynomial.legendre.leggauss(NODES)
     farthest = sine[-1] * (ball.radius + WIDTHS / 2) if sine[-1] < 1 else np.full(len(WIDTHS), np.inf)
     ends = batter.offset + batter.offset_spread * np.array([-REACH, REACH])
-    found = np.zeros(len(WIDTHS))
+    averages = np.zeros(len(WIDTHS))
     for low, high in ((ends[0], min(0.0, ends[1])), (max(0.0, ends[0]), ends[1])):
         first, last = np.clip(low, -farthest, farthest), np.clip(high, -farthest, farthest)
         half = np.maximum(last - first, 0.0) / 2
         offset = ((first + last) / 2)[:, None] + half[:, None] * count[0]
         density = np.exp(-(((offset - batter.offset) / batter.offset_spread) ** 2) / 2)
         angle = np.abs(offset) / (ball.radius + WIDTHS / 2)[:, None]
-        found += half * ((part(angle) * density) @ count[1])
-    return np.asarray(found / (batter.offset_spread * math.sqrt(2 * math.pi) * math.erf(REACH / math.sqrt(2))))
+        averages += half * ((part(angle) * density) @ count[1])
+    return np.asarray(averages / (batter.offset_spread * math.sqrt(2 * math.pi) * math.erf(REACH / math.sqrt(2))))

@@ -105,18 +105,18 @@ def kept_limits(
     """
     present = bench.space.present
     values = (now or present_measured(bench)).values
-    found = [band(name, float(values[name][0]), part=WITHIN) for name in kept if name != "handle" and name in values]
-    found += bands
+    limits = [band(name, float(values[name][0]), part=WITHIN) for name in kept if name != "handle" and name in values]
+    limits += bands
     if league is not None:
         left_out = set() if bench.tested else {"bbcor", "bpf"}
         if "cup_diameter" not in {one.name for one in bench.space.variables}:
             left_out.add("cup_diameter")  # the cup keeps its width
-        found += [one for one in league_limits(league, present) if one.measure not in left_out]
+        limits += [one for one in league_limits(league, present) if one.measure not in left_out]
     if isinstance(bench.space, TurnedSpace):
         if "handle" in kept:
-            found.append(band("handle", float(values["handle"][0]), part=GRIP_WITHIN))
+            limits.append(band("handle", float(values["handle"][0]), part=GRIP_WITHIN))
         else:
             least = float(values["handle"][0]) if handle is None else handle
-            found.append(Limit("handle", 0.999 * least, None, "breaking"))
-        found += lathe_limits()
-    return tuple(found)
+            limits.append(Limit("handle", 0.999 * least, None, "breaking"))
+        limits += lathe_limits()
+    return tuple(limits)

@@ -128,10 +128,10 @@ class ImplementSpace:
 
 def sizes_of(implement: Implement) -> dict[str, float]:
     """Return what leagues limit of an implement's outline, by measure, m: lengths, and a barrel's or blade's sizes."""
-    found = {"length": implement.length}
+    largest = {"length": implement.length}
     if isinstance(implement, Bat):
-        found["diameter"] = float(implement.width_at(np.array(implement.breakpoints())).max())
+        largest["diameter"] = float(implement.width_at(np.array(implement.breakpoints())).max())
     if isinstance(implement, CricketBat):
         sizes = {"blade_width": implement.width, "blade_depth": implement.spine, "blade_edge": implement.edge}
-        found |= {name: max(size for _, size in stations) for name, stations in sizes.items()}
-    return found
+        largest |= {name: max(size for _, size in stations) for name, stations in sizes.items()}
+    return largest

@@ -137,8 +137,8 @@ class ByPatch:
         if np.ndim(position) == 2 and len(position) > 1 and (position == position[0]).all():
             row = np.asarray(self.tables(position[0]))
             by_place = weights.swapaxes(0, 1) if weights.ndim == 3 else weights[None, None, :]
-            found = np.matmul(by_place, row.reshape((*row.shape[:2], -1))).swapaxes(0, 1)
-            return np.broadcast_to(found, (*position.shape, found.shape[-1])).reshape((*position.shape, *row.shape[2:]))
+            sums = np.matmul(by_place, row.reshape((*row.shape[:2], -1))).swapaxes(0, 1)
+            return np.broadcast_to(sums, (*position.shape, sums.shape[-1])).reshape((*position.shape, *row.shape[2:]))
         values = np.asarray(self.tables(position))
         weights = np.broadcast_to(weights, (*np.shape(position), len(self.law.radii)))
         return np.asarray(np.einsum("...k,...km->...m", weights, values.reshape((*weights.shape, -1)))).reshape(

@@ -46,10 +46,10 @@ def weight_matched(bat: Bat, by: WeightBy | None = None) -> Bat:
         return bat
     tried = []
     for way in (by,) if by is not None else ORDER:
-        found = _matched(bat, bat.shell, way)
-        if isinstance(found, Bat):
-            return found
-        tried.append(f"{way}: {found}")
+        attempt = _matched(bat, bat.shell, way)
+        if isinstance(attempt, Bat):
+            return attempt
+        tried.append(f"{way}: {attempt}")
     raise InputError(
         f"{bat.name} weighs {_weighed(bat.mass)}, but its drawing can be {'; '.join(tried)}. "
         "Check the weight, the diameters and the wall"

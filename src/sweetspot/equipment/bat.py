@@ -277,7 +277,7 @@ class Bat(OfMaterial):
         ends = ((bore, self.length - bore.depth, self.length - bore.plug) for bore in self.bores)
         inclusions = [
             (np.where((position > start) & (position <= stop), bore.diameter / 2, 0.0), bore.fill)
-            for bore, start, stop in sorted(ends, key=lambda found: -found[0].diameter)
+            for bore, start, stop in sorted(ends, key=lambda entry: -entry[0].diameter)
         ]
         void = self._void_radius(position)
         return of_solid(self.material, outer=outer, void=void, inclusions=inclusions, scale=scale)

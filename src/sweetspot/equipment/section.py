@@ -107,8 +107,8 @@ def poisson_of(material: Material) -> float:
 def _moduli(part: WallPart) -> tuple[float, float, float]:
     """Return Young's modulus along the line, shear modulus (Pa) and Poisson ratio of a wall."""
     if part.laminate is not None:
-        found = effective_moduli(part.laminate)
-        return found.axial, found.shear, min(max(found.poisson_ratio, 0.0), 0.5)  # Cowper's range
+        moduli = effective_moduli(part.laminate)
+        return moduli.axial, moduli.shear, min(max(moduli.poisson_ratio, 0.0), 0.5)  # Cowper's range
     return part.material.longitudinal_modulus, part.material.shear, poisson_of(part.material)
 
 

@@ -111,8 +111,8 @@ def carry_errors(
     """
     through = FlightConditions(ball=ball, aerodynamics=aerodynamics, air=air)
     speeds, angles = np.meshgrid(SPEEDS, ANGLES, indexing="ij")
-    found = _variances(speeds.ravel(), angles.ravel(), through, errors, spin_scatter).reshape(speeds.shape)
-    return CarryErrors(np.nan_to_num(found), home_run_share(through))
+    variances = _variances(speeds.ravel(), angles.ravel(), through, errors, spin_scatter).reshape(speeds.shape)
+    return CarryErrors(np.nan_to_num(variances), home_run_share(through))
 
 
 def home_run_share(conditions: FlightConditions) -> float:

@@ -66,13 +66,13 @@ def landing(path: Array, park: Park) -> Landing:
     """
     if np.ndim(path) != 2:
         raise InputError(f"path has the shape {np.shape(path)}; give one flight, (points, 3), or use `landings`")
-    found = landings(path, park)
-    clearance = float(found.clearance)
+    landed = landings(path, park)
+    clearance = float(landed.clearance)
     return Landing(
-        outcome=next(word for word in OUTCOMES if word == str(found.outcome)),
-        direction=float(found.direction),
-        distance=float(found.distance),
-        height=float(found.height),
+        outcome=next(word for word in OUTCOMES if word == str(landed.outcome)),
+        direction=float(landed.direction),
+        distance=float(landed.distance),
+        height=float(landed.height),
         clearance=None if np.isnan(clearance) else clearance,
     )
 

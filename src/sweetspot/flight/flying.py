@@ -41,8 +41,8 @@ def fly(
 
     >>> from math import radians
     >>> from sweetspot import fly, launched, standard_flight
-    >>> found = fly(launched(speed=46.0, launch_angle=radians(28), backspin=240.0), standard_flight())
-    >>> round(found.carry), round(found.hang_time, 1)  # m, s
+    >>> flight = fly(launched(speed=46.0, launch_angle=radians(28), backspin=240.0), standard_flight())
+    >>> round(flight.carry), round(flight.hang_time, 1)  # m, s
     (122, 5.4)
     """
     if isinstance(motion, BallMotions):

@@ -18,10 +18,10 @@ def quadrature(edges: tuple[float, ...]) -> tuple[Array, Array]:
     nodes, weights = rule()
     left, width = np.array(edges[:-1]), np.diff(edges)
     places = left[:, None] + width[:, None] * (nodes + 1) / 2
-    found = places.ravel(), (width[:, None] * weights / 2).ravel()
-    for values in found:  # they are shared
+    both = places.ravel(), (width[:, None] * weights / 2).ravel()
+    for values in both:  # they are shared
         values.flags.writeable = False
-    return found
+    return both
 
 
 @cache

@@ -47,8 +47,8 @@ class Piecewise:
         (9.0, 6.0)
         """
         places = np.asarray(position, float)
-        found = np.searchsorted(self.ends, places, side="right") - 1
-        piece = np.minimum(np.maximum(found, 0), len(self.ends) - 2)  # as np.clip, in a third of its time
+        pieces = np.searchsorted(self.ends, places, side="right") - 1
+        piece = np.minimum(np.maximum(pieces, 0), len(self.ends) - 2)  # as np.clip, in a third of its time
         part = (places - self.ends[piece]).reshape(places.shape + (1,) * (self.coefficients.ndim - 2))
         coefficients = self.derivative(order).coefficients if order else self.coefficients
         if coefficients.ndim <= 3 and places.size >= MANY:

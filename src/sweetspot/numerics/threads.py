@@ -78,7 +78,7 @@ def side_by_side(
             job.result()
             if progress is not None:
                 progress(done, len(items))
-        found = [job.result() for job in running]
-        return [*found, *(work(item) for item in items[len(found) :])]
+        results = [job.result() for job in running]
+        return [*results, *(work(item) for item in items[len(results) :])]
     finally:
         pool.shutdown(cancel_futures=True)

@@ -127,9 +127,9 @@ def rule_book_drops(name: str) -> dict[str, Rebound]:
     >>> round(100 * rule_book_drops("tennis")["bound of the ball"].rebound)  # cm
     141
     """
-    found = catalogue_sport(name)
-    ball = catalog.ball(found.balls[0])
-    return {rule.name: rule_book_drop(rule, ball=ball) for rule in found.drops}
+    sport = catalogue_sport(name)
+    ball = catalog.ball(sport.balls[0])
+    return {rule.name: rule_book_drop(rule, ball=ball) for rule in sport.drops}
 
 
 def _block(rule: DropRule) -> Block:

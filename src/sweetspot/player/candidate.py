@@ -80,14 +80,14 @@ def candidates(
     makers += [(f"bat:{other.name}", other.name, "swung", 0.0, partial(other.replaced)) for other in swung]
     strangers = [other for other in others if other not in (bat, *swung)]
     makers += [(f"bat:{other.name}", other.name, "catalogue", 0.0, partial(other.replaced)) for other in strangers]
-    found, faults = [], []
+    options, faults = [], []
     for key, label, family, amount, make in makers:
         try:
             made = make()
-            found.append(Candidate(key, label, family, made, rigid_body(beam_model(made)), amount))
+            options.append(Candidate(key, label, family, made, rigid_body(beam_model(made)), amount))
         except SweetspotError as error:
             faults.append(f"{label}: {' '.join(str(error).split())}")
-    return tuple(found), tuple(faults)
+    return tuple(options), tuple(faults)
 
 
 def lengthened(bat: Bat, distance: float, *, mass: float) -> Bat:

@@ -135,7 +135,7 @@ class Column:
 class Columns:
     """The columns of a file: those that are understood by quantity, the others by heading, and the system's name."""
 
-    found: dict[str, Column]
+    understood: dict[str, Column]
     ignored: tuple[str, ...]
     system: str
 
@@ -173,30 +173,30 @@ def columns_of(headings: Sequence[str], *, units: Units | None, file_name: str) 
     """
     names = [simplified(heading) for heading in headings]
     system = next((known for known in SYSTEMS if _belongs(names, known)), None)
-    found: dict[str, Column] = {}
+    columns: dict[str, Column] = {}
     ignored = []
     for index, (heading, name) in enumerate(zip(headings, names, strict=True)):
         column = _column(index, heading.strip(), name, system, units, file_name)
         if column is None:
             ignored.append(heading.strip())
-        elif column.quantity in found and column.quantity not in TEXTS:
+        elif column.quantity in columns and column.quantity not in TEXTS:
             raise InputError(
-                f"{file_name}: columns {found[column.quantity].heading} and {column.heading} both give "
+                f"{file_name}: columns {columns[column.quantity].heading} and {column.heading} both give "
                 f"{column.quantity}; keep one of them"
             )
         else:
-            found.setdefault(column.quantity, column)
-    if not any(needed in found for needed in NEEDED):
+            columns.setdefault(column.quantity, column)
+    if not any(needed in columns for needed in NEEDED):
         raise InputError(
             f"{file_name}: no column for bat speed or exit speed; give for example bat_speed_mph and exit_speed_mph. "
             f"The file has: {', '.join(heading.strip() for heading in headings)}"
         )
-    return Columns(found, tuple(ignored), system.name if system else "plain")
+    return Columns(columns, tuple(ignored), system.name if system else "plain")
 
 
 def day_of(cells: Sequence[str], columns: Columns) -> date | None:
     """Return the date of a row, None where there is none that can be read."""
-    column = columns.found.get("date")
+    column = columns.understood.get("date")
     if column is None or column.index >= len(cells):
         return None
     text = cells[column.index].strip()

@@ -78,8 +78,8 @@ def importance_draws(log_density: Density, *, other_side: Callable[[Array], Arra
     other_side : gives the place whose density may be about as high as that of the highest.
 
     >>> log_density = lambda rows: -0.5 * ((rows - 1) ** 2).sum(axis=1)
-    >>> found = importance_draws(log_density, other_side=lambda place: -place, size=2, seed=1)
-    >>> bool(np.all(abs(found.weights @ found.draws - 1) < 0.1)), found.effective > 500
+    >>> drawn = importance_draws(log_density, other_side=lambda place: -place, size=2, seed=1)
+    >>> bool(np.all(abs(drawn.weights @ drawn.draws - 1) < 0.1)), drawn.effective > 500
     (True, True)
     """
     place = highest(log_density, np.zeros(size))

@@ -87,8 +87,8 @@ def population_told(told: Told) -> Population:
     """Return mean and spread of a league that are likeliest.
 
     >>> told = Told(np.tile(1e6 * np.eye(1), (400, 1, 1)), 1e6 * np.random.default_rng(1).normal(2, 0.5, (400, 1)))
-    >>> found = population_told(told)
-    >>> bool(abs(found.mean[0] - 2) < 0.1), bool(abs(found.spread[0] - 0.5) < 0.05)
+    >>> population = population_told(told)
+    >>> bool(abs(population.mean[0] - 2) < 0.1), bool(abs(population.spread[0] - 0.5) < 0.05)
     (True, True)
     """
     from scipy.optimize import minimize
@@ -101,8 +101,8 @@ def population_told(told: Told) -> Population:
 
     within = 1 - BETWEEN_LEAGUES
     start = np.concatenate([np.zeros(size), np.full(size, np.log(within))])
-    found = minimize(low, start, jac=True, method="L-BFGS-B", options={"maxiter": 300}).x
-    mean, variance = found[:size], np.exp(found[size:])
+    best = minimize(low, start, jac=True, method="L-BFGS-B", options={"maxiter": 300}).x
+    mean, variance = best[:size], np.exp(best[size:])
     # (T + P^-1)^-1 = T^-1 - T^-1 (P + T^-1)^-1 T^-1, also where P has no inverse
     knowing = np.diag(1 / variance)
     marginal = knowing - knowing @ np.linalg.inv(told.precision + knowing) @ knowing

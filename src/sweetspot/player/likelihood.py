@@ -214,14 +214,14 @@ def _fill_ball_out(
 
 
 @compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
-def log_likelihoods(parameters: Array, speeds: Array, table: Table, found: Array) -> None:
-    """Fill ``found`` with the log-likelihood of every row of parameters.
+def log_likelihoods(parameters: Array, speeds: Array, table: Table, logarithms: Array) -> None:
+    """Fill ``logarithms`` with the log-likelihood of every row of parameters.
 
     Parameters
     ----------
     parameters : (rows, 10) SI, in the order of `NAMES`.
     speeds : (rows, bats) m/s, the player's mean bat speed with every bat.
-    found : (rows,).
+    logarithms : (rows,).
     """
     places = table.efficiency.shape[1]
     speed_noise, place_noise, attack_spread, usual_attack = table.constants[:4]
@@ -292,4 +292,4 @@ def log_likelihoods(parameters: Array, speeds: Array, table: Table, found: Array
                     narrow[first:whole],
                 )
             total += math.log((1 - WRONG) / ROOT_TWO_PI * likelihood + WRONG / WRONG_RANGE)
-        found[row] = total
+        logarithms[row] = total

@@ -72,32 +72,32 @@ class PlayerModel:
         parameters : shape (rows, 10), SI.
         """
         own = self.bats[0]
-        found = np.repeat(parameters[:, :1], len(self.bats), axis=1)
+        speeds = np.repeat(parameters[:, :1], len(self.bats), axis=1)
         for index, other in enumerate(self.bats[1:], start=1):
-            found[:, index] *= speed_ratio(other, own, law=self.law, speed_from_tip=self.speed_from_tip,
+            speeds[:, index] *= speed_ratio(other, own, law=self.law, speed_from_tip=self.speed_from_tip,
                                            exponent=parameters[:, NAMES.index("exponent")])  # fmt: skip
-        return found
+        return speeds
 
     def log_likelihood(self, standard: Array) -> Array:
         """Return the log-likelihood of standard parameters, shape (rows, 10) to (rows,); exponents within limits."""
         parameters = natural(np.atleast_2d(standard))
         speeds = self.bat_speeds(parameters)
-        found = np.empty(len(parameters))
+        logarithms = np.empty(len(parameters))
 
         def work(part: slice) -> None:
-            log_likelihoods(parameters[part], speeds[part], self.table, found[part])
+            log_likelihoods(parameters[part], speeds[part], self.table, logarithms[part])
 
         in_parts(work, len(parameters), size=max(1, -(-len(parameters) // THREADS)), threads=THREADS)
-        return found
+        return logarithms
 
     def log_posterior(self, standard: Array, population: Population = ANYBODY) -> Array:
         """Return the log-likelihood, `COUNTED`, plus log-prior up to a constant, -inf where the prior forbids."""
         rows = np.atleast_2d(standard)
-        found = log_prior(rows, population)
-        allowed = np.isfinite(found)
+        logarithms = log_prior(rows, population)
+        allowed = np.isfinite(logarithms)
         if allowed.any():
-            found[allowed] += COUNTED * self.log_likelihood(rows[allowed])
-        return np.where(np.isnan(found), -np.inf, found)
+            logarithms[allowed] += COUNTED * self.log_likelihood(rows[allowed])
+        return np.where(np.isnan(logarithms), -np.inf, logarithms)
 
 
 def arm_ratio(table: ContactTable, place: Array, *, speed_from_tip: float) -> Array:

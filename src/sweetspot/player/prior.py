@@ -74,15 +74,15 @@ def priors() -> dict[str, Prior]:
     (0.29, 0.085)
     """
     table = read_table(FILE)
-    found = {}
+    by_name = {}
     for name, kind in PARAMETERS.items():
         entry = table[name]
         scale = entry["scale"]
         centre = swing_law().exponent if name == "exponent" else quantity(entry, "centre", kind, name)
         width = quantity(entry, "width", "ratio" if scale == "ratio" else kind, name)
         assert centre is not None and width is not None, f"{FILE}: {name} is not complete"
-        found[name] = Prior(entry["name"], scale, centre, width)
-    return found
+        by_name[name] = Prior(entry["name"], scale, centre, width)
+    return by_name
 
 
 @cache
@@ -152,11 +152,11 @@ def log_prior(standard: Array, population: Population = ANYBODY) -> Array:
 def prior_draws(count: int, seed: int) -> Array:
     """Return draws from the prior, standard parameters, shape (count, 10)."""
     generator = np.random.default_rng(seed)
-    found = np.empty((0, len(NAMES)))
-    while len(found) < count:
+    draws = np.empty((0, len(NAMES)))
+    while len(draws) < count:
         fresh = generator.standard_normal((2 * count, len(NAMES)))
-        found = np.concatenate([found, fresh[np.isfinite(log_prior(fresh))]])
-    return found[:count]
+        draws = np.concatenate([draws, fresh[np.isfinite(log_prior(fresh))]])
+    return draws[:count]
 
 
 @cache

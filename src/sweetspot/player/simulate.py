@@ -43,13 +43,13 @@ def simulated_swings(
     law = swing_law()
     tables = [contact_table(bat, ball=ball, axis=law.axis) for bat in bats]
     exponent = np.array([values["exponent"]])
-    found = []
+    swings = []
     for row in range(count):
         table = tables[row % len(tables)]
         ratio = float(speed_ratio(table, tables[0], law=law, speed_from_tip=speed_from_tip, exponent=exponent)[0])
         swing = _swing(values, table, ratio, pitch_speed, speed_from_tip, generator)
-        found.append(replace(swing, row=row + 2, bat="" if table is tables[0] else table.bat.name))
-    return tuple(found)
+        swings.append(replace(swing, row=row + 2, bat="" if table is tables[0] else table.bat.name))
+    return tuple(swings)
 
 
 def _swing(

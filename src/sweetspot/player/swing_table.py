@@ -76,13 +76,13 @@ class TextTable(SwingTable):
         return sorted(set(self._by_batter(columns)) - {""})
 
     def _by_batter(self, columns: Columns) -> dict[str, Lines]:
-        place = columns.found["batter"].index
+        place = columns.understood["batter"].index
         if place not in self._parted:
-            found: dict[str, list[tuple[int, list[str]]]] = {}
+            parts: dict[str, list[tuple[int, list[str]]]] = {}
             for line, cells in self._lines:
                 name = cells[place].strip().removesuffix(".0") if place < len(cells) else ""
-                found.setdefault(name, []).append((line, cells))
-            self._parted[place] = {name: tuple(rows) for name, rows in found.items()}
+                parts.setdefault(name, []).append((line, cells))
+            self._parted[place] = {name: tuple(rows) for name, rows in parts.items()}
         return self._parted[place]
 
 
@@ -106,12 +106,12 @@ class ScannedTable(SwingTable):
     def narrowed(self, columns: Columns) -> Columns:
         """Return the columns as they stand in the rows: only those that mean something are there."""
         order = {column.index: place for place, column in enumerate(self._needed(columns))}
-        found = {name: replace(column, index=order[column.index]) for name, column in columns.found.items()}
-        return replace(columns, found=found)
+        known = {name: replace(column, index=order[column.index]) for name, column in columns.understood.items()}
+        return replace(columns, understood=known)
 
     def width(self, columns: Columns) -> int:
         """Return how many cells a whole row has."""
-        return len(columns.found)
+        return len(columns.understood)
 
     def rows(self, columns: Columns, batter: str | None = None) -> Lines:
         """Return the rows, of one batter where one is named; others are not read."""
@@ -141,7 +141,7 @@ class ScannedTable(SwingTable):
             raise InputError(f"{self.path} cannot be read as a table: {first}") from None
 
     def _needed(self, columns: Columns) -> list[Column]:
-        return sorted(columns.found.values(), key=lambda column: column.index)
+        return sorted(columns.understood.values(), key=lambda column: column.index)
 
     def _cells(self, columns: Columns) -> list[pl.Expr]:
         import polars as pl
@@ -152,14 +152,14 @@ class ScannedTable(SwingTable):
     def _named(self, columns: Columns) -> pl.Expr:
         import polars as pl
 
-        name = self.headings[columns.found["batter"].index]
+        name = self.headings[columns.understood["batter"].index]
         return pl.col(name).cast(pl.String).str.strip_chars().str.strip_suffix(".0")
 
     def _is(self, columns: Columns, batter: str) -> pl.Expr:
         """Return whether a row is a batter's; numbers are compared as such, so that parts of a file are skipped."""
         import polars as pl
 
-        name = self.headings[columns.found["batter"].index]
+        name = self.headings[columns.understood["batter"].index]
         if self._schema[name].is_integer() and batter.lstrip("-").isdigit():
             return pl.col(name) == int(batter)
         return self._named(columns) == batter

@@ -124,11 +124,11 @@ def batters(path: Path, *, units: Units | None = None) -> tuple[str, ...]:
     """
     table = open_swings(path)
     columns = columns_of(table.headings, units=units, file_name=str(path)) if table.headings else None
-    if columns is None or "batter" not in columns.found:
+    if columns is None or "batter" not in columns.understood:
         raise InputError(f"{path} has no column that names the batter; add one called player, or leave --batter out")
     names = table.batters(columns)
     if not names:
-        raise InputError(f"{path} names no batter in its column {columns.found['batter'].heading}")
+        raise InputError(f"{path} names no batter in its column {columns.understood['batter'].heading}")
     return tuple(names)
 
 
@@ -147,7 +147,7 @@ def evenly(swings: Sequence[PlayerSwing], most: int) -> tuple[tuple[PlayerSwing,
 
 def _of_batter(table: SwingTable, columns: Columns, batter: str | None, path: Path) -> Lines:
     """Return the rows of one batter; a file of several without a name is refused."""
-    if "batter" not in columns.found:
+    if "batter" not in columns.understood:
         if batter is not None:
             raise InputError(f"--batter {batter} was given, and {path} has no column that names the batter")
         return _some(table.rows(columns), path)
@@ -178,7 +178,7 @@ def _read(
     if len(cells) != width:
         return BadRow(line, f"{len(cells)} cells under {width} column names")
     try:
-        value = {name: _number(cells[column.index], column) for name, column in columns.found.items()
+        value = {name: _number(cells[column.index], column) for name, column in columns.understood.items()
                  if name not in TEXTS}  # fmt: skip
     except ValueError as fault:
         return BadRow(line, str(fault))
@@ -189,9 +189,9 @@ def _read(
         pitch = PLATE_OVER_RELEASE * release
     pitch = pitch_speed if pitch is None else pitch
     position = value.get("position")
-    if position is not None and not columns.found["position"].from_tip:
+    if position is not None and not columns.understood["position"].from_tip:
         position = length - position
-    named, told = columns.found.get("bat"), columns.found.get("outcome")
+    named, told = columns.understood.get("bat"), columns.understood.get("outcome")
     outcome = cells[told.index].strip().lower() if told else ""
     if BUNT in outcome:
         return BadRow(line, f"{outcome.replace('_', ' ')}: not a full swing")
@@ -256,13 +256,15 @@ def _notes(swings: list[PlayerSwing], columns: Columns, pitch_speed: float | Non
     for quantity, words in WORDS.items():
         values = [value for one in swings if (value := getattr(one, quantity)) is not None]
         if not values:
-            there = quantity in columns.found or (quantity == "pitch_speed" and "release_speed" in columns.found)
+            there = quantity in columns.understood or (
+                quantity == "pitch_speed" and "release_speed" in columns.understood
+            )
             notes.append(f"{words[0]} is {'empty' if there else 'missing'}: {words[1]}.")
         elif len(values) >= 3 and max(values) == min(values) and (quantity, pitch_speed) != ("pitch_speed", values[0]):
             notes.append(f"{words[0]} is the same in every row ({_told(quantity, values[0])}): {words[2]}.")
         elif len(values) < count and quantity in ("bat_speed", "exit_speed"):
             notes.append(f"{words[0]} is there for {len(values)} of {count} swings.")
-    if "release_speed" in columns.found and "pitch_speed" not in columns.found:
+    if "release_speed" in columns.understood and "pitch_speed" not in columns.understood:
         notes.append(f"Pitch speed at the plate is taken as {PLATE_OVER_RELEASE:.3f} of the speed at release.")
     return tuple(notes)
 

@@ -35,17 +35,17 @@ class Swung:
 
 def swung_bats(model: PlayerModel) -> tuple[Swung, ...]:
     """Return the bats that were swung, the player's own first, with the means of what was measured."""
-    found = []
+    swung = []
     for index, table in enumerate(model.bats):
         swings = [swing for swing, bat in zip(model.swings, model.bat_of, strict=True) if bat == index]
         if swings:
-            found.append(
+            swung.append(
                 Swung(
                     table.bat, len(swings), mean_with_interval([one.bat_speed for one in swings]),
                     mean_with_interval([one.exit_speed for one in swings]),
                 )
             )  # fmt: skip
-    return tuple(found)
+    return tuple(swung)
 
 
 def mean_with_interval(values: Sequence[float | None]) -> Interval | None:

@@ -87,7 +87,7 @@ def bats_of(rows: pl.DataFrame, setting: SeasonSetting) -> NDArray[np.int64]:
     """Return which of the setting's bats each ball was hit with, -1 where not known; the table's word goes first."""
     number = {name: index for index, name in enumerate(setting.bat_names)}
     usual = number.get(setting.bats.get("", ""), -1)
-    found = np.full(len(rows), usual, np.int64)
+    chosen = np.full(len(rows), usual, np.int64)
     for column in WHOSE_BAT:
         if column in rows.columns:
             known = setting.bats if column != "bat" else {name: name for name in number}
@@ -96,20 +96,20 @@ def bats_of(rows: pl.DataFrame, setting: SeasonSetting) -> NDArray[np.int64]:
             ) if any(known) else None  # fmt: skip
             if mapped is not None:
                 values = mapped.fill_null(-2).to_numpy()
-                found = np.where(values > -2, values, found)
-    return found
+                chosen = np.where(values > -2, values, chosen)
+    return chosen
 
 
-def answer_columns(found: Answers, setting: SeasonSetting) -> list[pl.Series]:
+def answer_columns(answers: Answers, setting: SeasonSetting) -> list[pl.Series]:
     """Return the answers as columns in the setting's units."""
-    pairs = [*_flight(found)]
-    if setting.contact is not None and found.contact is not None:
-        pairs += [*_contact(found, setting), *_others(found.contact)]
+    pairs = [*_flight(answers)]
+    if setting.contact is not None and answers.contact is not None:
+        pairs += [*_contact(answers, setting), *_others(answers.contact)]
     return [as_series(column, values, setting.system) for column, values in pairs]
 
 
-def _flight(found: Answers) -> Iterator[tuple[OutputColumn, Array | Words]]:
-    flown, balls = found.flight, found.balls
+def _flight(answers: Answers) -> Iterator[tuple[OutputColumn, Array | Words]]:
+    flown, balls = answers.flight, answers.balls
     here = np.isfinite(flown.launch_direction)
     with np.errstate(invalid="ignore"):
         parks = flown.home_run_parks
@@ -119,16 +119,16 @@ def _flight(found: Answers) -> Iterator[tuple[OutputColumn, Array | Words]]:
         "flight_outcome": Words(FLIGHT_OUTCOMES, outcome), "launch_direction": flown.launch_direction,
         "carry": flown.carry, "carry_spread": flown.carry_spread, "hang_time": flown.hang_time,
         "apex": flown.apex_height, "landing_angle": flown.landing_angle,
-        "carry_above": carry_above(found), "home_run_here": flown.home_run_here,
+        "carry_above": carry_above(answers), "home_run_here": flown.home_run_here,
         "home_runs_in_30": flown.home_runs, "home_run_parks": parks,
         "home_run_kind": Words(HOME_RUN_KINDS, kind),
     }  # fmt: skip
     yield from ((column, values[column.name]) for column in FLIGHT)
 
 
-def carry_above(found: Answers) -> Array:
+def carry_above(answers: Answers) -> Array:
     """Return tracked distance less carry in m, of fly balls and line drives; caught balls end at a glove."""
-    flown, balls = found.flight, found.balls
+    flown, balls = answers.flight, answers.balls
     fly = (balls.launch_angle >= FLY_BALLS[0]) & (balls.launch_angle <= FLY_BALLS[1]) & (balls.exit_speed >= FLY_SPEED)
     fly &= balls.distance > 0
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -136,13 +136,13 @@ def carry_above(found: Answers) -> Array:
     return np.where(fly, balls.distance - (flown.carry - short), np.nan)
 
 
-def _contact(found: Answers, setting: SeasonSetting) -> Iterator[tuple[OutputColumn, Array | Words]]:
-    met, balls = found.contact, found.balls
+def _contact(answers: Answers, setting: SeasonSetting) -> Iterator[tuple[OutputColumn, Array | Words]]:
+    met, balls = answers.contact, answers.balls
     assert met is not None
     counted, rows = measures(balls, met), met.results
     names = (*setting.bat_names, UNKNOWN_BAT)
     values: dict[str, Array | Words] = {
-        "bat": Words(names, found.bat_of % len(names)), "contact_outcome": Words(OUTCOMES, met.outcome),
+        "bat": Words(names, answers.bat_of % len(names)), "contact_outcome": Words(OUTCOMES, met.outcome),
         "pitch_at_plate": balls.plate_speed, "ceiling": met.ceiling, "above_ceiling": met.above_chance,
         "above_improbable": met.above_improbable, "league_ceiling": met.league_ceiling,
         "offset": rows[:, kernel.OFFSET], "offset_spread": rows[:, kernel.OFFSET_SPREAD],

@@ -145,8 +145,8 @@ def _spin(pitch: NineParameters, tracked: NDArray[np.bool_]) -> Array:
     if not tracked.any():
         return np.zeros_like(pitch.velocity)
     _, velocity = pitch.at((REFERENCE + PLATE) / 2)
-    found = spin_from_movement(
+    spin = spin_from_movement(
         velocity, acceleration=pitch.acceleration, ball=ball(), aerodynamics=aerodynamics("pitched-baseball"),
         density=np.full(len(tracked), Air().density),
     )  # fmt: skip
-    return np.where(tracked[:, None] & np.isfinite(found), found, 0.0)
+    return np.where(tracked[:, None] & np.isfinite(spin), spin, 0.0)

@@ -33,21 +33,21 @@ def read_bats(path: Path) -> dict[str, str]:
         missing = "bat" if who is not None else "batter"
         raise InputError(f"{path} has no column {missing}; it has: {', '.join(rows[0])}; give batter and bat")
     what = names.index("bat")
-    found: dict[str, str] = {}
+    bats: dict[str, str] = {}
     for number, row in enumerate(rows[1:], start=2):
         if not any(cell.strip() for cell in row):
             continue
         if len(row) <= max(who, what) or not row[what].strip():
             raise InputError(f"{path}, line {number}: no bat is given; give a name of the catalogue or a file")
         batter, bat = row[who].strip(), row[what].strip()
-        if found.get(batter, bat) != bat:
-            raise InputError(f"{path}, line {number}: {batter or 'all others'} has two bats, {found[batter]} and {bat}")
+        if bats.get(batter, bat) != bat:
+            raise InputError(f"{path}, line {number}: {batter or 'all others'} has two bats, {bats[batter]} and {bat}")
         try:
             load_bat(bat)
         except InputError as error:
             raise InputError(f"{path}, line {number}: {error}") from None
-        found[batter] = bat
-    if not found:
+        bats[batter] = bat
+    if not bats:
         raise InputError(f"{path} names no bat; give a row per batter")
-    found.setdefault("", UNKNOWN_BAT)
-    return found
+    bats.setdefault("", UNKNOWN_BAT)
+    return bats

@@ -124,13 +124,15 @@ def contacts(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -
         plane = in_plane(some, surface, setting.errors, ball=setting.ball)
         ceiling[mine], best[mine] = ceilings(plane, surface)
         solved = plane.outcome == 0
-        found, weights = _posteriors(some, plane, best[mine], surface, setting, solved)
-        results[mine] = found
-        grazed = solved & np.isnan(found[:, kernel.KEPT])
+        posteriors, weights = _posteriors(some, plane, best[mine], surface, setting, solved)
+        results[mine] = posteriors
+        grazed = solved & np.isnan(posteriors[:, kernel.KEPT])
         outcome[mine] = np.where(grazed, OUTCOMES.index("grazed"), plane.outcome)
         chance[mine], improbable[mine] = _above(some, plane, ceiling[mine], setting)
         for other in setting.others:
-            answer = _with_other(some, plane, found, weights, surface, setting.mois[number], other, setting, solved)
+            answer = _with_other(
+                some, plane, posteriors, weights, surface, setting.mois[number], other, setting, solved
+            )
             for held, values in zip(others[other.name], answer, strict=True):
                 held[mine] = values
     league = LEAGUE_BAT * balls.bat_speed + LEAGUE_PITCH * balls.plate_speed
@@ -173,16 +175,16 @@ def learnt(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -> 
     if not chosen or not sum(map(len, chosen)):
         return UNLEARNT
     everyone = np.concatenate(chosen)
-    found = learn_places(
+    relation = learn_places(
         taken(balls, everyone), places=setting.surfaces[0].axes[2], predicted=np.concatenate(tables),
         measured=np.concatenate(outs), spread=np.concatenate(spreads),
     )  # fmt: skip
-    if not found.balls:
-        return found
-    bare = replace(setting, relation=found, others=())
+    if not relation.balls:
+        return relation
+    bare = replace(setting, relation=relation, others=())
     rank = contacts(taken(balls, everyone), bat_of[everyone], bare).results[:, kernel.RANK]
     ends = np.nanquantile(rank, np.linspace(0, 1, RANKS)[1:-1])
-    return replace(found, ranks=(0.0, *np.maximum.accumulate(ends).tolist(), 1.0))
+    return replace(relation, ranks=(0.0, *np.maximum.accumulate(ends).tolist(), 1.0))
 
 
 def _chances_of(balls: Balls) -> Array:
@@ -204,7 +206,7 @@ def _posteriors(
                      np.full(len(told), setting.errors.axial_offset)], axis=-1), prior)  # fmt: skip
     rows = np.flatnonzero(solved)
     asked = np.ascontiguousarray(asked_of(plane)[rows])
-    found = np.full((len(rows), kernel.ROWS), np.nan)
+    posteriors = np.full((len(rows), kernel.ROWS), np.nan)
     weights = np.zeros((len(rows) if setting.others else 1, len(surface.arm)))
     relation = setting.relation
     aims = np.stack([best, _chances_of(balls)], axis=-1)[rows]
@@ -216,13 +218,13 @@ def _posteriors(
         kernel.fill_posteriors(
             surface.axes, surface.after, surface.reach, surface.arm, asked[part], measured[part],
             before[part], aims[part], _error_array(setting.errors), level[part], noise[part],
-            found[part], weights[part] if setting.others else weights,
+            posteriors[part], weights[part] if setting.others else weights,
         )  # fmt: skip
 
     in_parts(work, len(rows), size=CHUNK, threads=setting.threads)
     results = np.full((len(balls), kernel.ROWS), np.nan)
-    found[:, kernel.RANK] = relation.ranked(found[:, kernel.RANK])
-    results[rows] = found
+    posteriors[:, kernel.RANK] = relation.ranked(posteriors[:, kernel.RANK])
+    results[rows] = posteriors
     everything = np.zeros((len(balls) if setting.others else 1, len(surface.arm)))
     if setting.others:
         everything[rows] = weights
@@ -248,12 +250,12 @@ def _above(balls: Balls, plane: InPlane, ceiling: Array, setting: ContactSetting
 
 def _with_other(
     balls: Balls,
-    plane: InPlane, found: Array, weights: Array, own: BatSurface, moi: float, other: OtherBat,
+    plane: InPlane, posteriors: Array, weights: Array, own: BatSurface, moi: float, other: OtherBat,
     setting: ContactSetting, solved: NDArray[np.bool_],
 ) -> tuple[Array, Array, Array]:  # fmt: skip
     """Return exit speeds that the same swings would have given with another bat, and their 90 % intervals."""
     rows = np.flatnonzero(solved)
-    asked, offset, parts = asked_of(plane)[rows], found[rows, kernel.OFFSET], weights[rows]
+    asked, offset, parts = asked_of(plane)[rows], posteriors[rows, kernel.OFFSET], weights[rows]
     bats = own.bat, other.surface.bat
     arms = [bat.length - bat.choke - SPEED_FROM_TIP for bat in bats]
     exponents = setting.law.exponents
@@ -277,16 +279,16 @@ def _with_other(
     return full[0], full[1], full[2]
 
 
-def measures(balls: Balls, found: Contacts) -> dict[str, Array]:
+def measures(balls: Balls, contacts: Contacts) -> dict[str, Array]:
     """Return what is counted and averaged over players, by name; ratios, and chances between 0 and 1.
 
     Parameters
     ----------
-    found : contacts of the balls.
+    contacts : of the balls.
     """
     with np.errstate(invalid="ignore", divide="ignore"):
-        ratio = balls.exit_speed / found.ceiling
-        league = np.where(np.isnan(ratio), np.nan, balls.exit_speed / found.league_ceiling)
+        ratio = balls.exit_speed / contacts.ceiling
+        league = np.where(np.isnan(ratio), np.nan, balls.exit_speed / contacts.league_ceiling)
         blast = 100 * league + balls.bat_speed / MPH >= BLAST
         known = np.isfinite(league)
         return {
@@ -295,7 +297,7 @@ def measures(balls: Balls, found: Contacts) -> dict[str, Array]:
             "league_ratio": league,
             "league_squared_up": np.where(known, league >= SQUARED_UP, np.nan),
             "blast": np.where(known, blast, np.nan),
-            "kept_vertically": np.minimum(found.results[:, kernel.KEPT] / found.ceiling, 1.0),
+            "kept_vertically": np.minimum(contacts.results[:, kernel.KEPT] / contacts.ceiling, 1.0),
         }
 
 

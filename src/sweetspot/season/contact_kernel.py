@@ -56,15 +56,15 @@ def predict(
     best, top, best_guess = -1, 0.0, middle
     count, before, moved = len(fast), guess, 0.0
     for place in range(0, count, STRIDE):
-        size, offset, found = hit_towards(
+        size, offset, solution = hit_towards(
             axes, after, reach[place], place, speed * arm[place], ahead, up, tangent, cos, sin, guess
         )
         fast[place], above[place] = size, offset
         if math.isfinite(size):
-            moved, before = (found - before if place else 0.0), found
-            guess = found + moved
+            moved, before = (solution - before if place else 0.0), solution
+            guess = solution + moved
             if size > top:
-                best, top, best_guess = place, size, found
+                best, top, best_guess = place, size, solution
     for place in range(1, count - 1, STRIDE):
         fast[place] = (fast[place - 1] + fast[place + 1]) / 2
         above[place] = (above[place - 1] + above[place + 1]) / 2

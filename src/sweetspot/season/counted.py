@@ -25,22 +25,22 @@ WITH = "with "
 """How columns begin that hold what a ball would gain with another bat, m/s."""
 
 
-def counted_rows(rows: pl.DataFrame, found: Answers, headings: Headings) -> pl.DataFrame:
+def counted_rows(rows: pl.DataFrame, answers: Answers, headings: Headings) -> pl.DataFrame:
     """Return groups and measures of balls, one row each.
 
     Parameters
     ----------
     rows : that went through `rows_of` and are used.
     """
-    balls, flown = found.balls, found.flight
+    balls, flown = answers.balls, answers.flight
     kind = np.select([flown.home_run_parks >= 30, flown.home_run_parks >= 8, flown.home_run_parks >= 1], [3, 2, 1], 0)
     measured: dict[str, Array] = {
         "exit_speed": balls.exit_speed, "launch_angle": balls.launch_angle, "bat_speed": balls.bat_speed,
-        "direction": flown.launch_direction, "carry": flown.carry, "carry_above": carry_above(found),
+        "direction": flown.launch_direction, "carry": flown.carry, "carry_above": carry_above(answers),
         "carry_per_drag": flown.carry_per_drag, "home_run_here": flown.home_run_here,
         "home_runs_in_30": flown.home_runs, "home_run_kind": kind.astype(float), "bearing": balls.bearing,
     }  # fmt: skip
-    met = found.contact
+    met = answers.contact
     if met is not None:
         result = met.results
         distance, offset = result[:, kernel.DISTANCE + 2], result[:, kernel.OFFSET]
@@ -61,7 +61,7 @@ def counted_rows(rows: pl.DataFrame, found: Answers, headings: Headings) -> pl.D
             measured[f"{WITH}{name}"] = mean - balls.exit_speed
     series = [pl.Series(name, values.astype(np.float32), nan_to_null=True) for name, values in measured.items()]
     return rows.select(*groups(headings)).with_columns(
-        *series, park=_parks(found)
+        *series, park=_parks(answers)
     )  # fmt: skip
 
 
@@ -109,6 +109,6 @@ def groups(headings: Headings) -> list[pl.Expr]:
     ]  # fmt: skip
 
 
-def _parks(found: Answers) -> pl.Series:
-    names = np.array([*(park.name for park in found.fields.parks), None], object)
-    return pl.Series("park", names[found.fields.index].tolist(), dtype=pl.String)
+def _parks(answers: Answers) -> pl.Series:
+    names = np.array([*(park.name for park in answers.fields.parks), None], object)
+    return pl.Series("park", names[answers.fields.index].tolist(), dtype=pl.String)

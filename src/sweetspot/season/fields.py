@@ -56,7 +56,7 @@ def fields_of(clubs: pl.Series | Sequence[str | None], seasons: NDArray[np.int64
     """
     letters = pl.Series("club", clubs, dtype=pl.String)
     pairs = pl.DataFrame([letters, pl.Series("year", seasons)]).with_row_index("ball")
-    found: dict[Park, int] = {}
+    fields: dict[Park, int] = {}
     unknown: dict[str, int] = {}
     places = np.full(len(seasons), -1, np.int64)
     for (club, year), rows in pairs.group_by("club", "year", maintain_order=True):
@@ -64,8 +64,8 @@ def fields_of(clubs: pl.Series | Sequence[str | None], seasons: NDArray[np.int64
         if here is None:
             unknown[str(club or "no home team")] = unknown.get(str(club or "no home team"), 0) + len(rows)
         else:
-            places[rows["ball"].to_numpy()] = found.setdefault(here, len(found))
-    return Fields(tuple(found), places, unknown)
+            places[rows["ball"].to_numpy()] = fields.setdefault(here, len(fields))
+    return Fields(tuple(fields), places, unknown)
 
 
 @cache

@@ -223,14 +223,14 @@ def _chances(
         mask = np.zeros(len(balls), bool)
         mask[mine] = True
         conditions = FlightConditions(ball=setting.ball, aerodynamics=setting.aerodynamics, air=setting.air)
-        found = home_run_chances(
+        chances = home_run_chances(
             _launch(balls, spray, mask), conditions, parks=(*thirty, *extra), threads=setting.threads
         )
-        everywhere[mine] = found.chance[:, : len(thirty)].sum(axis=1)
-        count[mine] = (found.clearance[:, : len(thirty)] > 0).sum(axis=1)
+        everywhere[mine] = chances.chance[:, : len(thirty)].sum(axis=1)
+        count[mine] = (chances.clearance[:, : len(thirty)] > 0).sum(axis=1)
         place = {park: number for number, park in enumerate((*thirty, *extra))}
         columns = np.array([*(place[park] for park in fields.parks), 0])[fields.index[mine]]
-        here[mine] = found.chance[np.arange(len(mine)), columns]
+        here[mine] = chances.chance[np.arange(len(mine)), columns]
     return here, everywhere, count
 
 

@@ -163,7 +163,7 @@ def _closest(names: list[str]) -> str:
 
 def _given(given: Mapping[str, str], names: Sequence[str], file_name: str) -> dict[str, TableColumn]:
     """Return the columns that a person has named, by heading; a unit may stand behind: ``EV:km/h``."""
-    found = {}
+    columns = {}
     for quantity, text in given.items():
         if quantity not in quantities():
             raise InputError(f"{quantity} is no quantity of a table. {nearest_names(quantity, list(quantities()))}")
@@ -174,8 +174,8 @@ def _given(given: Mapping[str, str], names: Sequence[str], file_name: str) -> di
         if not unit and kind not in ("text", "count"):
             known = _column(heading, simplified(heading), "", file_name)
             unit = known.unit if known and known.kind == kind else _default_unit(quantity)
-        found[heading] = _made(quantity, heading, kind, simplified(unit), file_name)
-    return found
+        columns[heading] = _made(quantity, heading, kind, simplified(unit), file_name)
+    return columns
 
 
 def _default_unit(quantity: str) -> str:

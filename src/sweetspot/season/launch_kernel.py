@@ -9,7 +9,7 @@ from sweetspot.numerics.kernel_cache import compiled
 
 
 @compiled(nogil=True, error_model="numpy")
-def fill_between(axes: tuple[Array, Array, Array], table: Array, asked: Array, found: Array) -> None:
+def fill_between(axes: tuple[Array, Array, Array], table: Array, asked: Array, values: Array) -> None:
     """Fill what stands in a table between its nodes, in straight lines; beyond its ends the nearest counts.
 
     Parameters
@@ -17,10 +17,10 @@ def fill_between(axes: tuple[Array, Array, Array], table: Array, asked: Array, f
     axes : even nodes of the three axes.
     table : shape (nodes of each axis, k).
     asked : (3, n); NaN counts as the first node.
-    found : (n, k).
+    values : (n, k).
     """
     first, second, third = axes
-    for i in range(len(found)):
+    for i in range(len(values)):
         a, x = _place(first, asked[0, i])
         b, y = _place(second, asked[1, i])
         c, z = _place(third, asked[2, i])
@@ -31,7 +31,7 @@ def fill_between(axes: tuple[Array, Array, Array], table: Array, asked: Array, f
                 weight = (x if p else 1 - x) * (y if q else 1 - y)
                 low, high = table[a + p, b + q, c, value], table[a + p, b + q, c + 1, value]
                 total += weight * (low + z * (high - low))
-            found[i, value] = total
+            values[i, value] = total
 
 
 @compiled(error_model="numpy")

@@ -60,10 +60,10 @@ def expected_of(
     """
     side = np.where(balls.left, -1.0, 1.0)  # a left-handed batter's ball is a right-handed one's in a mirror
     asked = np.stack([balls.exit_speed, balls.launch_angle, side * bearing])
-    found = np.empty((len(balls), 2 * (PER_DRAG + 1)))
-    fill_between((SPEEDS, ANGLES, BEARINGS), _table(ball, aerodynamics, air), asked, found)
+    looked_up = np.empty((len(balls), 2 * (PER_DRAG + 1)))
+    fill_between((SPEEDS, ANGLES, BEARINGS), _table(ball, aerodynamics, air), asked, looked_up)
     thick = (density / air.density - THIN) / (THICK - THIN)
-    bend, turn, per_drag = ((1 - thick) * found[:, value] + thick * found[:, PER_DRAG + 1 + value]
+    bend, turn, per_drag = ((1 - thick) * looked_up[:, value] + thick * looked_up[:, PER_DRAG + 1 + value]
                             for value in (BEND, TURN, PER_DRAG))  # fmt: skip
     return Expected(bearing + side * bend, turn, per_drag)
 

@@ -165,12 +165,12 @@ def _flown(
     changed = law.replaced(**{name: getattr(law, name) * how.drag for name in names})
     air = Air(temperature=22.2)
     density = air_density(air.temperature, pressure=air.pressure, humidity=air.humidity, elevation=elevation)
-    found = flights(
+    flown = flights(
         BallMotions(velocity=np.nan_to_num(velocity), spin=np.nan_to_num(spin), position=(0.0, 2 * FOOT, 3 * FOOT)),
         FlightConditions(ball=catalogue_ball(), aerodynamics=changed, air=density),
     )
-    carry = found.carry + rng.normal(0, 3.0, len(elevation)) * (found.hang_time > 1)
-    return found.landed, found.bearing, carry, found.landing_angle
+    carry = flown.carry + rng.normal(0, 3.0, len(elevation)) * (flown.hang_time > 1)
+    return flown.landed, flown.bearing, carry, flown.landing_angle
 
 
 def _park(parks: Sequence[Park], club: str) -> Park:

@@ -60,12 +60,12 @@ def chosen_balls(counted: pl.LazyFrame, chosen: Mapping[str, str]) -> pl.LazyFra
 
 def choices_of(counted: pl.LazyFrame) -> dict[str, list[tuple[str, int]]]:
     """Return what balls can be chosen by: (value, balls) of each of `CHOICES`, months in order, others by balls."""
-    found = {}
+    choices = {}
     for name in CHOICES:
         table = counted.filter(pl.col(name).is_not_null()).group_by(name).len().collect()
         order = table.sort(name) if name in ("month", "count") else table.sort("len", name, descending=[True, False])
-        found[name] = [(str(value), int(balls)) for value, balls in order.iter_rows()]
-    return found
+        choices[name] = [(str(value), int(balls)) for value, balls in order.iter_rows()]
+    return choices
 
 
 def ball_means(counted: pl.LazyFrame) -> dict[str, float | None]:
@@ -127,8 +127,8 @@ def field_counts(counted: pl.LazyFrame) -> BallMap | None:
         return None
     far = table.filter(pl.col("carry") >= NEAR)
     carry, bearing = far["carry"].to_numpy(), far["bearing"].to_numpy()
-    found = _boxed(carry * np.sin(bearing), carry * np.cos(bearing), ACROSS, OUT)
-    return replace(found, near=len(table) - len(far))
+    counts = _boxed(carry * np.sin(bearing), carry * np.cos(bearing), ACROSS, OUT)
+    return replace(counts, near=len(table) - len(far))
 
 
 def _boxed(across: Array, along: Array, edges: Array, rows: Array) -> BallMap:

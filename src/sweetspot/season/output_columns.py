@@ -55,11 +55,11 @@ class OutputColumn:
 
 
 def _part(part: str, rows: str) -> tuple[OutputColumn, ...]:
-    found = []
+    columns = []
     for line in rows.strip().splitlines():
         name, kind, meaning = (cell.strip() for cell in line.split("|"))
-        found.append(OutputColumn(name, kind, meaning, part))
-    return tuple(found)
+        columns.append(OutputColumn(name, kind, meaning, part))
+    return tuple(columns)
 
 
 FLIGHT = _part("flight", """

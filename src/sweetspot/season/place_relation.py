@@ -170,28 +170,30 @@ def learn_places(
                    evidence=float(result[:, EVIDENCE].sum()))  # fmt: skip
 
 
-def _maximised(now: PlaceRelation, terms: Array, swung: Array, out: Array, error: Array, found: Array) -> PlaceRelation:
+def _maximised(
+    now: PlaceRelation, terms: Array, swung: Array, out: Array, error: Array, moments: Array
+) -> PlaceRelation:
     """Return the parameters that fit best where the balls are thought to have been met."""
     inverse = 1 / now.spreads(swung) ** 2
     weights = np.linalg.solve(
-        (terms.T * inverse) @ terms + 1e-6 * np.eye(TERMS), (terms.T * inverse) @ found[:, MIDDLE]
+        (terms.T * inverse) @ terms + 1e-6 * np.eye(TERMS), (terms.T * inverse) @ moments[:, MIDDLE]
     )
-    square = found[:, SCATTER] + (found[:, MIDDLE] - terms @ weights) ** 2
+    square = moments[:, SCATTER] + (moments[:, MIDDLE] - terms @ weights) ** 2
     pull = square * inverse  # 1 on average where the spread is right
     slope = now.spread_slope + 0.5 * float(np.sum((pull - pull.mean()) * swung) / np.sum(2 * pull * swung**2))
     slope = min(max(slope, -0.5), 0.5)
     tau = float(np.sqrt(np.mean(square * np.exp(-2 * slope * swung))))
     own = now.noises(swung)
     heavy = 1 / (error**2 + own**2)
-    off, square_speed = heavy * (found[:, PRODUCT] - found[:, SQUARE]), heavy * found[:, SQUARE]
+    off, square_speed = heavy * (moments[:, PRODUCT] - moments[:, SQUARE]), heavy * moments[:, SQUARE]
     powers = [float(np.sum(square_speed * swung**power)) for power in range(3)]
     level, tilt = np.linalg.solve(
         [[powers[0] + 1 / LEVEL_WIDTH**2, powers[1]], [powers[1], powers[2] + 1 / SLOPE_WIDTH**2]],
         [float(np.sum(off)), float(np.sum(off * swung))],
     ).tolist()
     grown = 1 + level + tilt * swung
-    share = found[:, SHARE]
-    missed = share * out**2 - 2 * grown * found[:, PRODUCT] + grown**2 * found[:, SQUARE]
+    share = moments[:, SHARE]
+    missed = share * out**2 - 2 * grown * moments[:, PRODUCT] + grown**2 * moments[:, SQUARE]
     gain = own**2 * heavy
     fresh = gain**2 * missed + share * gain * error**2  # variance of the noise alone, times the share
     pull = fresh / own**2

@@ -39,8 +39,8 @@ def contact_places(folder: Path, batter: str) -> Array:
     if head is None or "batter" not in heads:
         raise InputError(f"{folder} tells no batters or no places along a bat; run the season without --flight-only")
     who = pl.col("batter").cast(pl.String)
-    found = table.filter(who == batter).select(head).drop_nulls().collect()[head].to_numpy()
-    if not len(found):
+    places = table.filter(who == batter).select(head).drop_nulls().collect()[head].to_numpy()
+    if not len(places):
         known = table.select(who.unique()).collect()["batter"].drop_nulls().to_list()
         raise InputError(f"no place of a ball of the batter {batter!r} is known. {nearest_names(batter, known)}")
-    return np.asarray(found * HEADS[head], float)
+    return np.asarray(places * HEADS[head], float)

@@ -88,9 +88,9 @@ def is_done(plan: Plan, task: Task) -> bool:
     """Return whether the files of a task are there, whole, and of this very plan."""
     for path in plan.paths(task):
         try:
-            found = pl.read_parquet_metadata(path).get(MARK, "")
+            text = pl.read_parquet_metadata(path).get(MARK, "")
             rows = pl.scan_parquet(path).select(pl.len()).collect().item()
-            mark = json.loads(found)
+            mark = json.loads(text)
         except (OSError, pl.exceptions.PolarsError, ValueError):
             return False
         if mark["plan"] != plan.fingerprint or mark["rows"] != rows:
@@ -107,8 +107,8 @@ def do_task(plan: Plan, task: Task) -> int:
     asked = table.headings.only(*(name for name in table.headings.columns if name not in ONLY_KEYS))
     rows = with_duplicates(rows_of(frame, asked, first=task.start), plan.duplicates[task.table])
     used = (rows["reason"] == USED).to_numpy()
-    found = answers_of(rows.filter(used), plan.setting)
-    columns = answer_columns(found, plan.setting)
+    answers = answers_of(rows.filter(used), plan.setting)
+    columns = answer_columns(answers, plan.setting)
     names = {column.name for column in columns}
     kept = frame.filter(used)
     row = (rows.filter(used)["row"] + 1).cast(pl.UInt32).alias("table_row")
@@ -118,7 +118,7 @@ def do_task(plan: Plan, task: Task) -> int:
     _write(pl.DataFrame([source, row, *own, *columns]), balls, plan)
     _write(rows.select(table_row=(pl.col("row") + 1).cast(pl.UInt32), reason=pl.col("reason").cast(pl.Categorical)),
            ledger, plan)  # fmt: skip
-    _write(counted_rows(rows.filter(used), found, table.headings), counted, plan)
+    _write(counted_rows(rows.filter(used), answers, table.headings), counted, plan)
     return task.rows
 
 

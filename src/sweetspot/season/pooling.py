@@ -95,18 +95,18 @@ def pooled(frame: pl.DataFrame | pl.LazyFrame, *, key: str, measure: str) -> tup
     if not len(table):
         return table.select(key, "balls", "mean"), Spread(np.nan, np.nan, np.nan, 0, 0)
     counts, means = table["balls"].cast(pl.Float64).to_numpy(), table["mean"].to_numpy()
-    found = spread_of(counts, means, table["squares"].to_numpy())
-    trust = found.reliability(counts)
-    if found.groups < FEWEST_GROUPS:
-        centre, error = means, np.sqrt(found.within / counts)
+    spread = spread_of(counts, means, table["squares"].to_numpy())
+    trust = spread.reliability(counts)
+    if spread.groups < FEWEST_GROUPS:
+        centre, error = means, np.sqrt(spread.within / counts)
     else:
-        centre = found.mean + trust * (means - found.mean)
-        unsure = 1 / np.sum(1 / np.maximum(found.between + found.within / counts, 1e-300))  # of mu itself
-        error = np.sqrt(found.between * (1 - trust) + (1 - trust) ** 2 * unsure)
+        centre = spread.mean + trust * (means - spread.mean)
+        unsure = 1 / np.sum(1 / np.maximum(spread.between + spread.within / counts, 1e-300))  # of mu itself
+        error = np.sqrt(spread.between * (1 - trust) + (1 - trust) ** 2 * unsure)
     order = centre.argsort(kind="stable").argsort(kind="stable")
     return table.select(key, "balls", "mean").with_columns(
         pooled=pl.Series(centre), spread=pl.Series(error),
         low50=pl.Series(centre - HALF * error), high50=pl.Series(centre + HALF * error),
         low90=pl.Series(centre - NINETY * error), high90=pl.Series(centre + NINETY * error),
         reliability=pl.Series(trust), percentile=pl.Series(100 * (order + 0.5) / len(order)),
-    ), found  # fmt: skip
+    ), spread  # fmt: skip

@@ -167,22 +167,25 @@ def _lost(frame: pl.DataFrame, column: TableColumn) -> pl.Expr:
 
 def _said(headings: Headings) -> dict[str, tuple[str, Callable[[pl.Expr], pl.Expr]]]:
     """Return what is read out of texts: the quantity, and what becomes of its text."""
-    found: dict[str, tuple[str, Callable[[pl.Expr], pl.Expr]]] = {}
+    conversions: dict[str, tuple[str, Callable[[pl.Expr], pl.Expr]]] = {}
     if headings.has("bats"):
-        found["left"] = ("bats", lambda text: text.str.to_lowercase().str.starts_with("l"))
+        conversions["left"] = ("bats", lambda text: text.str.to_lowercase().str.starts_with("l"))
     elif headings.has("bats_left"):
-        found["left"] = ("bats_left", lambda text: text.str.to_lowercase().is_in(["1", "true", "l", "left", "yes"]))
+        conversions["left"] = (
+            "bats_left",
+            lambda text: text.str.to_lowercase().is_in(["1", "true", "l", "left", "yes"]),
+        )
     if headings.has("date"):
-        found["day"] = ("date", _day)
+        conversions["day"] = ("date", _day)
     if headings.has("description"):
-        found["in play"] = ("description", lambda text: text.str.to_lowercase().str.contains(IN_PLAY))
-        found["fouled"] = ("description", _fouled)
+        conversions["in play"] = ("description", lambda text: text.str.to_lowercase().str.contains(IN_PLAY))
+        conversions["fouled"] = ("description", _fouled)
     if headings.has("result_type"):
-        found["result in play"] = ("result_type", lambda text: text.str.to_uppercase() == "X")
+        conversions["result in play"] = ("result_type", lambda text: text.str.to_uppercase() == "X")
     for name in BUNTED:
         if headings.has(name):
-            found[f"bunted by {name}"] = (name, lambda text: text.str.to_lowercase().str.contains("bunt"))
-    return found
+            conversions[f"bunted by {name}"] = (name, lambda text: text.str.to_lowercase().str.contains("bunt"))
+    return conversions
 
 
 def _fouled(text: pl.Expr) -> pl.Expr:

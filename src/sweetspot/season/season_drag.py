@@ -56,11 +56,11 @@ def drag_by_month(counted: pl.LazyFrame) -> tuple[DragOfMonth, ...]:
     )
     if len(table) < FEWEST:
         return ()
-    found = [_drag(table, "all")]
+    months = [_drag(table, "all")]
     for (month,), rows in sorted(table.drop_nulls("month").group_by("month"), key=lambda pair: str(pair[0][0])):
         if len(rows) >= FEWEST:
-            found.append(_drag(rows, str(month)))
-    return tuple(found)
+            months.append(_drag(rows, str(month)))
+    return tuple(months)
 
 
 def _drag(rows: pl.DataFrame, month: str) -> DragOfMonth:

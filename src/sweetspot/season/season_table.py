@@ -46,12 +46,12 @@ class Season:
 
     Parameters
     ----------
-    found : the first look at the tables.
+    survey : the first look at the tables.
     setting : how; its relation of places is the one learnt.
     folder : of the answers: folders ``balls``, ``ledger`` and ``counted`` of Parquet files.
     """
 
-    found: Survey
+    survey: Survey
     setting: SeasonSetting
     folder: Path
 
@@ -158,26 +158,26 @@ def analyse_season(
         when none of the tables can be read, or none holds a ball in play.
     """
     staging = folder / ".tables"
-    found = survey_tables([Path(path) for path in paths], staging=staging, given=given)
-    if not found.tables:
-        raise InputError(found.faults[0][1] if found.faults else "no table was given; give CSV or Parquet files")
-    if not any(counts[USED] for counts in found.counts):
+    survey = survey_tables([Path(path) for path in paths], staging=staging, given=given)
+    if not survey.tables:
+        raise InputError(survey.faults[0][1] if survey.faults else "no table was given; give CSV or Parquet files")
+    if not any(counts[USED] for counts in survey.counts):
         raise InputError(
-            f"{found.tables[0].path}: none of {found.rows} rows is a ball in play with an exit speed; see the "
+            f"{survey.tables[0].path}: none of {survey.rows} rows is a ball in play with an exit speed; see the "
             "description or type column, or give another table"
         )
     chosen = setting or season_setting()
-    swung = any(table.headings.has("bat_speed") for table in found.tables)
+    swung = any(table.headings.has("bat_speed") for table in survey.tables)
     if chosen.contact is not None and swung and not chosen.contact.relation.balls:
-        chosen = replace(chosen, contact=replace(chosen.contact, relation=learn_relation(found, chosen)))
-    plan = Plan(found.tables, found.duplicates, chosen, folder)
-    plan = replace(plan, fingerprint=plan_fingerprint(found.tables, chosen, task_rows=plan.task_rows))
+        chosen = replace(chosen, contact=replace(chosen.contact, relation=learn_relation(survey, chosen)))
+    plan = Plan(survey.tables, survey.duplicates, chosen, folder)
+    plan = replace(plan, fingerprint=plan_fingerprint(survey.tables, chosen, task_rows=plan.task_rows))
     if not resume:
         for name in (BALLS, LEDGER, COUNTED):
             shutil.rmtree(folder / name, ignore_errors=True)
     (run or run_here)(plan, progress)
     shutil.rmtree(staging, ignore_errors=True)
-    return Season(found, chosen, folder)
+    return Season(survey, chosen, folder)
 
 
 def run_here(plan: Plan, progress: Progress | None = None, *, workers: int | None = None) -> None:
@@ -208,17 +208,17 @@ def run_here(plan: Plan, progress: Progress | None = None, *, workers: int | Non
             progress(done, total)
 
 
-def learn_relation(found: Survey, setting: SeasonSetting) -> PlaceRelation:
+def learn_relation(survey: Survey, setting: SeasonSetting) -> PlaceRelation:
     """Return where along the bat balls are met, learnt from an even sample of all tables.
 
     Parameters
     ----------
-    found : the first look at the tables.
+    survey : the first look at the tables.
     """
     assert setting.contact is not None
-    swung = sum(counts[USED] for table, counts in zip(found.tables, found.counts, strict=True)
+    swung = sum(counts[USED] for table, counts in zip(survey.tables, survey.counts, strict=True)
                 if table.headings.has("bat_speed"))  # fmt: skip
-    frames = list(_sampled(found, swung))
+    frames = list(_sampled(survey, swung))
     balls, bats = [balls_of(rows) for rows in frames], [bats_of(rows, setting) for rows in frames]
     if not balls:
         return setting.contact.relation
@@ -226,18 +226,18 @@ def learn_relation(found: Survey, setting: SeasonSetting) -> PlaceRelation:
     return learnt(together, np.concatenate(bats), setting.contact)
 
 
-def _sampled(found: Survey, swung: int) -> Iterator[pl.DataFrame]:
+def _sampled(survey: Survey, swung: int) -> Iterator[pl.DataFrame]:
     """Yield about `LEARNT_FROM` rows with a swing, of evenly drawn parts of the tables where these are many."""
-    places = [(number, start) for number, table in enumerate(found.tables) if table.headings.has("bat_speed")
+    places = [(number, start) for number, table in enumerate(survey.tables) if table.headings.has("bat_speed")
               for start in range(0, table.rows, PART)]  # fmt: skip
     every = max(1, -(-len(places) // MOST_PARTS))
     step = max(1, swung // every // LEARNT_FROM)
-    for number, table in enumerate(found.tables):
+    for number, table in enumerate(survey.tables):
         starts = [start for mine, start in places[::every] if mine == number]
         measured = [name for name, column in table.headings.columns.items() if column.kind != "text"]
         wanted = (*measured, *WHOSE_BAT, *REASONED, *SIDED, *DATED)
         for rows in parts(table, quantities=wanted, step=step, starts=starts):
-            used = with_duplicates(rows, found.duplicates[number]).filter(
+            used = with_duplicates(rows, survey.duplicates[number]).filter(
                 (pl.col("reason") == USED) & pl.col("bat_speed").is_not_null()
             )
             if len(used):
@@ -262,8 +262,8 @@ def season_columns(
 
     >>> import polars as pl
     >>> table = pl.DataFrame({"launch_speed": [103.0], "launch_angle": [27.5], "hc_x": [125.42], "hc_y": [50.0]})
-    >>> found = season_columns(table, setting=season_setting(contact=False)).collect()
-    >>> bool(390 < found["carry_ft"][0] < 430)
+    >>> flown = season_columns(table, setting=season_setting(contact=False)).collect()
+    >>> bool(390 < flown["carry_ft"][0] < 430)
     True
     """
     chosen = setting or season_setting()

@@ -88,10 +88,10 @@ def standing(counted: pl.LazyFrame, *, key: str) -> Standing | None:
     spreads = {}
     others = [name for name in names if name.startswith(WITH)]
     for measure in (*(name for name in MEASURES if name in names), *others):
-        found, spreads[measure] = pooled(rows, key=key, measure=measure)
-        if "pooled" not in found.columns:
+        measured, spreads[measure] = pooled(rows, key=key, measure=measure)
+        if "pooled" not in measured.columns:
             continue
-        renamed = found.rename({"balls": f"{measure}_balls", "mean": f"{measure}_mean", "pooled": measure} | {
+        renamed = measured.rename({"balls": f"{measure}_balls", "mean": f"{measure}_mean", "pooled": measure} | {
             name: f"{measure}_{name}" for name in ("spread", "low50", "high50", "low90", "high90", "reliability",
                                                    "percentile")})  # fmt: skip
         table = table.join(renamed, on=key, how="left")

@@ -170,7 +170,7 @@ def survey_tables(
             if progress is not None:
                 progress(done, total)
         counts.append(look.counts)
-        warnings += look.found()
+        warnings += look.warnings()
         days.append((min(look.days), max(look.days)) if look.days else None)
     return Survey(tuple(tables), tuple(faults), tuple(counts), tuple(duplicates), tuple(warnings), tuple(days), endings)
 
@@ -224,7 +224,7 @@ def _duplicates(tables: Sequence[TableFile]) -> list[NDArray[np.uint32]]:
     Keys alone are sorted first; rows are asked for only of those that stand there twice, which are few.
     """
     passes = max(1, -(-sum(table.rows for table in tables) // MOST_KEYS))
-    found: list[list[NDArray[np.uint32]]] = [[] for _ in tables]
+    hashes: list[list[NDArray[np.uint32]]] = [[] for _ in tables]
     for turn in range(passes):
         keys = [key[known] for _, _, key, known in _keys(tables, passes, turn)]
         if not keys:
@@ -243,9 +243,9 @@ def _duplicates(tables: Sequence[TableFile]) -> list[NDArray[np.uint32]]:
             place = place[rows]
             first = np.zeros(len(rows), np.bool_)
             first[np.unique(place, return_index=True)[1]] = True
-            found[number].append((start + rows[~first | seen[place]]).astype(np.uint32))
+            hashes[number].append((start + rows[~first | seen[place]]).astype(np.uint32))
             seen[place] = True
-    return [np.sort(np.concatenate(one)) if one else np.empty(0, np.uint32) for one in found]
+    return [np.sort(np.concatenate(one)) if one else np.empty(0, np.uint32) for one in hashes]
 
 
 def _keys(
@@ -346,7 +346,7 @@ class _Look:
             if len(places) >= ENOUGH_TO_DOUBT and float((abs(bearing) > FAIR).mean()) > MOST_FOUL:
                 self.note("swapped", used, detail="most balls in play came down foul: hc_x and hc_y")
 
-    def found(self) -> list[TableWarning]:
+    def warnings(self) -> list[TableWarning]:
         table, number = self.table, self.number
         extra = []
         if table.cut:

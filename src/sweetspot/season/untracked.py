@@ -25,21 +25,21 @@ class Untracked:
     explained: float
 
 
-def untracked_bias(found: Survey) -> Untracked | None:
+def untracked_bias(survey: Survey) -> Untracked | None:
     """Return how the mean exit speed changes when untracked balls count as tracked ones that ended alike.
 
     None where no table has endings, or every ball was tracked.
 
     Parameters
     ----------
-    found : the first look at the tables.
+    survey : the first look at the tables.
     """
-    tracked = sum(count for count, _, _ in found.endings.values())
-    missed = sum(count for _, _, count in found.endings.values())
+    tracked = sum(count for count, _, _ in survey.endings.values())
+    missed = sum(count for _, _, count in survey.endings.values())
     if not tracked or not missed:
         return None
-    mean = sum(total for _, total, _ in found.endings.values()) / tracked
-    known = [(total / count, lost) for count, total, lost in found.endings.values() if count]
+    mean = sum(total for _, total, _ in survey.endings.values()) / tracked
+    known = [(total / count, lost) for count, total, lost in survey.endings.values() if count]
     explained = sum(lost for _, lost in known)
     total = mean * (tracked + missed - explained) + sum(own * lost for own, lost in known)
     estimated = total / (tracked + missed)

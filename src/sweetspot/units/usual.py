@@ -225,8 +225,8 @@ def check_angles(values: Any, what: str) -> None:
         return
     import numpy as np
 
-    found = np.ravel(np.asarray(values, float))
-    wrong = found[~(np.abs(found) <= math.tau)]
+    angles = np.ravel(np.asarray(values, float))
+    wrong = angles[~(np.abs(angles) <= math.tau)]
     if len(wrong):
         check_angle(float(wrong[0]), what)
 

@@ -99,11 +99,11 @@ def sources(folder: Path = CASES) -> tuple[Case, ...]:
 def load_case(path: Path) -> Case:
     """Return the case of one ``case.toml``; the folder's name must be its source key."""
     with path.open("rb") as file:
-        found = tomllib.load(file)
-    if found.get("source") != path.parent.name:
-        raise InputError(f"{path} names the source {found.get('source')!r}; it must be its folder's name")
-    rows = tuple(_row(entry, path) for row in found["row"] for entry in _repeated(row, path.parent))
-    return Case(found["source"], found["title"], found["measured"], found["axes"], tuple(found["left_out"]), rows)
+        table = tomllib.load(file)
+    if table.get("source") != path.parent.name:
+        raise InputError(f"{path} names the source {table.get('source')!r}; it must be its folder's name")
+    rows = tuple(_row(entry, path) for row in table["row"] for entry in _repeated(row, path.parent))
+    return Case(table["source"], table["title"], table["measured"], table["axes"], tuple(table["left_out"]), rows)
 
 
 def _repeated(row: dict[str, Any], folder: Path) -> list[dict[str, Any]]:

@@ -42,9 +42,9 @@ def results(folder: Path = CASES) -> tuple[Result, ...]:
     return tuple(judged(row, case) for case in sources(folder) for row in case.rows)
 
 
-def passed(found: Iterable[Result]) -> bool:
+def passed(verdicts: Iterable[Result]) -> bool:
     """Return whether nothing missed but as explained."""
-    return all(result.passed for result in found)
+    return all(result.passed for result in verdicts)
 
 
 def judged(row: Row, case: Case) -> Result:

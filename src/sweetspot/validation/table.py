@@ -12,7 +12,7 @@ from sweetspot.validation.result import EVIDENCE, TAGS, Result
 from sweetspot.validation.run import results
 
 
-def rows(found: Sequence[Result] | None = None) -> list[dict[str, Any]]:
+def rows(verdicts: Sequence[Result] | None = None) -> list[dict[str, Any]]:
     """Return every case as a flat dictionary with all its fields and its ``status``; computes them unless given.
 
     A computed value that is no number becomes None, which JSON can say.
@@ -24,11 +24,11 @@ def rows(found: Sequence[Result] | None = None) -> list[dict[str, Any]]:
             "status": result.status,
             "passed": result.passed,
         }
-        for result in (results() if found is None else found)
+        for result in (results() if verdicts is None else verdicts)
     ]
 
 
-def short_rows(found: Sequence[Result] | None = None) -> list[dict[str, str]]:
+def short_rows(verdicts: Sequence[Result] | None = None) -> list[dict[str, str]]:
     """Return the columns that fit a terminal: source, case, printed, computed, allowed, evidence, status."""
     return [
         {
@@ -40,11 +40,11 @@ def short_rows(found: Sequence[Result] | None = None) -> list[dict[str, str]]:
             "evidence": result.evidence,
             "status": result.status,
         }
-        for result in (results() if found is None else found)
+        for result in (results() if verdicts is None else verdicts)
     ]
 
 
-def summary(found: Sequence[Result]) -> list[dict[str, Any]]:
+def summary(verdicts: Sequence[Result]) -> list[dict[str, Any]]:
     """Return, for every kind of evidence, how many rows there are, hold, miss as explained, and fail."""
     return [
         {
@@ -55,13 +55,13 @@ def summary(found: Sequence[Result]) -> list[dict[str, Any]]:
             "fail": sum(not result.passed for result in own),
         }
         for evidence in EVIDENCE
-        for own in [[result for result in found if result.evidence == evidence]]
+        for own in [[result for result in verdicts if result.evidence == evidence]]
     ]
 
 
-def headline(found: Sequence[Result]) -> str:
+def headline(verdicts: Sequence[Result]) -> str:
     """Return the one sentence that says how well the model predicts bats, and what the other rows are."""
-    bats, *rest = summary(found)
+    bats, *rest = summary(verdicts)
     others = ", ".join(f"{part['evidence']} {part['rows']}" for part in rest)
     failed = sum(part["fail"] for part in (bats, *rest))
     return (
@@ -76,15 +76,15 @@ def shown(result: Result) -> str:
     return f"{result.computed:.{digits}g}"
 
 
-def markdown(case: Case, found: Sequence[Result]) -> str:
+def markdown(case: Case, verdicts: Sequence[Result]) -> str:
     """Return one source as a Markdown section: what was measured, the table, reasons, misses, what was left out.
 
     Parameters
     ----------
     case : the source.
-    found : results; those of other sources are passed over.
+    verdicts : results; those of other sources are passed over.
     """
-    own = [result for result in found if result.source == case.source]
+    own = [result for result in verdicts if result.source == case.source]
     lines = [f"## {case.title}", "", f"Source: `{case.source}`. {case.measured}", ""]
     lines += [f"Axes and signs: {case.axes}", ""]
     lines += ["| | case | printed | computed | allowed | kind | read | evidence | verdict |", "|-" * 9 + "|"]
@@ -101,10 +101,10 @@ def markdown(case: Case, found: Sequence[Result]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _shared_texts(found: Sequence[Result]) -> dict[str, list[str]]:
+def _shared_texts(verdicts: Sequence[Result]) -> dict[str, list[str]]:
     """Return reason, comment and explanation of the rows, each text once with the numbers of its rows."""
     texts: dict[str, list[str]] = {}
-    for number, result in enumerate(found, start=1):
+    for number, result in enumerate(verdicts, start=1):
         expected = f"Expected of this model: {result.expected_of_us} {result.unit}".strip() + "."
         explained = f"**Why it misses:** {result.expected_miss} {expected}" if result.expected_miss else ""
         text = " ".join(part.strip() for part in (result.reason, result.comment, explained) if part)

@@ -77,8 +77,8 @@ def swung(state: Swung) -> Swung:
     empty = [name for name in Usual._fields if name in fields and getattr(state, name) is None]
     if not empty:
         return state
-    found = usual(described(state))
-    return state.model_copy(update={name: getattr(found, name) for name in empty})
+    conditions = usual(described(state))
+    return state.model_copy(update={name: getattr(conditions, name) for name in empty})
 
 
 def ball_of(state: SwungState) -> Ball:

@@ -19,14 +19,14 @@ POINTS = 120
 """Places along a bat whose outline is a formula."""
 
 
-def bat_picture(state: BatState, found: ReducedBat) -> dict[str, Any]:
+def bat_picture(state: BatState, reduced: ReducedBat) -> dict[str, Any]:
     """Return a state's bat: its facts, its outline, how far its controls may go, and what is usual in its sport."""
     return {
-        **bat_json(found.bat.name, found.bat.length, found.body),
-        **outline(found.bat),
-        "bounds": bounds(state, found.bat),
-        "sport": found.bat.sport,
-        "usual": usual(found.bat)._asdict(),
+        **bat_json(reduced.bat.name, reduced.bat.length, reduced.body),
+        **outline(reduced.bat),
+        "bounds": bounds(state, reduced.bat),
+        "sport": reduced.bat.sport,
+        "usual": usual(reduced.bat)._asdict(),
     }
 
 

@@ -38,9 +38,9 @@ def about(field: str) -> Iterator[None]:
 def fault(error: SweetspotError | ValidationError | RequestValidationError) -> dict[str, Any]:
     """Return {"field", "message"} of an error, short enough to show; where there are several, the rest as "more"."""
     if isinstance(error, ValidationError):
-        return _together([_one(found) for found in error.errors(include_url=False)])
+        return _together([_one(problem) for problem in error.errors(include_url=False)])
     if isinstance(error, RequestValidationError):  # the first part of a place says that it stood in the body
-        return _together([_one({**found, "loc": found["loc"][1:]}) for found in error.errors()])
+        return _together([_one({**problem, "loc": problem["loc"][1:]}) for problem in error.errors()])
     if isinstance(error, FieldError) and error.more:
         return _together([{"field": error.field, "message": str(error)}, *error.more])
     field = error.field if isinstance(error, FieldError) else ""
@@ -58,20 +58,20 @@ def _together(faults: list[dict[str, Any]]) -> dict[str, Any]:
     return {**first, "more": rest} if rest else first
 
 
-def _one(found: Any) -> dict[str, Any]:
-    place = found["loc"] if found["loc"][:1] == ("others",) else found["loc"][:1]  # whose items have controls
+def _one(problem: Any) -> dict[str, Any]:
+    place = problem["loc"] if problem["loc"][:1] == ("others",) else problem["loc"][:1]  # whose items have controls
     field = ".".join(str(part) for part in place)
-    if found["type"] in ("model_attributes_type", "model_type", "dict_type", "missing") and not field:
+    if problem["type"] in ("model_attributes_type", "model_type", "dict_type", "missing") and not field:
         return {"field": "", "message": "the message must be one JSON object, sent as application/json"}
-    return {"field": field, "message": shortened(_sentence(found))}
+    return {"field": field, "message": shortened(_sentence(problem))}
 
 
-def _sentence(found: Any) -> str:
+def _sentence(problem: Any) -> str:
     """Return one of pydantic's complaints in our words."""
-    words = _WORDS.get(found["type"])
-    text = found["msg"].removeprefix("Value error, ")
-    text = text[0].lower() + text[1:] if words is None else words.format(**found.get("ctx", {}))
-    given = found.get("input")
+    words = _WORDS.get(problem["type"])
+    text = problem["msg"].removeprefix("Value error, ")
+    text = text[0].lower() + text[1:] if words is None else words.format(**problem.get("ctx", {}))
+    given = problem.get("input")
     return f"{text}; given was {str(given)[:60]!r}" if isinstance(given, str | int | float) else text
 
 

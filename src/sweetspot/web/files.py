@@ -57,7 +57,7 @@ def without_comments(module: str) -> str:
     >>> without_comments("/* one\n two */\n// three\nlet a;\n/* four\n */ let b;\n")
     '\n\n\nlet a;\n/* four\n */ let b;\n'
     """
-    return COMMENT.sub(lambda found: "\n" * found[0].count("\n"), module)
+    return COMMENT.sub(lambda comment: "\n" * comment[0].count("\n"), module)
 
 
 def _sent(path: Path) -> bytes:

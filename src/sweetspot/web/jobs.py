@@ -121,13 +121,13 @@ class Job:
         process.join(5)
         ours.close()
 
-    def _take(self, kind: str, found: Any, kept: Any) -> None:
+    def _take(self, kind: str, content: Any, kept: Any) -> None:
         if self.status != "running":  # it was stopped while this was on its way
             return
         if kind == "failed":
-            self.status, self._error = "failed", found
+            self.status, self._error = "failed", content
             return
-        self._found, self._kept = found, kept if kept is not None else self._kept
+        self._found, self._kept = content, kept if kept is not None else self._kept
         self._count += 1
         if kind == "done":
             self.status = "done"

@@ -100,7 +100,7 @@ class _Conversation:
         if not self._answers.prepared:
             await self._say({**head, "status": "preparing"})
         try:
-            found = await self._answers.json(question.view, state_of(question.view, question.state))
+            answer = await self._answers.json(question.view, state_of(question.view, question.state))
         except SweetspotError as error:
             await self._say({**head, "error": fault(error), "again": isinstance(error, TooSlowError)})
         except Exception:  # a fault of ours must not end the conversation
@@ -108,7 +108,7 @@ class _Conversation:
             message = "this could not be computed; the fault is the program's. Other settings should work"
             await self._say({**head, "error": {"field": "", "message": message}})
         else:
-            await self._socket.send_text(f'{json.dumps(head)[:-1]}, "answer": {found.decode()}}}')
+            await self._socket.send_text(f'{json.dumps(head)[:-1]}, "answer": {answer.decode()}}}')
 
     async def _say(self, table: dict[str, Any]) -> None:
         await self._socket.send_text(json.dumps(table))

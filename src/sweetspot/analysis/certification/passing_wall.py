@@ -77,9 +77,9 @@ def wall_that_passes(bat: Bat, *, ball: Ball, limit: float, measure: str = "bbco
             break
         above = float(factor)
         if excess(float(beyond)) > 0:
-            found = float(brentq(excess, float(beyond), above, xtol=CLOSE))
-            found += 0.0 if excess(found) <= 0 else CLOSE
-            return _passing(bat, found, middle, limit, measure)
+            wall = float(brentq(excess, float(beyond), above, xtol=CLOSE))
+            wall += 0.0 if excess(wall) <= 0 else CLOSE
+            return _passing(bat, wall, middle, limit, measure)
     if above is not None:
         return _passing(bat, float(factors[0]), middle, limit, measure)
     raise InputError(

@@ -209,7 +209,7 @@ def construction_findings(bat: Bat, *, body: RigidBody) -> dict[str, Finding]:
     else:
         outline = Finding(widest)
     moi, doubt = body.moi(STANDARD_AXIS), 2 * moi_doubt(bat, body, STANDARD_AXIS)
-    found = {
+    findings = {
         "length": Finding(bat.length),
         "diameter": outline,
         "drop": Finding(bat.length / INCH - body.mass / OUNCE),
@@ -218,10 +218,10 @@ def construction_findings(bat: Bat, *, body: RigidBody) -> dict[str, Finding]:
         "grip_length": Finding(None, "a bat file does not say how far the grip reaches"),
     }
     if bat.cup is None:
-        found["cup_depth"] = found["cup_diameter"] = Finding(None, absent="the bat has no cupped end")
+        findings["cup_depth"] = findings["cup_diameter"] = Finding(None, absent="the bat has no cupped end")
     else:
-        found["cup_depth"], found["cup_diameter"] = Finding(bat.cup.depth), Finding(bat.cup.diameter)
-    return found
+        findings["cup_depth"], findings["cup_diameter"] = Finding(bat.cup.depth), Finding(bat.cup.diameter)
+    return findings
 
 
 def title(rule: Rule) -> str:

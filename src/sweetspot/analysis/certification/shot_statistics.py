@@ -125,15 +125,15 @@ class Measured:
             few = f"the rule takes the mean of {VALID_HITS} valid hits; the best place has {self.bbcor.count}"
         fast, slow = self._speed_doubt(BBCOR_SPEED), self._speed_doubt(BPF_SPEED)
         low, high = besr(self.efficiency.low), besr(self.efficiency.high)
-        found = {
+        values = {
             "bbcor": Finding(self.bbcor.mean, fast or few, (self.bbcor.low, self.bbcor.high)),
             "besr": Finding(besr(self.efficiency.mean), fast, (low, high)),
             "batted_ball_speed": Finding(self.batted_ball_speed.mean, fast),
             "bpf": Finding(None, slow or "the file has no ball_cor, which BPF is a ratio to"),
         }
         if self.bpf is not None:
-            found["bpf"] = Finding(self.bpf.mean, "", (self.bpf.low, self.bpf.high))
-        return found
+            values["bpf"] = Finding(self.bpf.mean, "", (self.bpf.low, self.bpf.high))
+        return values
 
     def _speed_doubt(self, speed: float) -> str:
         if _near(self.slowest, speed) and _near(self.fastest, speed):
@@ -218,8 +218,8 @@ def measure(
 def estimate(sample: Iterable[float]) -> Estimate:
     """Return mean, standard error and Student's 95 % interval of two values or more.
 
-    >>> found = estimate([0.49, 0.50, 0.51])
-    >>> round(found.mean, 3), round(found.high - found.mean, 4)  # t(2) = 4.303, times 0.01 / sqrt(3)
+    >>> average = estimate([0.49, 0.50, 0.51])
+    >>> round(average.mean, 3), round(average.high - average.mean, 4)  # t(2) = 4.303, times 0.01 / sqrt(3)
     (0.5, 0.0248)
     """
     from scipy.special import stdtrit
@@ -284,8 +284,8 @@ def _outliers(hits: list[Hit]) -> tuple[Outlier, ...]:
         return ()
     middle = median(hit.normalised for hit in hits)
     scale = max(ROBUST_SCALE * median(abs(hit.normalised - middle) for hit in hits), FINEST)
-    found = [Outlier(hit.shot.row, hit.normalised, (hit.normalised - middle) / scale) for hit in hits]
-    return tuple(sorted((each for each in found if abs(each.deviation) > OUTLIER), key=lambda each: each.row))
+    outliers = [Outlier(hit.shot.row, hit.normalised, (hit.normalised - middle) / scale) for hit in hits]
+    return tuple(sorted((each for each in outliers if abs(each.deviation) > OUTLIER), key=lambda each: each.row))
 
 
 def _notes(groups: list[list[Hit]], best: list[Hit], *, bat: Bat, normalised: bool, stiff: bool) -> tuple[str, ...]:

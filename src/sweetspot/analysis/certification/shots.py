@@ -150,7 +150,7 @@ def _is_heading(cells: Sequence[str]) -> bool:
 
 def _columns(headings: list[str], path: Path) -> tuple[dict[str, _Column], tuple[str, ...]]:
     """Return the columns that are understood by quantity, and the names of those that are not."""
-    found: dict[str, _Column] = {}
+    columns: dict[str, _Column] = {}
     ignored = []
     for index, heading in enumerate(headings):
         name = heading.strip().lower()
@@ -158,20 +158,20 @@ def _columns(headings: list[str], path: Path) -> tuple[dict[str, _Column], tuple
         if column is None:
             ignored.append(heading.strip())
             continue
-        if column.quantity in found:
+        if column.quantity in columns:
             raise InputError(
-                f"{path}: columns {found[column.quantity].heading} and {name} both give {column.quantity}; "
+                f"{path}: columns {columns[column.quantity].heading} and {name} both give {column.quantity}; "
                 "keep one of them, in one unit"
             )
-        found[column.quantity] = column
-    missing = [quantity for quantity in NEEDED if quantity not in found]
+        columns[column.quantity] = column
+    missing = [quantity for quantity in NEEDED if quantity not in columns]
     if missing:
         examples = ", ".join(f"{quantity}_{next(iter(UNITS[quantity]))}" for quantity in missing)
         raise InputError(
             f"{path}: no column for {' and '.join(missing)}; give for example {examples}. "
             f"The file has: {', '.join(heading.strip() for heading in headings)}"
         )
-    return found, tuple(ignored)
+    return columns, tuple(ignored)
 
 
 def _column(index: int, name: str) -> _Column | None:

@@ -118,7 +118,7 @@ class Certification(ShownInNotebooks):
             "bpf": [_bpf_of(slow) for _, slow in tests],
             "batted_ball_speed": [_batted_ball_speed_of(fast) for fast, _ in tests],
         }
-        return {name: (min(found), max(found)) for name, found in values.items()}
+        return {name: (min(numbers), max(numbers)) for name, numbers in values.items()}
 
     def findings(self) -> dict[str, Finding]:
         """Return the measures as rules take them; a best place at an end of the scan decides nothing."""

@@ -141,14 +141,14 @@ class DrawnBats:
             (n,), or of every bat, shape (bats, ...).
         """
         centre = values[0]
-        found = np.broadcast_to(centre, (len(self), *centre.shape)) if centre.ndim == 1 else centre
-        shape = (len(self), *(1,) * (found.ndim - 1))
+        moved = np.broadcast_to(centre, (len(self), *centre.shape)) if centre.ndim == 1 else centre
+        shape = (len(self), *(1,) * (moved.ndim - 1))
         for number, (up, down) in enumerate(zip(values[1::2], values[2::2], strict=True)):
             if up is centre and down is centre:
                 continue
             off = self.deviations[:, number].reshape(shape)
-            found = found + off * ((up - down) / 2) + off**2 * ((up + down) / 2 - centre)
-        return np.asarray(found)
+            moved = moved + off * ((up - down) / 2) + off**2 * ((up + down) / 2 - centre)
+        return np.asarray(moved)
 
 
 def drawn_bats(

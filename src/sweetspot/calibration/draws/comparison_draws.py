@@ -71,13 +71,13 @@ def _against_the_first(one: Compared[Implement], index: int, values: dict[str, A
     Near there the exit speed goes with the bat speed as it does for the bats as described.
     """
     swung, change = values[f"bats.{index}.bat_speed_m_s"], values[f"bats.{index}.change_m_s"]
-    found = {f"bats.{index}.swung_faster_m_s": swung - values["bats.0.bat_speed_m_s"]}
+    columns = {f"bats.{index}.swung_faster_m_s": swung - values["bats.0.bat_speed_m_s"]}
     apart = one.bat_speed.value - one.break_even
     if np.isfinite(apart):
         slope = one.change.value / apart if abs(apart) > LEAST_APART else 1 + one.collision_efficiency
         needed = swung - change / slope
-        found[f"bats.{index}.break_even_bat_speed_m_s"] = one.break_even + needed - needed[0]
-    return found
+        columns[f"bats.{index}.break_even_bat_speed_m_s"] = one.break_even + needed - needed[0]
+    return columns
 
 
 def names_of_bats(comparison: Comparison[Implement]) -> tuple[str, ...]:
@@ -123,7 +123,7 @@ def _of_bat(draws: Draws, index: int, barrel: Array) -> dict[str, Array]:
     """Return what is told of one bat."""
     along = hits_along(draws, np.linspace(barrel[0], barrel[-1], PLACES))
     body = draws.bats.bending
-    found = {
+    columns = {
         "bat_speed_m_s": draws.bat_speed,
         "exit_speed_m_s": _peaks(along.exit_speed), "max_bbcor": _peaks(along.bbcor),
         "max_collision_efficiency": _peaks(along.collision_efficiency),
@@ -131,10 +131,10 @@ def _of_bat(draws: Draws, index: int, barrel: Array) -> dict[str, Array]:
         "bat.moi_6in_kg_m2": body.moi(STANDARD_AXIS),
     }  # fmt: skip
     if draws.sources.unknowns:
-        found["bending_1_hz"] = draws.bats.angular_frequency[:, 2] / (2 * np.pi)
+        columns["bending_1_hz"] = draws.bats.angular_frequency[:, 2] / (2 * np.pi)
     else:
-        found = {name: value for name, value in found.items() if not name.startswith("bat.")}
-    return {f"bats.{index}.{name}": value for name, value in found.items()}
+        columns = {name: value for name, value in columns.items() if not name.startswith("bat.")}
+    return {f"bats.{index}.{name}": value for name, value in columns.items()}
 
 
 def _peaks(curves: Array) -> Array:

@@ -33,12 +33,12 @@ def drawn_ledger(draws: Draws, along: HitsAlong, column: int, impact: Impact) ->
     ringing = parts["bending"] + parts["hoop"] + parts["face"]
     parts["damping"] = known["damping"] * ringing / ringing[0] if ringing[0] > 0 else np.zeros(len(draws))
     parts["heat"] = incoming - sum(parts.values(), np.zeros(len(draws)))
-    found = {}
+    ledger = {}
     for name, energy in parts.items():
         share = energy / incoming
-        found[f"energy_j.{name}"] = known[name] + energy - energy[0]
-        found[f"energy_share.{name}"] = known[name] / max(known["incoming"], 1e-300) + share - share[0]
-    return found
+        ledger[f"energy_j.{name}"] = known[name] + energy - energy[0]
+        ledger[f"energy_share.{name}"] = known[name] / max(known["incoming"], 1e-300) + share - share[0]
+    return ledger
 
 
 def _motions(draws: Draws, along: HitsAlong, column: int) -> dict[str, Array]:

@@ -146,9 +146,9 @@ def drawn_flights(left: BallMotions, flying: FlightConditions, drag: Array) -> d
     drag : logarithm of each drag over the law's, shape (n,).
     """
     size = float(np.std(drag))
-    found = _flown(flights(left, flying))
+    flown = _flown(flights(left, flying))
     if size == 0:
-        return found
+        return flown
     law = flying.aerodynamics
     ends: list[Mapping[str, Array]] = []
     for sign in (1.0, -1.0):
@@ -157,13 +157,13 @@ def drawn_flights(left: BallMotions, flying: FlightConditions, drag: Array) -> d
             ball=flying.ball, aerodynamics=other, air=flying.air, wind=flying.wind,
         ))))  # fmt: skip
     up, down = ends
-    return {name: value + drag / size * (up[name] - down[name]) / 2 for name, value in found.items()}
+    return {name: value + drag / size * (up[name] - down[name]) / 2 for name, value in flown.items()}
 
 
-def _flown(found: Flights) -> dict[str, Array]:
-    speed = np.linalg.norm(found.landing_velocity, axis=1)
-    steep = np.arctan2(-found.landing_velocity[:, 2], np.hypot(*found.landing_velocity[:, :2].T))
+def _flown(flights: Flights) -> dict[str, Array]:
+    speed = np.linalg.norm(flights.landing_velocity, axis=1)
+    steep = np.arctan2(-flights.landing_velocity[:, 2], np.hypot(*flights.landing_velocity[:, :2].T))
     return {
-        "carry_m": found.carry, "hang_time_s": found.hang_time, "apex_m": found.apex_height,
+        "carry_m": flights.carry, "hang_time_s": flights.hang_time, "apex_m": flights.apex_height,
         "landing_speed_m_s": speed, "landing_angle_rad": steep,
     }  # fmt: skip

@@ -96,22 +96,22 @@ def drawn_report(
 
 
 def _of_hit(draws: Draws, along: HitsAlong, column: int, impact: Impact | None) -> dict[str, Array]:
-    found = {told: getattr(along, name)[:, column] for name, told in OF_HIT.items()}
+    columns = {told: getattr(along, name)[:, column] for name, told in OF_HIT.items()}
     with np.errstate(divide="ignore", invalid="ignore"):
-        found["smash_factor"] = found["exit_speed_m_s"] / found["bat_speed_m_s"]
-    return found if impact is None else {**found, **drawn_ledger(draws, along, column, impact)}
+        columns["smash_factor"] = columns["exit_speed_m_s"] / columns["bat_speed_m_s"]
+    return columns if impact is None else {**columns, **drawn_ledger(draws, along, column, impact)}
 
 
 def _curves(scan: Scan, along: HitsAlong) -> dict[str, Array]:
     """Return the scan's curves for every draw, shape (draws, positions): the described one and the difference."""
-    coarse, found = along.position[:PLACES], {}
+    coarse, columns = along.position[:PLACES], {}
     cell = np.clip(np.searchsorted(coarse, scan.position) - 1, 0, PLACES - 2)
     part = (scan.position - coarse[cell]) / (coarse[cell + 1] - coarse[cell])
     for name in CURVES:
         values = getattr(along, name)[:, :PLACES]
         off = values - values[0]
-        found[name] = getattr(scan, name) + off[:, cell] * (1 - part) + off[:, cell + 1] * part
-    return found
+        columns[name] = getattr(scan, name) + off[:, cell] * (1 - part) + off[:, cell + 1] * part
+    return columns
 
 
 def _spots(draws: Draws, curves: dict[str, Array], analysis: Analysis[Implement]) -> dict[str, Array]:
@@ -122,7 +122,7 @@ def _spots(draws: Draws, curves: dict[str, Array], analysis: Analysis[Implement]
     zone = zones(position, curves["exit_speed"], curves["sting"])
     held = held_speeds(curves["exit_speed"], step=float(position[1] - position[0]))
     arm = body.balance_point - hands
-    found = {
+    columns = {
         "center_of_percussion_m": hands + body.moi(hands) / (body.mass * arm),
         "max_exit_speed_m": highest(position, held),
         "max_collision_efficiency_m": highest(position[outer], curves["collision_efficiency"][:, outer]),
@@ -130,7 +130,7 @@ def _spots(draws: Draws, curves: dict[str, Array], analysis: Analysis[Implement]
         "zone_m": zone, "zone_start_m": zone[:, 0], "zone_end_m": zone[:, 1], "zone_width_m": zone[:, 1] - zone[:, 0],
     }  # fmt: skip
     along = {f"scan.{told}": curves[name] for name, told in CURVES.items()}
-    return {**{f"sweet_spots.{name}": value for name, value in found.items()}, **along}
+    return {**{f"sweet_spots.{name}": value for name, value in columns.items()}, **along}
 
 
 def _why_not_the_end(draws: Draws, curves: dict[str, Array], along: HitsAlong) -> dict[str, Array]:
@@ -157,13 +157,13 @@ def _nodes(draws: Draws, modes: Modes) -> dict[str, Array]:
     if not draws.sources.unknowns:
         return {}
     told = [index for index, family in enumerate(modes.families) if family in DESCRIBED]
-    found = {}
+    columns = {}
     for number, (index, nodes) in enumerate(zip(told, drawn_nodes(draws), strict=True)):
         if nodes.shape[1]:
-            found[f"modes.{number}.nodes_m"] = nodes
+            columns[f"modes.{number}.nodes_m"] = nodes
         if nodes.shape[1] and modes.families[index] == "bending" and modes.harmonics[index] in (1, 2):
-            found[f"sweet_spots.node_{modes.harmonics[index]}_m"] = nodes[:, -1]
-    return found
+            columns[f"sweet_spots.node_{modes.harmonics[index]}_m"] = nodes[:, -1]
+    return columns
 
 
 def _weights(draws: Draws) -> dict[str, Array]:
@@ -192,8 +192,8 @@ def _frequencies(draws: Draws) -> dict[str, Array]:
     if not draws.sources.unknowns:
         return {}
     omega = draws.bats.angular_frequency[:, 2:]
-    found = {f"modes.{index}.frequency_hz": omega[:, index] / (2 * np.pi) for index in range(omega.shape[1])}
+    columns = {f"modes.{index}.frequency_hz": omega[:, index] / (2 * np.pi) for index in range(omega.shape[1])}
     if draws.bats.walls:
         walls = omega[:, draws.bats.bending.omega.shape[1] :]
-        found["told.lowest_hoop_hz"] = walls.min(axis=1) / (2 * np.pi)
-    return found
+        columns["told.lowest_hoop_hz"] = walls.min(axis=1) / (2 * np.pi)
+    return columns

@@ -48,17 +48,17 @@ def zones(position: Array, speed: Array, sting: Array) -> Array:
     quiet = ZONE_STING * np.nanmean(sting, axis=1)[:, None] - sting
     best = (highest(position, held) - position[0]) / step
     good = np.minimum(fast, quiet) >= 0
-    found = np.full((len(speed), 2), np.nan)
+    zone_ends = np.full((len(speed), 2), np.nan)
     for row in np.flatnonzero(good.any(axis=1)):
         edges = np.flatnonzero(np.diff(np.concatenate([[False], good[row], [False]]).astype(int))).reshape(-1, 2)
         ends = edges - [0, 1]
         first, last = ends[np.argmin(np.maximum(np.maximum(ends[:, 0] - best[row], best[row] - ends[:, 1]), 0.0))]
         sides = (fast[row], quiet[row])
-        found[row] = (
+        zone_ends[row] = (
             max(_crossing(side, first, first - 1) for side in sides),
             min(_crossing(side, last, last + 1) for side in sides),
         )
-    return np.asarray(position[0] + step * found)
+    return np.asarray(position[0] + step * zone_ends)
 
 
 def _crossing(values: Array, inside: int, outside: int) -> float:
@@ -87,15 +87,15 @@ def missed(position: Array, speed: Array, misses: Sequence[tuple[float, Loss, Lo
     place, _ = tops(held)
     top = _at(held, place)
     between = np.random.default_rng(1).permutation((np.arange(len(speed)) + 0.5) / len(speed))
-    found = {}
+    costs = {}
     for number, (distance, *sides) in enumerate(misses):
         for way, name, loss in zip((-1, 1), ("inside", "outside"), sides, strict=True):
             there = place + way * distance / step
             lost = top - _at(held, there)
             other = loss.low + loss.high - 2 * loss.value  # the other law's cost less ours
             lost[1:] += between[1:] * other
-            found[f"misses.{number}.{name}_m_s"] = lost
-    return found
+            costs[f"misses.{number}.{name}_m_s"] = lost
+    return costs
 
 
 def _at(values: Array, place: Array) -> Array:
@@ -103,8 +103,8 @@ def _at(values: Array, place: Array) -> Array:
     last = values.shape[1] - 1
     cell = np.clip(np.nan_to_num(place).astype(int), 0, last - 1)
     rows, part = np.arange(len(values)), place - cell
-    found = values[rows, cell] * (1 - part) + values[rows, cell + 1] * part
-    return np.where((place >= 0) & (place <= last), found, np.nan)
+    interpolated = values[rows, cell] * (1 - part) + values[rows, cell + 1] * part
+    return np.where((place >= 0) & (place <= last), interpolated, np.nan)
 
 
 def drawn_nodes(draws: Draws) -> list[Array]:
@@ -118,8 +118,8 @@ def drawn_nodes(draws: Draws) -> list[Array]:
     ends = [deviated(draws.line, unknowns, sign * step) for step in steps for sign in (1.0, -1.0)]
     around = bending_batch(BeamRow([draws.line, *ends]), threads=1)
     beams = [around.modes(number) for number in range(len(around))]
-    found = _followed_nodes(bats, [(beam, range(2, len(beam))) for beam in beams])
-    return found + (_followed_nodes(bats, bats.walls) if bats.walls else [])
+    nodes = _followed_nodes(bats, [(beam, range(2, len(beam))) for beam in beams])
+    return nodes + (_followed_nodes(bats, bats.walls) if bats.walls else [])
 
 
 def _followed_nodes(bats: DrawnBats, bodies: Sequence[tuple[Modes, Sequence[int]]]) -> list[Array]:

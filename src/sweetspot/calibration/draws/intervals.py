@@ -109,10 +109,10 @@ def variance_shares(normal: Array, names: Sequence[str], values: Array) -> dict[
     design = np.hstack([np.ones((len(z), 1)), z, (z**2 - 1) / np.sqrt(2), *together])
     coefficients = np.linalg.lstsq(design, answer - answer.mean(), rcond=None)[0][1:]
     whole = max(float(np.var(answer)), float(coefficients @ coefficients), 1e-300)
-    found = dict.fromkeys(names, 0.0)
+    shares = dict.fromkeys(names, 0.0)
     for term, size in zip(terms, coefficients.tolist(), strict=True):
         sources = {names[index] for index in term}
         if len(sources) == 1:
-            found[sources.pop()] += size**2 / whole
-    left = max(1.0 - sum(found.values()), 0.0)
-    return {**dict(sorted(found.items(), key=lambda one: -one[1])), TOGETHER: left}
+            shares[sources.pop()] += size**2 / whole
+    left = max(1.0 - sum(shares.values()), 0.0)
+    return {**dict(sorted(shares.items(), key=lambda one: -one[1])), TOGETHER: left}

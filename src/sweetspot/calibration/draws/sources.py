@@ -103,15 +103,15 @@ class Sources:
 
         count = len(self.unknowns)
         values, vectors = np.linalg.eigh(self.covariance)
-        found = np.empty_like(normal)
-        found[:, :count] = normal[:, :count] @ (vectors * np.sqrt(np.maximum(values, 0.0))).T
+        drawn = np.empty_like(normal)
+        drawn[:, :count] = normal[:, :count] @ (vectors * np.sqrt(np.maximum(values, 0.0))).T
         for column, one in enumerate(self.others, start=count):
             if isinstance(one.spread, tuple):
                 low, high = one.spread
-                found[:, column] = low + (high - low) * scipy.stats.norm.cdf(normal[:, column])
+                drawn[:, column] = low + (high - low) * scipy.stats.norm.cdf(normal[:, column])
             else:
-                found[:, column] = one.spread * normal[:, column]
-        return found
+                drawn[:, column] = one.spread * normal[:, column]
+        return drawn
 
     def of(self, name: str, deviations: Array) -> Array:
         """Return the deviations of one source that is not the bat's, shape (count,); 0 where it is no source."""

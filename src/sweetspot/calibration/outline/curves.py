@@ -78,15 +78,15 @@ def joined_curves(curves: Sequence[Array]) -> list[Array]:
     chains = []
     while left:
         chain = left.pop(0)
-        found = True
-        while found and np.hypot(*(chain[0] - chain[-1])) > near:
-            found = False
+        joining = True
+        while joining and np.hypot(*(chain[0] - chain[-1])) > near:
+            joining = False
             for index, other in enumerate(left):
                 pieces = _joined(chain, other, near)
                 if pieces is not None:
                     chain = pieces
                     del left[index]
-                    found = True
+                    joining = True
                     break
         chains.append(chain)
     return chains

@@ -29,10 +29,10 @@ def check_sport(sport: str, *, kind: str) -> None:
 allowed for a bat: baseball, slow-pitch, softball, youth-baseball
     """
     kinds = _kinds()
-    found = kinds.get(canonical(sport))
-    if found is not None and kind not in found:
+    played_with = kinds.get(canonical(sport))
+    if played_with is not None and kind not in played_with:
         allowed = ", ".join(sorted(one for one, played in kinds.items() if kind in played))
-        with_what = " or ".join(f"a {one.replace('-', ' ')}" for one in sorted(found))
+        with_what = " or ".join(f"a {one.replace('-', ' ')}" for one in sorted(played_with))
         raise InputError(
             f"sport was given as {sport!r}, and that is played with {with_what}, not with a "
             f"{kind.replace('-', ' ')}; allowed for a {kind.replace('-', ' ')}: {allowed}"

@@ -60,7 +60,7 @@ def in_si(table: FileTable, what: str = "", *, implement: str) -> dict[str, Any]
     what : the table's name in its file, for messages.
     implement : its kind, whose sizes are known to be usual or not.
     """
-    found: dict[str, Any] = {}
+    values: dict[str, Any] = {}
     for name, field in type(table).model_fields.items():
         value, label = getattr(table, name), f"{what}.{name}" if what else name
         for meaning in field.metadata:
@@ -75,5 +75,5 @@ def in_si(table: FileTable, what: str = "", *, implement: str) -> dict[str, Any]
                 for (_, size), (_, text) in zip(pairs, value, strict=True):
                     check_size(implement, label, size, text)
                 value = tuple(pairs)
-        found[name] = value
-    return found
+        values[name] = value
+    return values

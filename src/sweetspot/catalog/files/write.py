@@ -139,10 +139,10 @@ def material_key(own: Material) -> str:
 
 def _key(own: Material) -> str:
     """Return the catalogue's key of a material, which its own name need not be."""
-    found = _keys().get(own.name)
-    if found is None:
+    key = _keys().get(own.name)
+    if key is None:
         raise InputError(f"{own.name} is not in the catalogue, so that no bat file can name it")
-    return found
+    return key
 
 
 @cache

@@ -80,11 +80,11 @@ class BendingBatch:
 
     def curvatures_at(self, position: Array) -> Array:
         """Return the modes' second derivatives at places (beams, places) in m, 1/(sqrt(kg) m^2) after `shapes_at`."""
-        found = np.empty((*position.shape, self.omega.shape[1]))
+        curvatures = np.empty((*position.shape, self.omega.shape[1]))
         c, second = self.coefficients, np.zeros_like(self.coefficients)
         second[:, 2:] = np.stack([12 * c[:, 0], 6 * c[:, 1], 2 * c[:, 2]], axis=1) / self._width[:, None, None] ** 2
-        shapes_at(self.mesh.first_piece, self._left, self._width, second, position, found)
-        return found
+        shapes_at(self.mesh.first_piece, self._left, self._width, second, position, curvatures)
+        return curvatures
 
     def left_out_at(self, position: Array) -> Array:
         """Return what the modes leave out at places (beams, places) in m, m/N; see `left_out`."""

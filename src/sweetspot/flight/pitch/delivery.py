@@ -183,19 +183,19 @@ def aimed(
     lift = way  # m of height at the plate per rad of launch angle; learnt on the way
     for _ in range(ROUNDS):
         try:
-            found = thrown(aim, ball=ball, aerodynamics=aerodynamics, air=air, wind=wind)
+            pitch = thrown(aim, ball=ball, aerodynamics=aerodynamics, air=air, wind=wind)
         except InputError:  # air stops it short of where it would come without
             if aim.launch_angle != start or start + HIGHER >= math.pi / 4:
                 raise
             start += HIGHER
             aim, before = aim.replaced(launch_angle=start), (start, 0.0)
             continue
-        beside, below = target[0] - found.plate.position[0], target[1] - found.plate.position[2]
+        beside, below = target[0] - pitch.plate.position[0], target[1] - pitch.plate.position[2]
         if max(abs(beside), abs(below)) <= CLOSE:
-            return found
+            return pitch
         if aim.launch_angle != start:
-            lift = (found.plate.position[2] - before[1]) / (aim.launch_angle - before[0])
-        before = (aim.launch_angle, found.plate.position[2])
+            lift = (pitch.plate.position[2] - before[1]) / (aim.launch_angle - before[0])
+        before = (aim.launch_angle, pitch.plate.position[2])
         if not (lift > 0 and abs(below / lift) < LARGEST_CORRECTION):
             break
         aim = aim.replaced(turn=aim.turn + math.atan2(beside, way), launch_angle=aim.launch_angle + below / lift)

@@ -30,14 +30,14 @@ STATIONS_SHOWN = 3
 def used_records(analysis: Analysis[Implement]) -> dict[str, list[Record]]:
     """Return the records of everything that went into an analysis, under a heading for each thing."""
     described = analysis.bat
-    found = {f"{sport(described.sport).words.implement}: {described.name}": bat_records(described)}
+    records = {f"{sport(described.sport).words.implement}: {described.name}": bat_records(described)}
     for made_of in {used.name: used for used in described.materials}.values():
-        found[f"material: {made_of.name}"] = material_records(made_of)
+        records[f"material: {made_of.name}"] = material_records(made_of)
     for rubber in described.rubbers if isinstance(described, TableTennisRacket) else ():
-        found[f"rubber: {rubber.name}"] = rubber_records(rubber)
+        records[f"rubber: {rubber.name}"] = rubber_records(rubber)
     used = analysis.conditions.ball
-    found[f"ball: {used.name}"] = ball_records(used)
-    return {heading: entries for heading, entries in found.items() if entries}
+    records[f"ball: {used.name}"] = ball_records(used)
+    return {heading: entries for heading, entries in records.items() if entries}
 
 
 def own_values(analysis: Analysis[Implement]) -> list[str]:
@@ -92,9 +92,9 @@ def rubber_records(used: Rubber) -> list[Record]:
     return next((all_records(entry, key) for key, entry in table.items() if entry["name"] == used.name), [])
 
 
-def sources_of(found: dict[str, list[Record]]) -> list[str]:
+def sources_of(records: dict[str, list[Record]]) -> list[str]:
     """Return the keys of all sources behind records and methods, each once, in alphabetical order."""
-    return sorted({*METHOD_SOURCES, *(record.source for entries in found.values() for record in entries)})
+    return sorted({*METHOD_SOURCES, *(record.source for entries in records.values() for record in entries)})
 
 
 def shown(value: Any) -> str:

@@ -120,7 +120,7 @@ def ranking_json(ranking: Ranking, *, axis: float | None = None) -> dict[str, An
     ----------
     axis : m from the butt end, of the swing weight; None: the moment of inertia is about 6 in.
     """
-    found: dict[str, Any] = cleaned(
+    data: dict[str, Any] = cleaned(
         {
             "interval_level": LEVEL,
             "scatter_m_s": ranking.scatter,
@@ -131,7 +131,7 @@ def ranking_json(ranking: Ranking, *, axis: float | None = None) -> dict[str, An
             "bats": [_bat_json(one, axis) for one in ranking.bats],
         }
     )
-    return found
+    return data
 
 
 def _bat_json(one: RankedBat, axis: float | None) -> dict[str, Any]:

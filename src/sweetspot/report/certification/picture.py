@@ -126,12 +126,12 @@ def _values(test: BatTest, measure: str) -> Array:
 
 def _limits(tested: TestedBat, measure: str) -> list[tuple[str, float, str]]:
     """Return the leagues that limit a measure, the limit, and its colour; leagues with one limit share a line."""
-    found: dict[float, tuple[list[str], str]] = {}
+    limits: dict[float, tuple[list[str], str]] = {}
     for league, check in tested.checks:
         if check.rule.quantity == measure and check.rule.most is not None:
-            names, _ = found.setdefault(check.rule.most, ([], COLOURS.get(check.verdict, MUTED)))
+            names, _ = limits.setdefault(check.rule.most, ([], COLOURS.get(check.verdict, MUTED)))
             names.append(league.key)
-    return [(", ".join(names), limit, colour) for limit, (names, colour) in found.items()]
+    return [(", ".join(names), limit, colour) for limit, (names, colour) in limits.items()]
 
 
 def _draw_limits(axes: Axes, limits: list[tuple[str, float, str]]) -> None:

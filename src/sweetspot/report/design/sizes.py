@@ -47,14 +47,14 @@ def tolerance_words(design: Designed) -> Sentence | None:
         return None
     thicker = design.numbers.copy()
     thicker[: len(HANDLES)] += TOLERANCE
-    found = design.bench.measured(thicker)
+    measures = design.bench.measured(thicker)
     return say(
         "Tolerance: ± {tolerance} of diameter. Thicker by that all along, the bat weighs {mass} more, its moment of "
         "inertia about 6 in grows by {moi} and the exit speed over these contacts changes by {speed}.",
         tolerance=Slot(TOLERANCE, "length", 3),
-        mass=Slot(float(found.values["mass"][0]) - design.value("mass"), "mass"),
-        moi=Slot(float(found.values["moi"][0]) - design.value("moi"), "moi"),
-        speed=Slot(float(found.values["exit_speed"][0]) - design.value("exit_speed"), "speed_change", 2, sign=True),
+        mass=Slot(float(measures.values["mass"][0]) - design.value("mass"), "mass"),
+        moi=Slot(float(measures.values["moi"][0]) - design.value("moi"), "moi"),
+        speed=Slot(float(measures.values["exit_speed"][0]) - design.value("exit_speed"), "speed_change", 2, sign=True),
     )  # fmt: skip
 
 

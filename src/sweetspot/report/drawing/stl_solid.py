@@ -36,12 +36,12 @@ def triangles(meridian: Array) -> Array:
     x = np.broadcast_to(place[:, None], (len(place), AROUND))
     rings = np.stack([x, np.outer(radius, np.cos(angle)), np.outer(radius, np.sin(angle))], axis=2)
     following = np.roll(rings, -1, axis=1)
-    found = []
+    corners = []
     for here, there, turned_here, turned_there in zip(
         rings[:-1], rings[1:], following[:-1], following[1:], strict=True
     ):
         if np.any(here[0, 1:] != 0):
-            found.append(np.stack([here, turned_here, there], axis=1))
+            corners.append(np.stack([here, turned_here, there], axis=1))
         if np.any(there[0, 1:] != 0):
-            found.append(np.stack([turned_here, turned_there, there], axis=1))
-    return np.concatenate(found)
+            corners.append(np.stack([turned_here, turned_there, there], axis=1))
+    return np.concatenate(corners)

@@ -69,9 +69,9 @@ def option_rows(advice: Advice) -> list[dict[str, Any]]:
     unit = GOAL_UNITS[advice.goal.name]
     rows = []
     for option in advice.options:
-        found = _option(option, unit)
-        row = {key: found[key] for key in ("key", "label", "family")}
-        row |= {name: found["bat"][name] for name in ("length_m", "mass_kg", "balance_point_m", "moi_6in_kg_m2")}
+        option_data = _option(option, unit)
+        row = {key: option_data[key] for key in ("key", "label", "family")}
+        row |= {name: option_data["bat"][name] for name in ("length_m", "mass_kg", "balance_point_m", "moi_6in_kg_m2")}
         for stem, ending in (("bat_speed", "_m_s"), ("goal", unit), ("change", unit)):
             value: Interval = getattr(option, stem)
             row |= {

@@ -75,24 +75,24 @@ def _within(league: Population) -> dict[str, Interval]:
 
 def league_json(league: Population, players: int) -> dict[str, Any]:
     """Return a league for programs: its middle and what 95 % of its players lie within, by parameter."""
-    found: dict[str, Any] = {"players": players}
+    data: dict[str, Any] = {"players": players}
     for name, interval in _within(league).items():
         unit = UNITS[KINDS[name]]
-        found[name] = {f"mean{unit}": interval.value, f"low{unit}": interval.low, f"high{unit}": interval.high}
-    return cleaned(found)
+        data[name] = {f"mean{unit}": interval.value, f"low{unit}": interval.low, f"high{unit}": interval.high}
+    return cleaned(data)
 
 
 def pooled_parameters(member: Teammate, league: Population | None) -> dict[str, Any]:
     """Return every parameter of a batter for programs: alone, pooled, by how much it moved, and the own share."""
     shares = dict.fromkeys(NAMES, 1.0) if league is None else own_share(member.posterior, league)
-    found = {}
+    parameters = {}
     for name in NAMES:
         unit, alone, pooled = UNITS[KINDS[name]], member.alone.learned[name], member.posterior.learned[name]
-        found[name] = {
+        parameters[name] = {
             "alone": _interval(alone.interval, unit), "pooled": _interval(pooled.interval, unit),
             f"moved{unit}": pooled.interval.value - alone.interval.value, "own_share": shares[name],
         }  # fmt: skip
-    return cleaned(found)
+    return cleaned(parameters)
 
 
 def _interval(interval: Interval, unit: str) -> dict[str, float]:

@@ -113,11 +113,11 @@ def _reasons(swings: Swings) -> list[str]:
     alike: dict[str, list[BadRow]] = defaultdict(list)
     for row in swings.bad_rows:
         alike[re.sub(r"[-\d.]+", "", row.reason)].append(row)
-    found = []
+    reasons = []
     for rows in sorted(alike.values(), key=len, reverse=True)[:REASONS]:
         reason = shorten(rows[0].reason, LONGEST_REASON, placeholder=" ...")
-        found.append(f"row {rows[0].row}{f' and {len(rows) - 1} like it' if len(rows) > 1 else ''}: {reason}")
-    return found
+        reasons.append(f"row {rows[0].row}{f' and {len(rows) - 1} like it' if len(rows) > 1 else ''}: {reason}")
+    return reasons
 
 
 def measured(posterior: Posterior) -> Words:

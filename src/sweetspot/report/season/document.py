@@ -70,17 +70,17 @@ class SeasonReport:
 def season_report(season: Season) -> SeasonReport:
     """Return everything that is told of a season; groups that no ball has are left out."""
     counted = above_expected(season.counted())
-    found = {key: standing(counted, key=key) for key in GROUPS}
+    standings = {key: standing(counted, key=key) for key in GROUPS}
     return SeasonReport(
-        season, {key: one for key, one in found.items() if one is not None}, drag_by_month(counted),
-        untracked_bias(season.found), counted,
+        season, {key: one for key, one in standings.items() if one is not None}, drag_by_month(counted),
+        untracked_bias(season.survey), counted,
     )  # fmt: skip
 
 
 def season_document(report: SeasonReport) -> Document:
     """Return a season as a document; its JSON has the ledger, warnings, relation, drag and how groups scatter."""
     season = report.season
-    faults = [f"{path.name}: {reason}" for path, reason in season.found.faults]
+    faults = [f"{path.name}: {reason}" for path, reason in season.survey.faults]
     blocks: list[Block] = [Paragraph(words) for words in _headline(report)]
     blocks += [Paragraph(f"Not read: {fault}", "warning") for fault in faults]
     blocks += [_ledger(season), _warnings(season)]
@@ -103,9 +103,9 @@ def season_document(report: SeasonReport) -> Document:
 
 def _headline(report: SeasonReport) -> list[Sentence]:
     season = report.season
-    rows, used = season.found.rows, sum(counts[USED] for counts in season.found.counts)
+    rows, used = season.survey.rows, sum(counts[USED] for counts in season.survey.counts)
     told = [say("{rows} rows in {files}; {used} balls in play with an exit speed.", rows=f"{rows:,}",
-                files=_files(len(season.found.tables)), used=f"{used:,}")]  # fmt: skip
+                files=_files(len(season.survey.tables)), used=f"{used:,}")]  # fmt: skip
     means = _means(report.counted)
     if np.isfinite(means["home_run_here"]) and np.isfinite(means["home_runs"]):
         told.append(say("Home runs: {expected} expected in the parks they were hit in, {real} hit.",
@@ -157,23 +157,23 @@ def _means(counted: pl.LazyFrame) -> dict[str, float]:
 
 
 def _ledger(season: Season) -> Table:
-    found = season.found
+    survey = season.survey
     columns = [Column("table"), Column("rows", right=True), *(Column(reason, right=True) for reason in REASONS)]
     rows: list[list[Cell]] = [
         [table.path.name, f"{table.rows:,}", *(f"{counts[reason]:,}" for reason in REASONS)]
-        for table, counts in zip(found.tables, found.counts, strict=True)
+        for table, counts in zip(survey.tables, survey.counts, strict=True)
     ]
     if len(rows) > 1:
-        totals = [sum(counts[reason] for counts in found.counts) for reason in REASONS]
-        rows.append(["all", f"{found.rows:,}", *(f"{total:,}" for total in totals)])
+        totals = [sum(counts[reason] for counts in survey.counts) for reason in REASONS]
+        rows.append(["all", f"{survey.rows:,}", *(f"{total:,}" for total in totals)])
     return Table("Ledger: every row, and why it counts or not", columns, rows)
 
 
 def _warnings(season: Season) -> Block:
-    found = season.found
+    survey = season.survey
     rows: list[list[Cell]] = []
-    for warning in found.warnings:
-        table = found.tables[warning.table].path.name
+    for warning in survey.warnings:
+        table = survey.tables[warning.table].path.name
         where = ", ".join(map(str, warning.rows[:5])) + (", …" if warning.count > len(warning.rows[:5]) > 0 else "")
         detail = f" ({warning.detail})" if warning.detail else ""
         rows.append([warning.name, table, f"{warning.count:,}", where, WARNINGS[warning.name] + detail])
@@ -229,7 +229,7 @@ def _groups(report: SeasonReport) -> Table:
 
 def season_json(report: SeasonReport) -> dict[str, Any]:
     """Return what is told of a season for other programs; SI."""
-    season, found = report.season, report.season.found
+    season, survey = report.season, report.season.survey
     contact = season.setting.contact
     return cleaned({
         "tables": [
@@ -240,11 +240,11 @@ def season_json(report: SeasonReport) -> dict[str, Any]:
                             for name, column in table.headings.columns.items()},
                 "passed_through": list(table.headings.passed),
             }
-            for table, counts, days in zip(found.tables, found.counts, found.days, strict=True)
+            for table, counts, days in zip(survey.tables, survey.counts, survey.days, strict=True)
         ],
-        "not_read": [{"file": str(path), "reason": reason} for path, reason in found.faults],
-        "warnings": [{"name": one.name, "file": str(found.tables[one.table].path), "rows": one.count,
-                      "first_rows": one.rows, "detail": one.detail} for one in found.warnings],
+        "not_read": [{"file": str(path), "reason": reason} for path, reason in survey.faults],
+        "warnings": [{"name": one.name, "file": str(survey.tables[one.table].path), "rows": one.count,
+                      "first_rows": one.rows, "detail": one.detail} for one in survey.warnings],
         "untracked": None if report.untracked is None else asdict(report.untracked),
         "places": None if contact is None else vars(contact.relation),
         "surfaces": [] if contact is None else [

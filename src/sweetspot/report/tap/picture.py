@@ -77,7 +77,7 @@ def _decay(axes: Axes, test: TapTest, fit: Fit) -> None:
     time = np.arange(len(fit.samples)) / fit.rate
     for one, colour in [entry for entry in _coloured(test) if entry[0].name][:SHOWN]:
         tone, ratio = one.tone.frequency.value, one.tone.damping_ratio.value
-        mine = min(fit.sinusoids, key=lambda found, tone=tone: abs(found.frequency.value - tone))  # type: ignore[misc]
+        mine = min(fit.sinusoids, key=lambda sinusoid, tone=tone: abs(sinusoid.frequency.value - tone))  # type: ignore[misc]
         width = max(int(0.008 * fit.rate), int(4 * fit.rate / tone))
         turning = fit.samples * np.exp(-2j * np.pi * tone * time)
         heard = 2 * np.abs(np.convolve(turning, np.hanning(width + 2) / np.hanning(width + 2).sum(), "same"))

@@ -54,9 +54,9 @@ def with_intervals(document: Document, reaches: Mapping[str, Reach]) -> Document
 
 def reached(slot: Slot, reaches: Mapping[str, Reach]) -> Slot:
     """Return a number with its interval, where one is known, as pictures write it."""
-    found = _slot(slot, reaches, {})
-    assert isinstance(found, Slot)
-    return found
+    value = _slot(slot, reaches, {})
+    assert isinstance(value, Slot)
+    return value
 
 
 def _found(data: Any, path: str) -> Any:
@@ -125,10 +125,10 @@ def _ends(key: str, value: Any, reach: Reach) -> dict[str, Any]:
 
 def _rows(rows: Mapping[str, Sequence[Any]], reaches: Mapping[str, Reach]) -> dict[str, Sequence[Any]]:
     """Return columns, those of curves with the ends of their intervals behind them."""
-    found: dict[str, Sequence[Any]] = {}
+    columns: dict[str, Sequence[Any]] = {}
     for key, values in rows.items():
-        found[key] = values
+        columns[key] = values
         reach = reaches.get(f"scan.{key}")
         if reach is not None and np.shape(reach.below) == (len(values),):
-            found |= _ends(key, list(values), reach)
-    return found
+            columns |= _ends(key, list(values), reach)
+    return columns

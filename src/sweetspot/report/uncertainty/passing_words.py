@@ -25,16 +25,16 @@ def with_chances(document: Document, tested: TestedBat, answers: DrawnAnswers | 
     ----------
     answers : of draws, for a simulated test; None: by the standard error of measured shots, with Student's t.
     """
-    found = list(_chances(tested, answers))
-    if not found:
+    checked = list(_chances(tested, answers))
+    if not checked:
         return document
     words = joined(
-        (_chance_words(league, check, chance) for league, check, chance in found),
+        (_chance_words(league, check, chance) for league, check, chance in checked),
         " ",
     )
     chances = [
         {"league": league.key, "quantity": check.rule.quantity, "passes_probability": chance}
-        for league, check, chance in found
+        for league, check, chance in checked
     ]
     return replace(
         document, blocks=[*document.blocks[:1], Paragraph(words), *document.blocks[1:]],

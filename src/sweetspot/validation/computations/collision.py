@@ -103,15 +103,15 @@ def turned(bat: str, ball_mass: float, ball_speed: float, exit_speed: float) -> 
     analysis = shared.standard(bat)
     place, modes = analysis.sweet_spots.max_exit_speed, analysis.modes
     ball = catalog.ball().replaced(mass=ball_mass)
-    found: dict[float, Impact] = {}
+    hits: dict[float, Impact] = {}
 
     def excess(bat_speed: float) -> float:
-        found[bat_speed] = hit(modes, ball=ball, position=place, closing_speed=ball_speed + bat_speed)
-        efficiency = found[bat_speed].collision_efficiency
+        hits[bat_speed] = hit(modes, ball=ball, position=place, closing_speed=ball_speed + bat_speed)
+        efficiency = hits[bat_speed].collision_efficiency
         return efficiency * ball_speed + (1 + efficiency) * bat_speed - exit_speed
 
     bat_speed = float(brentq(excess, 20.0, 60.0, xtol=1e-6))
-    return found.get(bat_speed) or hit(modes, ball=ball, position=place, closing_speed=ball_speed + bat_speed)
+    return hits.get(bat_speed) or hit(modes, ball=ball, position=place, closing_speed=ball_speed + bat_speed)
 
 
 def standard_peak_force(*, bat: str) -> float:

@@ -50,8 +50,8 @@ def fly_ball(*, answer: str, law: str = "baseball", **changes: Any) -> float:
     law : name of the law of drag and lift.
     changes : fields of `BattedBall` that differ from `USUAL`, SI.
     """
-    found = _flown(_hit(changes, law), law)
-    return found.landing.speed if answer == "landing_speed" else float(getattr(found, answer))
+    flight = _flown(_hit(changes, law), law)
+    return flight.landing.speed if answer == "landing_speed" else float(getattr(flight, answer))
 
 
 def carry_gain(*, by: dict[str, float], law: str = "baseball", **changes: Any) -> float:
@@ -117,8 +117,8 @@ def _spin_factor(motion: BallMotion) -> float:
 
 def flight_place(*, time: float, along: str, law: str = "baseball", **changes: Any) -> float:
     """Return where the ball is after a time: out or up."""
-    found = _flown(_hit(changes, law), law).at(time).position
-    return float(found[("right", "out", "up").index(along)])
+    place = _flown(_hit(changes, law), law).at(time).position
+    return float(place[("right", "out", "up").index(along)])
 
 
 COMPUTATIONS = (

@@ -68,8 +68,8 @@ def _rigid_best(
         efficiency = collision_efficiency(restitution, recoil=ball_mass / effective_mass(body, place))
         return exit_speed(efficiency, ball_speed=ball_speed, bat_speed=bat_speed * place / measured_at)
 
-    found = minimize_scalar(lambda place: -speed(place), bounds=(body.balance_point, length), method="bounded")
-    return length - float(found.x), speed(float(found.x))
+    best = minimize_scalar(lambda place: -speed(place), bounds=(body.balance_point, length), method="bounded")
+    return length - float(best.x), speed(float(best.x))
 
 
 def catalogue_mass(*, bat: str) -> float:

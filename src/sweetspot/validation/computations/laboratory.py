@@ -67,8 +67,8 @@ def laboratory_exit_speed(*, bat: str, ball_speed: float, bat_speed: float) -> f
 
 def laboratory_bbcor_spread(*, bats: list[str], closing_speed: float) -> float:
     """Return the difference between the greatest and the smallest BBCOR of some bats."""
-    found = [laboratory_bbcor(bat=bat, closing_speed=closing_speed) for bat in bats]
-    return max(found) - min(found)
+    ratios = [laboratory_bbcor(bat=bat, closing_speed=closing_speed) for bat in bats]
+    return max(ratios) - min(ratios)
 
 
 def laboratory_besr_rise(*, bats: list[str], closing_speed: float) -> float:

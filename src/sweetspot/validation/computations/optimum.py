@@ -61,12 +61,12 @@ def best_carry_change_by_friction(*, pitch: str, friction: float) -> float:
 
 def best_launch_angle(*, exit_speed: float, backspin: float, law: str = "baseball") -> float:
     """Return the launch angle that carries farthest."""
-    found = best_launch(
+    launch = best_launch(
         exit_speed,
         FlightConditions(ball=catalog.ball(), aerodynamics=catalog.aerodynamics(law), air=SHEET),
         backspin=backspin,
     )
-    return found.launch_angle
+    return launch.launch_angle
 
 
 COMPUTATIONS = (best_carry_gain, best_carry_change_by_friction, best_launch_angle)

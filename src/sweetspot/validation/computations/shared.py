@@ -34,8 +34,8 @@ def free_modes(bat: str) -> Modes:
 @cache
 def standard(bat: str) -> Analysis:
     """Return the full answer for a catalogue bat under the standard conditions: 90 mph pitch, 70 mph of bat speed."""
-    found = catalog.bat(bat)
-    return analyse(found, standard_conditions(found))
+    described = catalog.bat(bat)
+    return analyse(described, standard_conditions(described))
 
 
 def length(bat: str) -> float:

@@ -48,11 +48,11 @@ def tee_spin(*, bat: str, bat_speed: float, launch_angle: float) -> float:
     swing = Swing(bat_speed=bat_speed, measured_at=place)
 
     def hit(offset: float) -> BallMotion:
-        found = strike(
+        struck = strike(
             model, ball=catalog.ball(), swing=swing, path=SwingPath(), pitch=STILL, contact=Contact(place, offset)
         )
-        assert found.launched is not None  # a tee hit off the middle of the barrel always leaves
-        return found.launched
+        assert struck.launched is not None  # a tee hit off the middle of the barrel always leaves
+        return struck.launched
 
     return hit(float(brentq(lambda offset: hit(offset).launch_angle - launch_angle, 0.0, 0.05, xtol=1e-6))).backspin
 

@@ -90,8 +90,8 @@ def contact_time_on(*, implement: str, from_tip: float, closing_speed: float) ->
 
 def first_node_from_tip(*, implement: str) -> float:
     """Return the node of the first mode nearest to the tip, from the tip."""
-    found = _usual(implement)
-    return found.bat.length - found.sweet_spots.node_1
+    analysis = _usual(implement)
+    return analysis.bat.length - analysis.sweet_spots.node_1
 
 
 def percussion_towards_hands(*, implement: str) -> float:
@@ -102,32 +102,32 @@ def percussion_towards_hands(*, implement: str) -> float:
 
 def faster_ball(*, implement: str, share: float) -> float:
     """Return the part that the ball gains when the implement is swung faster by this part, at its best place."""
-    found, conditions = _usual(implement), _conditions(implement)
+    analysis, conditions = _usual(implement), _conditions(implement)
     swing = conditions.swing
     faster = conditions.replaced(swing=swing.replaced(bat_speed=(1 + share) * swing.bat_speed))
     after = analyse_reduced(_reduced(implement), faster)
-    return exit_speed_of(after.best, faster) / exit_speed_of(found.best, conditions) - 1
+    return exit_speed_of(after.best, faster) / exit_speed_of(analysis.best, conditions) - 1
 
 
 def best_bounce_from_throat(*, implement: str) -> float:
     """Return the place of the greatest q from the throat end of the strings."""
-    found = _usual(implement)
-    assert found.bat.outline is not None, "only rackets are asked"
-    return found.sweet_spots.max_collision_efficiency - found.bat.outline.start
+    analysis = _usual(implement)
+    assert analysis.bat.outline is not None, "only rackets are asked"
+    return analysis.sweet_spots.max_collision_efficiency - analysis.bat.outline.start
 
 
 def dead_spot_from_tip(*, implement: str) -> float:
     """Return the place near the tip where a ball is left with no speed, from the tip."""
-    found = _usual(implement)
-    place = dead_spot(found)
+    analysis = _usual(implement)
+    place = dead_spot(analysis)
     assert place is not None, "only rackets with a dead spot are asked"
-    return found.bat.length - place
+    return analysis.bat.length - place
 
 
 def usual_smash_factor(*, implement: str) -> float:
     """Return exit speed over the implement's speed at its best place under the usual stroke."""
-    found, conditions = _usual(implement), _conditions(implement)
-    return exit_speed_of(found.best, conditions) / conditions.swing.speed_at(found.best.position)
+    analysis, conditions = _usual(implement), _conditions(implement)
+    return exit_speed_of(analysis.best, conditions) / conditions.swing.speed_at(analysis.best.position)
 
 
 def usual_exit_speed(*, implement: str) -> float:

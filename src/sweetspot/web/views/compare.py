@@ -132,7 +132,7 @@ def _others(state: CompareState, reductions: list[ReducedBat]) -> list[tuple[Bat
     """Return the controls of bats 2 to 4 with the bats; a what-if has none."""
     if state.what_if != "none":
         return []
-    return [(own, found.bat) for own, found in zip(state.others, reductions[1:], strict=True)]
+    return [(own, reduction.bat) for own, reduction in zip(state.others, reductions[1:], strict=True)]
 
 
 def _other(bat: BatState, ball: Ball, number: int) -> ReducedBat:

@@ -19,22 +19,22 @@ SHOWN = ("exit_speed", "best", "best_from_tip", "zone", "sting", "swing_time", "
 
 def search(state: DesignState, *, after: Any, say: Say) -> dict[str, Any]:
     """Look for better bats: begins a search whose front the page sees growing."""
-    found = asked(state)
+    task = asked(state)
     question = question_of(state)
     if after is not None and after[0] >= question.generations:  # asked to go on beyond its end
         question = replace(question, generations=min(2000, after[0] + state.generations))
 
     def told(generation: int, front: Front) -> dict[str, Any]:
         return {
-            "key": found.key, "generation": generation, "generations": question.generations,
-            "wants": list(question.wants), "front": _front(found.bench, front),
-            "present": {name: float(found.now.values[name][0]) for name in question.wants},
+            "key": task.key, "generation": generation, "generations": question.generations,
+            "wants": list(question.wants), "front": _front(task.bench, front),
+            "present": {name: float(task.now.values[name][0]) for name in question.wants},
         }  # fmt: skip
 
-    say({"key": found.key, "generation": 0 if after is None else after[0], "generations": question.generations,
+    say({"key": task.key, "generation": 0 if after is None else after[0], "generations": question.generations,
          "wants": list(question.wants), "front": [], "present": {}}, after)  # fmt: skip
     front = designed(
-        found.bench, question, after=after,
+        task.bench, question, after=after,
         progress=lambda generation, front: say(told(generation, front), (generation, front.population)),
     )  # fmt: skip
     return told(front.generation, front)

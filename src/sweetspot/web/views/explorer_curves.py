@@ -130,8 +130,8 @@ def _listed(scanned: dict[str, Any]) -> dict[str, Any]:
         "hand_impulse": "hand_impulse_n_s", "sting": "sting_m_s",
     }  # fmt: skip
     shares = {name: np.round(part, 5) for name, part in scanned["energy"]._asdict().items() if np.nanmax(part) > 0}
-    found = {key: scanned[name] for name, key in names.items() if name in scanned}
-    return {"curves": found, "energy": shares}
+    curves = {key: scanned[name] for name, key in names.items() if name in scanned}
+    return {"curves": curves, "energy": shares}
 
 
 @lru_cache(maxsize=KEPT)

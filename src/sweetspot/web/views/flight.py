@@ -107,12 +107,12 @@ def launched_by(state: FlightState, conditions: FlightConditions) -> BallMotion:
     speed, up, spins = state.exit_speed_mph * MPH, math.radians(state.launch_angle_deg), _spins(state)
     place, spray = (0.0, FORWARD, state.height_ft * FOOT), math.radians(state.spray_deg)
     if state.direction == "landing":
-        found, _ = launched_to(
+        aim, _ = launched_to(
             spray, exit_speed=speed, launch_angle=up, conditions=conditions, spins=spins, position=place
         )
-        if not math.isfinite(found[0]):
+        if not math.isfinite(aim[0]):
             raise FieldError("spray_deg", "no launch direction brings this ball down there; ask for another one")
-        spray = float(found[0])
+        spray = float(aim[0])
     return launched(
         speed=speed, launch_angle=up, spray=spray, backspin=spins[0], sidespin=spins[1], position=place
     )  # fmt: skip
@@ -139,8 +139,8 @@ def _conditions(state: FlightState, park: Park, ball: Ball) -> FlightConditions:
 
 def _struck(state: FlightState, ball: Ball) -> dict[str, Any]:
     """Return the hit in space that the swing's controls describe, by the compiled collision."""
-    found = reduced(state, ball)
-    bat, conditions = found.bat, conditions_of(state, found.bat)
+    free_bat = reduced(state, ball)
+    bat, conditions = free_bat.bat, conditions_of(state, free_bat.bat)
     with about("tilt_deg"):
         path = SwingPath(
             attack_angle=math.radians(state.attack_angle_deg),
@@ -158,7 +158,7 @@ def _struck(state: FlightState, ball: Ball) -> dict[str, Any]:
         backspin=state.pitch_backspin_rpm * RPM,
         position=(0.0, FORWARD, state.height_ft * FOOT),
     )
-    model = found.held(conditions.hands)
+    model = free_bat.held(conditions.hands)
     bat_speed = conditions.swing.speed_at(place)
     done = strikes(
         model,
@@ -170,7 +170,7 @@ def _struck(state: FlightState, ball: Ball) -> dict[str, Any]:
     hit = bool(np.isfinite(done.velocity).all())
     return {
         "motion": BallMotion(pitch.position, done.velocity[0], done.spin[0]) if hit else None,
-        "bat": bat_picture(state, found),
+        "bat": bat_picture(state, free_bat),
         "position_m": place,
         "bat_speed_m_s": bat_speed,
         "collision_efficiency": float(done.collision_efficiency[0]),

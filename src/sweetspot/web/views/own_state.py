@@ -66,17 +66,19 @@ def bat_of(state: OwnState) -> tuple[Bat, tuple[Unknown, ...]]:
 
 def measurements_of(state: OwnState) -> list[Measurement]:
     """Return what was measured, all of it."""
-    found = []
+    measurements = []
     if state.weighed_oz is not None:
-        found.append(Measurement("mass", Measured(state.weighed_oz * OUNCE, state.weighed_error_oz * OUNCE)))
+        measurements.append(Measurement("mass", Measured(state.weighed_oz * OUNCE, state.weighed_error_oz * OUNCE)))
     if state.balanced_in is not None:
-        found.append(Measurement("balance_point", Measured(state.balanced_in * INCH, state.balanced_error_in * INCH)))
+        measurements.append(
+            Measurement("balance_point", Measured(state.balanced_in * INCH, state.balanced_error_in * INCH))
+        )
     if state.pendulum_ms is not None:
         period = Measured(1e-3 * state.pendulum_ms, 1e-3 * state.pendulum_error_ms)
-        found.append(Measurement("period", period, axis=state.pivot_in * INCH))
+        measurements.append(Measurement("period", period, axis=state.pivot_in * INCH))
     for name, frequency, error in state.tones:
-        found.append(Measurement("frequency", Measured(frequency, error), mode=mode_of(name)))
-    return found
+        measurements.append(Measurement("frequency", Measured(frequency, error), mode=mode_of(name)))
+    return measurements
 
 
 def mode_of(name: ToneName) -> ModeName:

@@ -35,16 +35,16 @@ def expected_tones(state: OwnState) -> list[dict[str, Any]]:
     """Return the tones that a free bat as described would have, and how strongly the tap excites each."""
     bat, _ = bat_of(state)
     modes, place = _modes(bat), _place(state, bat)
-    found = []
+    tones = []
     for family in FAMILIES:
         if modes.of_family(family):
             told = expected_of(modes, family, positions=[place])
-            found += [
+            tones += [
                 {"name": str(name), "frequency_hz": float(hertz), "excitation": float(part)}
                 for name, hertz, part in zip(told.names, told.frequency, told.excitation, strict=True)
                 if hertz < BAT_BAND.high
             ]
-    return sorted(found, key=lambda one: float(one["frequency_hz"]))
+    return sorted(tones, key=lambda one: float(one["frequency_hz"]))
 
 
 def tap(state: OwnState) -> dict[str, Any]:

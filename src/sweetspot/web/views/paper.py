@@ -183,18 +183,18 @@ def _corking(analysis: Analysis, choices: Choices, _rows: list[Row]) -> dict[str
 def _drop(analysis: Analysis, choices: Choices, rows: list[Row]) -> dict[str, Any]:
     """Return rebound heights of both blocks, and rebound over fall of blocks of every thickness held so."""
     ball, height = analysis.conditions.ball, choices.drop_height
-    found: dict[str, Any] = {
+    data: dict[str, Any] = {
         "drop_height_m": height,
         "thickness_m": THICKNESSES,
         "block_thickness_m": choices.block_thickness,
     }
     for (name, key), row in zip(MATERIALS.items(), rows, strict=True):
-        found[name] = {
+        data[name] = {
             "rebound_m": row.full_model,
             "limit_rebound_m": row.computed,
             "rebound_ratios": _rebounds(key, choices.block_support, ball),
         }
-    return found
+    return data
 
 
 @lru_cache(maxsize=64)

@@ -107,14 +107,14 @@ def _swings(state: PlayerState) -> Swings:
         path = Path(folder) / "swings.csv"
         path.write_text(text, encoding="utf-8")
         try:
-            found = read_swings(path, length=own.length, pitch_speed=state.given_pitch_mph * MPH)
-            good, _, bad, notes = bats_of(found.swings, load=listed_bat)
+            swings = read_swings(path, length=own.length, pitch_speed=state.given_pitch_mph * MPH)
+            good, _, bad, notes = bats_of(swings.swings, load=listed_bat)
             check_enough(good, path)
         except SweetspotError as error:
             raise FieldError("swings_csv", str(error).replace(str(path), "the table")) from None
     good, thinned = evenly(good, MOST_SWINGS)
-    rows = tuple(sorted((*found.bad_rows, *bad), key=lambda row: row.row))
-    return replace(found, swings=good, bad_rows=rows, notes=(*found.notes, *notes, *thinned))
+    rows = tuple(sorted((*swings.bad_rows, *bad), key=lambda row: row.row))
+    return replace(swings, swings=good, bad_rows=rows, notes=(*swings.notes, *notes, *thinned))
 
 
 @lru_cache(maxsize=1)

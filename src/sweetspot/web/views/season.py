@@ -108,8 +108,8 @@ def renamed(field: str) -> Iterator[None]:
 def summary(state: SeasonState) -> dict[str, Any]:
     """Return what is told of the whole season, and its players."""
     folder = _folder(state)
-    found = None if folder is None else kept_summary(folder)
-    return {} if found is None else {name: found[name] for name in ("html", "players")}
+    kept = None if folder is None else kept_summary(folder)
+    return {} if kept is None else {name: kept[name] for name in ("html", "players")}
 
 
 def maps(state: SeasonState) -> dict[str, Any]:
@@ -128,10 +128,10 @@ def maps(state: SeasonState) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _map(found: BallMap | None) -> dict[str, Any] | None:
-    return None if found is None else {
-        "across_m": found.across, "along_m": found.along, "balls": found.counts, "outside": found.outside,
-        "near": found.near,
+def _map(ball_map: BallMap | None) -> dict[str, Any] | None:
+    return None if ball_map is None else {
+        "across_m": ball_map.across, "along_m": ball_map.along, "balls": ball_map.counts, "outside": ball_map.outside,
+        "near": ball_map.near,
     }  # fmt: skip
 
 
@@ -155,9 +155,9 @@ def contacts(state: SeasonState) -> dict[str, Any]:
     if folder is None or state.batter is None:
         return {}
     with about("batter"):
-        found = contacts_at(contact_places(folder, state.batter))
-    values = {"position": found.mean, "position_spread": max(found.spread, LEAST_SPREAD),
-              "position_doubt": math.hypot(found.mean_doubt, PLACES_DOUBT)}  # fmt: skip
+        contacts = contacts_at(contact_places(folder, state.batter))
+    values = {"position": contacts.mean, "position_spread": max(contacts.spread, LEAST_SPREAD),
+              "position_doubt": math.hypot(contacts.mean_doubt, PLACES_DOUBT)}  # fmt: skip
     kept = kept_summary(folder)
     players: list[dict[str, Any]] = [] if kept is None else kept["players"]
     own = next((one for one in players if one["batter"] == state.batter), dict[str, Any]())

@@ -131,8 +131,8 @@ def keep(report: SeasonReport, folder: Path, described: str) -> None:
     document = told(season_document(without_paths(report)))
     summary = {
         "bat": described, "html": document["html"], "players": players_of(report),
-        "choices": choices_of(report.counted), "rows": report.season.found.rows,
-        "files": [table.path.name for table in report.season.found.tables],
+        "choices": choices_of(report.counted), "rows": report.season.survey.rows,
+        "files": [table.path.name for table in report.season.survey.tables],
         "tables": [{"name": path.name, "bytes": path.stat().st_size} for path in sorted(tables.iterdir())],
     }  # fmt: skip
     (folder / REPORT).write_bytes(pickle.dumps(replace(report, counted=report.counted.clear())))
@@ -141,9 +141,9 @@ def keep(report: SeasonReport, folder: Path, described: str) -> None:
 
 def without_paths(report: SeasonReport) -> SeasonReport:
     """Return a report whose faults name files as people know them."""
-    found = report.season.found
-    faults = tuple((path, without_folders(reason, [path])) for path, reason in found.faults)
-    return replace(report, season=replace(report.season, found=replace(found, faults=faults)))
+    survey = report.season.survey
+    faults = tuple((path, without_folders(reason, [path])) for path, reason in survey.faults)
+    return replace(report, season=replace(report.season, survey=replace(survey, faults=faults)))
 
 
 def players_of(report: SeasonReport) -> list[dict[str, Any]]:

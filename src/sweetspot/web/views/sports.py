@@ -118,14 +118,14 @@ def _analysed(name: str, swing: float | None, incoming: float | None) -> Analysi
 def _face(analysis: Analysis[Implement]) -> dict[str, Any] | None:
     if not _has_face(analysis.bat):
         return None
-    found = face_map(analysis.reduced, analysis.conditions, columns=ALONG, rows=ACROSS)
-    place, across = found.best()
+    hits = face_map(analysis.reduced, analysis.conditions, columns=ALONG, rows=ACROSS)
+    place, across = hits.best()
     return {
-        "position_m": np.round(found.position, 5),
-        "lateral_m": np.round(found.lateral, 5),
-        "exit_speed_m_s": np.round(found.exit_speed, 3),
-        "collision_efficiency": np.round(found.collision_efficiency, 4),
-        "sting_m_s": np.round(found.sting, 4),
+        "position_m": np.round(hits.position, 5),
+        "lateral_m": np.round(hits.lateral, 5),
+        "exit_speed_m_s": np.round(hits.exit_speed, 3),
+        "collision_efficiency": np.round(hits.collision_efficiency, 4),
+        "sting_m_s": np.round(hits.sting, 4),
         "best_m": place,
         "best_lateral_m": across,
     }

@@ -101,15 +101,15 @@ def sharp_ends(difference: Array, start: Array, end: Array, width: float) -> tup
     """Return the ends where, in the middle of the bat, the difference is half that inside."""
     along, across = _directions(start, end)
     reach = np.arange(-width, width, STEP)
-    found = []
+    ends = []
     for point, outward in ((start, -along), (end, along)):
         side = np.linspace(-0.06, 0.06, 7) * width
         places = point + reach[:, None, None] * outward + side[None, :, None] * across
         values = _sampled(difference, places)[..., 0].mean(axis=1)
         inside = np.median(values[(reach < -0.3 * width)])
         outside = np.median(values[reach > 0.4 * width])
-        found.append(point + outward * _crossing(reach, values, (inside + outside) / 2, int(np.argmin(np.abs(reach)))))
-    return found[0], found[1]
+        ends.append(point + outward * _crossing(reach, values, (inside + outside) / 2, int(np.argmin(np.abs(reach)))))
+    return ends[0], ends[1]
 
 
 def _crossing(reach: Array, values: Array, level: float, near: int) -> float:
@@ -147,10 +147,10 @@ def _one_flank(reach: Array, signal: Array, colours: Array, expected: Array) -> 
     level_in = (signal * inside).sum(axis=1) / counts
     outside = reach > (BEYOND - 0.25) * expected.max()
     level = (level_in + np.median(signal[:, outside], axis=1)) / 2
-    found = np.empty(len(signal))
+    places = np.empty(len(signal))
     for row, (values, half) in enumerate(zip(signal, expected, strict=True)):
-        found[row] = _crossing(reach, values, level[row], int(np.argmin(np.abs(reach - half))))
-    return _refined(reach, colours, found)
+        places[row] = _crossing(reach, values, level[row], int(np.argmin(np.abs(reach - half))))
+    return _refined(reach, colours, places)
 
 
 def _refined(reach: Array, colours: Array, edge: Array) -> Array:
