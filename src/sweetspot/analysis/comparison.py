@@ -262,7 +262,8 @@ class _Barrel:
 
     def _inside(self, near: slice, index: int) -> bool:
         """Return whether a top of hits nearby is one of the whole barrel too: not at an end that is none there."""
-        return (index > 0 or near.start == 0) and (near.start + index < near.stop - 1 or near.stop == len(self.known))
+        first, last = near.start == 0, near.stop == len(self.known)
+        return bool((index > 0 or first) and (near.start + index < near.stop - 1 or last))
 
 
 def _break_even_speed(barrel: _Barrel, *, swung: Sequence[Conditions], exits: Interval, exit_speed: float) -> float:

@@ -209,8 +209,9 @@ def _integrated(
         forces.append(force)
         impulses.append(impulse)
         motion = flow.drifted(motion.kicked(struck, impulse, ball.mass, speed=speed))
+    displacement, velocity = motion.bat.reshape(2, -1)
     return _Contact(
-        outcome, release, late, motion.ball_speed, *motion.bat.reshape(2, -1),
+        outcome, release, late, motion.ball_speed, displacement, velocity,
         greatest or max(compressions), hardest, motion.work - flow.energy(motion), forces, compressions, impulses,
     )  # fmt: skip
 

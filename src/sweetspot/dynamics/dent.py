@@ -145,19 +145,27 @@ def _surface_compliance(stiffness: Array, waves: Array, void: float) -> Array:
     """Return outward and sideways motion of the surface per unit of traction, shape (harmonics, waves, 2, 2).
 
     The motion is u_r = W cos(n theta) cos(k z), u_theta = V sin(n theta) cos(k z), u_z = U cos(n theta) sin(k z).
+    From the axis outwards every element's motion is eliminated, so that what stays is the stiffness of the surface.
     """
-    size = ELEMENTS * DEGREE + 1
     parts = _radial_parts(stiffness, void)  # of K = sum over powers n^i k^j
     powers = np.stack([np.arange(HARMONICS)[:, None] ** i * waves**j for i, j in parts], axis=-1)
-    whole = np.tensordot(powers, np.stack(list(parts.values())), axes=1)
-    surface = np.array([size - 1, 2 * size - 1])
-    push = np.zeros((3 * size, 2))
-    push[surface, [0, 1]] = 1.0
-    motion = np.zeros((HARMONICS, len(waves), 2, 2))
-    motion[1:] = np.linalg.solve(whole[1:], push)[:, :, surface, :]
-    no_twist = np.r_[:size, 2 * size : 3 * size]  # harmonic 0 turns the body about its axis without strain
-    motion[0, :, 0, 0] = np.linalg.solve(whole[0][:, no_twist[:, None], no_twist], push[no_twist, :1])[:, size - 1, 0]
-    return motion
+    every = np.stack(list(parts.values()))
+    within = np.zeros((HARMONICS, len(waves), 3, 3))  # what the elements farther in add at the node that they end with
+    for number in range(ELEMENTS):
+        at = np.concatenate([_unknowns(number * DEGREE + node) for node in range(DEGREE + 1)])
+        block = np.tensordot(powers, every[:, at[:, None], at], axes=1)
+        block[..., :3, :3] += within
+        inner, between = block[..., :-3, :-3], block[..., :-3, -3:]
+        within = -between.swapaxes(-1, -2) @ np.linalg.solve(inner, between)
+    surface = block[..., -3:, -3:] + within
+    motion = np.linalg.inv(surface)[..., :2, :2]
+    motion[0, :, [0, 1, 1], [1, 0, 1]] = 0.0  # harmonic 0 turns the body about its axis: no ball does that
+    return np.asarray(motion)
+
+
+def _unknowns(node: int) -> Array:
+    """Return where W, V and U of a node stand."""
+    return node + (ELEMENTS * DEGREE + 1) * np.arange(3)
 
 
 def _radial_parts(stiffness: Array, void: float) -> dict[tuple[int, int], Array]:
