@@ -28,7 +28,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.laminate_theory import DEFAULT_POISSON
 from sweetspot.equipment.material import Material
-from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.piecewise import cubic_spline
 
 ACROSS_POISSON = 0.4
@@ -163,7 +163,7 @@ def _surface_compliance(stiffness: Array, waves: Array, void: float) -> Array:
     return np.asarray(motion)
 
 
-def _unknowns(node: int) -> Array:
+def _unknowns(node: int) -> IntArray:
     """Return where W, V and U of a node stand."""
     return node + (ELEMENTS * DEGREE + 1) * np.arange(3)
 
