@@ -1,6 +1,8 @@
 """The fast kernel is the readable collision, hit by hit, in any company.
 
-It shares an approach between ball and surface by one step of Halley's method a kick: 1e-8 of the force at most.
+It shares an approach between ball and surface by one step of Halley's method a kick, from a guess that is wrong by the
+square of the step: 1e-8 of the force at most with steps of 8 us, and at 20 us, on handles hit at 90 m/s, 2e-8 once in
+thousands of hits.
 """
 
 from __future__ import annotations
@@ -46,7 +48,7 @@ BATS = st.one_of(
 )
 
 
-@settings(max_examples=120, derandomize=True)  # one in thousands lies at the very edge of 1e-8
+@settings(max_examples=120)
 @given(
     modes=BATS,
     place=st.floats(0.0, BAT.length),
@@ -57,15 +59,16 @@ def test_kernel_is_the_readable_version(modes: Modes, place: float, closing: flo
     one = hit(modes, ball=BALL, position=place, closing_speed=closing, step=step)
     many = hits_with_motion(modes, ball=BALL, position=place, closing_speed=closing, step=step)
     assert many.outcome[0] == one.outcome
+    near = 1e-8 if step <= 8e-6 else 1e-7
     for name in NUMBERS:
         expected = getattr(one, name)
         scale = 1.0 if name == "collision_efficiency" else abs(expected)
-        assert getattr(many, name)[0] == pytest.approx(expected, rel=0, abs=1e-8 * scale, nan_ok=True), name
+        assert getattr(many, name)[0] == pytest.approx(expected, rel=0, abs=near * scale, nan_ok=True), name
     for name in ("displacement", "velocity"):
         expected = getattr(one, name)
         scale = np.abs(expected).max()
-        # at release, an instant that the two find to 1e-8 of its own; quick modes move that much farther meanwhile
-        assert getattr(many, name)[0] == pytest.approx(expected, rel=0, abs=4e-8 * scale), name
+        # at release, an instant that the two find as nearly; quick modes move that much farther meanwhile
+        assert getattr(many, name)[0] == pytest.approx(expected, rel=0, abs=4 * near * scale), name
 
 
 def crowd(count: int) -> dict[str, Any]:

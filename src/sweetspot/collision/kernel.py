@@ -237,7 +237,7 @@ def solve(lane_count: int, closing_speed: Array, bat: Bat, ball: BallNumbers, st
     One long function on purpose: with its last loops in a function of their own it is a tenth slower.
 
     The force at approach w solves u + C F(u) = w. The forces of the last two kicks foretell u to about (h / T)^2; from
-    there one step of Halley's method along the curve leaves less than 1e-8 of the force, for one power per kick.
+    there one step of Halley's method along the curve leaves 1e-8 of the force, for one power per kick.
 
     Parameters
     ----------

@@ -201,7 +201,7 @@ function paintNodes(context, stage, { motion, answer, colors, text }) {
       context.strokeStyle = colors.panel;
       context.stroke();
     }
-    const words = text("node_m", answer.bat.length_m - node, few ? 2 : 1);
+    const words = text("node_m", answer.bat.length_m - node, few ? undefined : 1);
     if (few || stage.width > 900) haloText(context, words, x, stage.rest + stage.widest * stage.scale + 16, colors.ink, colors.panel);
   });
   context.textAlign = "right";

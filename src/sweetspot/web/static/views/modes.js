@@ -166,6 +166,7 @@ export const view = {
       cells[2].textContent = row.damping_ratio === null ? "–" : `${(100 * row.damping_ratio).toFixed(row.damping_ratio < 0.1 ? 2 : 0)} %`;
       cells[3].textContent = row.decay_s === null ? "–" : this.app.text("decay_s", row.decay_s, row.decay_s < 0.01 ? 1 : 0);
       for (const cell of cells.slice(1, 4)) cell.className = "number";
+      for (const [i, cell] of cells.entries()) if (i > 0) cell.dataset.label = heads[i];
       table.append(line);
       return { input, share: cells[4], felt: cells[5] };
     });
@@ -222,7 +223,7 @@ const listed = (words) => (words.length < 2 ? words.join("") : `${words.slice(0,
 
 function bar(cell, part, words) {
   if (!cell.firstChild) cell.append(Object.assign(document.createElement("span"), { className: "bar" }), "");
-  cell.firstChild.style.width = `${Math.round(60 * Math.min(1, Math.max(0, part ?? 0)))}px`;
+  cell.firstChild.style.width = `calc(${Math.min(1, Math.max(0, part ?? 0)).toFixed(3)} * var(--bar))`;
   cell.lastChild.textContent = words;
 }
 
