@@ -20,6 +20,7 @@ from sweetspot.season.made_up import MadeSeason, made_season
 from sweetspot.season.pooling import pooled, spread_of
 from sweetspot.season.season_drag import drag_by_month
 from sweetspot.season.season_table import Season, analyse_season, season_setting
+from sweetspot.season.standings import all_standings, standing
 from sweetspot.units import INCH, MPH
 from tests.real_data import real_file
 
@@ -180,6 +181,27 @@ def test_pooled_means_hold_as_often_as_they_say() -> None:
     assert 0.85 < covered(mine, table["low90"], table["high90"]) < 0.95
     raw, partly = (number(((table[name] - mine) ** 2).mean()) for name in ("mean", "pooled"))
     assert partly < 0.7 * raw
+
+
+def test_tables_of_players_are_added_up_part_by_part(season: Season) -> None:
+    """However the balls are cut, and as when they are held together."""
+    counted = season.counted()
+    rows = counted.collect()
+    parts = [rows.lazy().slice(start, 700) for start in range(0, len(rows), 700)]
+    whole, added = standing(counted, key="batter"), all_standings(parts)["batter"]
+    assert whole is not None and len(parts) > 4
+    for name in whole.table.columns:
+        one, two = whole.table[name], added.table[name]
+        assert one.equals(two, null_equal=True) or np.allclose(
+            one.to_numpy(), two.to_numpy(), rtol=1e-9, equal_nan=True
+        )
+    together, spread = pooled(rows, key="batter", measure="from_best")
+    assert added.table["from_best"].to_numpy() == pytest.approx(together["pooled"].to_numpy(), rel=1e-9)
+    assert added.spreads["from_best"].between == pytest.approx(spread.between, rel=1e-6)
+    hardest = rows.group_by("batter").agg(
+        ev20=pl.col("exit_speed").filter(pl.col("exit_speed") >= pl.col("exit_speed").quantile(0.8)).mean()
+    ).sort("batter")  # fmt: skip
+    assert added.table["ev20"].to_numpy() == pytest.approx(hardest["ev20"].to_numpy(), abs=0.1 * MPH)
 
 
 def test_groups_that_do_not_differ_are_one() -> None:

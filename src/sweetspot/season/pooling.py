@@ -17,6 +17,8 @@ from sweetspot.numerics.arrays import Array
 
 HALF, NINETY = 0.674490, 1.644854
 """Standard deviations to either side that hold 50 and 90 % of a normal distribution."""
+BALLS, MEAN, SQUARES = "balls", "mean", "squares"
+"""Columns of what is added up of groups."""
 FEWEST_GROUPS = 5
 """Groups below which nothing is known of how groups differ, and nothing is pooled."""
 
@@ -89,9 +91,20 @@ def pooled(frame: pl.DataFrame | pl.LazyFrame, *, key: str, measure: str) -> tup
     value = pl.col(measure).cast(pl.Float64)
     table = (
         frame.lazy().select(key, measure).drop_nulls().group_by(key)
-        .agg(balls=pl.len(), mean=value.mean(), squares=((value - value.mean()) ** 2).sum())
+        .agg(pl.len().alias(BALLS), value.mean().alias(MEAN), ((value - value.mean()) ** 2).sum().alias(SQUARES))
         .sort(key).collect()
     )  # fmt: skip
+    return pooled_groups(table, key=key)
+
+
+def pooled_groups(table: pl.DataFrame, *, key: str) -> tuple[pl.DataFrame, Spread]:
+    """Return what `pooled` does, from what was added up of the groups.
+
+    Parameters
+    ----------
+    table : a row a group: ``key``, ``balls`` (above 0), ``mean``, and ``squares``: their sum about the group's mean.
+    key : column of the groups.
+    """
     if not len(table):
         return table.select(key, "balls", "mean"), Spread(np.nan, np.nan, np.nan, 0, 0)
     counts, means = table["balls"].cast(pl.Float64).to_numpy(), table["mean"].to_numpy()

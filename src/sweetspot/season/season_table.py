@@ -63,6 +63,10 @@ class Season:
         """Return groups and measures of the balls, in SI."""
         return counted_in(self.folder)
 
+    def counted_parts(self) -> list[pl.LazyFrame]:
+        """Return the same, each task's balls by themselves."""
+        return [pl.scan_parquet(file) for file in _files(self.folder / COUNTED)]
+
     def ledger(self) -> pl.LazyFrame:
         """Return the reason of every row of every table."""
         return _scanned(self.folder / LEDGER)
@@ -74,8 +78,11 @@ def counted_in(folder: Path) -> pl.LazyFrame:
 
 
 def _scanned(folder: Path) -> pl.LazyFrame:
-    files = sorted(folder.glob("[0-9]*.parquet"))
-    return pl.concat([pl.scan_parquet(file) for file in files], how="diagonal_relaxed")
+    return pl.concat([pl.scan_parquet(file) for file in _files(folder)], how="diagonal_relaxed")
+
+
+def _files(folder: Path) -> list[Path]:
+    return sorted(folder.glob("[0-9]*.parquet"))
 
 
 def season_setting(

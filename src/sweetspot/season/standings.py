@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import polars as pl
 
 from sweetspot.season.counted import WITH
-from sweetspot.season.pooling import Spread, pooled
+from sweetspot.season.pooling import BALLS, MEAN, SQUARES, Spread, pooled_groups
+from sweetspot.season.sums import group_sums
 
 GROUPS: Mapping[str, str] = {
     "batter": "players", "pitcher": "pitchers", "team": "clubs", "pitch_type": "pitch types", "count": "counts",
@@ -38,8 +39,9 @@ MEASURES: Mapping[str, tuple[str, str]] = {
     "home_run_here": ("share", "expected home runs per ball in play"),
 }
 """What is averaged over balls: scale and meaning."""
-TOP = 0.8
-"""Quantile from which on balls are a group's hardest: EV20 is their mean."""
+PLAIN = ("balls", "ev20", "home_runs_expected", "home_runs_average_park", "home_runs", "doubters", "mostly_gone",
+         "no_doubters", "name")  # fmt: skip
+"""Columns that are counted and not pooled."""
 
 
 @dataclass(frozen=True)
@@ -58,6 +60,22 @@ class Standing:
     spreads: Mapping[str, Spread]
 
 
+def all_standings(parts: Sequence[pl.LazyFrame], *, keys: Sequence[str] = tuple(GROUPS)) -> dict[str, Standing]:
+    """Return the tables of groupings; those are left out that no ball has a group of.
+
+    Parameters
+    ----------
+    parts : groups and measures of balls, a part of the table after the other; each is read once, by itself, so that
+        memory does not hang on how many balls there are.
+    keys : some of `GROUPS`.
+    """
+    names = list(dict.fromkeys(name for part in parts for name in part.collect_schema().names()))
+    others = [name for name in names if name.startswith(WITH)]
+    measures = [*(name for name in MEASURES if name in names), *others]
+    summed = group_sums(parts, keys=keys, measures=measures)
+    return {key: _standing(table, key, measures, others) for key, table in summed.items() if len(table)}
+
+
 def standing(counted: pl.LazyFrame, *, key: str) -> Standing | None:
     """Return the table of one grouping, None where no ball has a group.
 
@@ -66,29 +84,17 @@ def standing(counted: pl.LazyFrame, *, key: str) -> Standing | None:
     counted : groups and measures of balls.
     key : one of `GROUPS`.
     """
-    names = counted.collect_schema().names()
-    rows = counted.filter(pl.col(key).is_not_null())
-    plain = [
-        pl.len().alias("balls"),
-        pl.col("exit_speed").filter(pl.col("exit_speed") >= pl.col("exit_speed").quantile(TOP)).mean().cast(pl.Float64)
-        .alias("ev20"),
-        pl.col("home_run_here").sum().cast(pl.Float64).alias("home_runs_expected"),
-        (pl.col("home_runs_in_30").sum() / 30).cast(pl.Float64).alias("home_runs_average_park"),
-        (pl.col("event").str.to_lowercase().str.replace_all("[_ ]", "") == "homerun").sum().alias("home_runs"),
-        *((pl.col("home_run_kind") == number).sum().alias(name)
-          for number, name in ((1, "doubters"), (2, "mostly_gone"), (3, "no_doubters"))),
-    ]  # fmt: skip
-    if key == "batter" and "batter_name" in names:
-        plain.append(pl.col("batter_name").drop_nulls().first().alias("name"))
-    if key == "pitcher" and "pitcher_name" in names:
-        plain.append(pl.col("pitcher_name").drop_nulls().first().alias("name"))
-    table = rows.group_by(key).agg(plain).sort(key).collect()
-    if not len(table):
-        return None
+    return all_standings([counted], keys=[key]).get(key)
+
+
+def _standing(summed: pl.DataFrame, key: str, measures: Sequence[str], others: list[str]) -> Standing:
+    table = summed.select(key, *(name for name in PLAIN if name in summed.columns))
     spreads = {}
-    others = [name for name in names if name.startswith(WITH)]
-    for measure in (*(name for name in MEASURES if name in names), *others):
-        measured, spreads[measure] = pooled(rows, key=key, measure=measure)
+    for measure in measures:
+        own = summed.select(
+            key, *(pl.col(f"{measure} {what}").alias(what) for what in (BALLS, MEAN, SQUARES))
+        ).filter(pl.col(BALLS) > 0)  # fmt: skip
+        measured, spreads[measure] = pooled_groups(own, key=key)
         if "pooled" not in measured.columns:
             continue
         renamed = measured.rename({"balls": f"{measure}_balls", "mean": f"{measure}_mean", "pooled": measure} | {
@@ -114,18 +120,29 @@ def above_expected(counted: pl.LazyFrame) -> pl.LazyFrame:
 
     The expectation is the parabola in bat speed through all balls of the season.
     """
+    return above_expected_parts(counted, [counted])[0]
+
+
+def above_expected_parts(counted: pl.LazyFrame, parts: Sequence[pl.LazyFrame]) -> list[pl.LazyFrame]:
+    """Return parts of the counted balls as `above_expected` does, against the balls of all.
+
+    Parameters
+    ----------
+    counted : all parts together.
+    """
     names = counted.collect_schema().names()
     if "league_squared_up" not in names:
-        return counted
+        return list(parts)
     speed, flag = pl.col("bat_speed").cast(pl.Float64), pl.col("league_squared_up").cast(pl.Float64)
     known = counted.filter(speed.is_not_null() & flag.is_not_null())
     moments = known.select(
         *(((speed - 32.0) ** power).sum().alias(f"s{power}") for power in range(5)),
         *((flag * (speed - 32.0) ** power).sum().alias(f"f{power}") for power in range(3)),
-    ).collect().row(0, named=True)  # fmt: skip
+    ).collect(engine="streaming").row(0, named=True)  # fmt: skip
     if moments["s0"] < 10:
-        return counted
+        return list(parts)
     square = np.array([[moments[f"s{i + j}"] for j in range(3)] for i in range(3)])
     a, b, c = np.linalg.lstsq(square, np.array([moments[f"f{i}"] for i in range(3)]), rcond=None)[0].tolist()
     expected = a + b * (speed - 32.0) + c * (speed - 32.0) ** 2
-    return counted.with_columns(squared_up_above=(flag - expected).cast(pl.Float32))
+    fresh = (flag - expected).cast(pl.Float32).alias("squared_up_above")
+    return [part.with_columns(fresh) if "league_squared_up" in part.collect_schema() else part for part in parts]

@@ -22,13 +22,15 @@ from sweetspot.season.place_relation import PlaceRelation
 from sweetspot.season.rows import REASONS, USED
 from sweetspot.season.season_drag import DragOfMonth, drag_by_month
 from sweetspot.season.season_table import Season
-from sweetspot.season.standings import GROUPS, MEASURES, Standing, above_expected, standing
+from sweetspot.season.standings import MEASURES, Standing, above_expected_parts, all_standings
 from sweetspot.season.survey import WARNINGS
 from sweetspot.season.untracked import Untracked, untracked_bias
 from sweetspot.units import FOOT
 
 SHOWN = 15
 """Players in the printed table."""
+MOST_DRAWN = 2_000_000
+"""Balls that are held together, for what cannot be added up part by part."""
 FEWEST = 5
 """Balls of a player in the printed table."""
 LISTED = ("exit_speed", "bat_speed", "squared_up_ratio", "squared_up", "from_best", "home_run_here")
@@ -58,6 +60,7 @@ class SeasonReport:
     drag : by month.
     untracked : how the balls without exit speed bias the mean.
     counted : groups and measures of the balls.
+    drawn : of them evenly some, where they are many: for pictures, drag and what is left over of distances.
     """
 
     season: Season
@@ -65,16 +68,18 @@ class SeasonReport:
     drag: tuple[DragOfMonth, ...]
     untracked: Untracked | None
     counted: pl.LazyFrame
+    drawn: pl.LazyFrame
 
 
 def season_report(season: Season) -> SeasonReport:
     """Return everything that is told of a season; groups that no ball has are left out."""
-    counted = above_expected(season.counted())
-    standings = {key: standing(counted, key=key) for key in GROUPS}
+    every = season.counted()
+    counted, *parts = above_expected_parts(every, [every, *season.counted_parts()])
+    balls = sum(counts[USED] for counts in season.survey.counts)
+    drawn = counted if balls <= MOST_DRAWN else counted.gather_every(-(-balls // MOST_DRAWN))
     return SeasonReport(
-        season, {key: one for key, one in standings.items() if one is not None}, drag_by_month(counted),
-        untracked_bias(season.survey), counted,
-    )  # fmt: skip
+        season, all_standings(parts), drag_by_month(drawn), untracked_bias(season.survey), counted, drawn
+    )
 
 
 def season_document(report: SeasonReport) -> Document:
@@ -89,7 +94,7 @@ def season_document(report: SeasonReport) -> Document:
     details: list[Block] = []
     if report.drag:
         details.append(_drag(report.drag))
-    if words := left_over_words(report.counted):
+    if words := left_over_words(report.drawn):
         details.append(Section("left_over", "Tracked distance less carry", [Paragraph(one) for one in words]))
     details += [_groups(report), Section("cannot", "What such tables cannot tell", [Bullets(CANNOT)])]
     drawing = Picture("season", partial(_drawn, report), label=PICTURED)
@@ -152,7 +157,7 @@ def _means(counted: pl.LazyFrame) -> dict[str, float]:
         *(pl.col(name).cast(pl.Float64).mean() for name in wanted),
         home_run_here=known_sum(pl.col("home_run_here").cast(pl.Float64)),
         home_runs=known_sum(pl.col("event").str.to_lowercase().str.replace_all("[_ ]", "") == "homerun"),
-    ).collect().row(0, named=True)  # fmt: skip
+    ).collect(engine="streaming").row(0, named=True)  # fmt: skip
     return {name: np.nan if value is None else value for name, value in row.items()}
 
 
@@ -252,7 +257,7 @@ def season_json(report: SeasonReport) -> dict[str, Any]:
             for surface in (*contact.surfaces, *(other.surface for other in contact.others))
         ],
         "drag": [asdict(one) for one in report.drag],
-        "left_over": {kind: left_over_by(report.counted, kind).to_dicts() for kind in KINDS},
+        "left_over": {kind: left_over_by(report.drawn, kind).to_dicts() for kind in KINDS},
         "scatter": {key: {name: asdict(spread) for name, spread in one.spreads.items()}
                     for key, one in report.standings.items()},
         "cannot_tell": list(CANNOT),
@@ -262,4 +267,4 @@ def season_json(report: SeasonReport) -> dict[str, Any]:
 def _drawn(report: SeasonReport, reading: Reader) -> Any:
     from sweetspot.report.season.picture import season_figure
 
-    return season_figure(report.counted, reading=reading)
+    return season_figure(report.drawn, reading=reading)
