@@ -188,12 +188,16 @@ def swings(tmp_path: Path) -> Path:
     return tmp_path
 
 
-@pytest.mark.parametrize("goal", [("--goal", "exit-speed"), ("--goal", "line", "--line", "250ft")], ids=" ".join)
+@pytest.mark.parametrize(
+    "goal", [("--goal", "exit-speed"), ("--goal", "line", "--line", "250ft", "--bat", "mlb-a")], ids=" ".join
+)
 def test_a_player(tell: Tell, swings: Path, goal: tuple[str, ...]) -> None:
     document = tell("fit-player", str(swings / "swings.csv"), *goal)
     data, text = document.data, text_of(document, US)
     check_sentences(document, READERS, [OUNCE, INCH, INCH / 4, STANDARD_AXIS])
     assert text.count("12 swings count") == 1 and "6 with R161" in text
+    swung = "--bat" not in goal  # the bat whose speed is told
+    assert ("Bat speed is" in text, "which no swing of the file was made with" in text) == (swung, not swung)
     check_verdicts(document, data)
 
 

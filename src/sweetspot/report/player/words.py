@@ -135,9 +135,14 @@ def measured(posterior: Posterior) -> Words:
 
 
 def _speed(posterior: Posterior) -> Sentence:
-    learned = posterior.learned
+    learned, own = posterior.learned, posterior.model.bats[0].bat
+    swung = any(one.bat is own for one in swung_bats(posterior.model))
     text = say(
-        "Bat speed is {mean} on average and varies by {spread} from swing to swing.",
+        "Bat speed is {mean} on average and varies by {spread} from swing to swing."
+        if swung
+        else "With {own}, which no swing of the file was made with, bat speed would be {mean} on average and vary by "
+        "{spread} from swing to swing.",
+        own=own.name,
         mean=parameter_shown("bat_speed", learned["bat_speed"].interval),
         spread=parameter_shown("bat_speed_spread", learned["bat_speed_spread"].interval),
     )

@@ -17,7 +17,7 @@ const FACTS = [
   ["Moves at", (a) => ["tool_speed_m_s", a.hit.tool_speed_m_s]],
   ["Contact time", (a) => ["contact_time_s", a.hit.contact_time_s]],
   ["Peak force", (a) => ["peak_force_n", a.hit.peak_force_n]],
-  ["Vibration at the hands", (a) => ["sting", a.hit.sting_m_s]],
+  ["Vibration at the handle", (a) => ["sting", a.hit.sting_m_s]],
   ["Weight", (a) => ["mass_kg", a.tool.mass_kg]],
   ["Length", (a) => ["length_m", a.tool.length_m]],
   ["Balance from the grip's end", (a) => ["balance_point_m", a.tool.balance_point_m]],
@@ -57,7 +57,7 @@ export const view = {
       { title: "Speed of the ball", kind: "exit_speed_m_s", height: 140, lines: [{ key: "exit_speed_m_s", label: "real", color: "red", width: 2.4 },
         { key: "rigid_exit_speed_m_s", label: "rigid", color: "muted", dash: [5, 4], width: 1.6 }] },
       { title: "Efficiency", kind: "ratio", height: 80, lines: [{ key: "collision_efficiency", color: "orange" }] },
-      { title: "Vibration at the hands", kind: "sting", height: 80, zero: true, lines: [{ key: "sting_m_s", color: "purple" }] }] });
+      { title: "Vibration at the handle", kind: "sting", height: 80, zero: true, lines: [{ key: "sting_m_s", color: "purple" }] }] });
     this.report = make("div", { className: "words" });
     root.append(side, make("div", { className: "stack" },
       make("section", { className: "picture" }, this.words, this.map.element, this.map.numbers.element, this.facts.element, this.chart.element),
