@@ -25,7 +25,7 @@ from sweetspot.flight.trajectory import fly
 from sweetspot.motion.ball_motion import launched
 from sweetspot.player.advice import Advice, advise
 from sweetspot.player.candidate import candidates, lengthened
-from sweetspot.player.contact_tables import contact_table
+from sweetspot.player.contact_tables import RATIOS, contact_table
 from sweetspot.player.expected import Change, expectation
 from sweetspot.player.goal import CarryTable, Goal, carry_table
 from sweetspot.player.model import player_model
@@ -81,6 +81,16 @@ def test_a_player_without_scatter_gets_the_plain_collision(posterior: Posterior)
     assert asked.of(own)[0] == pytest.approx(exit_speed(q, ball_speed=PITCH, bat_speed=31.0), rel=1e-6)
     faster = asked.of(own, Change(bat_speed=1.0))[0] - asked.of(own)[0]
     assert faster == pytest.approx(1 + q + own.efficiency_slope[at] * (PITCH + 32), rel=1e-3)
+
+
+def test_a_ball_met_off_the_axis_keeps_the_tabled_part(posterior: Posterior) -> None:
+    """Exact: straight lines between the table's rows and columns, by numpy."""
+    own, known = posterior.model.bats[0], certain(posterior, bat_speed=31.0, position=6 * INCH)
+    asked = expectation(known, goal=Goal(), pitch_speed=PITCH, carries=None, seed=1)
+    left = [np.interp(PITCH / 31.0, RATIOS, column) for column in own.kept.T]
+    for above in (-0.4 * INCH, 0.83 * INCH):
+        part = asked.of(own, offset=np.full(2, above))[0] / asked.of(own)[0]
+        assert part == pytest.approx(np.interp(above, own.offset, left), rel=1e-5)
 
 
 def test_another_bat_changes_exit_speed_as_compare_says(posterior: Posterior) -> None:

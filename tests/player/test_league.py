@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -90,6 +92,15 @@ def test_a_league_that_is_the_prior_changes_nothing(alone: list[Posterior]) -> N
     assert alone[0].weighted is not None and again.weighted is not None
     assert np.array_equal(again.weighted.draws, alone[0].weighted.draws)
     assert again.weighted.weights == pytest.approx(alone[0].weighted.weights, abs=1e-15)
+
+
+@pytest.mark.parametrize(("width", "share"), [(1.0, 0.0), (0.5, 0.75), (1.2, 0.0)])
+def test_the_own_share_is_what_the_variance_falls_by(alone: list[Posterior], width: float, share: float) -> None:
+    """Exact: as wide as the league nothing is the batter's own, half as wide three quarters are."""
+    narrow = Population(np.zeros(10), np.full(10, 0.4))
+    learned = {name: replace(one, width_ratio=width * 0.4) for name, one in alone[0].learned.items()}
+    found = own_share(replace(alone[0], learned=learned), narrow)
+    assert set(found) == set(NAMES) and list(found.values()) == pytest.approx([share] * 10)
 
 
 def test_four_batters_are_no_league(alone: list[Posterior]) -> None:

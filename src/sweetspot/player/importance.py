@@ -16,11 +16,11 @@ import numpy as np
 
 from sweetspot.numerics.arrays import Array
 
-ROUNDS, MOST_ROUNDS, DRAWS = 4, 16, 300
+ROUNDS, MOST_ROUNDS, DRAWS = 3, 8, 600
 """Rounds of draws at least and at most, and how many draws in each."""
 GOOD = 300.0
 """Effective draws at which the rounds end."""
-FREEDOM = 6.0
+FREEDOM = 3.0
 """Degrees of freedom of the wide tails."""
 WIDER = 1.25
 """Times the variance that the draws are wider than what was found."""
