@@ -106,7 +106,7 @@ def test_what_if_table(run: Run, run_json: RunJson, tmp_path: Path) -> None:
     asked = ["r161-ash", "--rows", "mass=30oz:31oz:2", "--columns", "bore-depth=0in:40in:3"]
     code, out, _ = run("compare", *asked, "--cell", "bbcor")
     words = " ".join(out.split())
-    assert code == 0 and "bbcor: mass in oz down, bore depth in in across" in words
+    assert code == 0 and "bbcor: mass (oz) down, bore depth (in) across" in words
     assert "make it shallower" in words
     folder = tmp_path / "grid"
     assert run("compare", *asked, "--out", str(folder))[0] == 0
