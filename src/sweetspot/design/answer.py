@@ -11,7 +11,7 @@ from sweetspot.analysis.certification.rules import Check, Finding, League, check
 from sweetspot.design.breaking import HandleBending, handle_bending
 from sweetspot.design.fronts import Front, Question, search
 from sweetspot.design.gain import Gain, gain_of, present_measured
-from sweetspot.design.limits import check_limits
+from sweetspot.design.limits import Limit, check_limits
 from sweetspot.design.measures import MEASURES, Bench, Measured
 from sweetspot.design.polish import polished
 from sweetspot.design.variables import sizes_of
@@ -21,6 +21,12 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
+
+BETWEEN = 5
+"""Bats that are looked for between the best in the first want and the best in another."""
+
+BETWEEN_LOOKS, ON_THE_WAY = 25, 21
+"""How often each of them is changed at most, and among how many on the way to the other end its beginning is chosen."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +70,9 @@ class Designed:
 
 
 def starts_of(bench: Bench, question: Question) -> Array:
-    """Return bats from which a search begins: one that keeps the limits, and the best near it in every want.
+    """Return bats from which a search begins: one that keeps the limits, the best near it in every want, and between.
+
+    No seed changes them, so that fronts of different seeds have them in common.
 
     Raises
     ------
@@ -76,7 +84,33 @@ def starts_of(bench: Bench, question: Question) -> Array:
     for number in range(len(question.wants)):
         wants = question.wants[number:] + question.wants[:number]
         starts.append(polished(bench, Question(wants, question.limits, question.seed), first)[0])
+    for number in range(1, len(question.wants)):
+        starts += _between(bench, question, (starts[1], starts[1 + number]), question.wants[number])
     return np.array(starts)
+
+
+def _between(bench: Bench, question: Question, ends: tuple[Array, Array], other: str) -> list[Array]:
+    """Return bats best in the first want of those that reach a part of the way in another, one after the other.
+
+    Parameters
+    ----------
+    ends : the best in the first want, and the best in the other.
+    """
+    measured = bench.measured(np.array(ends)).values[other]
+    if (measured[1] - measured[0]) * MEASURES[other].better < MEASURES[other].grain:
+        return []
+    found = []
+    numbers = ends[0]
+    for part in np.linspace(0, 1, BETWEEN + 2)[1:-1]:
+        level = float(measured[0] + part * (measured[1] - measured[0]))
+        more = MEASURES[other].better > 0
+        reached = Limit(other, level if more else None, None if more else level, "between the ends")
+        asked = Question(question.wants[:1], (*question.limits, reached), question.seed)
+        way = numbers + np.linspace(0, 1, ON_THE_WAY)[:, None] * (ends[1] - numbers)
+        begin = way[int(np.argmax(reached.excess(bench.measured(way).values[other]) <= 0))]
+        numbers = polished(bench, asked, begin, looks=BETWEEN_LOOKS)[0]
+        found.append(numbers)
+    return found
 
 
 def designed(

@@ -24,7 +24,7 @@ INSIDE = 0.5
 """Grains by which a polished bat stays inside its limits, so that none is passed by rounding."""
 
 
-def polished(bench: Bench, question: Question, numbers: Array) -> tuple[Array, Measured]:
+def polished(bench: Bench, question: Question, numbers: Array, *, looks: int | None = None) -> tuple[Array, Measured]:
     """Return the numbers of a bat near a given one that is best in the first want, and what it is and does.
 
     It is never worse than the one that was given: it keeps every limit if that one did, or comes nearer to them.
@@ -32,9 +32,11 @@ def polished(bench: Bench, question: Question, numbers: Array) -> tuple[Array, M
     Parameters
     ----------
     numbers : of a bat that keeps every limit that a drawing decides, shape (variables,).
+    looks : how many bats are tried with their slopes at most; None, or more than `LOOKS`: so many.
     """
     from scipy.optimize import minimize
 
+    most = LOOKS if looks is None else min(looks, LOOKS)
     low, high = _ends(bench)
     want, sign = question.wants[0], MEASURES[question.wants[0]].better
     size = 100 * MEASURES[want].grain
@@ -44,7 +46,7 @@ def polished(bench: Bench, question: Question, numbers: Array) -> tuple[Array, M
     def looked(parts: Array) -> tuple[Array, Array]:
         key = parts.tobytes()
         if key not in cached:
-            if len(cached) == LOOKS:
+            if len(cached) == most:
                 raise StopIteration
             here = low + np.clip(parts, 0, 1) * (high - low)
             cached[key] = _with_slopes(bench, here, question.limits, want)
