@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import scipy.signal
 
 from sweetspot import all_modes, beam_model, catalog
 from sweetspot.calibration.bar import SHEAR_SHAPE, Bar, bar_modulus, frequency_factor
@@ -67,6 +68,18 @@ def test_hum_is_no_tap_and_no_tone(modes: Modes, sound: Recording, mains: float,
     assert all(one.name is not None for one in test.tones)
     first = next(one.tone.frequency for one in test.tones if str(one.name) == "bending 1")
     assert first.low < modes.frequency[modes.of_family("bending")[0]] < first.high
+
+
+def test_a_room_does_not_hold_the_bat(sound: Recording) -> None:
+    """In an echo 10 dB below the tap a fast companion of the first tone is the room's, and the bat hangs freely."""
+    time = np.arange(round(0.4 * sound.rate)) / sound.rate
+    echo = np.random.default_rng(6).standard_normal(len(time)) * np.exp(-6.9 * time / 0.4)
+    echo[: round(0.004 * sound.rate)] = 0.0
+    echo *= 0.3 / np.sqrt(np.sum(echo**2))
+    echo[0] = 1.0
+    alone = sound.samples[: round(0.9 * sound.rate)]
+    heard = replace(sound, samples=scipy.signal.fftconvolve(alone, echo)[: len(alone)])
+    assert [one.fault for one in find_taps(heard, band=BAT_BAND)] == [None]
 
 
 def test_a_plate_that_nobody_described_has_no_names() -> None:

@@ -269,3 +269,12 @@ def test_the_export_gives_the_numbers_and_pictures(opened: Page) -> None:
     assert b'material = "white-ash"' in found["toml"]
     expect(opened.locator("[data-lines=command]")).to_contain_text("sweetspot report r161-ash")
     expect(opened.locator("[data-lines=python]")).to_contain_text("analyse(bat, conditions)")
+
+
+def test_how_sure_the_numbers_are_stands_below(opened: Page) -> None:
+    """Asked for only by those who open it: intervals beside the report's numbers, and what they come from."""
+    opened.locator("#sure summary").click()
+    told = opened.locator("#sure .document")
+    expect(told).to_contain_text("90 % intervals")
+    expect(told).to_contain_text("±")
+    expect(told.get_by_role("row", name="ball restitution").first).to_contain_text("%")

@@ -7,6 +7,7 @@ second blow shows as a burst in what linear prediction cannot foresee: a sum of 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -61,6 +62,8 @@ BEFORE, AS_LOUD = (0.3, 0.004), 0.5
 """s before a tap between which hum is looked for, and how loud it is there at least, over its amplitude after it."""
 HUMLESS, CLEARER = 400.0, 6.0
 """Hz from which on taps are looked for where they stand out by this many dB more: mains and steps are below."""
+ECHO = 0.1
+"""Part of its frequency within which a weaker tone that dies away faster is an echo (assumed)."""
 HEARD = 0.1
 """Amplitude over the loudest tone's; the lowest tone that is at least this loud says whether the implement is free."""
 
@@ -177,7 +180,7 @@ def _tap(recording: Recording, sound: Recording, start: float, end: float, band:
             fit,
         )
     loudest = max(one.amplitude for one in fit.sinusoids)
-    lowest = next(one for one in fit.sinusoids if one.amplitude > HEARD * loudest)
+    lowest = next(one for one in fit.sinusoids if one.amplitude > HEARD * loudest and not _echoed(one, fit.sinusoids))
     ratio = lowest.damping_ratio
     if ratio.value > held and ratio.low > held / 2:
         return rejected(
@@ -186,6 +189,23 @@ def _tap(recording: Recording, sound: Recording, start: float, end: float, band:
             fit,
         )
     return Tap(recording.name, start, None, fit)
+
+
+def _echoed(one: Sinusoid, all_of_them: Sequence[Sinusoid]) -> bool:
+    """Say whether a tone beside this one dies away more slowly and holds more energy: this is its echo in the room.
+
+    A tone's energy goes as a^2 / (zeta f).
+    """
+
+    def energy(tone: Sinusoid) -> float:
+        return tone.amplitude**2 / max(tone.damping_ratio.value * tone.frequency.value, 1e-12)
+
+    return any(
+        abs(other.frequency.value - one.frequency.value) < ECHO * one.frequency.value
+        and other.damping_ratio.value < one.damping_ratio.value
+        and energy(other) > energy(one)
+        for other in all_of_them
+    )
 
 
 def _without_hum(fit: Fit, earlier: Array) -> Fit:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from sweetspot.analysis.bat_analysis import analyse_reduced
+from sweetspot.catalog.files.bat import table_of_text
 from sweetspot.collision.closed_form import bbcor, exit_speed
 from sweetspot.collision.impact import Impacts, Outcome
 from sweetspot.collision.kernel import hits
@@ -17,7 +18,7 @@ from sweetspot.report.bat.words import misses_of
 from sweetspot.report.hit.json import conditions_json
 from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH
-from sweetspot.web.documents import in_both_systems
+from sweetspot.web.documents import in_both_systems, told
 from sweetspot.web.drawings import ball_picture, bat_picture
 from sweetspot.web.errors import FieldError
 from sweetspot.web.publications import published
@@ -25,6 +26,9 @@ from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, swing_op
 from sweetspot.web.states import HitState
 from sweetspot.web.view import View
 from sweetspot.web.views.explorer_curves import Met, along, curves, leaving, power_map, struck
+
+PAGE_DRAWS = 256
+"""Draws of what is not known, a quarter of the command's: an interval's ends are then known to a tenth of it."""
 
 
 class ExplorerState(HitState):
@@ -77,6 +81,26 @@ def why(state: ExplorerState) -> dict[str, Any]:
         if np.isfinite(loss.value)
     ]
     return {"sentences": in_both_systems(words_about(analysis, misses)), "other_law": points}
+
+
+def sure(state: ExplorerState) -> dict[str, Any]:
+    """Return the report with an interval beside each number, and what they come from; speeds are taken as they are."""
+    from sweetspot.calibration.calibrated_file import known_deviations
+    from sweetspot.calibration.draws.drawn_reports import drawn_report
+    from sweetspot.calibration.draws.sources import sources_of
+    from sweetspot.report.bat.document import report_document
+    from sweetspot.report.uncertainty.uncertainty_section import uncertain
+
+    met = along(state)
+    analysis = analyse_reduced(met.reduced, met.conditions)
+    known = known_deviations(table_of_text(state.bat_toml, "the bat's file")) if state.bat_toml else None
+    sources, misses = sources_of(met.reduced.bat, analysis.conditions, known=known), misses_of(analysis)
+    answers = drawn_report(analysis, sources, misses=misses, count=PAGE_DRAWS)
+    document = uncertain(
+        report_document(analysis, misses=misses, reaches=answers.reaches()), answers,
+        main="best_hit.exit_speed_m_s", named="best exit speed", where=sources.described,
+    )  # fmt: skip
+    return told(document)
 
 
 def recipe(state: ExplorerState) -> dict[str, str]:
@@ -141,4 +165,4 @@ def _met(state: ExplorerState, met: Met, place: float) -> tuple[Any, tuple[float
     return off, (float(speeds[0]), float(angles[0]), float(spins[0]))
 
 
-VIEW = View("explorer", "Explorer", ExplorerState, answer, recipe, asides={"map": power_map, "why": why})
+VIEW = View("explorer", "Explorer", ExplorerState, answer, recipe, asides={"map": power_map, "why": why, "sure": sure})

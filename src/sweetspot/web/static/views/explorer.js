@@ -6,6 +6,7 @@ import { Chart, between } from "../chart.js";
 import { button, group, slider } from "../controls.js";
 import { gripsOf } from "../grips.js";
 import { HeatMap } from "../heatmap.js";
+import { DocumentPlace } from "../document.js";
 import { PARTS } from "../ledger.js";
 import { factList, make, paragraphs } from "../parts.js";
 import { INCH } from "../units.js";
@@ -74,6 +75,9 @@ export const view = {
     this.report = make("details", { className: "report", open: false }, make("summary", { textContent: "What the report says of this bat and swing" }));
     this.told = make("div", { className: "words" });
     this.report.append(this.told);
+    this.doubt = new DocumentPlace(app, "Drawing bats and balls that may be meant …");
+    this.sure = make("details", { className: "report", id: "sure", open: false }, make("summary", { textContent: "How sure these numbers are, and what that comes from" }), this.doubt.element);
+    this.sure.addEventListener("toggle", () => this.askHowSure());
     this.knownList = make("ul");
     this.known = make("details", { className: "report" }, make("summary", { textContent: "What was published of this bat (diamonds on the curves)" }), this.knownList);
     const barrel = button("Barrel", () => this.zoom.back());
@@ -81,7 +85,7 @@ export const view = {
     this.heatSwitch = button("Colours off", () => this.switchHeat());
     const tools = make("div", { className: "row tight" }, barrel, whole, this.zoom.buttons(), this.heatSwitch);
     const picture = make("section", { className: "picture", ariaLabel: "Bat and curves" },
-      tools, this.picture.element, this.facts.element, this.why, this.power.element, this.power.numbers.element, this.chart.element, this.known, this.report);
+      tools, this.picture.element, this.facts.element, this.why, this.power.element, this.power.numbers.element, this.chart.element, this.known, this.report, this.sure);
     root.append(this.words, side, picture);
     this.handle();
   },
@@ -144,6 +148,13 @@ export const view = {
       this.paint();
     });
     if (this.found) paragraphs(this.told, this.found.sentences[this.app.units]);
+    this.doubt.redraw();
+    this.askHowSure();
+  },
+
+  // Hundreds of bats are hit for it: only for those who look.
+  askHowSure() {
+    if (this.sure.open && this.app.answer) this.app.aside("sure", ELSEWHERE, 600, (found) => this.doubt.show(found));
   },
 
   paint() {

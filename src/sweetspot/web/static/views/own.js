@@ -10,7 +10,7 @@ import { takeDrops } from "../upload.js";
 import { TapPlace } from "./own_tap.js";
 /** @import { App, View } from "../main.js" */
 
-const DIGITS = { mass: 2, density: 0 };
+const DIGITS = { mass: 2, density: 0, share: 2 };
 const SOUND = /\.(wav|flac|ogg|mp3|aiff)$/i;
 
 /** @type {View} */
@@ -134,6 +134,7 @@ export const view = {
       box.querySelectorAll("tbody tr").forEach((row, i) => {
         const left = make("span");
         left.style.width = `${100 * Math.min(1, unknowns[i].after / unknowns[i].before)}%`;
+        /** @type {HTMLElement} */ (row.lastElementChild).style.minWidth = "14em"; // on a telephone the table is pushed aside
         row.children[2].append(make("span", { className: "shrunk", ariaHidden: "true" }, left));
       });
       told.push(box);
