@@ -192,11 +192,16 @@ def swings(tmp_path: Path) -> Path:
     "goal", [("--goal", "exit-speed"), ("--goal", "line", "--line", "250ft", "--bat", "mlb-a")], ids=" ".join
 )
 def test_a_player(tell: Tell, swings: Path, goal: tuple[str, ...]) -> None:
+    swung = "--bat" not in goal  # the bat whose speed is told
+    if not swung:
+        head, *rows = (line.split(",") for line in (swings / "swings.csv").read_text(encoding="utf-8").splitlines())
+        for row in rows:
+            row[head.index("bat")] = "r161-ash"
+        (swings / "swings.csv").write_text("\n".join(",".join(row) for row in (head, *rows)), encoding="utf-8")
     document = tell("fit-player", str(swings / "swings.csv"), *goal)
     data, text = document.data, text_of(document, US)
     check_sentences(document, READERS, [OUNCE, INCH, INCH / 4, STANDARD_AXIS])
-    assert text.count("12 swings count") == 1 and "6 with R161" in text
-    swung = "--bat" not in goal  # the bat whose speed is told
+    assert text.count("12 swings count") == 1 and ("6 with R161" in text) == swung
     assert ("Bat speed is" in text, "which no swing of the file was made with" in text) == (swung, not swung)
     check_verdicts(document, data)
 
