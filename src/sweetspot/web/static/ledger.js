@@ -44,12 +44,15 @@ class Areas extends Chart {
     const found = [];
     for (const { key, name } of panel.lines) {
       const half = context.measureText(name).width / 2 + 4;
+      const tops = below.map((joules, i) => up(joules + (lines[key][i] ?? 0)));
+      const bottoms = below.map(up);
       let best = { room: 15 };
+      let first = 0; // of the places beneath the name, which go on to the right with it
       for (let middle = box.left + half; middle < box.right - half; middle += 8) {
-        const inside = x.map((_, i) => i).filter((i) => Math.abs(at[i] - middle) < half + 4);
-        const top = Math.min(...inside.map((i) => up(below[i] + (lines[key][i] ?? 0))));
-        const bottom = Math.max(...inside.map((i) => up(below[i])));
-        if (top - bottom > best.room) best = { room: top - bottom, middle, y: box.bottom - (top + bottom) / 2 };
+        while (at[first] <= middle - half - 4) first += 1;
+        let [top, bottom] = [Infinity, -Infinity];
+        for (let i = first; at[i] < middle + half + 4; i += 1) [top, bottom] = [Math.min(top, tops[i]), Math.max(bottom, bottoms[i])];
+        if (top < Infinity && top - bottom > best.room) best = { room: top - bottom, middle, y: box.bottom - (top + bottom) / 2 };
       }
       if (best.middle) found.push({ name, ...best });
       lines[key].forEach((joules, i) => (below[i] += joules ?? 0));

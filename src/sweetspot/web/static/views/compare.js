@@ -90,6 +90,7 @@ export const view = {
     const lines = {}, xs = {};
     const first = bats[0];
     const placed = ({ scan, bat }) => scan.position_m.map((place) => place + this.longest - bat.length_m);
+    const firstPlaces = placed(first);
     bats.forEach((one, i) => {
       const places = placed(one);
       for (const key of ["exit_speed_m_s", "collision_efficiency", "exit_speed_low_m_s", "exit_speed_high_m_s"]) {
@@ -98,7 +99,7 @@ export const view = {
       }
       if (!i) return;
       const against = (key) => one.scan[key].map((value, j) => {
-        const other = between(placed(first), first.scan.exit_speed_m_s, places[j]);
+        const other = between(firstPlaces, first.scan.exit_speed_m_s, places[j]);
         return value === null || other === null ? null : value - other;
       });
       for (const [name, key] of [["change", "exit_speed_m_s"], ["change_low", "exit_speed_low_m_s"], ["change_high", "exit_speed_high_m_s"]]) {
