@@ -119,7 +119,7 @@ def test_the_front_is_the_same_whatever_the_seed(bench: Bench, limits: tuple[Lim
     low, wide = every.min(axis=0), np.ptp(every, axis=0)
     covered = np.array([HV(ref_point=np.array([1.05, 1.05]))((one - low) / wide) for one in wants])
     assert np.ptp(covered) < 0.1 * covered.mean()
-    assert covered.mean() > 0.6  # far beyond the line between the ends, which covers a half
+    assert covered.min() > 0.4  # without the bats between the ends a fifth is covered, and seeds differ by half of it
 
 
 def test_a_stopped_search_goes_on_as_if_it_had_not_been(
