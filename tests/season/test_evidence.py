@@ -165,6 +165,47 @@ def test_reliability_is_the_correlation_of_two_halves(season: Season) -> None:
     assert found == pytest.approx(float(spread.reliability(number(halves[0]["balls"].mean()))), abs=0.1)
 
 
+def test_exit_speed_over_this_bat_s_ceiling_tells_players_apart_better_than_the_league_s_rate(
+    answered: Callable[[pl.DataFrame], Season],
+) -> None:
+    """At 34 balls of 209 players, as published tables are compared; all have the same bat. Halves agree with it."""
+    frame = made_season(catalog.bat(BAT), MadeSeason(players=209, balls=80), seed=2)
+    counted = answered(frame.filter(pl.int_range(pl.len()).over("batter") < 68)).counted().collect()
+    rate, own = (float(pooled(counted, key="batter", measure=name)[1].reliability(34.0))
+                 for name in ("league_squared_up", "squared_up_ratio"))  # fmt: skip
+    assert own >= 0.36 and own > rate + 0.03
+    turn = counted.with_columns(turn=pl.int_range(pl.len()).over("batter") % 2)
+    halves = turn.group_by("batter").agg(
+        pl.col("squared_up_ratio").filter(pl.col("turn") == half).mean().alias(str(half)) for half in (0, 1)
+    )  # fmt: skip
+    assert float(np.corrcoef(halves["0"], halves["1"])[0, 1]) == pytest.approx(own, abs=0.12)
+
+
+def test_on_time_and_perfect_are_the_league_s(tmp_path: Path) -> None:
+    """Every third ball is met when it usually is, every third 8 ms earlier; of the others nothing is told."""
+    speed = 0.92 * 90 * MPH  # at the plate
+    usual, late = ((0.018 + seconds) * speed / 0.92 / INCH for seconds in (0.0, 0.008))
+    frame = made_season(catalog.bat(BAT), MadeSeason(players=3, balls=60)).with_columns(release_speed=pl.lit(90.0))
+    where = pl.int_range(pl.len()) % 3
+    name = "intercept_ball_minus_batter_pos_y_inches"
+    frame = frame.with_columns(pl.when(where == 0).then(usual).when(where == 1).then(late).alias(name))
+    frame.write_parquet(tmp_path / "made.parquet")
+    counted = analyse_season([tmp_path / "made.parquet"], folder=tmp_path / "out").counted().collect()
+    third = np.arange(len(counted)) % 3
+    on_time, perfect = (counted[column].fill_null(-1.0).to_numpy() for column in ("on_time", "perfect"))
+    assert [set(on_time[third == number].tolist()) for number in range(3)] == [{1.0}, {0.0}, {-1.0}]
+    both = (counted["centred"] * counted["lined_up"]).fill_null(-1.0).to_numpy()
+    assert np.array_equal(perfect[third == 0], both[third == 0]) and 0.2 < (both[third == 0] == 1).mean() < 0.9
+    assert set(perfect[third == 1].tolist()) <= {0.0, -1.0} and set(perfect[third == 2].tolist()) == {-1.0}
+
+
+def test_balls_of_a_real_game_are_on_time_as_often_as_may_be(tmp_path: Path) -> None:
+    path = real_file("savant_2024-07-25_cease_nohitter_full118col.csv.gz")
+    counted = analyse_season([path], folder=tmp_path).counted().collect()
+    told = counted["on_time"].drop_nulls()
+    assert len(told) >= 15 and 0.4 < number(told.mean()) < 1.0
+
+
 def test_pooled_means_hold_as_often_as_they_say() -> None:
     """Two hundred groups of made-up numbers with between 3 and 60 balls each."""
     rng = np.random.default_rng(4)
