@@ -2,7 +2,7 @@
 
 The bat's undisturbed swing is taken out, so the bat starts at rest and the ball comes with the closing speed.
 Between kicks by the contact force, ball and modes drift freely and exactly; each kick lies in the middle of its
-step: a symplectic leapfrog of second order. Three corrections leave an error of about fourth order:
+step: a symplectic leapfrog of second order. Four corrections leave an error of about fourth order:
 
 * The leapfrog follows a neighbour of the energy, H + h^2 (T V''/(6 mu) - V'^2/(24 mu)), mu the mass that ball and bat
   together show at the contact. Seen at the kicks, a push F that changes slowly moves the two apart by h^2 F / (12 mu)
@@ -11,6 +11,8 @@ step: a symplectic leapfrog of second order. Three corrections leave an error of
   back, is right too.
 * The ball springs back from the moment when the approach is greatest, not from the first kick that finds it smaller:
   a kick belongs to the way back as soon as the parabola through the last three kicks has its top before it.
+* Where the ball turns, the force's second derivative jumps; what kicks then leave out is added to the next one
+  (`impulse_of_the_turn`).
 * The first kick comes after touch by the part of a step that makes the sum of kicks of a force u^n its integral
   (`first_kick_after_touch`).
 
@@ -35,7 +37,7 @@ import numpy as np
 from sweetspot.collision.contact_law import ContactLaw, Hysteretic, pressed_in_series
 from sweetspot.collision.impact import CONTACT_FORCE, EnergyLedger, Impact, Outcome, bat_energy
 from sweetspot.collision.modal_propagator import dashpot_factors, modal_propagator_of, moved
-from sweetspot.collision.time_step import contact_step, first_kick_after_touch
+from sweetspot.collision.time_step import contact_step, first_kick_after_touch, impulse_of_the_turn
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
@@ -173,7 +175,7 @@ def _integrated(
     struck = struck._replace(compliance=struck.compliance + by_steps)
     flow = _Flow(modes, step)
     motion = _Motion(closing_speed * step * first_kick, closing_speed, np.zeros(2 * len(modes)))
-    peak, greatest, hardest = 0.0, 0.0, 0.0
+    peak, greatest, hardest, missing = 0.0, 0.0, 0.0, 0.0
     turned_at: float | None = None
     approaches, compressions, forces, impulses = [0.0], [0.0], [0.0], [0.0]
     outcome, release, late = Outcome.STILL_IN_CONTACT, math.nan, 0.0
@@ -196,14 +198,17 @@ def _integrated(
             continue
         rate = motion.ball_speed - speed
         if turned_at is None and _past_the_top(approaches, approach):
-            peak = max(peak, approach, _vertex(approaches, approach))
-            turned_at, force, _ = struck.pressed(law, peak, 0.0, None)
+            shift, height, bend = _top(approaches, approach)
+            peak = max(peak, approach, height)
+            turned_at, force, before = struck.pressed(law, peak, 0.0, None)
+            stiffening = struck.softened(law.force_and_slope(turned_at, 0.0, turned_at)[1]) - struck.softened(before)
+            missing = impulse_of_the_turn(shift, bend, stiffening, step)
             greatest, hardest = max(greatest, turned_at), max(hardest, force)
         elif approach >= peak:
             peak, turned_at = approach, None
         expected = 2 * forces[-1] - forces[-2] if len(forces) > 1 else 0.0
         compression, force, _ = struck.pressed(law, approach, rate, turned_at, expected)
-        impulse = force * step
+        impulse, missing = force * step + missing, 0.0
         approaches.append(approach)
         compressions.append(compression)
         forces.append(force)
@@ -239,6 +244,10 @@ class _Struck(NamedTuple):
         return pressed_in_series(
             law, approach=approach, compliance=self.compliance, rate=rate, turned_at=turned_at, force=force
         )
+
+    def softened(self, slope: float) -> float:
+        """Return dF/dw in N/m, by the approach that ball and surface share, for dF/du by the ball's compression."""
+        return slope / (1 + self.compliance * slope)
 
 
 def _struck(modes: Modes, position: float, lateral: float, closing_speed: float) -> _Struck:
@@ -312,12 +321,15 @@ def _past_the_top(approaches: list[float], latest: float) -> bool:
     return latest < approaches[-1] or (len(approaches) > 2 and 3 * latest - 4 * approaches[-1] + approaches[-2] < 0)
 
 
-def _vertex(approaches: list[float], latest: float) -> float:
-    """Return the height of the top of the parabola through the last three kicks."""
+def _top(approaches: list[float], latest: float) -> tuple[float, float, float]:
+    """Return the top of the parabola through the last three kicks: its place in steps after the last but one, height.
+
+    Last comes the second difference.
+    """
     if len(approaches) < 3:
-        return approaches[-1]
+        return 0.5, approaches[-1], 0.0
     first, middle = approaches[-2:]
-    return vertex(first, middle, latest)[1]
+    return *vertex(first, middle, latest), first - 2 * middle + latest
 
 
 def _contact_time(forces: list[float], first_kick: float) -> float:

@@ -18,7 +18,7 @@ from sweetspot.collision.contact_law import NEWTON_STEPS
 from sweetspot.collision.coupled import SLOW, TIME_LIMIT, check_step
 from sweetspot.collision.impact import CONTACT_FORCE, Impacts, Outcome
 from sweetspot.collision.modal_propagator import dashpot_factors, modal_propagator_of, moved
-from sweetspot.collision.time_step import contact_step, first_kick_after_touch
+from sweetspot.collision.time_step import contact_step, first_kick_after_touch, impulse_of_the_turn
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball, restitution_at
 from sweetspot.numerics import parabola
@@ -225,6 +225,7 @@ class Output(NamedTuple):
 # the readable functions, compiled where compiled code calls them
 _crossing = register_jitable(parabola.crossing)
 _vertex = register_jitable(parabola.vertex)
+_impulse_of_the_turn = register_jitable(impulse_of_the_turn)
 _unloading_power = register_jitable(contact_law.unloading_power)
 register_jitable(restitution_at)
 
@@ -306,7 +307,7 @@ def solve(lane_count: int, closing_speed: Array, bat: Bat, ball: BallNumbers, st
                 elif until[lane] > 0.0:
                     _touch(lane, ball, state)
                 else:
-                    _turn(lane, ball, state)
+                    _turn(lane, ball, step, lanes)
         for lane in range(lane_count):
             guess = max(approach[lane] - give[lane] * (2.0 * force[lane] - former[lane]), 0.25 * approach[lane])
             pushing = exp(offset[lane] + power[lane] * log(guess))
@@ -409,26 +410,36 @@ def _touch(lane: int, ball: BallNumbers, state: Array) -> None:
     state[PEAK, lane] = state[APPROACH, lane]
     state[BEFORE, lane] = state[EARLIER, lane] = 0.0
     state[RISING, lane] = 1.0
-    state[OFFSET, lane], state[POWER, lane] = math.log(ball.stiffness), ball.exponent
+    state[OFFSET, lane], state[POWER, lane] = log(ball.stiffness), ball.exponent
     state[FORCE, lane] = state[FORMER, lane] = state[UNTIL, lane] = 0.0
 
 
 @compiled()
-def _turn(lane: int, ball: BallNumbers, state: Array) -> None:
+def _turn(lane: int, ball: BallNumbers, step: float, lanes: Lanes) -> None:
     """Change a lane from loading to unloading, at the top of the parabola through three kicks, or back."""
+    state = lanes.state
     if state[RISING, lane] == 0.0:
         state[RISING, lane] = 1.0
-        state[OFFSET, lane], state[POWER, lane] = math.log(ball.stiffness), ball.exponent
-    else:
-        state[RISING, lane] = 0.0
-        if state[EARLIER, lane] > 0:
-            height = _vertex(state[EARLIER, lane], state[BEFORE, lane], state[APPROACH, lane])[1]
-            state[PEAK, lane] = max(state[PEAK, lane], height)
-        deepest, force = _loaded(state[PEAK, lane], state[GIVE, lane], state[FORCE, lane], ball)
-        state[DEEPEST, lane] = max(state[DEEPEST, lane], deepest)
-        state[HARDEST, lane] = max(state[HARDEST, lane], force)
-        power = _unloading_power(ball, deepest, force)
-        state[OFFSET, lane], state[POWER, lane] = math.log(force) - power * math.log(deepest), power
+        state[OFFSET, lane], state[POWER, lane] = log(ball.stiffness), ball.exponent
+        return
+    state[RISING, lane] = 0.0
+    earlier, before, latest = state[EARLIER, lane], state[BEFORE, lane], state[APPROACH, lane]
+    shift, bend = 0.5, 0.0
+    if earlier > 0:
+        shift, height = _vertex(earlier, before, latest)
+        bend = earlier - 2 * before + latest
+        state[PEAK, lane] = max(state[PEAK, lane], height)
+    give = state[GIVE, lane]
+    deepest, force = _loaded(state[PEAK, lane], give, state[FORCE, lane], ball)
+    state[DEEPEST, lane] = max(state[DEEPEST, lane], deepest)
+    state[HARDEST, lane] = max(state[HARDEST, lane], force)
+    power, slope = _unloading_power(ball, deepest, force), force / deepest
+    state[OFFSET, lane], state[POWER, lane] = log(force) - power * log(deepest), power
+    stiffening = power * slope / (1 + give * power * slope) - ball.exponent * slope / (1 + give * ball.exponent * slope)
+    impulse = _impulse_of_the_turn(shift, bend, stiffening, step)
+    state[BALL_SPEED, lane] -= impulse / ball.mass
+    for i in range(len(lanes.shape)):
+        lanes.velocity[i, lane] += lanes.shape[i, lane] * impulse
 
 
 @compiled()
@@ -438,9 +449,9 @@ def _loaded(approach: float, give: float, force: float, ball: BallNumbers) -> tu
     ``force`` is about the one expected.
     """
     exponent = ball.exponent
-    compression = max(approach - give * force, 0.25 * approach)
+    compression, offset = max(approach - give * force, 0.25 * approach), log(ball.stiffness)
     for _ in range(NEWTON_STEPS):
-        force = ball.stiffness * compression**exponent
+        force = exp(offset + exponent * log(compression))
         steepness = exponent * force / compression
         softened = 1 / (1 + give * steepness)
         change = (approach - compression - give * force) * softened
