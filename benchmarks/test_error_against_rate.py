@@ -11,7 +11,7 @@ from benchmarks.cases import MANY, QUICK, ball, best, exit_speed, game_hits, mea
 from sweetspot import hits
 from sweetspot.collision import kernel
 
-STEPS = (4, 8, 12, 16, 20, 24, 28, 40)
+STEPS = (4, 8, 12, 16, 20, 26, 32, 40)
 """us."""
 
 

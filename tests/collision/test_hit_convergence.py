@@ -57,14 +57,14 @@ def game_hits(count: int) -> tuple[Array, Array]:
     return generator.uniform(0.60, 0.82, count), generator.uniform(60.0, 80.0, count)
 
 
-def test_exit_speed_converges_at_more_than_third_order() -> None:
-    # Four from corrected kicks; the force's kink at its peak, found between kicks, leaves a third-order scatter.
+def test_exit_speed_converges_at_third_order() -> None:
+    # Four from corrected kicks; the peak, which a parabola through three of them finds, is known to third order.
     places, closing = game_hits(300)
     converged = exit_speed(MODES, places=places, closing=closing, step=0.05e-6)
     steps = np.array([20.0, 16.0, 8.0, 4.0, 2.0]) * 1e-6
     errors = [rms(exit_speed(MODES, places=places, closing=closing, step=step) / converged - 1) for step in steps]
-    assert 3.0 < order(steps, errors) < 4.5
-    assert errors[0] < 2e-5
+    assert 2.9 < order(steps, errors) < 4.5
+    assert errors[0] < 6e-6
 
 
 @pytest.mark.parametrize("exponent", [1.0, 1.2, 1.5, 2.0, 2.5, 3.0])
@@ -76,6 +76,16 @@ def test_kicks_of_a_power_add_up_to_its_integral(exponent: float) -> None:
     integral = end ** (exponent + 1) / (exponent + 1) - exponent * end ** (exponent - 1) / 24
     integral += 7 / 5760 * exponent * (exponent - 1) * (exponent - 2) * end ** (exponent - 3)
     assert abs(np.sum(places**exponent) - integral) < 2e-3 * 0.5 ** (exponent + 1)
+
+
+def test_the_turn_scatters_little_with_its_place_between_kicks() -> None:
+    # Without the impulse that kicks leave out there the deviation is 1.3e-5; without the give of steps the mean -5e-5.
+    closing = np.linspace(60.0, 80.0, 200)
+    places = np.full_like(closing, 0.82)
+    converged = exit_speed(MODES, places=places, closing=closing, step=1e-6)
+    errors = exit_speed(MODES, places=places, closing=closing, step=20e-6) / converged - 1
+    assert np.std(errors) < 6e-6
+    assert abs(np.mean(errors)) < 1.4e-5
 
 
 @pytest.mark.parametrize(("step", "allowed"), [(coupled.STEP, 1e-5), (kernel.STEP, 1e-4)])

@@ -2,13 +2,13 @@
 
 The bat's undisturbed swing is taken out, so the bat starts at rest and the ball comes with the closing speed.
 Between kicks by the contact force, ball and modes drift freely and exactly; each kick lies in the middle of its
-step: a symplectic leapfrog of second order. Four corrections leave an error of about fourth order:
+step: a symplectic leapfrog of second order. Four corrections leave an error of about third order:
 
 * The leapfrog follows a neighbour of the energy, H + h^2 (T V''/(6 mu) - V'^2/(24 mu)), mu the mass that ball and bat
   together show at the contact. Seen at the kicks, a push F that changes slowly moves the two apart by h^2 F / (12 mu)
   more than it should: steps make the contact look softer by that compliance, and it is counted as the surface's
-  (to first order Takahashi and Imada's device [takahashi1984]). So the peak, which decides how much the ball gives
-  back, is right too.
+  (to first order Takahashi and Imada's device [takahashi1984]; for quick modes see `give_of_steps`). So the peak,
+  which decides how much the ball gives back, is right too.
 * The ball springs back from the moment when the approach is greatest, not from the first kick that finds it smaller:
   a kick belongs to the way back as soon as the parabola through the last three kicks has its top before it.
 * Where the ball turns, the force's second derivative jumps; what kicks then leave out is added to the next one
@@ -37,7 +37,7 @@ import numpy as np
 from sweetspot.collision.contact_law import ContactLaw, Hysteretic, pressed_in_series
 from sweetspot.collision.impact import CONTACT_FORCE, EnergyLedger, Impact, Outcome, bat_energy
 from sweetspot.collision.modal_propagator import dashpot_factors, modal_propagator_of, moved
-from sweetspot.collision.time_step import contact_step, first_kick_after_touch, impulse_of_the_turn
+from sweetspot.collision.time_step import contact_step, first_kick_after_touch, give_of_steps, impulse_of_the_turn
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
@@ -74,7 +74,7 @@ def hit(
     position : m from the knob end.
     closing_speed : m/s; not above zero is no contact, an outcome and not an error.
     lateral : m across the face from the bat's line.
-    step : s, > 0; the error falls with its square. None: `STEP`, or less where a light face needs it (`contact_step`).
+    step : s, > 0; the error falls with its cube. None: `STEP`, or less where a light face needs it (`contact_step`).
     law : another contact law than the ball's own `Hysteretic` one.
 
     Raises
@@ -171,7 +171,8 @@ def _integrated(
 ) -> _Contact:
     """Step ball and modes from first touch until the ball is gone for good, or to the time limit."""
     first_kick = first_kick_after_touch(ball.exponent)
-    by_steps = step**2 / 12 * (1 / ball.mass + struck.lightness)
+    shape = struck.kick[len(modes) :]
+    by_steps = step**2 / 12 / ball.mass + float(shape**2 @ give_of_steps(modes.angular_frequency, step))
     struck = struck._replace(compliance=struck.compliance + by_steps)
     flow = _Flow(modes, step)
     motion = _Motion(closing_speed * step * first_kick, closing_speed, np.zeros(2 * len(modes)))

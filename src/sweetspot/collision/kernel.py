@@ -18,7 +18,7 @@ from sweetspot.collision.contact_law import NEWTON_STEPS
 from sweetspot.collision.coupled import SLOW, TIME_LIMIT, check_step
 from sweetspot.collision.impact import CONTACT_FORCE, Impacts, Outcome
 from sweetspot.collision.modal_propagator import dashpot_factors, modal_propagator_of, moved
-from sweetspot.collision.time_step import contact_step, first_kick_after_touch, impulse_of_the_turn
+from sweetspot.collision.time_step import contact_step, first_kick_after_touch, give_of_steps, impulse_of_the_turn
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball, restitution_at
 from sweetspot.numerics import parabola
@@ -30,7 +30,7 @@ from sweetspot.units import check_place
 
 LANES = 64
 """Most hits side by side; fewer hits than that take only the lanes they need, in fours."""
-STEP = 20e-6
+STEP = 26e-6
 """s; exit speeds are within 1e-4 of the converged ones for hits at game speed (`make bench` prints the curve)."""
 NEARLY = 1e-4
 QUIET = -230.0
@@ -110,6 +110,7 @@ def _hits(
     drift, half_dash = modal_propagator_of(modes, step), dashpot_factors(modes, step / 2)
     numbers, steps = numbers_of(ball), steps_of(ball, step)
     omega = modes.angular_frequency
+    step_give = give_of_steps(omega, step)
 
     def work(part: slice) -> None:
         here, speed = places[part], speeds[part]
@@ -118,7 +119,7 @@ def _hits(
         kept = motion[:, part] if keep_motion else motion
         lanes = min(LANES, 4 * math.ceil(len(shapes) / 4))
         output = Output(outcome[part], results[:, part], kept)
-        bat = Bat(shapes, give, omega, drift, modes.dashpots, half_dash)
+        bat = Bat(shapes, give, omega, step_give, drift, modes.dashpots, half_dash)
         solve(lanes, speed, bat, numbers, steps, output)
         if keep_motion:
             displacement, velocity = motion[:, part]
@@ -160,8 +161,8 @@ def numbers_of(ball: Ball) -> BallNumbers:
 # rows of the lanes' state
 CLOSING, BALL_POSITION, BALL_SPEED, SURFACE, APPROACH, BEFORE, EARLIER = range(7)
 PEAK, RISING, OFFSET, POWER, IMPULSE, LARGEST, KICKS, EVENT, FORCE, CONTACT = range(7, 17)
-GIVE, FORMER, PRESSED, DEEPEST, HARDEST, UNTIL = range(17, 23)
-STATE_ROWS = 23
+GIVE, FORMER, PRESSED, DEEPEST, HARDEST, UNTIL, MISSING = range(17, 24)
+STATE_ROWS = 24
 # rows of the results
 EFFICIENCY, CONTACT_TIME, RELEASE_TIME, GREATEST_FORCE, GREATEST_COMPRESSION, LATE = range(6)
 RESULT_ROWS = 6
@@ -174,6 +175,7 @@ class Bat(NamedTuple):
     ----------
     shapes, give : (n, modes) 1/sqrt(kg) and (n,) m/N at the point of impact of each hit.
     omega : (modes,) angular frequency in rad/s.
+    step_give : (modes,) s^2, what steps leave out of each mode's give; see `give_of_steps`.
     drift : (modes, 2, 2), the free motion over one step.
     dashpots, half_dash : (k, modes) and (k,), dampers that couple modes and what they do in half a step.
     """
@@ -181,6 +183,7 @@ class Bat(NamedTuple):
     shapes: Array
     give: Array
     omega: Array
+    step_give: Array
     drift: Array
     dashpots: Array
     half_dash: Array
@@ -221,6 +224,9 @@ class Output(NamedTuple):
     results: Array
     motion: Array
 
+
+# What happens to one lane is compiled without counting references to arrays (_nrt): that cost a tenth of a hit's time,
+# for whoever calls these functions holds the arrays anyway.
 
 # the readable functions, compiled where compiled code calls them
 _crossing = register_jitable(parabola.crossing)
@@ -269,8 +275,9 @@ def solve(lane_count: int, closing_speed: Array, bat: Bat, ball: BallNumbers, st
     peak, rising, kicks, event = state[PEAK], state[RISING], state[KICKS], state[EVENT]
     offset, power, impulse, largest = state[OFFSET], state[POWER], state[IMPULSE], state[LARGEST]
     force, former, contact = state[FORCE], state[FORMER], state[CONTACT]
-    give, pressed, until = state[GIVE], state[PRESSED], state[UNTIL]
+    give, pressed, until, left_out = state[GIVE], state[PRESSED], state[UNTIL], state[MISSING]
     rate = np.zeros(LANES)
+    shapes, places, speeds = lanes.shape, lanes.displacement, lanes.velocity
     approach[:] = 0.0  # before first touch
     while busy > 0:
         any_event = 0.0
@@ -307,7 +314,7 @@ def solve(lane_count: int, closing_speed: Array, bat: Bat, ball: BallNumbers, st
                 elif until[lane] > 0.0:
                     _touch(lane, ball, state)
                 else:
-                    _turn(lane, ball, step, lanes)
+                    _turn(lane, ball, step, state)
         for lane in range(lane_count):
             guess = max(approach[lane] - give[lane] * (2.0 * force[lane] - former[lane]), 0.25 * approach[lane])
             pushing = exp(offset[lane] + power[lane] * log(guess))
@@ -327,7 +334,8 @@ def solve(lane_count: int, closing_speed: Array, bat: Bat, ball: BallNumbers, st
             contact[lane] = kicks[lane] + part if ebbing else contact[lane]
             former[lane] = force[lane]
             force[lane] = pressed[lane]
-            impulse[lane] = pressed[lane] * step
+            impulse[lane] = pressed[lane] * step + left_out[lane]
+            left_out[lane] = 0.0
             ball_speed[lane] -= impulse[lane] / mass
             ball_position[lane] += ball_speed[lane] * step
         if len(half_dash) > 0:  # the kick alone, then dampers for half a step on both sides of the drift
@@ -338,18 +346,17 @@ def solve(lane_count: int, closing_speed: Array, bat: Bat, ball: BallNumbers, st
             _dash(lanes.velocity, dashpots, half_dash, rate)
         for i in range(size):
             a, b, c, d = drift[i, 0, 0], drift[i, 0, 1], drift[i, 1, 0], drift[i, 1, 1]
-            shape, q, p = lanes.shape[i], lanes.displacement[i], lanes.velocity[i]
             for lane in range(lane_count):
-                start = p[lane] + shape[lane] * impulse[lane]
-                moved = a * q[lane] + b * start
-                p[lane] = c * q[lane] + d * start
-                q[lane] = moved
-                surface[lane] += shape[lane] * moved
+                place, start = places[i, lane], speeds[i, lane] + shapes[i, lane] * impulse[lane]
+                moved = a * place + b * start
+                speeds[i, lane] = c * place + d * start
+                places[i, lane] = moved
+                surface[lane] += shapes[i, lane] * moved
         if len(half_dash) > 0:
             _dash(lanes.velocity, dashpots, half_dash, rate)
 
 
-@compiled()
+@compiled(_nrt=False)
 def _dash(velocity: Array, dashpots: Array, factors: Array, rate: Array) -> None:
     """Let the dashpots act on the modal velocities of every lane."""
     for k in range(len(factors)):
@@ -362,7 +369,7 @@ def _dash(velocity: Array, dashpots: Array, factors: Array, rate: Array) -> None
                 velocity[i, lane] -= factors[k] * dashpots[k, i] * rate[lane]
 
 
-@compiled()
+@compiled(_nrt=False)
 def _start(
     lane: int,
     following: int,
@@ -381,14 +388,13 @@ def _start(
         if output.motion.shape[1]:
             output.motion[:, following] = 0.0
         following += 1
-    mass = ball.mass
     idle = following >= count
     lanes.hit_of[lane] = -1 if idle else following
     speed = 0.0 if idle else closing_speed[following]
-    inverse_mass = 1 / mass
+    give = steps.step**2 / 12 / ball.mass + (0.0 if idle else bat.give[following])
     for i in range(size):
         lanes.shape[i, lane] = 0.0 if idle else bat.shapes[following, i]
-        inverse_mass += lanes.shape[i, lane] ** 2
+        give += lanes.shape[i, lane] ** 2 * bat.step_give[i]
         lanes.displacement[i, lane] = 0.0
         lanes.velocity[i, lane] = 0.0
     state = lanes.state
@@ -396,7 +402,7 @@ def _start(
     state[CLOSING, lane] = speed
     state[BALL_SPEED, lane] = speed
     state[BALL_POSITION, lane] = 1.0 if idle else speed * steps.first_kick * steps.step
-    state[GIVE, lane] = steps.step**2 / 12 * inverse_mass + (0.0 if idle else bat.give[following])
+    state[GIVE, lane] = give
     state[APPROACH, lane] = state[BALL_POSITION, lane]
     _touch(lane, ball, state)
     if idle:  # never turns, ends or pushes
@@ -404,7 +410,7 @@ def _start(
     return following + 1
 
 
-@compiled()
+@compiled(_nrt=False)
 def _touch(lane: int, ball: BallNumbers, state: Array) -> None:
     """Begin a contact: the ball is where it is, nothing presses yet, and loading comes first."""
     state[PEAK, lane] = state[APPROACH, lane]
@@ -414,10 +420,9 @@ def _touch(lane: int, ball: BallNumbers, state: Array) -> None:
     state[FORCE, lane] = state[FORMER, lane] = state[UNTIL, lane] = 0.0
 
 
-@compiled()
-def _turn(lane: int, ball: BallNumbers, step: float, lanes: Lanes) -> None:
+@compiled(_nrt=False)
+def _turn(lane: int, ball: BallNumbers, step: float, state: Array) -> None:
     """Change a lane from loading to unloading, at the top of the parabola through three kicks, or back."""
-    state = lanes.state
     if state[RISING, lane] == 0.0:
         state[RISING, lane] = 1.0
         state[OFFSET, lane], state[POWER, lane] = log(ball.stiffness), ball.exponent
@@ -436,13 +441,10 @@ def _turn(lane: int, ball: BallNumbers, step: float, lanes: Lanes) -> None:
     power, slope = _unloading_power(ball, deepest, force), force / deepest
     state[OFFSET, lane], state[POWER, lane] = log(force) - power * log(deepest), power
     stiffening = power * slope / (1 + give * power * slope) - ball.exponent * slope / (1 + give * ball.exponent * slope)
-    impulse = _impulse_of_the_turn(shift, bend, stiffening, step)
-    state[BALL_SPEED, lane] -= impulse / ball.mass
-    for i in range(len(lanes.shape)):
-        lanes.velocity[i, lane] += lanes.shape[i, lane] * impulse
+    state[MISSING, lane] = _impulse_of_the_turn(shift, bend, stiffening, step)
 
 
-@compiled()
+@compiled(_nrt=False)
 def _loaded(approach: float, give: float, force: float, ball: BallNumbers) -> tuple[float, float]:
     """Return the ball's compression u and its force on the loading curve: u + C k u^n = w, by Halley's method.
 
@@ -464,7 +466,7 @@ def _loaded(approach: float, give: float, force: float, ball: BallNumbers) -> tu
     return compression, force
 
 
-@compiled()
+@compiled(_nrt=False)
 def _kicks_within_reach(lane: int, omega: Array, step: float, limit: float, lanes: Lanes) -> float:
     """Return after how many kicks a ball that has just left is beyond all that vibrations together can reach.
 
@@ -500,7 +502,7 @@ def _kicks_within_reach(lane: int, omega: Array, step: float, limit: float, lane
     return float(max(0.0, (reach - distance) / (speed * step)))
 
 
-@compiled()
+@compiled(_nrt=False)
 def _finish(lane: int, ball: BallNumbers, steps: Steps, lanes: Lanes, output: Output) -> None:
     """Write the results of a lane whose ball has left, or whose time is up."""
     state, results, row = lanes.state, output.results, lanes.hit_of[lane]
@@ -521,5 +523,6 @@ def _finish(lane: int, ball: BallNumbers, steps: Steps, lanes: Lanes, output: Ou
         results[LATE, row] = (1 - crossing) * steps.step
         results[RELEASE_TIME, row] = (state[KICKS, lane] - 1 + steps.first_kick) * steps.step - results[LATE, row]
     if output.motion.shape[1]:
-        output.motion[0, row] = lanes.displacement[:, lane]
-        output.motion[1, row] = lanes.velocity[:, lane]
+        for i in range(len(lanes.shape)):
+            output.motion[0, row, i] = lanes.displacement[i, lane]
+            output.motion[1, row, i] = lanes.velocity[i, lane]

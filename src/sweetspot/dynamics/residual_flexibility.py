@@ -19,8 +19,8 @@ from sweetspot.dynamics.beam import BeamModel, section
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.piecewise import Piecewise, cubic_spline
 
-CELLS = 960
-"""Slices of the beam; the error of what twelve modes leave out is then below 3 % on the barrel of a wood bat."""
+CELLS = 1440
+"""Finest slices of the beam; the error of what twelve modes leave out is then below 1 % on the barrel of a wood bat."""
 PLACES = 121
 
 
@@ -30,8 +30,20 @@ def static_compliance(line: BeamModel, position: Array, *, cells: int = CELLS) -
     Parameters
     ----------
     position : m from the knob end, shape (n,).
-    cells : slices at least, >= 1; the error falls with their square.
+    cells : slices at least, >= 2. The error of the sums over slices falls with their square, so what half as many
+        give tells most of it (Richardson's extrapolation).
     """
+    fine, coarse = (_sliced(line, position, cells=number) for number in (cells, cells // 2))
+    return extrapolated(fine, coarse)
+
+
+def extrapolated(fine: Array, coarse: Array) -> Array:
+    """Return what sums over endlessly many slices would be, from those over some and over half as many."""
+    return (4 * fine - coarse) / 3
+
+
+def _sliced(line: BeamModel, position: Array, *, cells: int) -> Array:
+    """Return sums over slices for `static_compliance`."""
     given = np.asarray(position, float)
     edges = np.union1d(_edges(line.bat.breakpoints(), line.bat.length / cells), given)
     middle, width = (edges[1:] + edges[:-1]) / 2, np.diff(edges)

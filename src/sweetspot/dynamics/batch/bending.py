@@ -12,7 +12,7 @@ from sweetspot.dynamics.batch.bending_kernel import Elements, Points, bend, give
 from sweetspot.dynamics.batch.mesh import Mesh
 from sweetspot.dynamics.bending import ELEMENTS, MODES
 from sweetspot.dynamics.modes import Family, Modes
-from sweetspot.dynamics.residual_flexibility import CELLS, PLACES
+from sweetspot.dynamics.residual_flexibility import CELLS, PLACES, extrapolated
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.section import Section
 from sweetspot.errors import InputError
@@ -183,7 +183,8 @@ def joined_batches(parts: list[BendingBatch]) -> BendingBatch:
 def _some(beams: Beams, count: int, start: int) -> BendingBatch:
     whole, plain = beams.ends()
     length = plain.ends[plain.first[1:] - 1]
-    mesh, slices = whole.divided(length / ELEMENTS, slack=SLACK), plain.divided(length / CELLS)
+    mesh = whole.divided(length / ELEMENTS, slack=SLACK)
+    slices = [plain.divided(length / number) for number in (CELLS, CELLS // 2)]
     left, width, first = mesh.left, mesh.width, mesh.first_piece
     at, (mass, first_moment, moi_cm, roll), lumps, places = _weighed(beams, mesh, start)
     points = Points(lumps.mass, lumps.moi, lumps.position, _nodes(mesh, lumps))
@@ -199,7 +200,7 @@ def _some(beams: Beams, count: int, start: int) -> BendingBatch:
     even = length[:, None] * np.linspace(0.0, 1.0, PLACES)
     kept = np.empty((*even.shape, count))
     shapes_at(first, left, width, coefficients, even, kept)
-    slow = _slowly(beams, slices, points, even) / stiffening[:, None]
+    slow = extrapolated(*(_slowly(beams, one, points, even) for one in slices)) / stiffening[:, None]
     left_out = slow - np.einsum("bpm,bm->bp", kept**2, 1 / squares)
     return BendingBatch(
         length=length, mass=mass, balance_point=first_moment / mass, moi_cm=moi_cm, roll_moi=roll,
