@@ -66,7 +66,7 @@ def test_a_stiff_wall_is_a_solid_bat() -> None:
     harder = result.modes.kept(list(range(len(result.modes))))
     scaled = Modes(
         harder.families, harder.harmonics,
-        np.where(np.isin(np.arange(len(harder)), hoop), 40 * harder.frequency, harder.frequency),
+        np.where(np.isin(np.arange(len(harder)), hoop), 80 * harder.frequency, harder.frequency),
         harder.damping_rate, harder.shapes, harder.rigid_part, harder.dashpots,
         compliances=bending_modes(result.line).compliances,
     )  # fmt: skip
