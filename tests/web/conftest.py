@@ -19,25 +19,13 @@ from typing import Any
 
 import httpx
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Error, Page, expect
+from playwright.sync_api import Browser, BrowserContext, Page, expect
 
 from sweetspot.web.run_server import listening, server_for
 
 PATIENCE = 60_000
 """ms that a browser test waits for what it expects."""
 expect.set_options(timeout=PATIENCE)
-WATCHED = """(patience) => new Promise((done, failed) => {
-  const look = () => {
-    try {
-      const value = SCRIPT
-      if (value || performance.now() > until) done(value)
-      else setTimeout(look, 10)
-    } catch (error) { failed(error) }
-  }
-  const until = performance.now() + patience
-  look()
-})"""
-"""The page itself looks whether something is true: asking it from outside over and over takes half a processor."""
 NOTHING_ASKED = "!document.querySelector('#view').dataset.waiting.split(' ').includes('answer')"
 
 
@@ -104,15 +92,10 @@ def until() -> Callable[[Page, str], Any]:
 
     def wait(page: Page, script: str) -> Any:
         deadline = time.monotonic() + PATIENCE / 1000
-        while time.monotonic() < deadline:
-            left = 1000 * (deadline - time.monotonic())
-            try:
-                if found := page.evaluate(WATCHED.replace("SCRIPT", script), left):
-                    return found
-            except Error as gone:
-                if "navigation" not in gone.message and "context" not in gone.message:
-                    raise
-        raise AssertionError(f"never true: {script}")
+        while not (found := page.evaluate(script)):
+            assert time.monotonic() < deadline, f"never true: {script}"
+            page.wait_for_timeout(10)
+        return found
 
     return wait
 
