@@ -37,7 +37,13 @@ import numpy as np
 from sweetspot.collision.contact_law import ContactLaw, Hysteretic, pressed_in_series
 from sweetspot.collision.impact import CONTACT_FORCE, EnergyLedger, Impact, Outcome, bat_energy
 from sweetspot.collision.modal_propagator import dashpot_factors, modal_propagator_of, moved
-from sweetspot.collision.time_step import contact_step, first_kick_after_touch, give_of_steps, impulse_of_the_turn
+from sweetspot.collision.time_step import (
+    contact_step,
+    first_kick_after_touch,
+    give_of_steps,
+    impulse_of_the_turn,
+    with_quick_modes_as_springs,
+)
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
@@ -171,9 +177,7 @@ def _integrated(
 ) -> _Contact:
     """Step ball and modes from first touch until the ball is gone for good, or to the time limit."""
     first_kick = first_kick_after_touch(ball.exponent)
-    shape = struck.kick[len(modes) :]
-    by_steps = step**2 / 12 / ball.mass + float(shape**2 @ give_of_steps(modes.angular_frequency, step))
-    struck = struck._replace(compliance=struck.compliance + by_steps)
+    struck = struck.in_steps(modes, ball, step)
     flow = _Flow(modes, step)
     motion = _Motion(closing_speed * step * first_kick, closing_speed, np.zeros(2 * len(modes)))
     peak, greatest, hardest, missing = 0.0, 0.0, 0.0, 0.0
@@ -246,6 +250,13 @@ class _Struck(NamedTuple):
             law, approach=approach, compliance=self.compliance, rate=rate, turned_at=turned_at, force=force
         )
 
+    def in_steps(self, modes: Modes, ball: Ball, step: float) -> _Struck:
+        """Return the place as kicks see it, a step in s apart."""
+        omega = modes.angular_frequency
+        shape, give = with_quick_modes_as_springs(self.kick[len(modes) :], np.asarray(self.compliance), omega, step)
+        by_steps = step**2 / 12 / ball.mass + float(shape**2 @ give_of_steps(omega, step))
+        return _place(shape, float(give) + by_steps)
+
     def softened(self, slope: float) -> float:
         """Return dF/dw in N/m, by the approach that ball and surface share, for dF/du by the ball's compression."""
         return slope / (1 + self.compliance * slope)
@@ -253,13 +264,13 @@ class _Struck(NamedTuple):
 
 def _struck(modes: Modes, position: float, lateral: float, closing_speed: float) -> _Struck:
     shape = modes.shape_at(position, lateral, closing_speed=closing_speed)
+    return _place(shape, float(modes.compliance_at(position, closing_speed=closing_speed)))
+
+
+def _place(shape: Array, compliance: float) -> _Struck:
     still = np.zeros(len(shape))
-    return _Struck(
-        np.array([[*shape, *still], [*still, *shape]]),
-        np.concatenate([still, shape]),
-        float(shape @ shape),
-        float(modes.compliance_at(position, closing_speed=closing_speed)),
-    )
+    seen = np.array([[*shape, *still], [*still, *shape]])
+    return _Struck(seen, np.concatenate([still, shape]), float(shape @ shape), compliance)
 
 
 class _Flow:

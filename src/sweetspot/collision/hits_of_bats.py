@@ -11,7 +11,7 @@ import numpy as np
 from sweetspot.collision.impact import Impacts
 from sweetspot.collision.kernel import LANES, LATE, RESULT_ROWS, STEP, Bat, Output, numbers_of, solve, steps_of
 from sweetspot.collision.modal_propagator import free_steps, moved_freely
-from sweetspot.collision.time_step import give_of_steps
+from sweetspot.collision.time_step import give_of_steps, with_quick_modes_as_springs
 from sweetspot.equipment.ball import Ball
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.threads import in_parts
@@ -61,6 +61,7 @@ def struck(
     shapes = bats.shapes_at(position, closing_speed=closing_speed)
     give = bats.compliance_at(position, closing_speed=closing_speed)
     omega, drift = bats.angular_frequency, free_steps(bats.angular_frequency, bats.damping_rate, step)
+    shapes, give = with_quick_modes_as_springs(shapes, give, omega[:, None, :], step)
     step_give = give_of_steps(omega, step)
     count, places, size = shapes.shape
     outcome = np.empty((count, places), np.int64)

@@ -18,7 +18,13 @@ from sweetspot.collision.contact_law import NEWTON_STEPS
 from sweetspot.collision.coupled import SLOW, TIME_LIMIT, check_step
 from sweetspot.collision.impact import CONTACT_FORCE, Impacts, Outcome
 from sweetspot.collision.modal_propagator import dashpot_factors, modal_propagator_of, moved
-from sweetspot.collision.time_step import contact_step, first_kick_after_touch, give_of_steps, impulse_of_the_turn
+from sweetspot.collision.time_step import (
+    contact_step,
+    first_kick_after_touch,
+    give_of_steps,
+    impulse_of_the_turn,
+    with_quick_modes_as_springs,
+)
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball, restitution_at
 from sweetspot.numerics import parabola
@@ -114,8 +120,11 @@ def _hits(
 
     def work(part: slice) -> None:
         here, speed = places[part], speeds[part]
-        shapes = np.ascontiguousarray(modes.shape_at(here, across[part], closing_speed=speed))
-        give = np.ascontiguousarray(modes.compliance_at(here, closing_speed=speed))
+        shapes, give = with_quick_modes_as_springs(
+            modes.shape_at(here, across[part], closing_speed=speed),
+            modes.compliance_at(here, closing_speed=speed), omega, step,
+        )  # fmt: skip
+        shapes, give = np.ascontiguousarray(shapes), np.ascontiguousarray(give)
         kept = motion[:, part] if keep_motion else motion
         lanes = min(LANES, 4 * math.ceil(len(shapes) / 4))
         output = Output(outcome[part], results[:, part], kept)

@@ -82,7 +82,7 @@ def give_of_steps(angular_frequency: Array, step: float) -> Array:
 
     Kicks F h move a mode that follows its force by s F h cot(omega h / 2) / (2 omega) at the kicks, which is
     (1 - y cot y) / omega^2 less than s F / omega^2, y = omega h / 2; h^2 / 12 for slow modes and for the ball. Beyond
-    y = pi / 2, where kicks come too seldom for a mode, all that it gives.
+    y = pi / 2, where kicks come too seldom for a mode, it is a spring instead (`with_quick_modes_as_springs`).
 
     Parameters
     ----------
@@ -99,6 +99,32 @@ def give_of_steps(angular_frequency: Array, step: float) -> Array:
     """
     half = np.clip(angular_frequency * step / 2, 1e-3, math.pi / 2)
     return np.asarray((1 - half / np.tan(half)) * (step / 2) ** 2 / half**2)
+
+
+def with_quick_modes_as_springs(
+    shapes: Array, give: Array, angular_frequency: Array, step: float
+) -> tuple[Array, Array]:
+    """Return shapes and give of places with those modes as springs that swing more than half a time in a step.
+
+    Kicks come too seldom for them: what they see of such a mode would be its vibration at a few odd moments. Over a
+    contact of many steps it follows its force, and gives way by s^2 / omega^2.
+
+    Parameters
+    ----------
+    shapes : (..., modes), 1/sqrt(kg).
+    give : (...), m/N, what gives way at once.
+    angular_frequency : omega in rad/s, any shape that broadcasts with ``shapes``.
+    step : s.
+
+    >>> shapes, give = with_quick_modes_as_springs(np.array([1.0, 2.0]), np.array(1e-9), np.array([1e4, 2e5]), 20e-6)
+    >>> print(shapes, f"{give:.2e}")
+    [1. 0.] 1.10e-09
+    """
+    quick = angular_frequency * step > math.pi
+    if not quick.any():
+        return shapes, give
+    springs = np.where(quick, shapes / np.where(quick, angular_frequency, 1.0), 0.0)
+    return np.where(quick, 0.0, shapes), np.asarray(give + np.sum(springs**2, axis=-1))
 
 
 def _zeta(power: float, part: float) -> float:
