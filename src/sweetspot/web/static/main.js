@@ -60,7 +60,7 @@ const element = (id) => partOf(document, `#${id}`, HTMLElement);
 /** @typedef {Record<string, string>} Colors by name */
 /** @typedef {{ name: string, width: number, height: number, paint: (context: any, width: number, height: number) => void }} Figure */
 /** @typedef {{ field: string, message: string, more?: Fault[], again?: boolean }} Fault */
-/** @typedef {{ commit?: boolean, merge?: string | null }} Step how a change goes into the address */
+/** @typedef {{ commit?: boolean, merge?: string | null, instead?: boolean }} Step how a change goes into the address */
 /** @typedef {{ field: string, follows?: boolean, sync: (state: State) => void, fault?: (message: string) => void }} Control */
 /** @typedef {{ name: string, title: string, schema: Record<string, any>, bat: string[] }} Entry */
 /**
@@ -151,13 +151,14 @@ export class App {
   }
 
   // A merge is a name: steps of the same one after the other, such as key presses on a slider, are undone together.
+  // Instead: nobody asked for this step, so that going back does not lead to what was before it.
   /**
    * @param {State} partial
    * @param {Step} [step]
    */
-  setState(partial, { commit = true, merge = null } = {}) {
+  setState(partial, { commit = true, merge = null, instead = false } = {}) {
     this.take({ ...this.state, ...partial });
-    if (commit) this.commit({ merge });
+    if (commit) this.commit({ merge, instead });
     else this.dragged = true;
   }
 
@@ -179,9 +180,9 @@ export class App {
 
   // Put the state into the address as a step that the back button, and Undo, take back.
   /** @param {Step} [step] */
-  commit({ merge = null } = {}) {
+  commit({ merge = null, instead = false } = {}) {
     this.dragged = false;
-    const again = merge !== null && merge === this.merging;
+    const again = instead || (merge !== null && merge === this.merging);
     this.merging = merge;
     let address = addressOf(this.name, this.state, this.defaults, this.embedded);
     let kept = {};

@@ -58,7 +58,7 @@ export class Slots {
     const first = JSON.stringify(this.app.defaults.others);
     if (JSON.stringify(others) !== first || alike(sport, "baseball")) return;
     const next = (await this.ofTheSport(sport)).filter((name) => name !== this.app.state.bat);
-    if (next.length && JSON.stringify(this.app.state.others) === first) this.app.setState({ others: next.slice(0, 2).map((bat) => ({ bat })) });
+    if (next.length && JSON.stringify(this.app.state.others) === first) this.app.setState({ others: next.slice(0, 2).map((bat) => ({ bat })) }, { instead: true });
   }
 
   /** @param {string} sport */
