@@ -115,7 +115,7 @@ def test_the_text_of_every_reached_file_counts(monkeypatch: pytest.MonkeyPatch) 
         fingerprint(function)
     assert {module.removeprefix("sweetspot.") for module in read} == {
         "flight.compiled", "flight.aerodynamics", "numerics.hermite_cubic", "numerics.vector_math", "collision.kernel",
-        "collision.contact_law", "equipment.ball", "numerics.parabola", "player.likelihood",
+        "collision.contact_law", "collision.time_step", "equipment.ball", "numerics.parabola", "player.likelihood",
     }  # fmt: skip
 
 
