@@ -51,7 +51,7 @@ def test_the_search_grows_a_front_and_a_bat_is_taken(page: Page, server: str, an
     page.get_by_role("button", name="Find better").click()
     page.get_by_text("Looked at 2 of 2 generations").wait_for(timeout=PATIENT)
     page.get_by_text("These bats as a table, to take one").click()
-    page.get_by_role("button", name="Take bat 1").click()
+    page.get_by_role("button", name="Take bat 1", exact=True).click()
     expect(page.locator("#verdict")).to_contain_text("Over these contacts")
     expect(page.get_by_text("1 (taken)")).to_be_visible()
     with page.expect_download() as taken:

@@ -134,7 +134,7 @@ def sport_implements(name: str) -> tuple[str, ...]:
     """Return the names of a sport's implements in the catalogue, the usual one first.
 
     >>> sport_implements("tennis"), sport_implements("softball")
-    (('tennis-racket',), ('slow-pitch',))
+    (('tennis-racket',), ('fast-pitch',))
     """
     key = sport(name).key
     own = [name for name, table in implement_tables().items() if canonical(table.get("sport", DEFAULT_SPORT)) == key]
