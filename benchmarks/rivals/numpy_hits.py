@@ -6,7 +6,7 @@ import numpy as np
 
 from benchmarks.cases import Array
 from sweetspot.collision.modal_propagator import modal_propagator_of
-from sweetspot.collision.time_step import first_kick_after_touch
+from sweetspot.collision.time_step import first_kick_after_touch, give_of_steps, impulse_of_the_turn
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import COR_FLOOR, Ball
 
@@ -18,7 +18,7 @@ def efficiencies(modes: Modes, *, ball: Ball, position: Array, closing: Array, s
     result = np.full(len(closing), np.nan)
     row, shape, speed = np.arange(len(closing)), modes.shape_at(position), closing.copy()
     place, q, p = speed * step * first_kick_after_touch(exponent), np.zeros_like(shape), np.zeros_like(shape)
-    give = step**2 / 12 * (1 / mass + (shape**2).sum(axis=1))
+    give = step**2 / 12 / mass + shape**2 @ give_of_steps(modes.angular_frequency, step)
     peak, before, earlier = (np.zeros_like(speed) for _ in range(3))
     factor, power, rising = np.full_like(speed, stiffness), np.full_like(speed, exponent), np.ones(len(speed), bool)
     while len(row):
@@ -32,18 +32,23 @@ def efficiencies(modes: Modes, *, ball: Ball, position: Array, closing: Array, s
             )
         falling = (squeeze < before) | ((earlier > 0) & (3 * squeeze - 4 * before + earlier < 0))
         turned, again = rising & falling, ~rising & (squeeze >= peak)
-        peak = np.maximum(peak, squeeze)
+        peak, missing = np.maximum(peak, squeeze), np.zeros_like(squeeze)
         if turned.any():
             first, middle, last = earlier[turned], before[turned], squeeze[turned]
-            peak[turned] = np.maximum(peak[turned], middle - (last - first) ** 2 / (8 * (first - 2 * middle + last)))
+            bend = first - 2 * middle + last
+            peak[turned] = np.maximum(peak[turned], middle - (last - first) ** 2 / (8 * bend))
             top = _pressed(peak[turned], give[turned], stiffness, exponent)
             wall_speed = np.sqrt(2 * stiffness * top ** (exponent + 1) / (exponent + 1) / mass)
             line = law.reference - law.slope * (wall_speed - law.reference_speed)
             power[turned] = (exponent + 1) / np.clip(line, COR_FLOOR, 1.0) ** 2 - 1
             factor[turned] = stiffness * top ** (exponent - power[turned])
+            slope = stiffness * top ** (exponent - 1)
+            after, until = power[turned] * slope, exponent * slope
+            stiffening = after / (1 + give[turned] * after) - until / (1 + give[turned] * until)
+            missing[turned] = impulse_of_the_turn((first - last) / (2 * bend), bend, stiffening, step)
         factor[again], power[again] = stiffness, exponent
         rising = (rising & ~turned) | again
-        impulse = factor * _pressed(squeeze, give, factor, power) ** power * step
+        impulse = factor * _pressed(squeeze, give, factor, power) ** power * step + missing
         speed = speed - impulse / mass
         place = place + speed * step
         p = p + shape * impulse[:, None]
