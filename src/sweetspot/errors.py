@@ -19,6 +19,15 @@ class UnusualWarning(UserWarning):
     """What was given can be computed and is like nothing in its sport; probably a unit is wrong."""
 
 
+def first_line(error: BaseException) -> str:
+    r"""Return what another library's error says, in one line of at most 200 letters; its kind where it says nothing.
+
+    >>> first_line(OSError("no such column\nin a long plan")), first_line(OSError())
+    ('no such column', 'OSError')
+    """
+    return str(error).strip().split("\n")[0][:200] or type(error).__name__
+
+
 def nearest_names(name: str, known: list[str]) -> str:
     """Return a hint that lists the known names closest to ``name``.
 

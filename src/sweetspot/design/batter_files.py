@@ -79,10 +79,13 @@ def _head(cell: str) -> str:
 def _place(text: str, head: str, path: Path, line: int) -> float:
     """Return a place, m from the tip."""
     size = PLACE_HEADS[head]
-    try:
-        place = parse(text, "length", "from_tip") if size is None else _number(text, path, line) * size
-    except InputError as error:
-        raise InputError(f"{path}, line {line}: {str(error).removeprefix(f'{path}, line {line}: ')}") from None
+    if size is not None:
+        place = _number(text, path, line) * size
+    else:
+        try:
+            place = parse(text, "length", "from_tip")
+        except InputError as error:
+            raise InputError(f"{path}, line {line}: {error}") from None
     if not 0 <= place <= LONGEST:
         raise InputError(
             f"{path}, line {line}: {text.strip()} was given, {shown(place)} from the tip; allowed is a place on a bat, "
@@ -155,9 +158,9 @@ def _learned(one: dict[str, Any], start: str = "value") -> float:
     raise KeyError("a parameter without a value")
 
 
-def _number(text: str | None, path: Path, line: int) -> float:
+def _number(text: str, path: Path, line: int) -> float:
     try:
-        value = float((text or "").strip())
+        value = float(text.strip())
     except ValueError:
         value = math.nan
     if not math.isfinite(value):

@@ -14,7 +14,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sweetspot.errors import InputError
+from sweetspot.errors import InputError, first_line
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, SEPARATORS, is_larger, pointed, read_text, table_rows
 from sweetspot.player.columns import Column, Columns, is_heading_line
 
@@ -137,8 +137,7 @@ class ScannedTable(SwingTable):
         try:
             return frame.collect()
         except (pl.exceptions.PolarsError, OSError) as error:
-            first = str(error).strip().split("\n")[0][:200]
-            raise InputError(f"{self.path} cannot be read as a table: {first}") from None
+            raise InputError(f"{self.path} cannot be read as a table: {first_line(error)}") from None
 
     def _needed(self, columns: Columns) -> list[Column]:
         return sorted(columns.understood.values(), key=lambda column: column.index)
@@ -212,8 +211,7 @@ def _scanned_parquet(path: Path) -> SwingTable:
     try:
         return ScannedTable(path, pl.scan_parquet(path, row_index_name=ScannedTable.LINE, row_index_offset=1))
     except (pl.exceptions.PolarsError, OSError) as error:
-        first = str(error).strip().split("\n")[0][:200]
-        raise InputError(f"{path} is no whole Parquet file: {first}; write or copy it anew") from None
+        raise InputError(f"{path} is no whole Parquet file: {first_line(error)}; write or copy it anew") from None
 
 
 def _scanned_csv(path: Path) -> SwingTable:
@@ -228,7 +226,7 @@ def _scanned_csv(path: Path) -> SwingTable:
         )  # fmt: skip
         return ScannedTable(path, frame, commas=separator != ",")
     except (pl.exceptions.PolarsError, OSError) as error:
-        raise InputError(f"{path} cannot be read as a table: {str(error).strip().splitlines()[0][:200]}") from None
+        raise InputError(f"{path} cannot be read as a table: {first_line(error)}") from None
 
 
 def _separator(path: Path) -> str:

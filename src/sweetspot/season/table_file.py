@@ -11,7 +11,7 @@ from pathlib import Path
 
 import polars as pl
 
-from sweetspot.errors import InputError
+from sweetspot.errors import InputError, first_line
 from sweetspot.season.headings import Headings, headings_of
 
 CSV_ENDINGS = (".csv", ".tsv", ".txt", ".csv.gz", ".tsv.gz", ".txt.gz")
@@ -101,7 +101,7 @@ def _parquet(path: Path, given: Mapping[str, str] | None) -> TableFile:
         if rows > path.stat().st_size:
             raise InputError(f"{path} claims {rows:,} rows in {path.stat().st_size:,} bytes; give a row per ball")
     except (pl.exceptions.PolarsError, OSError) as error:
-        raise InputError(f"{path} is no whole Parquet file: {_first_line(error)}; write or copy it anew") from None
+        raise InputError(f"{path} is no whole Parquet file: {first_line(error)}; write or copy it anew") from None
     headings = headings_of(names, given=given, file_name=str(path))
     if not rows:
         raise InputError(f"{path} has column names and no row; give one row per ball")
@@ -125,7 +125,7 @@ def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFil
         waiting.replace(target)
         rows = int(pl.scan_parquet(target).select(pl.len()).collect().item())
     except (pl.exceptions.PolarsError, OSError, EOFError, zlib.error) as error:
-        raise InputError(f"{path} cannot be read as a table: {_first_line(error)}") from None
+        raise InputError(f"{path} cannot be read as a table: {first_line(error)}") from None
     if not rows:
         raise InputError(f"{path} has column names and no row; give one row per ball")
     texts = [column.heading for column in headings.columns.values() if column.kind != "text"]
@@ -183,7 +183,3 @@ def _is_number(text: str) -> bool:
     except ValueError:
         return not text.strip()
     return True
-
-
-def _first_line(error: BaseException) -> str:
-    return str(error).strip().split("\n")[0][:200] or type(error).__name__

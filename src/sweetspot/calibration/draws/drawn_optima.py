@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sweetspot.analysis.optimum import EasiestHomeRun, easiest_home_run
-from sweetspot.calibration.draws.drawn_plays import DRAG, PlayAsked, drawn_flights, drawn_play
+from sweetspot.calibration.draws.drawn_plays import DRAG, PlayAsked, dragged, drawn_flights, drawn_play
 from sweetspot.calibration.draws.intervals import DrawnAnswers
 from sweetspot.calibration.draws.sources import DRAWS, Sources
 from sweetspot.flight.conditions import FlightConditions
@@ -73,16 +73,9 @@ def drawn_optimum(
         where = [park.best.direction]  # the fence that asks least
         up, down = (
             easiest_home_run(
-                park.best.park, _dragged(park.conditions, sign * size), backspin=backspin, directions=where
+                park.best.park, dragged(park.conditions, sign * size), backspin=backspin, directions=where
             ).exit_speed
             for sign in (1.0, -1.0)
         )
         values[f"parks.{index}.exit_speed_m_s"] = park.best.exit_speed + drag / size * (up - down) / 2
     return DrawnAnswers(normal, sources.names, values)
-
-
-def _dragged(flying: FlightConditions, off: float) -> FlightConditions:
-    """Return the same conditions with another drag, ``off`` the logarithm of it over the law's."""
-    law = flying.aerodynamics
-    other = law.replaced(drag=law.drag * float(np.exp(off)))
-    return FlightConditions(ball=flying.ball, aerodynamics=other, air=flying.air, wind=flying.wind)

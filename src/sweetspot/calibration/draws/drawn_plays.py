@@ -8,8 +8,7 @@ deviation up and down.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -137,6 +136,12 @@ def launch_values(velocity: Array) -> dict[str, Array]:
     }  # fmt: skip
 
 
+def dragged(flying: FlightConditions, off: float) -> FlightConditions:
+    """Return the same conditions with another drag, ``off`` the logarithm of it over the law's."""
+    law = flying.aerodynamics
+    return replace(flying, aerodynamics=law.replaced(drag=law.drag * float(np.exp(off))))
+
+
 def drawn_flights(left: BallMotions, flying: FlightConditions, drag: Array) -> dict[str, Array]:
     """Return what flights are asked for, each with its own drag.
 
@@ -149,14 +154,7 @@ def drawn_flights(left: BallMotions, flying: FlightConditions, drag: Array) -> d
     flown = _flown(flights(left, flying))
     if size == 0:
         return flown
-    law = flying.aerodynamics
-    ends: list[Mapping[str, Array]] = []
-    for sign in (1.0, -1.0):
-        other = law.replaced(drag=law.drag * float(np.exp(sign * size)))
-        ends.append(_flown(flights(left, FlightConditions(
-            ball=flying.ball, aerodynamics=other, air=flying.air, wind=flying.wind,
-        ))))  # fmt: skip
-    up, down = ends
+    up, down = (_flown(flights(left, dragged(flying, sign * size))) for sign in (1.0, -1.0))
     return {name: value + drag / size * (up[name] - down[name]) / 2 for name, value in flown.items()}
 
 
