@@ -19,12 +19,16 @@ from sweetspot.collision.coupled import hit
 from sweetspot.collision.impact import Outcome
 from sweetspot.collision.kernel import hits, hits_with_motion
 from sweetspot.collision.time_step import first_kick_after_touch
-from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.bending import bending_modes
+from sweetspot.dynamics.beam import BeamModel, beam_model
+from sweetspot.dynamics.bending import bending_modes, mesh_matrices
+from sweetspot.dynamics.hands import gripped
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes, joined
+from sweetspot.dynamics.residual_flexibility import static_compliance
 from sweetspot.equipment.ball import RestitutionLaw
-from sweetspot.numerics.piecewise import Piecewise
+from sweetspot.motion.swing import Hands
+from sweetspot.numerics.eigen import lowest
+from sweetspot.numerics.piecewise import Piecewise, cubic_spline
 
 Array = NDArray[np.float64]
 
@@ -116,27 +120,48 @@ def test_ledger_closes_at_second_order(closing: float) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "ball", "speed"),
-    [("r161-ash", "baseball", 71.5), ("single-wall", "baseball", 71.5), ("tennis-racket", "tennis", 45.0),
-     ("hockey-stick", "field-hockey", 25.0)],
+    ("name", "ball", "speed", "count", "allowed"),
+    [("torpedo", "baseball", 95.0, 12, 1e-4), ("college-alloy", "baseball", 71.5, 12, 2e-5),
+     ("tennis-racket", "tennis", 45.0, 12, 1e-5), ("hockey-stick", "field-hockey", 45.0, 12, 1e-4),
+     ("cricket-bat", "cricket", 60.0, 12, 1e-4), ("golf-driver", "golf", 70.0, 24, 2e-5),
+     ("badminton-racket", "shuttle", 30.0, 48, 5e-4)],
 )  # fmt: skip
-def test_twelve_modes_and_what_gives_way_at_once_are_two_hundred_modes(name: str, ball: str, speed: float) -> None:
-    # Without the static correction the same twelve miss 0.0003 (strings) to 0.007 (the stick).
+def test_few_modes_and_what_gives_way_at_once_are_two_hundred_modes(
+    name: str, ball: str, speed: float, count: int, allowed: float
+) -> None:
+    # The outer half of a bat, the whole face but its rim of 2 % (1.3 mm of the driver's, whose heel lies at a joint),
+    # wherever the ball is touched once: what a second touch does is not known to a hundredth (the docs, "Release").
+    # Without the static correction the same twelve miss 0.0003 (strings) to 0.007 (the stick). A golf ball is off the
+    # club's face so soon that a second dozen is taken (`excited_bending`).
     line, thrown = beam_model(catalog.implement(name)), catalog.ball(ball)
     few = all_modes(line, thrown)
+    length, outline = line.bat.length, line.bat.outline
+    edges = (0.5 * length, 0.998 * length) if outline is None else (outline.start, outline.end)
+    rim = 0.0 if outline is None else 0.02
+    places = edges[0] + np.linspace(rim, 1 - rim, 40) * (edges[1] - edges[0])
+    touches = hits(few, ball=thrown, position=places, closing_speed=speed).touches
+    places = places[touches == 1]
+    assert len(places) >= 25
+    many = bending_modes(line, count=120, elements=140)  # with what they leave out at these very places: as 200
+    kept = many.shape_at(places)[:, 2:] ** 2 @ many.angular_frequency[2:] ** -2.0
+    rest = _softening(line) * static_compliance(line, places) - kept
     apart = [i for i, family in enumerate(few.families) if i > 1 and family != "bending"]
-    many = joined(bending_modes(line, count=200, elements=220), few.kept(apart))
-    many = replace(many, compliances=(*many.compliances, *few.compliances[1:]))
-    outline = line.bat.outline
-    places = (
-        np.linspace(0.60, 0.82, 12) if outline is None else np.linspace(outline.start + 0.02, outline.end - 0.01, 12)
-    )
+    many = replace(joined(many, few.kept(apart)), compliances=(cubic_spline(places, rest), *few.compliances[1:]))
 
     def efficiency(modes: Modes) -> Array:
-        return hits(modes, ball=thrown, position=places, closing_speed=speed, step=4e-6).collision_efficiency
+        return hits(modes, ball=thrown, position=places, closing_speed=speed, step=2e-6).collision_efficiency
 
-    assert few.families.count("bending") == 12
-    assert np.abs(efficiency(few) - efficiency(many)).max() < 1e-4
+    assert few.families.count("bending") == count
+    assert np.abs(efficiency(few) - efficiency(many)).max() < allowed
+
+
+def _softening(line: BeamModel) -> float:
+    """Return the inverse of the factor by which a measured frequency scales the beam's stiffness."""
+    if line.bat.frequency is None:
+        return 1.0
+    stiffness, inertia, shift = mesh_matrices(line)
+    (drawn,), _ = lowest(stiffness, inertia, first=2, last=2, shift=shift)
+    return float(drawn / (2 * np.pi * line.bat.frequency) ** 2)
 
 
 @settings(max_examples=40, deadline=None)
@@ -199,11 +224,12 @@ def _integrated_until_gone(modes: Modes, place: float, closing: float, *, until:
     return -float(state[1]) / closing
 
 
-def test_a_bat_that_overtakes_the_ball_hits_it_again() -> None:
+@pytest.mark.parametrize("hands", [Hands(position=0.15), Hands(position=0.15, mass=0.9, stiffness=3e4)])
+def test_a_bat_that_overtakes_the_ball_hits_it_again(hands: Hands) -> None:
     # A metal bat struck near its middle swings back on to the ball about 2 ms later. Truth: the same equations by an
     # adaptive integrator of order 8, phase by phase.
     line = beam_model(catalog.bat("single-wall"))
-    modes = all_modes(line, BALL)
+    modes = gripped(all_modes(line, BALL), hands)
     place, closing = line.bat.length - 0.45, 60.0  # where the second push rises once; the integrator knows no reloading
     impact = hit(modes, ball=BALL, position=place, closing_speed=closing)
     free = np.flatnonzero(impact.force[1:] == 0)
@@ -215,8 +241,17 @@ def test_a_bat_that_overtakes_the_ball_hits_it_again() -> None:
         _integrated_until_gone(modes, place, closing, until=impact.release_time + 1e-4), abs=5e-4
     )
     assert impact.collision_efficiency > once + 0.05
+    assert impact.touches == 2
+    unrecovered = impact.unrecovered
+    assert unrecovered is not None and hit(MODES, ball=BALL, position=0.7, closing_speed=70.0).unrecovered is None
+    assert unrecovered.touches >= 2 and abs(unrecovered.energy.imbalance) < 1e-4
+    assert unrecovered.collision_efficiency > once
+    assert abs(unrecovered.collision_efficiency - impact.collision_efficiency) > 0.02  # softer, and without loss
     many = hits_with_motion(modes, ball=BALL, position=place, closing_speed=closing, step=4e-6)
     assert many.collision_efficiency[0] == pytest.approx(impact.collision_efficiency, abs=1e-9)
+    assert many.touches.tolist() == [2]
+    three = hits(modes, ball=BALL, position=[0.7, place, 0.7], closing_speed=[closing, closing, -1.0])
+    assert three.touches.tolist() == [1, 2, 0]
     assert many.release_time[0] == pytest.approx(impact.release_time, rel=1e-9)
     assert many.velocity[0] == pytest.approx(impact.velocity, abs=1e-7)
 

@@ -136,11 +136,13 @@ def test_a_measured_moi_alone_is_met() -> None:
     ("measured", "said"),
     [
         ({"mass": 2.0}, "only at a density of"),
+        ({"mass": 0.2}, "weighs 0.2 kg (7.055 oz), which"),
         ({"mass": 0.2}, "wood can be 500 to 800"),
         ({"balance_point": 0.5}, "weigh it and give the mass"),
         ({"mass": 0.93, "balance_point": 0.35}, "% towards the tip"),
         ({"mass": 0.93, "balance_point": 0.516, "moi": 0.1}, "the nearest that can be is"),
         ({"mass": 0.93, "moi": 0.5}, "the nearest that can be is moi"),
+        ({"mass": 0.93, "moi": 0.5}, " oz in^2) about 0.1524 m (6 in)"),
     ],
 )
 def test_what_cannot_be_is_refused(measured: dict[str, float], said: str) -> None:
@@ -200,7 +202,7 @@ def test_the_nearest_values_named_are_answered() -> None:
     """A refusal names values that serve when they are typed in."""
     with pytest.raises(InputError) as caught:
         beam_model(TURNED.replaced(mass=0.93, balance_point=0.50, moi=0.30))
-    nearest = re.search(r"can be is balance point (\S+) m and moi (\S+) kg", str(caught.value))
+    nearest = re.search(r"can be is balance point (\S+) m \(.*?\) and moi (\S+) kg", str(caught.value))
     assert nearest
     beam_model(TURNED.replaced(mass=0.93, balance_point=float(nearest[1]), moi=float(nearest[2])))
 

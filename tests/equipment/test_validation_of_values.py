@@ -29,7 +29,10 @@ def bat(ash: Material, **changes: Any) -> Bat:
         ({"length": -1.0}, "length"),
         ({"length": 33.0}, "length"),
         ({"length": math.nan}, "finite"),
-        ({"profile": ((0.0, 0.05), (0.5, 0.03), (0.4, 0.03), (0.84, 0.06))}, "goes back from 0.5 m to 0.4 m"),
+        (
+            {"profile": ((0.0, 0.05), (0.5, 0.03), (0.4, 0.03), (0.84, 0.06))},
+            "goes back from 0.5 m (19.69 in) to 0.4",
+        ),
         ({"profile": ((0.0, 0.05), (0.5, 0.03))}, "give a station at each end"),
         ({"profile": ((0.0, 0.05),)}, "two or more"),
         ({"profile": ((0.0, 0.05), (0.84, 0.65))}, "650 mm at 0.84 m; allowed is 5 to 120 mm"),
@@ -41,10 +44,10 @@ def bat(ash: Material, **changes: Any) -> Bat:
         ({"mass": -0.8}, "mass was given as -0.8"),
         ({"mass": math.inf}, "finite"),
         ({"balance_point": 0.05}, "measure it from the knob end"),
-        ({"bores": ({"diameter": 0.07, "depth": 0.2},)}, "bore is 70 mm wide"),
+        ({"bores": ({"diameter": 0.07, "depth": 0.2},)}, "bore is 0.07 m"),
         ({"bores": ({"diameter": 0.02, "depth": 0.9},)}, "make it shallower"),
         ({"bores": ({"diameter": 0.02, "depth": 0.2, "plug": 0.3},)}, "shorten the plug"),
-        ({"cup": {"diameter": 0.066, "depth": 0.02}}, "cup is 66 mm wide"),
+        ({"cup": {"diameter": 0.066, "depth": 0.02}}, "cup is 0.066 m"),
         ({"shell": {"wall": ((0.0, 0.003), (0.84, 0.05))}}, "no more than the radius"),
         (
             {"shell": {"wall": ((0.0, 0.003), (0.84, 0.003))}, "cup": {"diameter": 0.03, "depth": 0.02}},
@@ -147,6 +150,8 @@ def test_swing_and_pitch() -> None:
         Pitch(speed=100.0)
     with pytest.raises(InputError, match="0 for no hand"):
         Hands(position=0.15, mass=1e-300)
+    with pytest.raises(InputError, match="without a mass hold nothing"):
+        Hands(position=0.15, stiffness=1e9)
     assert Hands(position=0.15).places == pytest.approx((0.15, 0.061))
     assert Hands(position=0.05).places == (0.05, 0.0)
 

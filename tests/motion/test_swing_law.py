@@ -61,9 +61,9 @@ def test_light_bats_are_capped_by_the_players_own_inertia() -> None:
 
 def test_interval_of_the_exponent() -> None:
     exponents = swing_law("baseball").exponents
-    assert (exponents.low, exponents.high) == pytest.approx((0.2116, 0.3684), abs=1e-4)  # 0.29 -+ 1.96 x 0.04
+    assert (exponents.low, exponents.high) == pytest.approx((0.2242, 0.3558), abs=1e-4)  # 0.29 -+ 1.645 x 0.04
     wide = law(0.4, 0.2).exponents
-    assert (wide.low, wide.high) == pytest.approx((0.4 - 1.96 * 0.2, 0.5), abs=1e-4)
+    assert (wide.low, wide.high) == pytest.approx((0.4 - 1.6449 * 0.2, 0.5), abs=1e-4)
 
 
 @pytest.mark.parametrize("name", swing_law_names())

@@ -26,6 +26,8 @@ from sweetspot.units.usual_units import TEMPERATURES, WRITTEN, written
         ("33 in", "length", 0.8382),  # exact: 1 in = 25.4 mm
         ("33in", "length", 0.8382),
         ("33 1/2 in", "length", 0.8509),  # pint alone reads 16.5 in
+        ("1 lb 15 oz", "mass", 0.878835216875),  # exact: 31 oz
+        ("33 IN", "length", 0.8382),
         ("1/2 in", "length", 0.0127),
         ("2 ft 9.5 in", "length", 0.8509),  # pint alone reads an area
         ("2 ft 9 1/2 in", "length", 0.8509),

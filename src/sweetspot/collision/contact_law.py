@@ -109,9 +109,15 @@ class Hysteretic:
     """The default law: up along k u^n, down along a steeper power that returns e^2 of the energy.
 
     Pressed again before it is free, the ball goes up along the way it came down, then on along k u^n.
+
+    Parameters
+    ----------
+    recovers : whether a ball that was free for however short is as new when it is hit again; if not, it goes up along
+        the way it came down then too. Which of the two is nearer within milliseconds nobody has measured.
     """
 
     ball: Ball
+    recovers: bool = True
 
     @cached_property
     def _turns(self) -> dict[float, tuple[float, float]]:

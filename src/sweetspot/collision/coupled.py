@@ -23,13 +23,13 @@ approach w of ball and modes is shared between the ball's compression u and the 
 is then one of w alone, and all of the above holds with F(w).
 
 After the ball has left, a vibrating or turning bat may catch up with it: the hit goes on until that cannot happen any
-more. A ball that is hit again presses along its loading curve, as a new one.
+more. A ball that is hit again presses along its loading curve, as a new one, unless its law says otherwise.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -83,6 +83,11 @@ def hit(
     step : s, > 0; the error falls with its cube. None: `STEP`, or less where a light face needs it (`contact_step`).
     law : another contact law than the ball's own `Hysteretic` one.
 
+    Returns
+    -------
+    Impact
+        where the ball is touched twice, with the same hit by a ball that has not recovered in between (`unrecovered`).
+
     Raises
     ------
     InputError
@@ -99,9 +104,19 @@ def hit(
     check_place(position, "position")
     if not closing_speed > 0:
         return _no_contact(modes, position, closing_speed)
+    place = (position, lateral, closing_speed)
+    impact = _collision(modes, ball, place, step, law or Hysteretic(ball))
+    if law is not None or impact.touches < 2:
+        return impact
+    return replace(impact, unrecovered=_collision(modes, ball, place, step, Hysteretic(ball, recovers=False)))
+
+
+def _collision(modes: Modes, ball: Ball, place: tuple[float, float, float], step: float, law: ContactLaw) -> Impact:
+    """Return the collision at a place: position and lateral place, m, and closing speed, m/s."""
+    position, lateral, closing_speed = place
     struck = _struck(modes, position, lateral, closing_speed)
     first_kick = first_kick_after_touch(ball.exponent)
-    done = _integrated(modes, ball, struck, closing_speed, step, law or Hysteretic(ball))
+    done = _integrated(modes, ball, struck, closing_speed, step, law)
     translation, rotation, bending, hoop, face = map(float, bat_energy(modes, done.displacement, done.velocity))
     separated = done.outcome is Outcome.SEPARATED
     displacement, velocity = moved(modes, done.displacement, done.velocity, -done.late)
@@ -196,7 +211,9 @@ def _integrated(
             if again is None:
                 break
             apart, motion = again
-            outcome, peak, turned_at, late = Outcome.STILL_IN_CONTACT, 0.0, None, 0.0
+            outcome, late = Outcome.STILL_IN_CONTACT, 0.0
+            if not isinstance(law, Hysteretic) or law.recovers:
+                peak, turned_at = 0.0, None
             for history in (compressions, forces, impulses):
                 history.extend([0.0] * apart)
             approaches = [0.0]

@@ -34,6 +34,7 @@ from sweetspot.motion.ball_motion import BallMotion, BallMotions
 from sweetspot.motion.swing import Swing
 from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.notebook_display import ShownInNotebooks
 
 
 class Contact(NamedTuple):
@@ -51,7 +52,7 @@ class Contact(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Strike:
+class Strike(ShownInNotebooks):
     """One hit in space.
 
     Parameters
@@ -77,7 +78,7 @@ class Strike:
 
 
 @dataclass(frozen=True)
-class Strikes:
+class Strikes(ShownInNotebooks):
     """Many hits in space; rows without a meaning are nan (see `outcome`).
 
     Parameters
@@ -86,6 +87,7 @@ class Strikes:
     closing_speed : m/s along the line of centres.
     collision_efficiency : q of the part along the line of centres.
     contact_time, peak_force, peak_compression : s, N and m of that part.
+    touches : how many times the ball was touched; more than once where the bat caught up with it.
     exit_speed, velocity, spin : of the ball as it leaves, m/s and rad/s, shapes (n,), (n, 3) and (n, 3).
     """
 
@@ -95,6 +97,7 @@ class Strikes:
     contact_time: Array
     peak_force: Array
     peak_compression: Array
+    touches: Array
     exit_speed: Array
     velocity: Array
     spin: Array
@@ -125,6 +128,16 @@ def strike(
     ------
     InputError
         for a position that is not on the bat.
+
+    >>> from math import radians
+    >>> from sweetspot import BallMotion, Contact, SwingPath, catalog, standard_conditions, strike
+    >>> from sweetspot.dynamics.reduction import reduced_bat
+    >>> bat, ball = catalog.bat("r161-ash"), catalog.ball()
+    >>> pitch = BallMotion(position=(0, 0.5, 0.9), velocity=(0, -37.0, -3.0), spin=(-200.0, 0, 0))
+    >>> struck = strike(reduced_bat(bat, ball=ball), ball=ball, swing=standard_conditions(bat).swing,
+    ...     path=SwingPath(attack_angle=radians(9)), pitch=pitch, contact=Contact(bat.length - 0.15, 0.018))
+    >>> round(struck.launched.speed, 1), round(struck.launched.launch_angle, 2)  # m/s, rad
+    (44.7, 0.51)
     """
     position, offset = (float(np.asarray(value)) for value in contact)
     check_position(reduced.bat, position, "position")
@@ -190,6 +203,17 @@ def strikes(
     ------
     InputError
         for a position that is not on the bat.
+
+    >>> from math import radians
+    >>> from sweetspot import BallMotion, Contact, Swings, catalog, strikes
+    >>> from sweetspot.dynamics.reduction import reduced_bat
+    >>> from sweetspot.motion.swing_path import path_axes
+    >>> bat, ball = catalog.bat("r161-ash"), catalog.ball()
+    >>> swings = Swings([28.0, 31.0], path_axes(radians(9), 0.0, tilt=radians(35), left=False))
+    >>> pitch = BallMotion(position=(0, 0.5, 0.9), velocity=(0, -37.0, -3.0), spin=(-200.0, 0, 0))
+    >>> met = Contact([bat.length - 0.15] * 2, [0.018] * 2)
+    >>> strikes(reduced_bat(bat, ball=ball), ball=ball, swings=swings, pitches=pitch, contact=met).exit_speed.round(1)
+    array([41. , 44.3])
     """
     axes = swings.axes
     speed, place, above = np.broadcast_arrays(
@@ -229,6 +253,7 @@ def strikes(
         contact_time=done.contact_time,
         peak_force=done.peak_force,
         peak_compression=done.peak_compression,
+        touches=done.touches,
         exit_speed=np.linalg.norm(left.velocity, axis=-1),
         velocity=left.velocity,
         spin=left.spin,

@@ -8,8 +8,10 @@ from typing import Protocol
 
 import numpy as np
 
+from sweetspot.collision.compiled import LANES, solve
 from sweetspot.collision.impact import Impacts
-from sweetspot.collision.kernel import LANES, LATE, RESULT_ROWS, STEP, Bat, Output, numbers_of, solve, steps_of
+from sweetspot.collision.kernel import STEP, numbers_of, own, steps_of
+from sweetspot.collision.kernel_arrays import LATE, RESULT_ROWS, Bat, output_of
 from sweetspot.collision.modal_propagator import free_steps, moved_freely
 from sweetspot.collision.time_step import give_of_steps, with_quick_modes_as_springs
 from sweetspot.equipment.ball import Ball
@@ -71,13 +73,15 @@ def struck(
     constants = [balls[one] for one in ([ball] * count if isinstance(ball, Ball) else ball)]
     lanes = min(LANES, 4 * math.ceil(places / 4))
     nothing, none = np.zeros((0, size)), np.zeros(0)
-    speeds = np.ascontiguousarray(closing_speed)
+    speeds = own(closing_speed)
+    shapes, give, omega, step_give, drift = map(own, (shapes, give, omega, step_give, drift))
 
     def work(part: slice) -> None:
         for i in range(part.start, part.stop):
             bat = Bat(shapes[i], give[i], omega[i], step_give[i], drift[i], nothing, none)
-            output = Output(outcome[i], results[:, i], motion[:, i])
+            output = output_of(places, size, keep_motion=keep_motion)
             solve(lanes, speeds[i], bat, *constants[i], output)
+            outcome[i], results[:, i], motion[:, i] = output
 
     in_parts(work, count, size=BATS, threads=threads)
     if keep_motion:

@@ -88,6 +88,8 @@ class Impact(ShownInNotebooks):
     times, force, compression, impulse : history during contact, s, N, m, N s, shape (steps,); ``impulse`` is what each
         kick gave, the force times the step but for the step's correction.
     lateral : m across the face from the bat's line.
+    unrecovered : the same hit by a ball that is not as new when it is touched again (`Hysteretic`); None: it is touched
+        once, or another contact law was asked for.
     """
 
     outcome: Outcome
@@ -106,6 +108,20 @@ class Impact(ShownInNotebooks):
     compression: Array
     impulse: Array
     lateral: float = 0.0
+    unrecovered: Impact | None = None
+
+    @property
+    def touches(self) -> int:
+        """How many times the ball was touched: more than once where the bat caught up with it."""
+        pressed = self.force > 0
+        return int(np.count_nonzero(pressed[1:] & ~pressed[:-1]))
+
+    @property
+    def unrecovered_gain(self) -> float:
+        """How much faster, m/s along the line of centres, a ball leaves that has not recovered; 0 if touched once."""
+        if self.unrecovered is None:
+            return 0.0
+        return self.closing_speed * (self.unrecovered.collision_efficiency - self.collision_efficiency)
 
     def __repr__(self) -> str:
         return (
@@ -114,9 +130,14 @@ class Impact(ShownInNotebooks):
         )
 
 
-@dataclass(frozen=True)
-class Impacts:
-    """Many hits; every array has one row per hit, and rows without a meaning are nan (see `outcome`)."""
+@dataclass(frozen=True, repr=False)
+class Impacts(ShownInNotebooks):
+    """Many hits; every array has one row per hit, and rows without a meaning are nan (see `outcome`).
+
+    Parameters
+    ----------
+    touches : how many times each ball was touched; more than once where the bat caught up with it.
+    """
 
     outcome: NDArray[np.int64]
     collision_efficiency: Array
@@ -124,11 +145,16 @@ class Impacts:
     release_time: Array
     peak_force: Array
     peak_compression: Array
+    touches: Array
     displacement: Array
     velocity: Array
 
     def __len__(self) -> int:
         return len(self.outcome)
+
+    def __repr__(self) -> str:
+        """Return how many there are and how many left the bat, short."""
+        return f"<{self.outcome.size} hits, {int(np.sum(self.outcome == Outcome.SEPARATED))} separated>"
 
 
 def bat_energy(modes: Modes, displacement: Array, velocity: Array) -> tuple[Array, Array, Array, Array, Array]:

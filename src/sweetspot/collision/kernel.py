@@ -1,52 +1,44 @@
 """The coupled collision, many hits at once: arrays in, arrays out, the same time step as `coupled`.
 
-`LANES` hits advance side by side; every loop over lanes is straight-line arithmetic, which the compiler turns into
-vector instructions. The kernel is serial and releases the GIL, so threads, processes or a cluster work outside it.
+The loop itself is `compiled.solve`.
 """
 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 import numpy as np
-from numba.extending import register_jitable
 from numpy.typing import ArrayLike
 
-from sweetspot.collision import contact_law
-from sweetspot.collision.contact_law import NEWTON_STEPS
-from sweetspot.collision.coupled import SLOW, TIME_LIMIT, check_step
-from sweetspot.collision.impact import CONTACT_FORCE, Impacts, Outcome
+from sweetspot.collision.compiled import LANES, solve
+from sweetspot.collision.coupled import TIME_LIMIT, check_step
+from sweetspot.collision.impact import Impacts
+from sweetspot.collision.kernel_arrays import (
+    LATE,
+    RESULT_ROWS,
+    BallNumbers,
+    Bat,
+    RestitutionNumbers,
+    Steps,
+    output_of,
+)
 from sweetspot.collision.modal_propagator import dashpot_factors, modal_propagator_of, moved
 from sweetspot.collision.time_step import (
     contact_step,
     first_kick_after_touch,
     give_of_steps,
-    impulse_of_the_turn,
     with_quick_modes_as_springs,
 )
 from sweetspot.dynamics.modes import Modes
-from sweetspot.equipment.ball import Ball, restitution_at
-from sweetspot.numerics import parabola
-from sweetspot.numerics.arrays import Array, IntArray
-from sweetspot.numerics.kernel_cache import compiled
+from sweetspot.equipment.ball import Ball
+from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.threads import in_parts
-from sweetspot.numerics.vector_math import exp, log
 from sweetspot.units import check_place
 
-LANES = 64
-"""Most hits side by side; fewer hits than that take only the lanes they need, in fours."""
 STEP = 26e-6
 """s; exit speeds are within 1e-4 of the converged ones for hits at game speed (`make bench` prints the curve)."""
-NEARLY = 1e-4
-QUIET = -230.0
-"""Logarithm of a force that moves nothing, far above the numbers that make processors slow."""
 CHUNK = 8192
 """Hits per task handed to a thread."""
-
-SEPARATED, STILL_IN_CONTACT, NO_CONTACT = (
-    int(Outcome.SEPARATED), int(Outcome.STILL_IN_CONTACT), int(Outcome.NO_CONTACT),
-)  # fmt: skip
 
 
 def hits(
@@ -93,7 +85,18 @@ def hits_with_motion(
     step: float | None = None,
     threads: int | None = None,
 ) -> Impacts:
-    """Return the same as `hits` with the bat's modal motion at release (224 bytes per hit)."""
+    """Return the same as `hits` with the bat's modal motion at release (224 bytes per hit).
+
+    Parameters
+    ----------
+    position, closing_speed, lateral, step, threads : as in `hits`.
+
+    >>> from sweetspot import all_modes, beam_model, catalog, hits_with_motion
+    >>> modes = all_modes(beam_model(catalog.bat("r161-ash")), catalog.ball())
+    >>> many = hits_with_motion(modes, ball=catalog.ball(), position=[0.6, 0.7], closing_speed=70.0)
+    >>> many.velocity.shape  # sqrt(kg) m/s, of every hit and mode
+    (2, 14)
+    """
     return _hits(modes, ball, (position, closing_speed, lateral), step, threads, keep_motion=True)
 
 
@@ -108,15 +111,13 @@ def _hits(
     check_place(position, "position")
     given = (np.asarray(values, float) for values in (position, lateral, closing_speed))
     places, across, speeds = (values.ravel() for values in np.broadcast_arrays(*given))
-    speeds = np.ascontiguousarray(speeds)
+    speeds = np.array(speeds)  # numpy warns of asking a broadcast array whether it may be written to
     count, size = len(speeds), len(modes)
     outcome = np.empty(count, np.int64)
     results = np.empty((RESULT_ROWS, count))
     motion = np.empty((2, count if keep_motion else 0, size))
-    drift, half_dash = modal_propagator_of(modes, step), dashpot_factors(modes, step / 2)
     numbers, steps = numbers_of(ball), steps_of(ball, step)
-    omega = modes.angular_frequency
-    step_give = give_of_steps(omega, step)
+    omega, *of_modes = _of_modes(modes, step)
 
     def work(part: slice) -> None:
         here, speed = places[part], speeds[part]
@@ -124,35 +125,30 @@ def _hits(
             modes.shape_at(here, across[part], closing_speed=speed),
             modes.compliance_at(here, closing_speed=speed), omega, step,
         )  # fmt: skip
-        shapes, give = np.ascontiguousarray(shapes), np.ascontiguousarray(give)
-        kept = motion[:, part] if keep_motion else motion
         lanes = min(LANES, 4 * math.ceil(len(shapes) / 4))
-        output = Output(outcome[part], results[:, part], kept)
-        bat = Bat(shapes, give, omega, step_give, drift, modes.dashpots, half_dash)
+        output = output_of(len(speed), size, keep_motion=keep_motion)
+        bat = Bat(own(shapes), own(give), omega, *of_modes)
         solve(lanes, speed, bat, numbers, steps, output)
+        outcome[part], results[:, part] = output.outcome, output.results
         if keep_motion:
-            displacement, velocity = motion[:, part]
-            motion[:, part] = moved(modes, displacement, velocity, -np.nan_to_num(results[LATE, part]))
+            displacement, velocity = output.motion
+            motion[:, part] = moved(modes, displacement, velocity, -np.nan_to_num(output.results[LATE]))
 
     in_parts(work, count, size=CHUNK, threads=threads)
     return Impacts(outcome, *results[:LATE], *motion)
 
 
-class RestitutionNumbers(NamedTuple):
-    """A straight law of restitution: e at a speed in m/s, and what is lost per m/s."""
-
-    reference: float
-    slope: float
-    reference_speed: float
-
-
-class BallNumbers(NamedTuple):
-    """What the kernel knows of a ball: mass in kg, k and n of its force, and its law of restitution."""
-
-    mass: float
-    stiffness: float
-    exponent: float
-    restitution: RestitutionNumbers
+def _of_modes(modes: Modes, step: float) -> tuple[Array, ...]:
+    """Return what the kernel knows of the motions themselves (`Bat` from omega on), worked out once for a step."""
+    known = modes.for_steps.get(step)
+    if known is None:
+        omega = modes.angular_frequency
+        every = (omega, give_of_steps(omega, step), modal_propagator_of(modes, step), modes.dashpots,
+                 dashpot_factors(modes, step / 2))  # fmt: skip
+        known = tuple(own(each) for each in every)
+        modes.for_steps.clear()  # one step serves all hits but those that are asked for another
+        modes.for_steps[step] = known
+    return known
 
 
 def steps_of(ball: Ball, step: float) -> Steps:
@@ -167,371 +163,10 @@ def numbers_of(ball: Ball) -> BallNumbers:
     return BallNumbers(ball.mass, ball.stiffness, ball.exponent, line)
 
 
-# rows of the lanes' state
-CLOSING, BALL_POSITION, BALL_SPEED, SURFACE, APPROACH, BEFORE, EARLIER = range(7)
-PEAK, RISING, OFFSET, POWER, IMPULSE, LARGEST, KICKS, EVENT, FORCE, CONTACT = range(7, 17)
-GIVE, FORMER, PRESSED, DEEPEST, HARDEST, UNTIL, MISSING = range(17, 24)
-STATE_ROWS = 24
-# rows of the results
-EFFICIENCY, CONTACT_TIME, RELEASE_TIME, GREATEST_FORCE, GREATEST_COMPRESSION, LATE = range(6)
-RESULT_ROWS = 6
+def own(values: Array) -> Array:
+    """Return an array whole and open to writing, as all that the kernel takes: for each other form it is compiled anew.
 
-
-class Bat(NamedTuple):
-    """What is struck.
-
-    Parameters
-    ----------
-    shapes, give : (n, modes) 1/sqrt(kg) and (n,) m/N at the point of impact of each hit.
-    omega : (modes,) angular frequency in rad/s.
-    step_give : (modes,) s^2, what steps leave out of each mode's give; see `give_of_steps`.
-    drift : (modes, 2, 2), the free motion over one step.
-    dashpots, half_dash : (k, modes) and (k,), dampers that couple modes and what they do in half a step.
+    >>> own(np.broadcast_to(np.arange(2.0), (2, 2)).T).flags.c_contiguous
+    True
     """
-
-    shapes: Array
-    give: Array
-    omega: Array
-    step_give: Array
-    drift: Array
-    dashpots: Array
-    half_dash: Array
-
-
-class Steps(NamedTuple):
-    """The time steps.
-
-    Parameters
-    ----------
-    step : s.
-    first_kick : time of the first kick after touch, in steps; see `first_kick_after_touch`.
-    limit : number of steps after which a hit is given up.
-    """
-
-    step: float
-    first_kick: float
-    limit: float
-
-
-class Lanes(NamedTuple):
-    """What the lanes hold: scalars by row of ``state``, modal values by mode, and which hit is in which lane."""
-
-    state: Array
-    shape: Array
-    displacement: Array
-    velocity: Array
-    hit_of: IntArray
-
-
-class Output(NamedTuple):
-    """Where results go: outcome (n,), results (6, n), motion (2, n, modes) or (2, 0, modes) to leave it out.
-
-    The motion is that at the first kick after release, by the seconds of the row `LATE` after it.
-    """
-
-    outcome: IntArray
-    results: Array
-    motion: Array
-
-
-# What happens to one lane is compiled without counting references to arrays (_nrt): that cost a tenth of a hit's time,
-# for whoever calls these functions holds the arrays anyway.
-
-# the readable functions, compiled where compiled code calls them
-_crossing = register_jitable(parabola.crossing)
-_vertex = register_jitable(parabola.vertex)
-_impulse_of_the_turn = register_jitable(impulse_of_the_turn)
-_unloading_power = register_jitable(contact_law.unloading_power)
-register_jitable(restitution_at)
-
-
-@compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
-def solve(lane_count: int, closing_speed: Array, bat: Bat, ball: BallNumbers, steps: Steps, output: Output) -> None:
-    """Fill ``output`` for n hits.
-
-    Every lane carries one hit; when it ends, the lane takes the next hit, so that no lane waits for another.
-    One long function on purpose: with its last loops in a function of their own it is a tenth slower.
-
-    The force at approach w solves u + C F(u) = w. The forces of the last two kicks foretell u to about (h / T)^2; from
-    there one step of Halley's method along the curve leaves 1e-8 of the force, for one power per kick.
-
-    Parameters
-    ----------
-    lane_count : hits side by side.
-    closing_speed : (n,) m/s.
-    ball : of every hit.
-    steps : their length and number.
-    """
-    step, limit = steps.step, steps.limit
-    drift, dashpots, half_dash = bat.drift, bat.dashpots, bat.half_dash
-    size = bat.shapes.shape[1]
-    mass = ball.mass
-    # rows as long as the most lanes, whose distances the compiler then knows: it need not ask whether they overlap
-    lanes = Lanes(
-        np.zeros((STATE_ROWS, LANES)),
-        np.empty((size, LANES)),
-        np.empty((size, LANES)),
-        np.empty((size, LANES)),
-        np.empty(lane_count, np.int64),
-    )
-    state = lanes.state
-    following, busy = 0, 0
-    for lane in range(lane_count):
-        following = _start(lane, following, closing_speed, bat, ball, steps, lanes, output)
-        busy += lanes.hit_of[lane] >= 0
-    ball_position, ball_speed, surface = state[BALL_POSITION], state[BALL_SPEED], state[SURFACE]
-    approach, before, earlier = state[APPROACH], state[BEFORE], state[EARLIER]
-    peak, rising, kicks, event = state[PEAK], state[RISING], state[KICKS], state[EVENT]
-    offset, power, impulse, largest = state[OFFSET], state[POWER], state[IMPULSE], state[LARGEST]
-    force, former, contact = state[FORCE], state[FORMER], state[CONTACT]
-    give, pressed, until, left_out = state[GIVE], state[PRESSED], state[UNTIL], state[MISSING]
-    rate = np.zeros(LANES)
-    shapes, places, speeds = lanes.shape, lanes.displacement, lanes.velocity
-    approach[:] = 0.0  # before first touch
-    while busy > 0:
-        any_event = 0.0
-        for lane in range(lane_count):
-            earlier[lane] = before[lane]
-            before[lane] = approach[lane]
-            approach[lane] = ball_position[lane] - surface[lane]
-            surface[lane] = 0.0
-            kicks[lane] += 1.0
-            level = 0.0 if earlier[lane] > 0.0 else -np.inf  # before the third kick there is no parabola
-            falling = 3.0 * approach[lane] - 4.0 * before[lane] + earlier[lane] < level
-            turned = 1.0 if (approach[lane] < before[lane]) | falling else 0.0
-            again = 1.0 if approach[lane] >= peak[lane] else 0.0
-            over = 1.0 if (approach[lane] <= 0.0) | (kicks[lane] > limit) else 0.0
-            event[lane] = max(turned if rising[lane] > 0.0 else again, over)
-            peak[lane] = max(peak[lane], approach[lane])
-        for lane in range(lane_count):
-            any_event = max(any_event, event[lane])
-        if any_event > 0.0:
-            for lane in range(lane_count):
-                if event[lane] == 0.0:
-                    continue
-                if approach[lane] <= 0 or kicks[lane] > limit:
-                    if until[lane] == 0.0:
-                        _finish(lane, ball, steps, lanes, output)
-                        until[lane] = min(limit, kicks[lane] + _kicks_within_reach(lane, bat.omega, step, limit, lanes))
-                        offset[lane] = QUIET
-                    if kicks[lane] >= until[lane]:
-                        following = _start(lane, following, closing_speed, bat, ball, steps, lanes, output)
-                        kicks[lane] += 1.0
-                        busy -= lanes.hit_of[lane] < 0
-                    else:  # the bat may catch up: go on without a force; any touch is an event
-                        approach[lane], peak[lane], rising[lane] = 1.0, 0.0, 0.0
-                elif until[lane] > 0.0:
-                    _touch(lane, ball, state)
-                else:
-                    _turn(lane, ball, step, state)
-        for lane in range(lane_count):
-            guess = max(approach[lane] - give[lane] * (2.0 * force[lane] - former[lane]), 0.25 * approach[lane])
-            pushing = exp(offset[lane] + power[lane] * log(guess))
-            missing = approach[lane] - guess - give[lane] * pushing
-            inverse = 1.0 / guess
-            steepness = power[lane] * pushing * inverse
-            bend = (0.5 * power[lane] - 0.5) * steepness * inverse
-            softened = 1.0 / (1.0 + give[lane] * steepness)
-            missing *= softened
-            missing *= 1.0 - give[lane] * bend * missing * softened
-            pressed[lane] = pushing + missing * (steepness + bend * missing)
-        for lane in range(lane_count):
-            largest[lane] = max(largest[lane], pressed[lane])
-            threshold = CONTACT_FORCE * largest[lane]
-            ebbing = (force[lane] >= threshold) & (pressed[lane] < threshold)
-            part = (force[lane] - threshold) / (force[lane] - pressed[lane])
-            contact[lane] = kicks[lane] + part if ebbing else contact[lane]
-            former[lane] = force[lane]
-            force[lane] = pressed[lane]
-            impulse[lane] = pressed[lane] * step + left_out[lane]
-            left_out[lane] = 0.0
-            ball_speed[lane] -= impulse[lane] / mass
-            ball_position[lane] += ball_speed[lane] * step
-        if len(half_dash) > 0:  # the kick alone, then dampers for half a step on both sides of the drift
-            for i in range(size):
-                for lane in range(lane_count):
-                    lanes.velocity[i, lane] += lanes.shape[i, lane] * impulse[lane]
-            impulse[:] = 0.0
-            _dash(lanes.velocity, dashpots, half_dash, rate)
-        for i in range(size):
-            a, b, c, d = drift[i, 0, 0], drift[i, 0, 1], drift[i, 1, 0], drift[i, 1, 1]
-            for lane in range(lane_count):
-                place, start = places[i, lane], speeds[i, lane] + shapes[i, lane] * impulse[lane]
-                moved = a * place + b * start
-                speeds[i, lane] = c * place + d * start
-                places[i, lane] = moved
-                surface[lane] += shapes[i, lane] * moved
-        if len(half_dash) > 0:
-            _dash(lanes.velocity, dashpots, half_dash, rate)
-
-
-@compiled(_nrt=False)
-def _dash(velocity: Array, dashpots: Array, factors: Array, rate: Array) -> None:
-    """Let the dashpots act on the modal velocities of every lane."""
-    for k in range(len(factors)):
-        rate[:] = 0.0
-        for i in range(len(velocity)):
-            for lane in range(len(rate)):
-                rate[lane] += dashpots[k, i] * velocity[i, lane]
-        for i in range(len(velocity)):
-            for lane in range(len(rate)):
-                velocity[i, lane] -= factors[k] * dashpots[k, i] * rate[lane]
-
-
-@compiled(_nrt=False)
-def _start(
-    lane: int,
-    following: int,
-    closing_speed: Array,
-    bat: Bat,
-    ball: BallNumbers,
-    steps: Steps,
-    lanes: Lanes,
-    output: Output,
-) -> int:
-    """Put the next hit that makes contact into a lane, or leave the lane idle; return the hit after it."""
-    count, size = bat.shapes.shape
-    while following < count and not closing_speed[following] > 0:
-        output.outcome[following] = NO_CONTACT
-        output.results[:, following] = np.nan
-        if output.motion.shape[1]:
-            output.motion[:, following] = 0.0
-        following += 1
-    idle = following >= count
-    lanes.hit_of[lane] = -1 if idle else following
-    speed = 0.0 if idle else closing_speed[following]
-    give = steps.step**2 / 12 / ball.mass + (0.0 if idle else bat.give[following])
-    for i in range(size):
-        lanes.shape[i, lane] = 0.0 if idle else bat.shapes[following, i]
-        give += lanes.shape[i, lane] ** 2 * bat.step_give[i]
-        lanes.displacement[i, lane] = 0.0
-        lanes.velocity[i, lane] = 0.0
-    state = lanes.state
-    state[:, lane] = 0.0
-    state[CLOSING, lane] = speed
-    state[BALL_SPEED, lane] = speed
-    state[BALL_POSITION, lane] = 1.0 if idle else speed * steps.first_kick * steps.step
-    state[GIVE, lane] = give
-    state[APPROACH, lane] = state[BALL_POSITION, lane]
-    _touch(lane, ball, state)
-    if idle:  # never turns, ends or pushes
-        state[PEAK, lane], state[RISING, lane], state[OFFSET, lane], state[KICKS, lane] = 2.0, 0.0, QUIET, -np.inf
-    return following + 1
-
-
-@compiled(_nrt=False)
-def _touch(lane: int, ball: BallNumbers, state: Array) -> None:
-    """Begin a contact: the ball is where it is, nothing presses yet, and loading comes first."""
-    state[PEAK, lane] = state[APPROACH, lane]
-    state[BEFORE, lane] = state[EARLIER, lane] = 0.0
-    state[RISING, lane] = 1.0
-    state[OFFSET, lane], state[POWER, lane] = log(ball.stiffness), ball.exponent
-    state[FORCE, lane] = state[FORMER, lane] = state[UNTIL, lane] = 0.0
-
-
-@compiled(_nrt=False)
-def _turn(lane: int, ball: BallNumbers, step: float, state: Array) -> None:
-    """Change a lane from loading to unloading, at the top of the parabola through three kicks, or back."""
-    if state[RISING, lane] == 0.0:
-        state[RISING, lane] = 1.0
-        state[OFFSET, lane], state[POWER, lane] = log(ball.stiffness), ball.exponent
-        return
-    state[RISING, lane] = 0.0
-    earlier, before, latest = state[EARLIER, lane], state[BEFORE, lane], state[APPROACH, lane]
-    shift, bend = 0.5, 0.0
-    if earlier > 0:
-        shift, height = _vertex(earlier, before, latest)
-        bend = earlier - 2 * before + latest
-        state[PEAK, lane] = max(state[PEAK, lane], height)
-    give = state[GIVE, lane]
-    deepest, force = _loaded(state[PEAK, lane], give, state[FORCE, lane], ball)
-    state[DEEPEST, lane] = max(state[DEEPEST, lane], deepest)
-    state[HARDEST, lane] = max(state[HARDEST, lane], force)
-    power, slope = _unloading_power(ball, deepest, force), force / deepest
-    state[OFFSET, lane], state[POWER, lane] = log(force) - power * log(deepest), power
-    stiffening = power * slope / (1 + give * power * slope) - ball.exponent * slope / (1 + give * ball.exponent * slope)
-    state[MISSING, lane] = _impulse_of_the_turn(shift, bend, stiffening, step)
-
-
-@compiled(_nrt=False)
-def _loaded(approach: float, give: float, force: float, ball: BallNumbers) -> tuple[float, float]:
-    """Return the ball's compression u and its force on the loading curve: u + C k u^n = w, by Halley's method.
-
-    ``force`` is about the one expected.
-    """
-    exponent = ball.exponent
-    compression, offset = max(approach - give * force, 0.25 * approach), log(ball.stiffness)
-    for _ in range(NEWTON_STEPS):
-        force = exp(offset + exponent * log(compression))
-        steepness = exponent * force / compression
-        softened = 1 / (1 + give * steepness)
-        change = (approach - compression - give * force) * softened
-        bend = (0.5 * exponent - 0.5) * steepness / compression
-        change *= 1 - give * bend * change * softened
-        compression += change
-        force += change * (steepness + bend * change)
-        if abs(change) < NEARLY * approach:  # the next change is about the cube of this one
-            break
-    return compression, force
-
-
-@compiled(_nrt=False)
-def _kicks_within_reach(lane: int, omega: Array, step: float, limit: float, lanes: Lanes) -> float:
-    """Return after how many kicks a ball that has just left is beyond all that vibrations together can reach.
-
-    See `_Flow.overtaken` in `coupled`.
-    """
-    state = lanes.state
-    speed, push, energy = -state[BALL_SPEED, lane], 0.0, 0.0
-    for i in range(len(omega)):
-        shape, p = lanes.shape[i, lane], lanes.velocity[i, lane]
-        if omega[i] < SLOW:
-            speed += shape * p
-        else:
-            push += shape * shape
-            energy += p * p + (omega[i] * lanes.displacement[i, lane]) ** 2
-    if speed > 0 and speed * speed > push * energy:  # by Cauchy's inequality faster than all vibrations together
-        return 0.0
-    fastest = 0.0
-    for i in range(len(omega)):
-        if omega[i] >= SLOW:
-            p, from_place = lanes.velocity[i, lane], omega[i] * lanes.displacement[i, lane]
-            fastest += abs(lanes.shape[i, lane]) * math.sqrt(p * p + from_place * from_place)
-    if speed > fastest:
-        return 0.0
-    if speed <= 0:
-        return limit
-    distance, reach = -state[BALL_POSITION, lane], 0.0
-    for i in range(len(omega)):
-        shape, q, p = lanes.shape[i, lane], lanes.displacement[i, lane], lanes.velocity[i, lane]
-        if omega[i] < SLOW:
-            distance += shape * q
-        else:
-            reach += abs(shape) * math.sqrt(q * q + (p / omega[i]) ** 2)
-    return float(max(0.0, (reach - distance) / (speed * step)))
-
-
-@compiled(_nrt=False)
-def _finish(lane: int, ball: BallNumbers, steps: Steps, lanes: Lanes, output: Output) -> None:
-    """Write the results of a lane whose ball has left, or whose time is up."""
-    state, results, row = lanes.state, output.results, lanes.hit_of[lane]
-    separated = state[APPROACH, lane] <= 0
-    output.outcome[row] = SEPARATED if separated else STILL_IN_CONTACT
-    results[: RELEASE_TIME + 1, row], results[LATE, row] = np.nan, 0.0
-    results[GREATEST_FORCE, row] = max(state[LARGEST, lane], state[HARDEST, lane])
-    if state[DEEPEST, lane] == 0:
-        state[DEEPEST, lane], _ = _loaded(state[PEAK, lane], state[GIVE, lane], state[FORCE, lane], ball)
-    results[GREATEST_COMPRESSION, row] = state[DEEPEST, lane]
-    if separated:
-        threshold = CONTACT_FORCE * state[LARGEST, lane]
-        if state[FORCE, lane] >= threshold:
-            state[CONTACT, lane] = state[KICKS, lane] + 1 - threshold / state[FORCE, lane]
-        crossing = _crossing(state[EARLIER, lane], state[BEFORE, lane], state[APPROACH, lane])
-        results[EFFICIENCY, row] = -state[BALL_SPEED, lane] / state[CLOSING, lane]
-        results[CONTACT_TIME, row] = (state[CONTACT, lane] - 2 + steps.first_kick) * steps.step
-        results[LATE, row] = (1 - crossing) * steps.step
-        results[RELEASE_TIME, row] = (state[KICKS, lane] - 1 + steps.first_kick) * steps.step - results[LATE, row]
-    if output.motion.shape[1]:
-        for i in range(len(lanes.shape)):
-            output.motion[0, row, i] = lanes.displacement[i, lane]
-            output.motion[1, row, i] = lanes.velocity[i, lane]
+    return np.require(values, requirements=["C", "W"])

@@ -23,12 +23,14 @@ def free_steps(angular_frequency: Array, damping_rate: Array, step: float | Arra
     angular_frequency, damping_rate : omega in rad/s and 2 g in 1/s, shape (...).
     """
     rate = damping_rate / 2
-    root = np.sqrt((angular_frequency**2 - rate**2).astype(complex))
-    cosine = np.cos(root * step).real
-    small = np.abs(root * step) < 1e-8
-    sine = np.where(small, step, (np.sin(root * step) / np.where(small, 1, root)).real)
+    square = angular_frequency**2 - rate**2
+    root = np.sqrt(square if np.all(square >= 0) else square.astype(complex))  # real sines take a third of the time
+    turned = root * step
+    cosine = np.cos(turned).real
+    small = np.abs(turned) < 1e-8
+    sine = np.where(small, step, (np.sin(turned) / np.where(small, 1, root)).real)
     decay = np.exp(-rate * step)
-    matrices = np.empty((*rate.shape, 2, 2))
+    matrices = np.empty((*decay.shape, 2, 2))
     matrices[..., 0, 0] = decay * (cosine + rate * sine)
     matrices[..., 0, 1] = decay * sine
     matrices[..., 1, 0] = -decay * angular_frequency**2 * sine
@@ -69,7 +71,7 @@ def moved_freely(
 ) -> tuple[Array, Array]:
     """Return the same for oscillators by their numbers, of shapes that go with (..., n); no dashpots."""
     span = np.asarray(time, float)[..., None]
-    ahead = free_steps(angular_frequency, np.broadcast_to(damping_rate, displacement.shape), span)
+    ahead = free_steps(angular_frequency, damping_rate, span)
     return (
         ahead[..., 0, 0] * displacement + ahead[..., 0, 1] * velocity,
         ahead[..., 1, 0] * displacement + ahead[..., 1, 1] * velocity,

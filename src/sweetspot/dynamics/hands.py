@@ -32,6 +32,13 @@ def gripped(modes: Modes, hands: Hands) -> Modes:
     -------
     Modes
         two more than the free ones; those in which the hands move most are of family "hand".
+
+    >>> from sweetspot import all_modes, beam_model, catalog, gripped, standard_conditions
+    >>> bat = catalog.bat("r161-ash")
+    >>> free = all_modes(beam_model(bat), catalog.ball())
+    >>> held = gripped(free, standard_conditions(bat).hands.replaced(mass=1.0, stiffness=2e4))
+    >>> len(held) - len(free)
+    2
     """
     if hands.mass == 0:
         return modes

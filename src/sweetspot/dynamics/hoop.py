@@ -55,6 +55,12 @@ def hoop_modes(
     -----
     An end cap holds the tip round (w = v = 0): a plug's stiffness in its plane is tens of times the wall's. Without
     a cap the tip is free. At the handle's end the taper holds it round. Damping is the material's ratio.
+
+    >>> from sweetspot import beam_model, catalog, hoop_modes
+    >>> from sweetspot.dynamics.patch import patch_law
+    >>> line, ball = beam_model(catalog.bat("single-wall")), catalog.ball()
+    >>> round(hoop_modes(line, law=patch_law(ball)).frequency.min())  # Hz
+    1990
     """
     start, end = barrel_range(line)
     grid = np.linspace(start, end, GRID)

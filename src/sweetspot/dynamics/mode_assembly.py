@@ -38,6 +38,11 @@ def all_modes(line: BeamModel, ball: Ball, *, patch_factor: float = 1.0) -> Mode
     line : from `beam_model`.
     ball : that will hit the bat: hoop modes are felt through its patch, a face is damped by it.
     patch_factor : on the radius of the ball's contact patch, > 0; 1 unless its doubt is asked for (`PATCH_SPREAD`).
+
+    >>> from sweetspot import all_modes, beam_model, catalog
+    >>> modes = all_modes(beam_model(catalog.bat("r161-ash")), catalog.ball())
+    >>> modes, modes.frequency[2:4].round()  # Hz, of the first two bending modes
+    (<Modes: 2 rigid, 12 bending>, array([172., 572.]))
     """
     if line.bat.face is not None:
         from sweetspot.dynamics.face_vibration import face_modes

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from sweetspot.dynamics.patch import ByPatch
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.notebook_display import ShownInNotebooks
 from sweetspot.numerics.piecewise import Piecewise
 
 Family = Literal["rigid", "bending", "hoop", "face", "hand"]
@@ -45,8 +46,8 @@ class Surface:
         return Surface(self.basis, self.weights @ vectors)
 
 
-@dataclass(frozen=True)
-class Modes:
+@dataclass(frozen=True, repr=False)
+class Modes(ShownInNotebooks):
     """Motions of a bat, each normalised to 1 kg of modal mass.
 
     Mode i moves the bat's line by ``q_i(t) shape_i(x)`` and obeys
@@ -80,6 +81,11 @@ class Modes:
 
     def __len__(self) -> int:
         return len(self.families)
+
+    def __repr__(self) -> str:
+        """Return how many motions there are of each family, short."""
+        counts = ", ".join(f"{self.families.count(one)} {one}" for one in dict.fromkeys(self.families))
+        return f"<Modes: {counts}>"
 
     @property
     def angular_frequency(self) -> Array:
@@ -135,6 +141,11 @@ class Modes:
         first, last = self.shapes.ends[0], self.shapes.ends[-1]
         places = first + ASKED * (last - first)
         return float((self.shape_at(places) ** 2).sum(axis=-1).max()), float(self.compliance_at(places).min())
+
+    @cached_property
+    def for_steps(self) -> dict[float, tuple[Array, ...]]:
+        """What solvers in time know of these motions for steps of so many s; theirs to fill."""
+        return {}
 
     @cached_property
     def _slopes(self) -> Piecewise:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -65,14 +66,14 @@ class PatchLaw:
     reference_speed: float
     power: float
 
-    @property
+    @cached_property
     def radii(self) -> Array:
         """Radii in m for which tables are made, increasing."""
         return self.reference * RATIOS
 
     def radius_at(self, closing_speed: Array | float) -> Array:
         """Return the radius in m, as far as tables reach; the least for a speed that is none."""
-        speed = np.maximum(np.nan_to_num(closing_speed), 0.0)
+        speed = np.fmax(closing_speed, 0.0)
         radius = self.reference * (speed / self.reference_speed) ** self.power
         return np.asarray(np.minimum(np.maximum(radius, self.radii[0]), self.radii[-1]))
 
@@ -88,9 +89,17 @@ class PatchLaw:
 
     def weights_of(self, radius: Array) -> Array:
         """Return Lagrange's weights for radii in m of shape (...), shape (..., radii)."""
-        nodes, square = self.radii**2, radius[..., None] ** 2
-        between = (nodes[:, None] - nodes[OTHERS]).prod(axis=-1)
-        return np.asarray((square - nodes)[..., OTHERS].prod(axis=-1) / between)
+        apart = radius[..., None] ** 2 - self._squares
+        return np.asarray(apart[..., OTHERS].prod(axis=-1) / self._between)
+
+    @cached_property
+    def _squares(self) -> Array:
+        return self.radii**2
+
+    @cached_property
+    def _between(self) -> Array:
+        """What Lagrange's weights are divided by."""
+        return np.asarray((self._squares[:, None] - self._squares[OTHERS]).prod(axis=-1))
 
 
 def patch_law(ball: Ball, *, factor: float = 1.0) -> PatchLaw:

@@ -14,7 +14,7 @@ from sweetspot.dynamics.beam import BeamModel, moments_with_roll
 from sweetspot.equipment.base import Real
 from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_GRAVITY
-from sweetspot.units import check_place
+from sweetspot.units import check_place, shown
 
 
 @dataclass(frozen=True)
@@ -98,6 +98,11 @@ def effective_mass(body: RigidBody, position: Real, *, pivot: float | None = Non
     Free bat: 1 / M_eff = 1 / M + b^2 / I_cm, b from the balance point [nathan2003].
     Turning about a fixed ``pivot``: M_eff = I_pivot / z^2, z from the pivot (infinite on the pivot itself).
 
+    Parameters
+    ----------
+    position : m from the knob end, one or an array.
+    pivot : m from the knob end of a fixed axis; None: the bat is free.
+
     >>> rod = RigidBody(mass=1.0, balance_point=0.5, moi_cm=1 / 12, roll_moi=0.0)
     >>> round(effective_mass(rod, 1.0), 6)  # a quarter of a free rod's mass at its end
     0.25
@@ -158,7 +163,7 @@ def _pendulum_arm(balance_point: float, pivot: float) -> float:
     arm = balance_point - pivot
     if arm <= 0:
         raise InputError(
-            f"the bat hangs from {pivot:.4g} m, beyond its balance point at {balance_point:.4g} m; "
+            f"the bat hangs from {shown(pivot)}, beyond its balance point at {shown(balance_point)}; "
             "hang it from the handle"
         )
     return arm

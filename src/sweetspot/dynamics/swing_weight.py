@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from typing import Literal
 
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.base import Positive, Validated
+from sweetspot.errors import InputError
+from sweetspot.units import grouped
 
 MOST_POINTS = 70
 """Of a scale of letters: up to G9."""
@@ -49,6 +52,31 @@ class SwingWeight(Validated):
         """Return the moment in the convention's unit."""
         return self.moment(body) / self.size
 
+    def moment_of(self, text: str) -> float:
+        """Return the moment in SI of a letter with points, on a scale that has them.
+
+        Raises
+        ------
+        InputError
+            for another convention, or a text that is no letter with points.
+
+        >>> scale = SwingWeight(name="swing weight", order=1, axis=0.3556, unit="in oz", size=0.00072007788733,
+        ...     zero=161.0, step=1.75, source="recalled", where="", kind="assumed")
+        >>> round(scale.moment_of("D2") / scale.size, 2)  # 161 in oz and 32 points of 1.75 in oz
+        217.0
+        """
+        if self.zero is None or self.step is None:
+            raise InputError(f"{self.name} is a number in {self.unit}, not a letter")
+        last = chr(ord(self.first_letter) + MOST_POINTS // 10 - 1)
+        written = re.fullmatch(rf"([{self.first_letter}-{last}])(\d(\.\d+)?)", text.strip().upper())
+        if written is None:
+            raise InputError(
+                f"{self.name} was given as {text[:20]!r}; it is a letter from {self.first_letter} to {last} and points "
+                "below 10, such as D2 or C9.5"
+            )
+        points = 10 * (ord(written[1]) - ord(self.first_letter)) + float(written[2])
+        return (self.zero + points * self.step) * self.size
+
     def shown(self, body: RigidBody) -> str:
         """Return the swing weight as people write it: a number with its unit, or a letter with points.
 
@@ -60,7 +88,7 @@ class SwingWeight(Validated):
         """
         value = self.value(body)
         if self.zero is None or self.step is None:
-            return f"{value:,.0f} {self.unit}" if value >= 1000 else f"{value:.4g} {self.unit}"
+            return f"{grouped(value)} {self.unit}" if value >= 1000 else f"{value:.4g} {self.unit}"
         points = round((value - self.zero) / self.step, 1)
         if not 0 <= points < MOST_POINTS:
             return f"{value:.4g} {self.unit}, off the scale"

@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, ValidationError
 from pydantic_core import ErrorDetails
 
-from sweetspot.errors import InputError
+from sweetspot.errors import ALMOST, InputError
+from sweetspot.units import shown_mass
 
 if TYPE_CHECKING:
     from pydantic._internal._model_construction import ModelMetaclass
@@ -45,6 +46,11 @@ MACHINERY = {name for name in (*dir(BaseModel), *vars(BaseModel)) if name not in
 """Names that checked things have from pydantic; they work, and are not ours to explain."""
 MOST_FAULTS, LONGEST_INPUT = 5, 80
 """Faults told of at once, and letters of what was given that are repeated."""
+UNIT_OF = {
+    "mass": "oz", "wall": "mm", "tension": "lb", "frequency": "Hz", "moi": "oz*in^2", "density": "kg/m^3",
+    "modulus": "GPa", "angle": "deg",
+}  # fmt: skip
+"""Unit that an example of a value is written with, by how its key ends; of all others inches."""
 
 
 class _Readable(ModelMetaclass):
@@ -106,7 +112,7 @@ def explain(error: ValidationError, name: str, *, known: Sequence[str] = ()) -> 
     no_texts: set[object] = set()
     for fault in error.errors(include_url=False):
         repeated = fault["type"] == "string_type" and fault["loc"][:1] in no_texts
-        if not _is_other_branch(fault) and not repeated:
+        if not _is_other_branch(fault) and not repeated and not _is_number_for_pairs(fault):
             faults.append(fault)
             if fault["type"] == "string_type":
                 no_texts.add(fault["loc"][:1])
@@ -115,7 +121,8 @@ def explain(error: ValidationError, name: str, *, known: Sequence[str] = ()) -> 
     lines = [line if line == told else line.removesuffix(_all_known(known)) for line in lines]
     if len(faults) > MOST_FAULTS:
         lines.append(f"and {len(faults) - MOST_FAULTS} more")
-    return f"{name.lower()}: " + "; ".join(lines)
+    words = "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in name).strip()
+    return f"{words}: " + "; ".join(lines)
 
 
 BOUNDS = {
@@ -137,6 +144,11 @@ def _is_other_branch(fault: ErrorDetails) -> bool:
     return fault["type"] == "string_type" and fault["loc"][-1:] == ("str",) and isinstance(fault["input"], dict)
 
 
+def _is_number_for_pairs(fault: ErrorDetails) -> bool:
+    """Return whether a fault says that a bare number is no list of pairs: that it lacks a unit is said beside it."""
+    return "tuple[" in "".join(map(str, fault["loc"])) and isinstance(fault["input"], (int, float))
+
+
 def _all_known(known: Sequence[str]) -> str:
     """Return the names that something has, for the end of a message; it is told once."""
     return f"; known are {', '.join(known)}" if known else ""
@@ -148,21 +160,25 @@ def _fault(fault: ErrorDetails, known: Sequence[str]) -> str:
     given = repr(fault["input"])[:LONGEST_INPUT]
     match fault["type"]:
         case "extra_forbidden":
-            close = get_close_matches(parts[-1][:LONGEST_INPUT], known, n=1)
+            close = get_close_matches(parts[-1][:LONGEST_INPUT], known, n=1, cutoff=ALMOST)
             meant = f": did you mean {close[0]!r}?" if close else _all_known(known) if len(parts) == 1 else ""
             return f"unknown key {place[:LONGEST_INPUT]!r}{meant}"
         case "missing":
             meant = ': write like = "..." with a name of the catalogue, of which the rest is kept'
             return f"{place} is missing{meant if parts[-1] == 'like' else ''}"
+        case "string_too_short":
+            return f"{place} is empty; write what people call it"
         case "value_error":
             return f"{place}: {text}" if place else text
         case "string_type" if isinstance(fault["input"], (int, float)):
-            unit = "oz" if parts and parts[-1].endswith("mass") else "in"
+            unit = next((unit for ending, unit in UNIT_OF.items() if parts[0].endswith(ending)), "in")
             return f'{parts[0]} was given as {given}: write the unit too, in quotes, as in "{given} {unit}"'
         case "greater_than" | "greater_than_equal" | "less_than" | "less_than_equal" if isinstance(
             fault["input"], (int, float)
         ):
             given, text = f"{fault['input']:.4g}", _allowed(fault)
+            if parts[-1:] == ["mass"]:
+                given = shown_mass(fault["input"])
         case "tuple_type" if isinstance(fault["input"], str):
             text += f': write pairs of position and size, as in [["0 in", {given}], ...]'
     return f"{place} was given as {given}: {text[0].lower()}{text[1:]}"

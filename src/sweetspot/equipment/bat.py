@@ -19,7 +19,7 @@ from sweetspot.equipment.material import Material
 from sweetspot.equipment.section import Section, of_solid, of_walls
 from sweetspot.equipment.shell import Shell, Stations, between, check_order
 from sweetspot.numerics.arrays import Array
-from sweetspot.units import INCH
+from sweetspot.units import INCH, shown
 
 LENGTH_RANGE = (0.3, 1.3)
 MOST_COEFFICIENTS = 10
@@ -185,29 +185,31 @@ class Bat(OfMaterial):
     def _check_fits(self, diameter: float, depth: float, what: str, *, mouth_only: bool = False) -> None:
         if depth >= self.length:
             raise ValueError(
-                f"{what} is {depth:.4g} m deep but the bat only {self.length:.4g} m long; make it shallower"
+                f"{what} is {shown(depth)} deep but the bat only {shown(self.length)} long; make it shallower"
             )
         edges = np.asarray(self.breakpoints())
         places = edges[edges >= self.length - (0 if mouth_only else depth)]
         narrowest = float(np.min(self.diameter_at(places)))
         if diameter >= narrowest:
             raise ValueError(
-                f"{what} is {diameter * 1e3:.4g} mm wide but the bat there only {narrowest * 1e3:.4g} mm; "
+                f"{what} is {shown(diameter)} wide and has to be narrower than the bat there, {shown(narrowest)}; "
                 "make it narrower or shallower"
             )
 
     def _check_places(self) -> None:
         if self.balance_point is not None and not 0.2 < self.balance_point / self.length < 0.95:
             raise ValueError(
-                f"balance_point is {self.balance_point:.4g} m from the knob end of a {self.length:.4g} m bat; "
+                f"balance_point is {shown(self.balance_point)} from the knob end of a bat of {shown(self.length)}; "
                 "measure it from the knob end"
             )
         for weight in self.point_masses:
             if weight.position > self.length:
-                raise ValueError(f"a point mass sits at {weight.position:.4g} m, beyond the tip at {self.length:.4g} m")
+                raise ValueError(
+                    f"a point mass sits at {shown(weight.position)}, beyond the tip at {shown(self.length)}"
+                )
         if self.choke > self.length / 3:
             raise ValueError(
-                f"choke is {self.choke:.4g} m; allowed is up to a third of the length, {self.length / 3:.4g} m"
+                f"choke is {shown(self.choke)}; allowed is up to a third of the length, {shown(self.length / 3)}"
             )
 
     def diameter_at(self, position: ArrayLike) -> NDArray[np.float64]:
@@ -271,7 +273,10 @@ class Bat(OfMaterial):
 
         All walls of a hollow bat, sleeve and handle included, are scaled alike; fills are not.
         """
-        outer = self.diameter_at(position) / 2
+        return self.section_within(position, self.diameter_at(position) / 2, scale)
+
+    def section_within(self, position: Array, outer: Array, scale: Array) -> Section:
+        """Return the sections at positions in m of a bat with other outer radii in m, in rows that end in positions."""
         if self.shell is not None:
             return of_walls(self.shell.parts(position, outer, self.material), outer, scale)
         ends = ((bore, self.length - bore.depth, self.length - bore.plug) for bore in self.bores)

@@ -76,6 +76,7 @@ class Implement(ShownInNotebooks, Validated, ABC):
     moi : measured moment of inertia in kg m^2 about ``moi_axis`` (m from the butt end).
     choke : m the grip is moved up from the butt end; shifts the default pivot and hands.
     added : small weights that were fixed to it after it was measured.
+    calibrated : whether what was measured counts even where the drawing has it only at an unusual density.
     """
 
     name: Name
@@ -87,6 +88,7 @@ class Implement(ShownInNotebooks, Validated, ABC):
     moi_axis: float = STANDARD_AXIS
     choke: NonNegative = 0.0
     added: tuple[AddedMass, ...] = ()
+    calibrated: bool = False
 
     @model_validator(mode="after")
     def _weights_are_on_it(self) -> Self:

@@ -110,6 +110,7 @@ class Words(Validated):
     strongest : name of the place of the greatest q, where it has one; "".
     deadest : name of the place where the ball hardly comes back, where it has one; "".
     speed_unit, place_unit, distance_unit : what people read speeds, places on the implement and flights in.
+    mass_unit : what they weigh in; "": what goes with the unit of places.
     """
 
     implement: str = "bat"
@@ -127,6 +128,12 @@ class Words(Validated):
     speed_unit: Literal["mph", "m/s"] = "mph"
     place_unit: Literal["in", "cm"] = "in"
     distance_unit: Literal["ft", "yd", "m"] = "ft"
+    mass_unit: Literal["oz", "g", ""] = ""
+
+    @property
+    def weighed_in(self) -> Literal["oz", "g"]:
+        """The unit of weights and, with it, of moments of inertia."""
+        return self.mass_unit or ("oz" if self.place_unit == "in" else "g")
 
 
 class Stroke(Validated):

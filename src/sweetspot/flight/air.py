@@ -7,11 +7,11 @@ from typing import Annotated, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
-from pydantic import Field, model_validator
+from pydantic import AfterValidator, Field, model_validator
 
 from sweetspot.equipment.base import Fraction, NonNegative, Positive, Validated
 from sweetspot.numerics.arrays import Array
-from sweetspot.units import MPH
+from sweetspot.units import MPH, check_angle
 
 STANDARD_PRESSURE = 101325.0
 """Pa, of the standard atmosphere at sea level: 760 mm of mercury."""
@@ -112,6 +112,11 @@ VACUUM = Air(pressure=0.0, humidity=0.0)
 """No air at all: every flight is a parabola."""
 
 
+def _in_radians(direction: float) -> float:
+    check_angle(direction, "it")
+    return direction
+
+
 class Wind(Validated):
     """A steady wind, level, with its profile over height.
 
@@ -124,10 +129,15 @@ class Wind(Validated):
     exponent : 0 (the same at every height) to 1; about 1/7 over open land.
     reference_height : m, > 0, where the speed is measured.
     calm_below : m; below it the stands keep the wind off, as in the sheet [nathan_calculator].
+
+    Raises
+    ------
+    InputError
+        for a value outside these, or a direction that is none in radians.
     """
 
     speed: Annotated[float, Field(ge=0, le=100)] = 0.0
-    direction: float = 0.0
+    direction: Annotated[float, AfterValidator(_in_radians)] = 0.0
     exponent: Annotated[float, Field(ge=0, le=1)] = 0.0
     reference_height: Positive = 10.0
     calm_below: NonNegative = 0.0

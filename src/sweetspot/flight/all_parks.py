@@ -33,6 +33,13 @@ def landings_everywhere(
     Returns
     -------
     Each park's `Landings`, of shape (n,); one for the shape (3,).
+
+    >>> from math import radians
+    >>> from sweetspot import catalog, landings_everywhere, launched, standard_flight
+    >>> ball = launched(speed=46.0, launch_angle=radians(28), backspin=240.0)
+    >>> everywhere = landings_everywhere(ball, standard_flight(), parks=catalog.parks())
+    >>> len(everywhere), sum(bool(one.out.all()) for one in everywhere)  # parks, and where it is a home run
+    (30, 2)
     """
     ends = []
     for park in parks:

@@ -45,14 +45,18 @@ USUAL_ANGLES = (-15.0, 50.0)
 choppers spin as it happens: the line would give 6,400 rpm at 60 deg."""
 
 
-def check_usual_spin(launch_angle: float, *, known: bool) -> None:
+USUAL_SPRAYS = (-60.0, 60.0)
+"""deg from centre field; it comes from balls that were fair or nearly so, and at 90 deg would give 10,600 rpm."""
+
+
+def check_usual_spin(launch_angle: float, spray: float = 0.0, *, known: bool) -> None:
     """Refuse to guess the spin of a ball launched as the usual spin was never measured; ``known``: it need not be."""
-    low, high = USUAL_ANGLES
-    if not known and not low - 1e-9 <= launch_angle / DEGREE <= high + 1e-9:
-        raise InputError(
-            f"the launch angle is {launch_angle / DEGREE:.4g} deg, and what spin hits usually have is known for "
-            f"{low:g} to {high:g} deg only; give the spin: --backspin and --sidespin, in Python backspin and sidespin"
-        )
+    for what, angle, (low, high) in (("launch angle", launch_angle, USUAL_ANGLES), ("spray", spray, USUAL_SPRAYS)):
+        if not known and not low - 1e-9 <= angle / DEGREE <= high + 1e-9:
+            raise InputError(
+                f"the {what} is {angle / DEGREE:.4g} deg, and what spin hits usually have is known for {low:g} to "
+                f"{high:g} deg only; give the spin: --backspin and --sidespin, in Python backspin and sidespin"
+            )
 
 
 def batted_ball_spin(

@@ -243,12 +243,11 @@ def _over(
     before = -1.0 if before >= 0 else before  # beyond already at the first step
     part = before / (before - beyond)
     low, high = 0.0, 1.0
-    rate = 0.0
-    for node in range(len(weights)):
-        rate += weights[node] * seen[point, FARTHER, node]
+    turning, going = _step_of(seen, weights, point, WAY), _step_of(seen, weights, point, FAR)
+    rate = going[3]
     for _ in range(TURNS):
-        way = _mixed(seen, weights, point, WAY, part)
-        miss = _mixed(seen, weights, point, FAR, part) - _at(fence[0], way)
+        way = _within(turning, part)
+        miss = _within(going, part) - _at(fence[0], way)
         if abs(miss) < NO_MISS:
             break
         if miss > 0:
@@ -260,7 +259,7 @@ def _over(
             part = (low + high) / 2
     if abs(way) > FOUL:
         return math.nan, 0.0, point
-    height = _mixed(seen, weights, point, HIGH, part) - _at(fence[1], way)
+    height = _within(_step_of(seen, weights, point, HIGH), part) - _at(fence[1], way)
     middle = len(weights) // 2
     outwards = max(seen[point, FARTHER, middle], STEP)
     shorter = (1 - part) * lost[point - 1, 0] + part * lost[point, 0]
@@ -269,14 +268,21 @@ def _over(
 
 
 @compiled(error_model="numpy")
-def _mixed(seen: Array, weights: Array, point: int, what: int, part: float) -> float:
-    """Return what is known of a path within a step, on the cubic through its ends."""
+def _step_of(seen: Array, weights: Array, point: int, what: int) -> tuple[float, float, float, float]:
+    """Return what is known of a path at both ends of a step, and what it gains in a step there."""
     first, last, rise, fall = 0.0, 0.0, 0.0, 0.0
     for node in range(len(weights)):
         first += weights[node] * seen[point - 1, what, node]
         last += weights[node] * seen[point, what, node]
         rise += weights[node] * seen[point - 1, what + 3, node]
         fall += weights[node] * seen[point, what + 3, node]
+    return first, last, rise, fall
+
+
+@compiled(error_model="numpy")
+def _within(step: tuple[float, float, float, float], part: float) -> float:
+    """Return what is known of a path within a step, on the cubic through its ends."""
+    first, last, rise, fall = step
     rest = 1 - part
     return (
         rest * rest * (1 + 2 * part) * first + part * part * (3 - 2 * part) * last

@@ -29,6 +29,7 @@ from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.trajectory import check_step
 from sweetspot.motion.ball_motion import BallMotion, BallMotions
 from sweetspot.numerics.arrays import Array, IntArray
+from sweetspot.numerics.notebook_display import ShownInNotebooks
 from sweetspot.numerics.threads import in_parts
 
 STEP = 0.2
@@ -39,7 +40,7 @@ MOST_PATH_POINTS = 10_000
 
 
 @dataclass(frozen=True)
-class Flights:
+class Flights(ShownInNotebooks):
     """Many flights; every array has one row per flight, and rows that did not land have nan.
 
     Parameters
@@ -106,6 +107,12 @@ def flights(
     path_points : how many points of each path to return, evenly in time; 0: none (24 bytes each).
     step : s, > 0; the error falls with its fourth power.
     threads : workers; None: one per core, and one only for small batches.
+
+    >>> import numpy as np
+    >>> from sweetspot import flights, launched, standard_flight
+    >>> balls = launched(speed=[40.0, 46.0], launch_angle=np.radians(28), backspin=240.0)
+    >>> flights(balls, standard_flight()).carry.round()  # m
+    array([102., 122.])
     """
     check_step(step)
     if not 0 <= path_points <= MOST_PATH_POINTS or path_points == 1:
@@ -120,9 +127,11 @@ def flights(
 
     def work(part: slice) -> None:
         mine = np.ascontiguousarray(start[:, part])
+        own = np.empty((RESULT_ROWS, mine.shape[1]))  # not a part of all: each form is compiled anew
         for points in (0, path_points) if path_points else (0,):
-            output = Output(outcome[part], results[:, part], paths[part, :points])
+            output = Output(outcome[part], own, paths[part, :points])
             solve(mine, per_density, edge, law, power, profile, step, output)
+        results[:, part] = own
 
     in_parts(work, count, size=CHUNK, threads=threads)
     hang = results[HANG]

@@ -129,7 +129,7 @@ def launched(
     Raises
     ------
     InputError
-        for an angle that is none in radians.
+        for an angle that is none in radians, a text, nan, or arrays of different lengths.
 
     >>> ball = launched(speed=46.0, launch_angle=0.48, spray=-0.2, backspin=260.0, sidespin=-50.0, position=(0, 0, 1))
     >>> round(ball.speed, 9), round(ball.spray, 9), round(ball.backspin, 9), round(ball.sidespin, 9)
@@ -139,7 +139,16 @@ def launched(
     """
     check_angles(launch_angle, "launch_angle")
     check_angles(spray, "spray")
-    given = [np.asarray(value, float) for value in (speed, launch_angle, spray, backspin, sidespin, gyrospin)]
+    try:
+        given = [np.asarray(value, float) for value in (speed, launch_angle, spray, backspin, sidespin, gyrospin)]
+        np.broadcast_shapes(*(value.shape for value in given))
+    except (TypeError, ValueError):
+        raise InputError(
+            "speed, angles and spins do not fit together; give numbers, or arrays that are all of the same length"
+        ) from None
+    names = ("speed", "launch_angle", "spray", "backspin", "sidespin", "gyrospin", "position")
+    for name, value in zip(names, (*given, np.asarray(position, float)), strict=True):
+        _check_known(value, name, several=value.ndim > (name == "position"))
     if any(value.ndim for value in given) or np.ndim(position) > 1:
         return _many_launched(np.broadcast_arrays(*map(np.atleast_1d, given)), position)
     speed, launch_angle, spray, backspin, sidespin, gyrospin = map(float, given)
@@ -149,6 +158,17 @@ def launched(
         velocity=speed * axes[2],
         spin=backspin * axes[0] + sidespin * axes[1] + gyrospin * axes[2],
     )
+
+
+def _check_known(values: Array, name: str, *, several: bool) -> None:
+    """Refuse what holds something that is no number, and say in which of several rows, counted from 0."""
+    unknown = np.flatnonzero(~np.isfinite(values).reshape(len(values) if several else 1, -1).all(axis=1))
+    if len(unknown):
+        where = f" in row {unknown[0]}" + (f" and {len(unknown) - 1} more" if len(unknown) > 1 else "")
+        raise InputError(
+            f"{name} is not a finite number{where if several else ''}; leave out what was not measured, "
+            "for example by numpy.isfinite"
+        )
 
 
 def _many_launched(given: Sequence[Array], position: ArrayLike) -> BallMotions:

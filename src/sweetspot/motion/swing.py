@@ -85,7 +85,8 @@ class Hands(Validated):
     ----------
     position : m from the knob end, >= 0.
     spacing : m between the centres of the hands.
-    mass, stiffness, damping : kg, N/m and N s/m per hand; mass 0 for a hand that is not there.
+    mass, stiffness, damping : kg, N/m and N s/m per hand; mass 0 for a hand that is not there,
+        without stiffness and damping.
     """
 
     position: NonNegative
@@ -99,6 +100,11 @@ class Hands(Validated):
         if 0 < self.mass < LIGHTEST_HAND:
             raise ValueError(
                 f"a hand of {self.mass:g} kg was given; allowed is 0 for no hand, or at least {LIGHTEST_HAND:g} kg"
+            )
+        if self.mass == 0 and (self.stiffness or self.damping):
+            raise ValueError(
+                f"hands of {self.stiffness:g} N/m and {self.damping:g} N s/m without a mass hold nothing; give "
+                "the mass of each, or no stiffness and damping"
             )
         return self
 

@@ -11,16 +11,15 @@ from dataclasses import dataclass
 
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import Swing
+from sweetspot.numerics.confidence import REACH
 
 GREATEST_EXPONENT = 0.5
 """A player who gives every bat the same energy; more would mean that a heavier bat gets less [nathan_slides]."""
-TWO_SIDED_95 = 1.959964
-"""Standard deviations on either side of the mean that hold 95 % of a normal distribution."""
 
 
 @dataclass(frozen=True)
 class Interval:
-    """A value and the ends of its 95 % interval, ``low`` <= ``value`` <= ``high``, all in the same unit."""
+    """A value and the ends of its 90 % interval, ``low`` <= ``value`` <= ``high``, all in the same unit."""
 
     value: float
     low: float
@@ -64,8 +63,8 @@ class SwingLaw:
 
     @property
     def exponents(self) -> Interval:
-        """The exponent with its 95 % interval, cut off at 0 and 1/2."""
-        reach = TWO_SIDED_95 * self.exponent_spread
+        """The exponent with its 90 % interval, cut off at 0 and 1/2."""
+        reach = REACH * self.exponent_spread
         low, high = max(0.0, self.exponent - reach), min(GREATEST_EXPONENT, self.exponent + reach)
         return Interval(self.exponent, low, high)
 

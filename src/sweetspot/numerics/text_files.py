@@ -50,6 +50,8 @@ def read_text(path: Path, *, most: int, advice: str) -> str:
     try:
         return content.decode("utf-16" if wide else "utf-8-sig")
     except UnicodeDecodeError:
+        if path.suffix.lower() == ".csv" and not any(byte < 32 and byte not in b"\t\n\r\f" for byte in content):
+            return content.decode("cp1252", errors="replace")  # as spreadsheets on Windows save names with accents
         raise InputError(f"{path} is not a text file in UTF-8; {advice}") from None
 
 

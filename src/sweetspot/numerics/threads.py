@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Callable, Sequence
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from contextlib import suppress
+from itertools import islice
 from typing import TypeVar
 
 ITEM = TypeVar("ITEM")
@@ -30,7 +32,8 @@ def in_parts(work: Callable[[slice], None], count: int, *, size: int, threads: i
     [(0, 2), (2, 4), (4, 5)]
     """
     parts = [slice(first, min(first + size, count)) for first in range(0, count, size)]
-    workers = 1 if getattr(_here, "at_work", False) else min(threads or os.cpu_count() or 1, len(parts))
+    alone = len(parts) < 2 or getattr(_here, "at_work", False)
+    workers = 1 if alone else min(threads or os.cpu_count() or 1, len(parts))
     running: list[Future[None]] = []
     if workers > 1:
         with ThreadPoolExecutor(workers) as pool, suppress(RuntimeError):  # the system may refuse another thread
@@ -40,6 +43,41 @@ def in_parts(work: Callable[[slice], None], count: int, *, size: int, threads: i
             job.result()
     for part in parts[len(running) :]:
         work(part)
+
+
+def in_order(
+    work: Callable[[ITEM], RESULT], items: Iterable[ITEM], *, threads: int | None = None
+) -> Iterator[RESULT]:  # fmt: skip
+    """Yield what ``work`` makes of every item, in their order; the next ones are worked on meanwhile, a few at a time.
+
+    Parameters
+    ----------
+    work : of one item.
+    items : what is worked on.
+    threads : workers; None: one per core, at most two. As many results are held as there are workers.
+
+    >>> list(in_order(lambda number: number**2, range(4), threads=2))
+    [0, 1, 4, 9]
+    """
+    workers, left = threads or min(os.cpu_count() or 1, 2), iter(items)
+    with ThreadPoolExecutor(workers) as pool:
+
+        def begun(item: ITEM) -> Future[RESULT]:
+            try:
+                return pool.submit(work, item)
+            except RuntimeError:  # the system may refuse another thread
+                done: Future[RESULT] = Future()
+                done.set_result(work(item))
+                return done
+
+        waiting = deque(begun(item) for item in islice(left, workers))
+        try:
+            while waiting:
+                result = waiting.popleft().result()
+                waiting.extend(begun(item) for item in islice(left, 1))
+                yield result
+        finally:
+            pool.shutdown(cancel_futures=True)
 
 
 def side_by_side(

@@ -11,7 +11,7 @@ from sweetspot.units.sizes import (
     POUND_FORCE,
     RPM,
 )
-from sweetspot.units.text import NUMBER, SI, Kind, parse, parse_position, shown
+from sweetspot.units.text import NUMBER, SI, Kind, grouped, parse, parse_position, shown, shown_mass
 from sweetspot.units.usual import (
     USUAL,
     check_angle,
@@ -41,10 +41,12 @@ __all__ = [
     "check_angles",
     "check_place",
     "check_usual",
+    "grouped",
     "insisted",
     "insisting",
     "is_usual",
     "parse",
     "parse_position",
     "shown",
+    "shown_mass",
 ]

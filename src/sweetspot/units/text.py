@@ -13,7 +13,7 @@ from functools import cache
 from typing import Any, Literal
 
 from sweetspot.errors import InputError
-from sweetspot.units.sizes import INCH
+from sweetspot.units.sizes import INCH, OUNCE
 from sweetspot.units.usual import check_usual, example_of
 from sweetspot.units.usual_units import written
 
@@ -24,6 +24,9 @@ Kind = Literal[
     "slope per temperature",
 ]  # fmt: skip
 
+GROUPED_FROM = 10_000
+"""Four digits are read at a glance; what people type in has no commas at all."""
+
 SI: dict[Kind, tuple[str, str]] = {
     "length": ("meter", "33 in or 0.84 m"),
     "mass": ("kilogram", "31 oz or 0.88 kg"),
@@ -31,7 +34,7 @@ SI: dict[Kind, tuple[str, str]] = {
     "moi": ("kilogram*meter**2", "11000 oz*in^2 or 0.2 kg*m^2"),
     "density": ("kilogram/meter**3", "680 kg/m^3"),
     "pressure": ("pascal", "15 GPa"),
-    "force": ("newton", "37 kN"),
+    "force": ("newton", "230 N, 24 kg or 52 lb"),
     "time": ("second", "1.6 s"),
     "angle": ("radian", "27deg"),
     "angular speed": ("radian/second", "45 rad/s"),
@@ -63,6 +66,11 @@ PLAIN_FRACTION = re.compile(r"^\s*(\d+)/(\d+)\s*([^\d\s/].*)$")
 FEET_INCHES = re.compile(
     r"^\s*(\d+(?:\.\d+)?)\s*(?:ft|feet|foot|')\s*(\d+(?:\.\d+)?(?:\s+\d+/\d+)?)\s*(?:in|inch|inches|\")\s*$"
 )
+POUNDS_OUNCES = re.compile(r"^\s*(\d+(?:\.\d+)?)\s*(?:lbs?|pounds?)\s*(\d+(?:\.\d+)?)\s*(?:oz|ounces?)\s*$")
+WITH_ERROR = re.compile(r"±|\+/-|\+-")
+TWO_NUMBERS = re.compile(r"\d\.?\s+(?!1\s*/)[-+]?\.?\d")
+"""`pint` would multiply them."""
+FROM_END = re.compile(r"[\s-]+from[\s-]+(?:the[\s-]+)?(tip|knob)\s*$", re.IGNORECASE)
 NOT_FINITE = re.compile(r"^\s*[-+]?(nan|inf|infinity)\s*([^a-z]|$|mph|m/s|in\b|oz|kg|m\b|ft)", re.IGNORECASE)
 LONGEST_TEXT = 100
 LARGEST_NUMBER = sys.float_info.max
@@ -83,6 +91,16 @@ def _registry() -> Any:
     return pint.UnitRegistry()  # a cache on disk saves 0.2 s and can be cut off or full
 
 
+def grouped(value: float, digits: int = 0, *, sign: bool = False) -> str:
+    """Return a number as answers write it: from 10,000 on with a comma at every third digit, never as minus zero.
+
+    >>> grouped(10297.4), grouped(9999.0), grouped(-0.001, 1, sign=True)
+    ('10,297', '9999', '+0.0')
+    """
+    text = f"{value:{'+' if sign else ''}z,.{digits}f}"
+    return text if abs(round(value, digits)) >= GROUPED_FROM else text.replace(",", "")
+
+
 def shown(length: float) -> str:
     """Return a length in m as people on both sides of the ocean read it.
 
@@ -92,10 +110,19 @@ def shown(length: float) -> str:
     return f"{length:.4g} m ({length / INCH:.4g} in)"
 
 
+def shown_mass(mass: float) -> str:
+    """Return a mass in kg as people on both sides of the ocean read it.
+
+    >>> shown_mass(0.8788)
+    '0.8788 kg (31 oz)'
+    """
+    return f"{mass:.4g} kg ({mass / OUNCE:.4g} oz)"
+
+
 def parse(text: str | float, kind: Kind, what: str = "value") -> float:
     """Return a text with a unit as a number in SI.
 
-    Understands mixed fractions (``33 1/2 in``) and feet and inches (``2 ft 9.5 in``) as people write them.
+    Understands mixed fractions (``33 1/2 in``), feet and inches (``2 ft 9.5 in``), pounds and ounces (``1 lb 15 oz``).
 
     Parameters
     ----------
@@ -121,6 +148,11 @@ def parse(text: str | float, kind: Kind, what: str = "value") -> float:
         raise InputError(f"{what} was given as {text[:LONGEST_TEXT]!r}; write a number and its unit, as in {example}")
     if NOT_FINITE.match(text):
         raise InputError(f"{what} was given as {text!r}; allowed is a finite number, for example {example}")
+    if WITH_ERROR.search(text):
+        raise InputError(
+            f"{what} was given as {text!r}; write the value alone here, as in {example}: errors are for "
+            "`sweetspot calibrate` and options of --uncertainty"
+        )
     if DIFFERENCE.search(text):
         raise InputError(
             f"{what} was given as {text!r}; write one number and its unit, as in {example}; where a "
@@ -150,6 +182,8 @@ def _understood(text: str, kind: Kind, what: str) -> float:
         spelled = _spelled_out(text)
     except ArithmeticError:  # a fraction of nothing
         raise InputError(_not_a_number(text, kind, what)) from None
+    if TWO_NUMBERS.search(spelled):
+        raise InputError(_not_a_number(text, kind, what))
     if kind == "ratio":
         percent = spelled.removesuffix("%")
         try:
@@ -195,6 +229,8 @@ def _spelled_out(text: str) -> str:
             top, bottom = inches[1].split("/")
             total += float(top) / float(bottom)
         return f"{total!r} in"
+    if match := POUNDS_OUNCES.match(text):
+        return f"{16 * float(match[1]) + float(match[2])!r} oz"
     if match := FRACTION.match(text):
         return f"{float(match[1]) + float(match[2]) / float(match[3])!r} {match[4]}"
     if match := PLAIN_FRACTION.match(text):
@@ -220,13 +256,16 @@ def _not_a_number(text: str, kind: Kind, what: str) -> str:
 def parse_position(text: str, *, length: float, what: str = "position") -> float:
     """Return a place on a bat in m from the knob end: ``27in``, ``6in-from-tip`` or ``0.152m-from-tip``.
 
-    >>> round(parse_position("6in-from-tip", length=0.8382), 4)
-    0.6858
+    >>> [round(parse_position(text, length=0.8382), 4) for text in ("6in-from-tip", "6 in from Tip")]
+    [0.6858, 0.6858]
     """
+    text = FROM_END.sub(lambda end: f"-from-{end[1].lower()}", text)
     for ending, from_tip in (("-from-tip", True), ("-from-knob", False)):
         if text.strip().endswith(ending):
             distance = parse(text.strip().removesuffix(ending), "length", what)
             if from_tip and distance > length * (1 + 1e-9):
                 raise InputError(f"{what} was given as {text.strip()}; that is off the bat, {shown(length)} long")
             return length - distance if from_tip else distance
+    if "-from-" in text:
+        raise InputError(f"{what} was given as {text!r}; places are written 27in, from the knob end, or 6in-from-tip")
     return parse(text, "length", what)

@@ -90,18 +90,21 @@ USUAL: dict[str, Usual] = {
     "pitch_backspin": Usual(-4000, 4000, "rpm", RPM),
     "pitch_sidespin": Usual(-4000, 4000, "rpm", RPM),
     "temperature": Usual(-40, 60, "degC"),
+    "humidity": Usual(0, 1, "", 1, "a ratio from 0 to 1, or a percentage: 50 % is 0.5"),
     "pressure": Usual(26, 32, "inHg", INCH_OF_MERCURY, SEA_LEVEL),
     "elevation": Usual(-1400, 15000, "ft", FOOT),
     "wind_speed": Usual(0, 60, "mph", MPH, "the direction is given with --wind-direction"),
+    "wind_direction": Usual(-360, 360, "deg", DEGREE, "the wind blows to there: 0deg is out to centre field"),
     "calm_below": Usual(0, 300, "ft", FOOT),
     "height": Usual(0, 40, "ft", FOOT, above=0),
+    "launch_height": Usual(0, 11, "ft", FOOT, "a ball is hit from the ground up to a smash or a serve", above=0),
     "forward": Usual(-10, 10, "ft", FOOT),
     "offset": Usual(-3, 3, "in", INCH, "ball and barrel touch up to about 2.7 in"),
     "ball_cor": Usual(0.2, 0.9, "", above=0),
     "mass": Usual(2, 80, "oz", OUNCE),
-    "length": Usual(5, 60, "in", INCH, "the bats of grown-ups are 30 to 34in long"),
+    "length": Usual(5, 60, "in", INCH, "the bats of grown-ups are 30 to 34 in long"),
     "bbcor": Usual(-0.2, 0.8, "", 1, "bats have 0.2 to 0.6: check the speeds and their columns"),
-    "bat_length": Usual(13.5, 50, "in", INCH, "the bats of grown-ups are 30 to 34in long"),
+    "bat_length": Usual(13.5, 50, "in", INCH, "the bats of grown-ups are 30 to 34 in long"),
     "balance_point": Usual(4, 60, "in", INCH, "it counts from the knob end", above=0),
     "period": Usual(0.5, 3, "s", 1.0, "one swing is there and back; give the time of one, not of ten", above=0),
     "greatest_diameter": Usual(1.6, 5, "in", INCH, "a profile has diameters, not radii", above=1.1),
@@ -114,8 +117,8 @@ USUAL: dict[str, Usual] = {
     "blade": Usual(3, 11, "mm in all", 1e-3, "plies are 0.2 to 4 mm thick"),
     "bore_diameter": Usual(0, 3, "in", INCH),
     "bore_depth": Usual(0, 40, "in", INCH),
-    "cup_depth": Usual(0, 2.5, "in", INCH, "the cup of an end is about 1in deep; a deeper hole is a bore"),
-    "cup.depth": Usual(0, 2.5, "in", INCH, "the cup of an end is about 1in deep; deeper holes are a [[bore]]"),
+    "cup_depth": Usual(0, 2.5, "in", INCH, "the cup of an end is about 1 in deep; a deeper hole is a bore"),
+    "cup.depth": Usual(0, 2.5, "in", INCH, "the cup of an end is about 1 in deep; deeper holes are a [[bore]]"),
 }
 """By the name of the quantity, as options and columns have it. [The widths of these bounds are our choice.]"""
 
@@ -239,5 +242,7 @@ def check_angle(value: float, what: str) -> None:
     ...
     sweetspot.errors.InputError: launch_angle is 28 rad; angles are in radians: write math.radians(28)
     """
-    if not math.isfinite(value) or abs(value) > math.tau:
+    if not math.isfinite(value):
+        raise InputError(f"{what} is {value:g}; give a finite number of radians, or leave that row out")
+    if abs(value) > math.tau:
         raise InputError(f"{what} is {value:g} rad; angles are in radians: write math.radians({value:g})")

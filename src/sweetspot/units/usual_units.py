@@ -42,6 +42,8 @@ WRITTEN: Mapping[str, Mapping[str, float]] = {
 """Size in SI of each unit, by the kind of quantity."""
 TEMPERATURES = {"degC": (1.0, 0.0), "degF": (5 / 9, 32.0)}
 """Size in degC, and which number stands for 0 degC."""
+SHOUTED = {"in", "ft", "yd", "oz", "lb", "mph"}
+"""Units that are the same in capitals."""
 ONE_NUMBER_AND_UNIT = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([A-Za-z1][\w*/^]*)")
 
 
@@ -55,6 +57,7 @@ def written(text: str, kind: str) -> float | None:
     if match is None:
         return None
     number, unit = float(match[1]), match[2]
+    unit = unit.lower() if unit.lower() in SHOUTED else unit
     if kind == "temperature" and unit in TEMPERATURES:
         size, zero = TEMPERATURES[unit]
         return (number - zero) * size

@@ -10,9 +10,9 @@ import numpy as np
 from sweetspot.dynamics.batch.beams import Beams, Lumps
 from sweetspot.dynamics.batch.bending_kernel import Elements, Points, bend, give_slowly, merged, shapes_at
 from sweetspot.dynamics.batch.mesh import Mesh
-from sweetspot.dynamics.bending import ELEMENTS, MODES
+from sweetspot.dynamics.bending import MODES, least_elements, least_parts
 from sweetspot.dynamics.modes import Family, Modes
-from sweetspot.dynamics.residual_flexibility import CELLS, PLACES, extrapolated
+from sweetspot.dynamics.residual_flexibility import CELLS, asked_places, extrapolated, joints, just_inside, with_corner
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.section import Section
 from sweetspot.errors import InputError
@@ -38,7 +38,9 @@ class BendingBatch:
     damping_ratio : shape (beams,).
     mesh : the elements' ends.
     coefficients : the elastic shapes on every element, of t^4 ... t^0 with t = 0..1, shape (elements, 5, count).
-    left_out : m/N that the modes leave out, at `PLACES` even places along every beam, shape (beams, places).
+    left_out : m/N that the modes leave out, shape (beams, places).
+    asked, corner : where that is known, m, shape (beams, places), and which of the places is a joint's, shape (beams,);
+        see `asked_places`.
     """
 
     length: Array
@@ -51,6 +53,8 @@ class BendingBatch:
     mesh: Mesh
     coefficients: Array
     left_out: Array
+    asked: Array
+    corner: IntArray
 
     def __len__(self) -> int:
         return len(self.length)
@@ -88,7 +92,12 @@ class BendingBatch:
 
     def left_out_at(self, position: Array) -> Array:
         """Return what the modes leave out at places (beams, places) in m, m/N; see `left_out`."""
-        return on_even_splines(self._spline, position / self.length[:, None])
+        part = position / self.length[:, None]
+        pieces = self.asked.shape[1] - 1
+        for beam in np.flatnonzero(self.corner):  # even only up to the joint and after it
+            here, at = self.corner[beam] / pieces, self.asked[beam, self.corner[beam]]
+            part[beam] = np.interp(position[beam], [0.0, at, self.length[beam]], [0.0, here, 1.0])
+        return on_even_splines(self._spline, part)
 
     def modes(self, number: int) -> Modes:
         """Return one beam's motions as everybody else takes them."""
@@ -104,7 +113,6 @@ class BendingBatch:
         coefficients /= np.diff(edges)[None, :, None] ** np.arange(4, -1, -1)[:, None, None]
         omega = np.concatenate([[0.0, 0.0], self.omega[number]])
         bending: list[Family] = ["bending"] * count
-        places = np.linspace(0.0, self.length[number], PLACES)
         return Modes(
             families=("rigid", "rigid", *bending),
             harmonics=(0, 0, *range(1, count + 1)),
@@ -113,7 +121,7 @@ class BendingBatch:
             shapes=Piecewise(coefficients, edges),
             rigid_part=np.eye(2, count + 2),
             dashpots=np.zeros((0, count + 2)),
-            compliances=(cubic_spline(places, self.left_out[number]),),
+            compliances=(with_corner(self.asked[number], self.left_out[number], int(self.corner[number])),),
         )
 
     @cached_property
@@ -126,7 +134,11 @@ class BendingBatch:
 
     @cached_property
     def _spline(self) -> Array:
-        return even_splines(self.left_out)
+        splines = even_splines(self.left_out)
+        even = np.linspace(0.0, 1.0, self.left_out.shape[1])
+        for beam in np.flatnonzero(self.corner):
+            splines[..., beam] = with_corner(even, self.left_out[beam], int(self.corner[beam])).coefficients
+        return splines
 
 
 def bending_batch(beams: Beams, *, count: int = MODES, threads: int | None = None) -> BendingBatch:
@@ -159,12 +171,13 @@ def mass_properties(beams: Beams) -> BendingBatch:
     """Return mass, balance and moments of inertia of many beams without any mode: a fiftieth of the work."""
     whole, plain = beams.ends()
     length = plain.ends[plain.first[1:] - 1]
-    mesh = whole.divided(length / ELEMENTS, slack=SLACK)
+    mesh = _elements(whole, length / least_elements(MODES), _stiffness_at_ends(beams, whole))
     _, (mass, moment, moi_cm, roll), _, _ = _weighed(beams, mesh, 0)
     none = np.zeros((len(beams), 0))
     return BendingBatch(
         length=length, mass=mass, balance_point=moment / mass, moi_cm=moi_cm, roll_moi=roll, omega=none,
         damping_ratio=beams.damping_ratio, mesh=mesh, coefficients=np.zeros((len(mesh.left), 5, 0)), left_out=none,
+        asked=none, corner=np.zeros(len(beams), np.int64),
     )  # fmt: skip
 
 
@@ -183,7 +196,8 @@ def joined_batches(parts: list[BendingBatch]) -> BendingBatch:
 def _some(beams: Beams, count: int, start: int) -> BendingBatch:
     whole, plain = beams.ends()
     length = plain.ends[plain.first[1:] - 1]
-    mesh = whole.divided(length / ELEMENTS, slack=SLACK)
+    at_ends = _stiffness_at_ends(beams, whole)
+    mesh = _elements(whole, length / least_elements(count), at_ends)
     slices = [plain.divided(length / number) for number in (CELLS, CELLS // 2)]
     left, width, first = mesh.left, mesh.width, mesh.first_piece
     at, (mass, first_moment, moi_cm, roll), lumps, places = _weighed(beams, mesh, start)
@@ -197,16 +211,27 @@ def _some(beams: Beams, count: int, start: int) -> BendingBatch:
         raise InputError(f"bat {start + failed} has no bending modes; its mass and stiffness must be above zero")
     stiffening = np.where(np.isnan(beams.frequency), 1.0, (2 * np.pi * beams.frequency) ** 2 / squares[:, 0])
     squares *= stiffening[:, None]
-    even = length[:, None] * np.linspace(0.0, 1.0, PLACES)
-    kept = np.empty((*even.shape, count))
-    shapes_at(first, left, width, coefficients, even, kept)
-    slow = extrapolated(*(_slowly(beams, one, points, even) for one in slices)) / stiffening[:, None]
+    asked, corner = asked_places(length, joints(whole.left, at_ends, whole.owner, beams=len(beams)))
+    kept = np.empty((*asked.shape, count))
+    shapes_at(first, left, width, coefficients, asked, kept)
+    slow = extrapolated(*(_slowly(beams, one, points, asked) for one in slices)) / stiffening[:, None]
     left_out = slow - np.einsum("bpm,bm->bp", kept**2, 1 / squares)
     return BendingBatch(
         length=length, mass=mass, balance_point=first_moment / mass, moi_cm=moi_cm, roll_moi=roll,
         omega=np.sqrt(squares), damping_ratio=beams.damping_ratio, mesh=mesh, coefficients=coefficients,
-        left_out=left_out,
+        left_out=left_out, asked=asked, corner=corner,
     )  # fmt: skip
+
+
+def _stiffness_at_ends(beams: Beams, whole: Mesh) -> Array:
+    """Return the bending stiffness in N m^2 at the left and the right end of every smooth piece, shape (2, pieces)."""
+    places = just_inside(whole.left, whole.width).T
+    return beams.section_at(places.ravel(), np.repeat(whole.owner, 2)).bending_stiffness.reshape(-1, 2).T
+
+
+def _elements(whole: Mesh, size: Array, at_ends: Array) -> Mesh:
+    """Return the elements between the ends of what is smooth, with the stiffness there, no longer than a size in m."""
+    return whole.divided(size, slack=SLACK, least=least_parts(at_ends, whole.width / size[whole.owner]))
 
 
 def _weighed(beams: Beams, mesh: Mesh, start: int) -> tuple[Section, tuple[Array, Array, Array, Array], Lumps, Array]:
@@ -248,7 +273,7 @@ def _nodes(mesh: Mesh, lumps: Lumps) -> IntArray:
 
 
 def _slowly(beams: Beams, slices: Mesh, points: Points, even: Array) -> Array:
-    """Return the compliance under a slow push at even places, m/N, shape (beams, places)."""
+    """Return the compliance under a slow push at places, m/N, shape (beams, places)."""
     most = int(np.diff(slices.first).max()) + even.shape[1]
     cells, counts = np.zeros((len(beams), most)), np.empty(len(beams), np.int64)
     merged(slices.first, slices.ends, even, cells, counts)

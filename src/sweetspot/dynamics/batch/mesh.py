@@ -53,16 +53,17 @@ class Mesh:
         inner[self.first[1:] - 1] = False
         return inner
 
-    def divided(self, longest: Array, *, slack: float = 0.0) -> Mesh:
+    def divided(self, longest: Array, *, slack: float = 0.0, least: IntArray | None = None) -> Mesh:
         """Return the mesh with its pieces cut into equal ones.
 
         Parameters
         ----------
         longest : m that a piece of each beam may be long, shape (beams,).
         slack : part of ``longest`` by which a piece may be longer for rounding.
+        least : into how many at least each piece is cut, shape (pieces,); None: one.
         """
         owner, width = self.owner, self.width
-        parts = np.maximum(1, np.ceil(width / longest[owner] - slack)).astype(np.int64)
+        parts = np.maximum(1 if least is None else least, np.ceil(width / longest[owner] - slack)).astype(np.int64)
         whole = np.repeat(np.arange(len(parts)), parts)
         number = np.arange(len(whole)) - np.repeat(np.cumsum(parts) - parts, parts)
         left = self.left[whole] + number * (width / parts)[whole]

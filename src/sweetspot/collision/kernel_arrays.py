@@ -1,0 +1,84 @@
+"""What the compiled collision takes and gives."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sweetspot.numerics.arrays import Array, IntArray
+
+# rows of the results
+EFFICIENCY, CONTACT_TIME, RELEASE_TIME, GREATEST_FORCE, GREATEST_COMPRESSION, TOUCHES, LATE = range(7)
+RESULT_ROWS = 7
+
+
+class RestitutionNumbers(NamedTuple):
+    """A straight law of restitution: e at a speed in m/s, and what is lost per m/s."""
+
+    reference: float
+    slope: float
+    reference_speed: float
+
+
+class BallNumbers(NamedTuple):
+    """What the kernel knows of a ball: mass in kg, k and n of its force, and its law of restitution."""
+
+    mass: float
+    stiffness: float
+    exponent: float
+    restitution: RestitutionNumbers
+
+
+class Bat(NamedTuple):
+    """What is struck.
+
+    Parameters
+    ----------
+    shapes, give : (n, modes) 1/sqrt(kg) and (n,) m/N at the point of impact of each hit.
+    omega : (modes,) angular frequency in rad/s.
+    step_give : (modes,) s^2, what steps leave out of each mode's give; see `give_of_steps`.
+    drift : (modes, 2, 2), the free motion over one step.
+    dashpots, half_dash : (k, modes) and (k,), dampers that couple modes and what they do in half a step.
+    """
+
+    shapes: Array
+    give: Array
+    omega: Array
+    step_give: Array
+    drift: Array
+    dashpots: Array
+    half_dash: Array
+
+
+class Steps(NamedTuple):
+    """The time steps.
+
+    Parameters
+    ----------
+    step : s.
+    first_kick : time of the first kick after touch, in steps; see `first_kick_after_touch`.
+    limit : number of steps after which a hit is given up.
+    """
+
+    step: float
+    first_kick: float
+    limit: float
+
+
+class Output(NamedTuple):
+    """Where results go: outcome (n,), results (7, n), motion (2, n, modes) or (2, 0, modes) to leave it out.
+
+    The motion is that at the first kick after release, by the seconds of the row `LATE` after it.
+    """
+
+    outcome: IntArray
+    results: Array
+    motion: Array
+
+
+def output_of(count: int, size: int, *, keep_motion: bool) -> Output:
+    """Return room for the results of so many hits, and perhaps for so many modes' motion of each."""
+    return Output(
+        np.empty(count, np.int64), np.empty((RESULT_ROWS, count)), np.empty((2, count if keep_motion else 0, size))
+    )
