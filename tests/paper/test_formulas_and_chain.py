@@ -15,7 +15,8 @@ from sweetspot.dynamics.rigid import centre_of_percussion, hand_impulse_ratio
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
 from sweetspot.paper import formulas as paper
-from sweetspot.paper.chain import PARTS, Choices, paper_rows
+from sweetspot.paper.chain import PARTS, paper_rows
+from sweetspot.paper.choices import Choices
 
 
 def test_energy_returned_is_the_papers() -> None:

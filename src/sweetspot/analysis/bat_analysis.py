@@ -126,6 +126,12 @@ def hit_at(
     conditions : pitch, swing and ball.
     lateral : m across the face from the bat's line.
     law : another contact law than the ball's own.
+
+    >>> from sweetspot import exit_speed_of, hit_at, standard_analysis
+    >>> analysis = standard_analysis("r161-ash")
+    >>> impact = hit_at(0.7, modes=analysis.modes, conditions=analysis.conditions)
+    >>> round(exit_speed_of(impact, analysis.conditions), 1)  # m/s
+    46.4
     """
     closing = conditions.pitch.speed + conditions.swing.speed_at(position)
     return hit(modes, ball=conditions.ball, position=position, lateral=lateral, closing_speed=closing, law=law)
@@ -138,6 +144,11 @@ def exit_speed_of(impact: Impact, conditions: Conditions) -> float:
     ----------
     impact : as `hit` or `hit_at` give it.
     conditions : the pitch and the swing that it was hit with.
+
+    >>> from sweetspot import exit_speed_of, standard_analysis
+    >>> analysis = standard_analysis("r161-ash")
+    >>> round(exit_speed_of(analysis.best, analysis.conditions), 1)  # m/s
+    46.4
     """
     bat_speed = conditions.swing.speed_at(impact.position)
     return exit_speed(impact.collision_efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed)

@@ -32,6 +32,8 @@ from sweetspot.units import insisted
 
 ACCURACY = 1e-9
 """m/s of exit speed to which a break-even bat speed is found."""
+LAST_STEP = 1e-6
+"""m/s of bat speed below which a step is not tried: the slope that it follows is known to far better than 1e-3."""
 TRIALS = 30
 NEARBY, RIVAL = 7, 3.0
 """Places on either side of the best one that another swing is tried at, and m/s below it from which tops are rivals."""
@@ -62,6 +64,12 @@ class Compared(Generic[Tool_co]):
     exit_speed: Interval
     change: Interval
     break_even: float
+
+    def exit_speed_from_tip(self, distances: Array) -> Array:
+        """Return the exit speed in m/s of hits ``distances`` m from the tip; nan beyond the scan."""
+        scan = self.analysis.scan
+        places = self.analysis.bat.length - distances
+        return np.interp(places, scan.position, scan.exit_speed, left=np.nan, right=np.nan)
 
 
 @dataclass(frozen=True, repr=False)
@@ -163,7 +171,7 @@ def compare_reduced(
 def speed_ratios(
     law: SwingLaw, bat: Implement, body: RigidBody, reference: Implement, reference_body: RigidBody
 ) -> Interval:
-    """Return omega / omega_0 of a bat against the reference with the law's 95 % interval.
+    """Return omega / omega_0 of a bat against the reference with the law's 90 % interval.
 
     The moment of inertia is taken about the law's axis, counted from the bottom of each bat's grip.
     """
@@ -280,17 +288,25 @@ def _break_even_speed(barrel: _Barrel, *, swung: Sequence[Conditions], exits: In
         swing = swung[0].swing.replaced(bat_speed=bat_speed)
         return barrel.best([swung[0].replaced(swing=swing)])[0] - exit_speed
 
-    speed, *ends = (one.swing.bat_speed for one in swung)
-    known = max(ends) - min(ends)
-    miss, slope = exits.value - exit_speed, (exits.high - exits.low) / known if known > 0 else USUAL_SLOPE
+    speeds = [one.swing.bat_speed for one in swung]
+    known = sorted(zip(speeds, (each - exit_speed for each in (exits.value, exits.low, exits.high)), strict=True))
+    speed, miss, bend = speeds[0], exits.value - exit_speed, 0.0
+    slope = (known[-1][1] - known[0][1]) / (known[-1][0] - known[0][0]) if known[-1][0] > known[0][0] else USUAL_SLOPE
+    if known[0][0] < speed < known[-1][0]:  # three swings tell how the slope changes
+        before, after = ((miss - there) / (speed - at) for at, there in (known[0], known[-1]))
+        bend = (after - before) / (known[-1][0] - known[0][0])
+        slope = before + bend * (speed - known[0][0])
     for _ in range(TRIALS):
         if abs(miss) < ACCURACY:
             break
         step = -miss / slope
+        step = -miss / (slope + bend * step)  # where the parabola comes to zero, nearly
         if not 0 < speed + step <= MAX_SPEED:
             return math.nan
+        if abs(step) < LAST_STEP:
+            return speed + step
         after = excess(speed + step)
-        slope, speed, miss = (after - miss) / step, speed + step, after
+        slope, speed, miss = (after - miss) / step + bend * step, speed + step, after
     return speed
 
 

@@ -14,10 +14,11 @@ from sweetspot.flight.trajectory import Flight, fly
 from sweetspot.motion.ball_motion import BallMotion, BallMotions
 from sweetspot.motion.swing import Swing
 from sweetspot.motion.swing_path import SwingPath, Swings
+from sweetspot.numerics.notebook_display import ShownInNotebooks
 
 
 @dataclass(frozen=True)
-class Play:
+class Play(ShownInNotebooks):
     """One pitch hit: the strike, and the flight where the ball left the bat."""
 
     strike: Strike
@@ -25,7 +26,7 @@ class Play:
 
 
 @dataclass(frozen=True)
-class Plays:
+class Plays(ShownInNotebooks):
     """Many pitches hit; rows without a meaning are nan (see the outcomes of `strikes` and `flights`)."""
 
     strikes: Strikes
@@ -94,6 +95,18 @@ def plays(
     swings, contact : as in `sweetspot.collision.hit_in_space.strikes`.
     pitches : the balls where they are met, in the field's frame; the flights start there.
     threads : workers; None: one per core, and one only for small batches.
+
+    >>> from math import radians
+    >>> from sweetspot import BallMotion, Contact, Swings, catalog, plays, standard_flight
+    >>> from sweetspot.dynamics.reduction import reduced_bat
+    >>> from sweetspot.motion.swing_path import path_axes
+    >>> bat, ball = catalog.bat("r161-ash"), catalog.ball()
+    >>> swings = Swings([28.0, 31.0], path_axes(radians(9), 0.0, tilt=radians(35), left=False))
+    >>> pitch = BallMotion(position=(0, 0.5, 0.9), velocity=(0, -37.0, -3.0), spin=(-200.0, 0, 0))
+    >>> met = Contact([bat.length - 0.15] * 2, [0.018] * 2)
+    >>> reduced, flying = reduced_bat(bat, ball=ball), standard_flight()
+    >>> plays(reduced, flying, swings=swings, pitches=pitch, contact=met).flights.carry.round()  # m
+    array([102., 112.])
     """
     struck = strikes(
         reduced,

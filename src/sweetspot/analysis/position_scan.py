@@ -58,6 +58,7 @@ class Scan:
     hand_impulse : N s that the hands must give to hold their place, from the rigid motion; 0 at the percussion centre.
     sting : m/s, root mean square of the vibration at both hands after the hit, as felt (`velocity_weight`).
     contact_time, peak_force : s and N.
+    touches : how many times the ball was touched; more than once where the bat caught up with it.
     energy : where the incoming energy goes, in the frame of the undisturbed bat.
     """
 
@@ -73,6 +74,7 @@ class Scan:
     sting: Array
     contact_time: Array
     peak_force: Array
+    touches: Array
     energy: EnergyShares
 
 
@@ -115,6 +117,7 @@ def scan(
         sting=sting(modes, hands=hands, displacement=done.displacement, velocity=done.velocity),
         contact_time=done.contact_time,
         peak_force=done.peak_force,
+        touches=done.touches,
         energy=energy_shares(done, modes=modes, ball=ball, closing_speed=closing),
     )
 

@@ -138,7 +138,7 @@ def sweet_zone(scan: Scan, *, loss: float = ZONE_LOSS, sting: float = ZONE_STING
     if len(edges) == 0:
         return None
     runs = [(float(places[start]), float(places[stop - 1])) for start, stop in edges.reshape(-1, 2)]
-    best = max_exit_speed(scan)
+    best = _top(scan.position, held)
     return min(runs, key=lambda run: max(run[0] - best, best - run[1], 0.0))
 
 
@@ -147,7 +147,8 @@ def miss_cost(scan: Scan, distance: float) -> tuple[float, float]:
 
     Beyond the tip there is no bat, and beyond a face nothing to hit with: the value is then nan.
     """
-    best, held = max_exit_speed(scan), held_exit_speed(scan)
+    held = held_exit_speed(scan)
+    best = _top(scan.position, held)
     top = float(np.interp(best, scan.position, held))
     inside = float(np.interp(best - distance, scan.position, held, left=np.nan))
     outside = float(np.interp(best + distance, scan.position, held, right=np.nan))

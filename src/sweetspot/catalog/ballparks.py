@@ -59,8 +59,9 @@ def park(name: str, year: int | None = None) -> Park:
     known = _keys()
     begun = {key for word, key in known.items() if word == wanted or word.startswith(f"{wanted}-")}
     if wanted not in known and len(begun) != 1:
+        names = sorted({*known, *read_table(FIELDS), *(word.partition("-")[0] for word in known)})  # coors does too
         raise InputError(
-            f"park {name!r} is not in the catalogue. {nearest_names(wanted, [*known, *read_table(FIELDS)])} "
+            f"park {name!r} is not in the catalogue. {nearest_names(wanted, names)} "
             "A team's name or letters do too; `sweetspot parks` lists all."
         )
     return _park((read_table(FILE) | read_table(FORMER))[known.get(wanted) or begun.pop()])

@@ -50,6 +50,10 @@ def bat_names() -> list[str]:
 def bat(name: str | Path = DEFAULT_BAT) -> Bat:
     """Return a bat of the catalogue by its name, or that of a TOML file; see `is_file` for what is a file.
 
+    Parameters
+    ----------
+    name : of the catalogue, as `sweetspot bats` lists them, or the path of a TOML file.
+
     Raises
     ------
     InputError

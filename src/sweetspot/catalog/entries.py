@@ -41,6 +41,11 @@ def entry_toml(name: str, kind: str | None = None, *, sources: bool = False) -> 
 
     >>> entry_toml("baseball", "ball").splitlines()[0]
     'name = "baseball (Major League)"'
+
+    What was recalled and not read in a source says so:
+
+    >>> print(entry_toml("softball-12in", "ball").splitlines()[-2])
+    peak_force = "21 kN"  # assumed
     """
     import tomli_w
 
@@ -51,9 +56,12 @@ def entry_toml(name: str, kind: str | None = None, *, sources: bool = False) -> 
     for table in tables.values():
         for key, value in table.items():
             if canonical(key) == wanted:
-                return tomli_w.dumps(value if sources else _plain(value), multiline_strings=True)
+                text = tomli_w.dumps(value if sources else _plain(value), multiline_strings=True)
+                return text if sources else _marked(text, value)
     known = sorted({canonical(key) for table in tables.values() for key in table})
-    raise InputError(f"{name[:60]!r} is not in the catalogue. {nearest_names(wanted[:60], known)}")
+    hint = nearest_names(wanted[:60], known)
+    where = "" if hint.endswith("?") else " `sweetspot bats`, `sports` and `parks` list most of them."
+    raise InputError(f"{name[:60]!r} is not in the catalogue. {hint}{where}")
 
 
 def _plain(value: Any) -> Any:
@@ -62,3 +70,18 @@ def _plain(value: Any) -> Any:
     if isinstance(plain, dict):
         return {key: _plain(part) for key, part in plain.items()}
     return [_plain(part) for part in plain] if isinstance(plain, list) else plain
+
+
+def _marked(text: str, entry: Any) -> str:
+    """Return an entry's text with a comment behind the first line of every value that was assumed."""
+    lines, table, inside = [], entry, False
+    for line in text.splitlines():
+        if not inside and line.startswith("["):
+            table = entry
+            for name in line.strip("[]").split("."):
+                table = table.get(name, {}) if isinstance(table, dict) else {}
+        value = table.get(line.partition(" = ")[0]) if isinstance(table, dict) and not inside else None
+        assumed = isinstance(value, dict) and value.get("kind") == "assumed" and " = " in line
+        inside ^= line.count('"""') % 2 == 1
+        lines.append(f"{line}  # assumed" if assumed and not inside else line)
+    return "\n".join(lines) + "\n"

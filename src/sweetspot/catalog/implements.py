@@ -27,6 +27,10 @@ def implement_names() -> list[str]:
 def implement(name: str | Path) -> Implement:
     """Return a bat, racket, club or stick by its name in the catalogue, or that of a TOML file.
 
+    Parameters
+    ----------
+    name : of the catalogue, as `sweetspot bats` lists them, or the path of a TOML file.
+
     Raises
     ------
     InputError

@@ -38,6 +38,10 @@ class Record:
     kind: RecordKind
 
 
+LISTED = {"bat": "`sweetspot bats`", "sport": "`sweetspot sports`"}
+"""Which command lists what has many names."""
+
+
 @cache
 def read_table(file_name: str) -> dict[str, dict[str, Any]]:
     """Return a catalogue file; an entry with ``like`` starts from a copy of the named entry."""
@@ -51,7 +55,9 @@ def entry(table: Mapping[str, Entry], name: str, what: str) -> tuple[str, Entry]
     key = canonical(name)
     known = {canonical(key): key for key in table}
     if key not in known:
-        raise InputError(f"{what} {name[:60]!r} is not in the catalogue. {nearest_names(key[:60], sorted(known))}")
+        listed = f" {LISTED[what]} lists all." if what in LISTED else ""
+        hint = nearest_names(key[:60], sorted(known))
+        raise InputError(f"{what} {name[:60]!r} is not in the catalogue. {hint}{'' if hint.endswith('?') else listed}")
     return known[key], table[known[key]]
 
 

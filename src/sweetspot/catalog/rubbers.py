@@ -6,6 +6,7 @@ from functools import cache
 
 from sweetspot.catalog.records import canonical, entry, quantity, read_table
 from sweetspot.equipment.rubber import Rubber
+from sweetspot.errors import InputError
 from sweetspot.units import Kind
 
 FILE = "rubbers.toml"
@@ -30,3 +31,11 @@ def rubber(name: str) -> Rubber:
     _, table = entry(read_table(FILE), name, "rubber")
     values = {field: quantity(table, field, kind, table["name"]) for field, kind in KINDS.items()}
     return Rubber(name=table["name"], **values)
+
+
+def rubber_key(own: Rubber) -> str:
+    """Return the catalogue's name of a rubber; raises `InputError` when it is none of the catalogue's."""
+    for name in rubber_names():
+        if rubber(name) == own:
+            return name
+    raise InputError(f"{own.name} differs from the catalogue's rubbers; a file can only name one")

@@ -150,7 +150,7 @@ def _values(table: dict[str, Any]) -> dict[str, Any]:
     """Return the fields of a `Known` from a table with ``name``, ``of`` (kind of quantity) and a record."""
     kind: Kind = table.get("of", "speed")
     number = quantity(table, "value", kind, table["name"])
-    spread = f" ± {table['spread']}" if "spread" in table else ""
+    spread = f", spread {table['spread']}" if "spread" in table else ""
     return {
         "name": table["name"],
         "value": number,

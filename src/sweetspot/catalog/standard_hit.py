@@ -64,6 +64,10 @@ def standard_analysis(implement: Implement | str | Path, **speeds: float) -> Ana
 def standard_flight(ball: str = "baseball") -> FlightConditions:
     """Return what a ball of the catalogue usually flies through: still air of 21 degrees C, halfway humid, at the sea.
 
+    Parameters
+    ----------
+    ball : name in the catalogue, which brings its drag law.
+
     >>> standard_flight().one_air.temperature
     21.0
     """

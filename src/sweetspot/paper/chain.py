@@ -4,67 +4,25 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from functools import cache, lru_cache
-
-import numpy as np
 
 from sweetspot import catalog
-from sweetspot.analysis.bat_analysis import Analysis, analyse, exit_speed_of
+from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
 from sweetspot.analysis.drop_test import bounce
-from sweetspot.analysis.trampoline import WallPoint, wall_point, with_wall_factor
-from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.closed_form import collision_efficiency, exit_speed
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.oblique_contact import Rubbing, decompose, oblique
 from sweetspot.dynamics.block import Block, Support
 from sweetspot.dynamics.rigid import centre_of_percussion, effective_mass, hand_impulse_ratio
-from sweetspot.equipment.bat import Bat
-from sweetspot.equipment.material import Material
-from sweetspot.motion.swing import Conditions
 from sweetspot.paper import formulas as paper
+from sweetspot.paper.choices import Choices, can_be_drilled, corked_analysis
 from sweetspot.paper.formulas import Row
+from sweetspot.paper.metal_wall import METAL_BAT, paper_metal_wall
 from sweetspot.paper.words import Number, Words, inches, metres, miles_per_hour
 from sweetspot.units import INCH, MPH
 
 THIN_PLATE = 0.003
 """m: a plate as thin as a bat's wall, beside the thick blocks of Figure 6."""
 STANDS: dict[Support, str] = {"floor": "lying on concrete", "clamped": "clamped at its edges", "free": "lying free"}
-METAL_BAT = "russell-b6"
-METAL_WALLS = (1.0, 0.95, 0.9, 0.85)
-"""Factors on that bat's own wall."""
-
-
-@dataclass(frozen=True)
-class Choices:
-    """What the paper leaves open, or takes from elsewhere; the defaults are its own numbers where it has any.
-
-    Parameters
-    ----------
-    entry_angle : rad; the paper gives none, 10 degrees show the effect.
-    rod_hands : m from the rod's end where it is held; the paper's rod is held at its end.
-    hands_moved : m that the hands are moved up.
-    bore_diameter, bore_depth, plug : m, of the hole, and the wood that closes at most half of it [nathan_corknote].
-    fill : what fills the hole; None: cork.
-    drop_height, block_thickness, block_support : of the experiment of Figure 6, for which the paper gives no sizes.
-    ball_restitution, wood_restitution, metal_restitution, wood_share, metal_share : k0, k1, k2, z1, z2.
-    """
-
-    entry_angle: float = math.radians(10)
-    rod_hands: float = 0.0
-    hands_moved: float = 2 * INCH
-    bore_diameter: float = 1 * INCH
-    bore_depth: float = 10 * INCH
-    plug: float = 1 * INCH
-    fill: Material | None = None
-    drop_height: float = 1.0
-    block_thickness: float = 0.1
-    block_support: Support = "floor"
-    ball_restitution: float = paper.PAPER_BALL_RESTITUTION
-    wood_restitution: float = paper.PAPER_WOOD_RESTITUTION
-    metal_restitution: float = paper.PAPER_METAL_RESTITUTION
-    wood_share: float = paper.PAPER_WOOD_SHARE
-    metal_share: float = paper.PAPER_METAL_SHARE
 
 
 def paper_rows(analysis: Analysis, choices: Choices | None = None) -> list[Row]:
@@ -75,6 +33,11 @@ def paper_rows(analysis: Analysis, choices: Choices | None = None) -> list[Row]:
     Parameters
     ----------
     choices : what the paper leaves open; None: as in the documentation.
+
+    >>> from sweetspot import paper_rows, standard_analysis
+    >>> rows = paper_rows(standard_analysis("r161-ash"))
+    >>> rows[0].equation, rows[0].quantity
+    ('1', 'acceleration along the path at half the peak force, alpha = 10°')
     """
     chosen = choices or Choices()
     return [row for part in PARTS.values() for row in part(analysis, chosen)]
@@ -88,7 +51,7 @@ def _entry(analysis: Analysis, choices: Choices) -> Iterator[Row]:
     place = analysis.best.position
     closing = normal + analysis.conditions.swing.speed_at(place)
     best = hit(analysis.modes, ball=ball, position=place, closing_speed=closing)
-    degrees = f"alpha = {math.degrees(angle):.3g} deg"
+    degrees = f"alpha = {math.degrees(angle):.3g}°"
     mean = float(best.force.max()) / 2
     yield Row(
         "1", f"acceleration along the path at half the peak force, {degrees}", "m/s^2", None,
@@ -181,27 +144,6 @@ def _percussion(analysis: Analysis, choices: Choices) -> Iterator[Row]:
     )  # fmt: skip
 
 
-def corked(bat: Bat, choices: Choices) -> Bat:
-    """Return the bat with the hole of these choices, filled and plugged."""
-    return bat.corked(
-        diameter=choices.bore_diameter,
-        depth=choices.bore_depth,
-        plug=min(choices.plug, choices.bore_depth / 2),
-        fill=choices.fill or catalog.material("cork"),
-    )
-
-
-@lru_cache(maxsize=8)
-def corked_analysis(bat: Bat, choices: Choices, conditions: Conditions) -> Analysis:
-    """Return the full answer for the corked bat under the same swing; the last few are kept."""
-    return analyse(corked(bat, choices), conditions)
-
-
-def can_be_drilled(bat: Bat) -> bool:
-    """Return whether the paper's argument can be tried on a bat: solid, not drilled yet, with a known outline."""
-    return bat.shell is None and not bat.bores and bat.profile is not None
-
-
 def _hollowing(analysis: Analysis, choices: Choices) -> Iterator[Row]:
     """Yield equations 13 and 14 and the corking claim, on a bat of wood that can be drilled."""
     bat, conditions = analysis.bat, analysis.conditions
@@ -262,8 +204,9 @@ def _drop(analysis: Analysis, choices: Choices) -> Iterator[Row]:
         ),
         "metal": Words(
             "A thick block measures the ball. It tells next to nothing about a thin wall: the same metal as a plate of "
-            f"{1e3 * THIN_PLATE:g} mm, clamped at its edges {{}} apart, would hold {100 * sprung_share:.0f} % of the "
+            f"{{}}, clamped at its edges {{}} apart, would hold {100 * sprung_share:.0f} % of the "
             "energy and throw the ball back to {}: a trampoline.",
+            Number(THIN_PLATE, "pressed", f"{1e3 * THIN_PLATE:g} mm"),
             Number(0.2, "place", "20 cm"),
             metres(sprung_height, f"{sprung_height:.2f}"),
         ),
@@ -297,7 +240,7 @@ def _energy(analysis: Analysis, choices: Choices) -> Iterator[Row]:
         ("W2, metal", choices.metal_restitution, choices.metal_share, 0.26),
     )
     measured = analysis.best.collision_efficiency * (1 + recoil) + recoil
-    metal = _metal_wall()
+    metal = paper_metal_wall()
     for name, restitution, part, printed in cases:
         returned = paper.energy_returned(
             bat_restitution=restitution, ball_restitution=choices.ball_restitution, share=part
@@ -333,39 +276,6 @@ def _energy(analysis: Analysis, choices: Choices) -> Iterator[Row]:
         "k", "restitution of that wall", "ratio", paper.PAPER_METAL_RESTITUTION, None, metal.restitution,
         "What the wall gives back before the ball has gone, as the square root of the part of the energy.",
     )  # fmt: skip
-
-
-@dataclass(frozen=True)
-class _MetalWall:
-    """The aluminium wall that takes the paper's share: thickness (m), restitution, BBCOR, exit speed (m/s)."""
-
-    thickness: float
-    restitution: float
-    bbcor: float
-    exit_speed: float
-
-
-@cache
-def metal_wall_point(factor: float) -> WallPoint:
-    """Return the best hit of the catalogue's aluminium bat with its wall ``factor`` times as thick."""
-    bat = with_wall_factor(catalog.bat(METAL_BAT), factor)
-    return wall_point(bat, standard_conditions(bat))
-
-
-def _metal_wall() -> _MetalWall:
-    """Return that wall, interpolated in a sweep over wall thickness; nothing is fitted."""
-    points = [metal_wall_point(factor) for factor in METAL_WALLS]
-    shares = [point.energy.share for point in points]
-
-    def at_share(values: list[float]) -> float:
-        return float(np.interp(paper.PAPER_METAL_SHARE, shares, values))
-
-    return _MetalWall(
-        thickness=at_share([point.thickness for point in points]),
-        restitution=at_share([point.energy.restitution for point in points]),
-        bbcor=at_share([point.bbcor for point in points]),
-        exit_speed=at_share([point.exit_speed for point in points]),
-    )
 
 
 def _verdict(analysis: Analysis, _choices: Choices) -> Iterator[Row]:

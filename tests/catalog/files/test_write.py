@@ -9,7 +9,7 @@ import pytest
 from sweetspot import catalog
 from sweetspot.analysis.trampoline import with_wall_factor
 from sweetspot.catalog.files.bat import bat_from_table
-from sweetspot.catalog.files.write import bat_toml
+from sweetspot.catalog.files.write import bat_toml, legible
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.material import Material
@@ -47,3 +47,12 @@ def test_an_unknown_material_is_refused(r161: Bat, ash: Material) -> None:
         bat_toml(r161.with_material(ash.replaced(name="driftwood")))
     with pytest.raises(InputError, match="cannot describe"):
         bat_toml(r161.with_material(ash.replaced(strength=None)))
+
+
+@pytest.mark.parametrize("name", ["r161-ash", "composite", "mlb-d"])
+def test_a_legible_bat_file_is_the_bat_to_a_nanometre(name: str) -> None:
+    text = legible(bat_toml(catalog.bat(name)))
+    assert "00000" not in text and "99999" not in text
+    again = bat_from_table(tomllib.loads(text), "written")
+    assert again.length == pytest.approx(catalog.bat(name).length, abs=1e-9)
+    assert again.profile is not None and again.profile[-1][0] == again.length

@@ -39,7 +39,7 @@ QUANTITIES: dict[str, tuple[str, str]] = {
     "besr": ("BESR", "-"),
     "bpf": ("BPF", "-"),
     "batted_ball_speed": ("batted-ball speed", "m/s"),
-    "moi": ("moment of inertia about 6 in", "kg m^2"),
+    "moi": ("moment of inertia", "kg m^2"),
     "blade_width": ("width of the blade", "m"),
     "blade_depth": ("depth of the blade", "m"),
     "blade_edge": ("thickness of the edges", "m"),
@@ -137,7 +137,7 @@ class Finding:
     doubt: str = ""
     interval: tuple[float, float] | None = None
     absent: str = ""
-    interval_is: str = "the 95 % interval"
+    interval_is: str = "the 90 % interval"
 
 
 @dataclass(frozen=True)

@@ -19,10 +19,12 @@ from sweetspot.analysis.certification.simulated_test import (
     bpf,
 )
 from sweetspot.collision.closed_form import collision_efficiency, exit_speed, restitution_from_efficiency
+from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import RigidBody, effective_mass
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
+from sweetspot.numerics.confidence import ENDS, REACH
 from sweetspot.units import INCH, MPH, USUAL, is_usual
 
 VALID_HITS = 6
@@ -31,7 +33,6 @@ SAME_PLACE = INCH / 8
 """m; hits within this stretch count as hits at one place. Our choice."""
 SPEED_TOLERANCE = 0.05
 """Part by which the speed of a shot may differ from the test's; our choice, for the standard's was not read."""
-CONFIDENCE = 0.95
 OUTLIER = 3.5
 """Robust standard deviations beyond which a hit is named."""
 ROBUST_SCALE = 1.4826
@@ -44,7 +45,7 @@ COR_SPEED = 60 * MPH
 
 @dataclass(frozen=True)
 class Estimate:
-    """A mean with its standard error and 95 % interval (Student's t), from ``count`` values."""
+    """A mean with its standard error and 90 % interval (Student's t), from ``count`` values."""
 
     mean: float
     standard_error: float
@@ -100,6 +101,8 @@ class Measured:
     slowest, fastest : closing speeds at the best place, m/s.
     ball_stiffness : mean N/m at the best place, reported and not corrected for; None: not measured.
     notes : what to keep in mind.
+    by_moi : half of the 90 % interval of BBCOR, as a part of it, that a moment of inertia computed from the outline
+        leaves open; 0: it was measured.
     """
 
     places: tuple[Place, ...]
@@ -117,6 +120,7 @@ class Measured:
     fastest: float
     ball_stiffness: float | None
     notes: tuple[str, ...]
+    by_moi: float = 0.0
 
     def findings(self) -> dict[str, Finding]:
         """Return the measures as rules take them, with the reason where the shots cannot decide."""
@@ -126,14 +130,24 @@ class Measured:
         fast, slow = self._speed_doubt(BBCOR_SPEED), self._speed_doubt(BPF_SPEED)
         low, high = besr(self.efficiency.low), besr(self.efficiency.high)
         values = {
-            "bbcor": Finding(self.bbcor.mean, fast or few, (self.bbcor.low, self.bbcor.high)),
+            "bbcor": self._finding(self.bbcor, fast or few),
             "besr": Finding(besr(self.efficiency.mean), fast, (low, high)),
             "batted_ball_speed": Finding(self.batted_ball_speed.mean, fast),
             "bpf": Finding(None, slow or "the file has no ball_cor, which BPF is a ratio to"),
         }
         if self.bpf is not None:
-            values["bpf"] = Finding(self.bpf.mean, "", (self.bpf.low, self.bpf.high))
+            values["bpf"] = self._finding(self.bpf, "")
         return values
+
+    def _finding(self, value: Estimate, doubt: str) -> Finding:
+        """Return a measure that is worked out with the moment of inertia."""
+        by_moi = self.by_moi * value.mean
+        interval = (
+            value.mean - math.hypot(value.mean - value.low, by_moi),
+            value.mean + math.hypot(value.high - value.mean, by_moi),
+        )
+        of = "the 90 % interval, in which the moment of inertia was not measured" if by_moi else Finding.interval_is
+        return Finding(value.mean, doubt, interval, interval_is=of)
 
     def _speed_doubt(self, speed: float) -> str:
         if _near(self.slowest, speed) and _near(self.fastest, speed):
@@ -195,6 +209,7 @@ def measure(
     slow = all(_near(hit.shot.closing_speed, BPF_SPEED) for hit in best)
     own = [(hit.bbcor, hit.shot.ball_cor) for hit in best if slow and hit.shot.ball_cor is not None]
     factors = [bpf(value, ball_restitution=cor) for value, cor in own]
+    by_moi = _by_moi(best, bat, body, ball)
     stiff = [hit.shot.ball_stiffness for hit in best if hit.shot.ball_stiffness is not None]
     return Measured(
         places=tuple(_place(group) for group in groups),
@@ -211,16 +226,17 @@ def measure(
         slowest=min(hit.shot.closing_speed for hit in best),
         fastest=max(hit.shot.closing_speed for hit in best),
         ball_stiffness=fmean(stiff) if stiff else None,
-        notes=_notes(groups, best, bat=bat, normalised=all(given), stiff=bool(stiff)),
+        notes=_notes(groups, best, bat=bat, by_moi=by_moi, normalised=all(given), stiff=bool(stiff)),
+        by_moi=by_moi,
     )
 
 
 def estimate(sample: Iterable[float]) -> Estimate:
-    """Return mean, standard error and Student's 95 % interval of two values or more.
+    """Return mean, standard error and Student's 90 % interval of two values or more.
 
     >>> average = estimate([0.49, 0.50, 0.51])
-    >>> round(average.mean, 3), round(average.high - average.mean, 4)  # t(2) = 4.303, times 0.01 / sqrt(3)
-    (0.5, 0.0248)
+    >>> round(average.mean, 3), round(average.high - average.mean, 4)  # t(2) = 2.920, times 0.01 / sqrt(3)
+    (0.5, 0.0169)
     """
     from scipy.special import stdtrit
 
@@ -228,7 +244,7 @@ def estimate(sample: Iterable[float]) -> Estimate:
     if len(values) < 2:
         raise InputError(f"{len(values)} value; an uncertainty takes two or more")
     mean, error = fmean(values), stdev(values) / math.sqrt(len(values))
-    reach = float(stdtrit(len(values) - 1, (1 + CONFIDENCE) / 2)) * error
+    reach = float(stdtrit(len(values) - 1, ENDS[1])) * error
     return Estimate(mean, error, mean - reach, mean + reach, len(values))
 
 
@@ -239,6 +255,12 @@ def _near(speed: float, wanted: float) -> bool:
 def _recoil(shot: Shot, body: RigidBody, ball: Ball) -> float:
     mass = ball.mass if shot.ball_mass is None else shot.ball_mass
     return mass / effective_mass(body, shot.position, pivot=CLAMP)
+
+
+def _by_moi(best: list[Hit], bat: Bat, body: RigidBody, ball: Ball) -> float:
+    """Return what a moment of inertia in doubt leaves open of BBCOR = q (1 + r) + r, as a part of it; r = m z^2 / I."""
+    part = REACH * moi_doubt(bat, body, CLAMP) / body.moi(CLAMP)
+    return part * fmean((1 + hit.efficiency) * _recoil(hit.shot, body, ball) / hit.bbcor for hit in best)
 
 
 def _hit(shot: Shot, *, body: RigidBody, ball: Ball, standard: float) -> Hit:
@@ -288,18 +310,22 @@ def _outliers(hits: list[Hit]) -> tuple[Outlier, ...]:
     return tuple(sorted((each for each in outliers if abs(each.deviation) > OUTLIER), key=lambda each: each.row))
 
 
-def _notes(groups: list[list[Hit]], best: list[Hit], *, bat: Bat, normalised: bool, stiff: bool) -> tuple[str, ...]:
+def _notes(
+    groups: list[list[Hit]], best: list[Hit], *, bat: Bat, by_moi: float, normalised: bool, stiff: bool
+) -> tuple[str, ...]:
     top = _place(best)
     facts: Mapping[str, bool] = {
         "The balls' own restitution was not measured (column ball_cor): BBCOR is not normalised to a standard ball.": (
             not normalised
         ),
-        "The bat's moment of inertia is computed from its outline, not measured: give moi in the bat file.": (
-            bat.moi is None
-        ),
+        f"The bat's moment of inertia is computed from its outline, not measured: by it BBCOR is known to "
+        f"± {by_moi * top.bbcor:.3f} only. Give moi in the bat file.": bat.moi is None,
         "Ball stiffness is reported; no correction for it is made.": stiff,
         "A place hit only once gave a greater BBCOR than the best place; repeat it.": any(
             len(group) == 1 and group[0].normalised > top.bbcor for group in groups
+        ),
+        "The best place is the last that was hit on its side: beyond it the bat may give more; hit it there too.": (
+            len(groups) > 1 and best in (groups[0], groups[-1])
         ),
     }
     return tuple(text for text, holds in facts.items() if holds)

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from sweetspot.errors import InputError
+from sweetspot.errors import InputError, maybe_meant_heading
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text, table_rows
 from sweetspot.units import FOOT, INCH, MPH, OUNCE, POUND_FORCE, shown
@@ -31,6 +31,7 @@ UNITS: dict[str, dict[str, float]] = {
     "ball_mass": {"oz": OUNCE, "kg": 1.0, "g": 0.001},
 }
 """Columns that are understood: name without its unit, and the units with their size in SI."""
+KNOWN_UNITS = frozenset(unit for units in UNITS.values() for unit in units if unit)
 NEEDED = ("ball_in", "ball_out", "position")
 FASTEST = 90.0
 """m/s (201 mph); a faster ball or bat is a number in another unit."""
@@ -169,7 +170,7 @@ def _columns(headings: list[str], path: Path) -> tuple[dict[str, _Column], tuple
         examples = ", ".join(f"{quantity}_{next(iter(UNITS[quantity]))}" for quantity in missing)
         raise InputError(
             f"{path}: no column for {' and '.join(missing)}; give for example {examples}. "
-            f"The file has: {', '.join(heading.strip() for heading in headings)}"
+            f"The file has: {', '.join(maybe_meant_heading(one.strip(), UNITS, KNOWN_UNITS) for one in headings)}"
         )
     return columns, tuple(ignored)
 

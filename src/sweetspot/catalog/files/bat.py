@@ -29,7 +29,8 @@ from sweetspot.units import INCH, check_usual, parse, shown
 
 Text = str
 Pairs = tuple[tuple[Text, Text], ...]
-MAX_BYTES = 1_000_000
+MAX_BYTES = 250_000
+"""Of a bat's file: ten times what the longest outline takes, and read in a tenth of a second."""
 DEEPEST_KEY = 40
 DEEP_KEY = re.compile(rf"""(?<![\w"'-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')\s*+\.\s*+){{{DEEPEST_KEY}}}""")
 """A key of many parts joined by dots."""
@@ -189,7 +190,8 @@ def table_of_text(text: str, where: str) -> dict[str, Any]:
     try:
         return tomllib.loads(text)
     except ValueError as error:  # wrong TOML, or a number of thousands of digits
-        raise InputError(f"{where} is not valid TOML: {error}") from None
+        table = "; of a table of diameters `sweetspot outline` makes a bat file" if where.endswith(".csv") else ""
+        raise InputError(f"{where} is not valid TOML: {error}{table}") from None
     except RecursionError:
         raise InputError(f"{where} holds tables inside tables beyond all need; a bat has a few lines") from None
 
@@ -276,8 +278,9 @@ def _bat(file: BatFile) -> Bat:
         moi_axis=parse(file.moi_axis, "length", "moi_axis"),
         choke=parse(file.choke, "length", "choke"),
         original=None if file.original is None else _bat(file.original),
+        calibrated=file.calibration is not None,
     )
-    return weight_matched(bat, None if file.shell is None else file.shell.weight_by)
+    return bat if bat.calibrated else weight_matched(bat, None if file.shell is None else file.shell.weight_by)
 
 
 def _pairs(pairs: Pairs, what: str) -> tuple[tuple[float, float], ...]:

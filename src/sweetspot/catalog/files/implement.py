@@ -221,6 +221,7 @@ def _unwrapped(value: Any) -> Any:
 def _common(file: CommonTable) -> dict[str, Any]:
     left_out = ("kind", "note", "point_mass", "calibration")
     fields = {name: value for name, value in in_si(file, implement=file.kind).items() if name not in left_out}
+    fields["calibrated"] = file.calibration is not None
     weights = [in_si(weight, "point_mass", implement=file.kind) for weight in file.point_mass]
     fields["added"] = tuple(
         AddedMass(position=one["position"], mass=one["mass"], lateral=one["beside"]) for one in weights

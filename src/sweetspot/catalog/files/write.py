@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 from typing import Any
 
@@ -77,10 +78,30 @@ def bat_table(bat: Bat) -> dict[str, Any]:
     return table
 
 
+def legible(text: str, *, digits: int = 9) -> str:
+    r"""Return a bat file with its lengths in m and masses in kg to so many decimals, for people who go on in it.
+
+    Nine are a nanometre and a microgram. A place and what is there stand on one line.
+
+    >>> legible('length = "0.8635999999999999 m"')
+    'length = "0.8636 m"'
+    >>> print(legible('profile = [\n    [\n        "0.0 m",\n        "0.042 m",\n    ],\n]'))
+    profile = [
+        ["0 m", "0.042 m"],
+    ]
+    """
+    short = re.sub(
+        r'"(\d+\.\d+) (m|kg)"',
+        lambda found: f'"{float(found[1]):.{digits}f}'.rstrip("0").rstrip(".") + f' {found[2]}"',
+        text,
+    )
+    return re.sub(r'\[\s*("[^"\n]*"),\s*("[^"\n]*"),\s*\]', r"[\1, \2]", short)
+
+
 def _shell(shell: Shell) -> dict[str, Any]:
     table: dict[str, Any] = {"wall": pairs_text(shell.wall)}
     if shell.laminate is not None:
-        table["laminate"] = _plies(shell.laminate)
+        table["laminate"] = plies_text(shell.laminate)
     if shell.handle_material is not None:
         table["handle_material"] = material_key(shell.handle_material)
     if shell.joint is not None:
@@ -92,7 +113,7 @@ def _shell(shell: Shell) -> dict[str, Any]:
         table["inner_wall"] = {
             "wall": pairs_text(sleeve.wall),
             "material": material_key(sleeve.material),
-            **({"laminate": _plies(sleeve.laminate)} if sleeve.laminate is not None else {}),
+            **({"laminate": plies_text(sleeve.laminate)} if sleeve.laminate is not None else {}),
             "gap": length_text(sleeve.gap),
             "bonded": sleeve.bonded,
         }
@@ -109,7 +130,8 @@ def _shell(shell: Shell) -> dict[str, Any]:
     return table
 
 
-def _plies(laminate: Laminate) -> list[dict[str, str]]:
+def plies_text(laminate: Laminate) -> list[dict[str, str]]:
+    """Return the plies of a laminate as a file has them."""
     return [
         {"material": material_key(ply.material), "angle": f"{ply.angle!r} rad", "thickness": length_text(ply.thickness)}
         for ply in laminate.plies

@@ -1,17 +1,19 @@
-"""A cricket bat, racket or golf club as the text of its file, in SI and to the last digit."""
+"""Any implement as the text of its file, in SI and to the last digit: whole, or what differs from the catalogue's."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Any
 
-from sweetspot.catalog.files.write import bat_table, length_text, material_key, pairs_text
+from sweetspot.catalog.files.write import bat_table, length_text, material_key, pairs_text, plies_text
+from sweetspot.catalog.rubbers import rubber_key
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.hockey_stick import HockeyStick
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.racket import Racket
+from sweetspot.equipment.table_tennis_racket import TableTennisRacket
 from sweetspot.errors import InputError
 
 
@@ -42,6 +44,39 @@ def implement_table(implement: Implement) -> dict[str, Any]:
         if isinstance(implement, made):
             return {"kind": kind, **_common(implement), **table(implement)}
     raise InputError(f"{implement.name} is of a kind whose file is not written; write it by hand")
+
+
+def changes_table(implement: Implement, *, like: str) -> dict[str, Any]:
+    """Return the content of a file that names an entry of the catalogue and says only what is different.
+
+    Parameters
+    ----------
+    like : name in the catalogue of an implement of the same kind.
+
+    Raises
+    ------
+    InputError
+        see `implement_toml`.
+
+    >>> from sweetspot import catalog
+    >>> changes_table(catalog.implement("tennis-racket").replaced(mass=0.305), like="tennis-racket")
+    {'like': 'tennis-racket', 'mass': '0.305 kg'}
+    """
+    from sweetspot.catalog.implements import implement as of_catalogue
+
+    return {"like": like, **_different(implement_table(implement), implement_table(of_catalogue(like)))}
+
+
+def _different(table: dict[str, Any], pattern: dict[str, Any]) -> dict[str, Any]:
+    """Return what of a table is not in the pattern's; of a table inside it, what of that is not."""
+    changed: dict[str, Any] = {}
+    for name, value in table.items():
+        known = pattern.get(name)
+        if isinstance(value, dict) and isinstance(known, dict) and value != known:
+            changed[name] = _different(value, known)
+        elif value != known:
+            changed[name] = value
+    return changed
 
 
 def _common(implement: Implement) -> dict[str, Any]:
@@ -109,6 +144,18 @@ def _racket(racket: Racket) -> dict[str, Any]:
     }
 
 
+def _table_tennis_racket(racket: TableTennisRacket) -> dict[str, Any]:
+    sides = {"front": racket.front, "back": racket.back}
+    return {
+        "blade": plies_text(racket.blade),
+        **{name: length_text(getattr(racket, name))
+           for name in ("blade_length", "blade_width", "handle_width", "handle_thickness")},
+        "handle_material": material_key(racket.handle_material),
+        **{side: rubber_key(one) for side, one in sides.items() if one is not None},
+        "damping": racket.damping,
+    }  # fmt: skip
+
+
 def _golf_club(club: GolfClub) -> dict[str, Any]:
     head, face = club.head, club.head.face
     return {
@@ -139,5 +186,6 @@ KINDS: dict[str, tuple[type[Implement], Callable[[Any], dict[str, Any]]]] = {
     "cricket-bat": (CricketBat, _cricket_bat),
     "golf-club": (GolfClub, _golf_club),
     "hockey-stick": (HockeyStick, _hockey_stick),
+    "table-tennis-racket": (TableTennisRacket, _table_tennis_racket),
 }
 """What is written, by what its file calls it."""

@@ -135,13 +135,6 @@ def flexible_over_rigid(*, bat: str) -> float:
     return float(ratio.max())
 
 
-def rigid_zone_width(*, bat: str, within: float) -> float:
-    """Return the width of the zone where flexible and rigid exit speed agree to a ratio ``within``."""
-    places, ratio = _flexible_over_rigid(bat)
-    fine = np.linspace(places[0], places[-1], 4001)
-    return float((np.interp(fine, places, ratio) > -within).sum() * (fine[1] - fine[0]))
-
-
 def _flexible_over_rigid(bat: str) -> tuple[Array, Array]:
     """Return places beyond the balance point and flexible over rigid exit speed there, less one.
 
@@ -249,7 +242,6 @@ COMPUTATIONS = (
     standard_contact_time,
     standard_angular_speed,
     flexible_over_rigid,
-    rigid_zone_width,
     best_from_tip,
     best_efficiency_from_tip,
     best_restitution_from_tip,

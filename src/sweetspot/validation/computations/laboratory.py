@@ -18,8 +18,8 @@ from sweetspot.units import INCH
 from sweetspot.validation.computations import shared
 
 CLAMP = STANDARD_AXIS
-CLAMP_STIFFNESS = 1e9
-"""N/m; stiff enough to hold its place still, free to turn."""
+CLAMP_MASS, CLAMP_STIFFNESS = 1e4, 1e9
+"""kg and N/m; heavy and stiff enough to hold its place still, free to turn."""
 NEAR, FAR, HITS = 2 * INCH, 10 * INCH, 81
 """Places of the test from the tip, a tenth of an inch apart."""
 
@@ -37,7 +37,8 @@ class BatTest:
 def bat_test(bat: str, closing_speed: float) -> BatTest:
     """Return the test of a catalogue bat along its barrel."""
     ball, body = catalog.ball(), shared.body(bat)
-    clamped = gripped(shared.free_modes(bat), Hands(position=CLAMP, spacing=0.0, stiffness=CLAMP_STIFFNESS))
+    clamp = Hands(position=CLAMP, spacing=0.0, mass=CLAMP_MASS, stiffness=CLAMP_STIFFNESS)
+    clamped = gripped(shared.free_modes(bat), clamp)
     from_tip = np.linspace(NEAR, FAR, HITS)
     places = shared.length(bat) - from_tip
     efficiency = hits(clamped, ball=ball, position=places, closing_speed=closing_speed).collision_efficiency

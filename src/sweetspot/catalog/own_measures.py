@@ -1,0 +1,205 @@
+"""An implement like one of the catalogue, with the length, weight, balance and swing weight of somebody's own.
+
+What is known of most bats, rackets, clubs and sticks is what a ruler, a scale and a finger tell. The pattern gives the
+rest: its outline, its construction, its materials. What meets the weight is said.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from sweetspot.catalog.usual_sizes import USUAL_SIZES
+from sweetspot.dynamics.beam import BeamModel, beam_model, moments
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.dynamics.weight_match import weight_matched
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.cricket_bat import CricketBat
+from sweetspot.equipment.golf_club import GolfClub
+from sweetspot.equipment.hockey_stick import HockeyStick
+from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.laminate import Laminate
+from sweetspot.equipment.racket import Racket
+from sweetspot.equipment.stretch import stretched
+from sweetspot.equipment.table_tennis_racket import TableTennisRacket
+from sweetspot.errors import InputError
+from sweetspot.units import shown, shown_mass
+
+THICKNESS = (0.75, 1.35)
+"""Of blades and walls over the pattern's, where their density cannot meet the weight (assumed)."""
+
+
+@dataclass(frozen=True)
+class Measures:
+    """What is known of an implement; None: as the pattern has it at this length.
+
+    Parameters
+    ----------
+    length : m.
+    mass : kg.
+    balance_point : m from the butt end.
+    moi : kg m^2 about the axis ``moi_axis`` (m from the butt end).
+    """
+
+    length: float | None = None
+    mass: float | None = None
+    balance_point: float | None = None
+    moi: float | None = None
+    moi_axis: float = 0.0
+
+
+def made_to_measure(pattern: Implement, known: Measures) -> tuple[Implement, str]:
+    """Return an implement like a pattern that has all that is known of it, and what met its weight, in words.
+
+    Density meets the weight first, as far as the material varies; where it cannot, a hollow bat's handle, knob, cap or
+    wall (`weight_matched`), a blade's thickness, a stick's wall. A racket has what was measured; a club has its weight
+    by its head and, where its balance point is known, by its shaft's wall.
+
+    Raises
+    ------
+    InputError
+        where nothing meets what is known, with what can be.
+
+    >>> from sweetspot import catalog
+    >>> racket, _ = made_to_measure(catalog.implement("tennis-racket"), Measures(mass=0.305))
+    >>> racket.mass
+    0.305
+    """
+    tool = pattern if known.length is None else stretched(pattern, known.length)
+    if isinstance(tool, GolfClub):
+        return _club(tool, known)
+    if isinstance(tool, Racket):
+        return _racket(tool, known), ""
+    mass = _mass_of(pattern, tool) if known.mass is None else known.mass
+    try:
+        return _measured(_weighing(tool, mass), known)
+    except InputError:
+        if type(tool) not in THICKER:
+            raise
+    return _measured(_thickened(tool, mass), known)
+
+
+def _measured(weighing: tuple[Implement, str], known: Measures) -> tuple[Implement, str]:
+    """Return an implement of the right weight with its balance point and moi; refused where its weight forbids them."""
+    tool, remark = weighing
+    tool = tool.replaced(balance_point=known.balance_point)
+    if known.moi is not None:
+        tool = tool.replaced(moi=known.moi, moi_axis=known.moi_axis)
+    beam_model(tool)
+    return tool, remark
+
+
+def _mass_of(pattern: Implement, tool: Implement) -> float:
+    """Return the mass of a pattern stretched: in proportion."""
+    return rigid_body(beam_model(pattern)).mass * tool.length / pattern.length
+
+
+def _racket(racket: Racket, known: Measures) -> Racket:
+    """Return a racket as measured; what was not: the same distribution of mass, heavier or moved."""
+    assert racket.mass is not None and racket.balance_point is not None and racket.moi is not None
+    mass = racket.mass if known.mass is None else known.mass
+    balance = racket.balance_point if known.balance_point is None else known.balance_point
+    about_centre = racket.moi / racket.mass - (racket.balance_point - racket.moi_axis) ** 2
+    axis = racket.moi_axis if known.moi is None else known.moi_axis
+    moi = mass * (about_centre + (balance - axis) ** 2) if known.moi is None else known.moi
+    return racket.replaced(mass=mass, balance_point=balance, moi=moi, moi_axis=axis)
+
+
+def _weighing(tool: Implement, mass: float) -> tuple[Implement, str]:
+    """Return an implement of a mass, and what was changed for it beside density."""
+    tool = tool.replaced(mass=mass, balance_point=None, moi=None)
+    if not isinstance(tool, Bat):
+        return tool, ""
+    tool = weight_matched(tool)
+    return tool, tool.remark
+
+
+def _thickened(tool: Implement, mass: float) -> tuple[Implement, str]:
+    """Return an implement of a mass by its thickness; beyond what that can be, density has to make the rest."""
+    from scipy.optimize import brentq
+
+    thicker, what = THICKER[type(tool)]
+
+    def excess(factor: float) -> float:
+        return _drawn_mass(thicker(tool, factor)) - mass
+
+    low, high = (excess(factor) for factor in THICKNESS)
+    if low < 0 < high:
+        factor = float(brentq(excess, *THICKNESS, xtol=1e-13))
+    else:
+        factor = THICKNESS[0] if low >= 0 else THICKNESS[1]
+    told = f"Its weight, {shown_mass(mass)}, is met where {what} {factor:.3f} times as thick as the pattern's."
+    return thicker(tool, factor).replaced(mass=mass, balance_point=None, moi=None), told
+
+
+def _drawn_mass(tool: Implement) -> float:
+    return moments(BeamModel(tool, 1.0, 0.0, tool.lumps()))[0]
+
+
+def _thicker_blade(bat: CricketBat, factor: float) -> CricketBat:
+    return bat.replaced(**{name: _scaled(getattr(bat, name), factor) for name in ("spine", "edge")})
+
+
+def _thicker_wall(stick: HockeyStick, factor: float) -> HockeyStick:
+    return stick.replaced(wall=_scaled(stick.wall, factor))
+
+
+def _thicker_plies(racket: TableTennisRacket, factor: float) -> TableTennisRacket:
+    plies = tuple(ply.replaced(thickness=factor * ply.thickness) for ply in racket.blade.plies)
+    return racket.replaced(blade=Laminate(plies=plies))
+
+
+def _scaled(stations: tuple[tuple[float, float], ...], factor: float) -> tuple[tuple[float, float], ...]:
+    return tuple((place, factor * size) for place, size in stations)
+
+
+THICKER: dict[type[Implement], tuple[Callable[..., Implement], str]] = {
+    CricketBat: (_thicker_blade, "its blade is"),
+    HockeyStick: (_thicker_wall, "its wall is"),
+    TableTennisRacket: (_thicker_plies, "its plies are"),
+}
+"""What is made thicker, by kind."""
+
+
+def _club(club: GolfClub, known: Measures) -> tuple[Implement, str]:
+    """Return a club whose head, and shaft where the balance point is known, make its weight."""
+    if known.moi is not None:
+        raise InputError("how a club swings is told by its balance point or its swing weight; give one of them")
+    mass = rigid_body(beam_model(club)).mass if known.mass is None else known.mass
+    if known.balance_point is not None:
+        club = _balanced(club, mass, known.balance_point)
+    shaft = moments(BeamModel(club, 1.0, 0.0, ()))[0] - club.grip_mass
+    head = mass - shaft - club.grip_mass
+    parts = f"a grip of {shown_mass(club.grip_mass)}, a shaft of {shown_mass(shaft)} and a head of {shown_mass(head)}"
+    if not USUAL_SIZES["golf-club"]["head.mass"].holds(max(head, 1e-6)):
+        raise InputError(f"{shown_mass(mass)} would be {parts}, which is no head of a club; check weight and balance")
+    heavier = head / club.head.mass
+    changed = {name: heavier * getattr(club.head, name) for name in ("mass", "moi", "roll_moi")}
+    return club.replaced(head=club.head.replaced(**changed)), f"Its weight, {shown_mass(mass)}, is {parts}."
+
+
+def _balanced(club: GolfClub, mass: float, balance: float) -> GolfClub:
+    """Return a club with the shaft's wall that its weight and balance point need, whatever its head then weighs."""
+    from scipy.optimize import brentq
+
+    middle = club.length - club.head.height / 2
+    walls = [size for _, size in club.wall]
+    usual = USUAL_SIZES["golf-club"]["wall"]
+    limits = (usual.low * usual.size / min(walls), usual.high * usual.size / max(walls))
+
+    def excess(factor: float) -> float:
+        """Return by how much the balance point is too far out, m."""
+        own, first, _ = moments(BeamModel(_with_wall(club, factor), 1.0, 0.0, ()))
+        return (first + (mass - own) * middle) / mass - balance
+
+    out, near = (excess(factor) for factor in limits)
+    if not near <= 0 <= out:
+        raise InputError(
+            f"a club of {shown_mass(mass)} with this shaft can balance {shown(balance + near)} to "
+            f"{shown(balance + out)} from the butt; given was {shown(balance)}"
+        )
+    return _with_wall(club, float(brentq(excess, *limits, xtol=1e-13)))
+
+
+def _with_wall(club: GolfClub, factor: float) -> GolfClub:
+    return club.replaced(wall=_scaled(club.wall, factor))
