@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from datetime import date, datetime
 from typing import Literal
 
-from sweetspot.errors import InputError
+from sweetspot.errors import InputError, maybe_meant_heading
 from sweetspot.units import FOOT, INCH, MPH
 
 Units = Literal["us", "metric"]
@@ -189,9 +189,14 @@ def columns_of(headings: Sequence[str], *, units: Units | None, file_name: str) 
     if not any(needed in columns for needed in NEEDED):
         raise InputError(
             f"{file_name}: no column for bat speed or exit speed; give for example bat_speed_mph and exit_speed_mph. "
-            f"The file has: {', '.join(heading.strip() for heading in headings)}"
+            f"The file has: {', '.join(maybe_a_column(heading.strip()) for heading in headings)}"
         )
     return Columns(columns, tuple(ignored), system.name if system else "plain")
+
+
+def maybe_a_column(heading: str) -> str:
+    """Return the heading of a column that means nothing here, with the name that may have been meant."""
+    return maybe_meant_heading(heading, [alias for aliases in ALIASES.values() for alias in aliases], KNOWN_UNITS)
 
 
 def day_of(cells: Sequence[str], columns: Columns) -> date | None:

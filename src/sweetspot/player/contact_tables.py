@@ -2,7 +2,9 @@
 
 Two tables: collision efficiency along the bat at two closing speeds, from the coupled collision; and, for a ball met
 above or below the bat's axis, the part of the exit speed that is left and how far the launch angle leaves the bat's
-path, from the oblique collision in space.
+path, from the oblique collision in space. The second is made all along the bat: where the bat gives little back, less
+is left of the part along the line of centres and all of the part across it, so the ball is turned further and loses
+less than near the best place.
 """
 
 from __future__ import annotations
@@ -29,16 +31,28 @@ REACH, PLACES = 16 * INCH, 65
 """m from the tip that are tabled, every quarter of an inch: beyond them a bat is hit by accident."""
 SLOW, FAST = 40.0, 75.0
 """m/s; closing speeds between which collision efficiency is a straight line, and beyond which it goes on."""
-BARREL = 6.5 * INCH
-"""m from the tip where the off-centre table is made."""
-BAT_SPEED = 31.0
-"""m/s there."""
-RATIOS = np.array([0.0, 0.4, 0.8, 1.2, 1.6])
+BARREL = 6.0 * INCH
+"""m from the tip of the row of the off-centre table that is looked at where one place must do."""
+EVERY = 4
+"""Of the places, those where the off-centre table is made: every inch."""
+RATIOS = np.array([0.0, 0.5, 1.0, 1.5, 2.0])
 """Pitch speed over bat speed; 0: a tee."""
-STEEPER = math.radians(7)
-"""By how much steeper and flatter swings are tried for the turning."""
-FARTHEST, OFFSETS = 0.97, 121
+BAT_SPEEDS = np.array([31.0, 31.0, 34.0, 24.5, 18.4])
+"""m/s, 6 in from the tip, that go with these: a usual swing at slow pitches, and usual pitches met by slow swings."""
+STEEPER = np.radians([-20.0, -10.0, 0.0, 10.0, 20.0])
+"""How much steeper than usual the swings of the table are."""
+FARTHEST, OFFSETS = 0.97, 61
 """Largest offset as a part of both radii together, and how many offsets from one side to the other."""
+MISSED = math.pi
+"""rad, the deflection tabled where the ball is missed or goes back: none that a hit can have."""
+MIDDLE = 2
+"""Which of the swings is the usual one."""
+SLOWEST, MOST_KEPT = 3.0, 3.0
+"""m/s head-on, and part kept, beyond which a place gives nothing back and is hit by accident only."""
+MEASURED = 6 * INCH
+"""m from the tip where bat speed is measured, near enough for a ratio of speeds."""
+SPREADS = ("swing_tilt", "pitch_descent", "pitch_backspin")
+"""What differs from swing to swing and is not measured, though it turns the ball."""
 
 KEPT_TABLES = 256
 """Tables that a process keeps: a league's batters swing the same few bats."""
@@ -56,9 +70,10 @@ class ContactTable:
     efficiency, efficiency_slope : q at no closing speed, as the straight line would have it, and its change per m/s;
         shape of ``from_tip``.
     offset : m of the ball's centre above the bat's axis, increasing, evenly spaced.
-    kept : part of the head-on exit speed that is left, shape (ratios, offsets).
-    deflection : rad, launch angle minus attack angle at the usual attack angle, same shape.
-    turning : rad per rad that the swing is steeper by, what the deflection grows by, shape (ratios,).
+    kept : part of the exit speed in line with the swing that is left, shape (steeper, places / 4, ratios, offsets).
+    deflection : rad, launch angle minus attack angle, same shape; `MISSED` where there is no hit.
+    unsteady : rad, by how much the deflection scatters since tilt, descent and spin differ from swing to swing, shape
+        (ratios, offsets).
     """
 
     bat: Bat
@@ -69,7 +84,22 @@ class ContactTable:
     offset: Array
     kept: Array
     deflection: Array
-    turning: Array
+    unsteady: Array
+
+    @property
+    def places(self) -> Array:
+        """Where the off-centre table is made, m from the tip."""
+        return self.from_tip[::EVERY]
+
+    @property
+    def barrel(self) -> int:
+        """Which of these places is `BARREL`."""
+        return int(np.argmin(np.abs(self.places - BARREL)))
+
+    @property
+    def usual(self) -> tuple[Array, Array]:
+        """Part kept and deflection of the usual attack angle at `BARREL`, each of shape (ratios, offsets)."""
+        return self.kept[MIDDLE, self.barrel], self.deflection[MIDDLE, self.barrel]
 
 
 def contact_table(bat: Bat, *, ball: Ball, axis: float, like: ContactTable | None = None) -> ContactTable:
@@ -101,12 +131,13 @@ def _made(bat: Bat, ball: Ball, axis: float, like: ContactTable | None) -> Conta
     slow, fast = (_efficiency(model, ball, from_tip, speed) for speed in (SLOW, FAST))
     slope = (fast - slow) / (FAST - SLOW)
     if like is None:
-        offset, kept, deflection, turning = _off_centre(model, ball)
+        q = (slow - slope * SLOW)[::EVERY], slope[::EVERY]
+        offset, kept, deflection, unsteady = _off_centre(model, ball, from_tip[::EVERY], q)
     else:
-        offset, kept, deflection, turning = like.offset, like.kept, like.deflection, like.turning
+        offset, kept, deflection, unsteady = like.offset, like.kept, like.deflection, like.unsteady
     return ContactTable(
         bat=bat, moi=model.body.moi(bat.choke + axis), from_tip=from_tip, efficiency=slow - slope * SLOW,
-        efficiency_slope=slope, offset=offset, kept=kept, deflection=deflection, turning=turning,
+        efficiency_slope=slope, offset=offset, kept=kept, deflection=deflection, unsteady=unsteady,
     )  # fmt: skip
 
 
@@ -119,46 +150,79 @@ def _efficiency(model: ReducedBat[Bat], ball: Ball, from_tip: Array, speed: floa
     return np.interp(from_tip, from_tip[known], done.collision_efficiency[known])
 
 
-def _off_centre(model: ReducedBat[Bat], ball: Ball) -> tuple[Array, Array, Array, Array]:
-    """Return offsets and, for every ratio of speeds, the part of exit speed kept, the deflection and its turning.
+def _off_centre(
+    model: ReducedBat[Bat], ball: Ball, places: Array, q: tuple[Array, Array]
+) -> tuple[Array, Array, Array, Array]:
+    """Return offsets, part kept, deflection, and what the deflection scatters by; shapes of `ContactTable`.
 
-    The swing has the usual tilt, the pitch the usual descent and backspin; the answers hardly depend on these.
-    A steeper swing meets the ball at a greater angle, so what leaves is turned further: by half as much again as the
-    swing, for usual speeds.
+    What is kept is a part of what q, at no closing speed and its change with that, gives a ball met in line with the
+    swing: so hits of the table are those of the collision, whatever their angle.
+
+    Parameters
+    ----------
+    q : at the places, at no closing speed and its change per m/s.
     """
     reach = ball.radius + float(model.bat.diameter_at(model.bat.length - BARREL)) / 2
     offset = np.linspace(-FARTHEST * reach, FARTHEST * reach, OFFSETS)
-    usual = priors()["attack_angle"].centre
-    speed, launch = _turned(model, ball, offset, usual)
-    middle = OFFSETS // 2
-    ends = [_turned(model, ball, np.zeros(1), usual + step)[1][:, 0] - step for step in (-STEEPER, STEEPER)]
-    return offset, speed / speed[:, middle : middle + 1], launch - usual, (ends[1] - ends[0]) / (2 * STEEPER)
+    grid: list[Array] = list(
+        np.meshgrid(priors()["attack_angle"].centre + STEEPER, places, RATIOS, offset, indexing="ij")
+    )
+    speed, launch = _turned(model, ball, grid)
+    there = BAT_SPEEDS * _arm(model, places)[:, None]
+    closing = RATIOS * BAT_SPEEDS + there
+    head_on = (q[0][:, None] + q[1][:, None] * closing) * closing + there
+    kept = np.clip(speed / np.maximum(head_on, SLOWEST)[..., None], 0.0, MOST_KEPT)
+    middle = [part[MIDDLE : MIDDLE + 1, np.argmin(np.abs(places - BARREL))][:, None] for part in grid]
+    changes = []
+    for name in SPREADS:
+        spread = fixed(f"{name}_spread")
+        ends = [_turned(model, ball, middle, {name: fixed(name) + sign * spread})[1] for sign in (-1, 1)]
+        changes.append(np.where(np.abs(np.array(ends)).max(axis=0) < MISSED, ends[1] - ends[0], 0.0)[0, 0] / 2)
+    deflection = np.where(launch < MISSED, launch - grid[0], MISSED)
+    return offset, kept, deflection, np.sqrt(np.sum(np.square(changes), axis=0))
 
 
-def _turned(model: ReducedBat[Bat], ball: Ball, offset: Array, attack: float) -> tuple[Array, Array]:
-    """Return exit speed and launch angle for every ratio of speeds and every offset, shape (ratios, offsets)."""
-    descent, count = fixed("pitch_descent"), len(offset)
-    lifting = np.array([-fixed("pitch_backspin"), 0.0, 0.0])  # of a ball that comes in along -y
-    axes = path_axes(attack, 0.0, tilt=steep_enough(fixed("swing_tilt"), attack), left=False)
-    pitch = np.repeat(RATIOS * BAT_SPEED, count)[:, None] * np.array([0.0, -math.cos(descent), -math.sin(descent)])
+def _turned(
+    model: ReducedBat[Bat], ball: Ball, grid: list[Array], other: dict[str, float] | None = None
+) -> tuple[Array, Array]:
+    """Return exit speed and launch angle, `MISSED` without a hit, for attack angles, places, ratios and offsets.
+
+    The swing has the usual tilt, the pitch the usual descent and backspin but for what ``other`` says; off a tee
+    there is neither.
+    """
+    attack, place, ratio, above = (part.ravel() for part in grid)
+    usual = {name: fixed(name) for name in SPREADS} | (other or {})
+    bat_speed = np.interp(ratio, RATIOS, BAT_SPEEDS)
+    lifting = np.array([-usual["pitch_backspin"], 0.0, 0.0])  # of a ball that comes in along -y
+    axes = path_axes(attack, 0.0, tilt=steep_enough(usual["swing_tilt"], attack), left=False)
+    ahead = np.array([0.0, -math.cos(usual["pitch_descent"]), -math.sin(usual["pitch_descent"])])
     done = strikes(
         model,
         ball=ball,
-        swings=Swings(BAT_SPEED, axes),
-        pitches=BallMotions(velocity=pitch, spin=np.repeat(RATIOS > 0, count)[:, None] * lifting),
-        contact=Contact(model.bat.length - BARREL, np.tile(offset, len(RATIOS))),
+        swings=Swings(bat_speed * _arm(model, place), axes),
+        pitches=BallMotions(velocity=(ratio * bat_speed)[:, None] * ahead, spin=(ratio > 0)[:, None] * lifting),
+        contact=Contact(model.bat.length - place, above),
     )
-    across = np.hypot(done.velocity[:, 0], done.velocity[:, 1])
-    launch = np.arctan2(done.velocity[:, 2], across)
-    return done.exit_speed.reshape(len(RATIOS), count), launch.reshape(len(RATIOS), count)
+    out = done.velocity
+    launch = np.where(out[:, 1] > 0, np.arctan2(out[:, 2], np.hypot(out[:, 0], out[:, 1])), MISSED)
+    shape = grid[0].shape
+    return np.nan_to_num(done.exit_speed).reshape(shape), launch.reshape(shape)
 
 
+def _arm(model: ReducedBat[Bat], place: Array) -> Array:
+    """Return bat speed at places, m from the tip, over that where it is measured."""
+    arm = model.bat.length - model.bat.choke
+    return np.asarray((arm - place) / (arm - MEASURED))
+
+
+@lru_cache(maxsize=KEPT_TABLES)
 def farthest_offset(table: ContactTable) -> float:
     """Return the largest offset in m of a hit that is counted: up to it, every inch turns the ball further.
 
-    Beyond it the ball is only grazed and goes foul; files of batted balls do not hold it.
+    Beyond it the ball is only grazed.
     """
     ends = []
-    for row in table.deflection:
-        ends += [table.offset[int(np.argmax(row))], -table.offset[int(np.argmin(row))]]
+    for row in table.usual[1]:
+        hit = np.where(row < MISSED, row, 0.0)
+        ends += [table.offset[int(np.argmax(hit))], -table.offset[int(np.argmin(hit))]]
     return float(min(ends))

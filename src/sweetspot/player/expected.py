@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from sweetspot.numerics.arrays import Array
-from sweetspot.player.contact_tables import RATIOS, ContactTable, farthest_offset
+from sweetspot.player.contact_tables import MIDDLE, RATIOS, ContactTable, farthest_offset
 from sweetspot.player.gain_kernel import CARRY, LINE, SPEED, BatInHand, CarryGrid, Scattered, Wanted, fill_gains
 from sweetspot.player.goal import CarryTable, Goal
 from sweetspot.player.model import PlayerModel, speed_ratio
@@ -117,7 +117,8 @@ class Expectation:
             farthest=farthest_offset(own), place_step=float(table.from_tip[1] - table.from_tip[0]),
             efficiency=table.efficiency, efficiency_slope=table.efficiency_slope, offset_start=float(table.offset[0]),
             offset_step=float(table.offset[1] - table.offset[0]), ratio_start=float(RATIOS[0]),
-            ratio_step=float(RATIOS[1] - RATIOS[0]), kept=table.kept,
+            ratio_step=float(RATIOS[1] - RATIOS[0]), kept_step=float(table.places[1] - table.places[0]),
+            kept=table.kept[MIDDLE], barrel=table.barrel,
         )  # fmt: skip
 
     def _wanted(self) -> Wanted:

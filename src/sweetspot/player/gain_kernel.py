@@ -12,6 +12,8 @@ SPEED, CARRY, LINE = 0, 1, 2
 """What is gained: exit speed, carry, or whether a line is passed."""
 INSIDE = 1.000001
 """The last place of a grid that has a neighbour is so many steps before its end."""
+LEAST_KEPT = 0.1
+"""Of the exit speed at the barrel: less is kept by grazing hits alone."""
 SLOWEST = 1.0
 """m/s of the bat, below which pitch over bat speed is not followed."""
 
@@ -27,7 +29,9 @@ class BatInHand(NamedTuple):
     efficiency, efficiency_slope : (places,).
     offset_start, offset_step : m.
     ratio_start, ratio_step : of pitch speed over bat speed.
-    kept : (ratios, offsets).
+    kept_step : m between the places of the next.
+    kept : (places, ratios, offsets).
+    barrel : which of these places the carries are made for.
     """
 
     arm: float
@@ -41,7 +45,9 @@ class BatInHand(NamedTuple):
     offset_step: float
     ratio_start: float
     ratio_step: float
+    kept_step: float
     kept: Array
+    barrel: int
 
 
 class CarryGrid(NamedTuple):
@@ -106,6 +112,14 @@ def _bracket(at: float, count: int) -> tuple[int, float]:
     return low, inside - low
 
 
+@compiled(nogil=True, inline="always", error_model="numpy")
+def _kept(table: Array, i: int, down: float, j: int, side: float) -> float:
+    """Return the straight line between four neighbours of a table of ratios and offsets."""
+    left = table[i, j] * (1 - down) + table[i + 1, j] * down
+    right = table[i, j + 1] * (1 - down) + table[i + 1, j + 1] * down
+    return float(left * (1 - side) + right * side)
+
+
 @compiled(nogil=True, error_model="numpy")
 def _carry(grid: CarryGrid, exit_speed: float, offset: float, attack: float) -> float:
     """Return the carry of a hit, straight lines between the grids; beyond a grid its end counts."""
@@ -157,16 +171,18 @@ def fill_gains(bat: BatInHand, wanted: Wanted, swings: Scattered, pitch: float, 
             still = bat.efficiency[low] + part * (bat.efficiency[low + 1] - bat.efficiency[low])
             rise = bat.efficiency_slope[low] + part * (bat.efficiency_slope[low + 1] - bat.efficiency_slope[low])
             head_on = max((still + swings.shift[row] + closing * rise) * closing + there, 0.0)
+            ratio = pitch / max(speed, SLOWEST)
+            i, down = _bracket((ratio - bat.ratio_start) * per_ratio, bat.kept.shape[1])
+            j, side = _bracket((above - bat.offset_start) * per_offset, bat.kept.shape[2])
+            k, along = _bracket(place / bat.kept_step, bat.kept.shape[0])
+            here = (1 - along) * _kept(bat.kept[k], i, down, j, side) + along * _kept(bat.kept[k + 1], i, down, j, side)
             if wanted.kind == SPEED:
-                ratio = pitch / max(speed, SLOWEST)
-                i, down = _bracket((ratio - bat.ratio_start) * per_ratio, bat.kept.shape[0])
-                j, side = _bracket((above - bat.offset_start) * per_offset, bat.kept.shape[1])
-                left = bat.kept[i, j] * (1 - down) + bat.kept[i + 1, j] * down
-                right = bat.kept[i, j + 1] * (1 - down) + bat.kept[i + 1, j + 1] * down
-                total += head_on * (left * (1 - side) + right * side)
+                total += head_on * here
                 continue
             attack = swings.attack[row] + swings.attack_spread * swings.normal[3, row, one]
-            carry = _carry(wanted.grid, head_on, above, attack)
+            # the carries are those of hits at the barrel, that keep another part
+            usual = _kept(bat.kept[bat.barrel], i, down, j, side)
+            carry = _carry(wanted.grid, head_on * here / max(usual, LEAST_KEPT), above, attack)
             if wanted.kind == CARRY:
                 total += carry
             else:

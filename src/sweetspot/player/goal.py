@@ -18,7 +18,7 @@ from sweetspot.flight.kernel import flights
 from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.motion.swing_path import Swings, path_axes, steep_enough
 from sweetspot.numerics.arrays import Array
-from sweetspot.player.contact_tables import BARREL, BAT_SPEED
+from sweetspot.player.contact_tables import BARREL
 from sweetspot.player.gain_kernel import CarryGrid, fill_carries
 from sweetspot.player.model import PlayerModel
 from sweetspot.player.prior import fixed
@@ -29,6 +29,8 @@ HEIGHT, FORWARD = 0.9, 0.5
 """m above the ground and in front of the plate's tip where the ball is met."""
 SPEEDS = np.linspace(0.0, 62.0, 17)
 """m/s of head-on exit speed."""
+BAT_SPEED = 31.0
+"""m/s at the barrel, of the hits that are flown."""
 OFFSET_COUNT = 53
 ATTACKS = np.radians(np.linspace(-20.0, 40.0, 13))
 SHORTEST_LINE, LONGEST_LINE = 10.0, 200.0
@@ -86,7 +88,8 @@ class CarryTable:
     def grid(self) -> CarryGrid:
         """The table as compiled code reads it."""
         grids = (self.exit_speed, self.offset, self.attack_angle)
-        first, second = np.array([grid[:2] for grid in grids]).T
+        # whole rows, as that of exit speeds: for columns of an array `fill_gains` would be compiled anew
+        first, second = (np.array([grid[at] for grid in grids]) for at in (0, 1))
         return CarryGrid(first, second - first, self.carry)
 
 

@@ -1,10 +1,10 @@
-"""Draws from a player's posterior in a fraction of a second: Laplace's normal, then importance sampling about it.
+"""Draws from a player's posterior in a fraction of a second: Laplace's normals, then importance sampling about them.
 
-From the likeliest parameters and the curvature there (Laplace) begins a mixture of two wide-tailed normals, the second
-with the contact point on the other side of the bat's best place. The mixture is fitted to the weighted draws, round by
-round [cappe2008]. No draw is thrown away: each is weighted by how likely it is against how often the mixtures of all
-rounds together give it [cornuet2012]. Their effective number says when that is enough; `posterior.fit_player` walks
-where it never is.
+From the likeliest parameters and the curvature there (Laplace) begins a mixture of wide-tailed normals side by side
+along the contact point, which swings tell worst: it has two sides, and what else is likely bends with it. The mixture
+is fitted to the weighted draws, round by round [cappe2008]. No draw is thrown away: each is weighted by how likely it
+is against how often the mixtures of all rounds together give it [cornuet2012]. Their effective number says when that is
+enough; `posterior.fit_player` walks where it never is.
 """
 
 from __future__ import annotations
@@ -14,18 +14,24 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.arrays import Array, IntArray
 
-ROUNDS, MOST_ROUNDS, DRAWS = 3, 8, 600
+ROUNDS, MOST_ROUNDS, DRAWS = 3, 10, 600
 """Rounds of draws at least and at most, and how many draws in each."""
 GOOD = 300.0
 """Effective draws at which the rounds end."""
-FREEDOM = 3.0
+FREEDOM = 5.0
 """Degrees of freedom of the wide tails."""
-WIDER = 1.25
+WIDER = 1.6
 """Times the variance that the draws are wider than what was found."""
-LEAST_SHARE = 0.08
-"""Of either part of the mixture."""
+LEAST_SHARE = 0.05
+"""Of any part of the mixture."""
+TAIL = 1.0
+"""How far below the others, in standard deviations of the prior, the parts lie that reach into a long tail."""
+RIDGE_STEP, RIDGE_REACH = 1.0, 3.0
+"""Between the parts of the mixture, and how far they go, in standard deviations of the prior."""
+CLIMBS, CLIMB_PARTS, LONGEST_CLIMB = 2, (1.0, 0.4), 1.5
+"""Newton's steps to where the others are likeliest, what parts of each are tried, and how long one may be."""
 HEAVIEST = 0.02
 """Most that one draw may weigh while the mixture is fitted to them."""
 KEPT = 0.1
@@ -38,12 +44,17 @@ Density = Callable[[Array], Array]
 
 
 @dataclass(frozen=True)
-class Part:
-    """One part of the mixture: share, place, shape (n,), and covariance, shape (n, n)."""
+class Mixture:
+    """Wide-tailed normals of one covariance: shares, shape (parts,), places, shape (parts, n), and (n, n)."""
 
-    share: float
-    place: Array
+    shares: Array
+    places: Array
     covariance: Array
+
+    @property
+    def root(self) -> Array:
+        """Lower triangle whose square is the covariance that draws are taken with."""
+        return np.asarray(np.linalg.cholesky(WIDER * self.covariance), float)
 
 
 @dataclass(frozen=True)
@@ -61,7 +72,7 @@ class Weighted:
     draws: Array
     weights: Array
     heights: Array
-    mixtures: tuple[list[Part], ...]
+    mixtures: tuple[Mixture, ...]
 
     @property
     def effective(self) -> float:
@@ -69,24 +80,25 @@ class Weighted:
         return float(1 / np.sum(self.weights**2))
 
 
-def importance_draws(log_density: Density, *, other_side: Callable[[Array], Array], size: int, seed: int) -> Weighted:
+def importance_draws(log_density: Density, *, along: int, skewed: int, size: int, seed: int) -> Weighted:
     """Return weighted draws of a density of ``size`` parameters that a standard normal is the scale of.
 
     Parameters
     ----------
     log_density : of rows of parameters, shape (rows, size) to (rows,), up to a constant; -inf where not allowed.
-    other_side : gives the place whose density may be about as high as that of the highest.
+    along : which parameter the density may be bent along, or have several hills along.
+    skewed : which other one it may have a long tail below.
+    size : three or more, for the others are free.
 
     >>> log_density = lambda rows: -0.5 * ((rows - 1) ** 2).sum(axis=1)
-    >>> drawn = importance_draws(log_density, other_side=lambda place: -place, size=2, seed=1)
+    >>> drawn = importance_draws(log_density, along=0, skewed=1, size=3, seed=1)
     >>> bool(np.all(abs(drawn.weights @ drawn.draws - 1) < 0.1)), drawn.effective > 500
     (True, True)
     """
     place = highest(log_density, np.zeros(size))
-    covariance = _covariance(log_density, place)
-    parts = [Part(0.75, place, covariance), Part(0.25, other_side(place), covariance)]
+    mixture = _ridge(log_density, place, _precision(log_density, place), along, skewed)
     nothing = Weighted(np.empty((0, size)), np.empty(0), np.empty(0), ())
-    return _drawn_on(nothing, parts, log_density, rounds=ROUNDS, seed=seed)
+    return _drawn_on(nothing, mixture, log_density, rounds=ROUNDS, seed=seed)
 
 
 def drawn_further(known: Weighted, heights: Array, log_density: Density, *, seed: int) -> Weighted:
@@ -101,29 +113,29 @@ def drawn_further(known: Weighted, heights: Array, log_density: Density, *, seed
     again = _weighted(known.draws, heights, known.mixtures)
     if again.effective > GOOD:
         return again
-    return _drawn_on(again, _fitted(list(known.mixtures[-1]), again), log_density, rounds=1, seed=seed)
+    return _drawn_on(again, _fitted(known.mixtures[-1], again), log_density, rounds=1, seed=seed)
 
 
-def _drawn_on(known: Weighted, parts: list[Part], log_density: Density, *, rounds: int, seed: int) -> Weighted:
+def _drawn_on(known: Weighted, mixture: Mixture, log_density: Density, *, rounds: int, seed: int) -> Weighted:
     """Return draws with so many rounds at least beyond those known, begun with a mixture, until enough count."""
     generator = np.random.default_rng(seed)
     weighted = known
     for turn in range(1, MOST_ROUNDS + 1):
-        fresh = _drawn(parts, DRAWS, generator)
+        fresh = _drawn(mixture, DRAWS, generator)
         weighted = _weighted(
             np.concatenate([weighted.draws, fresh]),
             np.concatenate([weighted.heights, log_density(fresh)]),
-            (*weighted.mixtures, parts),
+            (*weighted.mixtures, mixture),
         )
         if turn >= rounds and weighted.effective > GOOD:
             break
-        parts = _fitted(parts, weighted)
+        mixture = _fitted(mixture, weighted)
     return weighted
 
 
-def _weighted(draws: Array, heights: Array, mixtures: tuple[list[Part], ...]) -> Weighted:
+def _weighted(draws: Array, heights: Array, mixtures: tuple[Mixture, ...]) -> Weighted:
     """Return draws weighted by the density, whose logarithms are given, over the mean of all rounds' mixtures."""
-    often = np.logaddexp.reduce(np.concatenate([_log_parts(parts, draws) for parts in mixtures]), axis=0)
+    often = np.logaddexp.reduce(np.concatenate([_log_parts(mixture, draws) for mixture in mixtures]), axis=0)
     log_weight = heights - often
     weights = np.exp(log_weight - log_weight.max())
     return Weighted(draws, weights / weights.sum(), heights, mixtures)
@@ -136,74 +148,109 @@ def highest(log_density: Density, start: Array) -> Array:
     steps = GRADIENT_STEP * np.eye(len(start))
 
     def low(place: Array) -> tuple[float, Array]:
-        rows = np.concatenate([place[None], place + steps, place - steps])
-        values = np.nan_to_num(-log_density(rows), nan=1e6, posinf=1e6)
-        size = len(start)
-        return float(values[0]), (values[1 : size + 1] - values[size + 1 :]) / (2 * GRADIENT_STEP)
+        values = np.nan_to_num(-log_density(np.concatenate([place[None], place + steps])), nan=1e6, posinf=1e6)
+        return float(values[0]), (values[1:] - values[0]) / GRADIENT_STEP
 
     minimum = minimize(low, start, jac=True, method="BFGS", options={"gtol": 0.05, "maxiter": 40})
     return np.asarray(minimum.x)
 
 
-def _covariance(log_density: Density, place: Array) -> Array:
-    """Return the inverse of the curvature at a place, no direction wider than about the prior."""
+def _precision(log_density: Density, place: Array) -> Array:
+    """Return less the matrix of second derivatives at a place, no direction flatter than about the prior."""
     size = len(place)
     steps = CURVATURE_STEP * np.eye(size)
     first, second = np.tril_indices(size, -1)
-    rows = [place[None], place + steps, place - steps, place + steps[first] + steps[second],
-            place - steps[first] - steps[second]]  # fmt: skip
+    rows = [place[None], place + steps, place - steps, place + steps[first] + steps[second]]
     values = -log_density(np.concatenate(rows))
     middle, ahead, behind = values[0], values[1 : size + 1], values[size + 1 : 2 * size + 1]
     curvature = np.diag(ahead + behind - 2 * middle)
-    both = values[2 * size + 1 :].reshape(2, -1).sum(axis=0) + 2 * middle
-    curvature[first, second] = curvature[second, first] = (
-        both - ahead[first] - behind[first] - ahead[second] - behind[second]
-    ) / 2
+    both = values[2 * size + 1 :] + middle
+    curvature[first, second] = curvature[second, first] = both - ahead[first] - ahead[second]
     scale, axes = np.linalg.eigh(np.nan_to_num(curvature / CURVATURE_STEP**2, posinf=1.0, neginf=1.0))
-    return np.asarray((axes / np.clip(scale, FLATTEST, None)) @ axes.T)
+    return np.asarray((axes * np.clip(scale, FLATTEST, None)) @ axes.T)
 
 
-def _drawn(parts: list[Part], count: int, generator: np.random.Generator) -> Array:
+def _ridge(log_density: Density, place: Array, curvature: Array, along: int, skewed: int) -> Mixture:
+    """Return normals side by side along one parameter, each where the others are likeliest, and as likely as there.
+
+    As many lie below them in the skewed parameter. All have one covariance: that of the others at the highest place,
+    where the one parameter is held.
+    """
+    rest = np.delete(np.arange(len(place)), along)
+    within = np.asarray(np.linalg.inv(curvature[np.ix_(rest, rest)]), float)
+    nodes = np.arange(-RIDGE_REACH, RIDGE_REACH + RIDGE_STEP / 2, RIDGE_STEP)
+    places = np.tile(place, (len(nodes) + 1, 1))
+    places[1:, along] = nodes
+    places, heights = _climbed(log_density, places, rest, within)
+    lower = places.copy()
+    lower[:, skewed] -= TAIL
+    free = rest[rest != skewed]
+    alone = np.asarray(np.linalg.inv(curvature[np.ix_(free, free)]), float)
+    lower, below = _climbed(log_density, lower, free, alone)
+    places, heights = np.concatenate([places, lower]), np.concatenate([heights, below])
+    covariance = np.zeros_like(curvature)
+    covariance[np.ix_(rest, rest)] = within
+    covariance[along, along] = min(np.linalg.inv(curvature)[along, along], (RIDGE_STEP / 2) ** 2)
+    shares = np.exp(heights - heights.max())
+    shares = np.maximum(shares / shares.sum(), LEAST_SHARE)
+    return Mixture(shares / shares.sum(), places, covariance)
+
+
+def _climbed(log_density: Density, places: Array, rest: IntArray, within: Array) -> tuple[Array, Array]:
+    """Return places moved to where the density is higher, some parameters free, and its logarithms there.
+
+    Newton's steps with one curvature for all places, whose inverse is ``within``; the best part of each is taken.
+    """
+    count, size = places.shape
+    every, steps = np.arange(count), GRADIENT_STEP * np.eye(size)[rest]
+    heights = log_density(places)
+    for _ in range(CLIMBS):
+        ahead = log_density((places[:, None] + steps).reshape(-1, size)).reshape(count, -1)
+        slope = np.nan_to_num((ahead - heights[:, None]) / GRADIENT_STEP, posinf=0.0, neginf=0.0)
+        move = slope @ within
+        move *= np.minimum(1.0, LONGEST_CLIMB / np.maximum(np.abs(move).max(axis=1), GRADIENT_STEP))[:, None]
+        tried = np.repeat(places[:, None], 1 + len(CLIMB_PARTS), axis=1)
+        tried[:, 1:, rest] += np.array(CLIMB_PARTS)[:, None] * move[:, None]
+        fresh = log_density(tried[:, 1:].reshape(-1, size)).reshape(count, -1)
+        values = np.concatenate([heights[:, None], fresh], axis=1)
+        best = np.argmax(values, axis=1)
+        places, heights = tried[every, best], values[every, best]
+    return places, heights
+
+
+def _drawn(mixture: Mixture, count: int, generator: np.random.Generator) -> Array:
     """Return draws of the mixture of wide-tailed normals, shape (count, n)."""
-    size = len(parts[0].place)
-    which = generator.choice(len(parts), count, p=[part.share for part in parts])
-    normal = generator.standard_normal((count, size))
+    which = generator.choice(len(mixture.shares), count, p=mixture.shares)
+    normal = generator.standard_normal((count, mixture.places.shape[1]))
     normal /= np.sqrt(generator.chisquare(FREEDOM, count) / FREEDOM)[:, None]
-    draws = np.empty((count, size))
-    for index, part in enumerate(parts):
-        mine = which == index
-        draws[mine] = part.place + normal[mine] @ np.linalg.cholesky(WIDER * part.covariance).T
-    return draws
+    return np.asarray(mixture.places[which] + normal @ mixture.root.T)
 
 
-def _log_parts(parts: list[Part], draws: Array) -> Array:
+def _log_parts(mixture: Mixture, draws: Array) -> Array:
     """Return the logarithm of share times density of each part, shape (parts, draws), up to a constant."""
-    logs = []
-    for part in parts:
-        root = np.linalg.cholesky(WIDER * part.covariance)
-        square = np.sum(np.linalg.solve(root, (draws - part.place).T) ** 2, axis=0)
-        size = len(part.place)
-        logs.append(
-            np.log(part.share) - np.log(np.diag(root)).sum() - (FREEDOM + size) / 2 * np.log1p(square / FREEDOM)
-        )
-    return np.array(logs)
+    root, size = mixture.root, draws.shape[1]
+    straight = np.linalg.inv(root).T
+    apart = (draws @ straight)[None] - (mixture.places @ straight)[:, None]
+    square = np.einsum("pdn,pdn->pd", apart, apart)
+    least = np.log(mixture.shares) - np.log(np.diag(root)).sum()
+    return np.asarray(least[:, None] - (FREEDOM + size) / 2 * np.log1p(square / FREEDOM))
 
 
-def _fitted(parts: list[Part], weighted: Weighted) -> list[Part]:
-    """Return the mixture moved to where the weighted draws are; a part that few of them belong to stays."""
-    logs = _log_parts(parts, weighted.draws)
+def _fitted(mixture: Mixture, weighted: Weighted) -> Mixture:
+    """Return the mixture moved to where the weighted draws are; a part that few of them belong to stays.
+
+    One covariance for all: of few draws a part's own would be too narrow.
+    """
+    logs, draws = _log_parts(mixture, weighted.draws), weighted.draws
     belongs = np.exp(logs - np.logaddexp.reduce(logs, axis=0))
     weights = np.minimum(weighted.weights, HEAVIEST)
-    weights = weights / weights.sum()
-    moved = []
-    for part, mine in zip(parts, belongs * weights, strict=True):
-        share = float(mine.sum())
-        if share < LEAST_SHARE / 4:
-            moved.append(Part(LEAST_SHARE, part.place, part.covariance))
-            continue
-        place = mine @ weighted.draws / share
-        apart = weighted.draws - place
-        covariance = (apart * mine[:, None]).T @ apart / share
-        moved.append(Part(max(share, LEAST_SHARE), place, (1 - KEPT) * covariance + KEPT * part.covariance))
-    total = sum(part.share for part in moved)
-    return [Part(part.share / total, part.place, part.covariance) for part in moved]
+    mine = belongs * (weights / weights.sum())
+    shares = mine.sum(axis=1)
+    moved = (mine @ draws) / np.maximum(shares, np.finfo(float).tiny)[:, None]
+    places = np.where(shares[:, None] > LEAST_SHARE / 2, moved, mixture.places)
+    covariance = KEPT * mixture.covariance
+    for place, belonging in zip(places, mine, strict=True):
+        apart = draws - place
+        covariance = covariance + (1 - KEPT) * (apart * belonging[:, None]).T @ apart
+    shares = np.maximum(shares, LEAST_SHARE)
+    return Mixture(shares / shares.sum(), places, covariance)

@@ -32,7 +32,7 @@ LEANING = 5.0
 """As many players as the other half is worth when a league's spread is learned. Our choice."""
 MODEL_DOUBT = 0.3
 """What a league's mean may be off by because the model is, alike for all players, in deviations of the prior:
-0.28 for the place, 0.22 for its scatter and 0.29 for the height of players made by full collisions."""
+up to 0.29 of players made by full collisions before the tables knew the place, 0.08 now (docs/theory/player.md)."""
 TELLS = 0.1
 """Precision, where the prior's is 1, below which a direction is taken as one that a player's swings do not tell."""
 

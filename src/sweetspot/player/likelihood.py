@@ -1,8 +1,9 @@
 """How likely a player's swings are under given parameters, compiled.
 
 Bat speed is normal about the player's mean for that bat; position and offset are normal about theirs. What was not
-measured in a swing is summed over: position on a grid, offset by Gauss and Hermite's points, or on a grid where the
-launch angle was not measured either, bat speed exactly, for exit speed is a straight line in it.
+measured in a swing is summed over: position on a grid, offset at the points that its launch angle leaves
+(`off_centre`), bat speed exactly, for exit speed is a straight line in it. Hits are those that leave within a range of
+launch angles; how likely that is under the parameters is divided by.
 """
 
 from __future__ import annotations
@@ -11,17 +12,22 @@ import math
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.kernel_cache import compiled
 from sweetspot.numerics.vector_math import exp
+from sweetspot.player.off_centre import POINTS, UNTOLD_EVERY, OffsetPoints
 
-GRID_REACH = 4.0
-"""Standard deviations of the scatter to either side of its mean that are summed over."""
-NEAR_POINTS, FAR_POINTS = 2, 8
-"""Offsets summed over when the launch angle was measured, and when not."""
+GRID_REACH = 4.5
+"""Standard deviations of the scatter to either side of its mean that are summed over: there a place weighs less than a
+wrong reading does, so that the likelihood has no step where a place is no longer summed over."""
 WRONG, WRONG_RANGE = 0.01, 60.0
 """Part of the exit speeds taken as wrong readings, spread evenly over this many m/s, so that one cannot rule."""
+COUNTED = 0.9
+"""What a hit counts, beside bat speed, attack angle and position that were measured themselves: less than one, for hits
+of other simulators and of the field scatter in more than the model's noise. Set on 200 made-up players and shown on
+others (docs/theory/player.md)."""
 LANES = 8
 """Places are summed in whole eights, the last ones with no weight: what is left over would be done one by one."""
 TINY = 1e-300
@@ -34,19 +40,21 @@ class Table(NamedTuple):
     Parameters
     ----------
     bat_speed, exit_speed, pitch_speed, attack_angle, position : (n,) SI.
-    offset : (n,) m, worked back from launch and attack angle (the usual attack angle where it was not measured).
-    offset_noise : (n,) m, standard deviation of that.
-    offset_slope : (n,) m per rad of attack angle; 0 where it was measured.
+    hit : (n,) whether more than the bat speed of the swing counts.
     bat : (n,) which bat, an index into the next three.
     efficiency, efficiency_slope : (bats, places) at the places of the grid.
     arm : (bats, places) bat speed at every place over that where bat speed is measured.
-    kept : (n, offsets) part of the exit speed left.
-    place_start, place_step, offset_start, offset_step : of the two grids, m.
-    farthest : (bats,) m, the largest offset of a hit that is counted.
+    points : what the launch angles say of the offsets, at these places.
+    untold : (n,) which row of the next, for hits without a launch or attack angle; -1 for others.
+    untold_kept : (rows, every `UNTOLD_EVERY` th offset, places) part of the head-on exit speed that is left there.
+    untold_variance : of that, same shape.
+    place_start, place_step : of the places, m.
+    selected : (bats, attacks, places, offsets) part of the balls met so that count as hits.
+    selected_step : m between these places.
+    attack_start, attack_step : of these mean attack angles, less the usual one, rad.
+    offset_start, offset_step : (bats,) of these offsets, m.
     constants : measuring error of bat speed and of position, spread of the attack angle, usual attack angle; part of
         the swings that are slow, by how much and with what spread; what the tabled hit is off by.
-    near, near_weights : points of Gauss and Hermite, in standard deviations.
-    far : m, sizes of offsets for hits without a launch angle.
     """
 
     bat_speed: Array
@@ -54,23 +62,24 @@ class Table(NamedTuple):
     pitch_speed: Array
     attack_angle: Array
     position: Array
-    offset: Array
-    offset_noise: Array
-    offset_slope: Array
+    hit: NDArray[np.bool_]
     bat: IntArray
     efficiency: Array
     efficiency_slope: Array
     arm: Array
-    kept: Array
+    points: OffsetPoints
+    untold: IntArray
+    untold_kept: Array
+    untold_variance: Array
     place_start: float
     place_step: float
-    offset_start: float
-    offset_step: float
-    farthest: Array
+    selected: Array
+    selected_step: float
+    attack_start: float
+    attack_step: float
+    offset_start: Array
+    offset_step: Array
     constants: Array
-    near: Array
-    near_weights: Array
-    far: Array
 
 
 @compiled(nogil=True)
@@ -112,18 +121,68 @@ def swung(
 
 
 @compiled(nogil=True)
-def within(mean: float, spread: float, limit: float) -> float:
-    """Return the part of a normal distribution that lies between -limit and limit."""
-    root = math.sqrt(2.0) * spread
-    return max(0.5 * (math.erf((limit - mean) / root) + math.erf((limit + mean) / root)), 1e-6)
+def _rows_at(table: Table, bat: int, steeper: float) -> tuple[Array, Array, float]:
+    """Return the parts of hits at the two tabled mean attack angles about one, and how far it lies between them."""
+    rows = table.selected[bat]
+    at = min(max((steeper - table.attack_start) / table.attack_step, 0.0), len(rows) - 1.000001)
+    index = int(at)
+    return rows[index], rows[index + 1], at - index
 
 
 @compiled(nogil=True)
-def table_value(values: Array, start: float, step: float, place: float) -> float:
-    """Return the straight line between neighbours of an even table; beyond its ends their value."""
-    at = min(max((place - start) / step, 0.0), len(values) - 1.000001)
-    index = int(at)
-    return float(values[index] + (at - index) * (values[index + 1] - values[index]))
+def fill_hits(hits: Array, weight: Array, table: Table, bat: int, parameters: Array, steeper: float) -> float:
+    """Fill what part of the balls met at every tabled offset are hits; return how likely a hit is.
+
+    Parameters
+    ----------
+    hits : (offsets,).
+    weight : (places,) of `Table.selected`, room to work in.
+    parameters : (10,) SI.
+    steeper : mean attack angle beyond the usual one, rad.
+    """
+    less, more, up = _rows_at(table, bat, steeper)
+    first, last = fill_weights(weight, table.place_start, table.selected_step, parameters[3], parameters[4] ** 2)
+    hits[:] = 0.0
+    for j in range(first, last):
+        for k in range(len(hits)):
+            hits[k] += weight[j] * (less[j, k] + up * (more[j, k] - less[j, k]))
+    start, step, total = table.offset_start[bat], table.offset_step[bat], 0.0
+    for k in range(len(hits)):
+        total += hits[k] * math.exp(-0.5 * ((start + k * step - parameters[5]) / parameters[6]) ** 2)
+    return float(max(total * step / (parameters[6] * ROOT_TWO_PI), 1e-6))
+
+
+@compiled(nogil=True)
+def fill_untold(share: Array, weight: Array, table: Table, bat: int, parameters: Array, steeper: float) -> None:
+    """Fill how often hits are met at every `UNTOLD_EVERY` th tabled offset over how often places are: they add to one.
+
+    Towards tip and handle more balls leave too steeply for a hit, so a hit without a launch angle tells of its place.
+    They are normalised as they stand: were they the density itself, a law of offsets that is narrower than the steps
+    between them would make any swings as likely as one likes.
+
+    Parameters
+    ----------
+    share : (offsets, places).
+    weight : (places,) which add to one.
+    parameters : (10,) SI.
+    steeper : mean attack angle beyond the usual one, rad.
+    """
+    less, more, up = _rows_at(table, bat, steeper)
+    total, spread = 0.0, parameters[6]
+    for k in range(len(share)):
+        offset = table.offset_start[bat] + k * UNTOLD_EVERY * table.offset_step[bat]
+        often = math.exp(-0.5 * ((offset - parameters[5]) / spread) ** 2)
+        for j in range(len(weight)):
+            place = min(j * table.place_step / table.selected_step, less.shape[0] - 1.000001)
+            low = int(place)
+            part, column = place - low, k * UNTOLD_EVERY
+            near = less[low, column] + up * (more[low, column] - less[low, column])
+            far = less[low + 1, column] + up * (more[low + 1, column] - less[low + 1, column])
+            share[k, j] = often * (near + part * (far - near))
+            total += weight[j] * share[k, j]
+    for k in range(len(share)):
+        for j in range(len(weight)):
+            share[k, j] /= max(total, TINY)
 
 
 @compiled(nogil=True)
@@ -143,18 +202,6 @@ def fill_weights(weight: Array, start: float, step: float, mean: float, variance
     return first, last
 
 
-@compiled(nogil=True)
-def fill_folded(weight: Array, points: Array, mean: float, spread: float) -> None:
-    """Fill the weights of offsets of either sign, which keep the same exit speed, so that they add up to 1."""
-    total = 0.0
-    for k in range(len(points)):
-        above, below = (points[k] - mean) / spread, (points[k] + mean) / spread
-        weight[k] = math.exp(-0.5 * above**2) + math.exp(-0.5 * below**2) + TINY
-        total += weight[k]
-    for k in range(len(points)):
-        weight[k] /= total
-
-
 @compiled(nogil=True, fastmath={"contract", "nsz", "reassoc"})
 def _summed(left: Array, right: Array) -> float:
     """Return the sum of products, in whatever order is fastest."""
@@ -165,32 +212,82 @@ def _summed(left: Array, right: Array) -> float:
 
 
 @compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
-def _density(
+def _fill_heights(
+    offset: Array, share: Array, mean: float, spread: float, weight: Array, part: Array, height: Array
+) -> None:
+    """Fill the logarithms of how likely one point's offsets are, place by place, and their weights.
+
+    Parameters
+    ----------
+    mean, spread : m, of the offset.
+    """
+    for j in range(len(weight)):
+        height[j] = -0.5 * ((offset[j] - mean) / spread) ** 2
+        part[j] = weight[j] * share[j]
+
+
+@compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
+def _density(out: float, kept: Array, ball_out: Array, narrow: Array, height: Array, part: Array) -> float:
+    """Return the density of an exit speed summed over places; the last two arrays are used up.
+
+    Short loops from 0 that touch few arrays: the compiler turns these into vector instructions. It must not be let to
+    reorder sums here: the exponential rounds by adding and taking away a large number.
+
+    Parameters
+    ----------
+    narrow : one over the standard deviation of exit speed at every place.
+    height, part : logarithms and weights that every place already has.
+    """
+    count = len(part)
+    for j in range(count):
+        height[j] -= 0.5 * ((out - ball_out[j] * kept[j]) * narrow[j]) ** 2
+    for j in range(count):
+        height[j] = exp(height[j])
+    for j in range(count):
+        part[j] *= narrow[j]
+    return _summed(part, height)
+
+
+@compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
+def _fill_narrow(noise: float, speed_variance: float, kept: Array, slope: Array, narrow: Array) -> None:
+    """Fill one over the standard deviation of exit speed at every place."""
+    for j in range(len(narrow)):
+        narrow[j] = 1 / math.sqrt(noise**2 + (slope[j] * kept[j]) ** 2 * speed_variance)
+
+
+@compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
+def _density_untold(
     out: float,
-    kept: float,
     noise: float,
     speed_variance: float,
+    kept: Array,
+    variance: Array,
+    share: Array,
     weight: Array,
     ball_out: Array,
     slope: Array,
     part: Array,
     narrow: Array,
+    height: Array,
 ) -> float:
-    """Return the density of an exit speed summed over places; the last two arrays are room to work in.
+    """Return the density of an exit speed summed over places and offsets, of which no launch angle tells.
 
-    Short loops from 0 that touch few arrays: the compiler turns these into vector instructions. It must not be let to
-    reorder sums here: the exponential rounds by adding and taking away a large number.
+    Parameters
+    ----------
+    kept, variance : (offsets, places), what is kept and its variance.
+    share : (offsets, places), which add to one when each counts as its place's weight.
+    part, narrow, height : room to work in.
     """
-    count = len(weight)
-    for j in range(count):
-        narrow[j] = 1 / math.sqrt(noise**2 + (slope[j] * kept) ** 2 * speed_variance)
-    for j in range(count):
-        part[j] = -0.5 * ((out - ball_out[j] * kept) * narrow[j]) ** 2
-    for j in range(count):
-        part[j] = exp(part[j])
-    for j in range(count):
-        narrow[j] *= weight[j]
-    return _summed(narrow, part)
+    total = 0.0
+    for k in range(len(share)):
+        for j in range(len(weight)):
+            height[j] = 0.0
+            part[j] = weight[j] * share[k, j]
+        for j in range(len(weight)):
+            own = (slope[j] * kept[k, j]) ** 2 * speed_variance + ball_out[j] ** 2 * variance[k, j]
+            narrow[j] = 1 / math.sqrt(noise**2 + own)
+        total += _density(out, kept[k], ball_out, narrow, height, part)
+    return total
 
 
 @compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
@@ -215,7 +312,7 @@ def _fill_ball_out(
 
 @compiled(nogil=True, fastmath={"contract", "nsz"}, error_model="numpy")
 def log_likelihoods(parameters: Array, speeds: Array, table: Table, logarithms: Array) -> None:
-    """Fill ``logarithms`` with the log-likelihood of every row of parameters.
+    """Fill ``logarithms`` with the log-likelihood of every row of parameters; hits count `COUNTED`.
 
     Parameters
     ----------
@@ -229,17 +326,20 @@ def log_likelihoods(parameters: Array, speeds: Array, table: Table, logarithms: 
     room = places + LANES
     usual_weight, own_weight = np.zeros(room), np.zeros(room)
     part, narrow, ball_out, slope = np.empty(room), np.empty(room), np.zeros(room), np.zeros(room)
-    folded = np.empty(len(table.far))
-    counted = np.empty(len(table.farthest))
+    height, counted = np.empty(room), np.empty(len(table.arm))
+    hit_weight, hits = np.empty(table.selected.shape[2]), np.empty(table.selected.shape[3])
+    untold = np.zeros((len(table.arm), -(-len(hits) // UNTOLD_EVERY), room))
     for row in range(len(parameters)):
         theta = parameters[row]
         speed_spread, centre, scatter = theta[1], theta[3], theta[4]
-        offset_mean, offset_spread, attack, shift = theta[5], theta[6], theta[7], theta[8]
+        offset_spread, attack, shift = theta[6], theta[7], theta[8]
         noise = math.sqrt(theta[9] ** 2 + model_noise**2)
-        for bat in range(len(table.farthest)):
-            counted[bat] = math.log(within(offset_mean, offset_spread, table.farthest[bat]))
-        fill_folded(folded, table.far, offset_mean, offset_spread)
+        usual_weight[:places] = 0.0
         usual = fill_weights(usual_weight[:places], table.place_start, table.place_step, centre, scatter**2)
+        for bat in range(len(counted)):
+            counted[bat] = math.log(fill_hits(hits, hit_weight, table, bat, theta, attack - usual_attack))
+            if len(table.untold_kept):
+                fill_untold(untold[bat, :, :places], usual_weight[:places], table, bat, theta, attack - usual_attack)
         total = 0.0
         for i in range(len(table.bat_speed)):
             bat, pitch, out = table.bat[i], table.pitch_speed[i], table.exit_speed[i]
@@ -248,19 +348,18 @@ def log_likelihoods(parameters: Array, speeds: Array, table: Table, logarithms: 
             total += said
             if not math.isnan(table.attack_angle[i]):
                 total += normal(table.attack_angle[i], attack, attack_spread**2)
-            told = table.offset[i] + table.offset_slope[i] * (attack - usual_attack)
-            above, above_variance = combined(told, table.offset_noise[i], offset_mean, offset_spread)
-            if not math.isnan(told):
-                total += normal(told, offset_mean, offset_spread**2 + table.offset_noise[i] ** 2) - counted[bat]
-                total += math.log(within(above, math.sqrt(above_variance), table.farthest[bat]))
             weight, first, last = usual_weight, usual[0], usual[1]
             if not math.isnan(table.position[i]):
                 total += normal(table.position[i], centre, scatter**2 + place_noise**2)
                 place, place_variance = combined(table.position[i], place_noise, centre, scatter)
                 weight = own_weight
                 first, last = fill_weights(weight[:places], table.place_start, table.place_step, place, place_variance)
-            if math.isnan(out):
+            if not table.hit[i]:
                 continue
+            whole = first + -(-(last - first) // LANES) * LANES
+            for j in range(last, whole):
+                weight[j] = 0.0
+            here = slice(first, whole)
             _fill_ball_out(
                 speed,
                 pitch,
@@ -271,25 +370,49 @@ def log_likelihoods(parameters: Array, speeds: Array, table: Table, logarithms: 
                 ball_out[first:last],
                 slope[first:last],
             )
-            whole = first + -(-(last - first) // LANES) * LANES
-            for j in range(last, whole):
-                weight[j] = 0.0
-            unknown = math.isnan(told)
-            points, weights = (table.far, folded) if unknown else (table.near, table.near_weights)
-            likelihood = 0.0
-            for k in range(len(points)):
-                height = points[k] if unknown else above + points[k] * math.sqrt(above_variance)
-                kept = table_value(table.kept[i], table.offset_start, table.offset_step, height)
-                likelihood += weights[k] * _density(
+            if table.untold[i] >= 0:
+                if math.isnan(out):
+                    continue
+                both = _density_untold(
                     out,
-                    kept,
                     noise,
                     speed_variance,
-                    weight[first:whole],
-                    ball_out[first:whole],
-                    slope[first:whole],
-                    part[first:whole],
-                    narrow[first:whole],
+                    table.untold_kept[table.untold[i], :, here],
+                    table.untold_variance[table.untold[i], :, here],
+                    untold[bat, :, here],
+                    weight[here],
+                    ball_out[here],
+                    slope[here],
+                    part[here],
+                    narrow[here],
+                    height[here],
                 )
-            total += math.log((1 - WRONG) / ROOT_TWO_PI * likelihood + WRONG / WRONG_RANGE)
+                total += COUNTED * math.log((1 - WRONG) / ROOT_TWO_PI * both + WRONG / WRONG_RANGE)
+                continue
+            angle, both = 0.0, 0.0
+            nearest = min(max(round((centre - table.place_start) / table.place_step), first), last - 1)
+            apart = math.isnan(table.bat_speed[i])
+            for k in range(POINTS):
+                _fill_heights(
+                    table.points.offset[i, k, here],
+                    table.points.share[i, k, here],
+                    theta[5],
+                    offset_spread,
+                    weight[here],
+                    part[here],
+                    height[here],
+                )
+                # at one place only: this counts where the exit speed is a wrong reading or none
+                angle += table.points.share[i, k, nearest] * math.exp(height[nearest])
+                if math.isnan(out):
+                    continue
+                # a launch angle's points lie close together: what is kept at the middle one scatters them all
+                if apart or k == 0:
+                    middle = k if apart else POINTS // 2
+                    _fill_narrow(noise, speed_variance, table.points.kept[i, middle, here], slope[here], narrow[here])
+                both += _density(
+                    out, table.points.kept[i, k, here], ball_out[here], narrow[here], height[here], part[here]
+                )
+            found = angle if math.isnan(out) else (1 - WRONG) / ROOT_TWO_PI * both + WRONG / WRONG_RANGE * angle
+            total += COUNTED * (math.log(max(found, TINY) / (ROOT_TWO_PI * offset_spread)) - counted[bat])
         logarithms[row] = total

@@ -8,28 +8,35 @@ from dataclasses import dataclass
 import numpy as np
 
 from sweetspot.analysis.certification.shots import BadRow
+from sweetspot.catalog.bats import bat_names
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
-from sweetspot.errors import InputError
+from sweetspot.errors import InputError, maybe_meant
 from sweetspot.motion.swing_law import GREATEST_EXPONENT, SwingLaw
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.threads import in_parts
-from sweetspot.player.contact_tables import OFFSETS, RATIOS, ContactTable, contact_table, farthest_offset
-from sweetspot.player.likelihood import FAR_POINTS, NEAR_POINTS, Table, log_likelihoods
+from sweetspot.player.contact_tables import ContactTable, contact_table
+from sweetspot.player.likelihood import LANES, Table, log_likelihoods
+from sweetspot.player.off_centre import (
+    MEAN_ATTACKS,
+    STEEPEST_LAUNCH,
+    OffsetPoints,
+    offset_points,
+    part_of_hits,
+    untold_kept,
+)
 from sweetspot.player.player_swing import PlayerSwing
 from sweetspot.player.prior import ANYBODY, NAMES, Population, fixed, log_prior, natural, priors
 from sweetspot.units import INCH
 
 SPEED_FROM_TIP = 6 * INCH
 """m from the tip where bat speed is measured, as Statcast does [statcast]."""
-STEEPEST = 2.0
-"""How many times the slope at the middle the change of offset with angle may be."""
-COUNTED = 0.8
-"""What a swing counts in the posterior: less than one, for swings differ from the model's in more than its noise.
-Chosen so that intervals hold the truth as often as they promise on another simulator (tools/player_coverage.py)."""
-THREADS = 2
-"""More do not make a likelihood of a few hundred swings faster."""
+PLACES_TAKEN = 2
+"""Of the tabled places every second is summed over: half an inch is well below what the scatter can be told to."""
+THREADS, WORTH_A_THREAD = 2, 2000
+"""More do not make a likelihood of a few hundred swings faster; and a thread takes as long to begin as some hundred
+swings of as many rows of parameters: it gets so many."""
 NAN = float("nan")
 
 
@@ -87,16 +94,18 @@ class PlayerModel:
         def work(part: slice) -> None:
             log_likelihoods(parameters[part], speeds[part], self.table, logarithms[part])
 
-        in_parts(work, len(parameters), size=max(1, -(-len(parameters) // THREADS)), threads=THREADS)
+        rows = len(parameters)
+        size = max(-(-rows // THREADS), WORTH_A_THREAD // len(self.swings), 1)
+        in_parts(work, rows, size=size, threads=THREADS)
         return logarithms
 
     def log_posterior(self, standard: Array, population: Population = ANYBODY) -> Array:
-        """Return the log-likelihood, `COUNTED`, plus log-prior up to a constant, -inf where the prior forbids."""
+        """Return the log-likelihood plus log-prior up to a constant, -inf where the prior forbids."""
         rows = np.atleast_2d(standard)
         logarithms = log_prior(rows, population)
         allowed = np.isfinite(logarithms)
         if allowed.any():
-            logarithms[allowed] += COUNTED * self.log_likelihood(rows[allowed])
+            logarithms[allowed] += self.log_likelihood(rows[allowed])
         return np.where(np.isnan(logarithms), -np.inf, logarithms)
 
 
@@ -187,10 +196,9 @@ def bats_of(
         except InputError as error:
             unknown[name] = " ".join(str(error).split())
     if unknown and len(names) == 1:
-        note = (
-            f"The file calls the bat {names[0]!r}, which is not known here; it is taken for the bat given with --bat."
-        )
-        return tuple(swings), {}, (), (note,)
+        called = maybe_meant(names[0], bat_names())
+        return tuple(swings), {}, (), (f"The file calls the bat {called}, which is not known here; it is taken for "
+                                       "the bat that was given.",)  # fmt: skip
     bad = tuple(BadRow(one.row, unknown[one.bat]) for one in swings if one.bat in unknown)
     good = tuple(one for one in swings if one.bat not in unknown)
     if not good:
@@ -205,62 +213,42 @@ def _table(
         return np.array([NAN if getattr(one, name) is None else getattr(one, name) for one in swings], float)
 
     pitch, bat_speed, attack = column("pitch_speed"), column("bat_speed"), column("attack_angle")
+    launch, out = column("launch_angle"), column("exit_speed")
     pitch = np.where(np.isnan(pitch), 0.0, pitch)  # only of swings that met no ball
-    usual = priors()["attack_angle"].centre
-    reference = np.where(np.isnan(bat_speed), priors()["bat_speed"].centre, bat_speed)
-    kept, deflection = _off_centre(tables, bat_of, pitch / reference)
-    first = tables[0]
-    known = ~np.isnan(attack)
-    # launch = attack + deflection(offset) + turning (attack - usual)
-    follows = 1 + np.interp(pitch / reference, RATIOS, first.turning)
-    turned = column("launch_angle") - usual - np.where(known, follows * (attack - usual), 0.0)
-    angle_noise = np.where(known, fixed("deflection_noise"),
-                           np.hypot(fixed("deflection_noise"), follows * fixed("attack_angle_spread")))  # fmt: skip
-    offset, slope = np.array(
-        [_inverse(angle, row, first.offset) for angle, row in zip(turned, deflection, strict=True)]
-    ).T
-    near, near_weights = np.polynomial.hermite_e.hermegauss(NEAR_POINTS)
-    far = (np.arange(FAR_POINTS) + 0.5) / FAR_POINTS * farthest_offset(first)
+    usual = priors()
+    ratio = pitch / np.where(np.isnan(bat_speed), usual["bat_speed"].centre, bat_speed)
+    hit = ~(np.isnan(launch) & np.isnan(out)) & ~(np.abs(launch) > STEEPEST_LAUNCH)
+    first, bat = tables[0], np.array(bat_of, np.int64)
+    place = first.from_tip[::PLACES_TAKEN]
+    met = float(np.median(ratio[hit])) if hit.any() else 0.0
+    # a launch angle without the attack angle leaves an inch of offsets open, more than a few points can stand for
+    told = hit & ~np.isnan(launch) & ~np.isnan(attack)
+    untold = hit & ~told
+    points = offset_points(tables, bat, ratio=ratio, launch=np.where(told, launch, NAN), attack=attack, places=place)
+    kept, variance = untold_kept(tables, bat[untold], ratio=ratio[untold], attack=attack[untold], places=place)
     return Table(
-        bat_speed=bat_speed, exit_speed=column("exit_speed"), pitch_speed=pitch, attack_angle=attack,
-        position=column("position"), offset=offset, offset_noise=slope * angle_noise,
-        offset_slope=np.where(known, 0.0, -follows * slope), bat=np.array(bat_of, np.int64),
-        efficiency=np.array([table.efficiency for table in tables]),
-        efficiency_slope=np.array([table.efficiency_slope for table in tables]),
-        arm=np.array([arm_ratio(table, table.from_tip, speed_from_tip=speed_from_tip) for table in tables]),
-        kept=kept, place_start=float(first.from_tip[0]), place_step=float(first.from_tip[1] - first.from_tip[0]),
-        offset_start=float(first.offset[0]), offset_step=float(first.offset[1] - first.offset[0]),
-        farthest=np.array([farthest_offset(table) for table in tables]),
+        bat_speed=bat_speed, exit_speed=out, pitch_speed=pitch, attack_angle=attack,
+        position=column("position"), hit=hit, bat=bat,
+        efficiency=np.array([table.efficiency[::PLACES_TAKEN] for table in tables]),
+        efficiency_slope=np.array([table.efficiency_slope[::PLACES_TAKEN] for table in tables]),
+        arm=np.array([arm_ratio(table, place, speed_from_tip=speed_from_tip) for table in tables]),
+        points=OffsetPoints(*map(_padded, points)),
+        untold=np.where(untold, np.cumsum(untold) - 1, -1),
+        untold_kept=_padded(kept), untold_variance=_padded(variance),
+        place_start=float(place[0]), place_step=float(place[1] - place[0]),
+        selected=np.array([part_of_hits(table, ratio=met) for table in tables]),
+        selected_step=float(first.places[1] - first.places[0]),
+        attack_start=float(MEAN_ATTACKS[0]), attack_step=float(MEAN_ATTACKS[1] - MEAN_ATTACKS[0]),
+        offset_start=np.array([table.offset[0] for table in tables]),
+        offset_step=np.array([table.offset[1] - table.offset[0] for table in tables]),
         constants=np.array([
-            fixed("bat_speed_noise"), fixed("position_noise"), fixed("attack_angle_spread"), usual,
-            fixed("slow_part"), fixed("slow_by"), fixed("slow_spread"), fixed("model_noise"),
+            fixed("bat_speed_noise"), fixed("position_noise"), fixed("attack_angle_spread"),
+            usual["attack_angle"].centre, fixed("slow_part"), fixed("slow_by"), fixed("slow_spread"),
+            fixed("model_noise"),
         ]),
-        near=near, near_weights=near_weights / near_weights.sum(), far=far,
     )  # fmt: skip
 
 
-def _off_centre(tables: Sequence[ContactTable], bat_of: Sequence[int], ratio: Array) -> tuple[Array, Array]:
-    """Return kept exit speed and deflection of every swing on the own bat's grid of offsets, shape (n, offsets)."""
-    grid = tables[0].offset
-    kept, deflection = np.empty((len(ratio), OFFSETS)), np.empty((len(ratio), OFFSETS))
-    for i, (which, value) in enumerate(zip(bat_of, ratio, strict=True)):
-        table = tables[which]
-        at = float(np.clip(np.interp(value, RATIOS, np.arange(len(RATIOS))), 0, len(RATIOS) - 1.000001))
-        low = int(at)
-        for source, target in ((table.kept, kept), (table.deflection, deflection)):
-            between = source[low] + (at - low) * (source[low + 1] - source[low])
-            target[i] = np.interp(grid, table.offset, between)
-    return kept, deflection
-
-
-def _inverse(angle: float, deflection: Array, offset: Array) -> tuple[float, float]:
-    """Return the offset in m that turns the ball so far, and its change per radian; the range's end beyond it."""
-    first, last = int(np.argmin(deflection)), int(np.argmax(deflection))
-    rising = slice(first, last + 1)
-    slope = np.gradient(offset[rising], deflection[rising])
-    central = float(np.interp(0.0, offset[rising], slope))
-    if np.isnan(angle):
-        return NAN, central
-    at = float(np.interp(angle, deflection[rising], offset[rising]))
-    # the slope near a grazing hit is endless and belongs to the noise of this angle, not to what is known of the hit
-    return at, min(float(np.interp(at, offset[rising], slope)), STEEPEST * central)
+def _padded(values: Array) -> Array:
+    """Return values, shape (n, points, places), with room behind the last place for `LANES`."""
+    return np.pad(values, ((0, 0), (0, 0), (0, LANES)))

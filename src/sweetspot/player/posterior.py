@@ -11,6 +11,7 @@ import numpy as np
 
 from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.confidence import ENDS
 from sweetspot.player.importance import Weighted, drawn_further, importance_draws
 from sweetspot.player.model import PlayerModel
 from sweetspot.player.prior import NAMES, Population, natural, prior_draws, standardised
@@ -24,7 +25,7 @@ WELL_MIXED = 1.2
 """Split R-hat up to which chains count as mixed: half a chain holds some ten independent draws, which alone gives 1.05,
 and more where the contact point has two sides [gelman_bda]."""
 ENOUGH = 200.0
-"""Independent draws from which 95 % intervals are steady to a few per cent of their width."""
+"""Independent draws from which 90 % intervals are steady to a few per cent of their width."""
 NOTHING_LEARNED = 0.85
 """Posterior over prior width above which the data cannot tell."""
 PRIOR_DRAWS = 20_000
@@ -47,7 +48,7 @@ class Learned:
     Parameters
     ----------
     name : of the parameter, one of `NAMES`.
-    interval : median and 95 % interval of the posterior, SI.
+    interval : median and 90 % interval of the posterior, SI.
     before : the same of the prior.
     width_ratio : standard deviation of the posterior over that of the prior, in the prior's own scale.
     mixing : split R-hat; 1 when all parts of all chains tell the same.
@@ -116,7 +117,11 @@ def fit_player(
     if method == "walkers":
         return walked(model, seed=seed, progress=progress)
     weighted = importance_draws(
-        model.log_posterior, other_side=lambda place: _mirrored(model, place), size=len(NAMES), seed=seed
+        model.log_posterior,
+        along=NAMES.index("position"),
+        skewed=NAMES.index("position_spread"),
+        size=len(NAMES),
+        seed=seed,
     )
     if weighted.effective < ENOUGH:
         return walked(model, seed=seed, progress=progress)
@@ -218,12 +223,12 @@ def _before() -> tuple[tuple[Interval, float], ...]:
 
 
 def interval(values: Array) -> Interval:
-    """Return median and 95 % interval of draws.
+    """Return median and 90 % interval of draws.
 
     >>> interval(np.arange(1001.0))
-    Interval(value=500.0, low=25.0, high=975.0)
+    Interval(value=500.0, low=50.0, high=950.0)
     """
-    low, middle, high = np.percentile(values, (2.5, 50, 97.5))
+    low, middle, high = np.percentile(values, [100 * ENDS[0], 50, 100 * ENDS[1]])
     return Interval(float(middle), float(low), float(high))
 
 

@@ -11,8 +11,9 @@ from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
-from sweetspot.player.contact_tables import RATIOS, ContactTable, contact_table, farthest_offset
+from sweetspot.player.contact_tables import ContactTable, contact_table
 from sweetspot.player.model import SPEED_FROM_TIP, arm_ratio, speed_ratio
+from sweetspot.player.off_centre import STEEPEST_LAUNCH, at_swings, deflection_noise
 from sweetspot.player.player_swing import PlayerSwing
 from sweetspot.player.prior import NAMES, fixed, priors
 
@@ -30,7 +31,8 @@ def simulated_swings(
     """Return swings of a player with these parameters, everything but the contact position measured.
 
     Swing by swing bat speed, position, offset and attack angle are drawn, the hit is read off the bat's table, and
-    the measuring errors are added. The bats take turns; balls that would be missed or only grazed are drawn again.
+    the measuring errors are added. The bats take turns; swings that miss, and balls that leave too steeply for a hit,
+    are drawn again.
 
     Parameters
     ----------
@@ -57,32 +59,32 @@ def _swing(
     generator: np.random.Generator,
 ) -> PlayerSwing:  # fmt: skip
     draw = generator.standard_normal
-    speed = ratio * values["bat_speed"] + values["bat_speed_spread"] * draw()
-    attack = values["attack_angle"] + fixed("attack_angle_spread") * draw()
-    place, offset = -1.0, np.inf
-    while not 0 <= place <= table.from_tip[-1]:
+    while True:
+        speed = ratio * values["bat_speed"] + values["bat_speed_spread"] * draw()
+        attack = values["attack_angle"] + fixed("attack_angle_spread") * draw()
         place = values["position"] + values["position_spread"] * draw()
-    while abs(offset) > farthest_offset(table):
         offset = values["offset"] + values["offset_spread"] * draw()
+        if not (0 <= place <= table.from_tip[-1] and abs(offset) < table.offset[-1]):
+            continue
+        steeper = attack - priors()["attack_angle"].centre
+        met = at_swings(table, np.array([pitch / speed]), np.array([steeper]), np.array([place]))
+        kept, deflection = (float(np.interp(offset, table.offset, part[0, 0])) for part in met)
+        noise = np.interp(offset, table.offset, deflection_noise(table, np.array([pitch / speed]))[0])
+        launch = attack + deflection + noise * draw()
+        if abs(launch) <= STEEPEST_LAUNCH:
+            break
     there = speed * float(arm_ratio(table, np.array(place), speed_from_tip=speed_from_tip))
     closing = pitch + there
     efficiency = np.interp(place, table.from_tip, table.efficiency) + values["efficiency_shift"]
     efficiency += closing * np.interp(place, table.from_tip, table.efficiency_slope)
-    kept, deflection = (_between(part, pitch / speed, table.offset, offset) for part in (table.kept, table.deflection))
-    turned = float(np.interp(pitch / speed, RATIOS, table.turning)) * (attack - priors()["attack_angle"].centre)
+    scatter = np.hypot(values["exit_noise"], fixed("model_noise"))
     return PlayerSwing(
         row=0,
         bat_speed=float(speed + fixed("bat_speed_noise") * draw()),
-        exit_speed=float((efficiency * closing + there) * kept + values["exit_noise"] * draw()),
+        exit_speed=float((efficiency * closing + there) * kept + scatter * draw()),
         pitch_speed=pitch,
-        launch_angle=float(attack + deflection + turned + fixed("deflection_noise") * draw()),
+        launch_angle=float(launch),
         attack_angle=float(attack),
         position=None,
         bat="",
     )
-
-
-def _between(table: Array, ratio: float, offsets: Array, offset: float) -> float:
-    """Return a value of an off-centre table, straight lines between its rows and columns."""
-    rows = np.array([np.interp(offset, offsets, row) for row in table])
-    return float(np.interp(ratio, RATIOS, rows))

@@ -6,20 +6,18 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import date
-from difflib import get_close_matches
 from pathlib import Path
 
 from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.player.columns import (
-    ALIASES,
     TEXTS,
     Column,
     Columns,
     Units,
     columns_of,
     day_of,
-    simplified,
+    maybe_a_column,
 )
 from sweetspot.player.player_swing import PlayerSwing, check_speeds, fault_of, full_swings
 from sweetspot.player.swing_table import Lines, SwingTable, open_swings
@@ -244,7 +242,7 @@ def _notes(swings: list[PlayerSwing], columns: Columns, pitch_speed: float | Non
     notes = []
     count = len(swings)
     if columns.ignored and columns.system == "plain":
-        notes.append(f"Columns not understood, and not used: {', '.join(map(_maybe_meant, columns.ignored))}.")
+        notes.append(f"Columns not understood, and not used: {', '.join(map(maybe_a_column, columns.ignored))}.")
     fouls = sum(one.foul for one in swings)
     if fouls:
         notes.append(f"{fouls} of {count} swings are fouls; of these only the bat speed is used.")
@@ -267,13 +265,6 @@ def _notes(swings: list[PlayerSwing], columns: Columns, pitch_speed: float | Non
     if "release_speed" in columns.understood and "pitch_speed" not in columns.understood:
         notes.append(f"Pitch speed at the plate is taken as {PLATE_OVER_RELEASE:.3f} of the speed at release.")
     return tuple(notes)
-
-
-def _maybe_meant(heading: str) -> str:
-    """Return the heading of a column that means nothing here, with the name that may have been meant."""
-    known = [alias for aliases in ALIASES.values() for alias in aliases]
-    close = get_close_matches(simplified(heading), known, n=1, cutoff=0.75)
-    return f"{heading!r} (did you mean {close[0]}?)" if close else repr(heading)
 
 
 def _told(quantity: str, value: float) -> str:

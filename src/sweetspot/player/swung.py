@@ -10,6 +10,7 @@ import numpy as np
 
 from sweetspot.equipment.bat import Bat
 from sweetspot.motion.swing_law import Interval
+from sweetspot.numerics.confidence import ENDS
 from sweetspot.player.model import PlayerModel
 
 FEWEST_OF_A_BAT = 3
@@ -24,7 +25,7 @@ class Swung:
     ----------
     bat : the bat.
     count : swings with it.
-    bat_speed, exit_speed : m/s, mean of its swings with its 95 % interval; None: too few were measured.
+    bat_speed, exit_speed : m/s, mean of its swings with its 90 % interval; None: too few were measured.
     """
 
     bat: Bat
@@ -49,18 +50,18 @@ def swung_bats(model: PlayerModel) -> tuple[Swung, ...]:
 
 
 def mean_with_interval(values: Sequence[float | None]) -> Interval | None:
-    """Return the mean of what was measured with its 95 % interval, None of fewer than three values.
+    """Return the mean of what was measured with its 90 % interval, None of fewer than three values.
 
     mean +- t s / sqrt(n), with Student's t of n - 1 degrees of freedom.
 
-    >>> mean_with_interval([1.0, 2.0, 3.0, None])  # t = 4.303, s = 1
-    Interval(value=2.0, low=-0.4841..., high=4.4841...)
+    >>> mean_with_interval([1.0, 2.0, 3.0, None])  # t = 2.920, s = 1
+    Interval(value=2.0, low=0.3141..., high=3.6858...)
     """
     from scipy.special import stdtrit
 
     known = np.array([value for value in values if value is not None])
     if len(known) < FEWEST_OF_A_BAT:
         return None
-    half = float(stdtrit(len(known) - 1, 0.975)) * float(known.std(ddof=1)) / math.sqrt(len(known))
+    half = float(stdtrit(len(known) - 1, ENDS[1])) * float(known.std(ddof=1)) / math.sqrt(len(known))
     middle = float(known.mean())
     return Interval(middle, middle - half, middle + half)

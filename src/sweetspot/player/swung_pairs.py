@@ -81,7 +81,7 @@ def bat_pairs(
 
 
 def difference(first: Interval | None, second: Interval | None) -> Interval | None:
-    """Return the difference of two means with its 95 % interval, None where one of them is not known.
+    """Return the difference of two means with its 90 % interval, None where one of them is not known.
 
     The half widths of the two intervals add as squares, as errors of independent means do.
 
