@@ -12,15 +12,21 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.calibration.calibrated_file import calibrated_table
-from sweetspot.calibration.measured import REACH, Measured
+from sweetspot.calibration.draws.sources import expected_deviations
+from sweetspot.calibration.implement_unknowns import as_described
+from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.posterior import Posterior, calibrate
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
+from sweetspot.catalog.files.implement import implement_from_table
+from sweetspot.catalog.files.write import bat_table
 from sweetspot.dynamics.beam import BeamModel, beam_model
 from sweetspot.dynamics.bending import bending_frequencies
 from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
+from sweetspot.numerics.confidence import REACH
 
 Run = Callable[..., tuple[int, str, str]]
 ERRORS = {"mass": 0.002, "balance_point": 0.003, "period": 0.0015, "frequency": 0.004}
@@ -85,6 +91,70 @@ def test_the_file_reads_back(name: str, tmp_path: Path) -> None:
     assert tomllib.loads(path.read_text(encoding="utf-8"))["first_frequency"]["kind"] == "measured"
 
 
+EDGES = np.array([[2.5, 0, 0, 0], [-2.5, 0, 0, 0], [2, 2, 2, 2], [-2, 2, -2, 2], [2, -2, 2, -2], [-2, -2, -2, -2]])
+"""Deviations in their spreads, of the first four unknowns: beyond them measurements contradict what is expected."""
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["tennis-racket", "badminton-racket", "cricket-bat", "golf-driver", "hockey-stick", "r161-ash", "single-wall"],
+)
+@pytest.mark.parametrize("kinds", [("mass",), ("mass", "balance_point", "period")])
+def test_whatever_is_written_reads_and_answers(name: str, kinds: tuple[str, ...]) -> None:
+    """At the edges of what is expected, and one standard deviation beyond what the measurements leave open."""
+    implement = catalog.load_implement(name)
+    line, unknowns = described(implement), unknowns_of(implement)
+    spreads = np.array([one.spread for one in unknowns])
+    wanted = [one for one in WANTED if one.kind in kinds]
+    for edge in EDGES:
+        truth = spreads * np.resize(np.append(edge, np.zeros(len(spreads))), len(spreads))
+        values = predicted(deviated(line, unknowns, truth), wanted).tolist()
+        given = [
+            Measurement(one.kind, Measured(value, ERRORS[one.kind] * value), axis=one.axis)
+            for one, value in zip(wanted, values, strict=True)
+        ]
+        posterior = calibrate(line, unknowns, given)
+        if posterior.contradictions:
+            continue
+        read = implement_from_table(calibrated_table(posterior, None), name)
+        own, body = rigid_body(posterior.line), rigid_body(beam_model(read))
+        assert (body.mass, body.balance_point, body.moi_cm) == pytest.approx((own.mass, own.balance_point, own.moi_cm))
+        again = as_described(read) if not isinstance(read, Bat) else beam_model(read)
+        for step in np.diag(np.sqrt(np.diag(posterior.covariance))):
+            for sign in (1.0, -1.0):
+                assert rigid_body(deviated(again, unknowns, sign * step)).mass > 0
+
+
+def test_what_is_not_known_of_an_uncalibrated_racket() -> None:
+    """The catalogue's is one of many; a weight and a frequency that a file gives of its own were measured."""
+    racket = catalog.load_implement("tennis-racket")
+    unknowns, covariance = expected_deviations(racket)
+    assert np.sqrt(np.diag(covariance)) == pytest.approx([one.spread for one in unknowns])
+    unknowns, covariance = expected_deviations(racket.replaced(mass=0.322, first_frequency=150.0))
+    left = dict(zip([one.name for one in unknowns], np.sqrt(np.diag(covariance)).tolist(), strict=True))
+    assert left == pytest.approx(
+        {"mass": 0.003, "balance_point": 0.04, "gyration": 0.06, "first_frequency": 0.03}, rel=0.02
+    )
+    assert expected_deviations(catalog.load_implement("table-tennis-racket"))[0] == ()
+
+
+def test_a_weight_beyond_the_usual_density_is_said(run: Run) -> None:
+    told = " ".join(run("calibrate", "hockey-stick", "--mass", "593g±3g")[1].split())
+    assert "As drawn it weighs this only at 1688 kg/m³; carbon-fibre laminate usually has 1450 to 1650 kg/m³." in told
+
+
+def test_a_calibration_written_by_hand_is_checked() -> None:
+    """Far from any density nothing is believed, nor is a drawing that no bat has."""
+    stick = catalog.load_implement("hockey-stick").replaced(calibrated=True)
+    assert rigid_body(beam_model(stick.replaced(mass=0.66, balance_point=None, moi=None))).mass == pytest.approx(0.66)
+    with pytest.raises(InputError, match="only at a density"):
+        beam_model(stick.replaced(mass=6.6, balance_point=None, moi=None))
+    table = bat_table(catalog.bat("r161-ash")) | {"length": "33 m"}
+    table["calibration"] = {"measured": ["mass"], "unknowns": ["density"], "covariance": [[0.001]]}
+    with pytest.raises(InputError, match="length"):
+        implement_from_table(table, "mine")
+
+
 def test_what_cannot_be_calibrated_is_said() -> None:
     with pytest.raises(InputError, match="plies"):
         unknowns_of(catalog.load_implement("table-tennis-racket"))
@@ -96,7 +166,7 @@ def test_the_commands(run: Run, run_json: Callable[..., Any], tmp_path: Path) ->
     given = ("--mass", "322g±0.5g", "--balance-point", "32.8cm±0.1cm", "--pendulum", "1.352s±0.002s", "--pivot", "10cm")
     code, answer, _ = run("calibrate", "tennis-racket", *given, "--tone", "bending-1:150Hz±0.5Hz", "--out", str(out))
     assert code == 0
-    assert "swing weight about 10.0 cm" in answer
+    assert "swing weight about 10 cm" in answer
     assert catalog.load_implement(str(out)).mass == pytest.approx(0.322, abs=1e-4)
     assert run_json("hit", str(out), "--at", "15cm-from-tip", "--uncertainty")["exit_speed_low_m_s"] > 0
     for wrong, message in ((("--tone", "bending-2:300Hz"), "only the first"), (("--shots", str(out)), "bats only")):

@@ -62,6 +62,9 @@ def test_bad_files_are_refused(tmp_path: Path) -> None:
     text.write_text("no sound", encoding="utf-8")
     with pytest.raises(InputError, match="cannot be read as a sound"):
         read_recording(text)
+    phone = text.rename(tmp_path / "tap.m4a")
+    with pytest.raises(InputError, match=r"not recognised; this kind is not read here: convert it, as by ffmpeg -i"):
+        read_recording(phone)
     for name, samples, rate, message in (
         ("silent.wav", np.zeros(8000), 8000, "silent"),
         ("empty.wav", np.zeros(0), 8000, "no sound"),

@@ -6,10 +6,11 @@ import numpy as np
 
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
 from sweetspot.analysis.position_scan import scan
-from sweetspot.calibration.measured import REACH, Measured
+from sweetspot.calibration.measured import Measured
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.implement import Implement
+from sweetspot.numerics.confidence import REACH
 
 
 def speed_by_ball(analysis: Analysis[Implement]) -> Measured | None:

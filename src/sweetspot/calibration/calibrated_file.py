@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from sweetspot.calibration.measured import REACH, Measured
-from sweetspot.calibration.measurements import Measurement, predicted
+from sweetspot.calibration.deviation_batch import deviated_bodies
+from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.measurements import Measurement, predicted, said_of_body
 from sweetspot.calibration.posterior import OF_BALL, Posterior
 from sweetspot.calibration.unknowns import Unknown, UnknownName, deviated
 from sweetspot.catalog.bats import is_file
@@ -20,6 +21,7 @@ from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.confidence import REACH
 
 SOURCE = "own_measurement"
 TOLD = 0.7
@@ -43,7 +45,7 @@ def properties(posterior: Posterior) -> dict[str, Value]:
     wanted = [Measurement("mass", Measured(1, 1)), Measurement("balance_point", Measured(1, 1)),
               Measurement("moi", Measured(1, 1), axis=moi_axis(posterior))]  # fmt: skip
     values = predicted(posterior.line, wanted)
-    slopes = np.array([_slope(posterior, index, wanted) for index in range(len(posterior.unknowns))])
+    slopes = _slopes(posterior, wanted)
     errors = np.sqrt(np.einsum("ji,jk,ki->i", slopes, posterior.covariance, slopes))
     kinds = {one.kind for one in posterior.measurements}
     return {
@@ -60,13 +62,18 @@ def moi_axis(posterior: Posterior) -> float:
     return AXIS if isinstance(own, Bat) else own.moi_axis
 
 
-def _slope(posterior: Posterior, index: int, wanted: list[Measurement]) -> Array:
-    step = np.zeros(len(posterior.unknowns))
-    step[index] = 1e-3 * posterior.unknowns[index].spread
-    ahead, behind = (
-        predicted(deviated(posterior.line, posterior.unknowns, sign * step), wanted) for sign in (1.0, -1.0)
-    )
-    return np.asarray((ahead - behind) / (2 * step[index]))
+def _slopes(posterior: Posterior, wanted: list[Measurement]) -> Array:
+    """Return what every unknown changes of what is wanted, shape (unknowns, wanted)."""
+    line, unknowns = posterior.line, posterior.unknowns
+    steps = 1e-3 * np.array([one.spread for one in unknowns])
+    places = np.vstack([np.diag(steps), -np.diag(steps)])
+    bodies = deviated_bodies(line, unknowns, places)
+    if bodies is None:
+        said = np.array([predicted(deviated(line, unknowns, place), wanted) for place in places])
+    else:
+        said = np.array([[said_of_body(body, one) for one in wanted] for body in bodies])
+    ahead, behind = np.split(said, 2)
+    return np.asarray((ahead - behind) / (2 * steps[:, None]))
 
 
 def material_values(posterior: Posterior) -> dict[str, Value]:
@@ -105,7 +112,7 @@ def calibrated_bat(posterior: Posterior, damping: Measured | None) -> Bat:
         material = material.replaced(damping_ratio=damping.value)
     return bat.replaced(
         name=f"{bat.name}, calibrated", material=material, mass=body.mass, balance_point=body.balance_point,
-        moi=body.moi(AXIS), moi_axis=AXIS, density_gradient=posterior.line.density_gradient,
+        moi=body.moi(AXIS), moi_axis=AXIS, density_gradient=posterior.line.density_gradient, calibrated=True,
     )  # fmt: skip
 
 

@@ -13,7 +13,6 @@ import numpy as np
 
 from sweetspot.analysis.position_scan import scan
 from sweetspot.calibration.ball_doubt import ball_off
-from sweetspot.calibration.measured import REACH
 from sweetspot.calibration.unknowns import Unknown, deviated
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.dynamics.beam import BeamModel
@@ -21,6 +20,7 @@ from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.confidence import REACH
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-LEVEL = 0.9
-"""Probability that the true value lies inside an interval of this folder."""
-REACH = 1.6448536269514722
-"""Half width of a normal distribution's 90 % interval in standard deviations."""
+from sweetspot.numerics.confidence import REACH
 
 
 @dataclass(frozen=True)

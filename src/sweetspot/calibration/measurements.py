@@ -15,13 +15,15 @@ from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.bending import bending_frequencies
 from sweetspot.dynamics.hoop import hoop_frequency
 from sweetspot.dynamics.mode_assembly import all_modes
-from sweetspot.dynamics.rigid import pendulum_period, rigid_body
+from sweetspot.dynamics.rigid import RigidBody, pendulum_period, rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import INCH
 
 MeasuredKind = Literal["mass", "balance_point", "moi", "period", "frequency", "efficiency"]
+OF_BODY = ("mass", "balance_point", "moi", "period")
+"""Kinds that ask for no more than the motion of a rigid body."""
 EFFICIENCY_ERROR = 0.01
 """One sigma of q that the model itself deserves (assumed): two makers' tests of one bat differ by as much."""
 BENDING_ERROR, HOOP_ERROR = 0.005, 0.03
@@ -113,22 +115,15 @@ def predicted(line: BeamModel, measurements: Sequence[Measurement], *, livelier:
     ----------
     livelier : logarithm of the shot balls' restitution over that of their law.
     """
-    body = rigid_body(line)
+    body = rigid_body(line) if any(one.kind in OF_BODY for one in measurements) else None
     known = None if line.bat.added else line.bat.frequency
     bending = hoop = None
     count = max((one.mode.harmonic for one in measurements if one.mode and one.mode.family == "bending"), default=0)
     efficiencies = _efficiencies(line, [one.shooting for one in measurements if one.shooting], livelier)
     values = []
     for one in measurements:
-        if one.kind == "mass":
-            values.append(body.mass)
-        elif one.kind == "balance_point":
-            values.append(body.balance_point)
-        elif one.kind == "moi":
-            values.append(body.moi(one.axis))
-        elif one.kind == "period":
-            turning = body.moi(one.axis)
-            values.append(pendulum_period(turning, mass=body.mass, balance_point=body.balance_point, pivot=one.axis))
+        if body is not None and one.kind in OF_BODY:
+            values.append(said_of_body(body, one))
         elif one.shooting is not None:
             values.append(efficiencies[one.shooting])
         elif one.mode is None:
@@ -142,6 +137,18 @@ def predicted(line: BeamModel, measurements: Sequence[Measurement], *, livelier:
             hoop = hoop_frequency(line) if hoop is None else hoop
             values.append(hoop)
     return np.array(values)
+
+
+def said_of_body(body: RigidBody, one: Measurement) -> float:
+    """Return what a rigid body says to a measurement on scale, edge or pendulum, SI."""
+    if one.kind == "mass":
+        return body.mass
+    if one.kind == "balance_point":
+        return body.balance_point
+    turning = body.moi(one.axis)
+    if one.kind == "moi":
+        return turning
+    return pendulum_period(turning, mass=body.mass, balance_point=body.balance_point, pivot=one.axis)
 
 
 def _efficiencies(line: BeamModel, shootings: Sequence[Shooting], livelier: float) -> dict[Shooting, float]:

@@ -14,8 +14,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sweetspot.calibration.deviation_batch import deviated_bodies
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.measurements import Measurement, predicted
+from sweetspot.calibration.measurements import OF_BODY, Measurement, predicted, said_of_body
 from sweetspot.calibration.unknowns import Unknown, UnknownName, deviated
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.errors import InputError
@@ -201,20 +202,29 @@ def calibrate(line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequen
     if not measurements:
         raise InputError("nothing was measured; give at least a weight, a balance point, a pendulum's period or a tap")
     spreads = np.array([one.spread for one in unknowns])
+    quick = all(one.kind in OF_BODY for one in measurements)
     misses = _once(_misses(line, unknowns, measurements))
 
+    steps = STEP * np.eye(len(unknowns))
+
+    def at_all(places: Array) -> Array:
+        bodies = deviated_bodies(line, unknowns, places * spreads) if quick else None
+        if bodies is None:
+            return np.array([misses(place) for place in places])
+        said = np.array([[said_of_body(body, one) for one in measurements] for body in bodies])
+        values, errors = np.array([(one.value.value, one.error) for one in measurements]).T
+        return np.hstack([(said - values) / errors, places])
+
     def forward(x: Array) -> Array:
-        here = misses(x)
-        return np.array([(misses(x + step) - here) / STEP for step in STEP * np.eye(len(x))]).T
+        return np.asarray((at_all(x + steps) - misses(x)).T / STEP)
 
     try:
         fit = least_squares(
             misses, np.zeros(len(unknowns)), jac=forward, bounds=(-FARTHEST, FARTHEST), xtol=1e-4, ftol=1e-6
         )
     except (InputError, np.linalg.LinAlgError) as error:
-        raise InputError(f"no bat of this kind comes near what was measured: {error}") from None
-    steps = STEP * np.eye(len(unknowns))
-    slopes = np.array([(misses(fit.x + step) - misses(fit.x - step)) / (2 * STEP) for step in steps]).T
+        raise InputError(f"nothing of this kind comes near what was measured: {error}") from None
+    slopes = (at_all(fit.x + steps) - at_all(fit.x - steps)).T / (2 * STEP)
     covariance = np.linalg.inv(slopes.T @ slopes)
     off = misses(fit.x)
     left = 1 - np.einsum("ij,jk,ik->i", slopes, covariance, slopes)

@@ -23,6 +23,12 @@ SLOWEST_RATE = 2000.0
 """Hz; below, even the first mode of a bat is lost."""
 OVERSAMPLING = 2.56
 """Samples kept per period of the band's upper end."""
+OF_PHONES = (".m4a", ".aac", ".mp4", ".mov", ".3gp", ".amr", ".wma", ".webm")
+"""Endings of recordings for which the library has no decoder."""
+AT_REST = 0.05
+"""s whose mean a recording began with: an offset of the microphone is no blow."""
+LOSSY = ("VORBIS", "OPUS", "MPEG", "GSM", "NMS_ADPCM", "G72")
+"""Beginnings of the names of codings that leave out what is hard to hear."""
 STOPPED = 80.0
 """dB by which the filter before thinning out lowers what would fold back."""
 
@@ -52,11 +58,13 @@ class Recording:
     name : of the file.
     samples : full scale is -1 to 1.
     rate : samples per s.
+    lossy : whether its format leaves out what is hard to hear.
     """
 
     name: str
     samples: Array
     rate: float
+    lossy: bool = False
 
     @property
     def duration(self) -> float:
@@ -85,9 +93,15 @@ def read_recording(path: Path) -> Recording:
             if sound.frames * sound.channels > MOST_SAMPLES:
                 raise InputError(f"{path} has {sound.channels} channels of {sound.frames} samples; keep one of them")
             channels, rate = sound.read(dtype="float64", always_2d=True), float(sound.samplerate)
+            lossy = sound.subtype.startswith(LOSSY)
     except (soundfile.SoundFileError, OSError, RuntimeError) as error:
-        reason = str(error).removeprefix(f"Error opening {path!r}: ")
-        raise InputError(f"{path} cannot be read as a sound: {reason}; record WAV, FLAC, OGG or MP3") from None
+        reason = str(error).rpartition(": ")[2].rstrip(".")
+        advice = (
+            f"this kind is not read here: convert it, as by ffmpeg -i {path.name} {path.stem}.wav"
+            if path.suffix.lower() in OF_PHONES
+            else "record WAV, FLAC, OGG or MP3"
+        )
+        raise InputError(f"{path} cannot be read as a sound: {reason}; {advice}") from None
     if rate < SLOWEST_RATE:
         raise InputError(f"{path} has {rate:g} samples per second; allowed is {SLOWEST_RATE:g} or more")
     if not len(channels) or not np.isfinite(channels).all():
@@ -96,7 +110,7 @@ def read_recording(path: Path) -> Recording:
     samples = channels[:, loudest]
     if not np.ptp(samples):
         raise InputError(f"{path} is silent; check the microphone")
-    return Recording(path.name, samples, rate)
+    return Recording(path.name, samples, rate, lossy)
 
 
 def in_band(recording: Recording, band: Band) -> Recording:
@@ -113,11 +127,14 @@ def in_band(recording: Recording, band: Band) -> Recording:
             f"the band begins at {band.low:g} Hz"
         )
     factor = max(1, int(recording.rate / (OVERSAMPLING * high)))
-    samples, rate = recording.samples - np.median(recording.samples), recording.rate / factor
+    before = recording.samples[: round(AT_REST * recording.rate)].mean()  # where it had been until the recording began
+    samples, rate = recording.samples - before, recording.rate / factor
     if factor > 1:  # what folds back lands above the band
         taps, shape = scipy.signal.kaiserord(STOPPED, 2 * (rate - 2 * high) / recording.rate)
         lowpass = scipy.signal.firwin(taps | 1, rate / 2, window=("kaiser", shape), fs=recording.rate)
-        samples = np.asarray(scipy.signal.upfirdn(lowpass, samples, 1, factor))[taps // 2 // factor :]
+        held = np.pad(samples, (0, len(lowpass) // 2), mode="edge")  # it does not break off at its end
+        thin = scipy.signal.upfirdn(lowpass, held, 1, factor)[taps // 2 // factor :]
+        samples = np.asarray(thin[: -(-len(samples) // factor)])
     highpass = scipy.signal.butter(2, band.low, "highpass", fs=rate, output="sos")
     return Recording(recording.name, np.asarray(scipy.signal.sosfilt(highpass, samples)), rate)
 

@@ -74,9 +74,10 @@ def tones_of(taps: Sequence[Tap]) -> tuple[Tone, ...]:
 def _tone(group: list[tuple[Sinusoid, int, float]]) -> Tone:
     frequency = pooled([one.frequency for one, _, _ in group])
     damping = pooled([one.damping_ratio for one, _, _ in group])
+    shared = sum(one.shared_error for one, _, _ in group) / len(group)  # more taps in one room do not make it less
     return Tone(
-        frequency.widened(REPEATABILITY * frequency.value),
-        damping.widened(DAMPING_REPEATABILITY * damping.value),
+        frequency.widened(REPEATABILITY * frequency.value).widened(shared),
+        damping.widened(DAMPING_REPEATABILITY * damping.value).widened(shared / frequency.value),
         max(level for _, _, level in group),
         len(group),
     )

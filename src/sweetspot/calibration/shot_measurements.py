@@ -13,12 +13,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from sweetspot.analysis.certification.shots import Shot
-from sweetspot.calibration.measured import REACH, Measured
+from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, Shooting
 from sweetspot.calibration.posterior import OF_BALL
 from sweetspot.calibration.unknowns import Unknown
 from sweetspot.catalog.balls import ball_spreads
 from sweetspot.equipment.ball import Ball
+from sweetspot.numerics.confidence import REACH
 
 ONE_PLACE = 0.0064
 """m; shots within a quarter of an inch are at one place."""

@@ -42,6 +42,8 @@ TAIL = 4
 PADDING = 8
 SLOWEST_DECAY, LARGEST_LOG = 1e-3, 12.0
 """1/s at the start of a fit, and the largest logarithm of a decay rate in it."""
+LOUD_PART = 0.9
+"""Of the energy of a window, in the part of it of which a misfit speaks."""
 ROUGHLY, FINALLY = 5, 60
 """Evaluations while sinusoids are still being found, and of the last fit."""
 
@@ -55,11 +57,18 @@ class Sinusoid:
     frequency : Hz, of the damped oscillation.
     damping_ratio : fraction of critical.
     amplitude : at the beginning of the window, in the sound's own unit.
+    shared_error : Hz, one sigma of the frequency that all taps in one room share; see `echoes`.
     """
 
     frequency: Measured
     damping_ratio: Measured
     amplitude: float
+    shared_error: float = 0.0
+
+    def energy(self, seconds: float) -> float:
+        """Return the integral of its square over its first ``seconds``, in the sound's own unit squared times s."""
+        decay = max(2 * np.pi * self.frequency.value * self.damping_ratio.value, SLOWEST_DECAY)
+        return -float(np.expm1(-2 * decay * seconds)) * self.amplitude**2 / (4 * decay)
 
 
 @dataclass(frozen=True)
@@ -244,5 +253,5 @@ def _misfit(samples: Array, fitted: Array, rate: float, band: Band) -> float:
     bandpass = scipy.signal.butter(4, (band.low, min(band.high, 0.46 * rate)), "bandpass", fs=rate, output="sos")
     left, whole = (scipy.signal.sosfiltfilt(bandpass, signal) for signal in (samples - fitted, samples))
     energy = np.cumsum(whole**2)
-    end = int(np.searchsorted(energy, 0.9 * energy[-1])) + 1
+    end = int(np.searchsorted(energy, LOUD_PART * energy[-1])) + 1
     return float(np.sqrt(np.sum(left[:end] ** 2) / max(energy[end - 1], 1e-300)))

@@ -9,7 +9,8 @@ from sweetspot.calibration.bar import Bar, BarModulus, bar_modulus
 from sweetspot.calibration.naming import LOUD, Expected, NamedTone, any_bat, expected_of, named, uniform_bar
 from sweetspot.calibration.recording import BAT_BAND, Band, Recording
 from sweetspot.calibration.ring import tones_of
-from sweetspot.calibration.taps import HELD, Tap, find_taps
+from sweetspot.calibration.tap_faults import HELD
+from sweetspot.calibration.taps import Tap, find_taps
 from sweetspot.dynamics.modes import Family, Modes
 from sweetspot.errors import InputError
 

@@ -1,20 +1,20 @@
 """The taps in a recording: where each begins, whether it can be used, and why not.
 
-A tap is a sudden rise of the sound in the band. It is used when it is not clipped, when no second blow falls into its
-ringing, when the ringing stands out of the noise, and when it lasts as long as that of a freely hung implement. A
-second blow shows as a burst in what linear prediction cannot foresee: a sum of damped sinusoids can be foreseen.
+A tap is a sudden rise of the sound in the band. It is used when `tap_faults` finds nothing wrong with it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
 
+from sweetspot.calibration.echoes import in_their_room
+from sweetspot.calibration.hum import hum_taken_out, without_hum
 from sweetspot.calibration.recording import Band, Recording, in_band
 from sweetspot.calibration.sinusoids import Fit, Sinusoid, fit_sinusoids
+from sweetspot.calibration.tap_faults import HELD, SETTLE, blows, fault_of_fit, fault_of_sound, step_of
 from sweetspot.numerics.arrays import Array
 
 FRAME = 0.002
@@ -24,48 +24,20 @@ RISE = 10.0
 QUIET_BEFORE = 0.03
 ABOVE_FLOOR = 10.0
 """dB of a tap's beginning above the quietest tenth of the recording, at least."""
-SETTLE = 0.006
-"""s from the blow to the window: the contact itself and its nearest echoes."""
 WINDOW = 0.5
 """s of ringing that are used at most."""
-SHORTEST = 0.04
-"""s of ringing at least."""
-FULL_SCALE = 0.999
-"""Two samples this large, or `FLAT` tops of exactly the same height and no rounding, are clipped."""
-FLAT = 3
-NEAR_TOP = 0.05
-"""Of full scale; quieter tops are not looked at for clipping."""
-ORDER = 40
-"""Of the linear prediction."""
-BURST = 8.0
-"""Size of a blow's burst over the rms of what else is not foreseen around it, at least."""
-BURST_SHARE = 0.1
-"""And over the greatest burst."""
 APART = 0.2
 """s between taps that are meant as two."""
-ONE_BLOW = 0.02
-"""s after the beginning in which all blows are one contact; the window then begins after the last."""
-MEDIAN_TO_RMS = 1.4826
-LARGEST_MISFIT = 0.8
-"""rms of what is no damped sinusoid over that of the sound."""
-HELD = 0.02
-"""Damping ratio of the lowest tone from which on something holds the implement (assumed): freely hung bats have 0.001
-to 0.015, hands damp strongly [russell_bendsweet]."""
-
-MAINS, MAINS_SPREAD = (50.0, 60.0), 0.3
-"""Hz of the mains, and how far a multiple may seem to lie from it."""
-HIGHEST_HUM, HUM_LEVEL, HUM_DAMPING = 1000.0, 0.3, 2e-4
-"""Hz up to which hum is looked for, the part of the loudest tone's amplitude that it has at most unless it was there
-before the tap, and the damping ratio below which a tone may not die away at all; bats have five times that and more
-(all assumed)."""
-BEFORE, AS_LOUD = (0.3, 0.004), 0.5
-"""s before a tap between which hum is looked for, and how loud it is there at least, over its amplitude after it."""
+BEFORE = (0.3, 0.004)
+"""s before a tap between which hum is looked for that was not steady enough to be taken out."""
 HUMLESS, CLEARER = 400.0, 6.0
 """Hz from which on taps are looked for where they stand out by this many dB more: mains and steps are below."""
-ECHO = 0.1
-"""Part of its frequency within which a weaker tone that dies away faster is an echo (assumed)."""
-HEARD = 0.1
-"""Amplitude over the loudest tone's; the lowest tone that is at least this loud says whether the implement is free."""
+LOSSY = 0.03
+"""Amplitude over the loudest tone's of the faintest tone that counts in a lossy format (assumed; made-up taps as OGG
+and MP3 get tones of 0.01 to 0.08 that nothing made)."""
+STEPS = 1.0
+"""Steps of a recording that a tone's amplitude has at least: rounding makes overtones of a ring a few steps high
+(assumed; made-up taps in 8 bit get tones of 0.05 to 0.84 steps that nothing made)."""
 
 
 @dataclass(frozen=True)
@@ -99,10 +71,13 @@ def find_taps(recording: Recording, *, band: Band, held: float = HELD) -> tuple[
     band : frequencies looked at.
     held : damping ratio of the lowest tone from which on the implement counts as held.
     """
-    sound = in_band(recording, band)
-    starts = _starts(_where_taps_stand_out(recording, sound, band))
+    clear = hum_taken_out(recording)
+    sound = in_band(clear, band)
+    starts = _starts(_where_taps_stand_out(clear, sound, band))
     ends = [*starts[1:], sound.duration]
-    taps = [_tap(recording, sound, start, end, band, held) for start, end in zip(starts, ends, strict=True)]
+    background = 10 ** (_levels(sound)[1] / 10)
+    spans = zip(starts, ends, strict=True)
+    taps = [_tap(recording, sound, span, band, background=background, held=held) for span in spans]
     for index, (before, after) in enumerate(pairwise(starts)):
         if after - before < APART:
             fault = f"doubled: two taps {1e3 * (after - before):.0f} ms apart; let it ring between taps"
@@ -157,120 +132,25 @@ def _starts(sound: Recording) -> list[float]:
     return [index * frame / sound.rate for index in merged] or [0.0]
 
 
-def _tap(recording: Recording, sound: Recording, start: float, end: float, band: Band, held: float) -> Tap:
-    def rejected(fault: str, fit: Fit | None = None) -> Tap:
-        return Tap(recording.name, start, fault, fit)
-
+def _tap(
+    recording: Recording, sound: Recording, span: tuple[float, float], band: Band, *, background: float, held: float
+) -> Tap:
+    start, end = span
     raw = recording.samples[int(start * recording.rate) : int(min(end, start + WINDOW) * recording.rate)]
-    if clipped(raw):
-        return rejected("clipped: louder than the recording can hold; tap more softly or lower the level")
-    if end - start < ONE_BLOW + SETTLE + SHORTEST:
-        return rejected(f"too short: only {1e3 * (end - start):.0f} ms of it; let it ring")
     whole = sound.samples[int(start * sound.rate) : int(min(end, start + WINDOW) * sound.rate)]
-    struck = blows(whole, sound.rate)
-    late = struck[struck > ONE_BLOW]
-    if len(late):
-        return rejected(f"doubled: a second blow {1e3 * late[0]:.0f} ms after the first; let the hammer bounce off")
+    step = step_of(raw)
+    struck = blows(whole, sound.rate, finest_step=step)
+    if fault := fault_of_sound(raw, whole, struck, sound.rate, step=step, lasts=end - start):
+        return Tap(recording.name, start, fault, None)
     window = whole[int((struck.max(initial=0.0) + SETTLE) * sound.rate) :]
     earlier = sound.samples[int(max(start - BEFORE[0], 0.0) * sound.rate) : int(max(start - BEFORE[1], 0) * sound.rate)]
-    fit = _without_hum(fit_sinusoids(window, sound.rate, band=band), earlier)
-    if not fit.sinusoids or fit.misfit > LARGEST_MISFIT:
-        return rejected(
-            f"too quiet: {100 * min(fit.misfit, 1):.0f} % of the sound is noise; tap harder or nearer the microphone",
-            fit,
-        )
-    loudest = max(one.amplitude for one in fit.sinusoids)
-    lowest = next(one for one in fit.sinusoids if one.amplitude > HEARD * loudest and not _echoed(one, fit.sinusoids))
-    ratio = lowest.damping_ratio
-    if ratio.value > held and ratio.low > held / 2:
-        return rejected(
-            f"not free: at {lowest.frequency.value:.0f} Hz the damping is {100 * ratio.value:.1f} %, a freely hung one "
-            f"has less than {100 * held:g} %; hang it from rubber bands and keep hands away, or set --most-damping",
-            fit,
-        )
-    return Tap(recording.name, start, None, fit)
+    fit = without_hum(fit_sinusoids(window, sound.rate, band=band), earlier)
+    tones = in_their_room(_louder_than_losses(fit.sinusoids, recording))
+    fit = replace(fit, sinusoids=tuple(one for one in tones if one.amplitude >= STEPS * step))
+    return Tap(recording.name, start, fault_of_fit(fit, background=background, held=held), fit)
 
 
-def _echoed(one: Sinusoid, all_of_them: Sequence[Sinusoid]) -> bool:
-    """Say whether a tone beside this one dies away more slowly and holds more energy: this is its echo in the room.
-
-    A tone's energy goes as a^2 / (zeta f).
-    """
-
-    def energy(tone: Sinusoid) -> float:
-        return tone.amplitude**2 / max(tone.damping_ratio.value * tone.frequency.value, 1e-12)
-
-    return any(
-        abs(other.frequency.value - one.frequency.value) < ECHO * one.frequency.value
-        and other.damping_ratio.value < one.damping_ratio.value
-        and energy(other) > energy(one)
-        for other in all_of_them
-    )
-
-
-def _without_hum(fit: Fit, earlier: Array) -> Fit:
-    """Return a fit without the mains: tones at a multiple of 50 or 60 Hz that do not die away.
-
-    They are fainter than what rings, or were there before.
-
-    Parameters
-    ----------
-    earlier : the sound before the tap; may be empty.
-    """
-    loudest = max((one.amplitude for one in fit.sinusoids if not _hums(one)), default=0.0)
-    kept = tuple(
-        one
-        for one in fit.sinusoids
-        if not _hums(one)
-        or (one.amplitude > HUM_LEVEL * loudest and _amplitude(earlier, one, fit.rate) < AS_LOUD * one.amplitude)
-    )
-    return replace(fit, sinusoids=kept)
-
-
-def _amplitude(samples: Array, one: Sinusoid, rate: float) -> float:
-    """Return how loud a tone is in a sound that is too short for nothing: 0 below two of its periods."""
-    if len(samples) < 2 * rate / one.frequency.value:
-        return 0.0
-    turning = np.exp(-2j * np.pi * one.frequency.value * np.arange(len(samples)) / rate)
-    return float(2 * abs(np.mean(samples * turning)))
-
-
-def _hums(one: Sinusoid) -> bool:
-    near = min(abs(one.frequency.value - base * round(one.frequency.value / base)) for base in MAINS)
-    return one.frequency.value < HIGHEST_HUM and near < MAINS_SPREAD and one.damping_ratio.low < HUM_DAMPING
-
-
-def clipped(samples: Array) -> bool:
-    """Say whether a sound was cut off: at full scale, or again and again at the very same height."""
-    for side in (samples, -samples):
-        top = side.max(initial=0.0)
-        if top < NEAR_TOP:
-            continue
-        at_top = side >= top
-        runs = at_top[1:] & at_top[:-1]
-        if (top >= FULL_SCALE and at_top.sum() > 1) or np.count_nonzero(runs[1:] & ~runs[:-1]) >= FLAT:
-            return True
-    return False
-
-
-def blows(samples: Array, rate: float) -> Array:
-    """Return when in s blows fall into a sound: what the `ORDER` samples before do not let foresee.
-
-    A blow stands out of the 40 ms around it, and counts when it is no less than a tenth of the greatest.
-    """
-    import scipy.linalg
-    import scipy.ndimage
-
-    count = len(samples)
-    if count < 4 * ORDER:
-        return np.zeros(0)
-    padded = np.concatenate([np.zeros(ORDER), samples])
-    past = np.lib.stride_tricks.sliding_window_view(padded[:-1], ORDER)
-    ringing = slice(min(int(SETTLE * rate), count // 2), None)
-    normal = past[ringing].T @ past[ringing]
-    normal += 1e-9 * max(np.trace(normal), 1e-300) / ORDER * np.eye(ORDER)
-    weights = scipy.linalg.solve(normal, past[ringing].T @ samples[ringing], assume_a="pos")
-    surprise = np.abs(samples - past @ weights)
-    around = scipy.ndimage.median_filter(surprise, size=2 * int(0.02 * rate) + 1, mode="nearest")
-    bursts = (surprise > BURST * MEDIAN_TO_RMS * around) & (surprise > BURST_SHARE * surprise.max())
-    return np.asarray(np.flatnonzero(bursts) / rate)
+def _louder_than_losses(tones: tuple[Sinusoid, ...], recording: Recording) -> tuple[Sinusoid, ...]:
+    """Return the tones of a recording that leaves out what is hard to hear, without those that this itself may make."""
+    least = LOSSY * max((one.amplitude for one in tones), default=0.0) if recording.lossy else 0.0
+    return tuple(one for one in tones if one.amplitude >= least)

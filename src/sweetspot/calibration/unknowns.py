@@ -157,7 +157,7 @@ def _changed(bat: Bat, by: dict[str, float]) -> Bat:
         )
     if "handle" in by and bat.profile is not None:
         diameters = np.array(bat.profile)[:, 1]
-        part = _barrel_parts(bat.profile, bat.length)
+        part = barrel_parts(bat.profile, bat.length)
         scaled = diameters * np.exp(by["handle"] * (1 - part) + by["barrel"] * part)
         places = [position for position, _ in bat.profile]
         changes["profile"] = tuple(zip(places, scaled.tolist(), strict=True))
@@ -176,7 +176,7 @@ def _thickest(bat: Bat) -> float:
 
 
 @lru_cache(maxsize=8)
-def _barrel_parts(profile: Stations, length: float) -> Array:
+def barrel_parts(profile: Stations, length: float) -> Array:
     """Return how much of the barrel's error the diameter at every station has: 0 on the handle to 1 on the barrel."""
     places, diameters = np.array(profile).T
     beyond_knob = np.linspace(0.15 * length, length, 200)

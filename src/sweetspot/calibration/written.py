@@ -18,10 +18,14 @@ def parse_measured(text: str, kind: Kind, what: str = "value") -> Measured:
     The error is the part after ``±`` (or ``+-``), with the quantity's unit unless it has its own; without it one unit
     of the last digit written.
 
+    >>> parse_measured("31±0.5kg", "mass")
+    Measured(value=31.0, error=0.5)
     >>> parse_measured("2.5kg", "mass"), parse_measured("2.5 kg ± 20g", "mass"), parse_measured("2.5kg+-0.2", "mass")
     (Measured(value=2.5, error=0.1), Measured(value=2.5, error=0.02), Measured(value=2.5, error=0.2))
     """
-    parts = SEPARATOR.split(text, maxsplit=1)
+    parts = SEPARATOR.split(text.strip(), maxsplit=1)
+    if len(parts) == 2 and NUMBER.match(parts[0]) and (end := DECIMALS.match(parts[1])):
+        parts[0] += f" {end[2]}".rstrip()  # one unit behind both
     value = parse(parts[0], kind, what)
     match = DECIMALS.match(parts[0])
     unit = match[2] if match else ""

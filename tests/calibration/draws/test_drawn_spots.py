@@ -12,9 +12,10 @@ from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.miss_cost import Loss
 from sweetspot.analysis.sweet_spot import max_exit_speed, miss_cost, sweet_zone
 from sweetspot.calibration.draws.drawn_hits import draws_of
+from sweetspot.calibration.draws.drawn_reports import DESCRIBED
 from sweetspot.calibration.draws.drawn_spots import drawn_nodes, highest, missed, zones
 from sweetspot.calibration.draws.sources import sources_of
-from sweetspot.calibration.unknowns import deviated
+from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.mode_assembly import all_modes
@@ -75,16 +76,18 @@ def test_another_law_of_the_ball_widens_what_misses_cost(analysis: Analysis[Bat]
     assert found["misses.0.outside_m_s"][np.argmax(more)] < found["misses.0.outside_m_s"][0] - 1.9
 
 
-@pytest.mark.parametrize("name", ["r161-ash", "college-alloy"])
+@pytest.mark.parametrize("name", ["r161-ash", "college-alloy", "tennis-racket", "golf-driver"])
 def test_nodes_follow_the_bat(name: str) -> None:
-    bat = catalog.bat(name)
+    bat = catalog.implement(name)
     conditions = standard_conditions(bat)
-    sources = sources_of(bat, conditions)
-    line = beam_model(bat)
+    other = None if isinstance(bat, Bat) else unknowns_of(bat)
+    known = None if other is None else (other, 0.01**2 * np.eye(len(other)))  # after they were measured
+    sources = sources_of(bat, conditions, known=known)
+    line = beam_model(bat) if other is None else described(bat)
     draws = draws_of(line, conditions, sources, count=2)
     off = sources.deviations(draws.normal)[1, : len(sources.unknowns)]
     own = all_modes(deviated(line, sources.unknowns, off), conditions.ball)
-    found = drawn_nodes(draws)
+    found = drawn_nodes(draws, DESCRIBED)
     for index in range(5):
         assert found[index][1] == pytest.approx(own.nodes(index + 2), abs=2e-4)
-    assert len(found) == sum(family in ("bending", "hoop") for family in own.families)
+    assert len(found) == sum(family in DESCRIBED for family in own.families)

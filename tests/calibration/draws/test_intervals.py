@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -9,8 +10,8 @@ import pytest
 import scipy.stats
 
 from sweetspot.calibration.draws.intervals import TOGETHER, DrawnAnswers, variance_shares
-from sweetspot.calibration.measured import REACH
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.confidence import ENDS, LEVEL, REACH
 
 NAMES = ("a", "b", "c")
 
@@ -43,6 +44,11 @@ def test_shares_against_the_estimator_of_scipy(normal: Array) -> None:
 def test_sources_of_one_name_are_one(normal: Array) -> None:
     shares = variance_shares(normal[1:], ("bat", "bat", "bat"), crooked(normal[1:].T))
     assert shares["bat"] == pytest.approx(1.0, abs=0.02)
+
+
+def test_the_level_its_ends_and_its_reach_are_one() -> None:
+    """Exact: the normal distribution."""
+    assert (1 - ENDS[0] - (1 - ENDS[1]), math.erf(REACH / math.sqrt(2))) == pytest.approx((LEVEL, LEVEL), abs=1e-12)
 
 
 def test_interval_of_a_normal_answer(normal: Array) -> None:

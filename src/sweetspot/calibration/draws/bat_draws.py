@@ -9,11 +9,12 @@ thicker, so they are followed by harmonic and by their order within it.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
+from sweetspot.calibration.implement_unknowns import as_described
 from sweetspot.calibration.unknowns import Unknown, deviated
 from sweetspot.dynamics.batch.beams import BeamRow
 from sweetspot.dynamics.batch.bending import BendingBatch, bending_batch, joined_batches
@@ -23,6 +24,7 @@ from sweetspot.dynamics.hoop import OtherPatch, hoop_modes
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.patch import ByPatch, PatchLaw, patch_law
+from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
@@ -42,7 +44,9 @@ class DrawnBats:
     bending : mass properties and bending modes.
     surfaces : of the bat as described, then of every unknown one standard deviation up and down.
     deviations : of every bat in those standard deviations, shape (bats, unknowns).
-    whole : of a bat of which nothing is unknown, all its motions; None: they are put together from the others.
+    whole : of a bat of which nothing is unknown, and of any other implement, all motions as described; None: they are
+        put together from the others.
+    wholes : the same of every unknown of an implement that is no bat, one standard deviation up and down.
     pressing : how many times as fast a hit presses as large a patch as this bat's ball, shape (bats, 1); None: once.
     """
 
@@ -50,6 +54,7 @@ class DrawnBats:
     surfaces: tuple[Surface, ...]
     deviations: Array
     whole: Modes | None = None
+    wholes: tuple[Modes, ...] = ()
     pressing: Array | None = None
 
     def __len__(self) -> int:
@@ -59,7 +64,7 @@ class DrawnBats:
     def angular_frequency(self) -> Array:
         """Of rigid motions (0), bending and hoop modes, rad/s, shape (bats, n)."""
         if self.whole is not None:
-            return np.tile(self.whole.angular_frequency, (len(self), 1))
+            return self.followed([one.angular_frequency for one in (self.whole, *self.wholes)])
         beams = np.pad(self.bending.omega, ((0, 0), (2, 0)))
         walls = [wall.angular_frequency[order] for wall, order in self.walls]
         return np.hstack([beams, self.followed(walls)]) if walls else beams
@@ -68,7 +73,7 @@ class DrawnBats:
     def damping_rate(self) -> Array:
         """2 zeta omega in 1/s, shape (bats, n)."""
         if self.whole is not None:
-            return np.tile(self.whole.damping_rate, (len(self), 1))
+            return self.followed([one.damping_rate for one in (self.whole, *self.wholes)])
         rate = 2 * self.bending.damping_ratio[:, None] * self.bending.omega
         beams = np.pad(rate, ((0, 0), (2, 0)))
         walls = [wall.damping_rate[order] for wall, order in self.walls]
@@ -78,17 +83,14 @@ class DrawnBats:
         """Return the shapes at places (bats, places) in m, shape (bats, places, n); see `ReducedBats.shapes_at`."""
         speed = self._pressed(closing_speed)
         if self.whole is not None:
-            return self.whole.shape_at(position, closing_speed=speed)
+            every = (self.whole, *self.wholes)
+            return self.followed(_alike([one.shape_at(position, closing_speed=speed) for one in every]))
         beams = self.bending.shapes_at(position)
         if not self.walls:
             return beams
         weights = self._law.weights_at(speed)
         walls = self._each(lambda index: self._felt(index, position, weights))
-        signed = [
-            shape if shape is walls[0] else shape * np.where(np.sum(shape * walls[0], axis=(0, 1)) < 0, -1.0, 1.0)
-            for shape in walls
-        ]
-        return np.concatenate([beams, self.followed(signed)], axis=2)
+        return np.concatenate([beams, self.followed(_alike(walls))], axis=2)
 
     def _felt(self, index: int, position: Array, weights: Array) -> Array:
         """Return what a patch feels of a wall's modes, in the first wall's order; see `ByPatch.weighted`."""
@@ -100,7 +102,9 @@ class DrawnBats:
         """Return how far the surface gives way at once, m/N at places (bats, places) in m; never below zero."""
         speed = self._pressed(closing_speed)
         if self.whole is not None:
-            return self.whole.compliance_at(position, closing_speed=speed)
+            every = (self.whole, *self.wholes)
+            gives = [one.compliance_at(position, closing_speed=speed) for one in every]
+            return np.asarray(np.maximum(self.followed(gives), 0.0))
         give = self.bending.left_out_at(position)
         if self.surfaces:
             weights = self._law.weights_at(speed)
@@ -174,6 +178,8 @@ def drawn_bats(
     if not unknowns:
         same = bending_batch(BeamRow([line]), threads=1)
         return DrawnBats(joined_batches([same] * len(deviations)), (), deviations, all_modes(line, ball))
+    if not isinstance(line.bat, Bat):
+        return _drawn_implements(line, unknowns, deviations, sizes, ball)
     lines = [deviated(line, unknowns, row) for row in deviations]
     own = _surface(line, law)
     surfaces: list[Surface] = [own]
@@ -183,9 +189,39 @@ def drawn_bats(
     return DrawnBats(bending_batch(BeamRow(lines), threads=threads), tuple(surfaces), deviations / sizes)
 
 
+def _drawn_implements(
+    line: BeamModel, unknowns: Sequence[Unknown], deviations: Array, sizes: Array, ball: Ball
+) -> DrawnBats:
+    """Return implements that are no bats: weight, balance and all motions are followed by slope and bend."""
+    own = as_described(line.bat)
+    ends = [deviated(own, unknowns, sign * step) for step in np.diag(sizes) for sign in (1.0, -1.0)]
+    whole = all_modes(line, ball)
+    wholes = [all_modes(one, ball) for one in ends]
+    same = joined_batches([bending_batch(BeamRow([line]), threads=1)] * len(deviations))
+    drawn = DrawnBats(
+        same, (), deviations / sizes, whole,
+        tuple(one if one.families == whole.families else whole for one in wholes),  # another number of modes
+    )  # fmt: skip
+    bodies = [rigid_body(one) for one in (line, *ends)]
+    mass, balance, moi = (
+        drawn.followed([np.array([getattr(body, name)]) for body in bodies])[:, 0]
+        for name in ("mass", "balance_point", "moi_cm")
+    )
+    return replace(drawn, bending=replace(same, mass=mass, balance_point=balance, moi_cm=moi))
+
+
+def _alike(shapes: Sequence[Array]) -> list[Array]:
+    """Return shapes of modes with the signs of the first's, whose modes they are; shape (bats, places, n) each."""
+    first = shapes[0]
+    return [
+        shape if shape is first else shape * np.where(np.sum(shape * first, axis=(0, 1)) < 0, -1.0, 1.0)
+        for shape in shapes
+    ]
+
+
 def _surface(line: BeamModel, law: PatchLaw) -> Surface:
     """Return what a ball feels besides the beam of a bat; see `all_modes`."""
-    assert isinstance(line.bat, Bat)  # nothing is unknown of others
+    assert isinstance(line.bat, Bat)  # others have their faces among all their modes
     return dent_compliance(line, law=law) if line.bat.shell is None else hoop_modes(line, law=law)
 
 

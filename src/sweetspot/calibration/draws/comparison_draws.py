@@ -10,6 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.comparison import Compared, Comparison
 from sweetspot.calibration.draws.drawn_hits import Draws, draws_of, hits_along
 from sweetspot.calibration.draws.intervals import DrawnAnswers
@@ -21,7 +22,11 @@ from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.parabola import peak
 
 PLACES = 41
+NEARER, SHOWN_FROM = 6, 0.6
+"""Places nearer the hands, from this part of the length on, that are hit for the curves alone."""
 LAW = "swing law"
+ALONG, CHANGE_ALONG = "scan.exit_speed_m_s", "scan.change_m_s"
+"""Curves of every bat along its own scan, from the balance point on; the second against the first bat."""
 LEAST_APART = 0.05
 """m/s of bat speed from which on two exit speeds tell how one goes with the other."""
 
@@ -43,6 +48,7 @@ def drawn_comparison(comparison: Comparison[Implement], sources: list[Sources], 
     of_others = shared[:, : len(first.others)]
     values: dict[str, Array] = {}
     reference: Draws | None = None
+    longest = max(one.analysis.bat.length for one in comparison.compared)
     for index, (one, own, normal) in enumerate(zip(comparison.compared, sources, normals, strict=True)):
         joint = Sources(own.unknowns, own.covariance, first.others)
         analysis = one.analysis
@@ -50,13 +56,14 @@ def drawn_comparison(comparison: Comparison[Implement], sources: list[Sources], 
         if reference is not None and law is not None:
             draws = draws.swung(reference.bat_speed / reference.bat_speed[0] * _ratios(law, draws, reference, power))
         reference = reference or draws
-        values |= _of_bat(draws, index, analysis.scan.position[analysis.scan.position > analysis.body.balance_point])
+        values |= _of_bat(draws, index, analysis)
     known = values["bats.0.exit_speed_m_s"]
     for index in range(len(sources)):
         values[f"bats.{index}.change_m_s"] = values[f"bats.{index}.exit_speed_m_s"] - known
     for index, one in enumerate(comparison.compared):
         if index:
             values |= _against_the_first(one, index, values)
+            values |= _change_along(comparison, index, values, longest)
     names = tuple(
         name for name, one in zip(names_of_bats(comparison), normals, strict=True) for _ in range(one.shape[1])
     )
@@ -78,6 +85,17 @@ def _against_the_first(one: Compared[Implement], index: int, values: dict[str, A
         needed = swung - change / slope
         columns[f"bats.{index}.break_even_bat_speed_m_s"] = one.break_even + needed - needed[0]
     return columns
+
+
+def _change_along(
+    comparison: Comparison[Implement], index: int, values: dict[str, Array], longest: float
+) -> dict[str, Array]:
+    """Return by how much the ball leaves faster than from the first, equally far from the tip, shape (draws, scan)."""
+    first, own = comparison.compared[0].analysis, comparison.compared[index].analysis
+    places = own.scan.position + longest - own.bat.length
+    there = first.scan.position + longest - first.bat.length
+    known = [np.interp(places, there, row, left=np.nan, right=np.nan) for row in values[f"bats.0.{ALONG}"]]
+    return {f"bats.{index}.{CHANGE_ALONG}": values[f"bats.{index}.{ALONG}"] - np.array(known)}
 
 
 def names_of_bats(comparison: Comparison[Implement]) -> tuple[str, ...]:
@@ -119,16 +137,20 @@ def _ratios(law: SwingLaw, draws: Draws, reference: Draws, power: Array) -> Arra
     return np.array(ratios) / ratios[0]
 
 
-def _of_bat(draws: Draws, index: int, barrel: Array) -> dict[str, Array]:
+def _of_bat(draws: Draws, index: int, analysis: Analysis[Implement]) -> dict[str, Array]:
     """Return what is told of one bat."""
-    along = hits_along(draws, np.linspace(barrel[0], barrel[-1], PLACES))
+    scan = analysis.scan
+    barrel = scan.position[scan.position > analysis.body.balance_point]
+    nearer = np.linspace(min(SHOWN_FROM * analysis.bat.length, barrel[0]), barrel[0], NEARER, endpoint=False)
+    along = hits_along(draws, np.concatenate([nearer, np.linspace(barrel[0], barrel[-1], PLACES)]))
     body = draws.bats.bending
+    off = [np.interp(scan.position, along.position, row, left=np.nan) for row in along.exit_speed - along.exit_speed[0]]
     columns = {
         "bat_speed_m_s": draws.bat_speed,
-        "exit_speed_m_s": _peaks(along.exit_speed), "max_bbcor": _peaks(along.bbcor),
-        "max_collision_efficiency": _peaks(along.collision_efficiency),
+        "exit_speed_m_s": _peaks(along.exit_speed[:, NEARER:]), "max_bbcor": _peaks(along.bbcor[:, NEARER:]),
+        "max_collision_efficiency": _peaks(along.collision_efficiency[:, NEARER:]),
         "bat.mass_kg": body.mass, "bat.balance_point_m": body.balance_point,
-        "bat.moi_6in_kg_m2": body.moi(STANDARD_AXIS),
+        "bat.moi_6in_kg_m2": body.moi(STANDARD_AXIS), ALONG: scan.exit_speed + np.array(off),
     }  # fmt: skip
     if draws.sources.unknowns:
         columns["bending_1_hz"] = draws.bats.angular_frequency[:, 2] / (2 * np.pi)

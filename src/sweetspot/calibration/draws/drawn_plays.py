@@ -27,6 +27,7 @@ from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.numerics.arrays import Array
 
 DRAG, LAUNCH_SPEED, LAUNCH_ANGLE = "drag of the ball", "exit speed", "launch angle"
+PLACE, OFFSET = "place along the bat", "bat under the ball"
 OTHER_BALLS = 0.03
 """One sigma of the drag's logarithm: months and seasons of balls differ by 0.01 of 0.33 [savant_2022rays]."""
 
@@ -39,6 +40,12 @@ def drag_source(spread: float) -> Source:
     spread : that the catalogue knows the mean to, as a part of it.
     """
     return Source(DRAG, float(np.hypot(spread, OTHER_BALLS)), "the catalogue's spread, and that of seasons of balls")
+
+
+def meeting_sources(place: float, offset: float) -> tuple[Source, ...]:
+    """Return where bat and ball meet as sources, one standard deviation in m of each; 0: exactly as given."""
+    written = "as it was written"
+    return tuple(Source(name, error, written) for name, error in ((PLACE, place), (OFFSET, offset)) if error > 0)
 
 
 @dataclass(frozen=True)
@@ -58,11 +65,17 @@ def drawn_play(asked: PlayAsked, sources: Sources, *, count: int = DRAWS) -> Dra
 
     Parameters
     ----------
-    sources : of the hit, and `drag_source`.
+    sources : of the hit, `drag_source` and `meeting_sources`.
     """
     reduced, conditions, pitch = asked.reduced, asked.conditions, asked.pitch
     draws = draws_of(reduced.line, conditions, sources, count=count)
-    place, offset = (float(np.asarray(value)) for value in asked.contact)
+    off = sources.deviations(draws.normal)
+    off[0] = 0.0
+    place, offset = (
+        float(np.asarray(value)) + sources.of(name, off)
+        for value, name in zip(asked.contact, (PLACE, OFFSET), strict=True)
+    )
+    place = np.clip(place, conditions.hands.position, reduced.bat.length)
     faster = draws.pitch_speed / draws.pitch_speed[0] if draws.pitch_speed[0] > 0 else np.ones(len(draws))
     swing, thrown = conditions.swing, faster[:, None] * np.asarray(pitch.velocity)
     speed = draws.bat_speed * (place - swing.pivot) / (swing.measured_at - swing.pivot)
@@ -70,18 +83,17 @@ def drawn_play(asked: PlayAsked, sources: Sources, *, count: int = DRAWS) -> Dra
     met = strikes(
         reduced, ball=conditions.ball, swings=Swings(speed, axes, swing.pivot),
         pitches=BallMotions(velocity=thrown, spin=np.asarray(pitch.spin), position=np.asarray(pitch.position)),
-        contact=Contact(np.full(len(draws), place), np.full(len(draws), offset)),
+        contact=Contact(place, offset),
     )  # fmt: skip
     closing = np.nan_to_num(met.closing_speed, nan=1.0)[:, None]
-    own = draws.struck(np.array([[place]]), closing).collision_efficiency[:, 0]
-    reach = conditions.ball.radius + float(reduced.bat.diameter_at(np.array(place))) / 2
+    own = draws.struck(place[:, None], closing).collision_efficiency[:, 0]
+    reach = conditions.ball.radius + reduced.bat.diameter_at(place) / 2
     normal = contact_frame(*axes, lift=np.arcsin(np.clip(offset / reach, -1.0, 1.0))).normal
     more = (own - met.collision_efficiency) * met.closing_speed
     velocity = met.velocity + more[:, None] * np.asarray(normal)
-    off = sources.deviations(draws.normal)
-    off[0] = 0.0
     left = BallMotions(velocity=velocity, spin=met.spin, position=np.asarray(pitch.position))
     values = {
+        "position_m": place, "offset_m": offset,
         "bat_speed_m_s": speed, "pitch_speed_m_s": draws.pitch_speed, "closing_speed_m_s": met.closing_speed,
         "collision_efficiency": own, **launch_values(velocity), **_spins(velocity, met.spin),
         **{f"flight.{name}": value for name, value in drawn_flights(left, asked.flying, sources.of(DRAG, off)).items()},

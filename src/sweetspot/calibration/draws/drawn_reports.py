@@ -153,12 +153,12 @@ def _effective_mass(draws: Draws, place: float) -> Array:
 
 
 def _nodes(draws: Draws, modes: Modes) -> dict[str, Array]:
-    """Return the nodes of bending and wall modes, in the order of the data, and those on the barrel."""
+    """Return the nodes of bending and wall modes, in the order of the data, and the last ones of the lowest two."""
     if not draws.sources.unknowns:
         return {}
     told = [index for index, family in enumerate(modes.families) if family in DESCRIBED]
     columns = {}
-    for number, (index, nodes) in enumerate(zip(told, drawn_nodes(draws), strict=True)):
+    for number, (index, nodes) in enumerate(zip(told, drawn_nodes(draws, DESCRIBED), strict=True)):
         if nodes.shape[1]:
             columns[f"modes.{number}.nodes_m"] = nodes
         if nodes.shape[1] and modes.families[index] == "bending" and modes.harmonics[index] in (1, 2):
@@ -168,7 +168,7 @@ def _nodes(draws: Draws, modes: Modes) -> dict[str, Array]:
 
 def _weights(draws: Draws) -> dict[str, Array]:
     body = draws.bats.bending
-    if not isinstance(draws.line.bat, Bat):
+    if not isinstance(draws.line.bat, Bat) and not draws.sources.unknowns:
         return {}
     return {
         "bat.mass_kg": body.mass, "bat.balance_point_m": body.balance_point, "bat.moi_cm_kg_m2": body.moi_cm,
@@ -191,6 +191,10 @@ def _frequencies(draws: Draws) -> dict[str, Array]:
     """Return the frequencies of bending and wall modes, in the order of the data."""
     if not draws.sources.unknowns:
         return {}
+    if draws.bats.whole is not None:
+        told = [index for index, family in enumerate(draws.bats.whole.families) if family in DESCRIBED]
+        every = draws.bats.angular_frequency / (2 * np.pi)
+        return {f"modes.{number}.frequency_hz": every[:, index] for number, index in enumerate(told)}
     omega = draws.bats.angular_frequency[:, 2:]
     columns = {f"modes.{index}.frequency_hz": omega[:, index] / (2 * np.pi) for index in range(omega.shape[1])}
     if draws.bats.walls:

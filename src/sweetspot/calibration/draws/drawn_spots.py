@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -107,13 +107,16 @@ def _at(values: Array, place: Array) -> Array:
     return np.where((place >= 0) & (place <= last), interpolated, np.nan)
 
 
-def drawn_nodes(draws: Draws) -> list[Array]:
+def drawn_nodes(draws: Draws, families: Collection[str]) -> list[Array]:
     """Return the nodes of every bending mode, then of every wall mode, m, shapes (draws, nodes).
 
-    They are smooth in what is not known, and found for the bat as described and with every unknown one standard
-    deviation up and down; see `DrawnBats.followed`.
+    Of an implement that is no bat they are those of all its modes of these families. They are smooth in what is not
+    known, and found as described and with every unknown one standard deviation up and down; see `DrawnBats.followed`.
     """
     bats, unknowns = draws.bats, draws.sources.unknowns
+    if bats.whole is not None:
+        told = [index for index, family in enumerate(bats.whole.families) if family in families]
+        return _followed_nodes(bats, [(one, told) for one in (bats.whole, *bats.wholes)])
     steps = np.diag(np.sqrt(np.diag(draws.sources.covariance)))
     ends = [deviated(draws.line, unknowns, sign * step) for step in steps for sign in (1.0, -1.0)]
     around = bending_batch(BeamRow([draws.line, *ends]), threads=1)

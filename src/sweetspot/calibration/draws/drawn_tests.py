@@ -51,8 +51,8 @@ def drawn_test(
     tested : the test of the bat as described; draws are counted from its measures.
     """
     draws = draws_of(line, conditions, sources, count=count)
-    efficiency, best = _fired(draws, BBCOR_SPEED)
-    _, slow = _fired(draws, BPF_SPEED)
+    efficiency, best, place = _fired(draws, BBCOR_SPEED)
+    _, slow, slow_place = _fired(draws, BPF_SPEED)
     restitution = conditions.ball.restitution.at(BPF_SPEED)
     values = {
         "bbcor": tested.bbcor + best - best[0],
@@ -60,7 +60,8 @@ def drawn_test(
         "collision_efficiency": tested.fast.best_efficiency + efficiency - efficiency[0],
         "bpf": tested.bpf + bpf(1.0, ball_restitution=restitution) * (slow - slow[0]),
         "moi": draws.moi(CLAMP),
-    }
+        "best_position_m": place, "fast.best_position_m": place, "slow.best_position_m": slow_place,
+    }  # fmt: skip
     values["batted_ball_speed_m_s"] = exit_speed(
         values["collision_efficiency"], ball_speed=OLD_BALL_SPEED, bat_speed=OLD_BAT_SPEED
     )
@@ -77,8 +78,8 @@ RULED = {
 """Quantities that rules limit, by their names in the answers."""
 
 
-def _fired(draws: Draws, speed: float) -> tuple[Array, Array]:
-    """Return q and BBCOR of every draw at its best place, shape (draws,)."""
+def _fired(draws: Draws, speed: float) -> tuple[Array, Array, Array]:
+    """Return q and BBCOR of every draw at its best place, and that place in m, shapes (draws,)."""
     length = draws.line.bat.length
     places = np.linspace(length - FAR, length - NEAR, PLACES)
     efficiency = draws.struck(places[None, :], np.array([[speed]])).collision_efficiency
@@ -88,4 +89,5 @@ def _fired(draws: Draws, speed: float) -> tuple[Array, Array]:
     rows = range(len(draws))
     highest = [top(restitution[row]) for row in rows]
     at = np.array([index for index, _, _ in highest])
-    return efficiency[np.arange(len(draws)), at], np.array([height for _, _, height in highest])
+    top_place = places[at] + (places[1] - places[0]) * np.array([shift for _, shift, _ in highest])
+    return efficiency[np.arange(len(draws)), at], np.array([height for _, _, height in highest]), top_place

@@ -15,10 +15,9 @@ from itertools import combinations
 
 import numpy as np
 
-from sweetspot.calibration.measured import LEVEL
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.confidence import ENDS
 
-ENDS = ((1 - LEVEL) / 2, (1 + LEVEL) / 2)
 TOGETHER = "together"
 """What sources cause only together with others, or more crookedly than the second degree."""
 

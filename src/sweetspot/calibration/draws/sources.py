@@ -4,15 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sweetspot.calibration.measured import REACH, Measured
+from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement
+from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.posterior import calibrate
 from sweetspot.calibration.unknowns import Unknown, described, unknowns_of
 from sweetspot.catalog.balls import ball_spreads
+from sweetspot.catalog.bats import other_files
+from sweetspot.catalog.implements import implement
+from sweetspot.catalog.sports import sport
 from sweetspot.dynamics.patch import PATCH_SPREAD
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
@@ -20,6 +24,7 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.confidence import REACH
 
 BAT, PATCH, SWING, PITCH = "bat", "patch of the ball", "swing", "pitch"
 """Names of the sources that are no property of the ball."""
@@ -27,9 +32,9 @@ OF_BALL = "ball "
 """What the names of the ball's properties begin with."""
 DRAWS = 1024
 """A power of two, as Sobol's sequence wants."""
-WEIGHED, BALANCED, HUNG = 0.003, 0.0025, 0.01
-"""One sigma of a weight, of a balance point in m, and of a moment of inertia, that a bat file gives without an error:
-0.1 oz of 31, 0.1 in, 1 % (assumed)."""
+WEIGHED, BALANCED, HUNG, RUNG = 0.003, 0.0025, 0.01, 0.03
+"""One sigma of a weight, of a balance point in m, of a moment of inertia and of a first frequency, that a file gives
+without an error: 0.1 oz of 31, 0.1 in, 1 %, 3 % (assumed; a frequency may come from a shop's stiffness)."""
 
 
 @dataclass(frozen=True)
@@ -38,7 +43,7 @@ class Source:
 
     Parameters
     ----------
-    name : of what; all unknowns of a bat are together "bat".
+    name : of what; all unknowns of a bat are together "bat", those of a racket "racket".
     spread : one standard deviation; of an even distribution, between which its values lie.
     where : what the distribution rests on, in words.
     """
@@ -58,32 +63,34 @@ class Sources:
     covariance : of them, shape (k, k).
     others : ball, patch, swing and pitch, independent of each other and of the bat.
     bat_where : what the bat's covariance rests on, in words.
+    implement : what people call it: a bat, a racket, a club.
     """
 
     unknowns: tuple[Unknown, ...]
     covariance: Array
     others: tuple[Source, ...]
     bat_where: str = ""
+    implement: str = BAT
 
     @property
     def names(self) -> tuple[str, ...]:
         """Name of every column of a draw."""
-        return (BAT,) * len(self.unknowns) + tuple(one.name for one in self.others)
+        return (self.implement,) * len(self.unknowns) + tuple(one.name for one in self.others)
 
     @property
     def described(self) -> dict[str, str]:
         """What each source's distribution rests on, by its name."""
-        bat = {BAT: self.bat_where} if self.unknowns else {}
+        bat = {self.implement: self.bat_where} if self.bat_where else {}
         return bat | {one.name: one.where for one in self.others}
 
     def without(self, *names: str) -> Sources:
         """Return the sources but those of these names."""
         others = tuple(one for one in self.others if one.name not in names)
-        return Sources(self.unknowns, self.covariance, others, self.bat_where)
+        return replace(self, others=others)
 
     def with_source(self, one: Source) -> Sources:
         """Return the sources and one more."""
-        return Sources(self.unknowns, self.covariance, (*self.others, one), self.bat_where)
+        return replace(self, others=(*self.others, one))
 
     def normal(self, count: int, *, seed: int = 1) -> Array:
         """Return independent standard normal numbers, shape (count, n), spread evenly by Sobol's sequence.
@@ -141,35 +148,50 @@ def sources_of(
     bat_speed_error, pitch_speed_error : one standard deviation in m/s; 0: exactly as given.
     """
     unknowns, covariance = expected_deviations(bat) if known is None else known
-    where = "materials of the catalogue, after what its file says was measured" if known is None else "its calibration"
+    of_kind = "materials of the catalogue" if isinstance(bat, Bat) else "how much others of its kind differ (assumed)"
+    where = f"{of_kind}, after what its file says was measured" if known is None else "its calibration"
+    where = where if unknowns else "taken as described: how its plies may differ is not modelled"
     return Sources(
         tuple(unknowns), np.asarray(covariance, dtype=np.float64),
         (*ball_sources(conditions), *patch_sources(bat), *_speeds(bat_speed_error, pitch_speed_error)), where,
+        sport(bat.sport).words.implement,
     )  # fmt: skip
 
 
 def expected_deviations(bat: Implement) -> tuple[tuple[Unknown, ...], Array]:
     """Return what is not known of a bat that was not calibrated, after what its file says was measured.
 
-    Other implements and bats of plies have none: their doubt is not modelled.
+    What is laid up of plies has none: its doubt is not modelled.
     """
-    if not isinstance(bat, Bat):
-        return (), np.zeros((0, 0))
     measured = bat.as_measured()
     try:
         unknowns = unknowns_of(measured)
     except InputError:
         return (), np.zeros((0, 0))
-    given = []
-    if measured.mass is not None:
-        given.append(Measurement("mass", Measured(measured.mass, WEIGHED * measured.mass)))
-    if measured.balance_point is not None:
-        given.append(Measurement("balance_point", Measured(measured.balance_point, BALANCED)))
-    if measured.moi is not None:
-        given.append(Measurement("moi", Measured(measured.moi, HUNG * measured.moi), axis=measured.moi_axis))
+    given = _written(measured)
     if not given:
         return unknowns, np.diag([one.spread**2 for one in unknowns])
     return unknowns, calibrate(described(measured), unknowns, given).covariance
+
+
+def _written(own: Implement) -> list[Measurement]:
+    """Return what a file says was measured; of a racket, club or stick the catalogue's own values were not."""
+    others = () if isinstance(own, Bat) else map(implement, other_files())
+    usual = next((one for one in others if one.sport == own.sport), None)
+    mass, balance_point, moi, frequency = (
+        None if usual is not None and getattr(own, name) == getattr(usual, name) else getattr(own, name)
+        for name in ("mass", "balance_point", "moi", "frequency")
+    )
+    given = []
+    if mass is not None:
+        given.append(Measurement("mass", Measured(mass, WEIGHED * mass)))
+    if balance_point is not None:
+        given.append(Measurement("balance_point", Measured(balance_point, BALANCED)))
+    if moi is not None:
+        given.append(Measurement("moi", Measured(moi, HUNG * moi), axis=own.moi_axis))
+    if frequency is not None:
+        given.append(Measurement("frequency", Measured(frequency, RUNG * frequency), mode=ModeName("bending", 1)))
+    return given
 
 
 def ball_sources(conditions: Conditions) -> tuple[Source, ...]:

@@ -11,7 +11,7 @@ from pathlib import Path
 from sweetspot.calibration.outline.measured_outline import Outline, closed
 from sweetspot.errors import InputError
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text, table_rows
-from sweetspot.units import INCH
+from sweetspot.units import INCH, shown
 
 UNITS = {"in": INCH, "inch": INCH, "inches": INCH, "mm": 1e-3, "cm": 1e-2, "m": 1.0}
 SIZES = {"diameter": 1.0, "dia": 1.0, "circumference": 1 / math.pi, "girth": 1 / math.pi, "radius": 2.0}
@@ -48,16 +48,28 @@ def read_stations(path: Path, *, length: float | None = None) -> Outline:
     rows = [cells for _, cells in table_rows(text, path, is_heading=_is_heading)]
     if len(rows) < FEWEST_STATIONS + 1 or len(rows) > MOST_STATIONS:
         raise InputError(
-            f"{path} has {len(rows)} lines; allowed are a heading and {FEWEST_STATIONS} to {MOST_STATIONS} stations"
+            f"{path} has {len(rows)} line{'s' if len(rows) != 1 else ''}; allowed are a heading and "
+            f"{FEWEST_STATIONS} to {MOST_STATIONS} stations"
         )
     where, across = _columns(rows[0], path)
     stations = sorted((_number(row, where, number, path), _number(row, across, number, path))
                       for number, row in enumerate(rows[1:], start=2))  # fmt: skip
+    _check_not_swapped(stations, rows[0], path)
     if where.from_tip:
         if length is None:
             raise InputError(f"{path} counts from the tip; say how long the bat is with --length")
         stations = sorted((length - place, size) for place, size in stations)
     return closed(stations, length or stations[-1][0], str(path))
+
+
+def _check_not_swapped(stations: Sequence[tuple[float, float]], heading: Sequence[str], path: Path) -> None:
+    """Refuse a bat that is thicker than it is long: then each column holds what the other's heading says."""
+    reach, thickest = stations[-1][0], max(size for _, size in stations)
+    if thickest > reach:
+        raise InputError(
+            f"{path} goes {shown(reach)} along the bat and is {shown(thickest)} thick: the columns "
+            f"{' and '.join(heading)} are swapped; put each heading over its own numbers"
+        )
 
 
 def _is_heading(cells: Sequence[str]) -> bool:

@@ -14,7 +14,7 @@ import numpy as np
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.text_files import read_bytes
-from sweetspot.units import INCH
+from sweetspot.units import INCH, grouped
 
 UNITS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "in": INCH, "pt": INCH / 72, "pc": INCH / 6, "px": INCH / 96, "": INCH / 96}
 """m; CSS has 96 px to the inch."""
@@ -53,7 +53,7 @@ def svg_curves(path: Path) -> tuple[list[Array], float | None]:
         chosen = [entry for entry in elements if str(entry[0].get("id", "")).lower() in NAMED] or elements
         letters = sum(len(element.get("d", "")) + len(element.get("points", "")) for element, _ in chosen)
         if letters > LONGEST_CURVES:
-            raise InputError(f"{path} has {letters:,} letters of curves; keep only the bat's outline")
+            raise InputError(f"{path} has {grouped(letters)} letters of curves; keep only the bat's outline")
         curves = [curve for element, matrix in chosen for curve in _curves(element, matrix)]
     except InputError:
         raise

@@ -59,7 +59,7 @@ def find_edges(pixels: Array, difference: Array, bat: Shape) -> Edges:
     start, end = bat.start.astype(float), bat.end.astype(float)
     left = right = np.zeros(0)
     for _ in range(ROUNDS):  # the axis is first known from a coarse picture
-        start, end = sharp_ends(difference, start, end, bat.width.max())
+        start, end = sharp_ends(pixels, difference, start, end, bat.width.max())
         left, right = _flanks(pixels, difference, start, end, bat)
         count = len(left)
         inner = slice(count // 20, -count // 20)
@@ -97,8 +97,8 @@ def _sampled(image: Array, places: Array) -> Array:
     return np.stack(values, axis=-1)
 
 
-def sharp_ends(difference: Array, start: Array, end: Array, width: float) -> tuple[Array, Array]:
-    """Return the ends where, in the middle of the bat, the difference is half that inside."""
+def sharp_ends(pixels: Array, difference: Array, start: Array, end: Array, width: float) -> tuple[Array, Array]:
+    """Return the ends where, in the middle of the bat, the colour is half way from bat to ground, as at its flanks."""
     along, across = _directions(start, end)
     reach = np.arange(-width, width, STEP)
     ends = []
@@ -108,7 +108,9 @@ def sharp_ends(difference: Array, start: Array, end: Array, width: float) -> tup
         values = _sampled(difference, places)[..., 0].mean(axis=1)
         inside = np.median(values[(reach < -0.3 * width)])
         outside = np.median(values[reach > 0.4 * width])
-        ends.append(point + outward * _crossing(reach, values, (inside + outside) / 2, int(np.argmin(np.abs(reach)))))
+        coarse = _crossing(reach, values, (inside + outside) / 2, int(np.argmin(np.abs(reach))))
+        colours = _sampled(pixels, places).mean(axis=1)
+        ends.append(point + outward * _refined(reach, colours[None], np.array([coarse]))[0])
     return ends[0], ends[1]
 
 

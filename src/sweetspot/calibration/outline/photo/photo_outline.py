@@ -26,6 +26,8 @@ LENGTH_ERROR, RULER_ERROR = 1.5e-3, 1e-3
 """m, one sigma of a bat's length as people give it, and of a ruler's (assumed)."""
 END_HEIGHT = 0.7
 """Of the radius near an end: how high above the axis lies what is seen of it at the outermost (assumed)."""
+HOOK, HOOKED = 0.010, 1e-3
+"""m that the hook of a tape on the barrel reaches down the tip (assumed), and what it loses at least to be told of."""
 FROM, NEAREST = 2.5, 0.5
 """m from camera to bat: where it is not known (assumed), and at least."""
 
@@ -40,8 +42,9 @@ class PhotoOutline(Outline):
     edge_scatter : rms of single edges about smooth ones, m.
     axis_bend : rms of the bat's middle about a straight line, m.
     diameter_error : one sigma of diameters, m, shape (stations,).
-    place_error : one sigma of places along the bat, m.
+    place_error : one sigma of places along the bat, counted from the farther end, m.
     camera_distance : m from camera to bat as the lens tells it or as given; None: not known.
+    hooked : m by which a tape hooked over the tip begins farther in than the bat.
     """
 
     pixel: float = 0.0
@@ -50,6 +53,7 @@ class PhotoOutline(Outline):
     diameter_error: tuple[float, ...] = ()
     place_error: float = 0.0
     camera_distance: float | None = None
+    hooked: float = 0.0
 
 
 def read_photo(
@@ -76,13 +80,15 @@ def read_photo(
     with_shadows, without = differences(picture)
     shapes = [*find_shapes(without), *find_shapes(with_shadows)]
     bat = find_bat(shapes, picture.name)
-    edges = find_edges(picture.colours if picture.opacity is None else picture.opacity[..., None], without, bat)
+    colours = picture.colours if picture.opacity is None else picture.opacity[..., None]
+    edges = find_edges(colours, without, bat)
     if length is not None:
         scale, scale_error = length / edges.length, LENGTH_ERROR / length
     else:
         assert ruler is not None  # one of the two was given
         seen = find_ruler(shapes, bat, picture.name)
-        reach = float(np.hypot(*np.subtract(*sharp_ends(with_shadows, seen.start, seen.end, float(seen.width.min())))))
+        ends = sharp_ends(colours, with_shadows, seen.start, seen.end, float(seen.width.min()))
+        reach = float(np.hypot(*np.subtract(*ends)))
         scale, scale_error = ruler / reach, float(np.hypot(RULER_ERROR / ruler, 1.0 / reach))
     lens = None if picture.focal_length is None else picture.focal_length * scale
     away = camera_distance if camera_distance is not None else lens
@@ -108,6 +114,7 @@ def _measured(
     place, width = knob_first(seen, scale * edges.width)
     if not np.array_equal(place, seen):  # the first end is the tip
         place = (reach - seen)[::-1]
+    hooked = _hooked(place[-1] - place, width)
     inside = (place > 0) & (place < reach)
     place, width = place[inside], np.clip(width[inside], *DIAMETER_RANGE)
     place, width = np.concatenate([[0], place, [reach]]), np.concatenate([width[:1], width, width[-1:]])
@@ -119,13 +126,29 @@ def _measured(
             f"How far the camera was is not known; from {FROM:g} m the ends would seem {1e3 * excess.sum():.0f} mm "
             "farther apart than they are. Give --camera-distance."
         )
+    if hooked > HOOKED:
+        notes.append(
+            f"Places count from the very end. The tip is round: a tape hooked over it begins about {1e3 * hooked:.0f} "
+            "mm farther in, and what a caliper reads at an inch of that tape belongs as much nearer the knob."
+        )
     at = float(np.hypot(scale, 0.3 * excess.mean() if away else excess.mean()))
     error = _errors(place, width, scale * float(np.hypot(PIXEL, edges.scatter / 4)), scale_error, at)
     return PhotoOutline(
         profile=profile, notes=tuple(notes), pixel=scale, edge_scatter=scale * edges.scatter,
         axis_bend=scale * edges.bend, diameter_error=tuple(np.interp([x for x, _ in profile], place, error).tolist()),
-        place_error=at, camera_distance=away,
+        place_error=float(np.hypot(at, scale_error * reach)), camera_distance=away, hooked=hooked,
     )  # fmt: skip
+
+
+def _hooked(from_tip: Array, width: Array) -> float:
+    """Return by how many m a tape that is hooked over the tip begins farther in than the bat: round tips lose it.
+
+    Parameters
+    ----------
+    from_tip, width : m, the tip last.
+    """
+    near = from_tip < 3 * width.max() / 2
+    return float(from_tip[near & (width >= width[near].max() - 2 * HOOK)].min())
 
 
 def _excess(picture: Picture, edges: Edges, scale: float, away: float) -> tuple[float, float]:
@@ -140,8 +163,10 @@ def _excess(picture: Picture, edges: Edges, scale: float, away: float) -> tuple[
 
 
 def _errors(place: Array, width: Array, edge: float, scale_error: float, at: float) -> Array:
-    """Return one sigma of the diameters, m: both edges, the scale, and the place where the bat is steep."""
-    steep = np.gradient(width, place)
-    return np.asarray(
-        np.sqrt(2 * edge**2 + (scale_error * width) ** 2 + np.minimum(np.abs(steep) * at, width / 4) ** 2)
-    )
+    """Return one sigma of the diameters, m: edges, scale, and what an error of the place makes where it is steep.
+
+    Places count from either end, and the scale moves those far from it.
+    """
+    off = np.hypot(at, scale_error * np.maximum(place, place[-1] - place))
+    before, after = (np.interp(place + side * off, place, width) - width for side in (-1, 1))
+    return np.asarray(np.sqrt(2 * edge**2 + (scale_error * width) ** 2 + (before**2 + after**2) / 2))

@@ -1,0 +1,191 @@
+"""What is wrong with a sound that begins like a tap, told in words; None where it is the ringing of a free body.
+
+After the blow nothing drives what was tapped. Every tone then dies away alone, all began together, and what they say
+can be foreseen: a second blow shows as a burst in what linear prediction cannot foresee, a voice or a creak as what is
+no damped sinusoid, a whistle that glides as sinusoids that cancel each other.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from sweetspot.calibration.echoes import echoed
+from sweetspot.calibration.sinusoids import LOUD_PART, Fit
+from sweetspot.numerics.arrays import Array
+
+SETTLE = 0.006
+"""s from the blow to the window: the contact itself and its nearest echoes."""
+SHORTEST = 0.04
+"""s of ringing at least."""
+FULL_SCALE = 0.999
+"""Two samples this large, or `FLAT` tops of exactly the same height and no rounding, are clipped."""
+FLAT = 3
+NEAR_TOP = 0.05
+"""Of full scale; quieter tops are not looked at for clipping."""
+ORDER = 40
+"""Of the linear prediction."""
+BURST = 8.0
+"""Size of a blow's burst over the rms of what else is not foreseen around it, at least."""
+BURST_SHARE = 0.1
+"""And over the greatest burst."""
+ONE_BLOW = 0.02
+"""s after the beginning in which all blows are one contact; the window then begins after the last."""
+MEDIAN_TO_RMS = 1.4826
+LARGEST_MISFIT = 0.8
+"""rms of what is no damped sinusoid over that of the sound."""
+MOST_DRIVEN = 0.3
+"""rms of what is neither a damped sinusoid nor the background over that of the sound (assumed). After the blow nothing
+drives what was tapped: all that it says is damped sinusoids that began together. A voice or a creak is driven on."""
+MOST_CANCELLED = 5.0
+"""Energy of a fit's sinusoids, each alone, over that of the sound (assumed). Tones of a body lie apart and hardly
+cancel each other: two planes that begin against each other reach 4; a tone that glides needs many that cancel."""
+LASTING, BREAKS_OFF, DEEPEST = (0.12, 0.24, 0.48), 14.0, 30.0
+"""s in three thirds, and dB by which twice the middle third may lie above the other two together, of which none counts
+as more than `DEEPEST` below the loudest. What dies away is never above by more than a pair of tones makes that begin by
+cancelling each other (11 dB); a syllable goes on and breaks off."""
+FEWEST_STEPS = 20.0
+"""Steps of a recording that its loudest sample has at least: at 13, made-up taps seem held for the rounding alone."""
+HELD = 0.02
+"""Damping ratio of the lowest tone from which on something holds the implement (assumed): freely hung bats have 0.001
+to 0.015, hands damp strongly [russell_bendsweet]."""
+HEARD = 0.1
+"""Amplitude over the loudest tone's; the lowest tone that is at least this loud says whether the implement is free."""
+
+
+def fault_of_sound(raw: Array, whole: Array, struck: Array, rate: float, *, step: float, lasts: float) -> str | None:
+    """Return what is wrong with a tap before anything is fitted; None: nothing is.
+
+    Parameters
+    ----------
+    raw, whole : its samples as recorded and in the band.
+    struck : s at which blows fall into it.
+    step : the finest of its samples.
+    lasts : s until the next tap or the end.
+    """
+    high = float(np.abs(raw).max(initial=0.0))
+    if high < FEWEST_STEPS * step:
+        return f"too quiet: only {high / step:.0f} steps of the recording high; raise its level, or record in 16 bit"
+    if clipped(raw):
+        return "clipped: louder than the recording can hold; tap more softly or lower the level"
+    if lasts < ONE_BLOW + SETTLE + SHORTEST:
+        return f"too short: only {1e3 * lasts:.0f} ms of it; let it ring"
+    late = struck[struck > ONE_BLOW]
+    if len(late):
+        return f"doubled: a second blow {1e3 * late[0]:.0f} ms after the first; let the hammer bounce off"
+    if breaks_off(whole[int(SETTLE * rate) :], rate):
+        return "no ring: it goes on and breaks off instead of dying away; speech, or a hand that stopped it"
+    return None
+
+
+def fault_of_fit(fit: Fit, *, background: float, held: float) -> str | None:
+    """Return what is wrong with a tap by the damped sinusoids fitted to it; None: nothing is.
+
+    Parameters
+    ----------
+    background : mean square of the recording where it is quiet.
+    held : damping ratio of the lowest loud tone from which on the implement counts as held.
+    """
+    if not fit.sinusoids or fit.misfit > LARGEST_MISFIT:
+        share = 100 * min(fit.misfit, 1)
+        return f"too quiet: {share:.0f} % of the sound is noise; tap harder or nearer the microphone"
+    loudest = max(one.amplitude for one in fit.sinusoids)
+    loud = [one for one in fit.sinusoids if one.amplitude > HEARD * loudest]
+    lowest = next((one for one in loud if not echoed(one, fit.sinusoids)), loud[0])
+    ratio = lowest.damping_ratio
+    if ratio.value > held and ratio.low > held / 2:
+        return (
+            f"not free: at {lowest.frequency.value:.0f} Hz the damping is {100 * ratio.value:.1f} %, a freely hung one "
+            f"has less than {100 * held:g} %; hang it from rubber bands and keep hands away, or set --most-damping"
+        )
+    driven = driven_part(fit, background)
+    if driven > MOST_DRIVEN:
+        return (
+            f"no ring: {100 * driven:.0f} % of it is neither dying tones nor the noise before it; a voice, a clap, "
+            "something that rattles, or a room that echoes"
+        )
+    if cancelled(fit) > MOST_CANCELLED:
+        return "no ring: its tones glide instead of keeping their pitch; a whistle or a voice"
+    return None
+
+
+def driven_part(fit: Fit, background: float) -> float:
+    """Return the rms of what is neither a damped sinusoid nor the background over that of the sound, while it is loud.
+
+    Parameters
+    ----------
+    background : mean square of the sound where it is quiet.
+    """
+    energy = np.cumsum(fit.samples**2)
+    loud = int(np.searchsorted(energy, LOUD_PART * energy[-1]))
+    return math.sqrt(max(fit.misfit**2 - background * (loud + 1) / float(energy[loud]), 0.0))
+
+
+def cancelled(fit: Fit) -> float:
+    """Return the energy of a fit's sinusoids, each alone, over that of the sound."""
+    seconds = len(fit.samples) / fit.rate
+    return sum(one.energy(seconds) for one in fit.sinusoids) * fit.rate / float(fit.samples @ fit.samples)
+
+
+def breaks_off(samples: Array, rate: float) -> bool:
+    """Say whether a sound goes on and then breaks off: the energy of damped tones falls ever more slowly."""
+    for seconds in LASTING:
+        size = int(seconds * rate / 3)
+        if 3 * size <= len(samples):
+            level = 10 * np.log10(np.mean(samples[: 3 * size].reshape(3, size) ** 2, axis=1) + 1e-30)
+            first, middle, last = np.maximum(level, level.max() - DEEPEST).tolist()
+            if 2 * middle - first - last > BREAKS_OFF:
+                return True
+    return False
+
+
+def clipped(samples: Array) -> bool:
+    """Say whether a sound was cut off: at full scale, or again and again at the very same height."""
+    for side in (samples, -samples):
+        top = side.max(initial=0.0)
+        if top < NEAR_TOP:
+            continue
+        at_top = side >= top
+        runs = at_top[1:] & at_top[:-1]
+        if (top >= FULL_SCALE and at_top.sum() > 1) or np.count_nonzero(runs[1:] & ~runs[:-1]) >= FLAT:
+            return True
+    return False
+
+
+def step_of(samples: Array) -> float:
+    """Return the smallest step between samples, in which a sound was written; 0: all are the same."""
+    steps = np.diff(np.unique(samples))
+    return float(steps.min()) if len(steps) else 0.0
+
+
+def blows(samples: Array, rate: float, *, finest_step: float = 0.0) -> Array:
+    """Return when in s blows fall into a sound: what the `ORDER` samples before do not let foresee.
+
+    A blow stands out of the 40 ms around it and of what rounding makes, and counts when it is no less than a tenth of
+    the greatest.
+
+    Parameters
+    ----------
+    finest_step : of the recording; in 8 bit the end of a ring is nothing but single steps, of rms 1 / sqrt(12) each.
+    """
+    import scipy.linalg
+    import scipy.ndimage
+
+    count = len(samples)
+    if count < 4 * ORDER:
+        return np.zeros(0)
+    padded = np.concatenate([np.zeros(ORDER), samples])
+    past = np.lib.stride_tricks.sliding_window_view(padded[:-1], ORDER)
+    ringing = slice(min(int(SETTLE * rate), count // 2), None)
+    normal = past[ringing].T @ past[ringing]
+    normal += 1e-9 * max(np.trace(normal), 1e-300) / ORDER * np.eye(ORDER)
+    weights = scipy.linalg.solve(normal, past[ringing].T @ samples[ringing], assume_a="pos")
+    surprise = np.abs(samples - past @ weights)
+    size = 2 * int(0.02 * rate) + 1
+    around = scipy.ndimage.median_filter(surprise, size=size, mode="nearest")
+    inside = scipy.ndimage.median_filter(surprise, size=size, mode="reflect")
+    around[count // 2 :] = np.maximum(around, inside)[count // 2 :]  # the very last sample may be quiet by chance
+    usual = np.maximum(MEDIAN_TO_RMS * around, finest_step / math.sqrt(12))
+    bursts = (surprise > BURST * usual) & (surprise > BURST_SHARE * surprise.max())
+    return np.asarray(np.flatnonzero(bursts) / rate)
