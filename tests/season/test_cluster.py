@@ -26,26 +26,18 @@ def test_a_plan_has_every_row_once(alone: dict[str, str]) -> None:
     assert len(alone) == 3 * (5 + 4)
 
 
-def test_seven_workers_give_the_same_bytes(
-    compute: Callable[..., Season], alone: dict[str, str], tmp_path: Path
+def test_seven_workers_of_which_one_is_killed_give_the_same_bytes(
+    compute: Callable[..., Season], alone: dict[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """One and two do so below; another cluster on the usual port is no hindrance."""
+    """The first that does a task dies in the middle of it by its own real SIGKILL; the usual port is taken."""
+    monkeypatch.setattr("sweetspot.season.cluster._do", partial(dies_once, tmp_path / "died"))
     with ExitStack() as held:
         for host in ("127.0.0.1", "0.0.0.0"):
             taken = held.enter_context(socket.socket())
             with suppress(OSError):  # somebody has it already
                 taken.bind((host, USUAL_PORT))
                 taken.listen()
-        compute(tmp_path, partial(run_on_cluster, workers=7))
-    assert files_of(tmp_path) == alone
-
-
-def test_a_killed_worker_costs_nothing(
-    compute: Callable[..., Season], alone: dict[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """The first worker that does a task dies in the middle of it, by its own real SIGKILL."""
-    monkeypatch.setattr("sweetspot.season.cluster._do", partial(dies_once, tmp_path / "died"))
-    compute(tmp_path / "out", partial(run_on_cluster, workers=2))
+        compute(tmp_path / "out", partial(run_on_cluster, workers=7))
     assert (tmp_path / "died").exists()
     assert files_of(tmp_path / "out") == alone
 
@@ -61,8 +53,8 @@ def test_all_workers_lost_at_once_cost_nothing(
 
 
 def dies_once(mark: Path, plan: Plan, task: object) -> int:
-    if not mark.exists():
-        mark.touch()
+    with suppress(FileExistsError):
+        mark.touch(exist_ok=False)
         os.kill(os.getpid(), signal.SIGKILL)
     return do_task(plan, task)  # type: ignore[arg-type]
 

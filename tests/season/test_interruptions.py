@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import os
+import shlex
+import shutil
 import signal
 import subprocess
 import sys
@@ -120,6 +122,30 @@ def test_a_full_disk_keeps_what_is_done(
     assert files_of(tmp_path) == whole
 
 
+def test_a_disk_that_is_really_full_keeps_what_is_done(
+    months: list[Path], whole: dict[str, str], tmp_path: Path
+) -> None:
+    """A disk in memory of 400 kB, in a namespace of its own; then it is made larger, and the same command goes on."""
+    small = tmp_path / "small"
+    small.mkdir()
+    command = " ".join(shlex.quote(str(part)) for part in (
+        sys.executable, "-m", "sweetspot", "season", *months, "--flight-only", "--out", small / "out"))  # fmt: skip
+    script = (
+        f"mount -t tmpfs -o size=400k tmpfs {small} || exit 77; {command} > /dev/null; test $? = 2 || exit 3; "
+        f"mount -o remount,size=50M {small}; {command} --resume > /dev/null && cp -r {small}/out {tmp_path}/kept"
+    )
+    if shutil.which("unshare") is None:
+        pytest.skip("no unshare here")
+    ended = subprocess.run(
+        ["unshare", "-rm", "sh", "-c", script], capture_output=True, text=True, cwd=ROOT, check=False
+    )
+    if ended.returncode in (1, 77) and "sweetspot" not in ended.stderr:
+        pytest.skip("this system lets nobody mount a disk of their own")
+    assert ended.returncode == 0, ended.stderr
+    assert "0003-0000000000.parquet cannot be written: no space left on device; make room" in ended.stderr
+    assert files_of(tmp_path / "kept") == whole
+
+
 def kills(scheduler: Path, plan: Plan, task: object) -> int:
     """Do a task; after the first one the scheduler dies by a real SIGKILL."""
     rows = do_task(plan, task)  # type: ignore[arg-type]
@@ -147,9 +173,9 @@ def test_a_lost_scheduler_costs_nothing(
     scheduler = start([*head, "distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard",
                        "--dashboard-address", "127.0.0.1:0", "--scheduler-file", told])  # fmt: skip
     worker = start([*head, "distributed.cli.dask_worker", "--scheduler-file", told, "--no-nanny", "--nthreads", "1",
-                    "--no-dashboard", "--death-timeout", "60"])  # fmt: skip
+                    "--no-dashboard", "--death-timeout", "600"])  # fmt: skip
     try:
-        deadline = time.monotonic() + 120
+        deadline = time.monotonic() + 600
         while not told.exists() or not told.read_text():
             assert time.monotonic() < deadline
             time.sleep(0.05)

@@ -11,7 +11,7 @@ import numpy as np
 import polars as pl
 import pytest
 
-from sweetspot.season import survey
+from sweetspot.season import duplicates
 from sweetspot.season.balls import balls_of
 from sweetspot.season.rows import USED, rows_of
 from sweetspot.season.survey import Survey, survey_tables
@@ -88,7 +88,7 @@ def test_pitches_of_overlapping_exports_count_once(table: Write) -> None:
 
 
 def test_pitches_are_the_same_however_their_numbers_are_written(table: Write, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(survey, "MOST_KEYS", 25)  # gone through five times
+    monkeypatch.setattr(duplicates, "MOST_KEYS", 25)  # gone through five times
     other = made_up().with_columns(pl.col("at_bat_number").cast(pl.Float64), pl.col("game_pk").cast(pl.String))
     found = look(table("first.parquet"), table("other.parquet", pl.concat([other, other.head(3)])))
     assert [counts["duplicate"] for counts in found.counts] == [0, 63]

@@ -9,14 +9,12 @@ from __future__ import annotations
 import logging
 import signal
 from collections.abc import Callable
-from dataclasses import replace
 from importlib import import_module
 from multiprocessing import resource_tracker
 from typing import Any
 
 from sweetspot.errors import InputError
-from sweetspot.season.answers import SeasonSetting
-from sweetspot.season.plan import Plan, Task, do_task, is_done
+from sweetspot.season.plan import Plan, Task, do_task, is_done, serial
 
 Progress = Callable[[int, int], None]
 PATIENCE = "20s"
@@ -137,11 +135,3 @@ def _given_out(plan: Plan, client: Any, progress: Progress | None) -> bool:
 
 def _do(plan: Plan, task: Task) -> int:
     return do_task(plan, task)
-
-
-def serial(plan: Plan) -> Plan:
-    """Return a plan whose tasks use one thread each, for many workers on one machine."""
-    setting = plan.setting
-    contact = None if setting.contact is None else replace(setting.contact, threads=1)
-    one = SeasonSetting(replace(setting.flight, threads=1), contact, setting.bats, setting.system)
-    return replace(plan, setting=one)

@@ -15,11 +15,14 @@ from numpy.typing import NDArray
 from sweetspot.equipment.ball import Ball
 from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.threads import in_parts
 from sweetspot.season import contact_kernel as kernel
 from sweetspot.season.balls import Balls
 from sweetspot.season.bat_surface import SPEED_FROM_TIP, BatSurface
-from sweetspot.season.place_relation import UNLEARNT, PlaceRelation, learn_places, speed_term
+from sweetspot.season.place_learning import learn_places
+from sweetspot.season.place_relation import UNLEARNT, Circumstances, PlaceRelation, circumstances, turn_term
+from sweetspot.season.swing_speeds import likeliest_speeds
 from sweetspot.season.swings import OUTCOMES, USUAL_ERRORS, Errors, InPlane, ceilings, in_plane
 from sweetspot.units import MPH
 
@@ -124,14 +127,15 @@ def contacts(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -
         plane = in_plane(some, surface, setting.errors, ball=setting.ball)
         ceiling[mine], best[mine] = ceilings(plane, surface)
         solved = plane.outcome == 0
-        posteriors, weights = _posteriors(some, plane, best[mine], surface, setting, solved)
+        known = circumstances(some, setting.relation.bat_speeds)
+        posteriors, weights = _posteriors(some, plane, known, best[mine], surface, setting, solved)
         results[mine] = posteriors
         grazed = solved & np.isnan(posteriors[:, kernel.KEPT])
         outcome[mine] = np.where(grazed, OUTCOMES.index("grazed"), plane.outcome)
-        chance[mine], improbable[mine] = _above(some, plane, ceiling[mine], setting)
+        chance[mine], improbable[mine] = _above(some, plane, known, ceiling[mine], setting)
         for other in setting.others:
             answer = _with_other(
-                some, plane, posteriors, weights, surface, setting.mois[number], other, setting, solved
+                some, plane, known, posteriors, weights, surface, setting.mois[number], other, setting, solved
             )
             for held, values in zip(others[other.name], answer, strict=True):
                 held[mine] = values
@@ -158,7 +162,7 @@ def learnt(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -> 
     bat_of : which of the setting's bats each ball was hit with, -1 where not known.
     """
     chosen: list[NDArray[np.int64]] = []
-    tables, outs, spreads = [], [], []
+    tables, outs, widths, turns = [], [], [], []
     for number, surface in enumerate(setting.surfaces):
         mine = np.flatnonzero(bat_of == number)
         plane = in_plane(taken(balls, mine), surface, setting.errors, ball=setting.ball)
@@ -171,18 +175,22 @@ def learnt(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -> 
         chosen.append(mine[good])
         tables.append(fast)
         outs.append(plane.exit_speed[good])
-        spreads.append(spread)
+        widths.append(spread)
+        turns.append(plane.turned[good])
     if not chosen or not sum(map(len, chosen)):
         return UNLEARNT
     everyone = np.concatenate(chosen)
+    used = taken(balls, everyone)
+    speeds = likeliest_speeds(used.bat_speed)
     relation = learn_places(
-        taken(balls, everyone), places=setting.surfaces[0].axes[2], predicted=np.concatenate(tables),
-        measured=np.concatenate(outs), spread=np.concatenate(spreads),
+        circumstances(used, speeds), bat_speeds=speeds, places=setting.surfaces[0].axes[2],
+        predicted=np.concatenate(tables), measured=np.concatenate(outs), error=np.concatenate(widths),
+        turned=turn_term(np.concatenate(turns)),
     )  # fmt: skip
     if not relation.balls:
         return relation
     bare = replace(setting, relation=relation, others=())
-    rank = contacts(taken(balls, everyone), bat_of[everyone], bare).results[:, kernel.RANK]
+    rank = contacts(used, bat_of[everyone], bare).results[:, kernel.RANK]
     ends = np.nanquantile(rank, np.linspace(0, 1, RANKS)[1:-1])
     return replace(relation, ranks=(0.0, *np.maximum.accumulate(ends).tolist(), 1.0))
 
@@ -198,9 +206,10 @@ def _error_array(errors: Errors) -> Array:
 
 
 def _posteriors(
-    balls: Balls, plane: InPlane, best: Array, surface: BatSurface, setting: ContactSetting, solved: NDArray[np.bool_]
-) -> tuple[Array, Array]:
-    prior = setting.relation.prior(balls)
+    balls: Balls, plane: InPlane, known: Circumstances, best: Array, surface: BatSurface, setting: ContactSetting,
+    solved: NDArray[np.bool_],
+) -> tuple[Array, Array]:  # fmt: skip
+    prior = setting.relation.prior(known)
     told = np.isfinite(balls.axial_offset)
     prior = np.where(told[:, None], np.stack([SPEED_FROM_TIP - np.nan_to_num(balls.axial_offset),
                      np.full(len(told), setting.errors.axial_offset)], axis=-1), prior)  # fmt: skip
@@ -210,8 +219,8 @@ def _posteriors(
     weights = np.zeros((len(rows) if setting.others else 1, len(surface.arm)))
     relation = setting.relation
     aims = np.stack([best, _chances_of(balls)], axis=-1)[rows]
-    swung = speed_term(balls)[rows]
-    noise, level = relation.noises(swung), relation.levels(swung)
+    swing = known.some(rows), turn_term(plane.turned)[rows]
+    noise, level = relation.noise_of(*swing), relation.level_of(*swing)
     measured, before = plane.exit_speed[rows], prior[rows]
 
     def work(part: slice) -> None:
@@ -231,7 +240,9 @@ def _posteriors(
     return results, everything
 
 
-def _above(balls: Balls, plane: InPlane, ceiling: Array, setting: ContactSetting) -> tuple[Array, Array]:
+def _above(
+    balls: Balls, plane: InPlane, known: Circumstances, ceiling: Array, setting: ContactSetting
+) -> tuple[Array, Array]:
     """Return the chance that a ball was truly above its ceiling, and how improbable a perfect hit would read so.
 
     Known beforehand is that a true exit speed is at most the ceiling with what balls and bats differ by; both are
@@ -241,17 +252,17 @@ def _above(balls: Balls, plane: InPlane, ceiling: Array, setting: ContactSetting
 
     coming = np.hypot(plane.ahead, plane.up)
     per_speed = (ceiling + coming) / np.maximum(plane.bat_speed + coming, 1.0)
+    perfect = known, np.zeros(len(balls))
     parts = (setting.errors.exit_speed, plane.speed_error, per_speed * setting.errors.bat_speed,
-             setting.relation.noises(speed_term(balls)))  # fmt: skip
+             setting.relation.noise_of(*perfect))  # fmt: skip
     spread = np.sqrt(sum(np.square(part) for part in parts))
-    off = (balls.exit_speed - (1 + setting.relation.levels(speed_term(balls))) * ceiling) / spread
+    off = (balls.exit_speed - (1 + setting.relation.level_of(*perfect)) * ceiling) / spread
     return np.asarray(ndtr(off)), np.asarray(ndtr(-off))
 
 
 def _with_other(
-    balls: Balls,
-    plane: InPlane, posteriors: Array, weights: Array, own: BatSurface, moi: float, other: OtherBat,
-    setting: ContactSetting, solved: NDArray[np.bool_],
+    balls: Balls, plane: InPlane, known: Circumstances, posteriors: Array, weights: Array, own: BatSurface, moi: float,
+    other: OtherBat, setting: ContactSetting, solved: NDArray[np.bool_],
 ) -> tuple[Array, Array, Array]:  # fmt: skip
     """Return exit speeds that the same swings would have given with another bat, and their 90 % intervals."""
     rows = np.flatnonzero(solved)
@@ -269,9 +280,9 @@ def _with_other(
         means.append((mean, spread))
     same, _ = np.empty((2, len(rows)))
     kernel.fill_other_bat(own.axes, own.axes, own.after, own.reach, own.arm, asked, offset, parts, 1.0, same, _)
-    level = 1 + setting.relation.levels(speed_term(balls)[rows])
-    law = np.abs(means[1][0] - means[2][0]) / (2 * 1.959964)
-    reach = 1.644854 * level * law
+    level = 1 + setting.relation.level_of(known.some(rows), turn_term(plane.turned)[rows])
+    law = np.abs(means[1][0] - means[2][0]) / (2 * REACH)
+    reach = REACH * level * law
     fast = plane.exit_speed[rows] + level * (means[0][0] - same)
     answer = np.sqrt(fast**2 + balls.exit_speed[rows] ** 2 - plane.exit_speed[rows] ** 2)
     full = np.full((3, len(solved)), np.nan)

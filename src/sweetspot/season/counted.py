@@ -23,6 +23,8 @@ EARLIER, USUAL_LEAD = 0.92, 0.018
 the league's own timing with r squared 0.951 [statcast_contact_point]."""
 WITH = "with "
 """How columns begin that hold what a ball would gain with another bat, m/s."""
+SAME_BAT = 1e-9
+"""Gain below which it was that very bat the ball was hit with, and nothing was tried, m/s."""
 
 
 def counted_rows(rows: pl.DataFrame, answers: Answers, headings: Headings) -> pl.DataFrame:
@@ -58,7 +60,8 @@ def counted_rows(rows: pl.DataFrame, answers: Answers, headings: Headings) -> pl
             "above_usual": balls.exit_speed - result[:, kernel.EXPECTED],
         }  # fmt: skip
         for name, (mean, _, _) in met.others.items():
-            measured[f"{WITH}{name}"] = mean - balls.exit_speed
+            gain = mean - balls.exit_speed
+            measured[f"{WITH}{name}"] = np.where(np.abs(gain) < SAME_BAT, np.nan, gain)
     series = [pl.Series(name, values.astype(np.float32), nan_to_null=True) for name, values in measured.items()]
     return rows.select(*groups(headings)).with_columns(
         *series, park=_parks(answers)

@@ -13,8 +13,12 @@ from numpy.typing import NDArray
 from sweetspot.catalog.ballparks import park, parks_of_season
 from sweetspot.errors import InputError
 from sweetspot.flight.air import Air
-from sweetspot.flight.park import Park
+from sweetspot.flight.park import FOUL_LINE, Park, fence_at
 from sweetspot.numerics.arrays import Array
+from sweetspot.units import DEGREE
+
+ASIDE = 5 * DEGREE
+"""rad by which a ball may pass a fence beside where it comes down."""
 
 
 @dataclass(frozen=True)
@@ -66,6 +70,27 @@ def fields_of(clubs: pl.Series | Sequence[str | None], seasons: NDArray[np.int64
         else:
             places[rows["ball"].to_numpy()] = fields.setdefault(here, len(fields))
     return Fields(tuple(fields), places, unknown)
+
+
+def nearest_fences(parks: tuple[Park, ...], bearing: Array) -> Array:
+    """Return how far the nearest fence of any park is within `ASIDE` of where balls come down, m, shape (n,).
+
+    Parameters
+    ----------
+    bearing : rad from centre field, shape (n,); NaN: the nearest fence of all.
+    """
+    every, least = _nearest(parks), np.isnan(bearing)
+    at = np.clip(np.rint((np.where(least, 0.0, bearing) + FOUL_LINE) / DEGREE), 0, len(every) - 1).astype(np.int64)
+    return np.where(least, every.min(), every[at])
+
+
+@cache
+def _nearest(parks: tuple[Park, ...]) -> Array:
+    """Return the nearest fences for every degree from one foul line to the other."""
+    ways = np.arange(-FOUL_LINE, FOUL_LINE + DEGREE / 2, DEGREE)
+    aside = np.linspace(-ASIDE, ASIDE, 41)
+    return np.asarray(np.min([fence_at(park, np.clip(ways[:, None] + aside, -FOUL_LINE, FOUL_LINE))[0].min(axis=1)
+                              for park in parks], axis=0))  # fmt: skip
 
 
 @cache

@@ -29,7 +29,7 @@ from sweetspot.flight.kernel import Flights, flights
 from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.numerics.arrays import Array
 from sweetspot.season.balls import Balls
-from sweetspot.season.fields import Fields, thirty_parks
+from sweetspot.season.fields import Fields, nearest_fences, thirty_parks
 from sweetspot.season.launch_table import Expected, expected_of
 from sweetspot.season.swings import USUAL_ERRORS, Errors
 from sweetspot.units import DEGREE, FOOT
@@ -42,8 +42,9 @@ down closer than `CLOSE` then, and carries change by 0.2 ft in one of a hundred,
 STEEP = 60 * DEGREE
 """Launch angle above which what drag does to a carry is no smooth function of bearings, and such balls are flown
 again; below it the table's is right to 1.5 ft in 35 ft for 99 of 100 balls."""
-SHORTEST = 80.0
-"""m; a ball that does not carry so far is no home run anywhere: no fence is nearer than 90."""
+THINNER, SURE = 1.02, 5.0
+"""A ball that, in thinner air and with its drag so many standard deviations off, still comes down before every fence on
+its way is no home run anywhere; so chances below about 1e-7 are taken as none."""
 GLOVE = 5 * FOOT
 """m above the ground, where caught balls end."""
 
@@ -115,13 +116,13 @@ def flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, *, tempera
         density=density,
     )  # fmt: skip
     solved, flown, known = _launched(balls, density, expected, setting)
-    away = flown.carry > SHORTEST
     per_drag = _per_drag(balls, solved, density, flown, expected, setting)
     shift, spread = np.array([*(USUAL.of(park) for park in fields.parks), (0.0, USUAL.open)]).T[:, fields.index]
     errors = LaunchErrors(setting.errors.exit_speed, setting.errors.launch_angle)
     doubt = _carry_errors(setting.ball, setting.aerodynamics, setting.air, errors, setting.spin_scatter)
     carry_spread = doubt.spread(balls.exit_speed, balls.launch_angle, per_drag=per_drag, scatter=spread)
-    here, everywhere, count = _chances(balls, solved, fields, setting, away & known)
+    reach = THINNER * flown.carry - SURE * USUAL.open * per_drag
+    here, everywhere, count = _chances(balls, solved, fields, setting, flown.bearing, np.where(known, reach, 0.0))
     return FlightColumns(
         launch_direction=np.where(known, solved, np.nan), carry=flown.carry + shift * per_drag,
         carry_spread=carry_spread, hang_time=flown.hang_time, apex_height=flown.apex_height,
@@ -210,16 +211,22 @@ def _replaced(flown: Flights, rows: np.ndarray, again: Flights) -> Flights:
 
 
 def _chances(
-    balls: Balls, spray: Array, fields: Fields, setting: FlightSetting, rows: np.ndarray
+    balls: Balls, spray: Array, fields: Fields, setting: FlightSetting, bearing: Array, reach: Array
 ) -> tuple[Array, Array, Array]:
-    """Return the chance here, the expected number over thirty parks, and in how many the mean ball is out."""
+    """Return the chance here, the expected number over thirty parks, and in how many the mean ball is out.
+
+    Balls that come down at a bearing and reach no farther than the fences there have none.
+    """
     here, everywhere, count = np.zeros((3, len(balls)))
     if not setting.parks:
         return np.full((3, len(balls)), np.nan)[0], *np.full((2, len(balls)), np.nan)
-    for season in np.unique(balls.season[rows]).tolist():
-        mine = np.flatnonzero(rows & (balls.season == season))
+    for season in np.unique(balls.season[reach > 0]).tolist():
         thirty = thirty_parks(season)
         extra = [park for park in fields.parks if park not in thirty]
+        near = nearest_fences((*thirty, *extra), bearing)
+        mine = np.flatnonzero((reach > near) & (balls.season == season))
+        if not len(mine):
+            continue
         mask = np.zeros(len(balls), bool)
         mask[mine] = True
         conditions = FlightConditions(ball=setting.ball, aerodynamics=setting.aerodynamics, air=setting.air)

@@ -13,7 +13,7 @@ from functools import cache
 from typing import Any
 
 from sweetspot.catalog.records import read_table
-from sweetspot.errors import InputError, nearest_names
+from sweetspot.errors import InputError, maybe_meant_heading, nearest_names
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, RPM
 
 FILE = "table_headings.toml"
@@ -157,7 +157,10 @@ def headings_of(names: Sequence[str], *, given: Mapping[str, str] | None = None,
 
 
 def _closest(names: list[str]) -> str:
-    shown = ", ".join(names[:12]) + (", …" if len(names) > 12 else "")
+    known = [alias for entry in quantities().values() for alias in entry.get("plain", ())]
+    maybe = [maybe_meant_heading(name, known, KNOWN_UNITS) for name in names]
+    maybe.sort(key=lambda name: "did you mean" not in name)
+    shown = ", ".join(maybe[:12]) + (", …" if len(names) > 12 else "")
     return f"The table has: {shown}" if names else nearest_names("exit_speed", ["launch_speed"])
 
 

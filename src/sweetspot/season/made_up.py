@@ -49,7 +49,11 @@ class MadeSeason:
     per_outside : m of place for each m that a pitch is further outside.
     between : standard deviation of players' mean places, m, of their bat speeds, m/s, and of the logarithms of their
         scatter along the bat.
+    wilder : what the logarithm of a player's scatter along the bat grows by for a standard deviation of bat speed.
+    speed_spread : m/s, scatter of one player's bat speeds.
     offset_spread : m, scatter of the ball's centre above the bat's axis.
+    offset_between : standard deviation over players of that scatter's logarithm.
+    level_between : standard deviation over players of exit speeds beside the bat's, as a part: bats that differ.
     noise : m/s that exit speeds scatter beside measuring errors.
     drag : all flights' drag over the law's.
     errors : of the measurements.
@@ -61,10 +65,23 @@ class MadeSeason:
     place_spread: float = 1.8 * INCH
     per_outside: float = -0.25
     between: tuple[float, float, float] = (0.4 * INCH, 2.5 * MPH, 0.25)
+    wilder: float = 0.0
+    speed_spread: float = 4 * MPH
     offset_spread: float = 0.9 * INCH
+    offset_between: float = 0.0
+    level_between: float = 0.0
     noise: float = 1.5 * MPH
     drag: float = 1.0
     errors: Errors = USUAL_ERRORS
+
+
+LIKE_THE_LEAGUE = MadeSeason(
+    players=209, balls=80, place=6.26 * INCH, place_spread=2.07 * INCH, per_outside=-0.278,
+    between=(0.48 * INCH, 2.74 * MPH, 0.02), wilder=0.2, speed_spread=4.57 * MPH, offset_spread=1.19 * INCH,
+    offset_between=0.15, level_between=0.01, noise=1.65,
+)  # fmt: skip
+"""Swings that scatter as tracked ones do [sure2026], of players who differ by what makes exit speed, the league's rate
+of squared-up balls and that of blasts as reliable at 34 balls as the league's are; `tools/reliability.py` finds it."""
 
 
 def made_season(bat: Bat, made: MadeSeason | None = None, *, year: int = 2024, seed: int = 1) -> pl.DataFrame:
@@ -82,19 +99,21 @@ def made_season(bat: Bat, made: MadeSeason | None = None, *, year: int = 2024, s
     who = np.repeat(np.arange(how.players), how.balls)
     count = len(who)
     own_place, own_speed = rng.normal(0, how.between[0], how.players), rng.normal(0, how.between[1], how.players)
-    own_spread = how.place_spread * np.exp(rng.normal(0, how.between[2], how.players))
+    faster = own_speed / how.between[1] if how.between[1] else own_speed
+    own_spread = how.place_spread * np.exp(rng.normal(0, how.between[2], how.players) + how.wilder * faster)
     left = rng.random(how.players)[who] < 0.4
-    speed = 71.5 * MPH + own_speed[who] + rng.normal(0, 4 * MPH, count)
+    speed = 71.5 * MPH + own_speed[who] + rng.normal(0, how.speed_spread, count)
     attack, direction = rng.normal(9, 7, count) * DEGREE, rng.normal(-2, 9, count) * DEGREE
     tilt = steep_enough(np.clip(rng.normal(32, 5, count), 15, 50) * DEGREE, attack)
     outside, height = rng.normal(0.02, 0.17, count), np.clip(rng.normal(0.75, 0.16, count), 0.3, 1.2)
     pitch = rng.normal(83, 4, count) * MPH
     place = how.place + own_place[who] + how.per_outside * outside + own_spread[who] * rng.normal(0, 1, count)
-    offset = rng.normal(0.15 * INCH, how.offset_spread, count)
+    own_offset, own_level = _more_of_players(how, seed)
+    offset = 0.15 * INCH + rng.normal(0, how.offset_spread, count) * own_offset[who]
     kept = (place > 0) & (place < 13.9 * INCH) & (speed > 45 * MPH)
     struck = _struck(bat, speed, (attack, direction, tilt, left), pitch, np.clip(place, 0, 13.9 * INCH), offset)
     launch, _, _ = launch_angles(struck.velocity, struck.spin)
-    exit_speed = struck.exit_speed + rng.normal(0, how.noise, count)
+    exit_speed = own_level[who] * struck.exit_speed + rng.normal(0, how.noise, count)
     velocity = struck.velocity * (exit_speed / struck.exit_speed)[:, None]
     kept &= np.isfinite(exit_speed) & (exit_speed > LOWEST) & (np.abs(launch) < 70 * DEGREE)
     parks = parks_of_season(year)
@@ -129,6 +148,13 @@ def made_season(bat: Bat, made: MadeSeason | None = None, *, year: int = 2024, s
         hc_x=pl.Series(HOME_X + on_map * np.sin(bearing)), hc_y=pl.Series(HOME_Y - on_map * np.cos(bearing)),
         hit_distance_sc=pl.Series(carry / FOOT), events=pl.Series(np.where(out, "home_run", "field_out")),
     ).filter(pl.Series(kept))  # fmt: skip
+
+
+def _more_of_players(how: MadeSeason, seed: int) -> tuple[Array, Array]:
+    """Return by how much more than usual players scatter over and under balls, and hit harder than this bat does."""
+    rng = np.random.default_rng([seed, how.players])
+    offsets = rng.normal(0, 1, how.players)
+    return np.exp(how.offset_between * offsets), 1 + how.level_between * rng.normal(0, 1, how.players)
 
 
 def _struck(

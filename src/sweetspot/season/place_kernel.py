@@ -1,4 +1,4 @@
-"""The compiled weights of places along a bat, and the expectation step of `place_relation` that sums over them."""
+"""The compiled weights of places along a bat, and the expectation step of `place_learning` that sums over them."""
 
 from __future__ import annotations
 

@@ -24,14 +24,21 @@ from numpy.typing import NDArray
 from sweetspot.errors import InputError
 from sweetspot.season.answers import SeasonSetting, answer_columns, answers_of
 from sweetspot.season.counted import counted_rows
+from sweetspot.season.duplicates import with_duplicates
 from sweetspot.season.rows import USED, rows_of
-from sweetspot.season.survey import with_duplicates
 from sweetspot.season.table_file import TableFile
+from sweetspot.season.table_reader import TableReader
 
-TASK_ROWS = 65_536
-"""Rows of a task; the answers of a row do not depend on it."""
+TASK_ROWS = 32_768
+"""Rows of a task; the answers of a row do not depend on it, what is held in memory at a time does."""
 ONLY_KEYS = {"at_bat", "pitch", "pitch_id", "player_name"}
 """Quantities that tell pitches apart, and are asked for no more."""
+ONLY_CONTACTS = {
+    *(f"{what}_{axis}" for what in ("velocity", "acceleration") for axis in "xyz"), "plate_side", "plate_height",
+    "plate_speed", "release_speed", "attack_angle", "attack_direction", "attack_to_right", "tilt", "axial_offset",
+    "intercept_ahead",
+}  # fmt: skip
+"""Quantities that contacts alone hang on."""
 BALLS, LEDGER, COUNTED, MARK = "balls", "ledger", "counted", "sweetspot"
 SIZE_SEEN = 1 << 16
 """Bytes of a file's beginning and end that go into the fingerprint of a plan."""
@@ -84,6 +91,14 @@ class Plan:
         return balls, ledger, counted
 
 
+def serial(plan: Plan) -> Plan:
+    """Return a plan whose tasks use one thread each, for many tasks side by side on one machine."""
+    setting = plan.setting
+    contact = None if setting.contact is None else replace(setting.contact, threads=1)
+    one = SeasonSetting(replace(setting.flight, threads=1), contact, setting.bats, setting.system)
+    return replace(plan, setting=one)
+
+
 def is_done(plan: Plan, task: Task) -> bool:
     """Return whether the files of a task are there, whole, and of this very plan."""
     for path in plan.paths(task):
@@ -98,27 +113,38 @@ def is_done(plan: Plan, task: Task) -> bool:
     return True
 
 
-def do_task(plan: Plan, task: Task) -> int:
-    """Do a task that is not done yet; return how many rows it had."""
+def reader_of(plan: Plan) -> TableReader:
+    """Return what reads the tables of a plan for its tasks."""
+    return TableReader(plan.tables, part_rows=plan.task_rows)
+
+
+def do_task(plan: Plan, task: Task, reader: TableReader | None = None) -> int:
+    """Do a task that is not done yet; return how many rows it had.
+
+    Parameters
+    ----------
+    reader : shared by tasks that are done in one process; None: this one reads its rows itself.
+    """
     if is_done(plan, task):
         return task.rows
     table = plan.tables[task.table]
-    frame = table.part(task.start, task.rows)
-    asked = table.headings.only(*(name for name in table.headings.columns if name not in ONLY_KEYS))
-    rows = with_duplicates(rows_of(frame, asked, first=task.start), plan.duplicates[task.table])
-    used = (rows["reason"] == USED).to_numpy()
-    answers = answers_of(rows.filter(used), plan.setting)
+    frame = table.part(task.start, task.rows) if reader is None else reader.part(task.table, task.start, task.rows)
+    unasked = ONLY_KEYS if plan.setting.contact is not None else ONLY_KEYS | ONLY_CONTACTS
+    asked = table.headings.only(*(name for name in table.headings.columns if name not in unasked))
+    every = with_duplicates(rows_of(frame, asked, first=task.start), plan.duplicates[task.table])
+    used = every["reason"] == USED
+    rows, kept = (every, frame) if used.all() else (every.filter(used), frame.filter(used))
+    answers = answers_of(rows, plan.setting)
     columns = answer_columns(answers, plan.setting)
     names = {column.name for column in columns}
-    kept = frame.filter(used)
-    row = (rows.filter(used)["row"] + 1).cast(pl.UInt32).alias("table_row")
-    source = pl.Series("table", [str(table.path.name)] * len(row), dtype=pl.String)
+    row = (rows["row"] + 1).cast(pl.UInt32).alias("table_row")
+    source = pl.Series("table", [table.path.name], dtype=pl.String).new_from_index(0, len(row))
     own = [column for column in kept.get_columns() if column.name not in {*names, "table", "table_row"}]
     balls, ledger, counted = plan.paths(task)
     _write(pl.DataFrame([source, row, *own, *columns]), balls, plan)
-    _write(rows.select(table_row=(pl.col("row") + 1).cast(pl.UInt32), reason=pl.col("reason").cast(pl.Categorical)),
+    _write(every.select(table_row=(pl.col("row") + 1).cast(pl.UInt32), reason=pl.col("reason").cast(pl.Categorical)),
            ledger, plan)  # fmt: skip
-    _write(counted_rows(rows.filter(used), answers, table.headings), counted, plan)
+    _write(counted_rows(rows, answers, table.headings), counted, plan)
     return task.rows
 
 

@@ -14,9 +14,10 @@ import numpy as np
 import polars as pl
 
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.confidence import REACH
 
-HALF, NINETY = 0.674490, 1.644854
-"""Standard deviations to either side that hold 50 and 90 % of a normal distribution."""
+HALF = 0.674490
+"""Standard deviations to either side that hold half of a normal distribution."""
 BALLS, MEAN, SQUARES = "balls", "mean", "squares"
 """Columns of what is added up of groups."""
 FEWEST_GROUPS = 5
@@ -120,6 +121,6 @@ def pooled_groups(table: pl.DataFrame, *, key: str) -> tuple[pl.DataFrame, Sprea
     return table.select(key, "balls", "mean").with_columns(
         pooled=pl.Series(centre), spread=pl.Series(error),
         low50=pl.Series(centre - HALF * error), high50=pl.Series(centre + HALF * error),
-        low90=pl.Series(centre - NINETY * error), high90=pl.Series(centre + NINETY * error),
+        low90=pl.Series(centre - REACH * error), high90=pl.Series(centre + REACH * error),
         reliability=pl.Series(trust), percentile=pl.Series(100 * (order + 0.5) / len(order)),
     ), spread  # fmt: skip

@@ -6,7 +6,7 @@ the ledger under the first reason that holds.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 import polars as pl
@@ -239,40 +239,37 @@ def tells_pitches(headings: Headings) -> bool:
     return _numbered(headings) is not None or bool(_measured(headings))
 
 
-def key_quantities(headings: Headings) -> tuple[str, ...]:
-    """Return the quantities that `pitch_keys` asks of a table."""
-    return tuple(dict.fromkeys((*(_numbered(headings) or ()), *_measured(headings))))
-
-
-def pitch_keys(frame: pl.DataFrame, headings: Headings) -> tuple[NDArray[np.uint64], NDArray[np.bool_]]:
+def pitch_keys(
+    part: Callable[[Sequence[str]], pl.DataFrame], headings: Headings
+) -> tuple[NDArray[np.uint64], NDArray[np.bool_]]:
     """Return 64-bit keys that are the same for the same pitch in any table, and for which rows they are known.
 
     Where pitches are not numbered, rows are the same pitch that agree in everything that is measured.
 
     Parameters
     ----------
-    frame : rows of the table as they are.
+    part : returns columns of the rows, by their headings.
 
     >>> frame = pl.DataFrame({"launch_speed": [90.0] * 3, "game_pk": [7, 7, 8], "at_bat_number": [1.0, 1.0, None],
     ...                       "pitch_number": ["2", "2.0", "2"]})
     >>> from sweetspot.season.headings import headings_of
-    >>> key, known = pitch_keys(frame, headings_of(frame.columns))
+    >>> key, known = pitch_keys(frame.select, headings_of(frame.columns))
     >>> bool(key[0] == key[1]), known.tolist()
     (True, [True, True, False])
     """
-    names, measured = _numbered(headings), _measured(headings)
-    key, known = np.zeros(len(frame), np.uint64), np.zeros(len(frame), np.bool_)
-    if names is not None:
-        known[:] = True
+    names, measured = _numbered(headings) or (), _measured(headings)
+    key, known = np.zeros(1, np.uint64), np.full(1, bool(names))
+    if names:
+        frame = part([headings.columns[name].heading for name in names])
         for name in names:
             told, there = _whole(frame[headings.columns[name].heading])
-            key = _mixed(key ^ told)
-            known &= there
+            key, known = _mixed(key ^ told), known & there
     if measured and not known.all():
-        rows = rows_of(frame, headings.only("exit_speed", *measured))
+        asked = headings.only("exit_speed", *measured)
+        rows = rows_of(part([column.heading for column in asked.columns.values()]), asked)
         parts = [pl.col(name).cast(pl.String).fill_null("") for name in measured]
         alike = rows.select(pl.concat_str(parts, separator="|").hash(seed=1)).to_series().to_numpy()
-        key, known = np.where(known, key, alike), np.ones(len(frame), np.bool_)
+        key, known = np.where(known, key, alike), np.ones(len(rows), np.bool_)
     return key, known
 
 

@@ -27,16 +27,18 @@ from sweetspot.season.answers import UNKNOWN_BAT, WHOSE_BAT, SeasonSetting, answ
 from sweetspot.season.balls import balls_of
 from sweetspot.season.bat_surface import surface_of
 from sweetspot.season.contact import LEARNT_FROM, ContactSetting, OtherBat, learnt
+from sweetspot.season.duplicates import with_duplicates
 from sweetspot.season.flight_columns import FlightSetting
 from sweetspot.season.headings import headings_of
 from sweetspot.season.output_columns import System
 from sweetspot.season.place_relation import PlaceRelation
-from sweetspot.season.plan import BALLS, COUNTED, LEDGER, Plan, do_task, plan_fingerprint
-from sweetspot.season.rows import DATED, REASONED, SIDED, USED, rows_of
-from sweetspot.season.survey import PART, Survey, parts, survey_tables, with_duplicates
+from sweetspot.season.plan import BALLS, COUNTED, LEDGER, Plan, do_task, plan_fingerprint, reader_of, serial
+from sweetspot.season.rows import DATED, REASONED, REASONS, SIDED, USED, rows_of
+from sweetspot.season.survey import Survey, survey_tables
+from sweetspot.season.table_parts import PART, parts
 
 Progress = Callable[[int, int], None]
-MOST_PARTS = 64
+MOST_PARTS = 16
 """Parts of all tables that the relation of places is learnt from, at most."""
 
 
@@ -169,9 +171,10 @@ def analyse_season(
     if not survey.tables:
         raise InputError(survey.faults[0][1] if survey.faults else "no table was given; give CSV or Parquet files")
     if not any(counts[USED] for counts in survey.counts):
+        why = (f"{sum(one[reason] for one in survey.counts)} {reason} ({words})" for reason, words in REASONS.items())
         raise InputError(
-            f"{survey.tables[0].path}: none of {survey.rows} rows is a ball in play with an exit speed; see the "
-            "description or type column, or give another table"
+            f"{survey.tables[0].path}: none of {survey.rows} rows is a ball in play with an exit speed: "
+            f"{'; '.join(one for one in why if not one.startswith('0 '))}. Look at its columns with --show-columns"
         )
     chosen = setting or season_setting()
     swung = any(table.headings.has("bat_speed") for table in survey.tables)
@@ -195,12 +198,15 @@ def run_here(plan: Plan, progress: Progress | None = None, *, workers: int | Non
     workers : tasks at a time; None: one per core, at most two.
     """
     total, done = sum(table.rows for table in plan.tables), 0
-    tasks = list(plan.tasks())
-    with ThreadPoolExecutor(workers or min(os.cpu_count() or 1, 2)) as pool:
+    tasks, workers = list(plan.tasks()), workers or min(os.cpu_count() or 1, 2)
+    if workers > 1 and len(tasks) > 1:
+        plan = serial(plan)
+    reader = reader_of(plan)
+    with ThreadPoolExecutor(workers) as pool:
         waiting: set[Future[int]] = set()
         with suppress(RuntimeError):  # the system may refuse another thread
             while len(waiting) < len(tasks):
-                waiting.add(pool.submit(do_task, plan, tasks[len(waiting)]))
+                waiting.add(pool.submit(do_task, plan, tasks[len(waiting)], reader))
         try:
             for one in as_completed(waiting):
                 done += one.result()
@@ -210,7 +216,7 @@ def run_here(plan: Plan, progress: Progress | None = None, *, workers: int | Non
             pool.shutdown(wait=True, cancel_futures=True)
             raise
     for task in tasks[len(waiting) :]:
-        done += do_task(plan, task)
+        done += do_task(plan, task, reader)
         if progress is not None:
             progress(done, total)
 

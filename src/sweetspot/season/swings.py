@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -85,10 +86,14 @@ class InPlane:
 def in_plane(balls: Balls, surface: BatSurface, errors: Errors, *, ball: Ball) -> InPlane:
     """Return swings and pitches in the plane across the bat's axis.
 
-    Where attack angle, direction, tilt or pitch speed were not measured the usual ones stand in, with their errors.
+    Where attack angle, direction, tilt or pitch speed were not measured the usual ones stand in, with their errors. An
+    attack angle that was read far from the usual was on average not quite so far: what is taken is its mean, given the
+    reading, its error and what swings scatter by.
     """
     measured = np.isfinite(balls.attack_angle)
-    attack = np.clip(np.where(measured, balls.attack_angle, USUAL_ATTACK), -STEEPEST, STEEPEST)
+    kept = ATTACK_SPREAD**2 / (ATTACK_SPREAD**2 + errors.attack_angle**2)
+    attack = USUAL_ATTACK + np.where(measured, kept * (balls.attack_angle - USUAL_ATTACK), 0.0)
+    attack = np.clip(attack, -STEEPEST, STEEPEST)
     direction = np.nan_to_num(balls.attack_direction)
     tilt = np.minimum(steep_enough(np.where(np.isfinite(balls.tilt), balls.tilt, USUAL_TILT), attack), 1.5)
     axes = path_axes(attack, direction, tilt=tilt, left=balls.left)
@@ -114,7 +119,7 @@ def in_plane(balls: Balls, surface: BatSurface, errors: Errors, *, ball: Ball) -
         outcome, balls.bat_speed, ahead, up, along, ball.radius * np.sum(balls.spin * axes.tip, axis=-1), fast, turned,
         np.hypot(
             LAUNCH_LEVERAGE * errors.launch_angle,
-            ATTACK_LEVERAGE * np.where(measured, errors.attack_angle, ATTACK_SPREAD),
+            ATTACK_LEVERAGE * np.where(measured, math.sqrt(kept) * errors.attack_angle, ATTACK_SPREAD),
         ),
         np.where(thrown, 0.0, PER_PITCH_SPEED * PITCH_SPREAD),
     )  # fmt: skip

@@ -13,6 +13,7 @@ import polars as pl
 
 from sweetspot.errors import InputError, first_line
 from sweetspot.season.headings import Headings, headings_of
+from sweetspot.units import grouped
 
 CSV_ENDINGS = (".csv", ".tsv", ".txt", ".csv.gz", ".tsv.gz", ".txt.gz")
 PARQUET_ENDINGS = (".parquet", ".pq")
@@ -99,7 +100,9 @@ def _parquet(path: Path, given: Mapping[str, str] | None) -> TableFile:
         names = frame.collect_schema().names()
         rows = int(frame.select(pl.len()).collect().item())
         if rows > path.stat().st_size:
-            raise InputError(f"{path} claims {rows:,} rows in {path.stat().st_size:,} bytes; give a row per ball")
+            raise InputError(
+                f"{path} claims {grouped(rows)} rows in {grouped(path.stat().st_size)} bytes; give a row per ball"
+            )
     except (pl.exceptions.PolarsError, OSError) as error:
         raise InputError(f"{path} is no whole Parquet file: {first_line(error)}; write or copy it anew") from None
     headings = headings_of(names, given=given, file_name=str(path))
@@ -121,7 +124,7 @@ def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFil
         scanned = _scanned(path, separator, given)
         headings = headings_of(scanned[1], given=given, file_name=str(path))
         waiting = target.with_suffix(".part")
-        scanned[0].sink_parquet(waiting, row_group_size=65_536)
+        scanned[0].sink_parquet(waiting, row_group_size=32_768)
         waiting.replace(target)
         rows = int(pl.scan_parquet(target).select(pl.len()).collect().item())
     except (pl.exceptions.PolarsError, OSError, EOFError, zlib.error) as error:

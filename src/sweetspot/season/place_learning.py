@@ -1,0 +1,200 @@
+"""The relation of places learnt from a table: what makes its exit speeds most likely, the places summed over.
+
+Expectation tells where balls may have been met, maximisation what fits best there, in turn (`place_relation` has the
+relation itself).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.threads import in_parts
+from sweetspot.season.place_kernel import EVIDENCE, MIDDLE, PRODUCT, SCATTER, SHARE, SQUARE, expect
+from sweetspot.season.place_relation import (
+    LEVEL,
+    NOISE,
+    PLACE,
+    SPREAD,
+    UNLEARNT,
+    USUAL_PLACE,
+    USUAL_SPREAD,
+    Circumstances,
+    PlaceRelation,
+    with_usual,
+)
+from sweetspot.season.swing_speeds import SwingSpeeds
+from sweetspot.units import INCH, MPH
+
+PLACE_WIDTHS = np.array([1e3, *[1 * INCH] * (len(PLACE) - 1)])
+SPREAD_WIDTHS = np.array([1e3, *[0.5] * (len(SPREAD) - 1)])
+LEVEL_WIDTHS = np.array([0.02, 0.01, 0.02])
+NOISE_WIDTHS = np.array([10.0, *[0.5] * (len(NOISE) - 3), 2.0, 2.0])
+"""Standard deviations of the weights known beforehand, so that small tables do not run away: of the place in m, of the
+level as a part (restitution of balls, and bats that are not as described), of the others as logarithms."""
+NOISES = math.log(0.05 * MPH), math.log(40 * MPH)
+"""Least and greatest noise of usual swings, as the logarithm of m/s."""
+ROUNDS = 50
+"""Most leaps; a dozen are usual."""
+SIZES = np.array([*[USUAL_SPREAD] * len(PLACE), *[1.0] * len(SPREAD), *LEVEL_WIDTHS, *[1.0] * len(NOISE)])
+"""By which the relation's weights are measured in saying how far a step went."""
+NEAR = 1e-3
+"""In these, steps that change nothing: 0.05 mm, 2e-5 of level, a thousandth of the noise."""
+CHUNK = 2500
+"""Balls per task handed to a thread."""
+ENOUGH = 200
+"""Balls below which nothing is learnt and the usual numbers stand."""
+START = replace(UNLEARNT, weights=np.array([USUAL_PLACE, -2 * INCH, *np.zeros(len(PLACE) - 2)]))
+"""Where learning begins: outside pitches nearer the tip."""
+
+
+@dataclass(frozen=True)
+class Sample:
+    """Balls to learn from.
+
+    Parameters
+    ----------
+    places : m from the tip, even, shape (k,).
+    predicted : m/s, exit speed at every place, shape (n, k); NaN where none.
+    measured, error : m/s, exit speeds and their measuring errors, shape (n,).
+    place, spread, level, noise : what the relation's sums are over, shape (n, terms).
+    """
+
+    places: Array
+    predicted: Array
+    measured: Array
+    error: Array
+    place: Array
+    spread: Array
+    level: Array
+    noise: Array
+
+
+def learn_places(
+    known: Circumstances, *, bat_speeds: SwingSpeeds, places: Array, predicted: Array, measured: Array, error: Array,
+    turned: Array,
+) -> PlaceRelation:  # fmt: skip
+    """Return the relation that makes measured exit speeds most likely.
+
+    Parameters
+    ----------
+    known : of n balls, all with a swing.
+    bat_speeds : how their bat speeds are spread.
+    places : m from the tip, even, shape (k,).
+    predicted : m/s, exit speed at every place, shape (n, k); NaN where none.
+    measured, error : m/s, exit speeds and their measuring errors, shape (n,).
+    turned : of the balls, from `turn_term`.
+    """
+    good = np.asarray(np.isfinite(predicted).any(axis=1)) & np.isfinite(error)
+    if good.sum() < ENOUGH:
+        return UNLEARNT
+    known, turned = known.some(good), turned[good]
+    usual = with_usual(1.0, PLACE)
+    sample = Sample(
+        places, np.ascontiguousarray(predicted[good]), measured[good], error[good],
+        np.where(known.placed[:, None], known.terms(PLACE), usual), known.terms(SPREAD), known.terms(LEVEL, turned),
+        known.terms(NOISE, turned),
+    )  # fmt: skip
+    now, evidence = _climbed(START, sample)
+    seen = sample.place[known.placed] if known.placed.any() else sample.place
+    everywhere = seen @ now.weights
+    spread = np.sqrt(np.mean(np.exp(2 * sample.spread @ now.spread_weights)))
+    errors = spread * np.sqrt(np.diag(np.linalg.pinv(sample.place.T @ sample.place)))
+    return replace(
+        now, bat_speeds=bat_speeds, weight_errors=errors, evidence=evidence, balls=int(good.sum()),
+        marginal=(float(everywhere.mean()), float(np.hypot(spread, everywhere.std()))),
+    )  # fmt: skip
+
+
+def _climbed(now: PlaceRelation, sample: Sample) -> tuple[PlaceRelation, float]:
+    """Return the most likely weights, from some to begin with, and the logarithm of their likelihood.
+
+    Two steps of expectation and maximisation tell how far the way still is, and a leap goes there; it counts where the
+    next step is no longer than the first was [varadhan_roland2008].
+    """
+    moments = np.zeros((len(sample.measured), 6))
+
+    def stepped(now: PlaceRelation) -> PlaceRelation:
+        prior = np.stack([sample.place @ now.weights, np.exp(sample.spread @ now.spread_weights)], axis=-1)
+        scatter = np.hypot(sample.error, np.exp(sample.noise @ now.noise_weights))
+        level = sample.level @ now.level_weights
+
+        def work(part: slice) -> None:
+            expect(sample.places, sample.predicted[part], sample.measured[part], scatter[part], prior[part],
+                   level[part], moments[part])  # fmt: skip
+
+        in_parts(work, len(moments), size=CHUNK)
+        return _maximised(now, sample, moments)
+
+    for _ in range(ROUNDS):
+        first = stepped(now)
+        second = stepped(first)
+        leapt = _with_numbers(_leapt(_numbers(now), _numbers(first), _numbers(second)))
+        third = stepped(leapt)
+        before, now = now, third if _apart(third, leapt) <= _apart(first, now) else second
+        if _apart(now, before) < NEAR:
+            break
+    return now, float(moments[:, EVIDENCE].sum())
+
+
+def _leapt(first: Array, second: Array, third: Array) -> Array:
+    """Return where three steps lead, each shorter than the one before in the same proportion."""
+    step, bend = (second - first) / SIZES, (third - 2 * second + first) / SIZES
+    far = max(float(np.linalg.norm(step)) / max(float(np.linalg.norm(bend)), 1e-12), 1.0)
+    return np.asarray(first + (2 * far * step + far**2 * bend) * SIZES)
+
+
+def _apart(first: PlaceRelation, second: PlaceRelation) -> float:
+    return float(np.linalg.norm((_numbers(first) - _numbers(second)) / SIZES))
+
+
+def _numbers(relation: PlaceRelation) -> Array:
+    return np.concatenate([relation.weights, relation.spread_weights, relation.level_weights, relation.noise_weights])
+
+
+def _with_numbers(numbers: Array) -> PlaceRelation:
+    ends = np.cumsum([len(PLACE), len(SPREAD), len(LEVEL)])
+    weights, spreads, levels, noises = np.split(numbers, ends)
+    return PlaceRelation(weights, spreads, levels, noises)
+
+
+def _maximised(now: PlaceRelation, sample: Sample, moments: Array) -> PlaceRelation:
+    """Return the weights that fit best where the balls are thought to have been met."""
+    inverse = np.exp(-2 * sample.spread @ now.spread_weights)
+    weights = _solved(sample.place, inverse, moments[:, MIDDLE], PLACE_WIDTHS)
+    square = (moments[:, SCATTER] + (moments[:, MIDDLE] - sample.place @ weights) ** 2) * inverse
+    spreads = now.spread_weights + _scored(
+        sample.spread, np.ones_like(square), square - 1, now.spread_weights, SPREAD_WIDTHS
+    )
+    own = np.exp(2 * sample.noise @ now.noise_weights)
+    heavy = 1 / (sample.error**2 + own)
+    out, share, product, square = sample.measured, moments[:, SHARE], moments[:, PRODUCT], moments[:, SQUARE]
+    levels = _solved(sample.level, heavy * square, product / np.maximum(square, 1e-12) - 1, LEVEL_WIDTHS)
+    grown = 1 + sample.level @ levels
+    missed = share * out**2 - 2 * grown * product + grown**2 * square
+    part = own * heavy  # of the variance that is noise
+    step = _scored(sample.noise, part**2 * share, part * (heavy * missed - share), now.noise_weights, NOISE_WIDTHS)
+    noises = now.noise_weights + np.clip(step, -0.5, 0.5)
+    noises[0] = np.clip(noises[0], *NOISES)
+    return PlaceRelation(weights, spreads, levels, noises)
+
+
+def _solved(terms: Array, weight: Array, wanted: Array, widths: Array) -> Array:
+    """Return weights by least squares, those known beforehand to be about 0 with some widths."""
+    heavy = terms.T * weight
+    return np.asarray(np.linalg.solve(heavy @ terms + np.diag(1 / widths**2), heavy @ wanted))
+
+
+def _scored(terms: Array, share: Array, off: Array, now: Array, widths: Array) -> Array:
+    """Return the step of weights of a logarithm of a scatter towards the likeliest (scoring).
+
+    Parameters
+    ----------
+    share : part of each variance that hangs on the weights, squared.
+    off : squares over what they should be, less 1, times that part.
+    """
+    slope = terms.T @ off - now / widths**2
+    return np.asarray(np.linalg.solve(2 * (terms.T * share) @ terms + np.diag(1 / widths**2), slope))

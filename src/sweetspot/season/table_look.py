@@ -1,0 +1,187 @@
+"""One table looked through part by part: what is in it, and what to beware of."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from datetime import date
+from itertools import pairwise
+
+import numpy as np
+import polars as pl
+from numpy.typing import NDArray
+
+from sweetspot.flight.bearing import bearing_of_place
+from sweetspot.season.balls import FIRST_MIDDLE_SEASON
+from sweetspot.season.duplicates import with_duplicates
+from sweetspot.season.fields import home_park
+from sweetspot.season.headings import Headings
+from sweetspot.season.rows import DATED, REASONED, REASONS, SIDED, TIP, USED, by_value, tells_pitches
+from sweetspot.season.table_file import TableFile
+from sweetspot.season.table_warnings import TableWarning
+from sweetspot.units import MPH, grouped, is_usual
+
+LOOKED_AT = ("bat_speed", "velocity_y", "release_speed", "plate_speed", "plate_side", "map_x", "map_y", "home_team",
+             *REASONED, *SIDED, *DATED)  # fmt: skip
+"""Quantities that the first look asks of every row; of the others only whether they hold anything."""
+SHOWN = 20
+"""Rows named with a warning."""
+FEW = 50
+"""Balls below which their ending alike may be chance."""
+LONGEST_GAP = 5
+"""Days without a game inside a table before it is said; an all-star break has four."""
+ENOUGH_TO_DOUBT = 30
+"""Balls of a part of a table from which columns are doubted."""
+DOUBTED = 4096
+"""Balls of a part that are looked at for that, evenly drawn."""
+LEVEL, FAIR = math.radians(1.6), math.radians(50)
+"""rad; no launch angle above the first: they are written in radians; bearings beyond the second are foul."""
+MOST_FOUL = 0.3
+"""Part of the balls in play that may come down foul; caught ones are a tenth at most."""
+
+
+class TableLook:
+    """One table, looked through part by part."""
+
+    def __init__(self, number: int, table: TableFile) -> None:
+        self.number, self.table = number, table
+        self.counts, self.rows = dict.fromkeys(REASONS, 0), 0
+        self.days: set[date] = set()
+        self.seen: dict[str, TableWarning] = {}
+        self.held: dict[str, int] = {}
+        self.endings: set[str] = set()
+        self.lost: dict[str, int] = {}
+        held = pl.scan_parquet(table.data).collect_schema()
+        columns = table.headings.columns.items()
+        self.texts = [name for name, one in columns if one.kind != "text" and not held[one.heading].is_numeric()]
+
+    def wanted(self) -> list[str]:
+        """Return the quantities to look at next: what is always looked at, and of what nothing was seen yet."""
+        unseen = [name for name in self.table.headings.columns if not self.held.get(name)]
+        return list(dict.fromkeys((*LOOKED_AT, *self.texts, *unseen)))
+
+    def _note(self, name: str, rows: pl.DataFrame, condition: pl.Expr | None = None, detail: str = "") -> None:
+        row = pl.col("row")
+        where = rows.select(row if condition is None else row.filter(condition))["row"]
+        if len(where):
+            warning = self.seen.setdefault(name, TableWarning(name, self.number, detail=detail))
+            warning.count += len(where)
+            warning.rows += (where.head(SHOWN - len(warning.rows)) + 1).to_list()
+
+    def take(self, rows: pl.DataFrame, duplicates: NDArray[np.uint32]) -> None:
+        headings = self.table.headings
+        rows = with_duplicates(rows, duplicates)
+        counts = dict(rows["reason"].value_counts().iter_rows())
+        for reason, count in counts.items():
+            self.counts[reason] += count
+        self.rows += len(rows)
+        self.days |= set(rows["day"].drop_nulls().unique())
+        for name in headings.columns:
+            if name in rows.columns:
+                self.held[name] = self.held.get(name, 0) + rows[name].len() - rows[name].null_count()
+        for reason, name in (("untracked", "untracked"), ("bunt", "bunts"), ("foul", "fouls unmeasured"),
+                             ("impossible", "impossible"), ("duplicate", "duplicates")):  # fmt: skip
+            if reason in counts:
+                self._note(name, rows, pl.col("reason") == reason)
+        self._note("unreadable", rows, pl.col("unreadable") > 0)
+        used = rows.filter(pl.col("reason") == USED) if counts.get(USED) != len(rows) else rows
+        if headings.has("description"):
+            self._note("foul tips", rows, pl.lit(by_value(rows["description"], _is_foul_tip)))
+        if headings.has("plate_side"):
+            late = (pl.col("season") >= FIRST_MIDDLE_SEASON).fill_null(value=False)
+            tracked = pl.col("velocity_y").is_not_null() if headings.has("velocity_y") else pl.lit(value=False)
+            self._note("plate reference", used, late & tracked)
+            self._note("plate not moved", used, late & ~tracked)
+        self._note("side unknown", used, pl.col("left").is_null())
+        if headings.has("bat_speed") and not headings.has("velocity_y"):
+            speeds = [pl.col(name).is_not_null() for name in ("release_speed", "plate_speed") if headings.has(name)]
+            told = pl.any_horizontal(speeds) if speeds else pl.lit(value=False)
+            self._note("pitch speed unknown", used, pl.col("bat_speed").is_not_null() & ~told)
+        if headings.has("home_team"):
+            for club, year, count in used.group_by("home_team", "season").len().iter_rows():
+                if club is not None and home_park(club, year) is None:
+                    self.lost[club] = self.lost.get(club, 0) + count
+        self._doubt(used, used.gather_every(max(1, len(used) // DOUBTED)))
+        if headings.has("event"):
+            self.endings |= set(used["event"].drop_nulls().unique())
+
+    def _doubt(self, used: pl.DataFrame, some: pl.DataFrame) -> None:
+        """Note columns that seem to stand in each other's place, or in another unit, by some of the balls."""
+        has = self.table.headings.has
+        if len(some) < ENOUGH_TO_DOUBT:
+            return
+
+        def middle(name: str) -> float:
+            return float(some[name].median() or 0.0) if has(name) else 0.0  # type: ignore[arg-type]
+
+        ball, bat = middle("exit_speed"), middle("bat_speed")
+        if bat and ball and bat > ball:
+            self._note("swapped", used, detail="bats faster than the balls they hit: bat speed and exit speed")
+        if ball and not is_usual(ball, "median_exit_speed"):
+            self._note("unit", used, detail=f"exit speeds are {ball / MPH:.0f} mph in the median")
+        if has("launch_angle") and 0 < float(some["launch_angle"].abs().max() or 0.0) < LEVEL:  # type: ignore[arg-type]
+            self._note("unit", used, detail="no launch angle is above 1.6 degrees: are they radians?")
+        if has("map_x") and has("map_y"):
+            places = some.select("map_x", "map_y").drop_nulls()
+            bearing = bearing_of_place(places["map_x"].to_numpy(), places["map_y"].to_numpy())
+            if len(places) >= ENOUGH_TO_DOUBT and float((abs(bearing) > FAIR).mean()) > MOST_FOUL:
+                self._note("swapped", used, detail="most balls in play came down foul: hc_x and hc_y")
+
+    def warnings(self) -> list[TableWarning]:
+        table, number = self.table, self.number
+        extra = []
+        if table.cut:
+            extra.append(TableWarning("export cut", number, table.rows, detail=f"{grouped(table.rows)} rows"))
+        if table.torn:
+            extra.append(TableWarning("torn", number, 1, [table.rows]))
+        if missing := self._missing_days():
+            extra.append(TableWarning("days missing", number, len(missing), detail=_days_in_words(missing)))
+        columns = table.headings.columns
+        extra += [TableWarning("part off", number, table.rows, detail=words) for words in _parts_off(table.headings)]
+        if self.lost:
+            shown = ", ".join(sorted(self.lost)[:6])
+            extra.append(TableWarning("unknown park", number, sum(self.lost.values()), detail=shown))
+        if len(self.endings) == 1 and self.counts[USED] >= FEW:
+            extra.append(TableWarning("selected", number, self.counts[USED], detail=f"all {next(iter(self.endings))}"))
+        if table.headings.has("player_name", "pitcher", "batter"):
+            extra.append(TableWarning("name of the pitcher", number, table.rows))
+        if not tells_pitches(table.headings):
+            extra.append(TableWarning("cannot find duplicates", number, table.rows))
+        for name, held in self.held.items():
+            if not held and table.rows:
+                extra.append(TableWarning("empty column", number, table.rows, detail=columns[name].heading))
+        extra += [TableWarning("headings", number, table.rows, detail=note) for note in table.notes]
+        return [*self.seen.values(), *extra]
+
+    def _missing_days(self) -> list[tuple[date, date]]:
+        """Return the gaps of more than `LONGEST_GAP` days inside one season."""
+        days = sorted(self.days)
+        return [(a, b) for a, b in pairwise(days) if (b - a).days > LONGEST_GAP and a.year == b.year]
+
+
+def _parts_off(headings: Headings) -> Iterator[str]:
+    """Yield what cannot be told for want of a column, and what would do."""
+    here = headings.has
+    if not here("launch_angle"):
+        yield "no launch angle (launch_angle): no flights and no contacts"
+    elif not (here("bearing") or here("launch_direction") or here("map_x", "map_y")):
+        yield "no direction (hc_x and hc_y, Direction, bearing_deg): balls fly to centre field, no chances of home runs"
+    elif not here("home_team"):
+        yield "no home club (home_team): no chance of a home run in the park itself; air as at sea level"
+    if not here("bat_speed"):
+        yield "no bat speed (bat_speed): nothing of bats"
+    elif not here("attack_angle"):
+        yield "no attack angle (attack_angle): the usual one stands in, and offsets are three times less sure"
+    if here("bat_speed") and not here("plate_side", "plate_height"):
+        yield "no place of the pitch (plate_x, plate_z): the side of the bat that was met cannot be told"
+    if not (here("batter") or here("batter_name")):
+        yield "no batter: no table of players"
+
+
+def _is_foul_tip(text: pl.Expr) -> pl.Expr:
+    return text.str.to_lowercase().str.contains(TIP)
+
+
+def _days_in_words(gaps: list[tuple[date, date]]) -> str:
+    shown = "; ".join(f"{first} to {last}" for first, last in gaps[:3])
+    return f"between {shown}" + (f" and {len(gaps) - 3} more" if len(gaps) > 3 else "")

@@ -1,0 +1,57 @@
+"""What there is to beware of in a table of batted balls."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+
+@dataclass
+class TableWarning:
+    """Something to beware of.
+
+    Parameters
+    ----------
+    name : a key of `WARNINGS`.
+    table : number of the table, from 0.
+    count : rows concerned.
+    rows : the first of them, numbers in the table from 1.
+    detail : what exactly; "" where the name says all.
+    """
+
+    name: str
+    table: int
+    count: int = 0
+    rows: list[int] = field(default_factory=list)
+    detail: str = ""
+
+
+WARNINGS: Mapping[str, str] = {
+    "plate reference": "plate_x and plate_z are given at the middle of the plate from 2026 on, at its front before; "
+    "pitches were flown to the front edge by their nine parameters",
+    "plate not moved": "plate_x and plate_z are given at the middle of the plate from 2026 on, and these pitches lack "
+    "the nine parameters to fly them to its front edge",
+    "export cut": "a table of exactly so many rows was probably cut by the export; days or slow hitters may be missing",
+    "days missing": "days without a ball inside the table",
+    "torn": "the last line stops in the middle: the file was cut in copying",
+    "untracked": "balls in play without exit speed; they count nowhere, and are not alike those with it",
+    "name of the pitcher": "player_name is the pitcher's in this export; hitters go by their number",
+    "bunts": "bunts that arrive as balls in play are left out",
+    "foul tips": "foul tips stand among the misses, as the league counts them",
+    "fouls unmeasured": "public tables have no exit speed of fouls, so nothing per contact or per swing can be told",
+    "duplicates": "pitches that stand twice count once",
+    "cannot find duplicates": "no column tells pitches apart, so pitches that stand twice count twice",
+    "part off": "a column is missing that a part of the answers needs",
+    "headings": "headings that needed care",
+    "unreadable": "measurements that are no numbers are taken as missing",
+    "swapped": "columns seem to stand in each other's place: mend the headings, every answer hangs on it",
+    "unit": "numbers that are usual in another unit: check the unit of the column, every answer hangs on it",
+    "impossible": "exit speeds or launch angles that cannot be",
+    "empty column": "a column that is understood holds nothing",
+    "side unknown": "it is not known on which side the batter stood; taken as right-handed",
+    "pitch speed unknown": "no pitch speed was measured; the usual one of its kind of pitch stands in, with its error",
+    "selected": "all balls of the table ended alike, so it was selected by how they ended; no average of it holds for "
+    "others, drag least of all",
+    "unknown park": "home teams whose park is not known; no chance of a home run there",
+}
+"""What can be wrong with a table of batted balls, by name."""
