@@ -12,6 +12,7 @@ from scipy.special import ndtri
 from sweetspot.design.batter_files import contacts_of_file, fitted_player
 from sweetspot.design.contacts import FROM_TIP, contacts_at, fitted_contact, known_contact, normal_contact
 from sweetspot.errors import InputError
+from sweetspot.numerics.confidence import LEVEL, REACH
 from sweetspot.units import INCH
 
 
@@ -126,6 +127,10 @@ def test_a_fitted_player(tmp_path: Path) -> None:
     file.write_text(json.dumps({"parameters": parameters, "pitch_speed_m_s": 38.0}), encoding="utf-8")
     found = fitted_player(file)
     assert found["position"] == pytest.approx(0.1) and found["bat_speed"] == 31.0 and found["pitch_speed"] == 38.0
+    parameters["position"] |= {"low_m": 0.06, "high_m": 0.14}
+    for level, reach in ({"interval_level": LEVEL}, REACH), ({}, 1.959964):  # 0.1 wrote 95 % and did not say so
+        file.write_text(json.dumps({"parameters": parameters, "pitch_speed_m_s": 38.0} | level), encoding="utf-8")
+        assert fitted_player(file)["position_doubt"] == pytest.approx(0.04 / reach, rel=1e-6)
     file.write_text("{}", encoding="utf-8")
     with pytest.raises(InputError, match="not an answer of sweetspot fit-player"):
         fitted_player(file)

@@ -86,7 +86,11 @@ def small(limits: tuple[Limit, ...], seed: int = 1, generations: int = 4) -> Que
 def starts(bench: Bench, limits: tuple[Limit, ...]) -> np.ndarray:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(answer, "BETWEEN", 3)
-        return starts_of(bench, small(limits))
+        heard: list[tuple[int, int]] = []
+        found = starts_of(bench, small(limits), progress=lambda done, front: heard.append((done, len(front))))
+        assert [done for done, _ in heard] == [0] * 5  # two ends and three between
+        assert [size for _, size in heard] == sorted(size for _, size in heard) and heard[-1][1] >= 4
+        return found
 
 
 def test_a_front_keeps_every_limit_and_none_beats_another(
@@ -107,7 +111,7 @@ def test_the_best_is_the_same_whatever_the_seed(
 ) -> None:
     """The ends of the front are polished, so that chance moves them by no more than 0.1 mph."""
     monkeypatch.setattr("sweetspot.design.polish.LOOKS", 15)  # it begins near the end
-    monkeypatch.setattr(answer, "starts_of", lambda *_: starts)  # which no seed changes
+    monkeypatch.setattr(answer, "starts_of", lambda *_, **__: starts)  # which no seed changes
     ends = [designed(bench, small(limits, seed, 2)).measured.values["exit_speed"][0] for seed in (1, 2)]
     assert ends[0] == pytest.approx(ends[1], abs=0.1 * MPH)
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from sweetspot.analysis.certification.rules import Check, Finding, League, check_rules, construction_findings
 from sweetspot.design.breaking import HandleBending, handle_bending
-from sweetspot.design.fronts import Front, Question, search
+from sweetspot.design.fronts import Front, Question, front_of, search
 from sweetspot.design.gain import Gain, gain_of, present_measured
 from sweetspot.design.limits import Limit, check_limits
 from sweetspot.design.measures import MEASURES, Bench, Measured
@@ -69,10 +69,14 @@ class Designed:
         return float(self.front.measured.values[measure][self.picked])
 
 
-def starts_of(bench: Bench, question: Question) -> Array:
+def starts_of(bench: Bench, question: Question, *, progress: Callable[[int, Front], None] | None = None) -> Array:
     """Return bats from which a search begins: one that keeps the limits, the best near it in every want, and between.
 
     No seed changes them, so that fronts of different seeds have them in common.
+
+    Parameters
+    ----------
+    progress : called after each with 0 generations done and the front of those that were found.
 
     Raises
     ------
@@ -81,16 +85,23 @@ def starts_of(bench: Bench, question: Question) -> Array:
     """
     first = check_limits(bench, question.limits)
     starts = [first]
+
+    def found(numbers: Array) -> None:
+        starts.append(numbers)
+        if progress is not None:
+            progress(0, front_of(bench, question, np.array(starts)))
+
     for number in range(len(question.wants)):
         wants = question.wants[number:] + question.wants[:number]
-        starts.append(polished(bench, Question(wants, question.limits, question.seed), first)[0])
+        found(polished(bench, Question(wants, question.limits, question.seed), first)[0])
     for number in range(1, len(question.wants)):
-        starts += _between(bench, question, (starts[1], starts[1 + number]), question.wants[number])
+        for between in _between(bench, question, (starts[1], starts[1 + number]), question.wants[number]):
+            found(between)
     return np.array(starts)
 
 
-def _between(bench: Bench, question: Question, ends: tuple[Array, Array], other: str) -> list[Array]:
-    """Return bats best in the first want of those that reach a part of the way in another, one after the other.
+def _between(bench: Bench, question: Question, ends: tuple[Array, Array], other: str) -> Iterator[Array]:
+    """Yield bats best in the first want of those that reach a part of the way in another, one after the other.
 
     Parameters
     ----------
@@ -98,8 +109,7 @@ def _between(bench: Bench, question: Question, ends: tuple[Array, Array], other:
     """
     measured = bench.measured(np.array(ends)).values[other]
     if (measured[1] - measured[0]) * MEASURES[other].better < MEASURES[other].grain:
-        return []
-    found = []
+        return
     numbers = ends[0]
     for part in np.linspace(0, 1, BETWEEN + 2)[1:-1]:
         level = float(measured[0] + part * (measured[1] - measured[0]))
@@ -109,8 +119,7 @@ def _between(bench: Bench, question: Question, ends: tuple[Array, Array], other:
         way = numbers + np.linspace(0, 1, ON_THE_WAY)[:, None] * (ends[1] - numbers)
         begin = way[int(np.argmax(reached.excess(bench.measured(way).values[other]) <= 0))]
         numbers = polished(bench, asked, begin, looks=BETWEEN_LOOKS)[0]
-        found.append(numbers)
-    return found
+        yield numbers
 
 
 def designed(
@@ -125,9 +134,13 @@ def designed(
     Parameters
     ----------
     after : a search to go on from; see `search`.
-    progress : called with the generations done and the front so far.
+    progress : called with the generations done, 0 while first bats are looked for, and the front so far.
     """
-    starts = np.zeros((0, len(bench.space.variables))) if after is not None else starts_of(bench, question)
+    starts = (
+        np.zeros((0, len(bench.space.variables)))
+        if after is not None
+        else starts_of(bench, question, progress=progress)
+    )
     front = search(bench, question, starts=starts, after=after, progress=progress)
     numbers, measured = polished(bench, question, front.numbers[0])
     return front if np.array_equal(numbers, front.numbers[0]) else _with_first(front, numbers, measured)

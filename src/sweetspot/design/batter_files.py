@@ -6,19 +6,21 @@ import json
 import math
 import re
 from pathlib import Path
+from statistics import NormalDist
 from typing import Any
 
 import numpy as np
 
 from sweetspot.design.contacts import Contacts, contacts_at
 from sweetspot.errors import InputError, nearest_names
-from sweetspot.motion.swing_law import TWO_SIDED_95
 from sweetspot.numerics.text_files import read_text, table_rows
 from sweetspot.units import INCH, parse, shown
 
 MOST_BYTES = 5_000_000
 LEARNED = ("position", "position_spread", "offset", "offset_spread", "bat_speed")
 ENDS = ("low", "high")
+UNNAMED_LEVEL = 0.95
+"""Level of the intervals of files that do not name it, as fit-player of 0.1 wrote them."""
 PLACE_HEADS = {
     "from_tip_in": INCH, "from_tip_m": 1.0, "from_tip_cm": 0.01, "from_tip_mm": 1e-3, "from_tip_ft": 12 * INCH,
     "from_tip": None,
@@ -125,7 +127,8 @@ def fitted_player(path: Path) -> dict[str, float]:
     """Return what `sweetspot fit-player --format json` says of a player: position, offset and their spreads, speeds.
 
     With them come ``position_doubt`` in m and ``position_spread_doubt`` (of the logarithm), each one standard
-    deviation by the file's 95 % intervals, and ``balls``: how many swings were used; 0 where the file does not say.
+    deviation by the file's intervals, whose level it names, and ``balls``: how many swings were used; 0 where the file
+    does not say.
 
     Raises
     ------
@@ -138,10 +141,11 @@ def fitted_player(path: Path) -> dict[str, float]:
         parameters = table["parameters"]
         values = {name: _learned(parameters[name]) for name in LEARNED}
         values["pitch_speed"] = float(table["pitch_speed_m_s"])
+        reach = NormalDist().inv_cdf((1 + float(table.get("interval_level", UNNAMED_LEVEL))) / 2)
         low, high = (_learned(parameters["position"], end) for end in ENDS)
-        values["position_doubt"] = (high - low) / (2 * TWO_SIDED_95)
+        values["position_doubt"] = (high - low) / (2 * reach)
         low, high = (_learned(parameters["position_spread"], end) for end in ENDS)
-        values["position_spread_doubt"] = math.log(high / low) / (2 * TWO_SIDED_95)
+        values["position_spread_doubt"] = math.log(high / low) / (2 * reach)
         values["balls"] = float(table.get("swings", {}).get("used", 0))
     except (ValueError, KeyError, TypeError, AttributeError, ArithmeticError) as error:
         raise InputError(f"{path} is not an answer of sweetspot fit-player --format json: {error}") from None

@@ -117,6 +117,11 @@ def search(
     return front
 
 
+def front_of(bench: Bench, question: Question, numbers: Array) -> Front:
+    """Return the front of some bats before any generation, shape (bats, variables)."""
+    return _front(question, numbers, bench.measured(numbers), 0)
+
+
 def _nearest_words(question: Question, measured: Measured, generation: int) -> str:
     """Return that no bat keeps all limits, and which one the nearest misses most, by how much."""
     missed = np.maximum(excesses(question, measured), 0.0)

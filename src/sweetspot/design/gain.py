@@ -23,8 +23,9 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.implement import Implement
-from sweetspot.motion.swing_law import TWO_SIDED_95, SwingLaw
+from sweetspot.motion.swing_law import SwingLaw
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.confidence import REACH
 from sweetspot.units import INCH, MPH
 
 TURNED_ALIKE = 0.02
@@ -100,8 +101,8 @@ class Gain:
 
     @property
     def doubt(self) -> float:
-        """Half of the 95 % interval of ``expected``, m/s."""
-        return TWO_SIDED_95 * self.spread
+        """Half of the 90 % interval of ``expected``, m/s."""
+        return REACH * self.spread
 
     @property
     def odds(self) -> float:
@@ -287,7 +288,7 @@ def _over_the_law(bench: Bench, numbers: Array) -> float:
         other = replace(bench, batter=replace(bench.batter, law=_with_exponent(law, exponent)))
         design, now = other.measured(numbers), present_measured(other)
         gains.append(float((design.worth[0] - now.worth[0]) @ bench.batter.weight))
-    return abs(gains[1] - gains[0]) / (2 * TWO_SIDED_95)
+    return abs(gains[1] - gains[0]) / (2 * REACH)
 
 
 def _with_exponent(law: SwingLaw, exponent: float) -> SwingLaw:

@@ -11,7 +11,6 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.material import Material
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
-from sweetspot.units import INCH
 
 WALLS = ("metal", "laminate")
 """Families of materials that walls are built of."""
@@ -40,8 +39,8 @@ def hollow_space(bat: Bat, *, material: Material | None = None) -> ImplementSpac
     places = bat.length - np.array([11.0, 8.0, 5.0, 2.0]) / REFERENCE_LENGTH * bat.length
     now = shell.wall_at(places)
     variables = [
-        Variable(f"wall_{index + 1}", f"wall {(bat.length - place) / INCH:.1f} in from the tip", "compression",
-                 0.8 * thick, 1.3 * thick, thick)
+        Variable(f"wall_{index + 1}", "wall", "compression", 0.8 * thick, 1.3 * thick, thick,
+                 from_tip=bat.length - place)
         for index, (place, thick) in enumerate(zip(places.tolist(), now.tolist(), strict=True))
     ]  # fmt: skip
     cap = shell.end_cap_mass

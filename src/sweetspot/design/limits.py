@@ -185,7 +185,7 @@ def _band_words(limit: Limit) -> str:
 
 
 def _number(value: float, measure: str) -> str:
-    from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
+    from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED, grouped
 
     scale = MEASURES[measure].scale
     if scale in ("length", "place"):
@@ -193,5 +193,5 @@ def _number(value: float, measure: str) -> str:
     if scale == "mass":
         return f"{value / OUNCE:.2f} oz ({1e3 * value:.0f} g)"
     if scale == "moi":
-        return f"{value / OUNCE_INCH_SQUARED:,.0f} oz in² ({value:.4f} kg m²)"
+        return f"{grouped(value / OUNCE_INCH_SQUARED)} oz in² ({value:.4f} kg m²)"
     return f"{value:.4g}"

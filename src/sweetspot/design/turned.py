@@ -199,10 +199,9 @@ def _diameters(bat: Bat) -> list[Variable]:
     place, diameter = np.array(bat.profile).T
     variables = []
     for index, (part, size) in enumerate(zip(HANDLES, diameters_of(place, diameter, bat.length), strict=True)):
-        inches = (1 - part) * bat.length / INCH
         reach = REACH / 2 if index < GRIP else REACH
         variables.append(
-            Variable(f"diameter_{index + 1}", f"diameter {inches:.1f} in from the tip", "length", size * (1 - reach),
-                     size * (1 + reach), size)
+            Variable(f"diameter_{index + 1}", "diameter", "length", size * (1 - reach), size * (1 + reach), size,
+                     from_tip=(1 - part) * bat.length)
         )  # fmt: skip
     return variables

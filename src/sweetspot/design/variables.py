@@ -17,6 +17,7 @@ from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
+from sweetspot.units import shown
 
 DENSITY_SPREAD, MODULUS_SPREAD = 0.05, 0.08
 """Standard deviations of wood of one species, as parts: of density, and of the moduli at one density (assumed)."""
@@ -33,6 +34,7 @@ class Variable:
     scale : how it is shown: length, ratio, mass, ...
     low, high : its range, SI.
     start : of the present bat.
+    from_tip : m; where on the bat it is; None: nowhere.
     """
 
     name: str
@@ -41,11 +43,13 @@ class Variable:
     low: float
     high: float
     start: float
+    from_tip: float | None = None
 
     def __post_init__(self) -> None:
         if not self.low < self.high:
+            where = "" if self.from_tip is None else f" {shown(self.from_tip)} from the tip"
             raise InputError(
-                f"{self.label} may go from {self.low:.4g} to {self.high:.4g}; give a range with some width"
+                f"{self.label}{where} may go from {self.low:.4g} to {self.high:.4g}; give a range with some width"
             )
 
 
