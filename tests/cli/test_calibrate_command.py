@@ -13,12 +13,11 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.calibration.calibrated_file import known_deviations
-from sweetspot.calibration.draws.comparison_draws import drawn_comparison
 from sweetspot.calibration.draws.drawn_plays import drawn_flight, drawn_play
 from sweetspot.calibration.draws.drawn_reports import drawn_hit, drawn_report
-from sweetspot.calibration.draws.drawn_tests import drawn_test
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_frequencies
+from sweetspot.report.uncertainty.doubtful_answers import certificate_with_doubt, comparison_with_doubt
 
 Run = Callable[..., tuple[int, str, str]]
 WEIGHED = ("--mass", "31.00oz±0.05oz", "--balance-point", "22.05in±0.05in", "--pendulum", "1.4545s±0.003s")
@@ -48,6 +47,19 @@ def test_the_whole_way(run: Run, run_json: Callable[..., Any], tmp_path: Path) -
     unknowns, covariance = known
     assert [one.name for one in unknowns] == table["calibration"]["unknowns"]
     assert np.linalg.eigvalsh(covariance).min() > 0
+
+
+def test_what_was_not_measured_has_no_budget_and_a_club_has_head_and_grip(run: Run) -> None:
+    bat = " ".join(
+        run("calibrate", "r161-ash", "--mass", "31.2oz±0.05oz", "--balance-point", "22.3in±0.05in")[1].split()
+    )
+    assert "E was not measured and stays as described, give or take 13 %. Tap the bat" in bat
+    assert "A handle 1 % thinner" not in bat
+    club = run("calibrate", "golf-driver", "--mass", "315g±1g")[1]
+    assert "mass of the grip" in club
+    assert "mass of the head" in club
+    assert "knob" not in club
+    assert "end cap" not in club
 
 
 def test_a_contradiction_is_told_and_no_bat_written(run: Run, tmp_path: Path) -> None:
@@ -96,7 +108,9 @@ def test_shots_are_measurements_too(run_json: Callable[..., Any], tmp_path: Path
 @pytest.fixture
 def few_draws(monkeypatch: pytest.MonkeyPatch) -> None:
     """A quarter of the draws: enough for which interval stands where."""
-    functions: tuple[Any, ...] = (drawn_report, drawn_hit, drawn_comparison, drawn_test, drawn_play, drawn_flight)
+    functions: tuple[Any, ...] = (
+        drawn_report, drawn_hit, comparison_with_doubt, certificate_with_doubt, drawn_play, drawn_flight
+    )  # fmt: skip
     for function in functions:
         monkeypatch.setitem(function.__kwdefaults__, "count", 256)
 
@@ -131,6 +145,22 @@ def test_a_certificate_says_how_sure_passing_is(run: Run, tmp_path: Path) -> Non
     assert sure["uncertainty"]["sources"].keys().isdisjoint({"ball restitution", "swing"}), "a test normalises the ball"
     assert "probability" in told
     assert "(" in told.split("+0.00")[1].split("ncaa ")[0], "the margin has an interval too"
+    for name in ("fast", "slow"):
+        scan = sure["test"][name]
+        assert scan["best_position_low_m"] < scan["best_position_m"] < scan["best_position_high_m"]
+
+
+@pytest.mark.usefixtures("few_draws")
+def test_a_meeting_place_written_with_an_error_is_drawn(run_json: Callable[..., Any], run: Run) -> None:
+    """One sigma of 0.2 in under the ball is 1.6 of them to either side, and most of what is not known of the flight."""
+    played = run_json("play", "--at", "6in-from-tip±0.25in", "--offset", "0.6in±0.2in", "--uncertainty")
+    for name, sigma in (("offset", 0.2 * 0.0254), ("position", 0.25 * 0.0254)):
+        half = (played[f"{name}_high_m"] - played[f"{name}_low_m"]) / 2
+        assert half == pytest.approx(1.645 * sigma, rel=0.06)
+    assert next(iter(played["uncertainty"]["shares"])) == "bat under the ball"
+    assert played["launch_angle_high_rad"] - played["launch_angle_low_rad"] > 0.2
+    code, _, told = run("play", "--at", "6in-from-tip±0in")
+    assert code == 2 and "allowed is more than 0" in told
 
 
 @pytest.mark.usefixtures("few_draws")

@@ -87,7 +87,7 @@ def test_paper_takes_other_numbers(run_json: RunJson) -> None:
     rows = run_json("paper", "--metal-share", "20%", "--entry-angle", "30deg")["rows"]
     returned = next(row["computed"] for row in rows if row["quantity"].startswith("W2"))
     assert returned == pytest.approx(0.9**2 * 0.2 + 0.45**2 * 0.8)  # the paper's formula
-    assert any("alpha = 30 deg" in row["quantity"] for row in rows)
+    assert any("alpha = 30°" in row["quantity"] for row in rows)
 
 
 @pytest.mark.parametrize("command", [["report", "youth-30"], ["hit", "youth-30", "--at", "25in"], ["paper"], ["bats"]])

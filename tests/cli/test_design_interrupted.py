@@ -43,7 +43,7 @@ def interrupted(words: tuple[str, ...], *, number: int) -> tuple[int, str, str]:
             if line.startswith(f"generation {number} begins"):
                 break
         process.send_signal(signal.SIGINT)
-        said, heard = process.communicate(timeout=120)
+        said, heard = process.communicate(timeout=1200)
     return process.returncode, said, heard
 
 

@@ -41,6 +41,11 @@ def test_a_fired_ball_and_a_plate_bent_too_far(run: Run) -> None:
     assert code == 0 and "26.82 m/s" in out and "Beware" in out and "comes back to" not in out
 
 
+def test_a_reader_of_inches_is_told_of_no_millimetre_and_no_newton(run: Run) -> None:
+    told = " ".join(run("drop", "--height", "3ft", "--thickness", "4in", "--units", "us")[1].split())
+    assert "4.00 in thick" in told and "lbf" in told and "mm" not in told and "kN" not in told
+
+
 def test_in_air_as_the_rule_books_do(run: Run) -> None:
     tennis = ("--ball", "tennis", "--height", "254cm", "--material", "concrete", "--size", "60cm")
     code, out, _ = run("drop", *tennis, "--in-air", "--format", "json")
@@ -49,7 +54,7 @@ def test_in_air_as_the_rule_books_do(run: Run) -> None:
     assert 1.35 < found["rebound_height_m"] < 1.47 and found["fall_height_m"] == pytest.approx(2.54)
     assert found["terminal_speed_m_s"] > 20
     assert json.loads(run("drop", *tennis, "--format", "json")[1])["terminal_speed_m_s"] is None
-    assert "carries it at" in run("drop", *tennis, "--in-air")[1]
+    assert "terminal speed in the air" in run("drop", *tennis, "--in-air")[1]
 
 
 @pytest.mark.parametrize(

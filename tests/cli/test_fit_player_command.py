@@ -48,7 +48,7 @@ def test_answers_for_people_and_a_page(run: Run, file: Path, tmp_path: Path) -> 
     code, text, said = run("fit-player", str(file), *given)
     assert code == 0, said
     words = re.sub(r"\s+", " ", text)
-    assert "Balanced or end-loaded?" in words and "What is one inch worth?" in words
+    assert "Balanced or end-loaded?" in words and "What is better contact worth?" in words
     assert "8 swings count, 8 with bat speed and exit speed, from a file; 1 row does not (row 10: exit speed" in words
     assert "Only 8 swings are usable" in words
     assert "1 row is not used: row 10: exit speed is 400.0 mph" in words

@@ -26,7 +26,7 @@ def test_the_published_run_in_words(run: Run) -> None:
     words = " ".join(out.split())
     assert code == 0
     assert "It carries 423 ft in 5.5 s, at most 92 ft high, and comes down 47° steep at 56 mph." in words
-    assert "1.1938 kg/m³; no wind" in words and "2500 rpm of backspin" in words and "usually" not in words
+    assert "0.0745 lb/ft³; no wind" in words and "2500 rpm of backspin" in words and "usually" not in words
 
 
 def test_border_contract(run_json: RunJson) -> None:

@@ -85,7 +85,7 @@ def test_a_reader_that_has_enough_and_closed_ends(tmp_path: Path) -> None:
         (f"{command} >&- 2>&-", 2, ""),
         (f"{command} > /dev/full", 2, "sweetspot: standard output cannot be written: no space left on device"),
     ):
-        result = subprocess.run(["bash", "-c", shell], capture_output=True, text=True, check=False, timeout=60)
+        result = subprocess.run(["bash", "-c", shell], capture_output=True, text=True, check=False, timeout=600)
         heard = [line for line in result.stderr.splitlines() if "still working" not in line]
         assert (result.returncode, "\n".join(heard).strip()) == (code, said), shell
 

@@ -22,9 +22,9 @@ def test_it_serves_until_interrupted() -> None:
     with subprocess.Popen(words, stderr=subprocess.PIPE, text=True) as process:
         assert process.stderr is not None
         address = re.findall(r"http://[\d.]+:\d+", process.stderr.readline())[0]
-        page = httpx.get(address, timeout=30)
+        page = httpx.get(address, timeout=600)
         process.send_signal(signal.SIGINT)
-        rest = process.communicate(timeout=20)[1]
+        rest = process.communicate(timeout=600)[1]
     assert page.status_code == 200
     assert "<title>sweetspot</title>" in page.text
     assert address.startswith("http://127.0.0.1:")

@@ -11,6 +11,8 @@ import polars as pl
 import pytest
 
 from sweetspot.cli import main
+from sweetspot.errors import InputError
+from sweetspot.report.season.one_player import player_page
 from sweetspot.report.season.tables import write_tables
 from sweetspot.season.standings import GROUPS
 from tests.season.conftest import made_up
@@ -25,7 +27,7 @@ def run(*arguments: object) -> int:
 def test_tables_in_answers_out(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     table, out = tmp_path / "table.csv", tmp_path / "out"
     made_up(300).write_csv(table)
-    assert run(table, "--try", "mlb-a", "--out", out) == 0
+    assert run(table, "--try", "mlb-a", "--try", "r161-ash", "--out", out) == 0  # the second is the bat it was hit with
     shown = capsys.readouterr()
     assert "300 rows in one file; 300 balls in play" in shown.out
     balls = pl.read_parquet(out / "balls")
@@ -34,9 +36,25 @@ def test_tables_in_answers_out(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert balls.filter(pl.col("contact_outcome") == "ok")["from_tip_in"].null_count() == 0
     players = pl.read_csv(out / "players.csv")
     assert len(players) == 6 and "squared_up_low90" in players.columns
+    assert (players["gain_with_mlb_a_balls"] <= players["balls"]).all() and "gain_with_mlb_a_low90_mph" in players
+    assert (players["gain_with_mlb_a_reliability"] <= 1).all() and "gain_with_r161_ash_mph" not in players.columns
     data = json.loads((out / "season.json").read_text("utf-8"))
     assert sum(data["tables"][0]["ledger"].values()) == data["tables"][0]["rows"] == 300
     assert (out / "season.html").exists() and (out / "season.png").exists()
+
+
+def test_few_balls_with_bat_speed_are_told_as_few(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What is told of bats from so little is called rough; nobody is listed by four balls, and no heading is cut."""
+    table = tmp_path / "a_table_with_a_name_of_many_many_characters.csv"
+    made_up(20).write_csv(table)
+    assert run(table, "--out", tmp_path / "out") == 0
+    out = capsys.readouterr().out
+    words = " ".join(out.split())
+    assert "Squared up" in words and "Too few balls have a bat speed" in words and "nothing is told" not in words
+    assert "No batter has 5 balls in play" in words and "expected home runs per" not in out.split("Reliability")[0]
+    capsys.readouterr()
+    assert run(table, "--format", "json") == 0
+    assert json.loads(capsys.readouterr().out)["places"]["bat_speeds"]["full_speed"] > 0
 
 
 def test_a_name_that_is_a_formula_is_only_shown(tmp_path: Path) -> None:
@@ -54,7 +72,7 @@ def test_one_bad_file_is_listed_and_the_exit_code_is_1(tmp_path: Path, capsys: p
     empty.touch()
     assert run(table, empty, "--flight-only") == 1
     shown = capsys.readouterr()
-    assert "30 balls in play" in shown.out and "not read: empty.csv" in shown.err
+    assert "30 balls in play" in shown.out and f"not read: {empty} is empty" in shown.err
 
 
 def test_a_page_for_one_player(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -65,6 +83,22 @@ def test_a_page_for_one_player(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert json.loads((out / "player-600002.json").read_text("utf-8"))["balls"] == 50
     assert run(table, "--player", "600009", "--flight-only") == 2
     assert "no batter '600009' in the tables. Did you mean" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("asked", "words"),
+    [
+        ("Doe", "2 batters are called 'Doe'; give the number of one: 1, 2"),
+        ("Ro", "no batter 'Ro' in the tables. Did you mean Roe"),
+        ("nobody at all", "There are 202, for example Doe, Roe"),
+    ],
+)
+def test_a_name_that_is_nobody_s_or_of_several_is_refused(asked: str, words: str) -> None:
+    numbers = [str(number) for number in range(1, 204)]
+    table = pl.DataFrame({"batter": numbers, "name": ["Doe", "Doe", "Roe", *(f"X{one}Y" for one in numbers[3:])]})
+    report: Any = SimpleNamespace(standings={"batter": SimpleNamespace(table=table)})
+    with pytest.raises(InputError, match=words):
+        player_page(report, asked)
 
 
 @pytest.mark.parametrize(

@@ -84,7 +84,7 @@ def test_a_slip_is_refused_in_one_line(run: Run, words: Sequence[str], told: str
         (CAN.replace("WALL", "2,8 mm"), "decimals after a point"),
         (BAT + '[[point_mass]]\nposition = "30 in"\nmass = "1,5 oz"\n', "decimals after a point"),
         (BAT + '[cup]\ndiameter = "1.4 in"\ndepth = "9 in"\n', "deeper holes are a [[bore]]"),
-        (BAT.replace('"own"', '""'), "name was given as ''"),
+        (BAT.replace('"own"', '""'), "name is empty; write what people call it"),
         ('sport = "tennis"\n' + BAT, "played with a racket, not with a bat"),
         (BAT.replace('"33 in"\nmat', '"33 ft"\nmat'), "length was given as 33 ft"),
         (BAT.replace("length", 'mass = "-31 oz"\nlength'), "mass was given as -31 oz"),

@@ -56,3 +56,30 @@ def test_semicolons_and_decimal_commas_of_stations_are_read(run: Run, tmp_path: 
     file.write_text("\n".join(["in_from_knob;diameter_in", *rows]), encoding="utf-8")
     code, out, said = run("outline", str(file), "--material", "ash")
     assert code == 0 and "9 stations: handle 0.97 in, barrel 2.50 in" in " ".join(out.split()), said
+
+
+@pytest.mark.parametrize(
+    ("command", "head", "told"),
+    [
+        (("fit-player", "FILE"), "bat_sped_mph,exit_sped_mph,pitch_speed_mph", "did you mean exit_speed_mph?"),
+        (("season", "FILE"), "exit_sped_mph,launch_angle_deg", "did you mean exit_speed_mph?"),
+        (SHOTS, "bal_in_mph,ball_out_mph,position_in_from_tip", "did you mean ball_in_mph?"),
+        (("fit-player", "FILE"), f"{HEAD},bat", "(did you mean r161-ash?)"),
+    ],
+)
+def test_a_misspelt_heading_or_bat_is_named(
+    run: Run, tmp_path: Path, command: tuple[str, ...], head: str, told: str
+) -> None:
+    file = tmp_path / "table.csv"
+    file.write_text("\n".join([head, *(f"{row},r161-asch" for row in SWINGS)]), encoding="utf-8")
+    code, out, said = run(*(str(file) if word == "FILE" else word for word in command))
+    assert (code, out) == (2, "") and told in said.strip().splitlines()[-1], said
+
+
+def test_a_bat_that_nobody_knows_is_taken_for_the_named_one_in_words(run: Run, tmp_path: Path) -> None:
+    file = tmp_path / "table.csv"
+    file.write_text("\n".join([f"{HEAD},bat", *(f"{row},r161-asch" for row in SWINGS)]), encoding="utf-8")
+    code, out, _ = run("fit-player", str(file), "--bat", "youth-30")
+    told = " ".join(out.split())
+    first = told.index("The file calls the bat 'r161-asch' (did you mean r161-ash?), which is not known here: it is ")
+    assert code == 0 and first < told.index("Questions and answers")

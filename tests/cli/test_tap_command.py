@@ -63,7 +63,11 @@ def test_other_sports(run: Run, run_json: Callable[..., Any], tmp_path: Path, na
         (["none.wav", "--bar", "1m x 2cm x 1cm"], "needs both --bar and --mass"),
         (["none.wav", "--at", "1in"], "without --bat"),
         (["none.wav", "--synthesise", "r161-ash"], "reads none"),
+        (["none.wav", "--noise", "3%"], "--noise belongs to a sound that is made; add --synthesise"),
+        (["--synthesise", "r161-ash", "--band", "60Hz:3kHz"], "leave out --band"),
         (["--synthesise", "r161-ash", "--at", "40in"], "off the bat"),
+        (["--synthesise", "r161-ash", "--listen-at", "40in"], "--listen-at is 1.016 m"),
+        (["none.wav", "--most-damping", "300%"], "more than 0 and less than 100 %"),
         (["--synthesise", "r161-ash", "--out", "x.txt"], "cannot be written as a sound"),
     ],
 )

@@ -51,6 +51,12 @@ def test_a_field_s_fence_goes_through_its_three_distances() -> None:
     assert {round(far / FOOT, 6) for _, far, _ in catalog.park("Little League").fence} == {200.0}
 
 
+@pytest.mark.parametrize("command", [("play", "fast-pitch"), ("hit", "fast-pitch", "--at", "6in-from-tip")])
+def test_what_is_assumed_of_a_softball_is_named(run: Run, command: tuple[str, ...]) -> None:
+    words = " ".join(run(*command)[1].split())
+    assert "Soft defaults: ball: loss of restitution with speed and stiffness (assumed)." in words
+
+
 def test_a_child_s_hit_over_the_fence(run: Run, run_json: Callable[..., Any]) -> None:
     given = ("play", "youth-30", "--pitch", "little-league-fastball", "--bat-speed", "60mph", "--park", "little-league")
     played = run_json(*given)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.document import Table
 from sweetspot.report.quantities import SYSTEMS, US
 from tests.report.told import Run, Tell, blocks, check_sentences, known_numbers, tell, text_of
@@ -40,7 +41,7 @@ def test_an_order_of_bats(tell: Tell, tmp_path: Path, tone: float) -> None:
     table.write_text(f"{HEAD}A,{row},171.5±0.4,12\nB,{row},{tone}±0.4,12\n", encoding="utf-8")
     document = tell("rank", str(table), "--like", "r161-ash")
     bats = sorted(document.data["bats"], key=lambda one: -one["exit_speed_m_s"])
-    check_sentences(document, READERS, [bats[0]["exit_speed_m_s"] - bats[-1]["exit_speed_m_s"]])
+    check_sentences(document, READERS, [bats[0]["exit_speed_m_s"] - bats[-1]["exit_speed_m_s"], STANDARD_AXIS])
     text = text_of(document, US)
     assert text.startswith(f"{bats[0]['name']} hits best") and f"{bats[-1]['name']} comes last" in text
     found = re.search(r"differ by ([\d.]+) mph \(one sigma\), (no more|more) than the ([\d.]+) mph that chance", text)

@@ -8,8 +8,19 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.certification.simulated_test import certify
 from sweetspot.analysis.comparison import compare
-from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.analysis.full_play import Play, Plays
+from sweetspot.catalog.standard_hit import standard_conditions, standard_flight
+from sweetspot.collision.hit_in_space import Strike
+from sweetspot.collision.impact import Outcome
+from sweetspot.collision.kernel import hits
+from sweetspot.equipment.ball import Ball
+from sweetspot.errors import InputError
+from sweetspot.flight.kernel import flights
+from sweetspot.motion.ball_motion import launched
 from sweetspot.report.notebook import document_of
+from sweetspot.report.quantities import SYSTEMS
+from sweetspot.units import FOOT
+from tests.report.pictures.labels import check_labels
 
 
 def test_a_comparison_is_shown_as_its_report() -> None:
@@ -38,3 +49,33 @@ def test_a_bat_its_analysis_and_a_hit_are_shown(analysis: Analysis) -> None:
 def test_what_has_no_report_is_named() -> None:
     with pytest.raises(TypeError, match="a int has no document"):
         document_of(3)
+
+
+def test_many_hits_many_flights_and_modes_are_shown_and_drawn(analysis: Analysis, baseball: Ball) -> None:
+    """By what each says of itself, and with every label clear of the others, in both systems of units."""
+    hit = hits(analysis.modes, ball=baseball, position=[0.6, 0.7, 0.8], closing_speed=70.0)
+    balls = launched(speed=[40.0, 45.0], launch_angle=[0.4, 0.5], backspin=200.0, position=(0, 0, 1))
+    flown = flights(balls, standard_flight(), path_points=5)
+    frequency = f"{analysis.modes.frequency[analysis.modes.of_family('bending')[0]]:.0f} Hz"
+    for answer, told, short in (
+        (hit, "3 hits, 3 with an answer: collision efficiency", "<3 hits, 3 separated>"),
+        (flown, f"2 balls, 2 of which came down: {flown.carry.min() / FOOT:.0f} to", "<2 flights, 2 landed>"),
+        (Plays(None, flown), "2 balls, 2 of which came down", "Plays("),  # type: ignore[arg-type]
+        (analysis.modes, frequency.removesuffix(" Hz"), "<Modes: 2 rigid, 12 bending>"),
+    ):
+        assert told in answer._repr_html_() and repr(answer).startswith(short), short
+        picture = document_of(answer).drawing
+        assert picture is not None
+        for reader in SYSTEMS.values():
+            check_labels(picture.draw(reader))
+    assert frequency in {text.get_text() for text in analysis.modes.plot().axes[0].texts}
+
+
+def test_answers_without_numbers_say_so(analysis: Analysis, baseball: Ball) -> None:
+    none = hits(analysis.modes, ball=baseball, position=[0.6], closing_speed=-1.0)
+    assert "1 hit, none of which has an answer" in none._repr_html_()
+    missed = Play(Strike(Outcome.MISS, 30.0), None)
+    assert "A miss: the ball passes" in missed._repr_html_()
+    for answer in (none, missed, analysis.modes.kept([0, 1])):
+        with pytest.raises(InputError, match="has no picture"):
+            answer.plot()

@@ -8,22 +8,30 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser
+from playwright.sync_api import Browser, Page
 
 Run = Callable[..., tuple[int, str, str]]
 
 MARGINS = {"top": "11mm", "bottom": "11mm", "left": "14mm", "right": "14mm"}
 """As the page's own style has them."""
-COMMANDS = {
-    "report": ("report", "r161-ash"),
-    "player": ("fit-player", "FILE", "--bat", "r161-ash", "--batter", "Ann"),
-    "team": ("fit-player", "FILE", "--bat", "r161-ash", "--batter", "all"),
-    "compare": ("compare", "r161-ash", "single-wall", "mlb-a"),
-    "certify": ("certify", "r161-ash"),
-    "paper": ("paper",),
-    "play": ("play", "r161-ash", "--park", "fenway"),
-    "design": ("design", "mlb-a", "--population", "8", "--generations", "1"),
-}
+LETTERS = 7.5
+"""Points, the small letters of all pictures."""
+COMMANDS = (
+    ("report", 6.5, ("report", "r161-ash")),
+    ("report", 6.5, ("report", "college-alloy", "--uncertainty")),
+    ("player", 6.5, ("fit-player", "FILE", "--bat", "r161-ash", "--batter", "Ann")),
+    ("team", 0.0, ("fit-player", "FILE", "--bat", "r161-ash", "--batter", "all")),
+    ("compare", 6.5, ("compare", "r161-ash", "single-wall", "mlb-a")),
+    ("compare", 3.9, ("compare", "r161-ash", "--what-if", "cork")),
+    ("certify", 5.5, ("certify", "college-alloy", "--wall-that-passes", "--uncertainty")),
+    ("certify", 0.0, ("certify", "youth-alloy", "--league", "all")),  # whose many rules leave no room for a picture
+    ("paper", 0.0, ("paper",)),
+    ("play", 5.5, ("play", "r161-ash", "--park", "fenway")),
+    ("park", 5.5, ("parks", "fenway")),
+    ("parks", 0.0, ("parks",)),
+    ("design", 0.0, ("design", "mlb-a", "--population", "8", "--generations", "1")),
+)
+"""Name of the page, points of its picture's small letters that stay on paper, and the command."""
 
 
 @pytest.fixture(scope="module")
@@ -37,7 +45,7 @@ def swings(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-@pytest.mark.parametrize("name", COMMANDS)
+@pytest.mark.parametrize(("name", "least", "command"), COMMANDS, ids=lambda one: one if isinstance(one, str) else "")
 def test_a_page_is_one_sheet(
     run: Run,
     browser: Browser,
@@ -45,9 +53,11 @@ def test_a_page_is_one_sheet(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
     name: str,
+    least: float,
+    command: tuple[str, ...],
 ) -> None:
     monkeypatch.setattr("sweetspot.design.polish.LOOKS", 3)  # a design's sheet is as long when it is hardly polished
-    words = [str(swings) if word == "FILE" else word for word in COMMANDS[name]]
+    words = [str(swings) if word == "FILE" else word for word in command]
     code, _, said = run(*words, "--title", "Spring <2026>", "--for", "Ann Example", "--out", str(tmp_path))
     assert code in (0, 1), said
     page = (tmp_path / f"{name}.html").read_text(encoding="utf-8")
@@ -58,7 +68,28 @@ def test_a_page_is_one_sheet(
     for paper in ("A4", "Letter"):
         printed = opened.pdf(format=paper, margin=MARGINS)  # type: ignore[arg-type]
         assert len(re.findall(rb"/Type\s*/Page\b", printed)) == 1, paper
+    if "<figure" in page and "rules many" not in page:
+        the_picture_takes_what_is_left(opened, least)
     opened.close()
+
+
+def the_picture_takes_what_is_left(page: Page, least: float) -> None:
+    """Hold an A4 sheet to it: no picture on what follows it, its letters readable, the footer at the sheet's end."""
+    page.set_viewport_size({"width": 688, "height": 1039})  # 182 by 275 mm at 96 px an inch: what the margins leave
+    page.emulate_media(media="print")
+    sheet = page.evaluate(
+        """() => { const box = (one) => one.getBoundingClientRect(); return {
+             gaps: [...document.querySelectorAll("main > figure")].map(
+               (one) => { let next = one.nextElementSibling; while (!next.offsetHeight) next = next.nextElementSibling;
+                          return box(next).top - box([...one.querySelectorAll("svg")].at(-1)).bottom; }),
+             highest: Math.max(...[...document.querySelectorAll("main > figure svg")].map((one) => box(one).height)),
+             shown: Math.max(...[...document.querySelectorAll("main > figure svg")].map((one) => Math.min(
+               box(one).width / one.viewBox.baseVal.width, box(one).height / one.viewBox.baseVal.height))),
+             end: box(document.querySelector("main > footer")).bottom }; }"""
+    )
+    assert min(sheet["gaps"]) >= 0 and sheet["highest"] > 130, sheet
+    assert LETTERS * sheet["shown"] * 72 / 96 >= least, sheet
+    assert 1030 < sheet["end"] <= 1039, sheet
 
 
 def test_a_team_of_one_sheet_names_who_is_left_out(run: Run, swings: Path, tmp_path: Path) -> None:

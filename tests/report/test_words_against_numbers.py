@@ -18,6 +18,7 @@ from sweetspot.report.comparison.document import comparison_document
 from sweetspot.report.document import Column, Document, Paragraph, Table
 from sweetspot.report.quantities import SYSTEMS, Reader
 from sweetspot.report.sentences import read
+from sweetspot.report.sport_words import words_of
 from tests.report.told import LEFT_OVER
 
 SHOWN = ("r161-ash", "single-wall", "double-wall", "composite", "youth-30", "slow-pitch", "uniform-rod",
@@ -59,6 +60,12 @@ def test_a_report_s_words_are_its_tables(analysed: Analysis[Implement], system: 
     assert (zone is None) == (analysed.sweet_spots.zone is None)
     if zone is not None:
         assert rows["zone"][1] == f"{zone[1]} to {zone[2]}"
+        low, high = analysed.sweet_spots.zone or (0.0, 0.0)
+        outside = re.search(r"best lies outside it, nearer the (\S.*?)\.", words[0])
+        assert (outside is None) == (low <= analysed.sweet_spots.max_exit_speed <= high)
+        if outside is not None:
+            beyond = analysed.sweet_spots.max_exit_speed > high
+            assert (outside[1] == words_of(analysed.bat).tip) == beyond
     tip = re.search(
         r"only ([\d.,]+) \S+ instead of ([\d.,]+) .+ vibration: ([\d.]+) \S+, ([\d.]+) \S+ less than", " ".join(words)
     )

@@ -97,4 +97,8 @@ def _one_line(error: Exception) -> str:
             f"{left!r} is more than {command} takes; a name with blanks is written in quotes, and options begin with "
             f"--: see sweetspot {command} --help{several}"
         )
-    return " ".join(str(error).split())
+    told = " ".join(str(error).split())
+    negative = told.endswith("requires an argument.") and any(
+        word[:1] == "-" and word[1:2].isdigit() for word in getattr(error, "root_input_tokens", None) or ()
+    )
+    return f"{told} A negative number is written with =, as in --at=-3in." if negative else told

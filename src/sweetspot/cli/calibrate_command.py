@@ -208,6 +208,8 @@ def _tone(text: str, own: Implement) -> Measurement:
     if name.strip() not in names or not value:
         raise InputError(f"--tone was given as {text!r}; write {', '.join(names)} and a frequency: bending-1:171.3Hz")
     frequency: Measured = parse_measured(value, "frequency", "--tone")
+    if frequency.value <= 0:
+        raise InputError(f"--tone was given as {text!r}; allowed is a frequency of more than 0 Hz")
     given = Measurement("frequency", frequency, mode=names[name.strip()])
     if not _told([given], own):
         raise InputError(

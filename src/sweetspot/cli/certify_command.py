@@ -85,32 +85,22 @@ def certify(
     if wall_that_passes:
         with patience():
             tested = replace(tested, walls=_walls(leagues, described, chosen))
-    document = tested_document(tested)
-    if uncertainty:
-        with patience():
-            document = _with_doubt(document, tested, bat)
+    if not uncertainty:
+        return present(tested_document(tested), output)
+    with patience():
+        document = _with_doubt(tested, bat)
     return present(document, output)
 
 
-def _with_doubt(document: Document, tested: TestedBat, name: str) -> Document:
+def _with_doubt(tested: TestedBat, name: str) -> Document:
     """Return a test with intervals, and how probable it is that the bat passes each rule."""
-    from sweetspot.analysis.certification.simulated_test import Certification
     from sweetspot.catalog.standard_hit import standard_conditions
     from sweetspot.cli.options.swing import SwingOptions
     from sweetspot.cli.options.uncertainty import sources_for
-    from sweetspot.report.uncertainty.passing_words import with_chances
-
-    if not isinstance(tested.test, Certification):
-        return with_chances(document, tested)
-    from sweetspot.calibration.draws.drawn_tests import drawn_test, sources_of_test
-    from sweetspot.dynamics.beam import beam_model
-    from sweetspot.report.uncertainty.uncertainty_section import uncertain
+    from sweetspot.report.uncertainty.doubtful_answers import certificate_with_doubt
 
     conditions = standard_conditions(tested.bat).replaced(ball=tested.ball)
-    sources = sources_of_test(sources_for(name, tested.bat, conditions, SwingOptions()))
-    answers = drawn_test(beam_model(tested.bat), conditions, sources, tested.test)
-    told = uncertain(document, answers, main="test.bbcor", named="BBCOR", where=sources.described)
-    return with_chances(told, tested, answers)
+    return certificate_with_doubt(tested, conditions, sources_for(name, tested.bat, conditions, SwingOptions()))
 
 
 def _leagues(name: str, ball_name: str | None) -> tuple[list[League], Ball]:
@@ -118,6 +108,7 @@ def _leagues(name: str, ball_name: str | None) -> tuple[list[League], Ball]:
     from sweetspot import catalog
     from sweetspot.catalog.balls import DEFAULT_BALL
     from sweetspot.catalog.rules import league, league_names
+    from sweetspot.units import insisted
 
     if name.strip().lower() == ALL:
         ball_name = ball_name or DEFAULT_BALL
@@ -127,6 +118,12 @@ def _leagues(name: str, ball_name: str | None) -> tuple[list[League], Ball]:
             raise InputError(f"no league's rules name the ball {ball_name!r}; give one league with --league NAME")
         return using, sport
     one = league(name)
+    wanted, own = (catalog.sport(catalog.ball_sport(each)).name.lower() for each in (ball_name or one.ball, one.ball))
+    if wanted != own and not insisted():
+        raise InputError(
+            f"--ball was given as {ball_name}, a ball of {wanted}; {one.key} tests bats with a ball of {own}. Leave "
+            "--ball out, or add --force if it is meant"
+        )
     return [one], catalog.ball(ball_name or one.ball)
 
 

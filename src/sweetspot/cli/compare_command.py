@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
@@ -141,17 +141,8 @@ def _with_doubt(
     tested: Sequence[TestedBat],
 ) -> Document:
     """Return a comparison with intervals, and how sure each bat's gain over the first is."""
-    from sweetspot.calibration.draws.comparison_draws import (
-        LAW,
-        drawn_comparison,
-        names_of_bats,
-        with_drawn_intervals,
-    )
     from sweetspot.cli.options.uncertainty import sources_for
-    from sweetspot.report.comparison.document import comparison_document
-    from sweetspot.report.document import Paragraph
-    from sweetspot.report.uncertainty.gains import INTERVAL_HOLDS, gain_json, gain_words
-    from sweetspot.report.uncertainty.uncertainty_section import uncertain
+    from sweetspot.report.uncertainty.doubtful_answers import comparison_with_doubt
 
     compared = comparison.compared
     files = names if len(names) == len(compared) else (None,) * len(compared)
@@ -159,26 +150,7 @@ def _with_doubt(
         sources_for(name, one.analysis.bat, one.analysis.conditions, swing if number == 0 else SwingOptions())
         for number, (one, name) in enumerate(zip(compared, files, strict=True))
     ]
-    answers = drawn_comparison(comparison, sources)
-    own = zip(names_of_bats(comparison), sources, strict=True)
-    where = {name: one.bat_where for name, one in own} | sources[0].described
-    where[LAW] = "spread of its exponent in the catalogue"
-    last = len(compared) - 1
-    main, named = (
-        (f"bats.{last}.change_m_s", f"change of {compared[-1].label}")
-        if last
-        else ("bats.0.exit_speed_m_s", "exit speed")
-    )
-    document = comparison_document(
-        with_drawn_intervals(comparison, answers), corking=corked, interval_is=INTERVAL_HOLDS, tested=tested
-    )
-    told = uncertain(document, answers, main=main, named=named, where=where)
-    gains = [(one.label, index) for index, one in enumerate(compared) if index]
-    words = [Paragraph(gain_words(label, compared[0].label, answers, index)) for label, index in gains]
-    data = {**told.data, "uncertainty": {**told.data["uncertainty"], "gains": [
-        {"label": label, **gain_json(answers, index)} for label, index in gains
-    ]}}  # fmt: skip
-    return replace(told, blocks=[*told.blocks[:last], *words, *told.blocks[last:]], data=data)
+    return comparison_with_doubt(comparison, sources, corking=corked, tested=tested)
 
 
 def _bat(described: Implement) -> Bat:

@@ -12,13 +12,14 @@ from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions
-from sweetspot.errors import InputError
+from sweetspot.errors import InputError, maybe_meant, spelt_almost
 
 if TYPE_CHECKING:
     from sweetspot.equipment.bat import Bat
     from sweetspot.player.advice import Advice
     from sweetspot.player.goal import Goal
     from sweetspot.player.model import PlayerModel
+    from sweetspot.player.player_swing import PlayerSwing
     from sweetspot.player.posterior import Posterior
     from sweetspot.player.swings import Swings
 
@@ -79,7 +80,7 @@ def fit_player(
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Learn a player's bat speed and scatter from measured swings, and say which bat and contact point serve."""
-    from sweetspot.cli.output import present, progress
+    from sweetspot.cli.output import present, progress, today
     from sweetspot.player.goal import Goal
     from sweetspot.player.posterior import fit_player as fitted
     from sweetspot.report.player.document import player_document
@@ -97,7 +98,8 @@ def fit_player(
         posterior = fitted(model, method=wanted.sampler, seed=wanted.seed, progress=report)
     with progress("trying bats") as report:
         advice = _advised(posterior, wanted, goal, air, given, report)
-    return present(player_document(posterior, advice, swings, player=output.made_for), output)
+    named = ", ".join(filter(None, [output.made_for, today()]))
+    return present(player_document(posterior, advice, swings, player=named), output)
 
 
 def _team(
@@ -177,6 +179,7 @@ def _read(file: Path, given: FileOptions) -> tuple[Swings, PlayerModel]:
     if given.bat is None and bats:  # the file says itself what is swung
         most = Counter(one.bat for one in good if one.bat in bats).most_common(1)[0][0]
         return _read(file, replace(given, bat=most))
+    _check_named(good, bats, given, file)
     place = _measured_at(own, given)
     same = {name for name, other in bats.items() if other == own}
     good = tuple(replace(one, bat="") if one.bat in same else one for one in good)
@@ -189,6 +192,16 @@ def _read(file: Path, given: FileOptions) -> tuple[Swings, PlayerModel]:
     ball = catalog.ball(_ball_name(given, own))
     law = catalog.swing_law(catalog.sport(own.sport).swing_law)
     return swings, player_model(good, bat=own, ball=ball, others=others, law=law, speed_from_tip=place)
+
+
+def _check_named(swings: tuple[PlayerSwing, ...], known: dict[str, Bat], given: FileOptions, file: Path) -> None:
+    """Refuse a misspelt bat where nobody says which it is; with ``--bat``, or by a name of one's own, it is taken."""
+    from sweetspot import catalog
+
+    names = sorted({one.bat for one in swings} - {"", *known})
+    if names and given.bat is None and spelt_almost(names[0], catalog.bat_names()):
+        meant = maybe_meant(names[0], catalog.bat_names())
+        raise InputError(f"{file} has the bat {meant}: mend the name, or say which bat it is with --bat")
 
 
 def _measured_at(own: Bat, given: FileOptions) -> float:

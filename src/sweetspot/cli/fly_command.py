@@ -10,7 +10,7 @@ from cyclopts import Parameter
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.ranges import spread
 from sweetspot.cli.options.uncertainty import Uncertainty
-from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions, park_of, pressure_of
+from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions, check_wind, park_of, pressure_of
 from sweetspot.cli.options.written_errors import error_of, without_error
 from sweetspot.errors import InputError
 
@@ -80,6 +80,7 @@ def fly(
     from sweetspot.catalog.aerodynamic_laws import DEFAULT_AERODYNAMICS, usual_spin_line
     from sweetspot.cli.output import present
     from sweetspot.flight.sweep import VARIATIONS, BattedBall
+    from sweetspot.units.usual import USUAL, refuse_unusual
 
     values: dict[str, Any] = {}
     ranges: list[Varied] = []
@@ -96,6 +97,8 @@ def fly(
     _check_exit_speeds(
         launch, [values["exit_speed"], *(at for name, row in ranges if name == "exit_speed" for at in row)]
     )
+    for height in [values["height"], *(at for name, row in ranges if name == "height" for at in row)]:
+        refuse_unusual(USUAL["launch_height"], height, "--height", launch.height)
     hit = BattedBall(**values, bats=launch.bats, line=usual_spin_line(launch.law or DEFAULT_AERODYNAMICS))
     if len(ranges) > 2:
         named = " and ".join(_option(name) for name, _ in ranges)
@@ -126,6 +129,7 @@ def _texts(launch: LaunchOptions, air: AirOptions) -> dict[str, str]:
         options |= {name: options[name] or "0rpm" for name in ("backspin", "sidespin")}
     for name in ("temperature", "humidity", "pressure", "wind_speed", "wind_direction", "calm_below"):
         options[name] = getattr(air, name)
+    check_wind(air)
     park = park_of(air)
     options["wind_exponent"] = air.wind_profile
     options["elevation"] = air.elevation or f"{0.0 if park is None else park.elevation!r} m"

@@ -99,7 +99,8 @@ def _measured(source: str, sizes: SizeOptions, *, material: str, name: str | Non
     from sweetspot.catalog.files.bat import checked_drawing
     from sweetspot.equipment.bat import Bat
 
-    if Path(source).suffix.lower() in ENDINGS:
+    ending = Path(source).suffix.lower()
+    if ending in ENDINGS or (ending not in ("", BAT_FILE) and Path(source).exists()):
         measured = read_outline(Path(source), **sizes.given())
         bat = Bat(
             name=name or Path(source).stem, length=measured.profile[-1][0], material=catalog.material(material),
@@ -117,11 +118,11 @@ def _measured(source: str, sizes: SizeOptions, *, material: str, name: str | Non
 
 def _content(path: Path, bat: Bat, reading: Reader) -> bytes:
     """Return what a file of this name holds."""
-    from sweetspot.catalog.files.write import bat_toml
+    from sweetspot.catalog.files.write import bat_toml, legible
     from sweetspot.report.drawing.drawing_files import ENDINGS, drawing_bytes
 
     if path.suffix.lower() == BAT_FILE:
-        return bat_toml(bat).encode()
+        return legible(bat_toml(bat)).encode()
     if path.suffix.lower() not in ENDINGS:
         raise InputError(f"--out was given as {path}; write to a name that ends in {', '.join((BAT_FILE, *ENDINGS))}")
     return drawing_bytes(bat, path, reading=reading)

@@ -85,11 +85,16 @@ ASKED: ContextVar[Sequence[str]] = ContextVar("ASKED", default=())
 
 
 def _made() -> str:
-    """Return when an answer was made, and from what: the head of a page. `SOURCE_DATE_EPOCH` may fix the day."""
+    """Return when an answer was made, and from what: the head of a page."""
+    words = shlex.join(["sweetspot", *ASKED.get()]) if ASKED.get() else ""
+    return f"{today()}{': ' if words else ''}{words}"
+
+
+def today() -> str:
+    """Return the day in words; `SOURCE_DATE_EPOCH` may fix it."""
     fixed = os.environ.get("SOURCE_DATE_EPOCH", "")
     day = datetime.fromtimestamp(int(fixed), UTC) if fixed.isdigit() else datetime.now()
-    words = shlex.join(["sweetspot", *ASKED.get()]) if ASKED.get() else ""
-    return f"{day.day} {day:%B %Y}{': ' if words else ''}{words}"
+    return f"{day.day} {day:%B %Y}"
 
 
 @contextmanager

@@ -11,7 +11,7 @@ from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
 
 if TYPE_CHECKING:
-    from sweetspot.paper.chain import Choices
+    from sweetspot.paper.choices import Choices
 
 
 @Parameter(name="*")
@@ -47,7 +47,7 @@ RATIOS = ("ball_restitution", "wood_restitution", "metal_restitution", "wood_sha
 def choices_for(options: PaperOptions) -> Choices:
     """Return the choices that the options describe."""
     from sweetspot.catalog.materials import material
-    from sweetspot.paper.chain import Choices
+    from sweetspot.paper.choices import Choices
     from sweetspot.units import parse
 
     def read(name: str, kind: Literal["length", "ratio", "angle"]) -> float:

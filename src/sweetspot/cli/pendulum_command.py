@@ -11,6 +11,8 @@ from sweetspot.errors import InputError
 
 USUAL_GYRATIONS = (0.04, 0.4)
 """m, from table-tennis rackets to golf drivers."""
+WIDEST = 0.75
+"""Of the balance point: a uniform rod has a radius of gyration of 0.58 of that about it, bats 0.4."""
 
 
 def pendulum(
@@ -56,6 +58,12 @@ def pendulum(
             f"what was given makes a radius of gyration of {100 * gyration:.1f} cm about the balance point; usual is "
             f"{100 * USUAL_GYRATIONS[0]:g} to {100 * USUAL_GYRATIONS[1]:g} cm. Check the units, or add --force if it "
             "is meant"
+        )
+    if gyration > WIDEST * balance and not insisted():
+        raise InputError(
+            f"--balance-point was given as {balance_point}; with the rest that spreads the weight by "
+            f"{100 * gyration:.1f} cm about a balance point {100 * balance:.1f} cm from the end, as no implement does. "
+            "Check the units, or add --force if it is meant"
         )
     percussion = axis + inertia / (weight * (balance - axis))
     about = say("moment of inertia about {pivot}", pivot=Slot(axis, "place", round=True))

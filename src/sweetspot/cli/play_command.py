@@ -11,6 +11,7 @@ from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
 from sweetspot.cli.options.uncertainty import Uncertainty, sources_for
 from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions
+from sweetspot.cli.options.written_errors import error_behind, without_error
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
@@ -56,7 +57,9 @@ class ArrivalOptions:
 class MeetingOptions:
     """Where bat and ball meet."""
 
-    at: Annotated[str, Parameter(help="Where the ball meets the bat: 27in, 6in-from-tip.")] = "6in-from-tip"
+    at: Annotated[
+        str, Parameter(help="Where the ball meets the bat: 27in, 6in-from-tip; with an error 6in-from-tip±0.5in.")
+    ] = "6in-from-tip"
     offset: Annotated[
         str, Parameter(help="How far the bat is under the ball's centre, square to its path; negative: over it.")
     ] = "0.6in"
@@ -81,6 +84,7 @@ def play(
     from sweetspot import catalog
     from sweetspot.analysis.bat_analysis import check_conditions
     from sweetspot.analysis.full_play import play as follow
+    from sweetspot.cli.hit_command import check_beyond_hands
     from sweetspot.cli.options.pitching import pitched
     from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.options.weather import park_of, through
@@ -96,8 +100,10 @@ def play(
     conditions = conditions_for(described, swing)
     model = reduced_bat(described, ball=conditions.ball).held(conditions.hands)
     check_conditions(described, conditions, body=model.body)
-    position = parse_position(meeting.at, length=described.length, what="--at")
-    under, park = parse(meeting.offset, "length", "--offset"), park_of(air)
+    position = parse_position(without_error(meeting.at), length=described.length, what="--at")
+    check_beyond_hands(position, conditions.hands.position, meeting.at)
+    under, park = parse(without_error(meeting.offset), "length", "--offset"), park_of(air)
+    off_place, off_ball = error_behind(meeting.at, "length", "--at"), error_behind(meeting.offset, "length", "--offset")
     if arrival.pitch is not None and swing.pitch_speed is not None:
         raise InputError("--pitch and --pitch-speed were both given; say --release-speed for a named pitch")
     if arrival.pitch is None and arrival.release_speed is not None:
@@ -123,15 +129,15 @@ def play(
     )  # fmt: skip
     document = play_document(result)
     if meeting.uncertainty and played.flight is not None:
-        from sweetspot.calibration.draws.drawn_plays import PlayAsked, drag_source, drawn_play
+        from sweetspot.calibration.draws.drawn_plays import PlayAsked, drag_source, drawn_play, meeting_sources
         from sweetspot.catalog.aerodynamic_laws import drag_spread
         from sweetspot.report.uncertainty.uncertainty_section import uncertain
 
         thrown = conditions.replaced(pitch=conditions.pitch.replaced(speed=pitch.speed))
         asked = PlayAsked(model, thrown, flying, swung, pitch, Contact(position, under))
-        sources = sources_for(bat, described, conditions, swing).with_source(
-            drag_source(drag_spread(flying.aerodynamics))
-        )
+        sources = sources_for(bat, described, conditions, swing)
+        for one in (drag_source(drag_spread(flying.aerodynamics)), *meeting_sources(off_place, off_ball)):
+            sources = sources.with_source(one)
         with patience():
             answers = drawn_play(asked, sources)
         document = uncertain(document, answers, main="flight.carry_m", named="carry", where=sources.described)
@@ -157,12 +163,15 @@ def arriving(options: ArrivalOptions, speed: float) -> BallMotion:
 
     from sweetspot.motion.ball_motion import launched
     from sweetspot.units import parse
+    from sweetspot.units.usual import USUAL, refuse_unusual
 
+    height = parse(options.height, "length", "--height")
+    refuse_unusual(USUAL["launch_height"], height, "--height", options.height)
     return launched(
         speed=speed,
         launch_angle=parse(options.approach_angle, "angle", "--approach-angle"),
         spray=math.pi,
         backspin=parse(options.pitch_backspin, "angular speed", "--pitch-backspin"),
         sidespin=parse(options.pitch_sidespin, "angular speed", "--pitch-sidespin"),
-        position=(0.0, parse(options.forward, "length", "--forward"), parse(options.height, "length", "--height")),
+        position=(0.0, parse(options.forward, "length", "--forward"), height),
     )

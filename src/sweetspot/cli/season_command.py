@@ -11,6 +11,7 @@ from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.errors import InputError
+from sweetspot.units import grouped
 
 if TYPE_CHECKING:
     from sweetspot.season.season_table import Season
@@ -169,7 +170,8 @@ def _answered(season: Season, output: OutputOptions, player: str | None) -> int:
     code = present(document, output, long=True)
     code = max(code, int(bool(season.survey.faults)))
     for path, reason in season.survey.faults:
-        print(f"sweetspot: not read: {path.name}: {reason}", file=sys.stderr)
+        named = "" if path.name in reason else f"{path.name}: "
+        print(f"sweetspot: not read: {named}{reason}", file=sys.stderr)
     return code
 
 
@@ -186,7 +188,7 @@ def _show_columns(files: list[Path], given: dict[str, str]) -> int:
                 print(f"sweetspot: not read: {error}", file=sys.stderr)
                 bad = 1
                 continue
-            print(f"{path.name}: {table.headings.system}, {table.rows:,} rows")
+            print(f"{path.name}: {table.headings.system}, {grouped(table.rows)} rows")
             for name, one in table.headings.columns.items():
                 print(f"  {name:<18}{one.heading}{f' [{one.unit}]' if one.unit else ''}")
             print(f"  passed through: {', '.join(table.headings.passed) or 'nothing'}")

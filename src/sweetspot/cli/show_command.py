@@ -22,7 +22,10 @@ def show(
     ] = False,
     out: Annotated[Path | None, Parameter(help="File to write it to, which must not be there yet.")] = None,
 ) -> int:
-    """Print an entry of the catalogue as a file; that of a bat, racket, club or stick can be changed and given back."""
+    """Print an entry of the catalogue as a file; that of a bat, racket, club or stick can be changed and given back.
+
+    A comment marks every value that was assumed: recalled, no source was read.
+    """
     from sweetspot.catalog.entries import entry_toml
 
     text = entry_toml(name, of, sources=sources)

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 BELOW_FIRST = 0.6
 """Part of the lowest mode's frequency at which the band of a limp implement begins."""
+PLACE = "1in-from-tip"
+"""Where a sound that is made is tapped and heard, unless somebody says."""
 
 
 @Parameter(name="*")
@@ -44,8 +46,9 @@ class ListeningOptions:
         str | None, Parameter(help="Frequencies looked at; default: 60Hz:5kHz, from lower on for a limp --bat.")
     ] = None
     most_damping: Annotated[
-        str, Parameter(help="Damping ratio of the lowest loud tone above which the implement counts as held.")
-    ] = "2%"
+        str | None,
+        Parameter(help="Damping ratio of the lowest loud tone above which the implement counts as held; default: 2%."),
+    ] = None
 
 
 @Parameter(name="*")
@@ -54,9 +57,13 @@ class SynthesisOptions:
     """A sound that is made instead of read."""
 
     synthesise: Annotated[str | None, Parameter(help="Write the sound of this bat instead of reading one.")] = None
-    listen_at: Annotated[str, Parameter(help="Where the microphone is, for --synthesise.")] = "1in-from-tip"
-    noise: Annotated[str, Parameter(help="Noise over the loudest sample, for --synthesise.")] = "0.2%"
-    seed: Annotated[int, Parameter(help="Of that noise.")] = 1
+    listen_at: Annotated[
+        str | None, Parameter(help="Where the microphone is, for --synthesise; default: 1in-from-tip.")
+    ] = None
+    noise: Annotated[str | None, Parameter(help="Noise over the loudest sample, for --synthesise; default: 0.2%.")] = (
+        None
+    )
+    seed: Annotated[int | None, Parameter(help="Of that noise; default: 1.")] = None
 
 
 DEFAULT_TAPPED, DEFAULT_LISTENING, DEFAULT_SYNTHESIS = TappedOptions(), ListeningOptions(), SynthesisOptions()
@@ -81,26 +88,30 @@ def tap(
     from sweetspot.calibration.tap_analysis import tap_test
     from sweetspot.cli.output import present
     from sweetspot.report.tap.document import tap_document
-    from sweetspot.units import parse
 
     if synthesis.synthesise is not None:
-        if recordings or tapped.bat or tapped.bar:
-            raise InputError("--synthesise makes a sound and reads none; leave out recordings, --bat and --bar")
-        return _synthesise(synthesis.synthesise, synthesis, tapped.at or ["1in-from-tip"], out)
+        read = {"a recording": recordings, "--bat": tapped.bat, "--bar": tapped.bar, "--mass": tapped.mass,
+                "--band": listening.band, "--most-damping": listening.most_damping}  # fmt: skip
+        if given := [name for name, value in read.items() if value]:
+            raise InputError(f"--synthesise makes a sound and reads none; leave out {', '.join(given)}")
+        return _synthesise(synthesis.synthesise, synthesis, tapped.at or [PLACE], out)
+    made = {"--listen-at": synthesis.listen_at, "--noise": synthesis.noise, "--seed": synthesis.seed}
+    if given := [name for name, value in made.items() if value is not None]:
+        raise InputError(f"{', '.join(given)} belongs to a sound that is made; add --synthesise BAT or leave it out")
     if not recordings:
         raise InputError("no recording was given; name at least one sound file, or use --synthesise BAT")
     described = None if tapped.bat is None else catalog.load_implement(tapped.bat)
     if tapped.at and described is None:
         raise InputError("--at was given without --bat; say what was tapped")
     modes = None if described is None else modes_to_name(described)
-    output, bar = answer.into(out), _bar(tapped.bar, tapped.mass)
+    output, bar, held = answer.into(out), _bar(tapped.bar, tapped.mass), _most_damping(listening.most_damping)
     test = tap_test(
         [read_recording(path) for path in recordings],
         modes=modes,
         positions=[] if described is None else tap_places(described, tapped.at or []),
         bar=bar,
         band=usual_band(modes) if listening.band is None else _band(listening.band),
-        held=parse(listening.most_damping, "ratio", "--most-damping"),
+        held=held,
     )
     title = "A tapped bar" if bar else described.name if described else "A tap"
     return present(tap_document(test, title), output)
@@ -125,15 +136,27 @@ def usual_band(modes: Modes | None) -> Band:
     return Band(min(BAT_BAND.low, BELOW_FIRST * float(modes.frequency[bending[0]])), BAT_BAND.high)
 
 
-def tap_places(described: Implement, texts: list[str]) -> list[float]:
-    """Return the places in m from the knob end that texts of --at name."""
+def tap_places(described: Implement, texts: list[str], what: str = "--at") -> list[float]:
+    """Return the places in m from the knob end that texts of an option name."""
     from sweetspot.equipment.implement import check_position
     from sweetspot.units import parse_position
 
-    places = [parse_position(text, length=described.length, what="--at") for text in texts]
+    places = [parse_position(text, length=described.length, what=what) for text in texts]
     for place in places:
-        check_position(described, place, "--at")
+        check_position(described, place, what)
     return places
+
+
+def _most_damping(text: str | None) -> float:
+    from sweetspot.calibration.tap_faults import HELD
+    from sweetspot.units import parse
+
+    if text is None:
+        return HELD
+    ratio = parse(text, "ratio", "--most-damping")
+    if not 0 < ratio < 1:
+        raise InputError(f"--most-damping was given as {text}; allowed is more than 0 and less than 100 %: 2%")
+    return ratio
 
 
 def _bar(sizes: str | None, mass: str | None) -> Bar | None:
@@ -170,17 +193,18 @@ def _synthesise(name: str, synthesis: SynthesisOptions, at: list[str], out: Path
     from sweetspot.report.file_set import write_all
     from sweetspot.units import parse
 
-    if synthesis.seed < 0:
-        raise InputError(f"--seed was given as {synthesis.seed}; allowed is a whole number from 0 up")
-    noise = parse(synthesis.noise, "ratio", "--noise")
+    seed = 1 if synthesis.seed is None else synthesis.seed
+    if seed < 0:
+        raise InputError(f"--seed was given as {seed}; allowed is a whole number from 0 up")
+    noise = parse(synthesis.noise or "0.2%", "ratio", "--noise")
     described = catalog.load_implement(name)
     places = tap_places(described, at)
     if len(places) > 1:
         raise InputError("--synthesise taps in one place; give --at once")
-    listened = tap_places(described, [synthesis.listen_at])[0]
+    listened = tap_places(described, [synthesis.listen_at or PLACE], "--listen-at")[0]
     modes = modes_to_name(described)  # strings and rubber are held still, the frame is tapped
     modes = modes.kept([index for index, family in enumerate(modes.families) if family != "face"])
-    sound = synthesised(modes, position=places[0], listened=listened, noise=noise, seed=synthesis.seed)
+    sound = synthesised(modes, position=places[0], listened=listened, noise=noise, seed=seed)
     path = out or Path(f"{Path(name).stem}-tap.wav")
     write_all({path: recording_bytes(sound, path)})
     print(f"sweetspot: wrote {path}", file=sys.stderr)

@@ -131,12 +131,14 @@ class Picture:
     draw : makes it for a reader.
     label : what it shows, for people who do not see it.
     caption : below it.
+    sheet : makes it for a printed sheet, in whose room its letters stay readable; None: as it is.
     """
 
     name: str
     draw: Callable[[Reader], Figure]
     label: Words
     caption: Words = ""
+    sheet: Callable[[Reader], Figure] | None = None
 
 
 @dataclass(frozen=True)

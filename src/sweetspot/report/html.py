@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import re
+from dataclasses import replace
 from functools import cache
 from io import StringIO
 from pathlib import Path
@@ -15,13 +15,12 @@ from markupsafe import Markup
 from sweetspot import __version__
 from sweetspot.references import cite, reference
 from sweetspot.report import document as parts
-from sweetspot.report.quantities import Reader
+from sweetspot.report.quantities import Reader, with_minus_signs
 from sweetspot.report.sentences import read
 
 HERE = Path(__file__).parent
 TEMPLATES = HERE / "templates"
 SVG = "http://www.w3.org/2000/svg"
-MINUS = re.compile(r"(?<![^\s(])-(?=\d)")
 XLINK = "{http://www.w3.org/1999/xlink}href"
 
 
@@ -33,7 +32,7 @@ def page(document: parts.Document, reader: Reader, *, long: bool = False, drawin
     long : whether details and appendix are open; else they open by a click and do not print.
     drawing : the document's drawing as SVG for this reader, where it was drawn already.
     """
-    return _rendered("page.html.j2", document, reader, drawing=drawing, long=long)
+    return _rendered("page.html.j2", document, reader, drawing=drawing, printed=True, long=long)
 
 
 def fragment(document: parts.Document, reader: Reader) -> str:
@@ -48,27 +47,23 @@ def notebook_cell(document: parts.Document, reader: Reader) -> str:
 
 def _rendered(
     template: str, document: parts.Document, reader: Reader, *, style: str = "page.css",
-    colours: dict[str, str] | None = None, drawing: bytes | None = None, **more: Any,
+    colours: dict[str, str] | None = None, drawing: bytes | None = None, printed: bool = False, **more: Any,
 ) -> str:  # fmt: skip
     def drawn(picture: parts.Picture) -> Markup:
         return _drawn(picture, reader, colours, drawing if picture is document.drawing else None)
+
+    def sheet(picture: parts.Picture) -> Markup | None:
+        if not printed or picture.sheet is None:
+            return None
+        return _drawn(replace(picture, name=f"{picture.name}-sheet", draw=picture.sheet), reader, colours, None)
 
     return _environment().get_template(template).render(
         document=document, read=lambda words: with_minus_signs(read(words, reader)),
         kind_of=lambda block: type(block).__name__,
         shown=lambda column, cell: with_minus_signs(column.shown(cell, reader)),
         head=lambda column: column.head(reader),
-        drawn=drawn, cite=cite, reference=reference, version=__version__, style=_style(style), **more,
+        drawn=drawn, sheet=sheet, cite=cite, reference=reference, version=__version__, style=_style(style), **more,
     )  # fmt: skip
-
-
-def with_minus_signs(text: str) -> str:
-    """Return a text with minus signs before its negative numbers, as people print them.
-
-    >>> with_minus_signs("2-piece: -0.4 mph (-1.4 to +0.2)").count("-")
-    1
-    """
-    return MINUS.sub("\N{MINUS SIGN}", text)
 
 
 @cache

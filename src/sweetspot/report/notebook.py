@@ -54,16 +54,26 @@ def _makers() -> tuple[tuple[type, Callable[[Any], Document]], ...]:
     from sweetspot.analysis.bat_analysis import Analysis
     from sweetspot.analysis.certification.simulated_test import Certification
     from sweetspot.analysis.comparison import Comparison
-    from sweetspot.collision.impact import Impact
+    from sweetspot.analysis.full_play import Play, Plays
+    from sweetspot.collision.hit_in_space import Strike, Strikes
+    from sweetspot.collision.impact import Impact, Impacts
+    from sweetspot.dynamics.modes import Modes
     from sweetspot.equipment.implement import Implement
+    from sweetspot.flight.kernel import Flights
     from sweetspot.flight.trajectory import Flight
     from sweetspot.report.bat.document import described_document, report_document
     from sweetspot.report.certification.document import certification_document
     from sweetspot.report.comparison.document import comparison_document
     from sweetspot.report.flight.document import flight_document
+    from sweetspot.report.flight.many_flights import flights_document
     from sweetspot.report.hit.document import impact_document
+    from sweetspot.report.hit.many_hits import impacts_document
+    from sweetspot.report.modes.document import modes_document
+    from sweetspot.report.play.bare_play import bare_play_document, strike_document
 
     return (
         (Flight, flight_document), (Comparison, comparison_document), (Certification, certification_document),
         (Analysis, report_document), (Impact, impact_document), (Implement, described_document),
+        (Impacts, impacts_document), (Strikes, impacts_document), (Flights, flights_document),
+        (Play, bare_play_document), (Plays, bare_play_document), (Strike, strike_document), (Modes, modes_document),
     )  # fmt: skip

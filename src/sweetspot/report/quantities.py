@@ -7,16 +7,29 @@ Nothing else in the package puts a unit behind a number. A `Scale` is a way of s
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
 from sweetspot.equipment.sport import Words
-from sweetspot.units import DEGREE, FOOT, INCH, INCH_OF_MERCURY, MPH, OUNCE, OUNCE_INCH_SQUARED, POUND_FORCE, RPM
+from sweetspot.units import (
+    DEGREE,
+    FOOT,
+    INCH,
+    INCH_OF_MERCURY,
+    MPH,
+    OUNCE,
+    OUNCE_INCH_SQUARED,
+    POUND_FORCE,
+    RPM,
+    grouped,
+)
 
 System = Literal["us", "si"]
 NOTHING = "-"
 """Stands where there is no number."""
+MINUS = re.compile(r"(?<![^\s(])-(?=\d)")
 
 
 @dataclass(frozen=True)
@@ -37,7 +50,7 @@ class Unit:
         if not math.isfinite(value):
             return NOTHING
         places = self.digits if digits is None else digits
-        return f"{(value - self.zero) / self.size:{'+' if sign else ''}z.{places}f}"
+        return grouped((value - self.zero) / self.size, places, sign=sign)
 
 
 @dataclass(frozen=True)
@@ -61,17 +74,24 @@ SCALES: Mapping[str, Scale] = {
     "offset": Scale("_m", Unit("in", INCH, 2), Unit("cm", 0.01, 1)),
     "length": Scale("_m", Unit("in", INCH, 2), Unit("cm", 0.01, 1)),
     "distance": Scale("_m", Unit("ft", FOOT, 0), Unit("m", 1.0, 1)),
+    "elevation": Scale("_m", Unit("ft", FOOT, 0), Unit("m", 1.0, 0)),
     "compression": _same("_m", "mm", 1e-3, 1),
+    "pressed": Scale("_m", Unit("in", INCH, 2), Unit("mm", 1e-3, 1)),
+    "curvature": Scale("_per_m", Unit("per ft", 1 / FOOT, 2), Unit("per m", 1.0, 2)),
     "mass": Scale("_kg", Unit("oz", OUNCE, 1), Unit("g", 1e-3, 0)),
     "moi": Scale("_kg_m2", Unit("oz in²", OUNCE_INCH_SQUARED, 0), Unit("kg cm²", 1e-4, 0)),
     "density": _same("_kg_m3", "kg/m³", 1.0, 4),
+    "air_density": Scale("_kg_m3", Unit("lb/ft³", 16 * OUNCE / FOOT**3, 4), Unit("kg/m³", 1.0, 3)),
     "modulus": _same("_pa", "GPa", 1e9, 2),
     "pressure": Scale("_pa", Unit("inHg", INCH_OF_MERCURY, 2), Unit("hPa", 100.0, 0)),
     "temperature": Scale("_degc", Unit("°F", 5 / 9, 0, zero=-160 / 9), Unit("°C", 1.0, 0)),
     "time": _same("_s", "s", 1.0, 1),
     "contact": _same("_s", "ms", 1e-3, 3),
+    "acceleration": Scale("_m_s2", Unit("ft/s²", FOOT, 0), Unit("m/s²", 1.0, 0)),
     "force": _same("_n", "kN", 1e3, 1),
+    "blow": Scale("_n", Unit("lbf", POUND_FORCE, 0), Unit("kN", 1e3, 1)),
     "weight": Scale("_n", Unit("lbf", POUND_FORCE, 0), Unit("kN", 1e3, 2)),
+    "tension": Scale("_n", Unit("lbf", POUND_FORCE, 0), Unit("N", 1.0, 0)),
     "impulse": _same("_n_s", "N s", 1.0, 2),
     "energy": _same("_j", "J", 1.0, 1),
     "angle": _same("_rad", "°", DEGREE, 1),
@@ -104,10 +124,10 @@ QUANTITIES: Mapping[str, Quantity] = {
     "bat_speed": Quantity("bat speed", "speed"),
     "pitch_speed": Quantity("pitch speed", "speed"),
     "collision_efficiency": Quantity("collision efficiency q", "ratio", GREEN),
-    "bbcor": Quantity("BBCOR", "ratio"),
+    "bbcor": Quantity("BBCOR in play", "ratio"),
     "contact_time": Quantity("contact time", "contact"),
     "peak_force": Quantity("peak force", "force"),
-    "peak_compression": Quantity("peak compression", "compression"),
+    "peak_compression": Quantity("peak compression", "pressed"),
     "hand_impulse": Quantity("jolt at the top hand", "impulse", ORANGE),
     "sting": Quantity("vibration at the hands", "vibration", RED),
     "mass": Quantity("mass", "mass"),
@@ -191,13 +211,14 @@ SYSTEMS: Mapping[System, Reader] = {"us": US, "si": SI}
 SPEEDS = {"mph": SCALES["speed"].us, "m/s": SCALES["speed"].si}
 SPEED_CHANGES = {"mph": SCALES["speed_change"].us, "m/s": SCALES["speed_change"].si}
 PLACES = {"in": US, "cm": SI}
+WEIGHTS = {"oz": US, "g": SI}
 DISTANCES = {"ft": SCALES["distance"].us, "yd": Unit("yd", 3 * FOOT, 1), "m": SCALES["distance"].si}
 
 
 def reader(system: System | None, words: Words) -> Reader:
     """Return who reads an answer: of the system that was asked for, or as the sport's people read.
 
-    >>> golf = Words(speed_unit="mph", place_unit="cm", distance_unit="yd")
+    >>> golf = Words(speed_unit="mph", place_unit="in", distance_unit="yd", mass_unit="g")
     >>> reader(None, golf).shown(91.44, "distance"), reader("si", golf).shown(91.44, "distance")
     ('100.0 yd', '91.4 m')
     """
@@ -205,4 +226,14 @@ def reader(system: System | None, words: Words) -> Reader:
         return SYSTEMS[system]
     usual = PLACES[words.place_unit]
     speeds = {"speed": SPEEDS[words.speed_unit], "speed_change": SPEED_CHANGES[words.speed_unit]}
-    return Reader({**usual.units, **speeds, "distance": DISTANCES[words.distance_unit]})
+    weights = {scale: WEIGHTS[words.weighed_in].units[scale] for scale in ("mass", "moi")}
+    return Reader({**usual.units, **speeds, **weights, "distance": DISTANCES[words.distance_unit]})
+
+
+def with_minus_signs(text: str) -> str:
+    """Return a text with minus signs before its negative numbers, as people print them.
+
+    >>> with_minus_signs("2-piece: -0.4 mph (-1.4 to +0.2)").count("-")
+    1
+    """
+    return MINUS.sub("\N{MINUS SIGN}", text)

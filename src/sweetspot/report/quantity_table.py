@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import re
+from functools import partial
 from typing import Any, Literal
 
 from sweetspot.equipment.sport import Words
-from sweetspot.report.quantities import PALETTE, QUANTITIES, SCALES, Unit
+from sweetspot.report.quantities import PALETTE, QUANTITIES, SCALES, SYSTEMS, Reader, System, Unit
+from sweetspot.report.sentences import Slot
 from sweetspot.report.sweet_spots import SPOTS
+from sweetspot.units import parse
 
 Stored = Literal["us", "si", "plain"]
 ENDINGS: dict[str, tuple[str, Stored]] = {
@@ -14,6 +18,7 @@ ENDINGS: dict[str, tuple[str, Stored]] = {
     "_mph": ("speed", "us"),
     "_in": ("length", "us"),
     "_ft": ("distance", "us"),
+    "_oz_in2": ("moi", "us"),
     "_oz": ("mass", "us"),
     "_degf": ("temperature", "us"),
     "_degc": ("temperature", "si"),
@@ -23,7 +28,8 @@ ENDINGS: dict[str, tuple[str, Stored]] = {
     "_pct": ("share", "us"),
     "_ms": ("contact", "us"),
     "_humidity": ("share", "plain"),
-    "_kg_m3": ("density", "plain"),
+    "_kg_m3": ("air_density", "plain"),
+    "_m_s2": ("acceleration", "plain"),
     "_kg_m2": ("moi", "plain"),
     "_m_s": ("speed", "plain"),
     "_rad_s": ("spin", "plain"),
@@ -32,6 +38,7 @@ ENDINGS: dict[str, tuple[str, Stored]] = {
     "_rad": ("angle", "plain"),
     "_hz": ("frequency", "plain"),
     "_j": ("energy", "plain"),
+    "_tension_n": ("tension", "plain"),
     "_n": ("weight", "plain"),
     "_s": ("contact", "plain"),
     "_m": ("length", "plain"),
@@ -55,6 +62,25 @@ def quantity_data() -> dict[str, Any]:
         "spots": {name: {"label": spot.labelled(Words()), "colour": _hue(spot.colour)} for name, spot in SPOTS.items()},
         "palette": dict(PALETTE),
     }
+
+
+IN_WORDS = re.compile(r"\{([^{}]+)\}")
+"""A length or a speed in words of the catalogue."""
+
+
+def words_in_both_systems(words: str) -> dict[System, str]:
+    """Return words with what stands in braces told in either system.
+
+    >>> words_in_both_systems("an axis {6 in} from the knob")["si"]
+    'an axis 15.2 cm from the knob'
+    """
+
+    def told(found: re.Match[str], reading: Reader) -> str:
+        place = found[1].endswith((" in", " cm"))
+        value = parse(found[1], "length" if place else "speed")
+        return Slot(value, "place" if place else "speed", round=True).read(reading)
+
+    return {system: IN_WORDS.sub(partial(told, reading=reading), words) for system, reading in SYSTEMS.items()}
 
 
 def _shown(scale: str, stored: Stored) -> dict[str, dict[str, Any]]:

@@ -8,8 +8,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from sweetspot.motion.swing_law import Interval
+from sweetspot.numerics.confidence import REACH
 from sweetspot.report.quantities import NOTHING, US, Reader
+from sweetspot.units import grouped
 
+PLUS_MINUS = "Plus or minus, and give or take: 90 % intervals."
+"""What ± means wherever a number has one: `Doubtful` and `Slot.reach` are given halves of such intervals."""
 MOST_DIGITS = 6
 """Of an interval that is narrower than the digits of its number."""
 SHARP = 1e-6
@@ -64,7 +68,7 @@ class Slot:
             places += 1
         number = reader.number(self.value, self.scale, digits=places, sign=self.sign)
         if abs(above - below) <= LOPSIDED * (above + below):
-            return f"{number} ± {half:.{places}f}"
+            return f"{number} ± {grouped(half, places)}"
         ends = (self.value - below, self.value + above)
         low, high = (reader.number(end, self.scale, digits=places, sign=self.sign) for end in ends)
         return f"{number} ({low} to {high})"
@@ -122,7 +126,8 @@ class Doubtful:
         places = 1 - math.floor(math.log10(self.doubt / unit.size))
         value, doubt = (round(number / unit.size, places) for number in (self.value, self.doubt))
         digits = max(places, 0)
-        return f"{value:{'+' if self.sign else ''}z,.{digits}f} ± {doubt:,.{digits}f}{reader.behind(self.scale)}"
+        number = grouped(value, digits, sign=self.sign)
+        return f"{number} ± {grouped(doubt, digits)}{reader.behind(self.scale)}"
 
 
 @dataclass(frozen=True)
@@ -230,13 +235,15 @@ def within(
 
 
 def with_doubt(value: float, doubt: float, scale: str, *, of: str = "") -> Sentence:
-    """Return a value with its standard deviation, with no more digits than are known; alone where there is none.
+    """Return a value with half of its 90 % interval, with no more digits than are known; alone where there is none.
 
     Parameters
     ----------
+    doubt : standard deviation of the value.
     of : see `Slot`.
 
     >>> with_doubt(1.88354e-1, 1.13e-2, "moi").read(US)
-    '10,300 ± 620 oz in²'
+    '10,300 ± 1000 oz in²'
     """
-    return Sentence((Doubtful(value, doubt, scale, of=of) if doubt > 0 else Slot(value, scale, of=of),))
+    half = REACH * doubt
+    return Sentence((Doubtful(value, half, scale, of=of) if half > 0 else Slot(value, scale, of=of),))

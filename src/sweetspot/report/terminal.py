@@ -17,6 +17,10 @@ from sweetspot.report.sentences import read
 
 NARROW = 8
 """Characters of a column that its heading may take at least."""
+ROOM = 110
+"""Characters of a table's width above which headings are broken into lines."""
+SHORT = 32
+"""Characters of a cell that a line may be kept whole for."""
 STYLES = {"text": "", "note": "dim", "warning": "yellow"}
 
 
@@ -62,15 +66,19 @@ def table(block: parts.Table, reader: Reader) -> RichTable:
     made = RichTable(header_style="bold", box=None, pad_edge=False)
     doubted = any("±" in column.shown(row[number], reader) for number, column in enumerate(block.columns)
                   if column.is_number for row in block.rows)  # fmt: skip
-    for number, column in enumerate(block.columns):
-        texts = [column.shown(row[number], reader) for row in block.rows]
+    shown = [[column.shown(row[number], reader) for row in block.rows] for number, column in enumerate(block.columns)]
+    heads = [column.head(reader) for column in block.columns]
+    widths = [max(len(head), *(len(text) for text in texts if len(text) <= SHORT and " (" not in text), 0) + 2
+              for head, texts in zip(heads, shown, strict=True)]  # fmt: skip
+    wide = sum(widths) > ROOM
+    for number, (column, head, texts) in enumerate(zip(block.columns, heads, shown, strict=True)):
         lopsided = [text for text in texts if column.is_number and " (" in text]  # too long for a line among others
         whole = (column.is_number and not lopsided) or (number == 0 and len(block.columns) < 7)
-        head = column.head(reader)
-        if column.is_number and doubted:  # intervals take the room that headings had
-            widths = [len(text) for text in texts if text not in lopsided]
-            head = fill(head, max([*widths, NARROW]), break_long_words=False)
-        made.add_column(head, justify="right" if column.is_number else "left", no_wrap=whole)
+        whole = whole and not any(len(text) > SHORT for text in texts)
+        if column.is_number and (doubted or wide):  # intervals and many columns take the room that headings had
+            whole_ones = [len(text) for text in texts if text not in lopsided]
+            heads[number] = fill(head, max([*whole_ones, NARROW]), break_long_words=False)
+        made.add_column(heads[number], justify="right" if column.is_number else "left", no_wrap=whole, overflow="fold")
     for row in block.rows:
         cells = zip(block.columns, row, strict=True)
         made.add_row(*(Text(column.shown(cell, reader)) for column, cell in cells))

@@ -1,4 +1,4 @@
-"""What every picture must keep: no label on another, none cut off by the paper's edge."""
+"""What every picture must keep: no label on another, none cut off by the paper's edge, minus signs, no hyphens."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 from matplotlib.transforms import Bbox
+
+from sweetspot.report.quantities import with_minus_signs
 
 
 def texts(figure: Figure) -> list[tuple[str, Bbox]]:
@@ -26,12 +28,13 @@ def texts(figure: Figure) -> list[tuple[str, Bbox]]:
 
 
 def check_labels(figure: Figure) -> None:
-    """Fail where a label lies on another or is cut off."""
+    """Fail where a label lies on another or is cut off, or has a hyphen for a minus sign."""
     boxes = texts(figure)
     page = figure.bbox
     for words, box in boxes:
         inside = page.x0 <= box.x0 and box.x1 <= page.x1 and page.y0 <= box.y0 and box.y1 <= page.y1
         assert inside, f"{words!r} is cut off"
+        assert words == with_minus_signs(words), f"{words!r} has a hyphen for a minus sign"
     for (words, box), (others, other) in itertools.combinations(boxes, 2):
         shrunk = Bbox.from_extents(box.x0 + 1, box.y0 + 1, box.x1 - 1, box.y1 - 1)
         assert not shrunk.overlaps(other), f"{words!r} lies on {others!r}"

@@ -13,6 +13,7 @@ from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.report.bat.figure import report_figure
+from sweetspot.report.bat.sheet_picture import sheet_figure
 from sweetspot.report.bat.words import answer
 from sweetspot.report.flight.park_picture import parks_figure
 from sweetspot.report.notebook import figure_of
@@ -39,6 +40,12 @@ def test_a_report_picture_of_any_sport(analysed: Analysis[Implement]) -> None:
         curve = axes.get_lines()[0].get_xdata()
         shown = axes.get_xlim()
         assert np.ptp(np.asarray(curve, float)) > (0.75 if zoomed else 0.2) * (shown[1] - shown[0])
+
+
+def test_a_report_s_sheet_of_any_sport(analysed: Analysis[Implement]) -> None:
+    figure = sheet_figure(analysed, reader_of(analysed.bat))
+    check_labels(figure)
+    assert figure.get_figheight() < 6.8  # on the sheet it is shown in four fifths of its size and more
 
 
 def test_a_hand_is_one_and_a_shuttle_no_ball(analysed: Analysis[Implement]) -> None:

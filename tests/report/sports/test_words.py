@@ -14,6 +14,7 @@ from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import ASSUMED_MARK
 from sweetspot.paper.sports import dead_spot, face_share, sport_rows
+from sweetspot.report.bat.provenance import assumed_of_ball
 from sweetspot.report.bat.words import answer, misses_of
 from sweetspot.report.quantities import SI
 from sweetspot.report.sport_words import arriving, reader_of
@@ -35,6 +36,7 @@ def usual(name: str) -> Analysis[Implement]:
 def test_units_and_words() -> None:
     tennis, golf, bat = (reader_of(catalog.implement(name)) for name in ("tennis-racket", "golf-driver", "slow-pitch"))
     assert tennis.shown(30.0, "speed") == "30.0 m/s" and golf.shown(44.704, "speed") == "100.0 mph"
+    assert golf.shown(0.0254, "place") == "1.0 in" and golf.shown(0.2, "mass") == "200 g"  # as club makers have it
     assert tennis.shown(0.15, "place") == "15.0 cm" and bat.shown(0.1524, "place") == "6.0 in"
     words = sport("badminton").words
     assert (
@@ -49,7 +51,8 @@ def test_the_answer_speaks_the_sports_language(name: str) -> None:
     assert f"This {words.implement} hits best" in text and words.tip in text
     assert ("mph" in text) == (words.speed_unit == "mph") and "knob" not in text and "pitch" not in text
     soft = [one for one in (sport(name).stroke.swing_speed, sport(name).stroke.ball_speed) if one.kind == "assumed"]
-    assert text.count(ASSUMED_MARK) == len(soft)
+    of_ball = assumed_of_ball(found.conditions.ball)
+    assert text.count(ASSUMED_MARK) == len(soft) + bool(of_ball) and all(value in text for value in of_ball)
 
 
 def test_special_words_where_a_sport_has_them() -> None:
@@ -80,7 +83,7 @@ def test_commands(run: Run, name: str) -> None:
     tool = sport_implements(name)[0]
     code, out, err = run("hit", tool, "--at", "4cm-from-tip")
     assert code == 0 and sport(name).words.efficiency in out, err
-    assert "hit 4.0 cm from the" in out
+    assert ("hit 1.6 in from the" if name == "golf" else "hit 4.0 cm from the") in out
 
 
 def test_a_ball_of_another_sport_is_said_aloud(run: Run) -> None:

@@ -9,13 +9,14 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from sweetspot.calibration.draws.intervals import Reach
+from sweetspot.calibration.draws.intervals import DrawnAnswers, Reach
 from sweetspot.motion.swing_law import Interval
 from sweetspot.report import terminal
 from sweetspot.report.document import Cell, Column, Document, Paragraph, Table
 from sweetspot.report.quantities import SI, US
 from sweetspot.report.sentences import Sentence, Slot, say, with_doubt, within
 from sweetspot.report.uncertainty.document_intervals import with_intervals
+from sweetspot.report.uncertainty.gains import gain_json
 
 
 def reach(below: float, above: float) -> Reach:
@@ -94,3 +95,8 @@ def test_a_terminal_breaks_long_intervals_and_clips_none() -> None:
     Console(file=printed, width=110).print(terminal.table(table, US))
     assert "…" not in printed.getvalue()
     assert printed.getvalue().count("0.140)") == 9
+
+
+def test_no_difference_is_as_often_faster_as_slower() -> None:
+    answers = DrawnAnswers(np.zeros((9, 1)), ("bat",), {"bats.1.change_m_s": np.zeros(9)})
+    assert gain_json(answers, 1)["faster_probability"] == 0.5

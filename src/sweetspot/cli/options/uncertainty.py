@@ -30,10 +30,9 @@ def sources_for(name: str | None, bat: Implement, conditions: Conditions, swing:
     from sweetspot.calibration.calibrated_file import deviations_of
     from sweetspot.calibration.draws.sources import sources_of
     from sweetspot.cli.options.written_errors import error_of
-    from sweetspot.equipment.bat import Bat
 
     return sources_of(
-        bat, conditions, known=None if name is None or not isinstance(bat, Bat) else deviations_of(name),
+        bat, conditions, known=None if name is None else deviations_of(name),
         bat_speed_error=error_of(swing.bat_speed, "speed", "--bat-speed"),
         pitch_speed_error=error_of(swing.pitch_speed, "speed", "--pitch-speed"),
     )  # fmt: skip

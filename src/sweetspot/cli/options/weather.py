@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
+from sweetspot.errors import InputError
+
 if TYPE_CHECKING:
     from sweetspot.flight.air import Air, Wind
     from sweetspot.flight.conditions import FlightConditions
@@ -76,12 +78,19 @@ def wind_of(options: AirOptions) -> Wind:
     from sweetspot.flight.air import Wind
     from sweetspot.units import parse
 
+    check_wind(options)
     return Wind(
         speed=parse(options.wind_speed, "speed", "--wind-speed"),
         direction=parse(options.wind_direction, "angle", "--wind-direction"),
         exponent=parse(options.wind_profile, "ratio", "--wind-profile"),
         calm_below=parse(options.calm_below, "length", "--calm-below"),
     )
+
+
+def check_wind(options: AirOptions) -> None:
+    """Refuse a wind that has a direction and no speed."""
+    if options.wind_direction != DEFAULT_AIR.wind_direction and options.wind_speed == DEFAULT_AIR.wind_speed:
+        raise InputError("--wind-direction was given without --wind-speed; say how fast the wind blows, as in 10mph")
 
 
 def through(options: AirOptions, ball: str) -> FlightConditions:

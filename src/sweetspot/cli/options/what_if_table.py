@@ -59,7 +59,7 @@ class TableOptions:
                 bat, rows=_axis(self.rows, "--rows"), columns=columns,
                 conditions=conditions_for(bat, swing), law=law, fill=catalog.material("cork"), progress=report,
             )  # fmt: skip
-        return two_way_document(table, answer)
+        return two_way_document(table, answer, bat.name)
 
 
 def _axis(text: str | None, what: str) -> Axis:
@@ -72,7 +72,8 @@ def _axis(text: str | None, what: str) -> Axis:
     if variation is None or span.count(":") != 2:
         allowed = ", ".join(known.replace("_", "-") for known in VARIATIONS)
         raise InputError(
-            f"{what} was given as {text!r}; write one of {allowed}, from, to and how many values: mass=29oz:33oz:5"
+            f"{what} was given as {text!r}; write what varies ({allowed}), then from, to and how many values: "
+            "mass=29oz:33oz:5"
         )
     values = spread(span, KINDS[variation], what)
     for value, given in zip((values[0], values[-1]), span.split(":"), strict=False):

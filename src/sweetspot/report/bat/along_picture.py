@@ -15,12 +15,11 @@ from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.calibration.draws.intervals import Reaches
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
+from sweetspot.report.modes.picture import draw_dot, draw_mode, label_mode
 from sweetspot.report.pictures import ruler
 from sweetspot.report.pictures.style import (
     INK,
     MUTED,
-    NORMAL,
-    PAPER,
     SMALL,
     ZONE,
     ZONE_EDGE,
@@ -29,7 +28,7 @@ from sweetspot.report.pictures.style import (
     light_grid,
     styled,
 )
-from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SCALES, SKY, Reader, Unit
+from sweetspot.report.quantities import GREEN, ORANGE, PURPLE, RED, SCALES, Reader, Unit
 from sweetspot.report.sentences import Slot
 from sweetspot.report.sport_words import words_of
 from sweetspot.report.uncertainty.document_intervals import reached
@@ -66,7 +65,7 @@ def exit_speed(axes: Axes, analysis: Analysis[Implement], reading: Reader, reach
     second.spines["right"].set_visible(True)
     spots = analysis.sweet_spots
     best = float(np.interp(spots.max_exit_speed, scan.position, speed))
-    _dot(axes, spots.max_exit_speed, best, RED)
+    draw_dot(axes, spots.max_exit_speed, best, RED)
     told = reached(Slot(best * unit.size, "speed", 1, of="best_hit.exit_speed_m_s"), reaches).read(reading)
     place = reached(
         Slot(analysis.bat.length - spots.max_exit_speed, "place", of="-sweet_spots.max_exit_speed_m"), reaches
@@ -102,7 +101,7 @@ def efficiency(axes: Axes, analysis: Analysis[Implement], reading: Reader, reach
     _limits(axes, both, room=0.14)
     place = analysis.sweet_spots.max_collision_efficiency
     best = float(np.interp(place, scan.position, scan.collision_efficiency))
-    _dot(axes, place, best, ORANGE)
+    draw_dot(axes, place, best, ORANGE)
     most = reached(Slot(best, "ratio", of="told.max_collision_efficiency"), reaches).read(reading)
     axes.annotate(
         most, (place, best), xytext=(2, -10), textcoords="offset points", ha="right", va="top", weight="bold",
@@ -128,7 +127,7 @@ def hand_impulse(axes: Axes, analysis: Analysis[Implement], reading: Reader, rea
     _band(axes, analysis, "hand_impulse_n_s", reaches, GREEN)
     _limits(axes, scan.hand_impulse, room=0.3)
     axes.set_ylabel("N s")
-    _dot(axes, analysis.sweet_spots.center_of_percussion, 0.0, GREEN)
+    draw_dot(axes, analysis.sweet_spots.center_of_percussion, 0.0, GREEN)
 
 
 @styled
@@ -148,7 +147,7 @@ def sting(axes: Axes, analysis: Analysis[Implement], reading: Reader, reaches: R
     axes.set_ylim(0, 1.14 * float(np.nanmax(np.concatenate([scan.sting, high]))))
     axes.set_ylabel("m/s")
     place = analysis.sweet_spots.min_sting
-    _dot(axes, place, float(np.interp(place, scan.position, scan.sting)), PURPLE)
+    draw_dot(axes, place, float(np.interp(place, scan.position, scan.sting)), PURPLE)
 
 
 @styled
@@ -166,23 +165,10 @@ def mode_shapes(axes: Axes, analysis: Analysis[Implement], reading: Reader, reac
     places = np.linspace(0, bat.length, 200)
     shown = modes.of_family("bending")[:MODES_SHOWN]
     for row, index in enumerate(shown):
-        shape = modes.shape_at(places)[:, index]
-        colour = (SKY, BLUE, MUTED)[row]
-        axes.axhline(-row, color=MUTED, linewidth=0.5)
-        axes.plot(places, -row + 0.42 * shape / np.abs(shape).max(), color=colour)
-        nodes = modes.nodes(index)
-        for node in nodes:
-            _dot(axes, float(node), -row, colour, filled=row < 2 and node == nodes[-1])
+        draw_mode(axes, modes, index, row, places, modes.shape_at(places)[:, index])
         told = Slot(float(modes.frequency[index]), "frequency", of=f"modes.{row}.frequency_hz")
         rings = reached(told, reaches).read(reading).replace(" ± ", "\n± ").replace(" (", "\n(")
-        axes.annotate(
-            rings, (1, -row), xycoords=("axes fraction", "data"), xytext=(6, 0),
-            textcoords="offset points", ha="left", va="center_baseline", color=INK, size=NORMAL,
-        )  # fmt: skip
-        axes.annotate(
-            f"mode {modes.harmonics[index]}", (0, -row), xycoords=("axes fraction", "data"), xytext=(-6, 0),
-            textcoords="offset points", ha="right", va="center_baseline", color=MUTED, size=SMALL,
-        )  # fmt: skip
+        label_mode(axes, row, f"mode {modes.harmonics[index]}", rings)
     axes.set_ylim(-len(shown) + 0.45, 0.55)
 
 
@@ -211,13 +197,13 @@ def _prepare(axes: Axes, analysis: Analysis[Implement], reading: Reader, title: 
     ruler.set_window(axes, analysis.bat)
     ruler.show_from_tip(axes, analysis.bat.length, reading, labels=ruler.is_zoomed(analysis.bat), grid=True)
     if ruler.is_zoomed(analysis.bat):
-        _own_guides(axes, analysis)
+        draw_guides(axes, analysis)
     axes.yaxis.set_major_locator(MaxNLocator(nbins=4))
     light_grid(axes, vertical=False)
     heading(axes, title, note)
 
 
-def _own_guides(axes: Axes, analysis: Analysis[Implement]) -> None:
+def draw_guides(axes: Axes, analysis: Analysis[Implement]) -> None:
     """Shade the sweet zone and mark the best place in a panel whose axis is not that of the drawing above."""
     spots = analysis.sweet_spots
     if spots.zone is not None:
@@ -229,13 +215,6 @@ def _limits(axes: Axes, values: Array, *, room: float) -> None:
     """Let the vertical axis hold all values and zero, and a little room."""
     low, high = min(0.0, float(np.nanmin(values))), max(0.0, float(np.nanmax(values)))
     axes.set_ylim(low - room * (high - low) * (low < 0), high + room * (high - low))
-
-
-def _dot(axes: Axes, place: float, height: float, colour: str, *, filled: bool = True) -> None:
-    axes.plot(
-        place, height, "o", color=colour if filled else PAPER, markersize=5.5 if filled else 4.2,
-        markeredgecolor=PAPER if filled else colour, markeredgewidth=0.8 if filled else 1.2, zorder=5,
-    )  # fmt: skip
 
 
 def _curve_label(
@@ -262,7 +241,7 @@ def _curve_label(
             look = look if over else {"xytext": (4, -3), "ha": "left", "va": "top"}
             look["xy"] = (place, float(np.interp(place, places, values)))
             text = axes.annotate(words, textcoords="offset points", size=SMALL, **look)
-            box = Text.get_window_extent(text)
+            box = Text.get_window_extent(text).padded(3)
             text.remove()
             outside = not (axes.bbox.x0 <= box.x0 and box.x1 <= axes.bbox.x1 and axes.bbox.y0 <= box.y0)
             faults = 100 * sum(box.overlaps(other) for other in taken) + 50 * outside

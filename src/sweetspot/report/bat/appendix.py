@@ -79,7 +79,7 @@ def constants_section(analysis: Analysis[Implement]) -> Section:
         rows: list[list[Cell]] = []
         for record in entries:
             name = record.name.rpartition(".")[2].replace("_", " ")
-            spread = "" if record.spread is None else f" ± {shown(record.spread)}"
+            spread = "" if record.spread is None else f", spread {shown(record.spread)}"
             source = Linked(record.source, f"#source-{record.source}", record.where)
             rows.append([name, shown(record.value) + spread, record.kind, source])
         title = heading[0].upper() + heading[1:]

@@ -9,10 +9,13 @@ from typing import Any
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
 from sweetspot.calibration.draws.intervals import Reaches
 from sweetspot.catalog.sports import sport
+from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.dynamics.outline_doubt import moi_doubt
+from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
+from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat.json import bat_json, report_json
 from sweetspot.report.bat.tables import (
     along_table,
@@ -21,6 +24,7 @@ from sweetspot.report.bat.tables import (
     misses_table,
     modes_table,
     spots_table,
+    stations,
 )
 from sweetspot.report.bat.words import (
     BEST_PLACE,
@@ -35,8 +39,9 @@ from sweetspot.report.bat.words import (
 )
 from sweetspot.report.document import Block, Cards, Document, Paragraph, Picture, Section, Sources
 from sweetspot.report.hit.document import BattedHit, hit_picture, hit_table
+from sweetspot.report.hit.second_touch import touched_again_between
 from sweetspot.report.quantities import Reader
-from sweetspot.report.sentences import Bounds, Sentence, Slot, Words, joined, say
+from sweetspot.report.sentences import PLUS_MINUS, Bounds, Sentence, Slot, Words, joined, say
 from sweetspot.report.sport_words import in_words, reader_of, words_of
 
 COLUMNS, ROWS = 120, 90
@@ -77,7 +82,7 @@ def described_document(bat: Implement) -> Document:
     data = bat_json(bat.name, bat.length, body)
     return Document(
         name="bat", title=bat.name, subtitle=bat.made_of, kind=f"{sport(bat.sport).name}: {words_of(bat).implement}",
-        blocks=[mass_table(bat, body), *(Paragraph(words) for words in remarks(bat))],
+        blocks=[*_mass(bat, body), *(Paragraph(words) for words in remarks(bat))],
         data=data, rows={name: [value] for name, value in data.items()}, reader=reader_of(bat),
     )  # fmt: skip
 
@@ -88,9 +93,10 @@ def remarks(bat: Implement) -> list[str]:
 
 
 def _sizes(analysis: Analysis[Implement]) -> Sentence:
-    bat, body = analysis.bat, analysis.body
+    bat, body, ball = analysis.bat, analysis.body, analysis.conditions.ball
+    other = "" if ball == standard_conditions(bat).ball else f"; hit by: {ball.name}"
     return in_words(
-        "{length} long, {mass}, {made_of}, balance {balance} from the {butt}", words_of(bat),
+        "{length} long, {mass}, {made_of}, balance {balance} from the {butt}{other}", words_of(bat), other=other,
         length=Slot(bat.length, "length"), mass=Slot(body.mass, "mass", of="bat.mass_kg"), made_of=bat.made_of,
         balance=Slot(body.balance_point, "place", of="bat.balance_point_m"),
     )  # fmt: skip
@@ -134,13 +140,20 @@ def _overview(analysis: Analysis[Implement], reaches: Reaches | None) -> Picture
     caption = in_words(
         "The {implement} to scale and, place for place, what a hit there does. Shaded: the {zone}.", words
     )
-    return Picture("overview", partial(_drawn_overview, analysis, reaches=reaches), label, caption)
+    sheet = partial(_drawn_sheet, analysis, reaches=reaches)
+    return Picture("overview", partial(_drawn_overview, analysis, reaches=reaches), label, caption, sheet)
 
 
 def _drawn_overview(analysis: Analysis[Implement], reading: Reader, *, reaches: Reaches | None) -> Any:
     from sweetspot.report.bat.figure import report_figure
 
     return report_figure(analysis, reading, reaches)
+
+
+def _drawn_sheet(analysis: Analysis[Implement], reading: Reader, *, reaches: Reaches | None) -> Any:
+    from sweetspot.report.bat.sheet_picture import sheet_figure
+
+    return sheet_figure(analysis, reading, reaches)
 
 
 def _details(analysis: Analysis[Implement]) -> list[Block]:
@@ -155,12 +168,26 @@ def _details(analysis: Analysis[Implement]) -> list[Block]:
     where = in_words("The best hit, {place} from the {tip}", words, place=from_tip(analysis, analysis.best.position))
     return [
         Section("sweet-spots", "Every sweet spot", [spots_table(analysis)]),
-        Section("along", f"Along the {words.implement}", [along_table(analysis)]),
-        Section("mass", "Weight and balance", [mass_table(analysis.bat, analysis.body)]),
+        Section("along", f"Along the {words.implement}", [along_table(analysis), *_touched_again(analysis)]),
+        Section("mass", "Weight and balance", _mass(analysis.bat, analysis.body, told=True)),
         Section("modes", "How it rings", [modes_table(analysis.bat, analysis.modes)]),
         Section("best-hit", where, [hit_table(best, at="best_hit."), hit_picture(analysis.best, words, caption)]),
         Section("conditions", "Conditions", [conditions_table(analysis)]),
     ]
+
+
+def _touched_again(analysis: Analysis[Implement]) -> list[Block]:
+    """Return what is not known of hits in the table that touch the ball more than once."""
+    scan, length = analysis.scan, analysis.bat.length
+    from_tip = length - scan.position[scan.touches > 1]
+    shown = from_tip[from_tip <= stations(analysis)[-1]]
+    return [Paragraph(doubt, "note") for doubt in touched_again_between(shown, words_of(analysis.bat))]
+
+
+def _mass(bat: Implement, body: RigidBody, *, told: bool = False) -> list[Block]:
+    """Return the table of weight and balance, and what ± means where it has one or was told of a speed before."""
+    doubted = told or moi_doubt(bat, body, STANDARD_AXIS) > 0
+    return [mass_table(bat, body), *([Paragraph(PLUS_MINUS, "note")] if doubted else [])]
 
 
 def _appendix(analysis: Analysis[Implement], misses: Sequence[Miss], *, drawn: bool) -> list[Block]:

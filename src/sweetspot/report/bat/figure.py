@@ -163,14 +163,17 @@ def _guides(
 def _footer(figure: Figure, analysis: Analysis[Implement], height: float, *, banded: bool) -> None:
     """Say what was hit with what, and what the lines are."""
     words = words_of(analysis.bat)
+    text = f"{what_lines_are(analysis, banded=banded)}\nFree {words.implement}, {analysis.conditions.ball.name}, hit "
+    figure.text(SIDE / WIDTH, 0.08 / height, text + "straight on.", color=MUTED, size=SMALL, parse_math=False)
+
+
+def what_lines_are(analysis: Analysis[Implement], *, banded: bool) -> str:
+    """Return what shading, bands and lines of a report's picture mean."""
+    words = words_of(analysis.bat)
     shaded = "" if analysis.sweet_spots.zone is None else f"Shaded: {words.zone}.  "
     bands = "Bands: 90 % intervals.  " if banded else ""
     near = "  Panels: the face alone." if ruler.is_zoomed(analysis.bat) else ""
     strung = isinstance(analysis.bat, Racket) and analysis.bat.strings is not None
     rigid = f"the same {words.implement} if it were rigid" + (", strings too" if strung else "")
     frame = "  Steps at the ends: the ball is on the frame." if strung else ""
-    text = (
-        f"{shaded}{bands}Orange line: best place.  Dashed: {rigid}.{near}{frame}\n"
-        f"Free {words.implement}, {analysis.conditions.ball.name}, hit straight on."
-    )
-    figure.text(SIDE / WIDTH, 0.08 / height, text, color=MUTED, size=SMALL, parse_math=False)
+    return f"{shaded}{bands}Orange line: best place.  Dashed: {rigid}.{near}{frame}"

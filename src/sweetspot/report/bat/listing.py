@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from sweetspot import catalog
+from sweetspot.catalog.implements import implement_tables
 from sweetspot.catalog.sports import sport_implements, sport_names
 from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.document import Cell, Column, Document, Paragraph, Table
 from sweetspot.report.json_shapes import as_columns
-from sweetspot.report.sentences import Slot, with_doubt
+from sweetspot.report.sentences import PLUS_MINUS, Slot, with_doubt
 from sweetspot.report.sport_words import reader_of
 
 
@@ -28,7 +31,7 @@ def catalogue_document() -> Document:
         rows.append({"key": key, **bat_json(bat.name, bat.length, body), **doubt})
     columns = [
         Column("name"), Column("what"), Column("length", "length", 1), Column("mass", "mass"),
-        Column("balance point", "length"), Column("moment of inertia about 6 in", right=True),
+        Column("balance point", "length"), Column("moment of inertia", right=True),
     ]  # fmt: skip
     keys = ("key", "name", "length_m", "mass_kg", "balance_point_m")
     cells: list[list[Cell]] = [
@@ -37,10 +40,18 @@ def catalogue_document() -> Document:
     ]
     return Document(
         name="bats", title="Bats of the catalogue", kind="Catalogue",
-        blocks=[Table("", columns, cells), _others({key for key, _ in bats}), Paragraph(HOW_TO_SHOW, "note")],
+        blocks=[Table("", columns, cells), _others({key for key, _ in bats}), Paragraph(PLUS_MINUS, "note"),
+                Paragraph(_assumed_balances(bats), "note"), Paragraph(HOW_TO_SHOW, "note")],
         data={"bats": rows, "others": _other_rows({key for key, _ in bats})},
         rows=as_columns(rows), reader=reader_of(bats[0][1]),
     )  # fmt: skip
+
+
+def _assumed_balances(bats: Sequence[tuple[str, Bat]]) -> str:
+    """Return which bats' balance points follow from an outline that was assumed."""
+    outlines = ((key, implement_tables()[key].get("profile")) for key, bat in bats if bat.balance_point is None)
+    names = [key for key, outline in outlines if isinstance(outline, dict) and outline["kind"] == "assumed"]
+    return f"Assumed outlines, and with them balance points: {', '.join(names)}."
 
 
 HOW_TO_SHOW = (

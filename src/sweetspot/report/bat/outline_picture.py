@@ -67,18 +67,15 @@ def bat_figure(analysis: Analysis[Implement], reading: Reader | None = None) -> 
     figure = Figure(figsize=(WIDTH, panel.height + FOOT))
     axes = axes_in_inches(figure, left=SIDE, top=0.1, width=WIDTH - 2 * SIDE, height=panel.height)
     draw_bat_panel(axes, analysis, panel, reading)
-    zone = analysis.sweet_spots.zone
-    if zone is not None:  # from the axis up to a little above the bat
-        top = (panel.below + panel.above - ABOVE + GUIDE_START) / panel.height
-        axes.axvspan(*zone, ymax=top, facecolor=ZONE, edgecolor=ZONE_EDGE, linewidth=0.6, zorder=0)
+    shade_zone(axes, analysis, panel)
     axes.set_xlabel(from_the_tip(analysis.bat, reading), labelpad=2)
     ruler.show_centimetres(axes, analysis.bat.length, offset=30, butt=analysis.bat.grip_end)
     return figure
 
 
-def bat_panel(bat: Implement) -> BatPanel:
-    """Return the paper that a bat's drawing needs at the common width."""
-    scale = ruler.metres_per_inch_of_paper(bat.length, WIDTH - 2 * SIDE)
+def bat_panel(bat: Implement, across: float = WIDTH - 2 * SIDE) -> BatPanel:
+    """Return the paper that a bat's drawing needs where its axis is ``across`` inches long."""
+    scale = ruler.metres_per_inch_of_paper(bat.length, across)
     half = float(bat.width_at(_places(bat)).max()) / 2 / scale
     return BatPanel(half + ABOVE, half + BELOW, scale)
 
@@ -95,6 +92,14 @@ def draw_bat_panel(axes: Axes, analysis: Analysis[Implement], panel: BatPanel, r
     draw_bat(axes, bat)
     draw_marks(axes, analysis, reading, panel.scale, top=panel.above * panel.scale)
     draw_notes(axes, analysis, reading, panel.scale, bottom=-panel.below * panel.scale)
+
+
+def shade_zone(axes: Axes, analysis: Analysis[Implement], panel: BatPanel) -> None:
+    """Shade the sweet zone from the axis up to a little above the bat."""
+    zone = analysis.sweet_spots.zone
+    if zone is not None:
+        top = (panel.below + panel.above - ABOVE + GUIDE_START) / panel.height
+        axes.axvspan(*zone, ymax=top, facecolor=ZONE, edgecolor=ZONE_EDGE, linewidth=0.6, zorder=0)
 
 
 @styled

@@ -91,8 +91,10 @@ def why_here(
 
 def why_off_axis(offset: float, cost: float, *, words: Words) -> Sentence:
     """Return what it costs that the ball's centre lies off the implement's axis by so much; m and m/s."""
+    met = f"Met {{offset}} {'above' if offset > 0 else 'below'} the middle, the {{ball}} "
+    if abs(cost) <= LITTLE:
+        return in_words(met + "leaves as fast as from the middle.", words, offset=Slot(abs(offset), "length"))
     return in_words(
-        f"Met {{offset}} {'above' if offset > 0 else 'below'} the middle, the {{ball}} gets less of the swing "
-        "({cost}).",
+        met + f"gets {'less' if cost < 0 else 'more'} of the swing ({{cost}}).",
         words, offset=Slot(abs(offset), "length"), cost=Slot(cost, "speed", sign=True),
     )  # fmt: skip

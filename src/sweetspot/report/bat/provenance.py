@@ -25,6 +25,11 @@ METHOD_SOURCES = (
 )  # fmt: skip
 """Sources of the formulas and definitions in every report."""
 STATIONS_SHOWN = 3
+OF_THE_BALL = {
+    "mass": "weight", "cor_reference": "restitution", "cor_slope": "loss of restitution with speed",
+    "peak_force": "stiffness", "load": "stiffness", "contact_time": "stiffness",
+}  # fmt: skip
+"""What people call the values of a ball's file that decide how fast it leaves."""
 
 
 def used_records(analysis: Analysis[Implement]) -> dict[str, list[Record]]:
@@ -84,6 +89,26 @@ def ball_records(used: Ball) -> list[Record]:
     """Return the records of a ball; none when its name is not in the catalogue."""
     key = _ball_key(used)
     return all_records(read_table(BALL_FILE)[key], key) if key else []
+
+
+def assumed_of_ball(used: Ball) -> list[str]:
+    """Return in words what of a ball the catalogue assumes and was not given otherwise.
+
+    >>> assumed_of_ball(ball("youth-soft")), assumed_of_ball(ball("baseball"))
+    (['weight', 'restitution', 'stiffness'], [])
+    """
+    if not (key := _ball_key(used)):
+        return []
+    known = ball(key)
+    same = {
+        "weight": used.mass == known.mass,
+        "restitution": used.restitution.reference == known.restitution.reference,
+        "loss of restitution with speed": used.restitution.slope == known.restitution.slope,
+        "stiffness": used.stiffness == known.stiffness,
+    }
+    names = [record.name.rpartition(".")[2] for record in ball_records(used) if record.kind == "assumed"]
+    called = dict.fromkeys(OF_THE_BALL[name] for name in names if name in OF_THE_BALL)
+    return [name for name in called if same[name]]
 
 
 def rubber_records(used: Rubber) -> list[Record]:

@@ -28,7 +28,7 @@ from sweetspot.units import INCH, MPH
 
 MOST_STATIONS = 18
 """Places shown along an implement."""
-STEPS = {"in": (INCH,), "cm": (0.01, 0.02, 0.05, 0.1)}
+STEPS = {"in": (INCH / 2, INCH), "cm": (0.01, 0.02, 0.05, 0.1)}
 """m between them, by the unit in which a sport's people read places."""
 SHOWN_MODES: dict[Family, int] = {"bending": 5, "hoop": 3, "face": 2}
 """By family."""
@@ -82,10 +82,6 @@ def _ends(bat: Implement) -> list[tuple[str, float]]:
 def along_table(analysis: Analysis[Implement]) -> Table:
     """Return what a hit does at even places from the tip."""
     scan, words, length = analysis.scan, words_of(analysis.bat), analysis.bat.length
-    first, last = length - float(scan.position[-1]), length - float(scan.position[0])
-    steps = STEPS[words.place_unit]
-    step = next((step for step in steps if (last - first) / step <= MOST_STATIONS), steps[-1])
-    stations = step * np.arange(np.ceil(first / step - 1e-9), np.floor(last / step + 1e-9) + 1)
 
     def at(values: Array, place: float) -> float:
         return float(np.interp(length - place, scan.position, values))
@@ -109,9 +105,19 @@ def along_table(analysis: Analysis[Implement]) -> Table:
 
     rows: list[list[Cell]] = [
         [Slot(place, "place", round=True).bare, *(cell(*curve, place) for curve in curves)]
-        for place in stations[:MOST_STATIONS].tolist()
+        for place in stations(analysis).tolist()
     ]
     return Table("", columns, rows)
+
+
+def stations(analysis: Analysis[Implement]) -> Array:
+    """Return the even places of `along_table`, m from the tip."""
+    scan, length = analysis.scan, analysis.bat.length
+    first, last = length - float(scan.position[-1]), length - float(scan.position[0])
+    steps = STEPS[words_of(analysis.bat).place_unit]
+    step = next((step for step in steps if (last - first) / step <= MOST_STATIONS), steps[-1])
+    places = step * np.arange(np.ceil(first / step - 1e-9), np.floor(last / step + 1e-9) + 1)
+    return np.asarray(places[:MOST_STATIONS])
 
 
 def misses_table(misses: Sequence[Miss], implement: Implement) -> Table:
@@ -145,7 +151,7 @@ def mass_table(bat: Implement, body: RigidBody) -> Table:
     )  # fmt: skip
     rows: list[tuple[Cell, Cell]] = [
         ("length", Slot(bat.length, "length")),
-        ("mass", Slot(body.mass, "mass", 2 if words.place_unit == "in" else 1, of="bat.mass_kg")),
+        ("mass", Slot(body.mass, "mass", 2 if words.weighed_in == "oz" else 1, of="bat.mass_kg")),
         (f"balance point, from the {words.butt}", Slot(body.balance_point, "length", of="bat.balance_point_m")),
         *([] if isinstance(bat, Bat) else [_swing_weight(bat, body, convention)]),
         *((say("moment of inertia, {axis}", axis=axis),

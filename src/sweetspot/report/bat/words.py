@@ -11,18 +11,20 @@ from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
 from sweetspot.analysis.miss_cost import Loss, miss_costs
 from sweetspot.analysis.sweet_spot import ZONE_LOSS
 from sweetspot.calibration.ball_doubt import speed_by_ball
-from sweetspot.catalog.sports import sport
 from sweetspot.dynamics.rigid import effective_mass
 from sweetspot.equipment.implement import Implement
-from sweetspot.equipment.sport import ASSUMED_MARK, Words
+from sweetspot.equipment.sport import Words
 from sweetspot.motion.swing_law import Interval
 from sweetspot.paper.sports import dead_spot
+from sweetspot.report.bat.assumed_values import soft_defaults
 from sweetspot.report.sentences import Part, Sentence, Slot, joined, say, within
 from sweetspot.report.sport_words import arriving, in_words, weight, words_of
 from sweetspot.units import INCH
 
 MISSES = {"in": (1 * INCH, 2 * INCH, 3 * INCH), "cm": (0.02, 0.04, 0.06)}
-"""m, by the unit in which a sport's people read places."""
+"""m, by the unit in which a sport's people read places; half of that on faces too short for two of them."""
+LEAST_SHARE = 5e-4
+"""Part of the energy below which one decimal of a per cent would say none."""
 WHY_BOTH = (
     "These intervals reach from a ball that loses its energy by how far it is pressed to one that loses it by how "
     "fast; no measurement has settled which."
@@ -50,7 +52,9 @@ class Miss(NamedTuple):
 def misses_of(analysis: Analysis[Implement]) -> list[Miss]:
     """Return what misses cost that still hit the face on the hands' side, up to three."""
     best, nearest = analysis.sweet_spots.max_exit_speed, float(analysis.scan.position[0])
-    distances = tuple(one for one in MISSES[words_of(analysis.bat).place_unit] if best - one >= nearest)
+    usual = MISSES[words_of(analysis.bat).place_unit]
+    fitting = [tuple(part * one for one in usual if best - part * one >= nearest) for part in (1.0, 0.5)]
+    distances = fitting[0] if len(fitting[0]) > 1 else fitting[1]  # half as far on a short face
     costs = miss_costs(analysis, distances) if distances else []
     return [Miss(distance, *both) for distance, both in zip(distances, costs, strict=True)]
 
@@ -65,7 +69,8 @@ def answer(analysis: Analysis[Implement], misses: Sequence[Miss], *, drawn: bool
     words = words_of(analysis.bat)
     paragraphs = (
         _where(analysis, words, by_ball=not drawn), _bounce(analysis, words), _why_not_the_end(analysis, words),
-        _miss(misses, words, drawn=drawn), _hands(analysis, words), _wall(analysis), _assumed(analysis),
+        _miss(misses, words, drawn=drawn), _hands(analysis, words), _wall(analysis),
+        soft_defaults(analysis.bat, analysis.conditions.ball, analysis.conditions),
     )  # fmt: skip
     return [words for words in paragraphs if words.parts]
 
@@ -116,6 +121,16 @@ def _where(analysis: Analysis[Implement], words: Words, *, by_ball: bool) -> Sen
         outer=from_tip(analysis, spots.zone[1], "sweet_spots.zone_end_m").bare,
         inner=from_tip(analysis, spots.zone[0], "sweet_spots.zone_start_m"),
         width=Slot(spots.zone[1] - spots.zone[0], "place", of="sweet_spots.zone_width_m"),
+    ) + _outside(spots.max_exit_speed, spots.zone, words)  # fmt: skip
+
+
+def _outside(best: float, zone: tuple[float, float], words: Words) -> Sentence:
+    """Return, where the place that hits best lies outside the zone, on which side of it."""
+    if zone[0] <= best <= zone[1]:
+        return say("")
+    return in_words(
+        " The place that hits best lies outside it, nearer the {end}.", words,
+        end=words.tip if best > zone[1] else words.hands,
     )  # fmt: skip
 
 
@@ -217,23 +232,11 @@ def _wall(analysis: Analysis[Implement]) -> Sentence:
     if not hoops:
         return Sentence(())
     energy = analysis.best.energy
+    share = energy.hoop / energy.incoming if energy.incoming else 0.0
+    left = Slot(share, "share", 1, of="best_hit.energy_share.hoop")
     return say(
         "It is hollow: its wall gives way and springs back, and rings at {frequency} (lowest hoop mode). Of the energy "
         "of its best hit {left} stay in the wall's ringing.",
         frequency=Slot(float(analysis.modes.frequency[hoops].min()), "frequency", of="told.lowest_hoop_hz"),
-        left=Slot(
-            energy.hoop / energy.incoming if energy.incoming else 0.0, "share", 1, of="best_hit.energy_share.hoop"
-        ),
+        left=left if share >= LEAST_SHARE else "less than 0.1 %",
     )  # fmt: skip
-
-
-def _assumed(analysis: Analysis[Implement]) -> Sentence:
-    """Return which of the conditions are soft defaults of the sport, marked as they are everywhere."""
-    stroke, conditions = sport(analysis.bat.sport).stroke, analysis.conditions
-    used = ((stroke.swing_speed, conditions.swing.bat_speed), (stroke.ball_speed, conditions.pitch.speed))
-    soft = [
-        say("{name} {speed} {mark}", name=one.name, speed=Slot(value, "speed", round=True), mark=ASSUMED_MARK)
-        for one, value in used
-        if one.kind == "assumed" and one.value == value
-    ]
-    return say("Soft defaults: {soft}.", soft=joined(soft, "; ")) if soft else Sentence(())

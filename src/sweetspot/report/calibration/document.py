@@ -5,11 +5,15 @@ from __future__ import annotations
 from typing import Any
 
 from sweetspot.calibration.calibrated_file import Value, material_values, properties
-from sweetspot.calibration.measured import LEVEL, REACH, Measured
+from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import MeasuredKind, Measurement, predicted
 from sweetspot.calibration.posterior import CONTRADICTION, Posterior, suspects
 from sweetspot.catalog.sports import sport
+from sweetspot.dynamics.beam import beam_model
 from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.golf_club import GolfClub
+from sweetspot.equipment.implement import Implement
+from sweetspot.numerics.confidence import LEVEL, REACH
 from sweetspot.report.calibration.intervals import measured_json, measured_words
 from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Table
 from sweetspot.report.json_shapes import as_columns, cleaned
@@ -23,7 +27,7 @@ SCALE_OF: dict[MeasuredKind, tuple[str, int]] = {
 """How each kind of measurement is shown, and to how many digits."""
 VALUES = {
     "mass": ("mass", "mass"), "balance_point": ("balance point from the knob", "length"),
-    "moi": ("MOI about 6 in", "moi"), "longitudinal_modulus": ("modulus E along the grain", "modulus"),
+    "moi": ("MOI", "moi"), "longitudinal_modulus": ("modulus E along the grain", "modulus"),
     "shear_modulus": ("shear modulus G", "modulus"), "density": ("density", "density"),
     "first_frequency": ("first frequency", "frequency"),
 }  # fmt: skip
@@ -35,6 +39,10 @@ WORDS = {
     "mass": "weight", "balance_point": "balance point", "gyration": "radius of gyration",
     "first_frequency": "first frequency",
 }  # fmt: skip
+OF_CLUB = {"knob_mass": "mass of the grip", "end_mass": "mass of the head"}
+"""Words of a golf club for what a bat has at its ends."""
+OF_STIFFNESS = ("longitudinal_modulus", "first_frequency")
+"""Values of which a tap tells."""
 LEAST_SHARE = 0.01
 
 
@@ -54,7 +62,8 @@ def calibration_document(posterior: Posterior, damping: Measured | None) -> Docu
     )
     blocks: list[Block] = [Paragraph(words, "warning") for words in findings]
     blocks += [_values(posterior, damping), _unknowns(posterior), _measured(posterior)]
-    blocks += [Paragraph(budget_words(posterior)), Paragraph(sigma, "note")]
+    blocks += [Paragraph(words) for words in (budget_words(posterior), *density_words(posterior))]
+    blocks.append(Paragraph(sigma, "note"))
     own = posterior.line.bat
     return Document(
         name="calibrate", title="The calibrated bat" if isinstance(own, Bat) else f"{own.name}, calibrated",
@@ -85,14 +94,21 @@ def _called(name: str, posterior: Posterior) -> str | Sentence:
     if isinstance(own, Bat) or name not in ("balance_point", "moi"):
         return VALUES[name][0]
     if name == "moi":
-        return say("swing weight about {axis}", axis=Slot(own.moi_axis, "place"))
+        return say("swing weight about {axis}", axis=axis_words(own.moi_axis, own.grip_end))
     return f"balance point from the {own.grip_end}"
+
+
+def axis_words(axis: float, butt: str) -> Sentence:
+    """Return about which axis something turns, ``axis`` m from the end that the hand holds."""
+    if axis == 0:
+        return say("the {butt}", butt=butt)
+    return say("{axis} from the {butt}", axis=Slot(axis, "place", round=True), butt=butt)
 
 
 def _unknowns(posterior: Posterior) -> Table:
     rows = [
         (
-            WORDS[one.name],
+            _unknown_words(one.name, posterior.line.bat),
             say("± {spread}", spread=Slot(REACH * one.spread, "share", 1)),
             _percent(posterior.deviation(one.name)),
         )
@@ -100,6 +116,12 @@ def _unknowns(posterior: Posterior) -> Table:
     ]
     columns = [Column("what was not known"), Column("before", right=True), Column("off the description by", right=True)]
     return Table("What the measurements changed", columns, rows)
+
+
+def _unknown_words(name: str, implement: Implement) -> str:
+    """Return what something that was not known is called of this implement."""
+    of_club = OF_CLUB if isinstance(implement, GolfClub) else {}
+    return of_club.get(name, WORDS[name])
 
 
 def _percent(value: Measured) -> Sentence:
@@ -129,7 +151,8 @@ def contradictions(posterior: Posterior) -> list[Sentence]:
     words = [
         say(
             "The measurements contradict each other: {name} lies {pull} sigma from what all the others say together; "
-            "allowed is {most}.", name=_source(name), pull=f"{abs(pull):.1f}", most=f"{CONTRADICTION:g}",
+            "allowed is {most}.",
+            name=source_words(name, posterior.line.bat), pull=f"{abs(pull):.1f}", most=f"{CONTRADICTION:g}",
         )
     ]  # fmt: skip
     for suspect, without in suspects(posterior).items():
@@ -162,12 +185,19 @@ def _rows(posterior: Posterior) -> list[tuple[Measurement, float, float]]:
 def budget_words(posterior: Posterior) -> Sentence:
     """Return in words what the doubt about the modulus comes from, and what a wrong handle would do to it."""
     of_bat = isinstance(posterior.line.bat, Bat)
+    what, unknown = ("E", "modulus") if of_bat else ("the first frequency", "first_frequency")
+    if "assumed" in {one.kind for name, one in material_values(posterior).items() if name in OF_STIFFNESS}:
+        return say(
+            "{what} was not measured and stays as described, give or take {half}. Tap the {bat} to know it.",
+            what=what[0].upper() + what[1:],
+            half=Slot(REACH * posterior.deviation(unknown).error, "share"),
+            bat=sport(posterior.line.bat.sport).words.implement,
+        )
     shares = (
-        say("{name} {share}", name=_source(name), share=Slot(share, "share"))
-        for name, share in posterior.budget("modulus" if of_bat else "first_frequency").items()
+        say("{name} {share}", name=source_words(name, posterior.line.bat), share=Slot(share, "share"))
+        for name, share in posterior.budget(unknown).items()
         if share >= LEAST_SHARE
     )
-    what = "E" if of_bat else "the first frequency"
     words = [say("What the doubt about {what} comes from: {shares}.", what=what, shares=joined(shares, ", "))]
     names = posterior.sources
     if "expected handle" in names:
@@ -177,11 +207,34 @@ def budget_words(posterior: Posterior) -> Sentence:
     return joined(words)
 
 
-def _source(name: str) -> str:
+def density_words(posterior: Posterior) -> list[Sentence]:
+    """Return in words that the material would be lighter or heavier than usual; nothing where it is not."""
+    line = posterior.line
+    known = line.bat.density_range
+    if known is None:
+        return []
+    weighed = line if isinstance(line.bat, Bat) else beam_model(line.bat.replaced(balance_point=None, moi=None))
+    density = weighed.density_factor * known.usual
+    if known.lightest <= density <= known.heaviest:
+        return []
+    return [
+        say(
+            "As drawn it weighs this only at {density}; {material} usually has {low} to {high}. The drawing's walls or "
+            "thicknesses are not quite those of this {bat}.",
+            density=Slot(density, "density", 0), material=line.bat.made_of,
+            low=Slot(known.lightest, "density", 0).bare, high=Slot(known.heaviest, "density", 0),
+            bat=sport(line.bat.sport).words.implement,
+        )
+    ]  # fmt: skip
+
+
+def source_words(name: str, implement: Implement) -> str:
+    """Return the name of a measurement or expectation in people's words."""
     if not name.startswith("expected "):
         return name
     unknown = name.removeprefix("expected ")
-    return WORDS[unknown] if unknown in ("handle", "barrel") else f"{WORDS[unknown]} as expected"
+    words = _unknown_words(unknown, implement)
+    return words if unknown in ("handle", "barrel") else f"{words} as expected"
 
 
 def _data(posterior: Posterior, damping: Measured | None) -> dict[str, Any]:

@@ -4,25 +4,30 @@ from __future__ import annotations
 
 from typing import Any
 
-from sweetspot.calibration.measured import REACH
+import numpy as np
+
+from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.outline.measured_outline import Outline
 from sweetspot.calibration.outline.photo.photo_outline import PhotoOutline
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.bat import Bat
-from sweetspot.report.document import Block, Document, Paragraph
+from sweetspot.numerics.confidence import REACH
+from sweetspot.report.calibration.intervals import measured_words
+from sweetspot.report.document import Block, Column, Document, Paragraph, Table
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.sentences import Sentence, Slot, joined, say
+from sweetspot.units import INCH
 
 
 def outline_document(outline: Outline, bat: Bat, body: RigidBody) -> Document:
     """Return an outline as an answer: how thick the bat is, what it would weigh, what was not measured."""
     data = outline_json(outline, bat, body)
     rows = {name: data["profile"][name] for name in ("position_m", "diameter_m")}
-    if isinstance(outline, PhotoOutline):
-        data |= photo_json(outline)
     notes: list[Block] = [Paragraph(words, "note") for words in outline.notes]
     if isinstance(outline, PhotoOutline):
-        notes.insert(0, Paragraph(photo_words(outline)))
+        data |= photo_json(outline)
+        rows["diameter_error_m"] = data["diameter_error_m"]
+        notes = [Paragraph(photo_words(outline)), *notes, _inches(outline)]
     blocks = [Paragraph(outline_words(outline, bat, body)), *notes]
     return Document(name="outline", title=bat.name, blocks=blocks, data=data, rows=rows)
 
@@ -37,8 +42,24 @@ def photo_json(outline: PhotoOutline) -> dict[str, Any]:
             "diameter_error_m": outline.diameter_error,
             "place_error_m": outline.place_error,
             "camera_distance_m": outline.camera_distance,
+            "tape_hooked_at_m": outline.hooked,
         }
     )
+
+
+def _inches(outline: PhotoOutline) -> Table:
+    """Return the diameters at every inch from the tip, as a caliper would be held, with their intervals."""
+    length = outline.profile[-1][0]
+    from_tip = INCH * np.arange(1, int(length / INCH))
+    places, diameters = np.array(outline.profile).T
+    errors = np.interp(length - from_tip, places, outline.diameter_error)
+    values = np.interp(length - from_tip, places, diameters)
+    columns = [Column("from the tip", "length"), Column("diameter (90 %)", right=True)]
+    rows = [
+        (float(place), measured_words(Measured(float(value), float(error)), "compression"))
+        for place, value, error in zip(from_tip, values, errors, strict=True)
+    ]
+    return Table("Every inch", columns, rows)
 
 
 def photo_words(outline: PhotoOutline) -> Sentence:

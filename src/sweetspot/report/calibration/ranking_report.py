@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from sweetspot.calibration.measured import LEVEL
 from sweetspot.calibration.ranking import RankedBat, Ranking
 from sweetspot.catalog.sports import sport
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
+from sweetspot.numerics.confidence import LEVEL
+from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.report.calibration.document import axis_words, source_words
 from sweetspot.report.calibration.intervals import half_width, measured_json
 from sweetspot.report.document import Block, Column, Document, Paragraph, Table
 from sweetspot.report.json_shapes import cleaned
@@ -40,22 +42,23 @@ def ranking_document(ranking: Ranking, *, model: Implement) -> Document:
     ]  # fmt: skip
     blocks: list[Block] = [Paragraph(ranking_words(ranking, of_bats=wooden))]
     for one in ranking.bats:
-        off = ", ".join(f"{name} lies {abs(pull):.1f} sigma off" for name, pull in one.contradictions.items())
+        off = ", ".join(
+            f"{source_words(name, model)} lies {abs(pull):.1f} sigma off" for name, pull in one.contradictions.items()
+        )
         if off:
-            blocks.append(Paragraph(f"{one.name}: {off}; measure it again.", "warning"))
+            blocks.append(Paragraph(f"{one.name}: {off}; measure again, or check the drawing.", "warning"))
     blocks.append(Table(f"The {words.implement}s", columns, rows))
     blocks.append(
         Paragraph(
             say(
-                "{level} intervals: of the bat alone, hit by the same ball. MOI: about 6 in from the knob. E off: "
+                "{level} intervals: of the bat alone, hit by the same ball. MOI: about {axis}. E off: "
                 "modulus against the drawing's. Where a moisture was given, all is told at 12 %."
                 if wooden
-                else "{level} intervals: of the {thing} alone, hit by the same ball. Swing weight: about {axis} from "
-                "the {butt}. Stiffness off: the first frequency squared, against the description's.",
+                else "{level} intervals: of the {thing} alone, hit by the same ball. Swing weight: about {axis}. "
+                "Stiffness off: the first frequency squared, against the description's.",
                 level=Slot(LEVEL, "share"),
                 thing=words.implement,
-                axis=Slot(model.moi_axis, "place"),
-                butt=words.butt,
+                axis=axis_words(STANDARD_AXIS if wooden else model.moi_axis, words.butt),
             ),
             "note",
         )

@@ -11,6 +11,8 @@ from sweetspot.analysis.certification.shot_statistics import Estimate, Measured
 from sweetspot.analysis.certification.shots import Shots
 from sweetspot.analysis.certification.simulated_test import CLAMP, OLD_BALL_SPEED, OLD_BAT_SPEED, BatTest, Certification
 from sweetspot.calibration.draws.drawn_tests import RULED
+from sweetspot.dynamics.outline_doubt import moi_doubt
+from sweetspot.report.bat.assumed_values import soft_note
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.certification.limits_shown import limit_shown, value_shown
 from sweetspot.report.certification.numbers import check_json, measured_json, simulated_json, wall_json
@@ -18,12 +20,19 @@ from sweetspot.report.certification.tested_bat import TestedBat
 from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Marked, Paragraph, Picture, Table
 from sweetspot.report.json_shapes import as_columns, cleaned
 from sweetspot.report.quantities import Reader
-from sweetspot.report.sentences import Sentence, Slot, Span, Words, joined, say
+from sweetspot.report.sentences import Sentence, Slot, Span, Words, joined, say, with_doubt
 
 PATCH_NOTE = (
     "By the patch: with the smallest and the largest patch through which a ball can push; the least certain number of "
     "the test. The ball is the catalogue's; a test normalises to one."
 )
+MOI_NOTE = (
+    "By the MOI: it was not measured but follows from the outline, and ± is half of its 90 % interval. A bat that "
+    "turns less easily gives more back; from BBCOR and BPF that recoil is taken out. Measure it and give moi in the "
+    "bat file."
+)
+MANY = 14
+"""Rules from which on a printed table is set smaller."""
 MARKS = {Verdict.PASS: "hit", Verdict.FAIL: "missed"}
 
 
@@ -39,18 +48,26 @@ def tested_document(tested: TestedBat) -> Document:
         blocks += _simulated(test)
     elif tested.shots is not None:
         blocks += _measured(test, tested.shots, length=tested.bat.length)
+    blocks += soft_note(tested.bat, tested.ball)
     if tested.checks:
-        blocks += [_rules(tested.checks), *_listed(_reasons(tested.checks))]
+        blocks += [_rules(tested), *_listed(_reasons(tested.checks))]
     picture = Picture(
         "certify", lambda reading: _drawn(tested, reading),
         label=say("What the rules limit, place for place along {bat}, and the limits.", bat=tested.bat.name),
         caption="A test in the computer or on a bench; no certificate.",
+        sheet=lambda reading: _drawn_sheet(tested, reading),
     )  # fmt: skip
     checks = [check_json(league.key, check) for league, check in tested.checks]
     return Document(
         name="certify", title=tested.bat.name, subtitle=tested.ball.name, kind="Bat test", blocks=[*blocks, picture],
         data=cleaned(_json(tested, checks)), rows=as_columns(checks), passed=tested.passed, drawing=picture,
     )  # fmt: skip
+
+
+def _drawn_sheet(tested: TestedBat, reading: Reader) -> Any:
+    from sweetspot.report.certification.picture import ON_A_SHEET, certification_figure
+
+    return certification_figure(tested, reading, paper=ON_A_SHEET)
 
 
 def _drawn(tested: TestedBat, reading: Reader) -> Any:
@@ -114,25 +131,35 @@ def _superseded(checks: Sequence[tuple[League, Check]]) -> list[str]:
 
 
 def _simulated(test: Certification) -> list[Block]:
-    fast, slow, length, spreads = test.fast, test.slow, test.bat.length, test.spreads
+    fast, slow, length = test.fast, test.slow, test.bat.length
+    open_by = [spreads for spreads in (test.spreads, test.moi_spreads) if spreads]
     at = Slot(fast.closing_speed, "speed", 0)
+
+    def ranges(name: str, scale: str = "ratio", digits: int = 4) -> list[Cell]:
+        return [_range(spreads[name], scale, digits) for spreads in open_by]
+
+    none: list[Cell] = [""] * len(open_by)
+    turning = with_doubt(test.body.moi(CLAMP), moi_doubt(test.bat, test.body, CLAMP), "moi", of="bat.moi_6in_kg_m2")
     rows: list[list[Cell]] = [
-        ["BBCOR of the test", Slot(test.bbcor, "ratio", 4, of="test.bbcor"), _range(spreads["bbcor"]),
-         _place(fast, length),
+        ["BBCOR of the test", Slot(test.bbcor, "ratio", 4, of="test.bbcor"), *ranges("bbcor"),
+         _place(fast, length, "fast"),
          say("ball at {speed}, best of {count} places", speed=at, count=len(fast.position))],
-        ["collision efficiency q", Slot(fast.best_efficiency, "ratio", 4, of="test.collision_efficiency"), "",
-         _place(fast, length), "there"],
-        ["BESR", Slot(test.besr, "ratio", 4, of="test.besr"), _range(spreads["besr"]), _place(fast, length), "q + 1/2"],
-        ["BPF", Slot(test.bpf, "ratio", of="test.bpf"), _range(spreads["bpf"], digits=3), _place(slow, length),
+        ["collision efficiency q", Slot(fast.best_efficiency, "ratio", 4, of="test.collision_efficiency"), *none,
+         _place(fast, length, "fast"), "there"],
+        ["BESR", Slot(test.besr, "ratio", 4, of="test.besr"), *ranges("besr"), _place(fast, length, "fast"),
+         "q + 1/2"],
+        ["BPF", Slot(test.bpf, "ratio", of="test.bpf"), *ranges("bpf", digits=3), _place(slow, length, "slow"),
          say("ball at {speed}, whose own restitution is {own}", speed=Slot(slow.closing_speed, "speed", 0),
              own=Slot(slow.ball_restitution, "ratio", 4))],
         ["batted-ball speed", Slot(test.batted_ball_speed, "speed", of="test.batted_ball_speed_m_s"),
-         _range(spreads["batted_ball_speed"], "speed", 1), _place(fast, length), _old_test()],
-        ["MOI about 6 in", Slot(test.body.moi(CLAMP), "moi", of="bat.moi_6in_kg_m2"), "", "", "the clamp's axis"],
+         *ranges("batted_ball_speed", "speed", 1), _place(fast, length, "fast"), _old_test()],
+        ["MOI", turning, *none, "", "the clamp's axis"],
     ]  # fmt: skip
     columns = [Column("measure"), Column("value", right=True), Column("by the patch", right=True)]
+    columns += [Column("by the MOI", right=True) for _ in open_by[1:]]
     columns += [Column("from the tip", "length"), Column("test")]
-    return [Table("Simulated test", columns, rows), Paragraph(PATCH_NOTE, "note")]
+    notes = [PATCH_NOTE, *([MOI_NOTE] if test.other_mois else [])]
+    return [Table("Simulated test", columns, rows, name="certified"), *(Paragraph(note, "note") for note in notes)]
 
 
 def _range(spread: tuple[float, float], scale: str = "ratio", digits: int = 4) -> Sentence:
@@ -144,8 +171,8 @@ def _old_test() -> Sentence:
     return say("{ball} ball, {bat} bat", ball=ball, bat=bat)
 
 
-def _place(test: BatTest, length: float) -> Sentence:
-    place = Slot(length - test.best_position, "length").bare
+def _place(test: BatTest, length: float, name: str) -> Sentence:
+    place = Slot(length - test.best_position, "length", of=f"-test.{name}.best_position_m").bare
     return say("{place}{end}", place=place, end=" (end of scan)" if test.at_edge else "")
 
 
@@ -165,7 +192,7 @@ def _measured(measured: Measured, shots: Shots, *, length: float) -> list[Block]
         "{count} shots {place} from the tip", count=len(measured.rows),
         place=Slot(length - measured.best_position, "length"),
     )  # fmt: skip
-    columns = [Column("measure"), *(Column(name, right=True) for name in ("mean", "standard error", "95 % interval"))]
+    columns = [Column("measure"), *(Column(name, right=True) for name in ("mean", "standard error", "90 % interval"))]
     places: list[list[Cell]] = [
         [Slot(length - place.position, "length").bare, place.count, place.bbcor] for place in measured.places
     ]
@@ -187,21 +214,26 @@ def _estimate(name: Words, estimate: Estimate, scale: str = "ratio", digits: int
     return [name, Slot(estimate.mean, scale, digits), error, say("{low} to {high}", low=low, high=high)]
 
 
-def _rules(checks: Sequence[tuple[League, Check]]) -> Table:
+def _rules(tested: TestedBat) -> Table:
+    bat, body = tested.bat, tested.body
     columns = [Column(name) for name in ("league", "rule", "verdict")]
     columns += [Column(name, right=True) for name in ("value", "limit", "margin")]
     rows: list[list[Cell]] = []
-    for league, check in checks:
+    for league, check in tested.checks:
         rule = check.rule
         reading = "" if rule.reading == "primary" else f", {rule.reading}"
         of = RULED.get(rule.quantity, "")
+        value = value_shown(rule.quantity, check.value, of=of)
+        if rule.quantity == "moi" and check.value is not None:
+            value = with_doubt(check.value, moi_doubt(bat, body, CLAMP), "moi", of=of)
         rows.append([
             league.key, title(rule), Marked(check.verdict.value, MARKS.get(check.verdict, "")),
-            value_shown(rule.quantity, check.value, of=of), limit_shown(check),
+            value, limit_shown(check),
             value_shown(rule.quantity, check.margin, sign=True, of=f"-{of}" if rule.least is None and of else of),
             f"{rule.source} {rule.year or ''}".strip() + reading,
         ])  # fmt: skip
-    return Table("Rules", [*columns, Column("source")], rows)
+    name = "certified rules" if len(rows) < MANY else "certified rules many"
+    return Table("Rules", [*columns, Column("source")], rows, name=name)
 
 
 def _listed(lines: Sequence[str]) -> list[Block]:

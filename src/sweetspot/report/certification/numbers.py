@@ -21,13 +21,16 @@ def simulated_json(done: Certification) -> dict[str, Any]:
         "besr": done.besr,
         "bpf": done.bpf,
         "batted_ball_speed_m_s": done.batted_ball_speed,
-        "spread": {
-            f"{name}_m_s" if name == "batted_ball_speed" else name: spread for name, spread in done.spreads.items()
-        },
+        "spread": _by_name(done.spreads),
+        **({"spread_by_moi": _by_name(done.moi_spreads)} if done.moi_spreads else {}),
         "best_position_m": done.fast.best_position,
         "fast": _scan_json(done.fast),
         "slow": _scan_json(done.slow),
     }
+
+
+def _by_name(spreads: dict[str, tuple[float, float]]) -> dict[str, tuple[float, float]]:
+    return {f"{name}_m_s" if name == "batted_ball_speed" else name: spread for name, spread in spreads.items()}
 
 
 def _scan_json(test: BatTest) -> dict[str, Any]:

@@ -20,6 +20,7 @@ from sweetspot.report.pictures.style import (
     MUTED,
     NORMAL,
     PAPER,
+    SHEET,
     SMALL,
     axes_in_inches,
     fitted,
@@ -30,8 +31,10 @@ from sweetspot.report.pictures.style import (
 )
 from sweetspot.report.quantities import BLUE, GREEN, ORANGE, RED, SKY, US, Reader
 
-WIDTH, SIDE, HEADER, PANEL, FOOTER = 8.0, 0.62, 1.05, 2.6, 0.95
-"""Inches of paper: page, margins, title, the panel, the foot."""
+SIDE = 0.62
+"""Inches of paper beside the panel."""
+ALONE, ON_A_SHEET = (8.0, 1.05, 2.6, 0.95), (SHEET, 0.25, 1.4, 0.68)
+"""Inches of paper: page, title, the panel, the foot; on a sheet the page says whose test it is."""
 ROOM = 0.12
 """Part of the panel's range left free above and below."""
 COLOURS = {Verdict.PASS: GREEN, Verdict.FAIL: ORANGE}
@@ -50,15 +53,18 @@ class _Curve:
 
 
 @styled
-def certification_figure(tested: TestedBat, reading: Reader = US) -> Figure:
+def certification_figure(
+    tested: TestedBat, reading: Reader = US, *, paper: tuple[float, float, float, float] = ALONE
+) -> Figure:
     """Return the figure of a test from the model or from shots."""
-    height = HEADER + PANEL + FOOTER
-    figure = Figure(figsize=(WIDTH, height))
-    words, size = fitted(tested.bat.name, width=WIDTH - 2 * SIDE, size=HUGE)
-    figure.text(SIDE / WIDTH, 1 - 0.42 / height, words, size=size, weight="bold", parse_math=False)
+    width, header, panel, footer = paper
+    height = header + panel + footer
+    figure = Figure(figsize=(width, height))
+    if paper == ALONE:
+        _header(figure, tested, width, height)
     curve = _curve(tested)
     name = curve.measure.upper()
-    axes = axes_in_inches(figure, left=SIDE, top=HEADER, width=WIDTH - 2 * SIDE, height=PANEL)
+    axes = axes_in_inches(figure, left=SIDE, top=header, width=width - 2 * SIDE, height=panel)
     heading(axes, name, "along the barrel, on a bat at rest; the scale does not begin at 0")
     inch = reading.units["place"].size
     from_tip = (tested.bat.length - curve.position) / inch
@@ -88,15 +94,34 @@ def certification_figure(tested: TestedBat, reading: Reader = US) -> Figure:
         "Computed. Band: what the size of the ball's patch leaves open."
         if isinstance(tested.test, Certification) else "Measured: each dot is a place, the mean of its shots."
     )  # fmt: skip
+    figure.text(
+        SIDE / width,
+        (0.12 if paper == ALONE else 0.03) / height,
+        f"{kind} Orange dot: the best place.",
+        color=MUTED,
+        size=SMALL,
+    )
+    return figure
+
+
+def _header(figure: Figure, tested: TestedBat, width: float, height: float) -> None:
+    """Write whose test it is, with which ball, and how many rules it keeps."""
+    words, size = fitted(tested.bat.name, width=width - 2 * SIDE, size=HUGE)
+    figure.text(SIDE / width, 1 - 0.42 / height, words, size=size, weight="bold", parse_math=False)
     verdicts = ", ".join(
-        f"{sum(check.verdict is one for _, check in tested.checks)} {one.value}"
+        _counted(sum(check.verdict is one for _, check in tested.checks), one)
         for one in Verdict
         if any(check.verdict is one for _, check in tested.checks)
     )
-    figure.text(SIDE / WIDTH, 1 - 0.68 / height, f"{tested.ball.name}. {_capital(verdicts)}", color=MUTED, size=NORMAL,
+    figure.text(SIDE / width, 1 - 0.68 / height, f"{tested.ball.name}. {_capital(verdicts)}", color=MUTED, size=NORMAL,
                 parse_math=False)  # fmt: skip
-    figure.text(SIDE / WIDTH, 0.12 / height, f"{kind} Orange dot: the best place.", color=MUTED, size=SMALL)
-    return figure
+
+
+def _counted(count: int, verdict: Verdict) -> str:
+    told = {Verdict.PASS: ("passes", "pass"), Verdict.FAIL: ("fails", "fail"),
+            Verdict.NOT_APPLICABLE: ("does not apply", "do not apply")}  # fmt: skip
+    one, more = told.get(verdict, (verdict.value, verdict.value))
+    return f"{count} {one if count == 1 else more}"
 
 
 def _capital(verdicts: str) -> str:

@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
+
 from sweetspot.analysis.comparison import Compared, Comparison
+from sweetspot.calibration.draws.intervals import Reaches
 from sweetspot.catalog.sports import sport
 from sweetspot.catalog.swing_weights import swing_weight
 from sweetspot.equipment.bat import Bat
@@ -16,17 +19,22 @@ from sweetspot.report.bat.json import bat_json
 from sweetspot.report.certification.tested_bat import TestedBat
 from sweetspot.report.comparison.legality import legality_json, legality_table
 from sweetspot.report.comparison.words import INTERVAL_MEANS, assumptions, cork_verdict, verdict
-from sweetspot.report.document import Cell, Column, Document, Paragraph, Picture, Table
+from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Picture, Table
 from sweetspot.report.hit.json import conditions_json
 from sweetspot.report.json_shapes import as_columns, cleaned
 from sweetspot.report.quantities import Reader, reader
 from sweetspot.report.sentences import Slot, Words, read, within
+from sweetspot.units import INCH
 
 BBCOR_OF_PLAY = (
     "BBCOR in play is at this swing's closing speed. The number that rules limit is measured otherwise, in a test with "
     "the bat at rest{where}."
 )
 
+PLACES = INCH * np.array([1, 2, 3, 4, 5, 6, 7, 8, 10, 12])
+"""m from the tip; hits that are told one by one."""
+MOST_BY_PLACE = 3
+"""Bats beside the first whose columns fit a terminal; the picture draws any number."""
 WITH_RULES, WITHOUT = ", as in the table of the rules", "; `sweetspot certify` computes that one"
 
 
@@ -36,6 +44,7 @@ def comparison_document(
     corking: bool = False,
     interval_is: str = INTERVAL_MEANS,
     tested: Sequence[TestedBat] = (),
+    reaches: Reaches | None = None,
 ) -> Document:
     """Return a comparison as a document.
 
@@ -44,15 +53,17 @@ def comparison_document(
     corking : whether the bats are one bat unmodified, drilled, corked, ..., so that corking is answered too.
     interval_is : what the intervals hold, in words.
     tested : every bat held against the rules, in the comparison's order; none: no rules were asked.
+    reaches : of the intervals that the picture draws as bands, see `drawn_comparison`; None: none.
     """
     reference = comparison.reference.analysis
     its = sport(reference.bat.sport)
     reading, tool, number = reader(None, its.words), its.words.implement, len(comparison.compared)
     words = verdict(comparison) + (cork_verdict(comparison) if corking else [])
     picture = Picture(
-        "curves", lambda reading: _drawn(comparison, reading),
+        "curves", lambda reading: _drawn(comparison, reaches, reading),
         label=f"Outlines, exit speed along each {tool}, and the difference from the first one.",
         caption="Tips aligned. Boxes: sweet zones. Dots: best places.",
+        sheet=lambda reading: _drawn_sheet(comparison, reaches, reading),
     )  # fmt: skip
     notes: list[Words] = [
         assumptions(comparison, by_law=interval_is == INTERVAL_MEANS),
@@ -68,7 +79,7 @@ def comparison_document(
             *(Paragraph(note, "note") for note in notes),
         ],
         data=_data(comparison, [read(sentence, reading) for sentence in words], interval_is, tested),
-        rows=as_columns(comparison_rows(comparison)), reader=reading, drawing=picture,
+        rows=as_columns(comparison_rows(comparison)), reader=reading, drawing=picture, details=_by_place(comparison),
     )  # fmt: skip
 
 
@@ -92,7 +103,7 @@ def _things(compared: Sequence[Compared[Implement]]) -> Table:
     bat = compared[0].analysis.bat
     tool, convention = sport(bat.sport).words.implement, swing_weight(bat.sport)
     columns = [Column(tool), Column("mass", "mass"), Column("balance", "length")]
-    weighed = Column("MOI 6in", "moi") if isinstance(bat, Bat) else Column(convention.name, right=True)
+    weighed = Column("MOI", "moi") if isinstance(bat, Bat) else Column(convention.name, right=True)
     columns += [weighed, Column("f1", "frequency"), Column("q max", "ratio")]
     columns += [Column("BBCOR in play", "ratio")] if isinstance(bat, Bat) else []
     rows: list[list[Cell]] = []
@@ -108,7 +119,7 @@ def _things(compared: Sequence[Compared[Implement]]) -> Table:
         ]  # fmt: skip
         row += [Slot(one.bbcor, "ratio", of=f"{at}max_bbcor")] if isinstance(bat, Bat) else []
         rows.append(row)
-    return Table(f"The {tool}s", columns, rows)
+    return Table(f"The {tool}s", columns, rows, name="compared")
 
 
 def _in_play(compared: Sequence[Compared[Implement]]) -> Table:
@@ -128,13 +139,33 @@ def _in_play(compared: Sequence[Compared[Implement]]) -> Table:
         ]
         for number, one in enumerate(compared)
     ]  # fmt: skip
-    return Table("In play", columns, rows)
+    return Table("In play", columns, rows, name="compared")
 
 
-def _drawn(comparison: Comparison[Implement], reading: Reader) -> Any:
+def _by_place(comparison: Comparison[Implement]) -> list[Block]:
+    """Return what each place on a round bat gains beside the first bat, as the picture draws it; none for many bats."""
+    first, others = comparison.reference, comparison.compared[1:]
+    if not isinstance(first.analysis.bat, Bat) or not 0 < len(others) <= MOST_BY_PLACE:
+        return []
+    known = first.exit_speed_from_tip(PLACES)
+    changes = [one.exit_speed_from_tip(PLACES) - known for one in others]
+    columns = [
+        Column("hit from the tip", "place"), *(Column(f"{one.label},", "speed_change", sign=True) for one in others)
+    ]  # fmt: skip
+    rows: list[list[Cell]] = [list(map(float, row)) for row in zip(PLACES, *changes, strict=True)]
+    return [Table(f"Change by place, against {first.label}", columns, rows)]
+
+
+def _drawn(comparison: Comparison[Implement], reaches: Reaches | None, reading: Reader) -> Any:
     from sweetspot.report.comparison.picture import compare_figure
 
-    return compare_figure(comparison, reading)
+    return compare_figure(comparison, reading, reaches=reaches)
+
+
+def _drawn_sheet(comparison: Comparison[Implement], reaches: Reaches | None, reading: Reader) -> Any:
+    from sweetspot.report.comparison.picture import compare_sheet
+
+    return compare_sheet(comparison, reading, reaches=reaches)
 
 
 def comparison_json(

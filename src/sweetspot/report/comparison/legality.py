@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from sweetspot.analysis.certification.rules import Verdict, title
+from sweetspot.analysis.certification.rules import Check, Verdict, title
 from sweetspot.report.certification.limits_shown import limit_shown, value_shown
 from sweetspot.report.certification.numbers import check_json
 from sweetspot.report.certification.tested_bat import TestedBat
@@ -27,7 +27,7 @@ def legality_table(tested: Sequence[tuple[str, TestedBat]]) -> Table:
     """
     columns = [Column("bat"), Column("rules of"), Column("verdict"), Column("why")]
     rows: list[list[Cell]] = [[label, _leagues(one), verdict(one), reason(one)] for label, one in tested]
-    return Table("By the rules, as the model sees it; no certificate", columns, rows)
+    return Table("By the rules, as the model sees it; no certificate", columns, rows, name="compared")
 
 
 def legality_json(tested: TestedBat) -> dict[str, Any]:
@@ -50,15 +50,7 @@ def verdict(tested: TestedBat) -> Marked:
 def reason(tested: TestedBat) -> Sentence:
     """Return the rules that are broken; of a bat that breaks none the limit on its liveliness, and what stays open."""
     if tested.failed:
-        return joined(
-            [
-                say("{rule} ({league})", rule=title(check.rule), league=league.name)
-                if check.rule.quantity in NAMED
-                else say("{rule} {value}, allowed {limit}", rule=title(check.rule),
-                         value=value_shown(check.rule.quantity, check.value), limit=limit_shown(check))
-                for league, check in tested.failed
-            ], "; ",
-        )  # fmt: skip
+        return joined([_broken(league.name, check) for league, check in tested.failed], "; ")
     lively = [
         say("{rule} of the test {value}, allowed {limit}", rule=title(check.rule),
             value=value_shown(check.rule.quantity, check.value), limit=limit_shown(check))
@@ -67,6 +59,17 @@ def reason(tested: TestedBat) -> Sentence:
     ]  # fmt: skip
     left = [title(check.rule) for _, check in tested.checks if check.verdict is Verdict.NOT_DECIDABLE]
     return joined([*lively, *([say("open: {rules}", rules=", ".join(left))] if left else [])], "; ")
+
+
+def _broken(league: str, check: Check) -> Sentence:
+    """Return a broken rule with its league, since another league's rules may be kept, and whether it is close."""
+    if check.rule.quantity in NAMED:
+        return say("{rule} ({league})", rule=title(check.rule), league=league)
+    return say(
+        "{rule} of {league} {value}, allowed {limit}{close}", rule=title(check.rule), league=league,
+        value=value_shown(check.rule.quantity, check.value), limit=limit_shown(check),
+        close=" (close)" if check.reason.startswith("close") else "",
+    )  # fmt: skip
 
 
 def _leagues(tested: TestedBat) -> str:

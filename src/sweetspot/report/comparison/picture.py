@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
 from sweetspot.analysis.comparison import Compared, Comparison
+from sweetspot.calibration.draws.comparison_draws import CHANGE_ALONG
+from sweetspot.calibration.draws.intervals import Reach, Reaches
 from sweetspot.catalog.sports import sport
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
@@ -25,6 +29,7 @@ from sweetspot.report.pictures.style import (
     MUTED,
     NORMAL,
     PAPER,
+    SHEET,
     SMALL,
     axes_in_inches,
     fitted,
@@ -34,11 +39,14 @@ from sweetspot.report.pictures.style import (
 )
 from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY, US, Reader
 from sweetspot.report.sentences import within
+from sweetspot.report.sport_words import words_of
 
 WIDTH, SIDE, HEADER, CURVES, DIFFERENCES, ROW, BETWEEN, FOOTER = 8.0, 0.62, 1.05, 2.6, 1.3, 0.27, 0.5, 0.85
 """Inches of paper: page, margins, title, curves, differences, one bat's row of the zones, the gaps, the foot."""
-NAME_WIDTH = 2.3
-"""Inches of paper for a bat's name in its row."""
+ZOOMED = 0.2
+"""Inches of paper more where the curves have a ruler of their own."""
+NAME_WIDTH, NAMES_IN_A_ROW, MOST_OUTLINES = 2.3, 3, 3
+"""Inches of paper for a bat's name in its row; on a sheet, names side by side, and how many bats have outlines."""
 COLOURS = (INK, RED, BLUE, GREEN, ORANGE, PURPLE, SKY)
 DASHES: tuple[Any, ...] = ("solid", (0, (5, 1.5)), (0, (1.5, 1.2)))
 """The reference is drawn in ink; from the eighth bat on the colours come again, dashed."""
@@ -48,39 +56,91 @@ POINTS = 200
 
 
 @styled
-def compare_figure(comparison: Comparison[Implement], reading: Reader = US) -> Figure:
+def compare_figure(
+    comparison: Comparison[Implement], reading: Reader = US, *, reaches: Reaches | None = None
+) -> Figure:
     """Return the figure: outlines, exit speed, its difference from the first, and a row with zone and best place each.
 
     Parameters
     ----------
     reading : whose units.
+    reaches : of the intervals that are drawn as bands, see `drawn_comparison`; None: none.
     """
-    compared = comparison.compared
+    compared, known = comparison.compared, reaches or {}
     length = max(one.analysis.bat.length for one in compared)
     across = WIDTH - 2 * SIDE
     scale = ruler.metres_per_inch_of_paper(length, across)
     outlines = max(float(one.analysis.bat.width_at(_places(one)).max()) for one in compared) / scale + 0.1
     rows, differences = ROW * (len(compared) + 0.4), DIFFERENCES + BETWEEN if len(compared) > 1 else 0.0
-    height = HEADER + outlines + BETWEEN + CURVES + differences + BETWEEN + rows + FOOTER
+    zoomed = _window(compared, length) > 0
+    between = BETWEEN + (ZOOMED if zoomed else 0.0)
+    height = HEADER + outlines + BETWEEN + CURVES + differences + between + rows + FOOTER
     figure = Figure(figsize=(WIDTH, height))
     _header(figure, comparison, height, reading)
 
-    def panel(top: float, tall: float) -> Axes:
+    def panel(top: float, tall: float, *, whole: bool = False) -> Axes:
         axes = axes_in_inches(figure, left=SIDE, top=top, width=across, height=tall)
-        ruler.set_limits(axes, length)
+        start = 0.0 if whole else _window(compared, length)
+        axes.set_xlim(start - ruler.MARGIN * (length - start), length + ruler.MARGIN * (length - start))
         return axes
 
     top = HEADER + outlines + BETWEEN
-    _curves(panel(top, CURVES), compared, length, reading)
-    _zones(panel(top + CURVES + differences + BETWEEN, rows), compared, length, reading)
-    _outlines(panel(HEADER, outlines), compared, length, scale * outlines / 2)
+    lowest = panel(top, CURVES)
+    _curves(lowest, compared, length, reading)
+    _zones(panel(top + CURVES + differences + between, rows, whole=True), compared, length, reading)
+    _outlines(panel(HEADER, outlines, whole=True), compared, length, scale * outlines / 2)
     if differences:
-        _differences(panel(top + CURVES + BETWEEN, DIFFERENCES), compared, length, reading)
+        lowest = panel(top + CURVES + BETWEEN, DIFFERENCES)
+        _differences(lowest, compared, length, reading, known)
+    if zoomed:
+        ruler.show_from_tip(lowest, length, reading)
     words = (
         "Boxes: sweet zones. Dots: best places. Change: against the first. Hit straight on. Speeds do not begin at 0."
     )
+    if known:
+        words = words.replace("Hit straight on.", "Bands: 90 % intervals of it.")
     figure.text(SIDE / WIDTH, 0.12 / height, words, color=MUTED, size=SMALL)
     return figure
+
+
+@styled
+def compare_sheet(comparison: Comparison[Implement], reading: Reader = US, *, reaches: Reaches | None = None) -> Figure:
+    """Return `compare_figure` for a printed sheet, whose tables hold the zones' numbers: curves side by side."""
+    compared, side, tall, top = comparison.compared, 0.5, 1.3, 0.22
+    length, across = max(one.analysis.bat.length for one in compared), SHEET - 2 * side
+    scale = ruler.metres_per_inch_of_paper(length, across)
+    outlines = max(float(one.analysis.bat.width_at(_places(one)).max()) for one in compared) / scale + 0.1
+    drawn = len(compared) <= MOST_OUTLINES
+    names = 0.2 * math.ceil(len(compared) / NAMES_IN_A_ROW)
+    height = top + (outlines + 0.38 if drawn else 0.0) + tall + 0.42 + names
+    figure = Figure(figsize=(SHEET, height))
+    if drawn:
+        axes = axes_in_inches(figure, left=side, top=top, width=across, height=outlines)
+        ruler.set_limits(axes, length)
+        _outlines(axes, compared, length, scale * outlines / 2)
+        top += outlines + 0.38
+    note = f"{reading.unit('speed_change')}; above 0: faster"
+    panels: list[Callable[..., None]] = [_curves]
+    if len(compared) > 1:
+        panels.append(partial(_differences, reaches=reaches or {}, note=note))
+    wide = across / len(panels) - (0.25 if len(panels) > 1 else 0.0)
+    start = max(_window(compared, length), (1 - OUTER) * length)
+    for number, draw in enumerate(panels):
+        axes = axes_in_inches(figure, left=side + number * (wide + 0.5), top=top, width=wide, height=tall)
+        axes.set_xlim(start - 0.02 * (length - start), length + 0.02 * (length - start))
+        draw(axes, compared, length, reading)
+        ruler.show_from_tip(axes, length, reading)
+        axes.set_xlabel(from_the_tip(compared[0].analysis.bat, reading), labelpad=2)
+    lines = [Line2D([], [], color=_look(number)[0], linestyle=_look(number)[1]) for number in range(len(compared))]
+    labels = [fitted(one.label, width=2.0, size=SMALL, smallest=SMALL)[0].replace("$", r"\$") for one in compared]
+    figure.legend(lines, labels, loc="lower left", ncols=NAMES_IN_A_ROW, frameon=False, fontsize=SMALL, borderpad=0)
+    return figure
+
+
+def _window(compared: Sequence[Compared[Implement]], length: float) -> float:
+    """Return where the panels begin in m on the common axis: at the longest one's end, or where all faces do."""
+    return min(ruler.window(one.analysis.bat)[0] + length - one.analysis.bat.length
+               if ruler.is_zoomed(one.analysis.bat) else 0.0 for one in compared)  # fmt: skip
 
 
 def _header(figure: Figure, comparison: Comparison[Implement], height: float, reading: Reader) -> None:
@@ -109,14 +169,16 @@ def _outlines(axes: Axes, compared: Sequence[Compared[Implement]], length: float
             axes.fill(*ends, color=GRID, linewidth=0, zorder=0)
     axes.set_ylim(-half, half)
     axes.axis("off")
-    heading(axes, "Outlines", "to scale, tips aligned")
+    heading(axes, "Outlines", f"to scale, {words_of(compared[0].analysis.bat).tip}s aligned")
 
 
 def _curves(axes: Axes, compared: Sequence[Compared[Implement]], length: float, reading: Reader) -> None:
     ruler.show_from_tip(axes, length, reading, labels=False, grid=True)
     axes.yaxis.set_major_locator(MaxNLocator(nbins=6, prune="lower"))
     light_grid(axes, vertical=False)
-    heading(axes, "Exit speed", f"how fast the ball leaves, {reading.unit('speed')}")
+    words = words_of(compared[0].analysis.bat)
+    name = words.exit_speed[0].upper() + words.exit_speed[1:]
+    heading(axes, name, f"how fast the {words.ball} leaves, {reading.unit('speed')}")
     size = reading.units["speed"].size
     tops, lows = [], []
     for number, one in reversed(list(enumerate(compared))):  # the reference last, on top
@@ -132,31 +194,49 @@ def _curves(axes: Axes, compared: Sequence[Compared[Implement]], length: float, 
     axes.set_ylim(low - 0.05 * (top - low), top + 0.08 * (top - low))
 
 
-def _differences(axes: Axes, compared: Sequence[Compared[Implement]], length: float, reading: Reader) -> None:
+def _differences(
+    axes: Axes,
+    compared: Sequence[Compared[Implement]],
+    length: float,
+    reading: Reader,
+    reaches: Reaches,
+    note: str = "",
+) -> None:
     """Draw by how much the ball leaves faster than from the first one, equally far from the tip."""
     ruler.show_from_tip(axes, length, reading, labels=False, grid=True)
     axes.yaxis.set_major_locator(MaxNLocator(nbins=5, prune="upper"))
     light_grid(axes, vertical=False)
-    heading(
-        axes, "Difference from the first", f"equally far from the tip, {reading.unit('speed_change')}; above 0: faster"
-    )
+    far = f"equally far from the {words_of(compared[0].analysis.bat).tip}, {reading.unit('speed_change')}"
+    heading(axes, "Difference from the first", note or f"{far}; above 0: faster")
     size = reading.units["speed_change"].size
     places = np.linspace((1 - OUTER) * length, length, POINTS)
     axes.axhline(0, color=COLOURS[0], linewidth=1.0)
-    first, ends = _speed_at(compared[0], places, length), [0.0]
+    first, ends = compared[0].exit_speed_from_tip(length - places), [0.0]
     for number, one in enumerate(compared[1:], start=1):
-        difference, (colour, dash) = (_speed_at(one, places, length) - first) / size, _look(number)
+        difference, (colour, dash) = (one.exit_speed_from_tip(length - places) - first) / size, _look(number)
         axes.plot(places, difference, color=colour, linestyle=dash, linewidth=1.5)
-        ends += [float(np.nanmin(difference, initial=0.0)), float(np.nanmax(difference, initial=0.0))]
+        reach = _at(one, reaches.get(f"bats.{number}.{CHANGE_ALONG}"), places, length)
+        shown = [difference, *_band(axes, places, difference, reach, colour, size=size)]
+        ends += [float(np.nanmin(shown, initial=0.0)), float(np.nanmax(shown, initial=0.0))]
     room = 0.1 * (max(ends) - min(ends)) or 1.0
     axes.set_ylim(min(ends) - room, max(ends) + room)
 
 
-def _speed_at(compared: Compared[Implement], places: Array, length: float) -> Array:
-    """Return the exit speed at places on the common axis, nan beyond the scan."""
-    scan = compared.analysis.scan
-    along = scan.position + length - compared.analysis.bat.length
-    return np.interp(places, along, scan.exit_speed, left=np.nan, right=np.nan)
+def _band(axes: Axes, places: Array, curve: Array, reach: Reach | None, colour: str, *, size: float) -> list[Array]:
+    """Draw the interval around a curve, and return its ends; none where it has none."""
+    if reach is None:
+        return []
+    low, high = curve - reach.below / size, curve + reach.above / size
+    axes.fill_between(places, low, high, color=colour, alpha=0.15, linewidth=0, zorder=1.5, gid="band")
+    return [low, high]
+
+
+def _at(compared: Compared[Implement], reach: Reach | None, places: Array, length: float) -> Reach | None:
+    """Return an interval along a bat's scan at places on the common axis."""
+    if reach is None:
+        return None
+    along = compared.analysis.scan.position + length - compared.analysis.bat.length
+    return Reach(*(np.interp(places, along, side, left=np.nan, right=np.nan) for side in (reach.below, reach.above)))
 
 
 def _places(compared: Compared[Implement]) -> Array:

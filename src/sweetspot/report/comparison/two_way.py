@@ -16,25 +16,26 @@ from sweetspot.report.quantities import QUANTITIES, key
 from sweetspot.report.sentences import Sentence, Slot, joined, say
 
 REASONS_SHOWN = 5
-HEADINGS = {"exit_speed": "exit speed", "collision_efficiency": "q", "bbcor": "BBCOR", "bat_speed": "bat speed",
-            "mass": "mass", "balance_point": "balance", "moi": "MOI 6in", "frequency": "f1"}  # fmt: skip
+HEADINGS = {"exit_speed": "exit speed", "collision_efficiency": "q", "bbcor": "BBCOR in play", "bat_speed": "bat speed",
+            "mass": "mass", "balance_point": "balance", "moi": "MOI", "frequency": "f1"}  # fmt: skip
 """Short names of answers, where each has a column."""
-BBCOR_IS = "BBCOR is that in play, at this swing's closing speed; `sweetspot certify` computes that of the test."
+BBCOR_IS = "BBCOR in play is at this swing's closing speed; `sweetspot certify` computes that of the test."
 
 
-def two_way_document(table: TwoWay, answer: str) -> Document:
+def two_way_document(table: TwoWay, answer: str, bat: str = "") -> Document:
     """Return one answer as a table, and below it the reasons of cells that have none; of rows alone every answer.
 
     Parameters
     ----------
     answer : name of a field of `Answers`.
+    bat : whose table it is.
     """
     down = (table.rows.variation, table.rows.values)
     across = None if table.columns is None else (table.columns.variation, table.columns.values)
     grid = Grid(answer, down, across, table.values(answer))
     document = grid_document(
         grid, name="compare", kind="What if", data=_json(table), rows=as_columns(_rows(table)),
-        notes=[Bullets(_reasons(table))] if table.failures else [],
+        notes=[Bullets(_reasons(table))] if table.failures else [], title=bat,
     )  # fmt: skip
     return (
         document

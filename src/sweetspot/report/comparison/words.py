@@ -17,9 +17,9 @@ PUBLISHED_EFFICIENCY = (0.214, 0.193)
 """q of a whole and of the corked bat in the laboratory [nathan2011corked]."""
 PUBLISHED_BREAK_EVEN = 2.9 * MPH
 """m/s of bat speed that follows from these two at a 94 mph pitch and 70 mph of bat speed."""
-NOTHING = 0.005 * MPH
-"""m/s that no table shows."""
-INTERVAL_MEANS = "95 % of the spread of the swing law's exponent, and nothing else"
+NOTHING = 0.05 * MPH
+"""m/s that is told as 0.0 mph: no gain, no loss."""
+INTERVAL_MEANS = "90 % of the spread of the swing law's exponent, and nothing else"
 
 
 def verdict(comparison: Comparison[Implement]) -> list[Sentence]:
@@ -44,8 +44,8 @@ def wall_verdict(comparison: Comparison) -> list[Sentence]:
         say(
             "Where the ball hits best the wall is {thin} thick instead of {before} and rings at {rings} instead of "
             "{rang}. It takes {share} of the ball's energy instead of {shared} and gives {back} of that back in time; "
-            "what it takes, the ball does not lose. BBCOR there goes from {low} to {high}: the {size} wall is the "
-            "{temper} one.",
+            "what it takes, the ball does not lose. BBCOR in play there goes from {low} to {high}: the {size} wall is "
+            "the {temper} one.",
             thin=Slot(other.thickness, "compression", 2), before=Slot(first.thickness, "compression", 2),
             rings=Slot(other.hoop_frequency, "frequency"), rang=Slot(first.hoop_frequency, "frequency"),
             share=Slot(other.energy.share, "share", 1), shared=Slot(first.energy.share, "share", 1),
@@ -66,7 +66,9 @@ def assumptions(comparison: Comparison[Implement], *, by_law: bool = True) -> Se
     reference, law = comparison.reference.analysis, comparison.law
     words, conditions = sport(reference.bat.sport).words, reference.conditions
     tool, pitch = words.implement, conditions.pitch.speed
-    greatest = "q and BBCOR are the greatest on the barrel" if isinstance(reference.bat, Bat) else "q is the greatest"
+    greatest = (
+        "q and BBCOR in play are the greatest on the barrel" if isinstance(reference.bat, Bat) else "q is the greatest"
+    )
     text = say(
         "The {ball} {comes}. The {tool}'s speed is that {place} from the {tip}; {greatest} at this swing's closing "
         "speed. Break-even: the {tool} speed with which the ball leaves as fast as from the first {tool}.",
@@ -107,7 +109,7 @@ def _sentence(compared: Compared[Implement], first: Compared[Implement], index: 
         much = replace(_change(abs(faster)), of=of)
         swung = say("swung {speed} {way}, ", speed=much, way="faster" if faster > 0 else "slower")
     text = say("{label}: {swung}the ball leaves ", label=compared.label, swung=swung)
-    if max(abs(change.low), abs(change.high)) < NOTHING:
+    if max(abs(change.value), abs(change.low) / 3, abs(change.high) / 3) < NOTHING:
         return text + f"as fast as from {first.label}."
     text += say("{speed} {way}", speed=_change(abs(change.value)), way="faster" if change.value > 0 else "slower")
     if change.low < change.high:
@@ -155,7 +157,8 @@ def _beside_published(first: Compared[Implement], corked: Compared[Implement]) -
     return say(
         "Predicted and published: the greatest q falls from {before} to {now}, by {fall}; in the laboratory it fell "
         "from {whole} to {after}, by {fell}, for another bat. At a {pitch} pitch and {bat} of bat speed the published "
-        "q values need {needed} to break even. BBCOR changes by {bbcor}: no trampoline. Nothing was fitted to these.",
+        "q values need {needed} to break even. BBCOR in play changes by {bbcor}: no trampoline. Nothing was fitted to "
+        "these.",
         before=Slot(before, "ratio"), now=Slot(now, "ratio"), fall=Slot(before - now, "ratio"),
         whole=Slot(whole, "ratio"), after=Slot(after, "ratio"), fell=Slot(whole - after, "ratio"),
         pitch=Slot(94 * MPH, "speed", 0), bat=Slot(70 * MPH, "speed", 0),
@@ -171,6 +174,6 @@ def _papers_argument(first: Compared[Implement], corked: Compared[Implement]) ->
         "pressed in further by less force, not more. Here the peak force goes from {force} to {less} and contact from "
         "{time} to {longer}. What counts is mass: a lighter barrel is pushed back more and returns less speed to the "
         "ball.",
-        force=Slot(before.peak_force, "force").bare, less=Slot(after.peak_force, "force"),
+        force=Slot(before.peak_force, "blow").bare, less=Slot(after.peak_force, "blow"),
         time=Slot(before.contact_time, "contact").bare, longer=Slot(after.contact_time, "contact"),
     )  # fmt: skip

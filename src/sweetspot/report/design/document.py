@@ -56,7 +56,7 @@ def design_document(design: Designed, *, complete: bool = True) -> Document:
     picture = Picture(
         "design", partial(_drawn, design),
         label="The design's outline, its difference from the present bat, and the front.",
-        caption="Band: two of one shape, 95 %. Grey: where the ball is met.",
+        caption="Band: two of one shape, 90 %. Grey: where the ball is met.",
     )  # fmt: skip
     notes: list[Words] = [_assumed(design)]
     if not complete:
@@ -167,7 +167,7 @@ def _materials(design: Designed) -> list[Block]:
 def _short(name: str) -> str:
     return {
         "exit_speed": "exit speed", "zone": "zone", "sting": "sting", "best": "greatest", "best_from_tip": "best place",
-        "swing_time": "time", "moi": "MOI 6in", "diameter": "thickest", "durability": "durability",
+        "swing_time": "time", "moi": "MOI", "diameter": "thickest", "durability": "durability",
     }.get(name, MEASURES[name].label)  # fmt: skip
 
 

@@ -13,7 +13,7 @@ from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.measures import MEASURES
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
-from sweetspot.motion.swing_law import TWO_SIDED_95
+from sweetspot.numerics.confidence import REACH
 from sweetspot.report.pictures import ruler
 from sweetspot.report.pictures.style import (
     GRID,
@@ -33,8 +33,8 @@ from sweetspot.report.quantities import BLUE, RED, US, Reader
 WIDTH, SIDE, HEADER, OUTLINES, CURVES, FRONT, BETWEEN, FOOTER = 8.0, 0.7, 0.95, 0.75, 2.1, 2.9, 0.62, 0.55
 """Inches of paper: page, margins, title, outlines, curves, front, gaps, foot."""
 POINTS, MOST_BATS = 160, 9
-BAT_LENGTH = 0.17
-"""Of the front's width, that a small bat is long."""
+BAT_LENGTH, SLIM = 0.17, 0.08
+"""Of the front's width, that a small bat is long; and half a width over a length up to which it is a slim one."""
 
 
 @styled
@@ -89,7 +89,7 @@ def _outlines(axes: Axes, design: Designed, length: float) -> None:
         axes.plot(along + shift, half, color=colour, linewidth=1.3)
     axes.set_aspect("equal")
     axes.axis("off")
-    heading(axes, "Outlines", "to scale, tips aligned; grey: present, red: design")
+    heading(axes, "Outlines", "to scale, tips aligned; grey: present, orange: design")
 
 
 def _difference(axes: Axes, design: Designed, length: float, reading: Reader) -> None:
@@ -101,7 +101,7 @@ def _difference(axes: Axes, design: Designed, length: float, reading: Reader) ->
     axes.set_xticks(length - counts * unit.size, [f"{count:.0f}" for count in counts])
     axes.yaxis.set_major_locator(MaxNLocator(nbins=6))
     light_grid(axes)
-    band = TWO_SIDED_95 * gain.noise / size
+    band = REACH * gain.noise / size
     axes.fill_between(places, -band, band, color=ZONE, linewidth=0, zorder=0)
     axes.axhline(0, color=INK, linewidth=0.9)
     axes.plot(places, gain.curve / size, color=RED, linewidth=1.8)
@@ -143,11 +143,14 @@ def _front(axes: Axes, design: Designed, reading: Reader) -> None:
     some = sorted({*np.linspace(0, len(x) - 1, min(MOST_BATS, len(x))).round().astype(int).tolist(), design.picked})
     across, up = np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim())
     scale = BAT_LENGTH * across / design.bat.length
-    upright = scale * (up / across) * (WIDTH - 2 * SIDE) / FRONT * 1.8  # thicker than true, to be seen
+    wide = float(np.max(_contour(design.bat)[1]))
+    thicker = 1.8 if wide < SLIM * design.bat.length else 1.0  # than true: a slim one, to be seen
+    upright = scale * (up / across) * (WIDTH - 2 * SIDE) / FRONT * thicker
     drawn: list[tuple[float, float]] = []
     for row in some:
         if row != design.picked and any(
-            abs(x[row] - a) < 0.6 * BAT_LENGTH * across and abs(y[row] - b) < 0.07 * up for a, b in drawn
+            abs(x[row] - a) < 0.6 * BAT_LENGTH * across and abs(y[row] - b) < max(0.07 * up, 1.6 * upright * wide)
+            for a, b in drawn
         ):
             continue  # one bat would hide another
         drawn.append((float(x[row]), float(y[row])))
@@ -156,8 +159,8 @@ def _front(axes: Axes, design: Designed, reading: Reader) -> None:
         axes.fill(
             x[row] + scale * (along - along.max() / 2), y[row] + upright * half, color=colour, alpha=0.85, linewidth=0
         )
-        axes.annotate(str(row + 1), (x[row], y[row]), xytext=(0, 8), textcoords="offset points", ha="center",
-                      color=colour, size=SMALL)  # fmt: skip
+        axes.annotate(str(row + 1), (x[row], y[row] + upright * wide), xytext=(0, 3), textcoords="offset points",
+                      ha="center", color=colour, size=SMALL)  # fmt: skip
     axes.set_xlabel(f"{MEASURES[wants[0]].label}, {reading.unit(scales[0])}")
     axes.set_ylabel(f"{MEASURES[wants[1]].label}, {reading.unit(scales[1])}")
-    heading(axes, "The front", "none of these is better in everything; red: the one told about")
+    heading(axes, "The front", "none of these is better in everything; orange: the one told about")

@@ -50,7 +50,7 @@ def tolerance_words(design: Designed) -> Sentence | None:
     measures = design.bench.measured(thicker)
     return say(
         "Tolerance: ± {tolerance} of diameter. Thicker by that all along, the bat weighs {mass} more, its moment of "
-        "inertia about 6 in grows by {moi} and the exit speed over these contacts changes by {speed}.",
+        "inertia grows by {moi} and the exit speed over these contacts changes by {speed}.",
         tolerance=Slot(TOLERANCE, "length", 3),
         mass=Slot(float(measures.values["mass"][0]) - design.value("mass"), "mass"),
         moi=Slot(float(measures.values["moi"][0]) - design.value("moi"), "moi"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from sweetspot.analysis.certification.rules import Verdict, title
+from sweetspot.analysis.sweet_spot import ZONE_LOSS
 from sweetspot.catalog.sports import sport
 from sweetspot.design.answer import Designed
 from sweetspot.design.contacts import FROM_TIP
@@ -13,7 +14,7 @@ from sweetspot.design.gain import Verdict as GainVerdict
 from sweetspot.design.variables import DENSITY_SPREAD, MODULUS_SPREAD
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.report.sentences import Sentence, Slot, joined, say
-from sweetspot.units import INCH
+from sweetspot.units import INCH, grouped
 
 STILL = 0.02 * INCH
 """m below which a place does not move for anybody."""
@@ -36,7 +37,8 @@ def moved_words(design: Designed) -> Sentence:
         way = "towards the hands" if gain.shift > 0 else "towards the tip"
         place = say("The best place moves {shift} {way}", shift=Slot(abs(gain.shift), "length"), way=way)
     zone = say(
-        ", to {place} from the tip; the zone within 3 mph of the best is {width} wide, {wider} {more}.",
+        ", to {place} from the tip; the zone within {near} of the best is {width} wide, {wider} {more}.",
+        near=Slot(ZONE_LOSS, "speed", round=True),
         place=Slot(design.value("best_from_tip"), "place"), width=Slot(design.value("zone"), "place"),
         wider=Slot(abs(gain.wider), "length"), more="wider" if gain.wider >= 0 else "narrower",
     )  # fmt: skip
@@ -48,8 +50,8 @@ def worth_words(design: Designed) -> Sentence:
     """Return what the design is worth to this batter, beside what could hide it."""
     gain, batter = design.gain, design.bench.batter
     first = say(
-        "For contacts around {place} from the tip the ball leaves {gain} on average, give or take {doubt}: {verdict}; "
-        "faster in {odds} of 100 such pairs.",
+        "For contacts around {place} from the tip the ball leaves {gain} on average, give or take {doubt} (90 %): "
+        "{verdict}; faster in {odds} of 100 such pairs.",
         place=Slot(batter.mean_contact, "place"), gain=_faster(gain.expected), doubt=Slot(gain.doubt, "speed_change"),
         verdict=gain.verdict.value, odds=f"{min(99, max(1, round(100 * gain.odds)))}",
     )  # fmt: skip
@@ -78,7 +80,7 @@ def _balls(design: Designed) -> list[Sentence]:
 def _about(count: int) -> str:
     """Return a number of balls to two digits, upwards."""
     unit = 10 ** max(0, len(str(count)) - 2)
-    return f"{-(-count // unit) * unit:,}"
+    return grouped(-(-count // unit) * unit)
 
 
 def _faster(change: float) -> Sentence:
@@ -125,7 +127,7 @@ def _doubts(design: Designed) -> Sentence:
 
 
 def _spread(part: float) -> Sentence:
-    return say("± {part}", part=Slot(part, "share"))
+    return say("{part}", part=Slot(part, "share"))
 
 
 def warning_words(design: Designed) -> Sentence:

@@ -27,7 +27,7 @@ def drop_document(rebound: Rebound, *, fired: bool) -> Document:
     if rebound.deflection > rebound.block.thickness:
         bent = say(
             "Beware: the block gives way by {deflection}, more than its thickness: real plates are stiffer then.",
-            deflection=Slot(rebound.deflection, "compression", of="deflection_m"),
+            deflection=Slot(rebound.deflection, "pressed", of="deflection_m"),
         )
         blocks.append(Paragraph(bent, "warning"))
     return Document(
@@ -77,7 +77,7 @@ def _rows(rebound: Rebound, *, fired: bool) -> list[tuple[Cell, Cell]]:
     block, impact = rebound.block, rebound.impact
     made_of = say(
         "{material}, {thickness} thick, {mass}, {support}", material=block.material.name,
-        support=SUPPORTS[block.support], thickness=Slot(block.thickness, "compression"),
+        support=SUPPORTS[block.support], thickness=Slot(block.thickness, "pressed"),
         mass=Slot(block.mass, "mass", of="block_mass_kg"),
     )  # fmt: skip
     rows: list[tuple[Cell, Cell]] = [
@@ -87,18 +87,18 @@ def _rows(rebound: Rebound, *, fired: bool) -> list[tuple[Cell, Cell]]:
     ]
     if not fired:
         still = rebound.terminal == math.inf
-        air = "none" if still else say("carries it at {speed}", speed=Slot(rebound.terminal, "speed"))
+        air: Cell = "none, no air" if still else Slot(rebound.terminal, "speed", of="terminal_speed_m_s")
         rows += [
             ("falls from", Slot(rebound.fall_height, "place")),
             ("comes back to", Slot(rebound.rebound, "place", of="rebound_height_m")),
-            ("air", air),
+            ("terminal speed in the air", air),
         ]
     rows += [
         ("restitution e", Slot(rebound.restitution, "ratio", 4, of="restitution")),
         ("energy kept by the ball", Slot(rebound.energy_kept, "share", 1, of="energy_kept")),
         ("energy the block would hold, pressed slowly", Slot(rebound.share, "share", 2, of="block_share")),
         ("contact time", Slot(impact.contact_time, "contact", 2, of="contact_time_s")),
-        ("peak force", Slot(impact.peak_force, "force", 2, of="peak_force_n")),
+        ("peak force", Slot(impact.peak_force, "weight", of="peak_force_n")),
     ]
     for name, joules in _ledger(impact.energy).items():
         size = say(

@@ -10,7 +10,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.sport import Sport
 from sweetspot.flight.court_marks import Passage, passages
 from sweetspot.flight.trajectory import Flight, FlightOutcome
-from sweetspot.report.flight.words import flight_words
+from sweetspot.report.flight.words import flight_words, from_the_hit
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.sentences import Sentence, Slot, joined, say
 
@@ -35,13 +35,17 @@ def _mark_json(passage: Passage) -> dict[str, Any]:
     }
 
 
-def court_words(flight: Flight, sport: Sport, *, ball: Ball) -> Sentence:
-    """Return a flight and what it is on this sport's court or field, in sentences."""
+def court_words(flight: Flight, sport: Sport, *, ball: Ball, from_plate: bool = False) -> Sentence:
+    """Return a flight and what it is on this sport's court or field, in sentences.
+
+    Parameters
+    ----------
+    from_plate : whether the carry counts from home plate, or from where the ball was hit.
+    """
     if flight.outcome is not FlightOutcome.LANDED:
         return flight_words(flight, at="")
-    start = flight.positions[0]
-    reached = math.hypot(flight.landing.position[0] - start[0], flight.landing.position[1] - start[1])
-    return joined([flight_words(flight, carry=reached, at=""), *_sentences(passages(flight, sport.marks, ball=ball))])
+    told = flight_words(flight, carry=None if from_plate else from_the_hit(flight), at="")
+    return joined([told, *_sentences(passages(flight, sport.marks, ball=ball))])
 
 
 def _sentences(passed: Sequence[Passage]) -> list[Sentence]:

@@ -25,14 +25,16 @@ from sweetspot.report.flight.words import (
     direction_words,
     flight_json,
     flight_words,
+    from_the_hit,
     landing_json,
     landing_words,
     launch_words,
     path_columns,
+    wind_words,
 )
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.quantities import Reader, reader
-from sweetspot.report.sentences import Sentence, Slot, joined, say
+from sweetspot.report.sentences import Sentence, Slot, Words, joined, say
 from sweetspot.units import DEGREE
 
 BALLPARKS = ("baseball", "softball", "slow-pitch", "youth-baseball")
@@ -116,15 +118,16 @@ def batted_flight(
 
 def batted_document(flown: BattedFlight) -> Document:
     """Return a batted ball's flight as a document."""
+    picture = _picture(flown.flight, flown.park, ballpark=flown.sport.key in BALLPARKS, note=_note(flown))
     return Document(
         name="fly", title="", kind="Flight",
         blocks=[
             Paragraph(_words(flown)),
-            _picture(flown.flight, flown.park),
+            picture,
             Paragraph(_weather(flown), "note"),
         ],
         data=_json(flown), rows=path_columns(flown.flight), reader=reader(None, flown.sport.words),
-        drawing=_picture(flown.flight, flown.park),
+        drawing=picture,
     )  # fmt: skip
 
 
@@ -133,7 +136,9 @@ def flight_document(flight: Flight) -> Document:
     words = say("A ball leaves {launch}.", launch=launch_words(flight.launch))
     return Document(
         name="flight", title="", kind="Flight",
-        blocks=[Paragraph(joined([words, flight_words(flight, at=""), _bend(flight)])), _picture(flight, None)],
+        blocks=[
+            Paragraph(joined([words, flight_words(flight, at=""), _bend(flight, windy=True)])), _picture(flight, None),
+        ],
         data=flight_json(flight), rows=path_columns(flight), drawing=_picture(flight, None),
     )  # fmt: skip
 
@@ -153,6 +158,8 @@ def _json(flown: BattedFlight) -> dict[str, Any]:
         "air_density_kg_m3": flown.hit.air.density,
         **flight_json(flown.flight),
     }
+    if flown.sport.key not in BALLPARKS and flown.flight.outcome is FlightOutcome.LANDED:
+        answer["carry_m"] = from_the_hit(flown.flight)
     if flown.spread:
         answer["carry_spread_m"] = flown.spread
     if flown.park is not None and flown.landing is not None:
@@ -167,11 +174,12 @@ def _json(flown: BattedFlight) -> dict[str, Any]:
 def _words(flown: BattedFlight) -> Sentence:
     hit = flown.hit
     usual = " (what such hits usually have)" if hit.backspin is None and hit.sidespin is None else ""
-    launch = launch_words(flown.flight.launch, ballpark=flown.sport.key in BALLPARKS)
+    at_plate = flown.sport.key in BALLPARKS
+    launch = launch_words(flown.flight.launch, ballpark=at_plate)
     sentences = [say("A ball leaves {launch}{usual}.", launch=launch, usual=usual)]
     if flown.sport.key != "baseball":
-        return joined([*sentences, court_words(flown.flight, flown.sport, ball=flown.ball)])
-    sentences += [flight_words(flown.flight, at=""), _bend(flown.flight)]
+        return joined([*sentences, court_words(flown.flight, flown.sport, ball=flown.ball, from_plate=at_plate)])
+    sentences += [flight_words(flown.flight, at=""), _bend(flown.flight, windy=bool(flown.hit.wind_speed))]
     if flown.spread:
         sentences.append(
             say(
@@ -193,13 +201,14 @@ def _words(flown: BattedFlight) -> Sentence:
     return joined(sentences)
 
 
-def _bend(flight: Flight) -> Sentence:
+def _bend(flight: Flight, *, windy: bool) -> Sentence:
     """Return where the ball comes down, if the air has bent its path by a degree or more."""
     bent = flight.bearing - flight.launch.spray
     if flight.outcome is not FlightOutcome.LANDED or abs(bent) < DEGREE:
         return Sentence(())
     return say(
-        "Its spin and the wind bend it {angle} to the {side}: it lands {where}.",
+        "Its spin {bend} it {angle} to the {side}: it lands {where}.",
+        bend="and the wind bend" if windy else "bends",
         angle=Slot(abs(bent), "angle", digits=0), side="right" if bent > 0 else "left",
         where=direction_words(flight.bearing),
     )  # fmt: skip
@@ -211,23 +220,31 @@ def _weather(flown: BattedFlight) -> Sentence:
     wind = say("still, under the roof" if roofed else "no wind")
     if hit.wind_speed:
         blowing = Slot(hit.wind_speed, "speed", digits=0)
-        where = direction_words(hit.wind_direction, ballpark=flown.sport.key in BALLPARKS)
+        where = wind_words(hit.wind_direction, ballpark=flown.sport.key in BALLPARKS)
         wind = say("wind {speed} {where}", speed=blowing, where=where)
     return say(
         "Air {temperature}, {humidity} humid, {elevation} above the sea: {density}; {wind}.",
         temperature=Slot(hit.temperature, "temperature"), humidity=Slot(hit.humidity, "share"),
-        elevation=Slot(hit.elevation, "distance", digits=0), density=Slot(hit.air.density, "density"), wind=wind,
+        elevation=Slot(hit.elevation, "elevation"), density=Slot(hit.air.density, "air_density", 4), wind=wind,
     )  # fmt: skip
 
 
-def _picture(flight: Flight, park: Park | None) -> Picture:
+def _note(flown: BattedFlight) -> Sentence:
+    """Return the air and what came of the hit, for the head of its picture."""
+    if flown.park is None or flown.landing is None:
+        return _weather(flown)
+    return joined([_weather(flown), landing_words(flown.landing, flown.park)])
+
+
+def _picture(flight: Flight, park: Park | None, *, ballpark: bool = True, note: Words = "") -> Picture:
     return Picture(
-        "path", partial(_drawn, flight, park), label="The path of the ball from the side and from above.",
+        "path", partial(_drawn, flight, park, ballpark, note),
+        label="The path of the ball from the side and from above.",
         caption="A dot every second.",
     )  # fmt: skip
 
 
-def _drawn(flight: Flight, park: Park | None, reading: Reader) -> Any:
+def _drawn(flight: Flight, park: Park | None, ballpark: bool, note: Words, reading: Reader) -> Any:
     from sweetspot.report.flight.picture import flight_figure
 
-    return flight_figure(flight, park, reading)
+    return flight_figure(flight, park, reading, ballpark=ballpark, note=note)

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from sweetspot.flight.park import FOUL_LINE, Park, fence_at
-from sweetspot.report.pictures.style import INK, MUTED, halo, styled
+from sweetspot.report.pictures.style import INK, LARGE, MUTED, halo, styled
 from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY, US, Reader
 from sweetspot.units import FOOT
 
@@ -26,28 +26,32 @@ REACH = 440 * FOOT
 
 
 @styled
-def parks_figure(parks: Sequence[Park], named: Sequence[Park] = (), reading: Reader = US) -> Figure:
+def parks_figure(
+    parks: Sequence[Park], named: Sequence[Park] = (), reading: Reader = US, *, size: tuple[float, float] = (7.0, 5.6)
+) -> Figure:
     """Return many fences laid over each other, those in ``named`` in colour with their heights as thickness.
 
     Parameters
     ----------
     parks : drawn thin and grey.
     named : up to six, drawn in colour and with names.
+    size : inches of paper.
     """
-    figure = Figure(figsize=(7.0, 5.6), layout="constrained")
+    figure = Figure(figsize=size, layout="constrained")
     axes = figure.subplots()
     draw_field(axes, reading)
     for park in parks:
         draw_fence(axes, park, colour=MUTED, alpha=0.35, reading=reading)
     for park, colour in zip(named, COLOURS, strict=False):
         draw_fence(axes, park, colour=colour, thick=True, label=park.name, reading=reading)
+    heading = ", ".join(park.name for park in named) if len(named) == 1 else f"Fences of {len(parks)} parks"
+    figure.suptitle(heading, x=0.02, ha="left", weight="bold", size=LARGE, parse_math=False)
     if named:
+        others = "the others" if set(named) <= set(parks) else "those of the Major Leagues"
         axes.legend(
-            loc="lower left",
-            frameon=False,
-            title="line as thick as the wall is high; grey: the others",
+            loc="lower left", frameon=False, title=f"line as thick\nas the wall is high;\ngrey: {others}",
             alignment="left",
-        )
+        )  # fmt: skip
     return figure
 
 
@@ -67,15 +71,11 @@ def draw_field(axes: Axes, reading: Reader = US, *, small: bool = False) -> None
     turn = np.linspace(-FOUL_LINE, FOUL_LINE, 91)
     for ring in (SMALL_RINGS if small else RINGS)[reading.unit("distance")]:
         axes.plot(ring * np.sin(turn), ring * np.cos(turn), color=MUTED, linewidth=0.5, linestyle=":")
+        end = ring * math.sin(FOUL_LINE)
         axes.annotate(
-            f"{ring} {reading.unit('distance')}",
-            (0, ring),
-            size=6.5,
-            color=MUTED,
-            ha="center",
-            va="center",
-            path_effects=halo(2),
-        )
+            f"{ring} {reading.unit('distance')}", (end, end), xytext=(4, -1), textcoords="offset points", size=6.5,
+            color=MUTED, va="top", path_effects=halo(2),
+        )  # fmt: skip
     axes.set(aspect="equal", xlim=(-0.7 * REACH / unit, 0.7 * REACH / unit), ylim=(-0.02 * REACH / unit, REACH / unit))
     axes.axis("off")
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import textwrap
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -11,34 +13,73 @@ from matplotlib.figure import Figure
 from sweetspot.flight.fence import landing
 from sweetspot.flight.park import Park
 from sweetspot.flight.trajectory import Flight
+from sweetspot.numerics.arrays import Array
 from sweetspot.report.flight.park_picture import draw_fence, draw_field
+from sweetspot.report.flight.words import from_the_hit
 from sweetspot.report.pictures.style import INK, LARGE, MUTED, SMALL, halo, heading, light_grid, styled
 from sweetspot.report.quantities import GREEN, RED, US, Reader
+from sweetspot.report.sentences import Words, read
 from sweetspot.units import FOOT
 
+LEAST = (150 * FOOT, 60 * FOOT)
+"""m of a ballpark that are drawn at least, along and up."""
 SMALL_FIELD = 260 * FOOT
 """m to the fence in centre field; youth fields are smaller."""
 MARKS = 1.0
 """s between the dots on a path."""
+LINE = 125
+"""Letters of small print in a line."""
 
 
 @styled
-def flight_figure(flight: Flight, park: Park | None = None, reading: Reader = US) -> Figure:
-    """Return a flight from the side and from above."""
-    figure = Figure(figsize=(8.0, 6.6), layout="constrained")
-    side, above = figure.subplots(2, 1, height_ratios=(1, 2.4))
-    draw_side(side, flight, park, reading)
-    draw_above(above, flight, park, reading)
+def flight_figure(
+    flight: Flight, park: Park | None = None, reading: Reader = US, *, ballpark: bool = True, note: Words = ""
+) -> Figure:
+    """Return a flight from the side and from above.
+
+    Parameters
+    ----------
+    note : below the title: the air, and what came of it.
+    ballpark : whether it is seen over a field with bases, as baseball's and softball's are, or along its own way.
+    """
+    figure = Figure(figsize=(8.0, 6.6 if ballpark else 4.4), layout="constrained")
+    lines = textwrap.wrap(read(note, reading), LINE)
+    above = (0.35 + 0.15 * len(lines)) / figure.get_figheight()
+    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - above))  # type: ignore[union-attr, call-arg]
+    if not ballpark:
+        flight = _from_the_hit(flight)
+    side, above = figure.subplots(2, 1, height_ratios=(1, 2.4 if ballpark else 1))
+    draw_side(side, flight, park, reading, least=LEAST if ballpark else (0.0, 0.0))
+    if ballpark:
+        draw_above(above, flight, park, reading)
+    else:
+        draw_along(above, flight, reading)
     launch = flight.launch
-    words = f"{reading.shown(launch.speed, 'speed')}, {reading.shown(launch.launch_angle, 'angle', digits=0)} up"
+    angle = reading.shown(abs(launch.launch_angle), "angle", digits=0)
+    words = f"{reading.shown(launch.speed, 'speed')}, {angle} {'up' if launch.launch_angle >= 0 else 'down'}"
     words += f": {reading.shown(flight.carry, 'distance')} in {reading.shown(flight.hang_time, 'time')}"
-    figure.suptitle(words, x=0.02, ha="left", weight="bold", size=LARGE)
+    tall = figure.get_figheight()
+    figure.text(0.02, 1 - 0.24 / tall, words, weight="bold", size=LARGE)
+    figure.text(0.02, 1 - 0.34 / tall, "\n".join(lines), color=MUTED, size=SMALL, va="top", parse_math=False)
     return figure
 
 
-def draw_side(axes: Axes, flight: Flight, park: Park | None = None, reading: Reader = US) -> None:
-    """Draw height against distance over the ground, to scale, with the fence where the ball passes it."""
-    unit, foot = reading.units["distance"].size, FOOT / reading.units["distance"].size
+def _from_the_hit(flight: Flight) -> Flight:
+    """Return a flight whose way over the ground begins at 0, where no home plate is to count from."""
+    there = flight.launch.position * np.array([1.0, 1.0, 0.0])
+    return replace(flight, positions=flight.positions - there, carry=from_the_hit(flight))
+
+
+def draw_side(
+    axes: Axes, flight: Flight, park: Park | None = None, reading: Reader = US, *, least: tuple[float, float] = LEAST
+) -> None:
+    """Draw height against distance over the ground, to scale, with the fence where the ball passes it.
+
+    Parameters
+    ----------
+    least : m along and up that are drawn at least.
+    """
+    unit = reading.units["distance"].size
     shown = partial(reading.shown, scale="distance")
     right, out, up = flight.positions.T / unit
     over_ground = np.hypot(right, out)
@@ -53,14 +94,15 @@ def draw_side(axes: Axes, flight: Flight, park: Park | None = None, reading: Rea
         )  # fmt: skip
     if park is not None and (met := landing(flight.positions, park)).outcome != "foul":
         distance, height = park.distance_at(met.direction), park.height_at(met.direction)
-        over = bool(over_ground[-1] > distance / unit)  # the ball comes down where the label would stand
+        there = float(np.interp(distance / unit, over_ground, up, right=0.0))
+        rises = distance / unit < over_ground[top]  # the label stands above the path, on the side where that is lower
         axes.plot(
             [distance / unit, distance / unit], [0, height / unit], color=GREEN, linewidth=3, solid_capstyle="butt"
         )
         axes.annotate(
-            f"{shown(distance)},\n{shown(height)} high", (distance / unit, height / unit),
-            xytext=(-5 if over else 5, 2), textcoords="offset points", size=SMALL, color=GREEN,
-            ha="right" if over else "left", va="bottom" if over else "center", path_effects=halo(),
+            f"{shown(distance)},\n{shown(height)} high", (distance / unit, max(height / unit, there)),
+            xytext=(-3 if rises else 3, 4), textcoords="offset points", size=SMALL, color=GREEN,
+            ha="right" if rises else "left", va="bottom", path_effects=halo(),
         )  # fmt: skip
     axes.axhline(0, color=INK, linewidth=0.8)
     heading(axes, "From the side", "to scale; a dot every second")
@@ -69,8 +111,9 @@ def draw_side(axes: Axes, flight: Flight, park: Park | None = None, reading: Rea
         ylabel=f"height ({reading.unit('distance')})",
         aspect="equal",
     )
-    axes.set_ylim(0, max(60.0 * foot, 1.15 * float(up.max())))
-    axes.set_xlim(right=max(150.0 * foot, 1.14 * float(over_ground.max()), axes.get_xlim()[1]))
+    far = max(1.14 * float(over_ground.max()), axes.get_xlim()[1])
+    axes.set_ylim(0, max(least[1] / unit, 1.15 * float(up.max()), 0.14 * far))
+    axes.set_xlim(right=max(least[0] / unit, far))
     light_grid(axes)
 
 
@@ -82,7 +125,7 @@ def draw_above(axes: Axes, flight: Flight, park: Park | None = None, reading: Re
         draw_fence(axes, park, colour=GREEN, thick=True, reading=reading)
     unit, foot = reading.units["distance"].size, FOOT / reading.units["distance"].size
     right, out, _ = flight.positions.T / unit
-    axes.plot(right, out, color=RED)
+    _draw_way(axes, right, out, flight, reading)
     reach = max((190.0 if small else 310.0) * foot, 1.1 * float(np.abs(right).max()))
     axes.set(
         xlim=(-reach, reach),
@@ -91,11 +134,32 @@ def draw_above(axes: Axes, flight: Flight, park: Park | None = None, reading: Re
             max((270.0 if small else 440.0) * foot, 1.08 * float(out.max())),
         ),
     )
+    heading(axes, "From above", park.name if park is not None else "no park")
+
+
+def _draw_way(axes: Axes, across: Array, up: Array, flight: Flight, reading: Reader) -> None:
+    """Draw a path seen from above, with dots at even times and its carry where it ends."""
     dots = np.arange(0, flight.times[-1], MARKS)
-    axes.plot(np.interp(dots, flight.times, right), np.interp(dots, flight.times, out), "o", color=RED, ms=3)
-    axes.plot(right[-1], out[-1], "x", color=RED, ms=7)
+    axes.plot(across, up, color=RED)
+    axes.plot(np.interp(dots, flight.times, across), np.interp(dots, flight.times, up), "o", color=RED, ms=3)
+    axes.plot(across[-1], up[-1], "x", color=RED, ms=7)
     axes.annotate(
-        reading.shown(flight.carry, "distance"), (right[-1], out[-1]), xytext=(6, 2), textcoords="offset points",
+        reading.shown(flight.carry, "distance"), (across[-1], up[-1]), xytext=(6, 2), textcoords="offset points",
         color=RED, weight="bold", path_effects=halo(),
     )  # fmt: skip
-    heading(axes, "From above", park.name if park is not None else "no park")
+
+
+def draw_along(axes: Axes, flight: Flight, reading: Reader = US) -> None:
+    """Draw the path from above along its own way, right of it below, where no ballpark lies around it."""
+    unit = reading.units["distance"].size
+    right, out, _ = flight.positions.T / unit
+    axes.axhline(0, color=INK, linewidth=0.8, linestyle=(0, (4, 3)))
+    _draw_way(axes, out, right, flight, reading)
+    far = 1.14 * float(out.max())
+    reach = max(1.3 * float(np.abs(right).max()), 0.07 * far)
+    axes.set(
+        xlim=(min(0.0, float(out.min())), far), ylim=(reach, -reach), aspect="equal",
+        xlabel=f"distance ({reading.unit('distance')})", ylabel=f"right ({reading.unit('distance')})",
+    )  # fmt: skip
+    light_grid(axes)
+    heading(axes, "From above", "to scale; dashed: straight ahead")

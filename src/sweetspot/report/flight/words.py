@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from sweetspot.flight.fence import Landing
@@ -54,6 +55,12 @@ def landing_json(landing: Landing, park: Park) -> dict[str, Any]:
             "clearance_m": landing.clearance,
         }
     )
+
+
+def from_the_hit(flight: Flight) -> float:
+    """Return m over the ground from where the ball was hit to where it lands, for sports without a home plate."""
+    start, end = flight.launch.position, flight.landing.position
+    return math.hypot(end[0] - start[0], end[1] - start[1])
 
 
 def flight_words(flight: Flight, carry: float | None = None, *, at: str = "flight.") -> Sentence:
@@ -120,6 +127,14 @@ def direction_words(angle: float, *, ballpark: bool = True, of: str = "") -> Sen
     if abs(abs(angle) - 180 * DEGREE) < STRAIGHT:
         return say(back)
     return signed(angle, "angle", right, left, of=of)
+
+
+def wind_words(angle: float, *, ballpark: bool) -> Sentence:
+    """Return where a wind blows to, all the way round; parameters as of `direction_words`."""
+    if min(abs(angle), abs(abs(angle) - 180 * DEGREE)) < STRAIGHT:
+        return direction_words(angle, ballpark=ballpark)
+    side, ahead = "right" if angle > 0 else "left", "centre field" if ballpark else "straight ahead"
+    return say("{angle} to the {side} of {ahead}", angle=Slot(abs(angle), "angle", 0), side=side, ahead=ahead)
 
 
 def spin_words(ball: BallMotion) -> Sentence:

@@ -18,15 +18,16 @@ def grid_document(
     data: Mapping[str, Any],
     rows: Mapping[str, Sequence[Any]],
     notes: Sequence[Block] = (),
+    title: str = "",
 ) -> Document:
-    """Return a grid as a document: its table, ``notes``, its picture."""
-    picture = Picture("grid", lambda reading: _drawn(grid, reading), label=grid.title)
+    """Return a grid as a document: its table, ``notes``, its picture; ``title`` says what it is about."""
+    picture = Picture("grid", lambda reading: _drawn(grid, title, reading), label=grid.title)
     return Document(
-        name=name, title="", kind=kind, blocks=[grid.table(), *notes, picture], data=data, rows=rows, drawing=picture
+        name=name, title=title, kind=kind, blocks=[grid.table(), *notes, picture], data=data, rows=rows, drawing=picture
     )
 
 
-def _drawn(grid: Grid, reading: Reader) -> Any:
+def _drawn(grid: Grid, title: str, reading: Reader) -> Any:
     from sweetspot.report.grid.picture import grid_figure
 
-    return grid_figure(grid, reading)
+    return grid_figure(grid, reading, title)

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from sweetspot.report.grid.values import Grid, varied
-from sweetspot.report.pictures.style import INK, MUTED, PAPER, SMALL, light_grid, styled
+from sweetspot.report.pictures.style import INK, LARGE, MUTED, PAPER, SMALL, fitted, light_grid, styled
 from sweetspot.report.quantities import BLUE, QUANTITIES, Reader
 
 MOST_NUMBERS = 15
@@ -19,11 +19,13 @@ DARK = 0.55
 
 
 @styled
-def grid_figure(grid: Grid, reading: Reader) -> Figure:
-    """Return the picture of a grid."""
+def grid_figure(grid: Grid, reading: Reader, title: str = "") -> Figure:
+    """Return the picture of a grid; ``title`` says what it is about."""
     figure = Figure(figsize=(8.0, 5.0), layout="constrained")
     axes = figure.subplots()
-    figure.suptitle(_label(grid.answer, reading), x=0.01, ha="left", weight="bold")
+    label = _label(grid.answer, reading)
+    words, size = fitted(f"{title}: {label}" if title else label, width=7.7, size=LARGE, smallest=SMALL)
+    figure.suptitle(words, x=0.01, ha="left", weight="bold", size=size, parse_math=False)
     (_curve if grid.across is None else _cells)(axes, grid, reading)
     return figure
 

@@ -14,10 +14,12 @@ from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import Words
 from sweetspot.motion.swing import Conditions
+from sweetspot.report.bat.assumed_values import soft_note
 from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Picture, Table
 from sweetspot.report.hit.json import damage_json, hit_json, impact_json
 from sweetspot.report.hit.ledger import ENERGY_NAMES
-from sweetspot.report.sentences import Sentence, Slot, say
+from sweetspot.report.hit.second_touch import touched_again
+from sweetspot.report.sentences import Sentence, Slot, read, say
 from sweetspot.report.sport_words import in_words, reader_of, weight, words_of
 
 Rows = list[tuple[Cell, Cell]]
@@ -40,30 +42,39 @@ def hit_document(hit: BattedHit) -> Document:
     """Return a hit as a document."""
     words, impact = words_of(hit.implement), hit.impact
     from_tip = Slot(hit.implement.length - impact.position, "place")
-    picture = hit_picture(impact, words)
+    place = in_words("hit {place} from the {tip}", words, place=from_tip)
+    picture = hit_picture(impact, words, title=say("{name}, {place}", name=hit.implement.name, place=place))
     data = hit_json(impact, body=hit.body, conditions=hit.conditions)
     if hit.damage is not None:
         data["damage"] = damage_json(hit.damage)
+    if impact.unrecovered is not None:
+        data["exit_speed_unrecovered_m_s"] = exit_speed_of(impact.unrecovered, hit.conditions)
     return Document(
         name="hit", title=hit.implement.name, kind="Hit",
-        subtitle=in_words("hit {place} from the {tip}", words, place=from_tip),
-        blocks=[hit_table(hit), *_damage_blocks(hit.damage, words), picture], data=data, rows=data["history"],
-        reader=reader_of(hit.implement), drawing=picture,
+        subtitle=place,
+        blocks=[hit_table(hit), *_doubts(impact, words), *_damage_blocks(hit.damage, words),
+                *soft_note(hit.implement, hit.conditions.ball), picture], data=data,
+        rows=data["history"], reader=reader_of(hit.implement), drawing=picture,
     )  # fmt: skip
+
+
+def _doubts(impact: Impact, words: Words) -> list[Paragraph]:
+    return [Paragraph(doubt, "warning") for doubt in touched_again(impact, words)]
 
 
 def impact_document(impact: Impact) -> Document:
     """Return a collision alone as a document: nobody says here whose it is, or how fast the bat was swung."""
     data, words = impact_json(impact), Words()
-    picture = hit_picture(impact, words)
+    title = say("Hit {place} from the end of the grip", place=Slot(impact.position, "place"))
+    picture = hit_picture(impact, words, title=title)
     rows: Rows = [
         ("closing speed", Slot(impact.closing_speed, "speed")),
         ("collision efficiency q", Slot(impact.collision_efficiency, "ratio", 4)),
         *_contact_rows(impact, words), *_energy_rows(impact, words),
     ]  # fmt: skip
-    title = say("Hit {place} from the end of the grip", place=Slot(impact.position, "place"))
     return Document(
-        name="hit", title=title, kind="Hit", blocks=[_two_columns(rows), picture], data=data, rows=data["history"],
+        name="hit", title=title, kind="Hit",
+        blocks=[_two_columns(rows), *_doubts(impact, words), picture], data=data, rows=data["history"],
         drawing=picture,
     )  # fmt: skip
 
@@ -96,24 +107,29 @@ def hit_table(hit: BattedHit, title: str | Sentence = "", *, at: str = "") -> Ta
     return _two_columns([*rows, ("masses", masses)], title)
 
 
-def hit_picture(impact: Impact, words: Words, caption: str | Sentence = "") -> Picture:
-    """Return force and energy of a hit, drawn."""
+def hit_picture(impact: Impact, words: Words, caption: str | Sentence = "", *, title: str | Sentence = "") -> Picture:
+    """Return force and energy of a hit, drawn.
+
+    Parameters
+    ----------
+    title : over the picture where it is a file of its own.
+    """
     heat = impact.energy.heat / impact.energy.incoming if impact.energy.incoming else 0.0
     label = in_words(
         "Force of the hit: it rises to {force} and lasts {time}. Of the energy, {heat} become heat in the {ball}.",
         words, force=_force(impact.peak_force), time=Slot(impact.contact_time, "contact", 2), heat=Slot(heat, "share"),
     )  # fmt: skip
-    return Picture("hit", lambda _: _drawn(impact, words), label, caption)
+    return Picture("hit", lambda reading: _drawn(impact, words, read(title, reading)), label, caption)
 
 
-def _drawn(impact: Impact, words: Words) -> Any:
+def _drawn(impact: Impact, words: Words, title: str) -> Any:
     from sweetspot.report.hit.picture import hit_figure
 
-    return hit_figure(impact, words)
+    return hit_figure(impact, words, title)
 
 
 def _contact_rows(impact: Impact, words: Words, at: str = "") -> Rows:
-    pressed = Slot(impact.peak_compression, "compression", of=f"{at}peak_compression_m")
+    pressed = Slot(impact.peak_compression, "pressed", of=f"{at}peak_compression_m")
     return [
         ("contact, force above 1 % of its peak", Slot(impact.contact_time, "contact", of=f"{at}contact_time_s")),
         ("peak force", replace(_force(impact.peak_force), of=f"{at}peak_force_n")),
@@ -156,7 +172,7 @@ def _damage_blocks(damage: Damage | None, words: Words) -> list[Block]:
 
 
 def _force(force: float) -> Slot:
-    return Slot(force, "force", 1 if force > FEW_NEWTONS else 3)
+    return Slot(force, "blow", None if force > FEW_NEWTONS else 3)
 
 
 def _two_columns(rows: Sequence[tuple[Cell, Cell]], title: str | Sentence = "") -> Table:

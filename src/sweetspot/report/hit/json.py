@@ -27,7 +27,8 @@ def hit_json(impact: Impact, *, body: RigidBody, conditions: Conditions) -> dict
 
 def impact_json(impact: Impact) -> dict[str, Any]:
     """Return one collision as the bat at rest sees it."""
-    return cleaned(
+    again = {} if impact.unrecovered is None else {"unrecovered_gain_m_s": impact.unrecovered_gain}
+    return again | cleaned(
         {
             "position_m": impact.position,
             "lateral_m": impact.lateral,

@@ -16,6 +16,6 @@ ENERGY_NAMES: Mapping[str, tuple[str, str]] = {
     "bending": ("{implement}, bending vibration", PURPLE),
     "hoop": ("{implement}, barrel vibration", ORANGE),
     "face": ("face, vibration", ORANGE),
-    "damping": ("heat in {implement} and hands", GREEN),
+    "damping": ("heat in {implement} and {hands}", GREEN),
 }
 """Field of `EnergyLedger`: (what it is called, with a sport's words; colour)."""

@@ -11,22 +11,42 @@ from numpy.typing import ArrayLike
 from sweetspot.collision.impact import Impact
 from sweetspot.equipment.sport import Words
 from sweetspot.report.hit.ledger import ENERGY_NAMES
-from sweetspot.report.pictures.style import INK, MUTED, NORMAL, axes_in_inches, halo, heading, light_grid, styled
+from sweetspot.report.pictures.style import (
+    INK,
+    LARGE,
+    MUTED,
+    NORMAL,
+    axes_in_inches,
+    fitted,
+    halo,
+    heading,
+    light_grid,
+    styled,
+)
 from sweetspot.report.quantities import RED
 from sweetspot.units import INCH, POUND_FORCE
 
 BASEBALL = Words()
-WIDTH, HEIGHT = 8.5, 4.75
-"""Inches of paper."""
+WIDTH, HEIGHT, TITLE = 8.5, 4.75, 0.4
+"""Inches of paper; what a title takes."""
 
 
 @styled
-def hit_figure(impact: Impact, words: Words = BASEBALL) -> Figure:
-    """Return force against time, force against compression, and the energy ledger of one hit."""
-    figure = Figure(figsize=(WIDTH, HEIGHT))
-    force_in_time(axes_in_inches(figure, left=0.8, top=0.35, width=3.55, height=1.85), impact)
-    force_loop(axes_in_inches(figure, left=5.35, top=0.35, width=2.35, height=1.85), impact)
-    energy_ledger(axes_in_inches(figure, left=2.3, top=2.95, width=5.4, height=1.65), impact, words)
+def hit_figure(impact: Impact, words: Words = BASEBALL, title: str = "") -> Figure:
+    """Return force against time, force against compression, and the energy ledger of one hit.
+
+    Parameters
+    ----------
+    title : over it where it stands alone; "": none.
+    """
+    above = TITLE if title else 0.0
+    figure = Figure(figsize=(WIDTH, HEIGHT + above))
+    if title:
+        shown, size = fitted(title, width=WIDTH - 1.0, size=LARGE)
+        figure.text(0.3 / WIDTH, 1 - 0.28 / (HEIGHT + above), shown, weight="bold", size=size, parse_math=False)
+    force_in_time(axes_in_inches(figure, left=0.8, top=0.35 + above, width=3.55, height=1.85), impact)
+    force_loop(axes_in_inches(figure, left=5.35, top=0.35 + above, width=2.35, height=1.85), impact)
+    energy_ledger(axes_in_inches(figure, left=2.3, top=2.95 + above, width=5.4, height=1.65), impact, words)
     return figure
 
 
@@ -49,7 +69,7 @@ def force_in_time(axes: Axes, impact: Impact) -> None:
     top = int(force.argmax())
     axes.plot(time[top], force[top], "o", color=RED, markersize=5)
     axes.annotate(
-        f"peak {impact.peak_force / 1e3:.1f} kN", (time[top], force[top]), xytext=(0, 6), textcoords="offset points",
+        f"peak {impact.peak_force / 1e3:.3g} kN", (time[top], force[top]), xytext=(0, 6), textcoords="offset points",
         ha="center", weight="bold",
     )  # fmt: skip
     level = 0.3 * float(force.max())
@@ -60,7 +80,8 @@ def force_in_time(axes: Axes, impact: Impact) -> None:
                     "mutation_scale": 8},
     )  # fmt: skip
     axes.plot([contact, contact], [0, level], color=MUTED, linewidth=0.7, linestyle=(0, (2, 2)))
-    axes.text(contact / 2, level * 1.06, f"contact {contact:.2f} ms", ha="center", va="bottom", size=NORMAL)
+    axes.text(contact / 2, level * 1.06, f"contact {contact:.2f} ms", ha="center", va="bottom", size=NORMAL,
+              path_effects=halo())  # fmt: skip
 
 
 @styled
@@ -78,13 +99,11 @@ def force_loop(axes: Axes, impact: Impact) -> None:
     axes.set_ylabel("kN")
     peak = impact.peak_compression
     axes.annotate(
-        f"{1e3 * peak:.0f} mm ({peak / INCH:.2f} in)", (float(squeeze.max()), float(force.max())), xytext=(3, 6),
+        f"{1e3 * peak:.2g} mm ({peak / INCH:.2f} in)", (float(squeeze.max()), float(force.max())), xytext=(3, 6),
         textcoords="offset points", ha="right", weight="bold",
     )  # fmt: skip
-    axes.text(
-        0.68 * float(squeeze.max()), 0.24 * float(force.max()), f"{_joules(impact.energy.heat)}\nto heat",
-        ha="center", va="center", size=NORMAL,
-    )  # fmt: skip
+    axes.text(0.04, 0.76, f"shaded:\n{_joules(impact.energy.heat)} to heat", va="top", size=NORMAL,
+              transform=axes.transAxes)  # fmt: skip
 
 
 @styled

@@ -8,7 +8,17 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from sweetspot.report.optimum.answers import Optimum
-from sweetspot.report.pictures.style import HUGE, INK, NORMAL, SMALL, axes_in_inches, heading, light_grid, styled
+from sweetspot.report.pictures.style import (
+    HUGE,
+    INK,
+    NORMAL,
+    SMALL,
+    axes_in_inches,
+    fitted,
+    heading,
+    light_grid,
+    styled,
+)
 from sweetspot.report.quantities import BLUE, GREEN, RED, Reader
 
 WIDTH, SIDE, HEADER, ROW, BETWEEN, FOOTER, NAMES = 8.0, 0.62, 1.0, 0.24, 0.8, 0.5, 2.3
@@ -27,7 +37,8 @@ def optimum_figure(optimum: Optimum, reading: Reader) -> Figure:
     heights = [ROW * (len(rows) + 0.5) for _, _, rows, _ in panels]
     height = HEADER + sum(heights) + BETWEEN * (len(panels) - 1) + FOOTER
     figure = Figure(figsize=(WIDTH, height))
-    figure.text(SIDE / WIDTH, 1 - 0.42 / height, f"The best way to hit: {optimum.bat.name}", size=HUGE, weight="bold")
+    title, size = fitted(f"The best way to hit: {optimum.bat.name}", width=WIDTH - 2 * SIDE, size=HUGE)
+    figure.text(SIDE / WIDTH, 1 - 0.42 / height, title, size=size, weight="bold", parse_math=False)
     top = HEADER
     for (title, scale, rows, colour), tall in zip(panels, heights, strict=True):
         axes = axes_in_inches(figure, left=SIDE + NAMES, top=top, width=WIDTH - 2 * SIDE - NAMES, height=tall)

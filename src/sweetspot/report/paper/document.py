@@ -9,6 +9,7 @@ from typing import Any
 from sweetspot.paper.formulas import Row, Value
 from sweetspot.report.document import Cell, Column, Document, Table
 from sweetspot.report.json_shapes import as_columns, cleaned
+from sweetspot.units.text import GROUPED_FROM, grouped
 
 
 def paper_document(rows: Sequence[Row]) -> Document:
@@ -37,4 +38,7 @@ def _cells(row: Row) -> list[Cell]:
 
 
 def _shown(value: Value) -> Cell:
-    return value if value is None or isinstance(value, str) else f"{value:.5g}"
+    if value is None or isinstance(value, str):
+        return value
+    text = f"{value:.5g}"
+    return grouped(float(text)) if abs(float(text)) >= GROUPED_FROM else text

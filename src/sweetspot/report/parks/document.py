@@ -33,7 +33,7 @@ def parks_document(parks: Mapping[str, Park], fields: Mapping[str, Park] | None 
     columns = [Column("name"), Column("team"), Column("elev.", "distance", digits=0), Column("roof")]
     told = [{"key": name, **_json(park)} for name, park in parks.items()]
     picture = _picture(list(parks.values()), None)
-    blocks = [Table("Parks: elevation, fence and wall", [*columns, *far, Column("wall", "distance")], rows)]
+    blocks = [Table("Parks: elevation, fence and wall", [*columns, *far, Column("wall", "distance")], rows, "parks")]
     if fields:
         blocks.append(_fields(fields))
     return Document(
@@ -50,7 +50,9 @@ def _fields(fields: Mapping[str, Park]) -> Table:
         [name, field.team, *_distances(field), max(high for _, _, high in field.fence)]
         for name, field in fields.items()
     ]
-    return Table("Fields of other leagues, with usual distances", [*columns, Column("wall", "distance")], rows)
+    return Table(
+        "Fields of other leagues, with usual distances", [*columns, Column("wall", "distance")], rows, "fields"
+    )
 
 
 def park_document(park: Park, others: Sequence[Park]) -> Document:
@@ -89,10 +91,13 @@ def _json(park: Park) -> dict[str, Any]:
 
 def _picture(parks: Sequence[Park], named: Park | None) -> Picture:
     label = "Fences from above." if named is None else f"The fence of {named.name} from above, over those of others."
-    return Picture("fences", lambda reading: _drawn(parks, named, reading), label=label)
+    return Picture(
+        "fences", lambda reading: _drawn(parks, named, reading, (7.0, 5.6)), label=label,
+        sheet=lambda reading: _drawn(parks, named, reading, (4.6, 3.7)),
+    )  # fmt: skip
 
 
-def _drawn(parks: Sequence[Park], named: Park | None, reading: Reader) -> Any:
+def _drawn(parks: Sequence[Park], named: Park | None, reading: Reader, size: tuple[float, float]) -> Any:
     from sweetspot.report.flight.park_picture import parks_figure
 
-    return parks_figure(parks, [named] if named else [], reading)
+    return parks_figure(parks, [named] if named else [], reading, size=size)

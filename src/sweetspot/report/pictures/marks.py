@@ -113,8 +113,11 @@ def draw_notes(axes: Axes, analysis: Analysis[Implement], reading: Reader, scale
         reach = float(bat.width_at(place)) / 2 + 0.05 * scale
         axes.plot([place, place], [-reach, reach], color=MUTED, linewidth=1.2, linestyle=(0, (1.5, 1.5)), zorder=3)
     held = axes.text(sum(hands) / 2, upper, words_of(bat).hands, ha="center", **quiet)
-    if told.get_window_extent().overlaps(held.get_window_extent()):  # a balance point near the hands
-        told.set(x=body.balance_point + 0.12 * scale, ha="left")
+    if told.get_window_extent().padded(6).overlaps(held.get_window_extent()):  # a balance point near the hands
+        if bat.outline is None:
+            told.set(x=body.balance_point + 0.12 * scale, ha="left")
+        else:  # where the face lies ahead, and nothing below
+            held.set(y=lower)
     note = _inside_note(analysis, reading)
     if note:
         axes.text(body.balance_point - 0.12 * scale, lower, note, ha="right", **quiet)

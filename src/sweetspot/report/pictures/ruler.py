@@ -74,6 +74,8 @@ def show_from_tip(axes: Axes, length: float, reading: Reader, *, labels: bool = 
         step = next(one for one in STEPS if shown / (one * unit.size) < MOST_TICKS)
     counts = np.arange(0, length / unit.size + 1e-6, step)
     places = length - counts * unit.size
+    seen = (places >= limits[0]) & (places <= limits[1])
+    places, counts = places[seen], counts[seen]
     if grid:
         axes.vlines(places, 0, 1, transform=axes.get_xaxis_transform(), colors=GRID, linewidth=0.6, zorder=0.5)
     if labels:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import warnings
 from collections.abc import Callable
 from functools import wraps
@@ -9,12 +10,16 @@ from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
 import matplotlib
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.patheffects import AbstractPathEffect, withStroke
+from matplotlib.text import Text
 from matplotlib.textpath import text_to_path
+from matplotlib.ticker import ScalarFormatter
 
-from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY
+from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY, with_minus_signs
+from sweetspot.units.text import GROUPED_FROM
 
 if TYPE_CHECKING:
     from matplotlib.typing import RcKeyType
@@ -31,8 +36,13 @@ PAGE_COLOURS = {
 }  # fmt: skip
 """Colours of the pictures that a page's style sheet sets, so that they change with a dark screen."""
 
+FIVE_DIGITS = re.compile(r"(?<![\d.])\d{5,}")
+"""Before the point of a number."""
+
 SMALL, NORMAL, LARGE, HUGE = 7.5, 8.5, 10.0, 17.0
 """Type sizes in points."""
+SHEET = 7.17
+"""Inches between the margins of an A4 sheet, the width of pictures that are laid out for paper."""
 
 BOLD = FontProperties(family="DejaVu Sans", weight="bold")
 
@@ -70,14 +80,39 @@ LOOK: dict[RcKeyType, Any] = {
 
 
 def styled(draw: Callable[Given, Result]) -> Callable[Given, Result]:
-    """Return a drawing function that runs in our look and leaves matplotlib's settings as they were."""
+    """Return a drawing function that runs in our look and leaves matplotlib's settings as they were.
+
+    Negative numbers in a figure's words get minus signs, whoever wrote them; numbers of its axes get commas from
+    10,000 on.
+    """
 
     @wraps(draw)
     def wrapped(*args: Given.args, **kwargs: Given.kwargs) -> Result:
         with matplotlib.rc_context(LOOK):
-            return draw(*args, **kwargs)
+            result = draw(*args, **kwargs)
+            if isinstance(result, Figure):
+                for axis in result.findobj(Axis):
+                    _with_grouped_ticks(axis)
+                for text in result.findobj(Text):
+                    assert isinstance(text, Text)
+                    text.set_text(with_minus_signs(text.get_text()))
+            return result
 
     return wrapped
+
+
+class GroupedTicks(ScalarFormatter):
+    """Numbers of an axis as answers write them, with commas from 10,000 on."""
+
+    def __call__(self, x: float, pos: int | None = None) -> str:
+        """Return one of them."""
+        text = super().__call__(x, pos)
+        return FIVE_DIGITS.sub(lambda whole: f"{int(whole[0]):,}", text)
+
+
+def _with_grouped_ticks(axis: Any) -> None:
+    if type(axis.get_major_formatter()) is ScalarFormatter and max(map(abs, axis.get_view_interval())) >= GROUPED_FROM:
+        axis.set_major_formatter(GroupedTicks())
 
 
 def axes_in_inches(figure: Figure, *, left: float, top: float, width: float, height: float) -> Axes:

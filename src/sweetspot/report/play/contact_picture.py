@@ -45,11 +45,16 @@ def draw_contact(axes: Axes, played: PlayedPitch, reading: Reader = US) -> None:
     _arrow(axes, np.zeros(2), strike.bat_speed * turned(forward), RED)
     axes.text(0, -bat_radius - GAP, f"bat {speed(strike.bat_speed)}", color=RED, size=SMALL, ha="center", va="top")
     arriving = turned(played.pitch.velocity)
-    tail = _beyond(centre, -ARROW * arriving, ball.radius)
-    _arrow(axes, tail, centre + (ball.radius + GAP / 2) * _along(-arriving) - tail, BLUE, scale=1)
     leaving = None if strike.launched is None else turned(strike.launched.velocity)
     rises = leaving is None or _along(leaving)[1] >= _along(-arriving)[1]
-    _label(axes, tail, f"pitch {speed(played.pitch.speed)}", BLUE, under=rises)
+    if played.pitch.speed:
+        shaft = max(0.5 * ARROW * played.pitch.speed, 3 * GAP)  # outside the ball, so half as long as the others
+        tail = centre + (ball.radius + GAP / 2 + shaft) * _along(-arriving)
+        _arrow(axes, tail, centre + (ball.radius + GAP / 2) * _along(-arriving) - tail, BLUE, scale=1)
+        _label(axes, tail, f"pitch {speed(played.pitch.speed)}", BLUE, under=rises)
+    else:
+        below = (float(centre[0]), float(centre[1]) - ball.radius - GAP)
+        axes.text(*below, "ball at rest", color=BLUE, size=SMALL, ha="center", va="top", path_effects=halo())
     top, low = float(centre[1]) + ball.radius, min(-bat_radius, float(centre[1]) - ball.radius) - 5 * GAP
     if strike.launched is not None and leaving is not None:
         climb = strike.launched.launch_angle

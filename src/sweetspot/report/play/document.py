@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from sweetspot.catalog.sports import sport
+from sweetspot.report.bat.assumed_values import soft_note
 from sweetspot.report.document import Document, Paragraph, Picture
 from sweetspot.report.flight.words import (
     flight_json,
@@ -14,6 +15,7 @@ from sweetspot.report.flight.words import (
     launch_words,
     path_columns,
 )
+from sweetspot.report.hit.second_touch import touched_again
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.play.played_pitch import PlayedPitch
 from sweetspot.report.quantities import Reader, reader
@@ -34,7 +36,8 @@ def play_document(played: PlayedPitch) -> Document:
         label="The contact of bat and ball, and the ball's path from above and from the side.",
     )  # fmt: skip
     return Document(
-        name="play", title=played.bat.name, subtitle=arriving, kind="Play", blocks=[Paragraph(words), picture],
+        name="play", title=played.bat.name, subtitle=arriving, kind="Play",
+        blocks=[Paragraph(words), *soft_note(played.bat, played.ball), picture],
         data=play_json(played), rows=path_columns(played.play.flight),
         reader=reader(None, sport(played.bat.sport).words), drawing=picture,
     )  # fmt: skip
@@ -43,7 +46,8 @@ def play_document(played: PlayedPitch) -> Document:
 def play_json(played: PlayedPitch) -> dict[str, Any]:
     """Return a play with a unit in every name; what a miss does not have is None."""
     struck, ball, impact = played.play.strike, played.play.strike.launched, played.play.strike.impact
-    return cleaned(
+    again = {} if impact is None or impact.unrecovered is None else {"unrecovered_gain_m_s": impact.unrecovered_gain}
+    return again | cleaned(
         {
             "bat": played.bat.name,
             "outcome": struck.outcome.name.lower(),
@@ -75,7 +79,8 @@ def play_words(played: PlayedPitch) -> Sentence:
     struck, ball = played.play.strike, played.play.strike.launched
     met = say(
         "{place} from the tip, {offset} {side} the ball's centre",
-        place=Slot(played.bat.length - played.position, "place"), offset=Slot(abs(played.offset), "offset"),
+        place=Slot(played.bat.length - played.position, "place", of="-position_m"),
+        offset=Slot(abs(played.offset), "offset", of="offset_m" if played.offset >= 0 else "-offset_m"),
         side="below" if played.offset >= 0 else "above",
     )  # fmt: skip
     if ball is None or played.play.flight is None:
@@ -87,6 +92,7 @@ def play_words(played: PlayedPitch) -> Sentence:
             speed=Slot(struck.bat_speed, "speed", of="bat_speed_m_s"),
         ),
         say("The ball leaves {launch}.", launch=launch_words(ball)),
+        *([] if struck.impact is None else touched_again(struck.impact, sport(played.bat.sport).words)),
         "" if struck.gripped else "It slides on the bat all through the contact: friction cannot turn it further.",
         flight_words(played.play.flight),
     ]

@@ -51,7 +51,8 @@ def player_document(posterior: Posterior, advice: Advice, swings: Swings, *, pla
             "Expected {goal} against the contact point, and what changes of player and bat are worth.",
             goal=goal_words(advice.goal),
         ),
-        caption="Lines are 95 % intervals over what the swings allow.",
+        caption="Lines are 90 % intervals over what the swings allow.",
+        sheet=lambda reading: _drawn_sheet(posterior, advice, reading),
     )  # fmt: skip
     return Document(
         name="player", kind="Training report", title=posterior.model.bats[0].bat.name,
@@ -109,7 +110,7 @@ def _bats(advice: Advice) -> Table:
 
 def _facts(posterior: Posterior) -> Table:
     """Return every parameter: value, interval, what was known before, whether the data told."""
-    columns = [Column("parameter"), Column("value (95 %)"), Column("before the data")]
+    columns = [Column("parameter"), Column("value (90 %)"), Column("before the data")]
     rows: list[list[Cell]] = [
         [
             PARAMETERS[name][0], parameter_shown(name, one.interval), parameter_shown(name, one.before),
@@ -126,7 +127,7 @@ def _means(goal: Goal) -> str:
     missed = "misses and balls just grazed are not in it" if fast else "misses and balls just grazed bring nothing"
     extra = "" if fast else " Carry is to the first touch of the ground, in still air."
     return (
-        "In brackets: 95 % intervals over what the data allow. Expected: the mean over this player's scatter of "
+        "In brackets: 90 % intervals over what the data allow. Expected: the mean over this player's scatter of "
         f"swings; {missed}.{extra} With another bat the player is taken to meet the ball equally far from the tip. "
         "Better: the part of what the data allow in which the bat is better."
     )
@@ -136,3 +137,9 @@ def _drawn(posterior: Posterior, advice: Advice, player: str, reading: Reader) -
     from sweetspot.report.player.picture import player_figure
 
     return player_figure(posterior, advice, player=player, reading=reading)
+
+
+def _drawn_sheet(posterior: Posterior, advice: Advice, reading: Reader) -> Any:
+    from sweetspot.report.player.picture import ON_A_SHEET, player_figure
+
+    return player_figure(posterior, advice, reading=reading, paper=ON_A_SHEET)

@@ -6,6 +6,7 @@ from dataclasses import asdict
 from typing import Any
 
 from sweetspot.motion.swing_law import Interval
+from sweetspot.numerics.confidence import LEVEL
 from sweetspot.player.advice import PLACES, Advice, Option
 from sweetspot.player.posterior import Learned, Posterior
 from sweetspot.player.prior import PARAMETERS
@@ -39,6 +40,7 @@ def player_json(posterior: Posterior, advice: Advice, swings: Swings) -> dict[st
             },
             "pitch_speed_m_s": advice.pitch_speed,
             "bat_speed_from_tip_m": model.speed_from_tip,
+            "interval_level": LEVEL,
             "seed": posterior.seed,
             "converged": posterior.converged,
             "parameters": {name: _learned(one) for name, one in posterior.learned.items()},

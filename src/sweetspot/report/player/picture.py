@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -18,6 +18,7 @@ from sweetspot.report.pictures.style import (
     INK,
     MUTED,
     NORMAL,
+    SHEET,
     SMALL,
     axes_in_inches,
     fitted,
@@ -31,36 +32,65 @@ from sweetspot.report.player.words import changes
 from sweetspot.report.quantities import BLUE, GREEN, RED, SKY, US, Reader, Unit
 from sweetspot.report.sentences import Slot, say, within
 
-WIDTH, SIDE, HEADER, CURVE, BETWEEN, ROW, FOOTER, NAMES_WIDTH = 8.0, 0.62, 1.05, 2.3, 0.75, 0.23, 0.7, 2.5
-"""Inches of paper: page, margins, title, curve, gap, one row, the foot, and the names of the rows."""
+
+@dataclass(frozen=True)
+class Paper:
+    """Inches of paper: page, margins, title, curve, gap, one row, the foot, the rows' names and the numbers behind."""
+
+    width: float = 9.8
+    side: float = 0.5
+    header: float = 1.02
+    curve: float = 2.0
+    between: float = 0.8
+    row: float = 0.225
+    footer: float = 0.68
+    names: float = 2.2
+    figures: float = 0.66
+    letters: float = NORMAL
+
+    @property
+    def column(self) -> float:
+        """Inches of either of the two columns."""
+        return (self.width - 3 * self.side) / 2
+
+
+ALONE = Paper()
+ON_A_SHEET = Paper(SHEET, 0.34, 0.22, 0.8, 0.56, 0.13, 0.56, 1.84, 0.4, 7.2)
+"""Whose page says whom it is for."""
+LIGHTER = 1.06
+"""How much wider bold letters are than the rows' names."""
 NOTHING = 0.05
 """Of the unit shown; a smaller change is drawn as none."""
 
 
 @styled
-def player_figure(posterior: Posterior, advice: Advice, *, player: str = "", reading: Reader = US) -> Figure:
+def player_figure(
+    posterior: Posterior, advice: Advice, *, player: str = "", reading: Reader = US, paper: Paper = ALONE
+) -> Figure:
     """Return the figure: expected goal against contact point, worth of single changes, bats tried."""
     worth = [(words.read(reading), advice.worth[key].gain) for key, words in changes().items()]
     bats = [(option_words(option.candidate).read(reading), option.change) for option in advice.options]
-    rows = len(worth), len(bats)
-    height = HEADER + CURVE + 2 * BETWEEN + ROW * (sum(rows) + 1) + FOOTER
-    figure = Figure(figsize=(WIDTH, height))
-    _header(figure, posterior, advice, height, player, reading)
-    across = WIDTH - 2 * SIDE
-    _contact(axes_in_inches(figure, left=SIDE, top=HEADER, width=across, height=CURVE), posterior, advice, reading)
-    top = HEADER + CURVE + BETWEEN
-    left, width = SIDE + NAMES_WIDTH, across - NAMES_WIDTH
-    axes = axes_in_inches(figure, left=left, top=top, width=width, height=ROW * (rows[0] + 0.5))
+    deep = [paper.row * (len(rows) + 0.5) for rows in (worth, bats)]
+    top, side, column, named = paper.header, paper.side, paper.column, paper.names + paper.figures
+    below = top + paper.curve + paper.between
+    height = max(below + deep[0], top + deep[1]) + paper.footer
+    figure = Figure(figsize=(paper.width, height))
+    if paper is ALONE:
+        _header(figure, posterior, advice, height, player, reading)
+    axes = axes_in_inches(figure, left=side, top=top, width=column, height=paper.curve)
+    _contact(axes, posterior, advice, reading, note="by where the ball is met on average" if paper is ALONE else "")
     unit = _unit(advice, reading)
-    _rows(axes, worth, unit, f"What a change of the player is worth, {unit.name}")
-    axes = axes_in_inches(figure, left=left, top=top + BETWEEN + ROW * (rows[0] + 0.5), width=width,
-                          height=ROW * (rows[1] + 0.5))  # fmt: skip
-    _rows(axes, bats, unit, f"What another bat is worth, {unit.name}")
+    for rows, left, start, size, words in (
+        (worth, side, below, deep[0], "What a change of the player is worth"),
+        (bats, 2 * side + column, top, deep[1], "What another bat is worth"),
+    ):
+        axes = axes_in_inches(figure, left=left + named, top=start, width=column - named, height=size)
+        _rows(axes, rows, unit, f"{words}, {unit.name}", paper)
     words = (
         "Curve: band and ticks are what the swings allow for the mean contact; its scale does not begin at 0.\n"
-        "Dots and lines: most likely value and 95 % interval. Green: a gain; orange: a loss; grey: cannot tell."
+        "Dots and lines: most likely value and 90 % interval. Green: a gain; orange: a loss; grey: cannot tell."
     )
-    figure.text(SIDE / WIDTH, 0.12 / height, words, color=MUTED, size=SMALL)
+    figure.text(side / paper.width, (0.12 if paper is ALONE else 0.05) / height, words, color=MUTED, size=SMALL)
     return figure
 
 
@@ -71,26 +101,23 @@ def _unit(advice: Advice, reading: Reader) -> Unit:
 
 
 def _header(figure: Figure, posterior: Posterior, advice: Advice, height: float, player: str, reading: Reader) -> None:
-    left, learned = SIDE / WIDTH, posterior.learned
+    left, room, learned = ALONE.side / ALONE.width, ALONE.width - 2 * ALONE.side, posterior.learned
     title = f"Training report: {player}" if player else "Training report"
-    words, size = fitted(title, width=WIDTH - 2 * SIDE, size=HUGE)
+    words, size = fitted(title, width=room, size=HUGE)
     figure.text(left, 1 - 0.42 / height, words, size=size, weight="bold", parse_math=False)
     line = say(
         "{count} swings, {bat}: bat speed {speed}, pitch {pitch} at the plate", count=len(posterior.model.swings),
         bat=posterior.model.bats[0].bat.name, speed=within(learned["bat_speed"].interval, "speed"),
         pitch=Slot(advice.pitch_speed, "speed", 0),
     )  # fmt: skip
-    words, size = fitted(line.read(reading), width=WIDTH - 2 * SIDE, size=NORMAL, smallest=6.0)
+    words, size = fitted(line.read(reading), width=room, size=NORMAL, smallest=6.0)
     figure.text(left, 1 - 0.66 / height, words, color=MUTED, size=size, parse_math=False)
 
 
-def _contact(axes: Axes, posterior: Posterior, advice: Advice, reading: Reader) -> None:
+def _contact(axes: Axes, posterior: Posterior, advice: Advice, reading: Reader, *, note: str) -> None:
     """Draw the expected goal against the mean contact point, and where the player meets the ball now."""
     unit, inch = _unit(advice, reading), reading.units["place"].size
-    heading(
-        axes, f"Expected {goal_words(advice.goal).read(reading)}, {unit.name}",
-        "against where the ball is met on average, with this scatter",
-    )  # fmt: skip
+    heading(axes, f"Expected {goal_words(advice.goal).read(reading)}, {unit.name}", note)
     axes.plot(PLACES / inch, advice.contact_curve / unit.size, color=BLUE)
     now, best = posterior.learned["position"].interval, advice.contact_point
     bottom, top = axes.get_ylim()
@@ -112,17 +139,21 @@ def _contact(axes: Axes, posterior: Posterior, advice: Advice, reading: Reader) 
     light_grid(axes)
 
 
-def _rows(axes: Axes, bars: list[tuple[str, Interval]], unit: Unit, title: str) -> None:
+def _rows(axes: Axes, bars: list[tuple[str, Interval]], unit: Unit, title: str, paper: Paper) -> None:
     """Draw a row with dot and interval for every change."""
     size = unit.size
-    heading(axes, title)
+    start = -72 * (paper.names + paper.figures)
+    axes.annotate(title, (0, 1), xycoords="axes fraction", xytext=(start, 5), textcoords="offset points",
+                  weight="bold", va="baseline")  # fmt: skip
     for row, (words, gain) in enumerate(bars):
         colour = GREEN if gain.low > NOTHING * size else RED if gain.high < -NOTHING * size else MUTED
         axes.plot([gain.low / size, gain.high / size], [row, row], color=colour, linewidth=1.6)
         axes.plot(gain.value / size, row, "o", color=colour, markersize=4)
         where: dict[str, Any] = {"xycoords": ("axes fraction", "data"), "textcoords": "offset points", "va": "center"}
-        axes.annotate(words, (0, row), xytext=(-180, 0), ha="left", size=SMALL, color=INK, parse_math=False, **where)
-        axes.annotate(unit.number(gain.value, sign=True), (0, row), xytext=(-12, 0), ha="right", weight="bold", **where)
+        named, letters = fitted(words, width=LIGHTER * paper.names, size=paper.letters, smallest=6.8)
+        axes.annotate(named, (0, row), xytext=(start, 0), ha="left", size=letters, color=INK, parse_math=False, **where)
+        axes.annotate(unit.number(gain.value, sign=True), (0, row), xytext=(-12, 0), ha="right", weight="bold",
+                      size=paper.letters, **where)  # fmt: skip
     axes.axvline(0, color=MUTED, linewidth=0.7)
     axes.set_ylim(len(bars) - 0.5, -0.5)
     axes.set_yticks([])

@@ -9,6 +9,7 @@ import numpy as np
 
 from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.confidence import REACH
 from sweetspot.player.league import own_share
 from sweetspot.player.prior import ANYBODY, NAMES, Population, natural
 from sweetspot.player.prior import PARAMETERS as KINDS
@@ -20,8 +21,6 @@ from sweetspot.report.player.words import PARAMETERS, parameter_shown
 
 SHOWN = {"bat_speed": "speed", "position_spread": "along", "offset_spread": "across"}
 """Parameters whose lean is told in the table, by heading; the JSON has all."""
-HOLDS = 1.959964
-"""Standard deviations to either side that hold 95 % of a normal distribution."""
 LEANS = (
     "Mean bat speed, and scatter of contact along and across the bat: first from the batter's own swings and what is "
     "usual for players, then pooled, knowing how the batters of this file differ; the sheet rests on these. Own: how "
@@ -58,8 +57,8 @@ def _lean(members: Sequence[Teammate], league: Population) -> Table:
 
 
 def _league(league: Population) -> Table:
-    """Return every parameter: the league's middle and what 95 % of its batters lie within, and what is usual."""
-    columns = [Column("parameter"), Column("this league (95 % of its batters)"), Column("players as is usual")]
+    """Return every parameter: the league's middle and what 90 % of its batters lie within, and what is usual."""
+    columns = [Column("parameter"), Column("this league (90 % of its batters)"), Column("players as is usual")]
     rows: list[list[Cell]] = [
         [PARAMETERS[name][0], *(parameter_shown(name, _within(those)[name]) for those in (league, ANYBODY))]
         for name in NAMES
@@ -68,13 +67,13 @@ def _league(league: Population) -> Table:
 
 
 def _within(league: Population) -> dict[str, Interval]:
-    """Return by parameter the middle of a league and what 95 % of its players lie within, SI."""
-    ends: list[Array] = [natural(league.mean + side * league.spread) for side in (0.0, -HOLDS, HOLDS)]
+    """Return by parameter the middle of a league and what 90 % of its players lie within, SI."""
+    ends: list[Array] = [natural(league.mean + side * league.spread) for side in (0.0, -REACH, REACH)]
     return {name: Interval(*(float(one) for one in part)) for name, part in zip(NAMES, np.array(ends).T, strict=True)}
 
 
 def league_json(league: Population, players: int) -> dict[str, Any]:
-    """Return a league for programs: its middle and what 95 % of its players lie within, by parameter."""
+    """Return a league for programs: its middle and what 90 % of its players lie within, by parameter."""
     data: dict[str, Any] = {"players": players}
     for name, interval in _within(league).items():
         unit = UNITS[KINDS[name]]

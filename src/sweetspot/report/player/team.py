@@ -14,14 +14,16 @@ from sweetspot.report.player.goals import GOALS, goal_words
 from sweetspot.report.player.pooled import league_json, league_sections, pooled_parameters
 from sweetspot.report.player.teammate import Teammate
 from sweetspot.report.player.tried_bats import option_words
+from sweetspot.report.player.words import taken_for
 from sweetspot.report.sentences import Sentence, Slot, Words, say
+from sweetspot.units import INCH
 
-MEANS = (
+MEANS = say(
     "Bat speed and scatter: most likely values. Expected: the mean over the batter's swings with the bat now. Best "
-    "place: mean contact from the tip. One inch: what an inch less scatter along the bat brings. A bat is named only "
-    "where its gain is sure by 95 %; (law) stands behind it where the average player's swing law says so and not these "
-    "swings."
-)
+    "place: mean contact from the tip. Less scatter: what {inch} less of it along the bat brings. A bat is named only "
+    "where the 90 % interval of its gain leaves zero out; (law) stands behind it where the average player's swing law "
+    "says so and not these swings.", inch=Slot(INCH, "place", round=True),
+)  # fmt: skip
 NO_LEAGUE = "With fewer than five batters nothing is known of how they differ; each is fitted alone."
 
 
@@ -37,6 +39,8 @@ def team_document(
     """
     ordered = sorted(members, key=lambda member: -member.advice.worth["position_spread"].gain.value)
     blocks: list[Block] = [_table(ordered, goal), Paragraph(MEANS, "note")]
+    taken = dict.fromkeys(words for one in ordered for words in taken_for(one.posterior.model))
+    blocks += [Paragraph(words, "note") for words in taken]
     if left_out:
         blocks += [Paragraph("Left out:"), Bullets(list(left_out))]
     rows = [_row(member) for member in ordered]
@@ -71,7 +75,7 @@ def _table(members: Sequence[Teammate], goal: Goal) -> Table:
     columns = [
         Column("batter"), Column("swings", right=True), *([Column("bat now")] if several else []),
         Column("bat speed", "speed"), Column("scatter", "place"), Column("expected", scale, digits=digits),
-        Column("best at", "place"), Column("one inch", scale, digits=digits, sign=True), Column("a better bat"),
+        Column("best at", "place"), Column("less scatter", scale, digits=digits, sign=True), Column("a better bat"),
     ]  # fmt: skip
     rows: list[list[Cell]] = []
     for member in members:

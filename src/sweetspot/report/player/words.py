@@ -8,9 +8,12 @@ from collections.abc import Sequence
 from textwrap import shorten
 
 from sweetspot.analysis.certification.shots import BadRow
+from sweetspot.catalog.bats import bat_names
+from sweetspot.errors import maybe_meant
 from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.player.advice import Advice, Option
+from sweetspot.player.model import PlayerModel
 from sweetspot.player.posterior import Learned, Posterior
 from sweetspot.player.swings import Swings
 from sweetspot.player.swung import swung_bats
@@ -57,9 +60,10 @@ def parameter_shown(name: str, interval: Interval) -> Sentence:
 def findings(posterior: Posterior, swings: Swings) -> list[Words]:
     """Return what the swings say about the player, and what they cannot tell."""
     learned = posterior.learned
-    words: list[Words] = [_data(posterior, swings), _speed(posterior), _contact(learned)]
+    words: list[Words] = [_data(posterior, swings), *taken_for(posterior.model)]
     if side_by_side := measured(posterior):
-        words.insert(1, side_by_side)
+        words.append(side_by_side)
+    words += [_speed(posterior), _contact(learned)]
     unknown = [PARAMETERS[name][0] for name, one in learned.items() if not one.told]
     if unknown:
         words.append(
@@ -77,11 +81,11 @@ def answers(advice: Advice) -> list[tuple[str, Sentence]]:
         ("Which bat?", _which(advice)),
         ("Heavier or lighter?", _family(advice, "weight", no_weight)),
         ("Balanced or end-loaded?", _end_loaded(advice)),
-        ("Longer or shorter?", _family(advice, "length", "Neither an inch more nor an inch less is surely better.")),
+        ("Longer or shorter?", _family(advice, "length", "Neither longer nor shorter is surely better.")),
         ("Choke up?", _choke(advice)),
         ("Where should the ball meet the bat?", _place(advice)),
-        ("What is one inch worth?", _inch(advice)),
-        ("What is one mph of bat speed worth?", _worth(advice, "bat_speed")),
+        ("What is better contact worth?", _inch(advice)),
+        ("What is more bat speed worth?", _worth(advice, "bat_speed")),
     ]
 
 
@@ -106,6 +110,17 @@ def _data(posterior: Posterior, swings: Swings) -> Sentence:
     rest = f"{bad} row{'s do' if bad != 1 else ' does'} not ({why})" if bad else ""
     empty = f"{swings.without_swing} hold no swing" if swings.without_swing else ""
     return say("{text}; {rest}.", text=text, rest=" and ".join(part for part in (rest, empty) if part))
+
+
+def taken_for(model: PlayerModel) -> list[str]:
+    """Return, where the file's name of a bat is not known, for which bat it is taken; nothing where all are known."""
+    pairs = zip(model.swings, model.bat_of, strict=True)
+    names = sorted({one.bat for one, index in pairs if index == 0 and one.bat})
+    own = model.bats[0].bat.name
+    return [
+        f"The file calls the bat {maybe_meant(name, bat_names())}, which is not known here: it is taken for {own}."
+        for name in names
+    ]
 
 
 def _reasons(swings: Swings) -> list[str]:
@@ -261,7 +276,7 @@ def _choke(advice: Advice) -> Sentence:
         return say("Could not be tried.")
     return say(
         "{answer}, as far as {goal} goes: held {inch} further up, bat speed is {speed} and the change {gain}. Better "
-        "control, if there is any, is not counted; compare it with what an inch is worth.",
+        "control, if there is any, is not counted; compare it with what better contact is worth.",
         answer={1: "Yes", -1: "No", 0: "These swings cannot tell"}[_verdict(option.change)],
         goal=goal_words(advice.goal), inch=Slot(INCH, "place"), speed=within(option.bat_speed, "speed"),
         gain=goal_shown(option.change, advice.goal, sign=True),

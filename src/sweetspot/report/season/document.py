@@ -23,9 +23,9 @@ from sweetspot.season.rows import REASONS, USED
 from sweetspot.season.season_drag import DragOfMonth, drag_by_month
 from sweetspot.season.season_table import Season
 from sweetspot.season.standings import MEASURES, Standing, above_expected_parts, all_standings
-from sweetspot.season.survey import WARNINGS
+from sweetspot.season.table_warnings import WARNINGS
 from sweetspot.season.untracked import Untracked, untracked_bias
-from sweetspot.units import FOOT
+from sweetspot.units import FOOT, grouped
 
 SHOWN = 15
 """Players in the printed table."""
@@ -33,7 +33,11 @@ MOST_DRAWN = 2_000_000
 """Balls that are held together, for what cannot be added up part by part."""
 FEWEST = 5
 """Balls of a player in the printed table."""
-LISTED = ("exit_speed", "bat_speed", "squared_up_ratio", "squared_up", "from_best", "home_run_here")
+LISTED = {
+    "exit_speed": "exit speed", "bat_speed": "bat speed", "squared_up_ratio": "over the ceiling",
+    "squared_up": "squared up", "from_best": "from the best place", "home_run_here": "home runs a ball",
+}  # fmt: skip
+"""Measures in the printed table of players, and what they are called there."""
 CANNOT = (
     "Which side of the best place one ball was met on is told by the pitch's place alone; tip_side near 0.5 says that "
     "it cannot be told.",
@@ -85,7 +89,7 @@ def season_report(season: Season) -> SeasonReport:
 def season_document(report: SeasonReport) -> Document:
     """Return a season as a document; its JSON has the ledger, warnings, relation, drag and how groups scatter."""
     season = report.season
-    faults = [f"{path.name}: {reason}" for path, reason in season.survey.faults]
+    faults = [reason if path.name in reason else f"{path.name}: {reason}" for path, reason in season.survey.faults]
     blocks: list[Block] = [Paragraph(words) for words in _headline(report)]
     blocks += [Paragraph(f"Not read: {fault}", "warning") for fault in faults]
     blocks += [_ledger(season), _warnings(season)]
@@ -109,25 +113,44 @@ def season_document(report: SeasonReport) -> Document:
 def _headline(report: SeasonReport) -> list[Sentence]:
     season = report.season
     rows, used = season.survey.rows, sum(counts[USED] for counts in season.survey.counts)
-    told = [say("{rows} rows in {files}; {used} balls in play with an exit speed.", rows=f"{rows:,}",
-                files=_files(len(season.survey.tables)), used=f"{used:,}")]  # fmt: skip
+    told = [say("{rows} rows in {files}; {used} balls in play with an exit speed.", rows=grouped(rows),
+                files=_files(len(season.survey.tables)), used=grouped(used))]  # fmt: skip
     means = _means(report.counted)
     if np.isfinite(means["home_run_here"]) and np.isfinite(means["home_runs"]):
         told.append(say("Home runs: {expected} expected in the parks they were hit in, {real} hit.",
-                        expected=f"{means['home_run_here']:,.0f}", real=f"{means['home_runs']:,.0f}"))  # fmt: skip
+                        expected=grouped(means['home_run_here']), real=grouped(means['home_runs'])))  # fmt: skip
     if np.isfinite(means.get("squared_up", np.nan)):
         told.append(say("Squared up (0.80 of what the bat could give): {own} of the balls, against {bat}.",
                         own=Slot(means["squared_up"], "share"), bat=_bats(season)))  # fmt: skip
         if np.isfinite(means["league_squared_up"]):
-            told.append(say("By the league's formula, which knows no bat: {league}.",
-                            league=Slot(means["league_squared_up"], "share")))  # fmt: skip
+            told.append(_league_s(means))
         told.append(say("Balls are met {distance} from the best place on average.",
                         distance=Slot(means["from_best"], "offset")))  # fmt: skip
     if season.setting.contact is not None and season.setting.contact.relation.balls:
         told.append(_relation(season.setting.contact.relation))
     elif season.setting.contact is not None:
-        told.append(Sentence(("No table has enough bat speeds, so nothing is told of bats.",)))
+        told.append(Sentence((FEW_SPEEDS if np.isfinite(means.get("squared_up", np.nan)) else NO_SPEEDS,)))
     return told
+
+
+def _league_s(means: Mapping[str, float]) -> Sentence:
+    """Return the league's rate, and of how many balls where its formula lacks the speed of many pitches."""
+    known, every = means["league_squared_up balls"], means["squared_up balls"]
+    words = "By the league's formula, which knows no bat: {league}"
+    if known > 0.9 * every:
+        return say(words + ".", league=Slot(means["league_squared_up"], "share"))
+    return say(
+        words + " of the {known} balls whose pitch has a speed, {own} of the same against the bat.",
+        league=Slot(means["league_squared_up"], "share"), known=grouped(known),
+        own=Slot(means["squared_up of the same"], "share"),
+    )  # fmt: skip
+
+
+NO_SPEEDS = "No table has bat speeds, so nothing is told of bats."
+FEW_SPEEDS = (
+    "Too few balls have a bat speed to learn from them where these batters meet the ball; where batters usually do is "
+    "taken instead, so what is told of bats is rough."
+)
 
 
 def _files(count: int) -> str:
@@ -142,10 +165,11 @@ def _bats(season: Season) -> str:
 def _relation(relation: PlaceRelation) -> Sentence:
     return say(
         "Learnt from {balls} swings: the ball is met {mean} from the tip on average, scattering by {spread} about what "
-        "the pitch's place says; a pitch 1 ft further outside is met {slope} nearer the tip; exit speeds are {level} "
-        "beside the bat's and scatter by {noise} more than measuring errors do.",
-        balls=f"{relation.balls:,}", mean=Slot(relation.marginal[0], "place"), spread=Slot(relation.spread, "place"),
-        slope=Slot(-relation.weights[1] * FOOT / 0.3, "place"), level=f"{100 * relation.level:+.1f} %",
+        "the pitch's place says; a pitch {further} further outside is met {slope} nearer the tip; exit speeds are "
+        "{level} beside the bat's and scatter by {noise} more than measuring errors do.",
+        balls=grouped(relation.balls), mean=Slot(relation.marginal[0], "place"), spread=Slot(relation.spread, "place"),
+        further=Slot(FOOT, "distance"),
+        slope=Slot(-relation.weights[1] * FOOT / 0.3, "place"), level=f"{round(100 * relation.level, 1) + 0.0:+.1f} %",
         noise=Slot(relation.noise, "speed"),
     )  # fmt: skip
 
@@ -155,6 +179,9 @@ def _means(counted: pl.LazyFrame) -> dict[str, float]:
     wanted = [name for name in ("squared_up", "league_squared_up", "from_best") if name in names]
     row = counted.select(
         *(pl.col(name).cast(pl.Float64).mean() for name in wanted),
+        *(pl.col(name).count().cast(pl.Float64).alias(f"{name} balls") for name in wanted),
+        *([pl.col("squared_up").cast(pl.Float64).filter(pl.col("league_squared_up").is_not_null()).mean()
+           .alias("squared_up of the same")] if "league_squared_up" in wanted else []),
         home_run_here=known_sum(pl.col("home_run_here").cast(pl.Float64)),
         home_runs=known_sum(pl.col("event").str.to_lowercase().str.replace_all("[_ ]", "") == "homerun"),
     ).collect(engine="streaming").row(0, named=True)  # fmt: skip
@@ -165,12 +192,12 @@ def _ledger(season: Season) -> Table:
     survey = season.survey
     columns = [Column("table"), Column("rows", right=True), *(Column(reason, right=True) for reason in REASONS)]
     rows: list[list[Cell]] = [
-        [table.path.name, f"{table.rows:,}", *(f"{counts[reason]:,}" for reason in REASONS)]
+        [table.path.name, grouped(table.rows), *(grouped(counts[reason]) for reason in REASONS)]
         for table, counts in zip(survey.tables, survey.counts, strict=True)
     ]
     if len(rows) > 1:
         totals = [sum(counts[reason] for counts in survey.counts) for reason in REASONS]
-        rows.append(["all", f"{survey.rows:,}", *(f"{total:,}" for total in totals)])
+        rows.append(["all", grouped(survey.rows), *(grouped(total) for total in totals)])
     return Table("Ledger: every row, and why it counts or not", columns, rows)
 
 
@@ -181,22 +208,24 @@ def _warnings(season: Season) -> Block:
         table = survey.tables[warning.table].path.name
         where = ", ".join(map(str, warning.rows[:5])) + (", …" if warning.count > len(warning.rows[:5]) > 0 else "")
         detail = f" ({warning.detail})" if warning.detail else ""
-        rows.append([warning.name, table, f"{warning.count:,}", where, WARNINGS[warning.name] + detail])
+        rows.append([warning.name, table, grouped(warning.count), where, WARNINGS[warning.name] + detail])
     if not rows:
         return Paragraph("Nothing to beware of was found in the tables.", "note")
     columns = [Column("beware"), Column("table"), Column("rows", right=True), Column("first of them"), Column("what")]
     return Table("Beware", columns, rows)
 
 
-def _players(players: Standing) -> Table:
+def _players(players: Standing) -> Block:
     table = players.table.filter(pl.col("balls") >= FEWEST).sort("exit_speed", descending=True).head(SHOWN)
-    listed = [name for name in LISTED if name in table.columns]
+    if table.is_empty():
+        return Paragraph(f"No batter has {FEWEST} balls in play, so none is listed here; the tables have all.", "note")
+    listed = [name for name in LISTED if name in table.columns and table[name].count()]
     columns = [Column("batter"), Column("balls", right=True),
-               *(Column(MEASURES[name][1], MEASURES[name][0], right=True) for name in listed),
+               *(Column(LISTED[name], MEASURES[name][0], right=True) for name in listed),
                Column("home runs expected", right=True)]  # fmt: skip
     rows: list[list[Cell]] = [
         [
-            str(row.get("name") or row["batter"]), f"{row['balls']:,}",
+            str(row.get("name") or row["batter"]), grouped(row['balls']),
             *(_pooled(row, name) for name in listed),
             f"{row['home_runs_expected']:.1f}",
         ]
@@ -215,7 +244,9 @@ def _pooled(row: Mapping[str, Any], name: str) -> Cell:
 def _drag(months: Sequence[DragOfMonth]) -> Table:
     columns = [Column("month"), Column("drag over the law's", "ratio"), Column("standard error", "ratio"),
                Column("fly balls", right=True), Column("games", right=True)]  # fmt: skip
-    rows: list[list[Cell]] = [[one.month, one.drag, one.error, f"{one.flies:,}", f"{one.games:,}"] for one in months]
+    rows: list[list[Cell]] = [
+        [one.month, one.drag, one.error, grouped(one.flies), grouped(one.games)] for one in months
+    ]
     return Table("The season's own drag, from tracked distances; weather is not known, and is in it", columns, rows)
 
 
@@ -228,7 +259,9 @@ def _groups(report: SeasonReport) -> Table:
     for name, spread in ({} if players is None else players.spreads).items():
         if spread.groups:
             label = MEASURES[name][1] if name in MEASURES else f"gain with {name.removeprefix(WITH)}"
-            rows.append([label, f"{spread.groups:,}", *(float(spread.reliability(count)) for count in (34, 100, 400))])
+            rows.append(
+                [label, grouped(spread.groups), *(float(spread.reliability(count)) for count in (34, 100, 400))]
+            )
     return Table("Reliability: how well so many balls of a player tell him from the others", columns, rows)
 
 
@@ -251,7 +284,7 @@ def season_json(report: SeasonReport) -> dict[str, Any]:
         "warnings": [{"name": one.name, "file": str(survey.tables[one.table].path), "rows": one.count,
                       "first_rows": one.rows, "detail": one.detail} for one in survey.warnings],
         "untracked": None if report.untracked is None else asdict(report.untracked),
-        "places": None if contact is None else vars(contact.relation),
+        "places": None if contact is None else asdict(contact.relation),
         "surfaces": [] if contact is None else [
             {"bat": surface.bat.name, "speed_error_m_s": surface.speed_error, "angle_error_rad": surface.angle_error}
             for surface in (*contact.surfaces, *(other.surface for other in contact.others))

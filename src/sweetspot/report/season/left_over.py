@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import polars as pl
 
+from sweetspot.numerics.confidence import REACH
 from sweetspot.report.sentences import Sentence, Slot, say
 from sweetspot.season.season_drag import FEWEST, residuals, residuals_in
 from sweetspot.units import DEGREE, MPH
@@ -74,7 +75,7 @@ def left_over_words(counted: pl.LazyFrame) -> list[Sentence]:
 
 
 def _slot(value: float, error: float) -> Slot:
-    return Slot(float(value), "distance", digits=1, sign=True, reach=(float(error), float(error)))
+    return Slot(float(value), "distance", digits=1, sign=True, reach=(REACH * float(error),) * 2)
 
 
 def _where(table: pl.DataFrame, row: int, kind: Kind) -> str | Slot:

@@ -15,9 +15,12 @@ from sweetspot.report.season.document import CANNOT, SeasonReport
 from sweetspot.report.sentences import Slot, joined, say
 from sweetspot.season.counted import WITH
 from sweetspot.season.standings import MEASURES
+from sweetspot.units import grouped
 
 TELLING = 0.05
 """Reliability below which players do not differ, and a percentile would be chance."""
+MOST_NAMED = 8
+"""Batters whose numbers or names are told where one is not known."""
 KINDS = (("doubters", "doubters"), ("mostly_gone", "mostly gone"), ("no_doubters", "no-doubters"))
 
 
@@ -32,18 +35,15 @@ def player_page(report: SeasonReport, batter: str) -> Document:
     players = report.standings.get("batter")
     if players is None:
         raise InputError("no table has a column of batters, so there is no player to tell of")
-    row = next((one for one in players.table.iter_rows(named=True) if batter in (one["batter"], one.get("name"))), None)
-    if row is None:
-        known = players.table["batter"].to_list()
-        raise InputError(f"no batter {batter!r} in the tables. {nearest_names(batter, known)}")
+    row = _row_of(players.table, batter)
     name = str(row.get("name") or row["batter"])
     drawing = Picture("player", partial(_drawn, report, str(row["batter"]), name), label=f"Balls of {name}.")
-    homers = ", ".join(f"{row[key]:,} {words}" for key, words in KINDS)
+    homers = ", ".join(f"{grouped(row[key])} {words}" for key, words in KINDS)
     words = say(
         "{balls} balls in play with an exit speed, the hardest fifth at {ev20} on average. {expected} home runs "
         "expected in the parks they were hit in, {real} hit; {homers}.",
-        balls=f"{row['balls']:,}", ev20=Slot(row["ev20"], "speed"), expected=f"{row['home_runs_expected']:.1f}",
-        real=f"{row['home_runs']:,}", homers=homers,
+        balls=grouped(row['balls']), ev20=Slot(row["ev20"], "speed"), expected=f"{row['home_runs_expected']:.1f}",
+        real=grouped(row['home_runs']), homers=homers,
     )  # fmt: skip
     blocks: list[Block] = [Paragraph(words), _measures(row), drawing, *_bats(row)]
     return Document(
@@ -51,6 +51,20 @@ def player_page(report: SeasonReport, batter: str) -> Document:
         details=[Section("cannot", "What such tables cannot tell", [Bullets(CANNOT)])], data=cleaned(dict(row)),
         rows={key: [value] for key, value in row.items()},
     )  # fmt: skip
+
+
+def _row_of(players: pl.DataFrame, batter: str) -> dict[str, Any]:
+    """Return the row of a batter's number, or of a name that only one batter has."""
+    asked = [name for name in ("batter", "name") if name in players.columns]
+    for name in asked:
+        rows = players.filter(pl.col(name) == batter)
+        if len(rows) > 1:
+            numbers = ", ".join(rows["batter"].head(MOST_NAMED)) + (", …" if len(rows) > MOST_NAMED else "")
+            raise InputError(f"{len(rows)} batters are called {batter!r}; give the number of one: {numbers}")
+        if len(rows):
+            return rows.row(0, named=True)
+    known = players[asked[0] if batter.isdigit() else asked[-1]].drop_nulls().unique(maintain_order=True).to_list()
+    raise InputError(f"no batter {batter!r} in the tables. {nearest_names(batter, known)}")
 
 
 def _measures(row: dict[str, Any]) -> Table:
@@ -76,14 +90,18 @@ def _measures(row: dict[str, Any]) -> Table:
 
 def _bats(row: dict[str, Any]) -> list[Paragraph]:
     gains = {name.removeprefix(WITH): value for name, value in row.items()
-             if name.startswith(WITH) and name.count(" ") == 1 and "_" not in name and value is not None}  # fmt: skip
+             if name.startswith(WITH) and f"{name}_balls" in row and value is not None}  # fmt: skip
     if not gains:
         return []
     best = max(gains, key=lambda name: gains[name])
     if gains[best] <= 0:
         return [Paragraph("None of the bats tried gives more exit speed than the player's own.")]
-    words = say("Of the bats tried {bat} would serve best: {gain} of exit speed on average.", bat=best,
-                gain=Slot(gains[best], "speed_change", 1, sign=True))  # fmt: skip
+    low, high = (Slot(row[f"{WITH}{best}_{end}"], "speed_change", 1, sign=True) for end in ("low90", "high90"))
+    words = say(
+        "Of the bats tried {bat} would serve best: {gain} of exit speed on average ({low} to {high} in 90 % by chance "
+        "alone; the error of the swing law comes on top).",
+        bat=best, gain=Slot(gains[best], "speed_change", 1, sign=True), low=low.bare, high=high,
+    )  # fmt: skip
     return [Paragraph(words)]
 
 

@@ -5,25 +5,34 @@ What is left over stands by launch angle, exit speed, bearing and park, and what
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 import polars as pl
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from sweetspot.numerics.arrays import Array
 from sweetspot.report.pictures.style import MUTED, SMALL, heading, light_grid, styled
 from sweetspot.report.quantities import BLUE, ORANGE, RED, US, Reader
 from sweetspot.report.season.left_over import KINDS, left_over_by
-from sweetspot.season.season_drag import drag_by_month
-from sweetspot.units import INCH
+from sweetspot.season.contact import SQUARED_UP
+from sweetspot.season.season_drag import DragOfMonth, drag_by_month
+from sweetspot.units import INCH, grouped
 
-BINS = np.linspace(0.4, 1.2, 81)
 PLACES, OFFSETS = np.linspace(0, 14, 57) * INCH, np.linspace(-2.4, 2.4, 49) * INCH
 BINNED = tuple(name for name, kind in KINDS.items() if kind.scale)
+FEW = 400
+"""Balls below which each is a dot on the barrel: a map of so few is too pale to see."""
+LONGEST = 46
+"""Letters of a name beside a row."""
+ROW, LEAST, LINE, AXIS = 2.9, 1.9, 0.165, 0.75
+"""Inches of paper: a row of panels; the one of parks at least, each of its parks, its heading and axis."""
 
 
 @styled
 def season_figure(counted: pl.LazyFrame, *, title: str = "Season", reading: Reader = US) -> Figure:
-    """Return the figure of a season's or a player's balls.
+    """Return the figure of a season's or a player's balls; panels that would be empty are left out.
 
     Parameters
     ----------
@@ -31,39 +40,49 @@ def season_figure(counted: pl.LazyFrame, *, title: str = "Season", reading: Read
     """
     names = counted.collect_schema().names()
     swung = "squared_up_ratio" in names and counted.select(pl.col("squared_up_ratio").count()).collect().item() > 0
-    tracked = counted.select(pl.col("carry_above").count()).collect().item() > 0
-    parks = left_over_by(counted, "park") if tracked else None
-    named = parks is not None and len(parks) > 1
-    rows = int(swung) + int(tracked) + int(named) or 1
-    figure = Figure(figsize=(8.0, 0.6 + 2.9 * rows), layout="constrained")
-    figure.suptitle(title, weight="bold", x=0.02, ha="left", size=13)
-    grid = figure.add_gridspec(rows, 6)
-    row = 0
+    tables = {name: left_over_by(counted, name).drop_nulls("mean") for name in BINNED}
+    tables = {name: table for name, table in tables.items() if len(table)}
+    parks = left_over_by(counted, "park")
+    named = bool(tables) and len(parks) > 1
+    rows = [ROW] * (int(swung) + bool(tables)) + ([max(LEAST, AXIS + LINE * len(parks))] if named else [])
+    rows = rows or [ROW]
+    figure = Figure(figsize=(8.0, 0.6 + sum(rows)), layout="constrained")
+    figure.get_layout_engine().set(w_pad=0.12, h_pad=0.08)  # type: ignore[union-attr, call-arg]
+    figure.suptitle(title, weight="bold", x=0.02, ha="left", size=13, parse_math=False)
+    grid = figure.add_gridspec(len(rows), 1, height_ratios=rows)
     if swung:
-        _ceilings(figure.add_subplot(grid[0, :3]), counted)
-        barrel_map(figure.add_subplot(grid[0, 3:]), counted, reading)
-        row = 1
-    if tracked:
-        _left_over([figure.add_subplot(grid[row, 2 * part : 2 * part + 2]) for part in range(3)], counted, reading)
-    if parks is not None and named:
-        _by_park(figure.add_subplot(grid[row + 1, :4]), parks, reading)
-        _by_month(figure.add_subplot(grid[row + 1, 4:]), counted)
-    if not swung and not tracked:
-        _speeds(figure.add_subplot(grid[0, :]), counted, reading)
+        upper = grid[0].subgridspec(1, 2)
+        _ceilings(figure.add_subplot(upper[0]), counted)
+        barrel_map(figure.add_subplot(upper[1]), counted, reading)
+    if tables:
+        middle = grid[int(swung)].subgridspec(1, len(tables))
+        _left_over([figure.add_subplot(middle[part]) for part in range(len(tables))], tables, reading)
+    if named:
+        months = [one for one in drag_by_month(counted) if one.month != "all"]
+        lower = grid[-1].subgridspec(1, 5)
+        _by_park(figure.add_subplot(lower[:3] if months else lower[:]), parks, reading)
+        if months:
+            _by_month(figure.add_subplot(lower[3:]), months)
+    if not swung and not tables:
+        _speeds(figure.add_subplot(grid[0]), counted, reading)
     return figure
 
 
 def _ceilings(axes: Axes, counted: pl.LazyFrame) -> None:
-    table = counted.select("squared_up_ratio", "league_ratio").collect()
-    for name, colour, label in (("squared_up_ratio", BLUE, "this bat's ceiling"), ("league_ratio", ORANGE, "league's")):
+    table = (
+        counted.select("squared_up_ratio", "league_ratio").filter(pl.col("squared_up_ratio").is_not_null()).collect()
+    )
+    bins = np.linspace(0.4, 1.2, 81 if len(table) > 4000 else 41 if len(table) > FEW else 17).tolist()
+    for name, colour, label in (("squared_up_ratio", BLUE, "of this bat"), ("league_ratio", ORANGE, "of the league")):
         values = table[name].drop_nulls().to_numpy()
-        if len(values):
-            axes.hist(values, BINS.tolist(), histtype="step", color=colour, label=f"over {label}", density=True)
-    axes.axvline(0.8, color=MUTED, linewidth=0.7, linestyle=":")
+        if len(values) > len(table) / 10:  # of a few of the balls a curve beside all of them would mislead
+            axes.hist(values, bins, histtype="step", color=colour, label=label, density=True)
+    axes.axvline(SQUARED_UP, color=MUTED, linewidth=0.7, linestyle=":")
     axes.axvline(1.0, color=MUTED, linewidth=0.7)
+    axes.set_ylim(0, 1.25 * axes.get_ylim()[1])
     axes.legend(frameon=False, loc="upper left", fontsize=SMALL)
-    axes.set(xlabel="exit speed over the ceiling", yticks=[])
-    heading(axes, "How well the balls were hit")
+    axes.set(xlabel="exit speed over the ceiling (dotted: squared up from here)", yticks=[])
+    heading(axes, "How well the balls were hit", f"{grouped(len(table))} balls")
 
 
 def barrel_map(axes: Axes, counted: pl.LazyFrame, reading: Reader = US) -> None:
@@ -75,19 +94,22 @@ def barrel_map(axes: Axes, counted: pl.LazyFrame, reading: Reader = US) -> None:
     """
     unit = reading.units["offset"]
     table = counted.select("from_tip_drawn", "offset").drop_nulls().collect()
-    axes.hist2d(
-        table["from_tip_drawn"].to_numpy() / unit.size, table["offset"].to_numpy() / unit.size,
-        [PLACES / unit.size, OFFSETS / unit.size], cmap="Blues", cmin=1,
-    )  # fmt: skip
+    places, offsets = table["from_tip_drawn"].to_numpy() / unit.size, table["offset"].to_numpy() / unit.size
+    bins = [PLACES / unit.size, OFFSETS / unit.size]
+    if len(table) < FEW:
+        axes.plot(places, offsets, "o", color=BLUE, markersize=3, markeredgewidth=0, alpha=0.6)
+        axes.set(xlim=bins[0][[0, -1]], ylim=bins[1][[0, -1]])
+    else:
+        axes.hist2d(places, offsets, bins, cmap="Blues", cmin=1)
     axes.axhline(0, color=MUTED, linewidth=0.7)
     axes.set(xlabel=f"from the tip, {unit.name}", ylabel=f"ball above the axis, {unit.name}")
     heading(axes, "Where on the barrel", "one draw from what is known of each ball")
 
 
-def _left_over(places: list[Axes], counted: pl.LazyFrame, reading: Reader) -> None:
+def _left_over(places: list[Axes], tables: Mapping[str, pl.DataFrame], reading: Reader) -> None:
     unit = reading.units["distance"]
-    for axes, name in zip(places, BINNED, strict=True):
-        kind, table = KINDS[name], left_over_by(counted, name)
+    for axes, (name, table) in zip(places, tables.items(), strict=True):
+        kind = KINDS[name]
         size = reading.units[kind.scale]
         light_grid(axes)
         axes.axhline(0, color=MUTED, linewidth=0.7)
@@ -97,32 +119,33 @@ def _left_over(places: list[Axes], counted: pl.LazyFrame, reading: Reader) -> No
         )  # fmt: skip
         axes.set(xlabel=f"{kind.label}, {size.name}")
     places[0].set(ylabel=f"{unit.name}")
-    heading(places[0], "Tracked distance less carry")
+    heading(places[0], "Tracked distance less carry", "with standard errors" if len(places) < 3 else "")
 
 
 def _by_park(axes: Axes, parks: pl.DataFrame, reading: Reader) -> None:
     unit = reading.units["distance"]
-    light_grid(axes)
-    axes.axhline(0, color=MUTED, linewidth=0.7)
-    axes.errorbar(
-        np.arange(len(parks)), parks["mean"].to_numpy() / unit.size, parks["error"].to_numpy() / unit.size, fmt="o",
-        color=RED, markersize=3.5, linewidth=1.0,
-    )  # fmt: skip
-    axes.set_xticks(np.arange(len(parks)), parks["name"].to_list(), rotation=60, ha="right", fontsize=SMALL - 1)
-    axes.set(ylabel=f"{unit.name}")
-    heading(axes, "By park", "tracked distance less carry, with standard errors")
+    _spread_by(axes, parks["name"].to_list(), parks["mean"].to_numpy() / unit.size,
+               parks["error"].fill_null(0).to_numpy() / unit.size, colour=RED)  # fmt: skip
+    axes.axvline(0, color=MUTED, linewidth=0.7)
+    axes.set(xlabel=f"{unit.name}, with standard errors")
+    heading(axes, "By park", "tracked distance less carry")
 
 
-def _by_month(axes: Axes, counted: pl.LazyFrame) -> None:
-    months = [one for one in drag_by_month(counted) if one.month != "all"]
-    light_grid(axes)
-    axes.axhline(1, color=MUTED, linewidth=0.7)
-    axes.errorbar(
-        np.arange(len(months)), [one.drag for one in months], [one.error for one in months], fmt="o", color=BLUE,
-        markersize=3.5, linewidth=1.0,
-    )  # fmt: skip
-    axes.set_xticks(np.arange(len(months)), [one.month for one in months], rotation=60, ha="right", fontsize=SMALL - 1)
+def _by_month(axes: Axes, months: list[DragOfMonth]) -> None:
+    _spread_by(axes, [one.month for one in months], np.array([one.drag for one in months]),
+               np.array([one.error for one in months]), colour=BLUE)  # fmt: skip
+    axes.axvline(1, color=MUTED, linewidth=0.7)
+    axes.set(xlabel="ratio, with standard errors")
     heading(axes, "Drag over the law's", "by month")
+
+
+def _spread_by(axes: Axes, names: list[str], means: Array, errors: Array, *, colour: str) -> None:
+    """Draw a mean with its error a row, the first on top: names can be read there without turning the head."""
+    light_grid(axes)
+    rows = np.arange(len(names))
+    axes.errorbar(means, rows, xerr=errors, fmt="o", color=colour, markersize=3.5, linewidth=1.0)
+    axes.set_yticks(rows, [name if len(name) <= LONGEST else name[: LONGEST - 1] + "…" for name in names])
+    axes.set_ylim(len(names) - 0.4, -0.6)
 
 
 def _speeds(axes: Axes, counted: pl.LazyFrame, reading: Reader) -> None:
@@ -130,4 +153,4 @@ def _speeds(axes: Axes, counted: pl.LazyFrame, reading: Reader) -> None:
     values = counted.select("exit_speed").collect()["exit_speed"].drop_nulls().to_numpy()
     axes.hist(values / unit.size, 60, histtype="step", color=BLUE)
     axes.set(xlabel=f"exit speed, {unit.name}", yticks=[])
-    heading(axes, "Exit speeds")
+    heading(axes, "Exit speeds", f"{grouped(len(values))} balls")

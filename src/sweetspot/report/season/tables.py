@@ -45,7 +45,8 @@ def with_units(one: Standing, *, system: str) -> pl.DataFrame:
     """Return a grouping's table in a system's units, with the unit in every column's name."""
     changed = []
     scales = {name: scale for name, (scale, _) in MEASURES.items()} | {EV20: "speed"}
-    scales |= {name: "speed" for name in one.table.columns if name.startswith(WITH)}
+    names = one.table.columns
+    scales |= {name: "speed" for name in names if name.startswith(WITH) and f"{name}_balls" in names}
     for column in one.table.get_columns():
         stem, part = _split(column.name, scales)
         if stem is None:

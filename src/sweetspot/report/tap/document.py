@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from sweetspot.calibration.bar import BarModulus
-from sweetspot.calibration.measured import LEVEL
 from sweetspot.calibration.naming import NamedTone
 from sweetspot.calibration.tap_analysis import TapTest
+from sweetspot.numerics.confidence import LEVEL
 from sweetspot.report.calibration.intervals import measured_json, measured_words
 from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Picture, Table
 from sweetspot.report.json_shapes import as_columns, cleaned
@@ -21,6 +21,14 @@ def tap_document(test: TapTest, title: str) -> Document:
     """Return a tap test as an answer: the taps that were not used and why, the tones, the bar."""
     blocks: list[Block] = [Paragraph(f"{len(test.good)} of {len(test.taps)} taps used.")]
     blocks += [Paragraph(_fault(test, number), "warning") for number, tap in enumerate(test.taps) if not tap.good]
+    if lossy := [one.name for one in test.recordings if one.lossy]:
+        blocks.append(
+            Paragraph(
+                f"{', '.join(lossy)}: this format leaves out what is hard to hear and puts faint tones that nothing "
+                "made beside loud ones. Record WAV or FLAC to trust the faint ones.",
+                "warning",
+            )
+        )
     blocks.append(_tones(test))
     if test.bar is not None:
         blocks += [_bar(test.bar), Paragraph(_budget(test.bar))]

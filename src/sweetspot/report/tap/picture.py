@@ -5,19 +5,25 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.text import Annotation, Text
+from matplotlib.transforms import Bbox
 
 from sweetspot.calibration.naming import NamedTone
 from sweetspot.calibration.sinusoids import Fit
 from sweetspot.calibration.tap_analysis import TapTest
 from sweetspot.calibration.tap_curves import spectrum, waveform
-from sweetspot.report.pictures.style import HUGE, INK, MUTED, SMALL, axes_in_inches, halo, heading, light_grid, styled
-from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED, SKY
+from sweetspot.report.pictures.style import HUGE, INK, MUTED, PAPER, SMALL, axes_in_inches, heading, light_grid, styled
+from sweetspot.report.quantities import BLUE, GREEN, ORANGE, PURPLE, RED
+from sweetspot.units import grouped
 
 WIDTH, HEIGHT, SIDE, HEADER = 8.0, 7.6, 0.75, 0.95
 """Inches of paper."""
-COLOURS = (RED, BLUE, GREEN, PURPLE, ORANGE, SKY)
-SHOWN = 4
-"""Tones whose decay is drawn, the lowest."""
+COLOURS = (RED, BLUE, GREEN, PURPLE)
+"""Of the tones whose decay is drawn, the lowest."""
+NEAR = 0.01
+"""Of the highest tone: a label stands above all of the spectrum this near to its peak."""
+TOP = 30
+"""dB: upper end of the spectrum, which leaves room for labels above those in their way."""
 
 
 @styled
@@ -48,34 +54,58 @@ def _waveform(axes: Axes, test: TapTest) -> None:
 
 
 def _spectrum(axes: Axes, test: TapTest, fit: Fit) -> None:
-    heading(axes, "What rings", "dashed: the modes as described; words: the tones found")
+    expected = [mode for family in test.expected if np.isfinite(family.spread) for mode in family.frequency]
+    heading(axes, "What rings", "dashed: the modes expected; words: the tones found" if expected else "the tones found")
     frequency, level = spectrum(fit)
     axes.plot(frequency, level, color=INK, linewidth=0.7)
-    for family in test.expected:
-        if np.isfinite(family.spread):
-            for mode in family.frequency:
-                axes.axvline(mode, color=MUTED, linewidth=0.7, linestyle=(0, (3, 3)), zorder=0)
-    for one, colour in _coloured(test):
-        tone = one.tone.frequency.value
-        words = f"{one.name}\n{tone:.1f} Hz" if one.name else f"{tone:.0f} Hz"
-        height = float(np.interp(tone, frequency, level))
-        axes.annotate(
-            words, (tone, height), xytext=(0, 4), textcoords="offset points", ha="center", va="bottom", size=SMALL - 1,
-            color=colour, path_effects=halo(), parse_math=False,
-        )  # fmt: skip
+    for mode in expected:
+        axes.axvline(mode, color=MUTED, linewidth=0.7, linestyle=(0, (3, 3)), zorder=0)
     highest = max(one.tone.frequency.value for one in test.tones)
     axes.set_xlim(0, 1.15 * highest)
-    axes.set_ylim(-75, 18)
+    axes.set_ylim(-75, TOP)
     axes.set_ylabel("dB")
     axes.set_xlabel("Hz")
     light_grid(axes)
+    taken: list[Bbox] = []
+    for one, colour in sorted(_coloured(test), key=lambda pair: (pair[0].name is None, -pair[0].tone.level)):
+        tone = one.tone.frequency.value
+        words = f"{one.name}\n{grouped(tone, 1)} Hz" if one.name else f"{grouped(tone)} Hz"
+        peak = float(level[np.abs(frequency - tone) < NEAR * highest].max())
+        taken += _labelled(axes, words, (tone, peak), colour, taken)
+
+
+def _labelled(axes: Axes, words: str, peak: tuple[float, float], colour: str, taken: list[Bbox]) -> list[Bbox]:
+    """Write a label above its peak, higher where another is in the way, and return its box; none: no place is left."""
+    room = axes.get_window_extent()
+    label = axes.annotate(
+        words, peak, xytext=(0, 4), textcoords="offset points", ha="center", va="bottom", size=SMALL - 1,
+        color=colour, parse_math=False, bbox={"facecolor": PAPER, "edgecolor": "none", "pad": 0.6},
+        arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.6, "shrinkA": 0, "shrinkB": 0},
+    )  # fmt: skip
+    dots = axes.figure.dpi / 72
+    right, up = max(0.0, room.x0 + 2 - _words_box(label).x0) / dots, 4.0
+    label.set(position=(right, up))
+    while any(_words_box(label).padded(1).overlaps(other) for other in taken) and _words_box(label).y1 < room.y1:
+        up += 2.0
+        label.set(position=(right, up))
+    box = _words_box(label)
+    if box.y1 < room.y1 and not any(box.padded(1).overlaps(other) for other in taken):
+        return [box]
+    label.remove()
+    return []
+
+
+def _words_box(label: Annotation) -> Bbox:
+    """Return the box of a label's words, without the line that leads to them."""
+    label.get_window_extent()  # which also puts the words in their place
+    return Text.get_window_extent(label)
 
 
 def _decay(axes: Axes, test: TapTest, fit: Fit) -> None:
     """Draw each named tone's amplitude as it decays: heard (line) and fitted (dashes)."""
     heading(axes, "How long it rings", "amplitude of each named tone, heard (line) and fitted (dashes)")
     time = np.arange(len(fit.samples)) / fit.rate
-    for one, colour in [entry for entry in _coloured(test) if entry[0].name][:SHOWN]:
+    for one, colour in [entry for entry in _coloured(test) if entry[0].name][: len(COLOURS)]:
         tone, ratio = one.tone.frequency.value, one.tone.damping_ratio.value
         mine = min(fit.sinusoids, key=lambda sinusoid, tone=tone: abs(sinusoid.frequency.value - tone))  # type: ignore[misc]
         width = max(int(0.008 * fit.rate), int(4 * fit.rate / tone))
@@ -85,7 +115,7 @@ def _decay(axes: Axes, test: TapTest, fit: Fit) -> None:
         fitted = mine.amplitude * np.exp(-2 * np.pi * tone * ratio * time)
         axes.semilogy(time, fitted, color=colour, linewidth=0.9, linestyle=(0, (4, 3)))
     top = max(one.amplitude for one in fit.sinusoids)
-    axes.set_ylim(1e-3 * top, 2 * top)
+    axes.set_ylim(1e-3 * top, 40 * top)  # room for the legend above the curves
     axes.set_xlim(0, time[-1])
     axes.set_xlabel("s after the tap")
     axes.legend(loc="upper right", fontsize=SMALL - 1, frameon=False, ncols=3)
@@ -93,6 +123,6 @@ def _decay(axes: Axes, test: TapTest, fit: Fit) -> None:
 
 
 def _coloured(test: TapTest) -> list[tuple[NamedTone, str]]:
-    """Return every tone with a colour, unnamed ones in grey."""
-    colours = iter(COLOURS * len(test.tones))
+    """Return every tone with a colour: those whose decay is drawn have their own, unnamed ones are grey."""
+    colours = iter([*COLOURS, *[INK] * len(test.tones)])
     return [(one, next(colours) if one.name else MUTED) for one in test.tones]

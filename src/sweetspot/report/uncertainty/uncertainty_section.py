@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
 from sweetspot.calibration.draws.intervals import TOGETHER, DrawnAnswers
-from sweetspot.calibration.measured import LEVEL
+from sweetspot.catalog.sports import sport, sport_names
+from sweetspot.numerics.confidence import LEVEL
 from sweetspot.report.document import Cell, Column, Document, Paragraph, Picture, Section, Table
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.sentences import Slot, say
@@ -31,6 +33,7 @@ def uncertain(
     """
     told = with_intervals(document, answers.reaches())
     shares = {name: share for name, share in answers.shares(main).items() if share >= LEAST_SHARE}
+    not_drawn = {name: 0.0 for name in where if name not in answers.names}
     section = Section("how-sure", "How sure", [
         Paragraph(say(
             "Numbers with ±, or with ends in brackets of which nothing else is said: {level} intervals from {count} "
@@ -38,7 +41,7 @@ def uncertain(
             "taken as given):",
             level=Slot(LEVEL, "share"), count=str(len(answers.normal) - 1), named=named,
         )),
-        shares_table(shares, where), shares_picture(shares, named),
+        shares_table({**shares, **not_drawn}, where), shares_picture(shares, named),
     ])  # fmt: skip
     data = {**told.data, "uncertainty": cleaned({
         "interval_level": LEVEL, "draws": len(answers.normal) - 1, "of": main, "shares": answers.shares(main),
@@ -52,7 +55,7 @@ def shares_table(shares: Mapping[str, float], where: Mapping[str, str]) -> Table
     most = max(shares.values(), default=1.0)
     rows: list[list[Cell]] = [
         [
-            _name(name), Slot(share, "share"), "█" * max(1, round(LONGEST_BAR * share / most)),
+            _name(name), Slot(share, "share"), "█" * math.ceil(LONGEST_BAR * share / most),
             where.get(name, "more than one of them at once"),
         ]
         for name, share in shares.items()
@@ -74,4 +77,7 @@ def _drawn(shares: Mapping[str, float], named: str) -> Any:
 
 
 def _name(source: str) -> str:
-    return "several together" if source == TOGETHER else "the bat" if source == "bat" else source
+    if source == TOGETHER:
+        return "several together"
+    implements = {sport(name).words.implement for name in sport_names()}
+    return f"the {source}" if source in implements else source

@@ -1,0 +1,58 @@
+"""What is not known of a ball that the bat hits again before it is gone, in words."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from sweetspot.collision.coupled import hit
+from sweetspot.collision.impact import Impact
+from sweetspot.dynamics.modes import Modes
+from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.sport import Words
+from sweetspot.numerics.arrays import Array
+from sweetspot.report.sentences import Sentence, Slot, Span, UnitName
+from sweetspot.report.sport_words import in_words
+
+AGAIN = (
+    "{where} {implement} catches up with the {ball} and hits it again. How far a {ball} has recovered by then nobody "
+    "has measured: it is taken as new{otherwise}."
+)
+
+
+def touched_again(impact: Impact, words: Words) -> list[Sentence]:
+    """Return the doubt of a hit whose ball is touched more than once, in one sentence; nothing for one touch."""
+    if impact.unrecovered is None:
+        return []
+    gain = impact.unrecovered_gain
+    otherwise = in_words(
+        "; had it not recovered at all, it would leave {gain} {faster}", words, gain=Slot(abs(gain), "speed"),
+        faster="slower" if gain < 0 else "faster",
+    )  # fmt: skip
+    return [in_words(AGAIN, words, where="The", otherwise=otherwise)]
+
+
+def touched_again_at(
+    touches: float, words: Words, *, modes: Modes, ball: Ball, position: float, closing_speed: float,
+    lateral: float = 0.0,
+) -> list[Sentence]:  # fmt: skip
+    """Return the same for a hit of the compiled solver, which is made once more where the ball was touched again."""
+    if touches < 2:
+        return []
+    again = hit(modes, ball=ball, position=position, lateral=lateral, closing_speed=closing_speed)
+    return touched_again(again, words)
+
+
+def touched_again_between(from_tip: Array, words: Words) -> list[Sentence]:
+    """Return the same for hits along a bat.
+
+    Parameters
+    ----------
+    from_tip : m, where balls are touched more than once, shape (n,).
+    """
+    if len(from_tip) == 0:
+        return []
+    where = in_words(
+        "Hit {places} {unit} from the {tip}, the", words, unit=UnitName("place"),
+        places=Span(float(np.min(from_tip)), float(np.max(from_tip)), "place", unit=False),
+    )  # fmt: skip
+    return [in_words(AGAIN, words, where=where, otherwise="")]

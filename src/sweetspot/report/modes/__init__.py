@@ -1,0 +1,1 @@
+"""The motions of a bat, shown."""

@@ -1,0 +1,80 @@
+"""Comparisons and bat tests with an interval beside every number, and what the intervals come from."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from sweetspot.analysis.certification.simulated_test import Certification
+from sweetspot.analysis.comparison import Comparison
+from sweetspot.calibration.draws.comparison_draws import LAW, drawn_comparison, names_of_bats, with_drawn_intervals
+from sweetspot.calibration.draws.drawn_tests import drawn_test, sources_of_test
+from sweetspot.calibration.draws.sources import DRAWS, Sources
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.equipment.implement import Implement
+from sweetspot.motion.swing import Conditions
+from sweetspot.report.certification.document import tested_document
+from sweetspot.report.certification.tested_bat import TestedBat
+from sweetspot.report.comparison.document import comparison_document
+from sweetspot.report.document import Document, Paragraph
+from sweetspot.report.uncertainty.gains import INTERVAL_HOLDS, gain_json, gain_words
+from sweetspot.report.uncertainty.passing_words import with_chances
+from sweetspot.report.uncertainty.uncertainty_section import uncertain
+
+
+def comparison_with_doubt(
+    comparison: Comparison[Implement],
+    sources: list[Sources],
+    *,
+    corking: bool = False,
+    tested: Sequence[TestedBat] = (),
+    count: int = DRAWS,
+) -> Document:
+    """Return a comparison with intervals, and how sure each bat's gain over the first is.
+
+    Parameters
+    ----------
+    sources : of every bat; those that are not a bat's are taken from the first.
+    corking, tested : see `comparison_document`.
+    """
+    answers = drawn_comparison(comparison, sources, count=count)
+    compared = comparison.compared
+    own = zip(names_of_bats(comparison), sources, strict=True)
+    where = {name: one.bat_where for name, one in own} | sources[0].described
+    where[LAW] = "spread of its exponent in the catalogue"
+    last = len(compared) - 1
+    main, named = (
+        (f"bats.{last}.change_m_s", f"change of {compared[-1].label}")
+        if last
+        else ("bats.0.exit_speed_m_s", "exit speed")
+    )
+    document = comparison_document(
+        with_drawn_intervals(comparison, answers), corking=corking, interval_is=INTERVAL_HOLDS, tested=tested,
+        reaches=answers.reaches(),
+    )  # fmt: skip
+    told = uncertain(document, answers, main=main, named=named, where=where)
+    gains = [(one.label, index) for index, one in enumerate(compared) if index]
+    words = [Paragraph(gain_words(label, compared[0].label, answers, index)) for label, index in gains]
+    data = {**told.data, "uncertainty": {**told.data["uncertainty"], "gains": [
+        {"label": label, **gain_json(answers, index)} for label, index in gains
+    ]}}  # fmt: skip
+    return replace(told, blocks=[*told.blocks[:last], *words, *told.blocks[last:]], data=data)
+
+
+def certificate_with_doubt(
+    tested: TestedBat, conditions: Conditions, sources: Sources, *, count: int = DRAWS
+) -> Document:
+    """Return a bat test with intervals, and how probable it is that the bat passes each rule.
+
+    Parameters
+    ----------
+    conditions : whose ball is fired; see `drawn_test`.
+    sources : of a hit with this bat; what a test normalises or does not have is left out.
+    """
+    document = tested_document(tested)
+    if not isinstance(tested.test, Certification):
+        return with_chances(document, tested)
+    asked = sources_of_test(sources)
+    answers = drawn_test(beam_model(tested.bat), conditions, asked, tested.test, count=count)
+    told = uncertain(document, answers, main="test.bbcor", named="BBCOR", where=asked.described)
+    return with_chances(told, tested, answers)

@@ -1,0 +1,134 @@
+"""Slips of the kinds that users made, with other options and quantities: one line that says how to mend it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sweetspot import InputError, Wind, launched
+
+Run = Callable[..., tuple[int, str, str]]
+
+FLIGHT = ("fly", "--exit-speed", "103mph", "--launch-angle", "28deg")
+SLIPS = [
+    ((*FLIGHT, "--spray", "90deg"), "the spray is 90 deg, and what spin hits usually have is known for -60 to 60 deg"),
+    ((*FLIGHT, "--wind-direction", "40deg"), "--wind-direction was given without --wind-speed"),
+    ((*FLIGHT, "--wind-speed", "9mph", "--wind-direction", "400deg"), "usual is -360 to 360 deg"),
+    ((*FLIGHT, "--humidity", "50"), "usual is 0 to 1; a ratio from 0 to 1, or a percentage: 50 % is 0.5"),
+    (("play", "r161-ash", "--at", "30in-from-tip"), "there the hands are"),
+    (("play", "r161-ash", "--attack-angle", "58deg"), "swing path: the plane of the swing"),
+    (("pendulum", "--mass", "31oz", "--balance-point", "22cm", "--period", "1.45s"), "as no implement does"),
+    (("hit", "r161-ash", "--at", "6in-from-barrel"), "places are written 27in, from the knob end, or 6in-from-tip"),
+    (("hit", "r161-ash", "--at", "-3in"), "A negative number is written with =, as in --at=-3in"),
+    (("parks", "koors"), "Did you mean coors"),
+    (("show", "nosuch"), "example aluminium-7xxx, american-family-field"),
+    (("report", "nosuch"), "`sweetspot bats` lists all"),
+    (("fly", "--exit-speed", "100mph", "--height", "30ft"), "usual is 0 to 11 ft"),
+    (("play", "r161-ash", "--height", "30ft"), "usual is 0 to 11 ft"),
+    (("calibrate", "r161-ash", "--tone", "bending-1:0Hz"), "allowed is a frequency of more than 0 Hz"),
+]
+BASE = 'name = "x"\nlength = "33 in"\nmaterial = "aluminium 7xxx"\nprofile = [["0 in", "1 in"], ["33 in", "2.6 in"]]\n'
+FILES = {
+    'like = "tennis-racket"\n[strings]\ntension = "24"\n': "write for example 230 N, 24 kg or 52 lb",
+    BASE + "[shell]\nwall = 2.8\n": 'wall was given as 2.8: write the unit too, in quotes, as in "2.8 mm"',
+    'like = "tennis-racket"\n[strings]\ntension = 55\n': 'as in "55 lb"',
+    BASE.replace("length", 'mass = "31 ± 0.1 oz"\nlength'): "write the value alone here",
+    BASE.replace("length", 'mass = "3 1 oz"\nlength'): "mass was given as '3 1 oz', which is not a number with a unit",
+    BASE.replace('"x"', '""'): "name is empty; write what people call it",
+    BASE.replace(
+        '["33 in', '["9 in", "2 in"], ["3 in", "2 in"], ["33 in'
+    ): "goes back from 0.2286 m (9 in) to 0.0762 m (3 in)",
+    BASE + '[cup]\ndiameter = "2.6 in"\ndepth = "1 in"\n': "cup is 0.06604 m (2.6 in) wide and has to be narrower",
+    BASE.replace('"aluminium 7xxx"', '{ like = "ash", youngs_modulus = "9 GPa" }'): "known are like, density, long",
+    BASE + '[[point_mass]]\nposition = "30 in"\nmass = "-1.5 oz"\n': "point mass: mass was given as -0.04252",
+}
+
+
+@pytest.mark.parametrize(("arguments", "message"), SLIPS)
+def test_a_slip_is_refused_in_one_line(run: Run, arguments: tuple[str, ...], message: str) -> None:
+    code, out, err = run(*arguments)
+    assert code == 2 and not out and message in err and len(err.strip().splitlines()) == 1, err
+
+
+@pytest.mark.parametrize(("text", "message"), FILES.items())
+def test_a_slip_in_a_file(run: Run, tmp_path: Path, text: str, message: str) -> None:
+    file = tmp_path / "mine.toml"
+    file.write_text(text)
+    code, _, err = run("report", str(file))
+    assert code == 2 and message in err and "tuple" not in err, err
+
+
+def test_a_table_saved_on_windows_is_read(run: Run, tmp_path: Path) -> None:
+    """A name with an accent in the code page of Windows; bytes that are no text are refused still."""
+    table = tmp_path / "team.csv"
+    rows = "bat_speed_mph,exit_speed_mph,pitch_speed_mph,player\n70,90,60,Jos\u00e9\n69,88,60,Ren\u00e9e\n"
+    table.write_bytes(rows.encode("cp1252"))
+    assert "Jos\u00e9, Ren\u00e9e" in run("fit-player", str(table))[2]
+    table.write_bytes(bytes(range(256)) * 4)
+    assert "is not a text file" in run("fit-player", str(table))[2]
+
+
+TABLES = {
+    ("outline", "FILE"): ("position_in,diameter_in\n", "has 1 line; allowed are a heading"),
+    ("outline ", "FILE"): (
+        "position_in,diameter_in\n1.8,0\n1,5\n1,10\n1.8,20\n2.6,30\n2.3,33\n",
+        "the columns position_in and diameter_in are swapped",
+    ),
+    ("report", "FILE"): ("position_in,diameter_in\n0,1.7\n", "`sweetspot outline` makes a bat file"),
+    ("tap", "FILE"): ("", "cannot be read as a sound: Format not recognised; record WAV"),
+    ("season", "FILE"): ("type,launch_speed,launch_angle\nX,25,95\nX,20,101\nX,,12\n", "2 impossible (an exit speed"),
+}
+
+
+@pytest.mark.parametrize(("command", "table"), TABLES.items())
+def test_a_table_of_another_kind(run: Run, tmp_path: Path, command: tuple[str, str], table: tuple[str, str]) -> None:
+    file, (text, message) = tmp_path / "table.csv", table
+    file.write_text(text)
+    code, _, err = run(command[0].strip(), str(file))
+    assert code == 2 and message in err, err
+
+
+def test_no_wind_bends_no_ball(run: Run) -> None:
+    pulled = (*FLIGHT, "--spray", "20deg")
+    assert "Its spin bends it" in " ".join(run(*pulled)[1].split())
+    windy = (*pulled, "--wind-speed", "10mph", "--wind-direction", "0deg")
+    assert "Its spin and the wind bend it" in " ".join(run(*windy)[1].split())
+
+
+@pytest.mark.parametrize(
+    ("wrong", "message"),
+    [
+        ({"speed": math.nan}, "speed is not a finite number; leave out"),
+        ({"speed": [40.0, math.nan, math.nan]}, r"speed is not a finite number in row 1 and 1 more; leave"),
+        ({"backspin": math.inf}, "backspin is not a finite number"),
+        ({"launch_angle": math.nan}, "launch_angle is nan; give a finite number of radians"),
+        ({"position": (0.0, math.nan, 1.0)}, "position is not a finite number; leave"),
+        ({"position": [(0.0, 0.0, 1.0), (0.0, math.nan, 1.0)]}, "position is not a finite number in row 1"),
+    ],
+)
+def test_what_is_no_number_starts_no_ball(wrong: dict[str, Any], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        launched(**{"speed": 40.0, "launch_angle": 0.4, **wrong})
+
+
+def test_a_wind_in_degrees_is_refused() -> None:
+    with pytest.raises(InputError, match=r"direction: it is 90 rad; angles are in radians: write math.radians\(90\)"):
+        Wind(speed=5.0, direction=90)
+    assert Wind(speed=5.0, direction=-math.pi).velocity[1] == pytest.approx(-5.0)
+
+
+def test_a_ball_of_another_sport_is_named(run: Run) -> None:
+    code, _, err = run("certify", "r161-ash", "--ball", "tennis")
+    assert code == 2 and "a ball of tennis; ncaa tests bats with a ball of baseball. Leave --ball out" in err
+    code, told, err = run("report", "r161-ash", "--ball", "tennis")
+    assert code == 0 and "computed all the same" in err and "; hit by: tennis ball, type 2" in " ".join(told.split())
+
+
+@pytest.mark.parametrize("wrong", [{"speed": [40.0, 45.0, 30.0], "launch_angle": [0.4, 0.5]}, {"speed": "100mph"}])
+def test_arrays_that_do_not_fit_are_refused(wrong: dict[str, Any]) -> None:
+    with pytest.raises(InputError, match="do not fit together"):
+        launched(**{"launch_angle": 0.4, **wrong})
