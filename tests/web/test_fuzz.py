@@ -22,9 +22,9 @@ from sweetspot.web.server import create_app
 from sweetspot.web.views import VIEWS
 
 CHECKS = [not_a_server_error, status_code_conformance, content_type_conformance, response_schema_conformance]
-EXAMPLES = 10
-SLOW = {"/api/v1/player/fit": 3}
-"""What takes a second an example gets fewer."""
+EXAMPLES = 5
+SLOW = ("fit", "sure", "rules_sure", "describe", "parks", "maps")
+"""What takes longest; fewer examples of it."""
 
 
 @pytest.mark.parametrize("mode", list(GenerationMode))
@@ -38,7 +38,7 @@ def test_no_example_breaks_the_server(mode: GenerationMode, monkeypatch: pytest.
             continue  # takes nothing that could be wrong
 
         @settings(
-            max_examples=SLOW.get(operation.path, EXAMPLES),
+            max_examples=3 if operation.path.endswith(SLOW) and mode is GenerationMode.POSITIVE else EXAMPLES,
             derandomize=True,
             database=None,
             phases=(Phase.generate,),
@@ -46,6 +46,6 @@ def test_no_example_breaks_the_server(mode: GenerationMode, monkeypatch: pytest.
         )
         @given(case=operation.as_strategy(generation_mode=mode))
         def check(case: Case[Any]) -> None:
-            case.call_and_validate(checks=CHECKS, timeout=60)
+            case.call_and_validate(checks=CHECKS, timeout=600)
 
         check()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import time
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -14,11 +15,13 @@ from sweetspot.web.jobs import Jobs, Look
 
 
 def counting(most: int, *, after: Any, say: Callable[..., None]) -> dict[str, Any]:
-    """Count to a number, a step at a time; -1 breaks, -2 is refused; 1000 and more waits between steps."""
+    """Count to a number, a step at a time; -1 breaks, -2 is refused, -3 dies; 1000 and more waits between steps."""
     if most == -1:
         raise RuntimeError
     if most == -2:
         raise InputError("no such number")
+    if most == -3:
+        os._exit(3)
     for number in range(after or 0, most):
         say({"number": number}, number)
         if most >= 1000:
@@ -35,7 +38,7 @@ def jobs() -> Iterator[Jobs]:
 
 def until(jobs: Jobs, key: str, good: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
     """Look until what is told is good."""
-    deadline = time.monotonic() + 60
+    deadline = time.monotonic() + 600
     while not good(told := jobs.look(key, Look())):
         assert time.monotonic() < deadline, told
         time.sleep(0.02)
@@ -51,13 +54,16 @@ def test_work_is_done_told_once_and_its_faults_are_told(jobs: Jobs) -> None:
     assert "no such number" in until(jobs, refused, lambda told: told["status"] == "failed")["error"]["message"]
     broken = jobs.start("one", counting, -1)
     assert "program's" in until(jobs, broken, lambda told: told["status"] == "failed")["error"]["message"]
+    died = jobs.start("one", counting, -3)
+    told = until(jobs, died, lambda told: told["status"] != "running")
+    assert told["status"] == "failed" and "exit code 3" in told["error"]["message"]
     with pytest.raises(InputError, match="not known"):
         jobs.look("nothing", Look())
 
 
 def test_work_is_stopped_and_goes_on_where_it_was_and_too_much_is_refused(jobs: Jobs) -> None:
-    key = jobs.start("one", counting, 1000)
-    second = jobs.start("one", counting, 1000)
+    key = jobs.start("one", counting, 100_000)
+    second = jobs.start("one", counting, 100_000)
     with pytest.raises(InputError, match="stop one"):
         jobs.start("one", counting, 1)
     with pytest.raises(InputError, match="places"):
@@ -75,7 +81,7 @@ def test_what_nobody_watches_is_stopped(jobs: Jobs, monkeypatch: pytest.MonkeyPa
     monkeypatch.setattr(module, "UNWATCHED", 0.0)
     key = jobs.start("one", counting, 100_000)
     job = jobs._jobs[key]  # looking would be watching
-    deadline = time.monotonic() + 60
+    deadline = time.monotonic() + 600
     while job.status == "running":
         assert time.monotonic() < deadline
         time.sleep(0.05)

@@ -187,6 +187,34 @@ def test_a_drag_ends_once(run: Callable[[str], Any]) -> None:
     assert ends == 3
 
 
+def test_a_film_stays_at_its_moment_while_a_hand_drags(run: Callable[[str], Any]) -> None:
+    moments = run("""(() => {
+      const seen = [];
+      const app = { rests: true, control() {}, announce() {}, setState() {} };
+      app.onFrame = (step) => { app.step = step; return () => {}; };
+      const told = { field: "moment_ms", onMoment: (at) => seen.push(at), describe: () => ({ short: "", long: "" }) };
+      const film = new m.transport.Transport(app, told);
+      film.set({ from: 0, to: 1, frames: [0, 1], slowness: 1 });
+      film.play();
+      for (const [now, rests] of [[0, true], [100, true], [200, false], [300, false], [350, true]]) {
+        app.rests = rests;
+        app.step(now);
+      }
+      return seen;
+    })()""")
+    assert moments == pytest.approx([0.0, 0.1, 0.15])
+
+
+def test_what_is_asked_apart_waits_for_the_picture(run: Callable[[str], Any]) -> None:
+    asked = """(await new Promise((done) => {
+      const told = [];
+      const app = { name: "v", state: {}, asking: true, waits() {}, ask: async () => told.push(app.asking) };
+      new m.later.Later(app).aside("a", [], 0, () => done(told));
+      setTimeout(() => { app.asking = false; }, 200);
+    }))"""
+    assert run(asked) == [False]
+
+
 def test_the_last_question_wins(run: Callable[[str], Any]) -> None:
     """While one is under way the others wait, and of those that wait only the latest is asked."""
     sent, drawn = run("""(() => {

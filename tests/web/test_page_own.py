@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Callable
 from pathlib import Path
 
 import soundfile
 from playwright.sync_api import Browser, Page, expect
+
+from tests import browsers
 
 Answered = Callable[..., int]
 
@@ -45,10 +46,9 @@ def test_the_microphone_freezes_on_a_tap(browser: Browser, server: str, taps: Pa
     samples, rate = soundfile.read(taps)
     heard = tmp_path / "heard.wav"
     soundfile.write(heard, samples, rate, subtype="PCM_16")  # all that the pretended microphone understands
-    found = next(path for name in ("chromium", "chromium-browser", "google-chrome") if (path := shutil.which(name)))
     flags = ["--no-sandbox", "--use-fake-ui-for-media-stream", "--use-fake-device-for-media-stream",
              f"--use-file-for-fake-audio-capture={heard}"]  # fmt: skip
-    listening = browser.browser_type.launch(executable_path=found, args=flags)
+    listening = browser.browser_type.launch(executable_path=browsers.for_tests(), args=flags)
     try:
         page = listening.new_page()
         page.add_init_script("localStorage.setItem('guided', 'yes')")

@@ -47,3 +47,14 @@ def test_the_best_swing_of_a_softball_bat_has_its_field(page: Page, server: str,
     expect(page.locator("[data-field=park] select")).to_have_value("fast-pitch")
     page.goto(f"{server}/optimum?bat=r161-ash")
     expect(page.locator("[data-field=park] select")).to_have_value("fenway-park")
+    expect(page.locator("#bench-chip")).to_be_visible()
+
+
+def test_a_racket_is_named_over_its_view_and_the_bat_over_others(
+    page: Page, server: str, answered: Callable[..., int]
+) -> None:
+    page.goto(f"{server}/sports")
+    answered(page)
+    expect(page.locator("#bench-chip")).to_have_text(catalog.implement("tennis-racket").name)
+    page.get_by_role("link", name="Explorer").click()
+    expect(page.locator("#bench-chip")).to_contain_text(catalog.bat("r161-ash").name)

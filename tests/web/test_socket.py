@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import asyncio
 import json
+import threading
 import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
+from types import SimpleNamespace
 from typing import Any
 
 import httpx
@@ -15,17 +17,21 @@ import pytest
 from websockets.exceptions import ConnectionClosed, InvalidHandshake, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 
-from sweetspot.web import answers
+from sweetspot.web import answers, socket
 from sweetspot.web.errors import FieldError
 from sweetspot.web.limits import LARGEST_BODY, MESSAGES_AT_ONCE, Bucket
 from sweetspot.web.states import ViewState
 from sweetspot.web.view import View
 from sweetspot.web.views import VIEWS
 
+LATE = 600.0
+"""s after which no answer comes."""
+
 
 @contextmanager
 def talking(server: str, **options: Any) -> Iterator[ClientConnection]:
-    with connect(server.replace("http", "ws") + "/ws", compression=None, max_size=2**22, **options) as line:
+    patient: dict[str, Any] = {"open_timeout": LATE, "ping_interval": None}
+    with connect(server.replace("http", "ws") + "/ws", compression=None, max_size=2**22, **patient, **options) as line:
         yield line
 
 
@@ -33,7 +39,7 @@ def asked(line: ClientConnection, number: int, **state: Any) -> dict[str, Any]:
     line.send(json.dumps({"id": number, "view": "explorer", "state": state}))
     answer: dict[str, Any] = {"status": ""}
     while "status" in answer:  # said before the answer, while the kernels load
-        answer = json.loads(line.recv(timeout=30))
+        answer = json.loads(line.recv(timeout=LATE))
     return answer
 
 
@@ -44,18 +50,30 @@ def test_a_question_is_answered_under_its_number(server: str, client: httpx.Clie
     assert found["answer"] == client.post("/api/v1/explorer", json={"pitch_speed_mph": 85}).json()
 
 
-def test_the_latest_question_wins(server: str) -> None:
+def test_the_latest_question_wins(server: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """A burst is not answered one by one: what was overtaken while it waited is left out."""
+    last, taken, all_taken = 60, socket._Conversation._take, threading.Event()
+    answer_json = answers.answer_json
+
+    async def take(self: socket._Conversation, text: str | None) -> None:
+        await taken(self, text)
+        if f'"id": {last},' in str(text):
+            all_taken.set()
+
+    def answered(*question: Any) -> bytes:
+        all_taken.wait(LATE)
+        return answer_json(*question)
+
+    monkeypatch.setattr(socket._Conversation, "_take", take)
     with talking(server) as line:
-        last = 60
+        monkeypatch.setattr(answers, "answer_json", answered)
         for number in range(1, last + 1):
             state = {"pitch_speed_mph": 50 + number / 2}
             line.send(json.dumps({"id": number, "view": "explorer", "state": state}))
         numbers: list[int] = []
         while not numbers or numbers[-1] != last:
-            numbers.append(json.loads(line.recv(timeout=10))["id"])
-    assert numbers == sorted(numbers)
-    assert len(numbers) < last
+            numbers.append(json.loads(line.recv(timeout=LATE))["id"])
+    assert len(numbers) <= 2  # one that was begun, and the last one
 
 
 @pytest.mark.parametrize(
@@ -76,7 +94,7 @@ def test_the_latest_question_wins(server: str) -> None:
 def test_what_is_wrong_is_said_and_the_line_stays_open(server: str, text: str, words: str) -> None:
     with talking(server) as line:
         line.send(text)
-        error = json.loads(line.recv(timeout=10))["error"]
+        error = json.loads(line.recv(timeout=LATE))["error"]
         assert words in error["message"]
         assert "answer" in asked(line, 2)
 
@@ -84,14 +102,14 @@ def test_what_is_wrong_is_said_and_the_line_stays_open(server: str, text: str, w
 def test_bytes_are_refused_with_a_message(server: str) -> None:
     with talking(server) as line:
         line.send(b"\x00\xff")
-        assert "JSON text" in json.loads(line.recv(timeout=10))["error"]["message"]
+        assert "JSON text" in json.loads(line.recv(timeout=LATE))["error"]["message"]
 
 
 def test_a_text_that_is_none_ends_the_line_without_a_traceback(server: str, caplog: pytest.LogCaptureFixture) -> None:
     with talking(server) as line, pytest.raises(ConnectionClosed) as closed:
         with line.send_context():
             line.protocol.send_text(b"\xff\xfe")
-        line.recv(timeout=10)
+        line.recv(timeout=LATE)
     assert closed.value.rcvd is not None
     assert closed.value.rcvd.code == 1007
     assert not [record for record in caplog.records if record.exc_info]
@@ -101,7 +119,7 @@ def test_a_message_too_large_ends_the_line_and_nothing_else(server: str) -> None
     with talking(server) as other:
         with talking(server) as line, pytest.raises(ConnectionClosed):
             line.send("x" * (LARGEST_BODY + 1))
-            line.recv(timeout=10)
+            line.recv(timeout=LATE)
         assert "answer" in asked(other, 1)
 
 
@@ -117,7 +135,7 @@ def test_users_do_not_see_each_other(server: str) -> None:
     with talking(server) as first, talking(server) as second:
         for line, speed in ((first, 81.5), (second, 82.5)):
             line.send(json.dumps({"id": 1, "view": "explorer", "state": {"pitch_speed_mph": speed}}))
-        found = [json.loads(line.recv(timeout=10))["answer"]["conditions"] for line in (first, second)]
+        found = [json.loads(line.recv(timeout=LATE))["answer"]["conditions"] for line in (first, second)]
     assert [speed["pitch_speed_m_s"] for speed in found] == pytest.approx([81.5 * 0.44704, 82.5 * 0.44704])
 
 
@@ -135,13 +153,15 @@ def test_a_flood_is_read_slowly_and_ends_with_its_last_question(server: str) -> 
         for number in range(1, last + 1):
             line.send(json.dumps({"id": number, "view": "nothing", "state": {}}))
         assert "answer" in asked(other, 1)
-        while json.loads(line.recv(timeout=10))["id"] != last:
+        while json.loads(line.recv(timeout=LATE))["id"] != last:
             pass
 
 
 def test_an_answer_that_takes_too_long_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    given_up = threading.Event()
+
     def slow(_: ViewState) -> dict[str, Any]:
-        time.sleep(0.3)
+        given_up.wait(60)
         return {}
 
     monkeypatch.setitem(VIEWS, "slow", View("slow", "Slow", ViewState, slow))
@@ -152,12 +172,15 @@ def test_an_answer_that_takes_too_long_is_given_up(monkeypatch: pytest.MonkeyPat
         apart.submit(
             lambda: asyncio.run(found.json("slow", ViewState()))
         ).result()  # the browser has this thread's loop
+    given_up.set()
     found.close()
 
 
-def test_an_allowance_refills() -> None:
+def test_an_allowance_refills(monkeypatch: pytest.MonkeyPatch) -> None:
+    now = time.monotonic()
+    monkeypatch.setattr("sweetspot.web.limits.time", SimpleNamespace(monotonic=lambda: now))
     bucket = Bucket(rate=1000, size=2)
     assert [bucket.take() for _ in range(3)] == [True, True, False]
     assert 0 < bucket.wait <= 1e-3
-    time.sleep(0.01)
-    assert bucket.take()
+    now += 0.0015
+    assert [bucket.take() for _ in range(2)] == [True, False]

@@ -151,3 +151,16 @@ def test_a_direction_may_be_that_of_the_landing() -> None:
     found = asked(direction="landing", spray_deg=10.0, sidespin_rpm=1500.0)
     assert found["flight"]["landing_direction_rad"] == pytest.approx(math.radians(10), abs=1e-5)
     assert found["launch"]["spray_rad"] > math.radians(12)  # the spin bends it back to the left
+
+
+@pytest.mark.parametrize("start", ["ball", "swing"])
+def test_how_sure_a_flight_is(start: str) -> None:
+    """A ball with its own numbers has its drag alone; one that was hit has bat and ball too."""
+    told = flight.sure(FlightState.model_validate({"start": start}))["html"]["us"]
+    assert "carries" in told and "±" in told and "drag of the ball" in told
+    assert ("ball restitution" in told) == (start == "swing")
+
+
+def test_a_missed_ball_is_not_sure_of_anything() -> None:
+    with pytest.raises(FieldError, match="misses"):
+        flight.sure(FlightState(start="swing", offset_in=2.5, bat="russell-b1", impact_from_tip_in=20))

@@ -11,7 +11,7 @@ import pytest
 
 from sweetspot.web.answers import answer_json
 from sweetspot.web.errors import FieldError
-from sweetspot.web.views import hit
+from sweetspot.web.views import explorer, hit
 
 BATS = ("r161-ash", "single-wall")
 
@@ -70,6 +70,24 @@ def test_the_wall_is_dented_under_the_ball_by_as_much_as_is_felt() -> None:
     assert 0.7 < ratio < 1.0
 
 
+def test_a_ball_that_is_hit_again_is_told_alike_everywhere(run: Callable[..., tuple[int, str, str]]) -> None:
+    # 18 in from the tip of a metal bat: page, commands and report say the same of what nobody has measured
+    [doubt] = asked(bat="single-wall", impact_from_tip_in=18.0)["hit"]["touched_again"]["us"]
+    assert "hits it again" in doubt and "mph slower" in doubt
+    met = explorer.answer(explorer.ExplorerState(bat="single-wall", impact_from_tip_in=18.0))
+    assert met["hit"]["touched_again"]["us"] == [doubt]
+    assert asked(bat="single-wall", impact_from_tip_in=6.0)["hit"]["touched_again"]["us"] == []
+    measured = doubt[: doubt.index("; had it")].removeprefix("The ")
+
+    def said(*command: str) -> str:
+        return " ".join(run(*command)[1].split())
+
+    assert doubt in said("hit", "single-wall", "--at", "18in-from-tip")
+    assert measured in said("play", "single-wall", "--at", "18in-from-tip")
+    assert f"in from the tip, the {measured}." in said("report", "single-wall")
+    assert "hits it again" not in said("report", "r161-ash")
+
+
 def test_how_it_is_drawn_makes_no_difference() -> None:
     first = asked()
     assert asked(moment_ms=2, exaggeration=9, recoil=False, slowness=200) == first
@@ -109,3 +127,11 @@ def test_the_command_gives_the_same_hit(run_json: Callable[..., dict[str, Any]])
     assert program == "sweetspot"
     assert run_json(*arguments)["release_time_s"] == pytest.approx(hit.answer(state)["hit"]["release_time_s"], rel=1e-9)
     assert "command" not in hit.recipe(hit.HitFilmState(held=True))  # it knows no hands that weigh something
+
+
+def test_how_sure_the_hits_numbers_are() -> None:
+    """The hit of the command with its intervals; who holds the bat makes no difference to them."""
+    free, held = (hit.sure(hit.HitFilmState(held=held)) for held in (False, True))
+    assert free == held
+    assert "exit speed" in free["html"]["us"] and "ball restitution" in free["html"]["us"]
+    assert "±" in free["html"]["us"] and "m/s" in free["html"]["si"]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 from typing import Any
 
@@ -14,10 +13,6 @@ WEIGHED: dict[str, Any] = {"weighed_oz": 31.0, "balanced_in": 22.05, "pendulum_m
 
 def asked(client: httpx.Client, path: str = "", **fields: Any) -> dict[str, Any]:
     response = client.post(f"/api/v1/own{path}", json=fields)
-    deadline = time.monotonic() + 120
-    while response.status_code == 503 and time.monotonic() < deadline:  # still being worked out
-        time.sleep(0.5)
-        response = client.post(f"/api/v1/own{path}", json=fields)
     assert response.status_code == 200, response.text
     return dict(response.json())
 

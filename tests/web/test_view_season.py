@@ -47,7 +47,7 @@ def read(client: httpx.Client, *uploads: str, **fields: Any) -> dict[str, Any]:
 @pytest.fixture(scope="module")
 def known(server: str, balls: Path) -> str:
     """The name of a season that was read: a good table, and one that is none."""
-    with httpx.Client(base_url=server, timeout=30, verify=False) as client:
+    with httpx.Client(base_url=server, timeout=600, verify=False) as client:
         empty = balls.with_name("nothing.csv")
         empty.write_text("launch_angle_deg\n12\n")
         told = read(client, handed_in(client, balls), handed_in(client, empty))

@@ -7,6 +7,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from sweetspot.analysis.trampoline import weights
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
@@ -45,11 +46,12 @@ def bounds(state: BatState, bat: Bat) -> dict[str, Range]:
 
 @lru_cache(maxsize=KEPT)
 def _masses(bat: Bat) -> Range:
-    """Return the weights that a bat can have: by other wood, or by a weight in a hollow bat's end cap."""
+    """Return the weights that a bat can have: by other wood, or by a hollow bat's end cap and walls."""
+    if bat.shell is not None:
+        low, high = (limit / OUNCE for limit in weights(bat))
+        return (math.ceil(10 * low) / 10, math.floor(10 * high) / 10)
     line = beam_model(bat)
     mass = rigid_body(line).mass / OUNCE
-    if bat.shell is not None:
-        return (math.ceil(10 * (mass - bat.shell.end_cap_mass / OUNCE)) / 10, 60.0)
     known = bat.material.density_range
     if known is None:
         return (10.0, 60.0)

@@ -9,16 +9,19 @@ from typing import Any, NamedTuple, TypeVar
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced
-from sweetspot.analysis.trampoline import with_wall_factor
+from sweetspot.analysis.trampoline import weighing, with_wall_factor
 from sweetspot.analysis.two_way import varied
 from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.files.bat import bat_from_table, table_of_text
+from sweetspot.catalog.files.implement import implement_from_table
 from sweetspot.catalog.records import entry
 from sweetspot.catalog.standard_hit import SPEED_FROM_TIP, standard_conditions
+from sweetspot.dynamics.batch.reduction import fast_reduced_bat
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import Conditions, Hands, Pitch, Swing
 from sweetspot.units import INCH, MPH, OUNCE
@@ -116,9 +119,18 @@ def analysed(state: SwungState) -> Analysis[Bat]:
 
 def bat_from_text(text: str) -> Bat:
     """Return the bat of an uploaded TOML text, within limits on its size and depth; no file is opened."""
+    return bat_from_table(_table(text), "the bat file")
+
+
+def implement_from_text(text: str) -> Implement:
+    """Return the bat, racket, club or stick of an uploaded TOML text; see `bat_from_text`."""
+    return implement_from_table(_table(text), "the file")
+
+
+def _table(text: str) -> dict[str, Any]:
     table = table_of_text(text, "the bat file")
     _check_extent(table)
-    return bat_from_table(table, "the bat file")
+    return table
 
 
 def _check_extent(table: dict[str, Any]) -> None:
@@ -168,10 +180,11 @@ _FIRST = BatState()
 
 @lru_cache(maxsize=KEPT)
 def _reduced(state: BatState, ball: Ball) -> ReducedBat:
+    """Return a bat as it is by the readable chain, as the library; changed by hand by the compiled one, to 1e-9."""
     bat = _changed(state)
     with about("bat_toml" if state.bat_toml is not None else "bat"):
-        model = reduced_bat(bat, ball=ball)
-    return ReducedBat(bat, model.line, model.body, model.modes)
+        changed = any(getattr(state, name) != value for name, value in _FIRST if name not in ("bat", "bat_toml"))
+        return fast_reduced_bat(beam_model(bat), ball=ball) if changed else reduced_bat(bat, ball=ball)
 
 
 @lru_cache(maxsize=KEPT_ANALYSES)
@@ -195,7 +208,8 @@ def _changed(state: BatState) -> Bat:
             bat = bat.reshaped(tuple((place * INCH, width * INCH) for place, width in state.profile_in))
     if state.mass_oz is not None:
         with about("mass_oz"):
-            bat = varied(bat, {"mass": state.mass_oz * OUNCE}, fill=bat.material)
+            mass = state.mass_oz * OUNCE
+            bat = varied(bat, {"mass": mass}, fill=bat.material) if bat.shell is None else weighing(bat, mass)
             beam_model(bat)
     if state.wall_factor != 1:
         with about("wall_factor"):

@@ -16,11 +16,12 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.report.bat.json import bat_json
-from sweetspot.report.quantity_table import quantity_data
+from sweetspot.report.quantity_table import quantity_data, words_in_both_systems
 from sweetspot.web.bats import bat_from_text
 from sweetspot.web.errors import about
-from sweetspot.web.schemas import BatFacts, BatText, Choice, Meaning
+from sweetspot.web.schemas import BatFacts, BatText, Choice, Described, Meaning
 from sweetspot.web.wizard import Wanted, described_by
+from sweetspot.web.wizard_form import Form, forms
 
 
 def catalogue_routes(api: APIRouter) -> None:
@@ -74,12 +75,21 @@ def catalogue_routes(api: APIRouter) -> None:
     @api.get("/terms", tags=["catalogue"])
     def terms() -> list[Meaning]:
         """Return what the words on the page mean, each with its source."""
-        return [Meaning(names=list(one.names), words=one.words, source=one.cited) for one in all_terms()]
+        return [
+            Meaning(names=list(one.names), words=words_in_both_systems(one.words), source=one.cited)
+            for one in all_terms()
+        ]
+
+    @api.get("/questions", tags=["catalogue"])
+    def questions() -> list[Form]:
+        """Return what is asked of a bat, racket, club or stick of one's own, sport by sport."""
+        return list(forms())
 
     @api.post("/describe", tags=["catalogue"])
-    def describe(wanted: Wanted) -> BatText:
-        """Return a bat file from a few answers, or which answer cannot be."""
-        return BatText(toml=described_by(wanted))
+    def describe(wanted: Wanted) -> Described:
+        """Return the file of a bat, racket, club or stick from a few answers, or which answer cannot be."""
+        toml, told = described_by(wanted)
+        return Described(toml=toml, told=told)
 
     @api.post("/bat", tags=["catalogue"])
     def bat(text: BatText) -> BatFacts:
@@ -104,7 +114,12 @@ def _bats() -> tuple[BatFacts, ...]:
 def _implements() -> tuple[Choice, ...]:
     tools = [(catalog.sport(tool.sport).name, key, tool.name) for key in catalog.implement_names()
              for tool in [catalog.implement(key)]]  # fmt: skip
-    return tuple(Choice(key=key, name=f"{sport}: {name}") for sport, key, name in sorted(tools))
+    return tuple(Choice(key=key, name=f"{sport}: {name}") for sport, key, name in sorted(tools, key=_by_name))
+
+
+def _by_name(implement: tuple[str, str, str]) -> tuple[str, str]:
+    sport, _, name = implement
+    return sport, name.casefold()
 
 
 def _facts(key: str, bat: Bat) -> BatFacts:

@@ -8,8 +8,8 @@ from dataclasses import replace
 from typing import Any
 
 from sweetspot.report.document import Block, Document, Picture, Section
-from sweetspot.report.html import fragment, with_minus_signs
-from sweetspot.report.quantities import SYSTEMS
+from sweetspot.report.html import fragment
+from sweetspot.report.quantities import SYSTEMS, with_minus_signs
 from sweetspot.report.sentences import Sentence
 
 BEFORE_UNIT = re.compile(r"(?<=\d) (?=(?:{})(?:[\s,;)]|$))".format("|".join(sorted(
@@ -26,9 +26,14 @@ def unbroken(text: str) -> str:
     return BEFORE_UNIT.sub("\N{NO-BREAK SPACE}", text)
 
 
-def told(document: Document) -> dict[str, Any]:
-    """Return a document's title and its HTML for readers of either system; the server's own words, all escaped."""
-    bare = replace(document, blocks=_without_pictures(document.blocks))
+def told(document: Document, *, mark: str = "") -> dict[str, Any]:
+    """Return a document's title and its HTML for readers of either system; the server's own words, all escaped.
+
+    Parameters
+    ----------
+    mark : put behind its sections' anchors, where several documents stand on one page.
+    """
+    bare = replace(document, blocks=_without_pictures(document.blocks, mark))
     return {
         "title": str(document.title),
         "html": {system: unbroken(fragment(bare, reader)) for system, reader in SYSTEMS.items()},
@@ -41,9 +46,11 @@ def in_both_systems(sentences: Iterable[Sentence]) -> dict[str, list[str]]:
     return {system: [with_minus_signs(one.read(reader)) for one in every] for system, reader in SYSTEMS.items()}
 
 
-def _without_pictures(blocks: Sequence[Block]) -> list[Block]:
+def _without_pictures(blocks: Sequence[Block], mark: str) -> list[Block]:
     return [
-        replace(block, blocks=_without_pictures(block.blocks)) if isinstance(block, Section) else block
+        replace(block, name=f"{block.name}{mark}", blocks=_without_pictures(block.blocks, mark))
+        if isinstance(block, Section)
+        else block
         for block in blocks
         if not isinstance(block, Picture)
     ]

@@ -63,4 +63,5 @@ def outline(bat: Bat) -> dict[str, Any]:
         "cup": None if bat.cup is None else {"diameter_m": bat.cup.diameter, "depth_m": bat.cup.depth},
         "weights": [{"position_m": weight.position, "mass_kg": weight.mass} for weight in bat.point_masses],
         "material": bat.material.name,
+        "remark": bat.remark,
     }

@@ -33,6 +33,7 @@ LONGEST = 1800.0
 GENTLE = 10
 """By how much a job gives way to the page's own answers (nice)."""
 BROKEN = "this could not be computed; the fault is the program's. Please report it with what was asked"
+NOT_BEGUN = "this machine could not begin another process; end other programs, and begin it again"
 
 Say = Callable[..., None]
 """say(progress, keep): what the page is shown, and what is needed to go on."""
@@ -84,8 +85,14 @@ class Job:
             target=_run, args=(its, self._work, self._arguments, self._kept), daemon=True
         )
         self._error, self._looked = None, time.monotonic()
-        process.start()
-        its.close()
+        try:
+            process.start()
+        except OSError as error:  # no memory, or no more processes allowed
+            self.status, self._error = "failed", {"field": "", "message": f"{NOT_BEGUN} ({error.strerror})"}
+            ours.close()
+            return
+        finally:
+            its.close()
         self._process, self.status = process, "running"  # in this order: one that was stopped may still be ending
         threading.Thread(target=self._listen, args=(process, ours), daemon=True, name="job").start()
 
@@ -106,17 +113,20 @@ class Job:
     def _listen(self, process: Any, ours: Connection) -> None:
         """Take what the process says until it ends, or until nobody asks any more."""
         begun = time.monotonic()
-        with suppress(EOFError, OSError):
+        died = False
+        try:
             while True:
                 if ours.poll(0.5):
                     self._take(*ours.recv())
                 now = time.monotonic()
                 if now - self._looked > UNWATCHED or now - begun > LONGEST:
                     break
+        except (EOFError, OSError):  # it hung up; whether it was done is known by then
+            died = True
+            process.join(5)
         if process is self._process and self.status == "running":
-            ended = process.exitcode is not None and process.exitcode != 0
-            self.status = "failed" if ended else "stopped"
-            self._error = {"field": "", "message": BROKEN} if ended else None
+            self.status = "failed" if died else "stopped"
+            self._error = {"field": "", "message": _death(process.exitcode)} if died else None
         process.terminate()
         process.join(5)
         ours.close()
@@ -185,6 +195,18 @@ def job_routes(api: APIRouter, jobs: Jobs) -> None:
     def look(key: str, look: Look) -> dict[str, Any]:
         """Return how a piece of long work stands: running, done, stopped or failed, and what is new."""
         return jobs.look(key, look)
+
+
+def _death(code: int | None) -> str:
+    """Return what is told of a process that ended before its work was done, by its exit code.
+
+    >>> _death(1)
+    'its process ended before it was done (exit code 1). Begin it again; if it ends again, see what the terminal says'
+    """
+    how = f"exit code {code}"
+    if code is not None and code < 0:
+        how = f"{signal.Signals(-code).name}: another program ended it, or memory ran out"
+    return f"its process ended before it was done ({how}). Begin it again; if it ends again, see what the terminal says"
 
 
 def _run(line: Connection, work: Work, arguments: tuple[Any, ...], after: Any) -> None:

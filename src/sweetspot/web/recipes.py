@@ -8,11 +8,13 @@ from __future__ import annotations
 
 from shlex import quote
 
-from sweetspot.catalog.files.write import bat_toml
+from sweetspot.catalog.files.write import bat_toml, legible
 from sweetspot.web.bats import described, swung
 from sweetspot.web.states import BatState, SwungState
 
 BAT_FILE = "bat.toml"
+ENOUGH = 12
+"""Decimals of a bat's lengths and masses with which its file gives the page's numbers to nine figures."""
 _FIRST = BatState()
 
 
@@ -31,7 +33,7 @@ def is_catalogued(state: BatState) -> bool:
 
 def bat_text(state: BatState) -> str:
     """Return the bat's file."""
-    return bat_toml(described(state))
+    return legible(bat_toml(described(state)), digits=ENOUGH)
 
 
 def option(name: str, text: str) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Literal
 
 from pydantic import BaseModel, Field
 
@@ -39,6 +39,12 @@ class BatText(BaseModel):
     toml: str = Field(max_length=20_000)
 
 
+class Described(BatText):
+    """A file that answers made, and what was changed of its pattern so that it weighs what was said; "": nothing."""
+
+    told: str
+
+
 class Choice(BaseModel):
     """One of a list: what programs call it, and what people do."""
 
@@ -47,10 +53,10 @@ class Choice(BaseModel):
 
 
 class Meaning(BaseModel):
-    """What a word means: the names under which it stands, the explanation, and who says so."""
+    """What a word means: the names under which it stands, the explanation in either system, and who says so."""
 
     names: list[str]
-    words: str
+    words: dict[Literal["us", "si"], str]
     source: str
 
 

@@ -16,6 +16,7 @@ MOST_STATIONS = 60
 
 Station = tuple[Annotated[float, Field(ge=0, le=52)], Annotated[float, Field(ge=0.1, le=5)]]
 Name = Annotated[str, Field(min_length=1, max_length=60)]
+Toml = Annotated[str, Field(max_length=LONGEST_TOML)]
 
 
 class ViewState(BaseModel):
@@ -28,7 +29,7 @@ class BatState(ViewState):
     """Which bat, and what was done to it."""
 
     bat: Name = Field("r161-ash", description="name in the catalogue; not looked at when bat_toml is given")
-    bat_toml: Annotated[str, Field(max_length=LONGEST_TOML)] | None = Field(None, description="a bat file's text")
+    bat_toml: Toml | None = Field(None, description="a bat file's text")
     profile_in: Annotated[tuple[Station, ...], Field(min_length=2, max_length=MOST_STATIONS)] | None = Field(
         None, description="another outline: pairs of position from the knob end and diameter"
     )

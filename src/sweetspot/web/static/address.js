@@ -3,6 +3,14 @@
 const PACKED = "s";
 const MOST_UNPACKED = 65536; // letters of what a short address may hold
 
+/** @typedef {Record<string, unknown>} Fields the state of a view, by its fields */
+/** @typedef {{ type?: string, enum?: unknown[], anyOf?: Property[] }} Property of a schema */
+
+/**
+ * @param {string} name
+ * @param {Fields} state
+ * @param {Fields} defaults
+ */
 export function addressOf(name, state, defaults, embedded = false) {
   const query = new URLSearchParams();
   for (const [field, value] of Object.entries(state)) {
@@ -14,6 +22,11 @@ export function addressOf(name, state, defaults, embedded = false) {
 }
 
 // The same as a short address: what differs, packed by deflate. It needs no server to remember it.
+/**
+ * @param {string} name
+ * @param {Fields} state
+ * @param {Fields} defaults
+ */
 export async function shortAddressOf(name, state, defaults) {
   const changed = Object.entries(state).filter(([field, value]) => JSON.stringify(value) !== JSON.stringify(defaults[field]));
   if (!changed.length) return `/${name}`;
@@ -22,12 +35,17 @@ export async function shortAddressOf(name, state, defaults) {
   return `/${name}?${PACKED}=${text}`;
 }
 
+/** @param {string} text */
 async function unpacked(text) {
   const bytes = Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (letter) => letter.charCodeAt(0));
   const found = new TextDecoder().decode(await through(new DecompressionStream("deflate-raw"), bytes));
   return JSON.parse(found);
 }
 
+/**
+ * @param {CompressionStream | DecompressionStream} stream
+ * @param {Uint8Array<ArrayBuffer>} bytes
+ */
 async function through(stream, bytes) {
   const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
   const parts = [];
@@ -41,6 +59,11 @@ async function through(stream, bytes) {
 }
 
 // Unknown names are left out; values are read by the schema's type and checked by the server.
+/**
+ * @param {string} search
+ * @param {Record<string, Property>} schema
+ * @param {Fields} defaults
+ */
 export async function stateIn(search, schema, defaults) {
   const state = { ...defaults };
   const packed = new URLSearchParams(search).get(PACKED);
@@ -58,11 +81,13 @@ export async function stateIn(search, schema, defaults) {
   return state;
 }
 
+/** @param {Property} property */
 function isText(property) {
   const choices = property.anyOf ?? [property];
   return choices.some((choice) => choice.type === "string" || choice.enum?.every((item) => typeof item === "string"));
 }
 
+/** @param {string} text */
 function parsed(text) {
   try {
     return JSON.parse(text);

@@ -2,9 +2,20 @@
 
 import { heat } from "./heat.js";
 import { FONT, arrow } from "./surface.js";
+/** @import { Answer, Colors } from "./main.js" */
+
+/** @typedef {{ left: number, scale: number, middle: number, edge?: number }} Place where a bat is drawn: pixels, and pixels per m */
+/** @typedef {(x: number) => number} Way from a value to a pixel */
 
 export const WIDEST = 0.076; // m; room for the barrel and the ball is kept, so that the picture does not jump
 
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Answer} ball
+ * @param {Answer} bat
+ * @param {Place} place
+ * @param {Colors} colors
+ */
 export function paintBall(context, ball, bat, place, colors) {
   const radius = ball.radius_m * place.scale;
   const x = place.left + ball.position_m * place.scale;
@@ -26,14 +37,22 @@ export function paintBall(context, ball, bat, place, colors) {
 }
 
 // Bat and ball as seen along the bat: how far off the axis they meet, and where the ball goes.
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Answer} ball
+ * @param {Answer} bat
+ * @param {Place} place
+ * @param {Colors} colors
+ * @param {string} words
+ */
 export function paintMeeting(context, ball, bat, place, colors, words) {
   const scale = Math.min(0.45 * place.scale, 420);
   const [own, its] = [radiusAt(bat, ball.position_m) * scale, ball.radius_m * scale];
-  const x = place.edge + own + 16;
+  const x = (place.edge ?? 0) + own + 16;
   const y = place.middle + (WIDEST / 2) * place.scale + own + 2 * its;
   const up = ball.offset_m * scale;
   const across = Math.sqrt(Math.max(0, (own + its) ** 2 - up ** 2));
-  const circle = (at, height, radius, fill, edge) => {
+  const circle = (/** @type {number} */ at, /** @type {number} */ height, /** @type {number} */ radius, /** @type {string} */ fill, /** @type {string} */ edge) => {
     context.beginPath();
     context.arc(at, height, radius, 0, 2 * Math.PI);
     context.fillStyle = fill;
@@ -53,9 +72,13 @@ export function paintMeeting(context, ball, bat, place, colors, words) {
   context.fillText(words, x + across / 2, y + Math.max(own, its) + 6);
 }
 
+/**
+ * @param {Answer} bat
+ * @param {number} x
+ */
 export function radiusAt(bat, x) {
   const { position_m: places, diameter_m: widths } = bat.outline;
-  let i = places.findIndex((place) => place >= x);
+  let i = places.findIndex((/** @type {number} */ place) => place >= x);
   if (i < 0) i = places.length - 1;
   if (i === 0) return widths[0] / 2;
   const part = (x - places[i - 1]) / (places[i] - places[i - 1] || 1);
@@ -63,6 +86,12 @@ export function radiusAt(bat, x) {
 }
 
 // The outline of another bat, dashed over this one.
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {{ outline: { position_m: number[], diameter_m: number[] } }} given
+ * @param {{ left: number, scale: number, middle: number }} given
+ * @param {string} color
+ */
 export function paintOutline(context, { outline: { position_m: places, diameter_m: widths } }, { left, scale, middle }, color) {
   Object.assign(context, { strokeStyle: color, lineWidth: 1.1 });
   context.setLineDash([4, 3]);
@@ -75,11 +104,17 @@ export function paintOutline(context, { outline: { position_m: places, diameter_
 }
 
 // The bat alone, cut open: wood, wall, holes, what fills them, and the cup.
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Answer} bat
+ * @param {{ left: number, scale: number, middle: number }} given
+ * @param {Colors} colors
+ */
 export function paintBat(context, bat, { left, scale, middle }, colors, warm = null) {
   const { position_m: places, diameter_m: widths } = bat.outline;
-  const points = places.map((place, i) => [left + place * scale, (widths[i] / 2) * scale]);
+  const points = places.map((/** @type {number} */ place, /** @type {number} */ i) => [left + place * scale, (widths[i] / 2) * scale]);
   context.beginPath();
-  points.forEach(([x, r]) => context.lineTo(x, middle - r));
+  points.forEach((/** @type {[number, number]} */ [x, r]) => context.lineTo(x, middle - r));
   [...points].reverse().forEach(([x, r]) => context.lineTo(x, middle + r));
   context.closePath();
   context.fillStyle = bat.hollow ? colors.metal : colors.wood;
@@ -93,7 +128,7 @@ export function paintBat(context, bat, { left, scale, middle }, colors, warm = n
   for (const bore of bat.bores) paintBore(context, bore, { left, scale, middle }, colors);
   if (bat.cup) paintCup(context, bat, { left, scale, middle }, colors);
   context.beginPath();
-  points.forEach(([x, r]) => context.lineTo(x, middle - r));
+  points.forEach((/** @type {[number, number]} */ [x, r]) => context.lineTo(x, middle - r));
   [...points].reverse().forEach(([x, r]) => context.lineTo(x, middle + r));
   context.closePath();
   context.strokeStyle = bat.hollow ? colors.metalEdge : colors.woodEdge;
@@ -109,6 +144,12 @@ export function paintBat(context, bat, { left, scale, middle }, colors, warm = n
 }
 
 // Colours on the bat for a quantity along it: { position_m, values, least, most }.
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Answer} bat
+ * @param {{ left: number, scale: number, middle: number }} given
+ * @param {{ position_m: number[], values: number[], least: number, most: number }} given
+ */
 export function paintHeat(context, bat, { left, scale, middle }, { position_m: places, values, least, most }) {
   for (let i = 0; i + 1 < places.length; i += 1) {
     if (values[i] === null || values[i + 1] === null) continue;
@@ -126,6 +167,13 @@ export function paintHeat(context, bat, { left, scale, middle }, { position_m: p
   }
 }
 
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Answer} bat
+ * @param {number[][]} points
+ * @param {{ scale: number, middle: number }} given
+ * @param {Colors} colors
+ */
 function paintInside(context, bat, points, { scale, middle }, colors) {
   context.beginPath();
   const inner = points.map(([x, r], i) => [x, Math.max(0, r - bat.wall_m[i] * scale)]);
@@ -136,6 +184,12 @@ function paintInside(context, bat, points, { scale, middle }, colors) {
   context.fill();
 }
 
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Answer} bore
+ * @param {{ left: number, scale: number, middle: number }} given
+ * @param {Colors} colors
+ */
 function paintBore(context, bore, { left, scale, middle }, colors) {
   const [x, y] = [left + bore.start_m * scale, middle - (bore.diameter_m / 2) * scale];
   const [width, height] = [(bore.stop_m - bore.start_m) * scale, bore.diameter_m * scale];
@@ -155,6 +209,12 @@ function paintBore(context, bore, { left, scale, middle }, colors) {
   context.setLineDash([]);
 }
 
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Answer} bat
+ * @param {{ left: number, scale: number, middle: number }} given
+ * @param {Colors} colors
+ */
 function paintCup(context, bat, { left, scale, middle }, colors) {
   const tip = left + bat.length_m * scale;
   const [radius, depth] = [(bat.cup.diameter_m / 2) * scale, bat.cup.depth_m * scale];

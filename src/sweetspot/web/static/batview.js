@@ -13,13 +13,15 @@ import { WIDEST, paintBall, paintBat, paintMeeting, paintOutline, radiusAt } fro
 import table from "./quantities.js";
 import { FONT, Surface, haloText } from "./surface.js";
 import { text } from "./units.js";
-/** @import { App, State } from "./main.js" */
+/** @import { Answer, App, State } from "./main.js" */
 /** @import { Zoom } from "./zoom.js" */
+/** @import { Place, Way } from "./batpaint.js" */
 
 export { paintBat, radiusAt };
 
 export const SPOTS = Object.fromEntries(Object.entries(table.spots).map(([name, { label, colour }]) => [`${name}_m`, [label, colour]]));
 const ROW = 17, ROOM_BELOW = 30, HANDLE = 5;
+const INSET = 104; // pixels that the meeting seen from the tip takes
 const NARROW = 500; // pixels per m below which there is no room for words under the bat
 
 export class BatView {
@@ -48,23 +50,30 @@ export class BatView {
     if (onBall) this.listen();
   }
 
+  /** @param {Answer} data */
   draw(data) {
     this.data = data;
     this.surface.draw();
   }
+  /** @param {string} name */
   figure(name) { return this.surface.figure(name); }
+  /** @param {string} words */
   label(words) { this.surface.label(words); }
 
   get range() { return this.zoom ? this.zoom.range : [0, this.data?.bat.length_m ?? 0.84]; }
+  /** @param {number} width */
   scaleAt(width) { return (width - LEFT - RIGHT) / (this.range[1] - this.range[0]); }
+  /** @param {number} x */
   along(x) {
     const { left, scale } = this.place(this.surface.width);
     return (x - left) / scale;
   }
+  /** @param {number} width */
   tall(width) {
     const rows = this.data?.sweet_spots ? Object.keys(SPOTS).length * ROW + 10 : 8;
     return rows + (WIDEST + (this.data?.ball ? 2 * this.data.ball.radius_m : 0)) * this.scaleAt(width) + ROOM_BELOW;
   }
+  /** @param {number} width */
   place(width) {
     const rows = this.data.sweet_spots ? Object.keys(SPOTS).length * ROW + 10 : 8;
     const scale = this.scaleAt(width);
@@ -90,23 +99,37 @@ export class BatView {
   }
 
   // What is made with the hand: the end of a hole, a cup, a weight, the top hand; see grips.js.
+  /**
+   * @param {number} x
+   * @param {number} y
+   */
   gripAt(x, y) {
     const { left, scale, middle } = this.place(this.surface.width);
-    const far = (this.data.grips ?? []).map(({ at, aside }) => Math.hypot(x - left - at * scale, Math.abs(y - middle) - aside * scale));
+    const far = (this.data.grips ?? []).map((/** @type {{ at: number, aside: number }} */ { at, aside }) => Math.hypot(x - left - at * scale, Math.abs(y - middle) - aside * scale));
     const nearest = far.indexOf(Math.min(...far));
     return far[nearest] < 15 ? this.data.grips[nearest] : null;
   }
 
+  /**
+   * @param {number} x
+   * @param {number} y
+   */
   stationAt(x, y) {
     const { left, scale, middle } = this.place(this.surface.width);
-    const far = this.data.bat.stations.map(({ position_m, diameter_m }) =>
+    const far = this.data.bat.stations.map((/** @type {{ position_m: number, diameter_m: number }} */ { position_m, diameter_m }) =>
       Math.hypot(x - left - position_m * scale, Math.abs(y - middle) - (diameter_m / 2) * scale));
     const nearest = far.indexOf(Math.min(...far));
     return far[nearest] < 24 ? nearest : null;
   }
 
+  /**
+   * @param {number} index
+   * @param {number} along
+   * @param {number} width
+   * @param {boolean} last
+   */
   dragStation(index, along, width, last) {
-    const stations = this.data.bat.stations.map((station) => ({ ...station }));
+    const stations = this.data.bat.stations.map((/** @type {Answer} */ station) => ({ ...station }));
     const inner = index > 0 && index < stations.length - 1;
     const [before, after] = [stations[index - 1]?.position_m, stations[index + 1]?.position_m];
     if (inner) stations[index].position_m = Math.min(after - 0.002, Math.max(before + 0.002, along));
@@ -114,12 +137,16 @@ export class BatView {
     this.onStations?.(stations, { last });
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} width
+   */
   paint(context, width) {
     if (!this.data) return;
     const { colors } = this.app;
     const { bat, sweet_spots: spots, hands_m: hands, ball, warm = null } = this.data;
     const place = this.place(width);
-    const across = (x) => place.left + x * place.scale;
+    const across = (/** @type {number} */ x) => place.left + x * place.scale;
     const bottom = place.middle + (WIDEST / 2 + (ball ? 2 * ball.radius_m : 0)) * place.scale;
     context.save();
     context.beginPath();
@@ -134,9 +161,18 @@ export class BatView {
     else this.paintGrips(context, across, place);
     context.restore();
     if (spots) this.paintSpots(context, spots, bat, across, place);
-    if (ball && ball.offset_m !== undefined) paintMeeting(context, ball, bat, place, colors, "seen from the tip");
+    if (ball && ball.offset_m !== undefined) {
+      const [x, radius] = [across(ball.position_m), ball.radius_m * place.scale]; // beside the ball, where there is room
+      const edge = [place.edge ?? 0, width - INSET].find((one) => x - radius > one + INSET || x + radius < one);
+      if (edge !== undefined) paintMeeting(context, ball, bat, { ...place, edge }, colors, "seen from the tip");
+    }
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Way} across
+   * @param {Place} place
+   */
   paintGrips(context, across, place) {
     const { colors } = this.app;
     for (const { at, aside } of this.data.grips ?? []) {
@@ -150,6 +186,13 @@ export class BatView {
     }
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {number[]} given
+   * @param {Way} across
+   * @param {Place} place
+   * @param {number} bottom
+   */
   paintZone(context, [from, to], across, place, bottom) {
     const { colors } = this.app;
     const top = place.middle - (WIDEST / 2) * place.scale;
@@ -169,9 +212,16 @@ export class BatView {
     context.fillText(`sweet zone ${this.app.text("zone_m", to - from, 1)}`, across(to), y + 4);
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Answer} bat
+   * @param {Answer} hands
+   * @param {Way} across
+   * @param {Place} place
+   */
   paintBelow(context, bat, hands, across, place) {
     const { colors } = this.app;
-    const radius = (x) => (radiusAt(bat, x) * place.scale);
+    const radius = (/** @type {number} */ x) => (radiusAt(bat, x) * place.scale);
     context.font = `11px ${FONT}`;
     context.textAlign = "center";
     context.textBaseline = "top";
@@ -200,19 +250,48 @@ export class BatView {
     context.fill();
     if (place.scale < NARROW) return;
     context.fillStyle = colors.muted;
-    context.fillText(`balance ${text("balance_point_m", bat.balance_point_m, this.app.units, 1)}`, x, y + 12);
+    const words = `balance ${text("balance_point_m", bat.balance_point_m, this.app.units, 1)}`;
+    context.fillText(words, this.besideBall(x, context.measureText(words).width / 2 + 3, across, place), y + 12);
+  }
+
+  // The middle of words under the bat, moved from where the ball would cover them.
+  /**
+   * @param {number} x
+   * @param {number} half
+   * @param {Way} across
+   * @param {Place} place
+   */
+  besideBall(x, half, across, place) {
+    const { ball } = this.data;
+    if (!ball) return x;
+    const [at, clear] = [across(ball.position_m), ball.radius_m * place.scale + half];
+    if (Math.abs(x - at) >= clear) return x;
+    return x < at && at - clear - half > (place.edge ?? 0) ? at - clear : at + clear;
   }
 
   // Names on the left, each with a line that runs level and then down to its place; the nearest place lowest, so
   // that no line crosses another.
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Answer} spots
+   * @param {Answer} bat
+   * @param {Way} across
+   * @param {Place} place
+   */
   paintSpots(context, spots, bat, across, place) {
     const { colors } = this.app;
-    const [least] = this.range;
-    const found = Object.entries(SPOTS).map(([key, [name, color]]) => ({ name, color, at: spots[key] })).filter(({ at }) => at !== null && at >= least);
-    found.sort((a, b) => b.at - a.at);
-    const column = Math.max(across(found.at(-1)?.at ?? 0) - 14, LEFT + 150);
+    const [least, most] = this.range;
+    const found = Object.entries(SPOTS).map(([key, [name, color]]) => ({ name, color, at: spots[key] })).filter(({ at }) => at !== null && at >= least && at <= most);
+    found.sort((a, b) => a.at - b.at);
+    const wordsOf = (/** @type {{ name: string | null, at: number }} */ { name, at }) => `${name}  ${text("spot_m", bat.length_m - at, this.app.units, 1)}`;
+    context.font = `600 12px ${FONT}`;
+    const widest = Math.max(0, ...found.map((one) => context.measureText(wordsOf(one)).width)) + 8;
+    const ends = [found[0], found[found.length - 1]].map((one) => across(one?.at ?? 0));
+    const right = ends[0] - 14 < widest && ends[1] + 14 < this.surface.width - widest; // where the names stand
+    const column = right ? ends[1] + 14 : Math.max(ends[0] - 14, widest);
+    if (!right) found.reverse();
     context.textBaseline = "middle";
-    found.forEach(({ name, color, at }, row) => {
+    found.forEach(({ color, at }, row) => {
       const [x, y] = [across(at), 12 + row * ROW];
       const dot = place.middle + radiusAt(bat, at) * place.scale * (0.72 - (1.44 * row) / Math.max(1, found.length - 1)) * -1;
       context.strokeStyle = colors[color ?? "ink"];
@@ -228,16 +307,28 @@ export class BatView {
       context.arc(x, dot, 4.5, 0, 2 * Math.PI);
       context.fill();
       context.stroke();
-      context.font = `${color === "red" ? "600 " : ""}12px ${FONT}`;
-      context.textAlign = "right";
-      haloText(context, `${name}  ${text("spot_m", bat.length_m - at, this.app.units, 1)}`, column - 5, y, colors.ink, colors.panel);
+    });
+    found.forEach((one, row) => { // over all lines, which may run behind them where there is little room
+      context.font = `${one.color === "red" ? "600 " : ""}12px ${FONT}`;
+      context.textAlign = right ? "left" : "right";
+      const [words, x, y] = [wordsOf(one), column + (right ? 5 : -5), 12 + row * ROW];
+      const wide = context.measureText(words).width;
+      context.fillStyle = colors.panel;
+      context.fillRect(right ? x : x - wide, y - 7, wide, 14);
+      haloText(context, words, x, y, colors.ink, colors.panel);
     });
     context.font = `11px ${FONT}`;
     context.fillStyle = colors.muted;
     context.textAlign = "left";
-    if (column > LEFT + 230) context.fillText("from the tip", LEFT, 12);
+    if (!right && column > LEFT + 230) context.fillText("from the tip", LEFT, 12);
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Answer} bat
+   * @param {Way} across
+   * @param {Place} place
+   */
   paintStations(context, bat, across, place) {
     const { colors } = this.app;
     for (const { position_m: position, diameter_m: diameter } of bat.stations) {

@@ -8,9 +8,12 @@ import { checked, textOf } from "./batfile.js";
 import { button, choice, group, reveal, slider } from "./controls.js";
 import { partOf } from "./parts.js";
 import { posted } from "./post.js";
-import { INCH, OUNCE } from "./units.js";
-/** @import { App, State } from "./main.js" */
-/** @import { Desk } from "./controls.js" */
+import { INCH, OUNCE, fromShown, toShown, unitOf } from "./units.js";
+/** @import { Answer, App, State } from "./main.js" */
+/** @import { Desk, Options, Words } from "./controls.js" */
+/** @import { BatView } from "./batview.js" */
+
+/** @typedef {{ position_m: number, diameter_m: number }} Station where the outline has a corner, and how wide it is there */
 
 const OWN = "own file";
 export const UNCHANGED = ["bat_toml", "profile_in", "mass_oz", "wall_factor", "bore_diameter_in", "cup_diameter_in", "weight_oz", "choke_up_in"];
@@ -20,6 +23,12 @@ export const FILLS = [["nothing", "nothing"], ["cork", "cork"], ["rubber", "rubb
 /** @param {Pick<App, "schema">} app */
 export function unchanged(app) {
   return Object.fromEntries(UNCHANGED.map((field) => [field, app.schema[field].default ?? null]));
+}
+
+// Questions about an implement of one's own; they are fetched when first wanted.
+/** @param {App} app */
+export async function describeOwn(app) {
+  return (await import("./wizard.js")).wizard(app);
 }
 
 // The list of the catalogue's bats; a bat of one's own stands in it too, so that it never names another bat.
@@ -35,17 +44,17 @@ export function batChoice(app, label = "Bat") {
 
 // What a control stands at that nobody has moved: as is usual in the sport of the last answer's bat.
 /** @param {Desk} app */
-export const usual = (app, field) => () => app.answer?.bat?.usual?.[field] ?? null;
+export const usual = (app, /** @type {string} */ field) => () => app.answer?.bat?.usual?.[field] ?? null;
 
 // A choice that follows the bat's sport until somebody chooses.
 /** @param {Desk} app */
-export function usualChoice(app, field, look) {
+export function usualChoice(app, /** @type {string} */ field, /** @type {{ label: Words, options: Options | Promise<Options>, note?: string }} */ look) {
   return choice(app, field, { ...look, follows: true, shown: (state) => state[field] ?? usual(app, field)() });
 }
 
 // What a workshop does to a bat; parts that a bat cannot have are hidden by what `show` is told.
 /** @param {Desk} app */
-export function workshop(app, mass) {
+export function workshop(app, /** @type {() => number | null | undefined} */ mass) {
   const wall = slider(app, "wall_factor", { label: "Wall thickness, times", step: 0.01 });
   const holes = document.createElement("div");
   holes.append(
@@ -55,12 +64,15 @@ export function workshop(app, mass) {
     slider(app, "cup_diameter_in", { label: "Cupped end, width", step: 0.05 }),
     slider(app, "cup_depth_in", { label: "Cupped end, depth", step: 0.05 }),
   );
-  const show = ({ hollow }) => {
+  const remark = Object.assign(document.createElement("p"), { className: "note", hidden: true });
+  const show = (/** @type {{ hollow: boolean, remark: string }} */ { hollow, remark: words }) => {
     wall.hidden = !hollow;
     holes.hidden = hollow;
+    remark.hidden = !words;
+    remark.textContent = words;
   };
   const controls = [
-    slider(app, "mass_oz", { label: "Weight of the bat", step: 0.1, empty: () => (mass() ?? 0.88) / OUNCE }), wall, holes,
+    slider(app, "mass_oz", { label: "Weight of the bat", step: 0.1, empty: () => (mass() ?? 0.88) / OUNCE }), remark, wall, holes,
     slider(app, "weight_oz", { label: "Added weight", step: 0.1 }),
     slider(app, "weight_from_tip_in", { label: "Added weight, from the tip", step: 0.25 }),
     slider(app, "choke_up_in", { label: "Choke up", step: 0.1 }),
@@ -82,7 +94,7 @@ export function swingGroup(app, { open = true, title = "Swing and pitch" } = {})
 
 /** @param {App} app */
 export function ballGroup(app) {
-  const known = (name) => () => app.answer?.ball?.[name] ?? null;
+  const known = (/** @type {string} */ name) => () => app.answer?.ball?.[name] ?? null;
   return group("Ball", [
     usualChoice(app, "ball", { label: "Ball", options: app.lists("balls").then(({ balls }) => balls.map(({ key, name }) => [key, name])) }),
     slider(app, "ball_cor", { label: "Restitution (COR) as bought", step: 0.005, empty: known("cor") }),
@@ -93,32 +105,41 @@ export function ballGroup(app) {
 }
 
 export class Bench {
-  /** @param {App} app */
+  /**
+   * @param {App} app
+   * @param {{ picture?: BatView | null, open?: boolean }} look
+   */
   constructor(app, { picture = null, open = true } = {}) {
     this.app = app;
     this.picture = picture;
+    /** @type {Station[]} */
     this.stations = [];
     this.own = new OwnBat(app);
-    this.outline = new Outline(app, (stations, last) => this.reshape(stations, last), (on) => this.draw(on));
+    this.outline = new Outline(app, (stations, last) => this.reshape(stations, last), (on) => this.draw(on), picture !== null);
     const { controls, show } = workshop(app, () => app.answer?.bat?.mass_kg);
     this.show = show;
     this.element = group("Bat", [
-      batChoice(app), button("Describe your bat by questions\u00a0…", async () => (await import("./wizard.js")).wizard(app)), this.own.element, this.outline.element,
+      batChoice(app), button("Describe your bat by questions\u00a0…", () => describeOwn(app)), this.own.element, this.outline.element,
       group("Workshop", [...controls, button("As it was", () => app.setState(unchanged(app)))], { open: false }),
     ], { open });
   }
 
+  /** @param {boolean} on */
   draw(on) {
-    if (!this.picture) return;
-    this.picture.drawing = on;
+    if (this.picture) this.picture.drawing = on;
     this.app.redraw();
   }
 
+  /**
+   * @param {Station[]} stations
+   * @param {boolean} last
+   */
   reshape(stations, last) {
     const profile = stations.map((station) => [rounded(station.position_m / INCH), rounded(station.diameter_m / INCH)]);
     this.app.setState({ profile_in: profile }, { commit: last });
   }
 
+  /** @param {{ bat: Answer }} given */
   update({ bat }) {
     if (!bat) return;
     this.show(bat);
@@ -137,7 +158,7 @@ class OwnBat {
     this.element.innerHTML = "<summary>Your own bat (file or text)</summary>" +
       "<p class=\"note\">Drop a bat file anywhere on this page, choose it, or change the text.</p>" +
       "<label for=\"bat-file\">Bat file (TOML)</label><input type=\"file\" id=\"bat-file\" accept=\".toml,text/plain\">" +
-      "<label for=\"bat-text\">As text</label><textarea id=\"bat-text\" rows=\"12\" spellcheck=\"false\" aria-describedby=\"bat-fault\"></textarea>" +
+      "<label for=\"bat-text\">As text</label><textarea id=\"bat-text\" rows=\"12\" wrap=\"off\" spellcheck=\"false\" aria-describedby=\"bat-fault\"></textarea>" +
       "<p class=\"fault\" id=\"bat-fault\" role=\"alert\" hidden></p><div class=\"row\"></div>";
     this.text = partOf(this.element, "textarea", HTMLTextAreaElement);
     this.words = partOf(this.element, ".fault", HTMLElement);
@@ -163,6 +184,7 @@ class OwnBat {
     app.control({ field: "bat_toml", sync: (state) => this.sync(state), fault: (message) => this.fault(message) });
   }
 
+  /** @param {string} message */
   fault(message) {
     this.words.textContent = message;
     this.words.hidden = message === "";
@@ -170,6 +192,7 @@ class OwnBat {
     if (message) reveal(this.element);
   }
 
+  /** @param {File | undefined} file */
   async read(file) {
     if (!file) return;
     try {
@@ -179,6 +202,7 @@ class OwnBat {
     }
   }
 
+  /** @param {string} text */
   async take(text) {
     this.text.value = text;
     try {
@@ -205,31 +229,43 @@ class OwnBat {
   }
 }
 
+/** @type {[keyof Station, string][]} */
+const SIZES = [["position_m", "place"], ["diameter_m", "diameter"]];
+
 // The outline: a switch that shows handles on the picture, and the same stations as numbers.
 class Outline {
-  /** @param {App} app */
-  constructor(app, onChange, onDraw) {
+  /**
+   * @param {App} app
+   * @param {(stations: Station[], last: boolean) => void} onChange
+   * @param {(on: boolean) => void} onDraw
+   * @param {boolean} drawn  whether a picture has handles too
+   */
+  constructor(app, onChange, onDraw, drawn) {
     this.app = app;
     this.onChange = onChange;
+    /** @type {Station[]} */
     this.stations = [];
     this.shown = "";
     this.element = document.createElement("details");
-    this.element.innerHTML = "<summary>Draw the outline</summary><p class=\"note\">Drag the handles on the picture, or " +
-      "change the numbers: place from the knob and diameter.</p><div class=\"stations\" tabindex=\"0\"><table><thead><tr><th scope=\"col\">" +
-      "Place</th><th scope=\"col\">Diameter</th><th scope=\"col\"><span class=\"unseen\">Change</span></th></tr></thead><tbody></tbody></table></div>" +
+    this.element.innerHTML = "<summary>Draw the outline</summary><p class=\"note\">" +
+      (drawn ? "Drag the handles on the picture, or change the numbers" : "Change the numbers") + ": place from the knob and diameter.</p><div class=\"stations\" tabindex=\"0\"><table><thead><tr><th scope=\"col\">" +
+      "</th><th scope=\"col\"></th><th scope=\"col\"><span class=\"unseen\">Change</span></th></tr></thead><tbody></tbody></table></div>" +
       "<p class=\"fault\" role=\"alert\" hidden></p>";
     this.body = partOf(this.element, "tbody", HTMLElement);
+    this.heads = [...this.element.querySelectorAll("th")].slice(0, 2);
     this.words = partOf(this.element, ".fault", HTMLElement);
     this.element.addEventListener("toggle", () => onDraw(this.element.open));
     app.control({ field: "profile_in", sync: () => {}, fault: (message) => this.fault(message) });
   }
 
+  /** @param {string} message */
   fault(message) {
     this.words.textContent = message;
     this.words.hidden = message === "";
     if (message) reveal(this.element);
   }
 
+  /** @param {Station[]} stations */
   update(stations) {
     this.stations = stations;
     const now = JSON.stringify(stations) + this.app.units;
@@ -239,18 +275,24 @@ class Outline {
     this.shown = now;
     const parts = () => /** @type {NodeListOf<HTMLElement>} */ (this.body.querySelectorAll("input, button"));
     const focused = [...parts()].findIndex((one) => one === document.activeElement);
+    this.heads.forEach((head, i) => (head.textContent = `${["Place", "Diameter"][i]}, ${this.unit}`));
     this.body.replaceChildren(...stations.map((station, index) => this.row(station, index)));
     parts()[focused]?.focus();
   }
 
+  get unit() { return unitOf("length", this.app.units); }
+
+  /**
+   * @param {Station} station
+   * @param {number} index
+   */
   row(station, index) {
     const row = document.createElement("tr");
-    const scale = this.app.units === "us" ? 1 / INCH : 1000;
-    const unit = this.app.units === "us" ? "in" : "mm";
-    for (const [key, words] of [["position_m", "place"], ["diameter_m", "diameter"]]) {
-      const field = Object.assign(document.createElement("input"), { type: "number", step: "any", value: rounded(station[key] * scale) });
+    const { unit, app: { units } } = this;
+    for (const [key, words] of SIZES) {
+      const field = Object.assign(document.createElement("input"), { type: "number", step: "any", value: Number(toShown("length", station[key], units).toFixed(3)) });
       field.setAttribute("aria-label", `Station ${index + 1}, ${words}, ${unit}`);
-      field.addEventListener("change", () => this.change(index, { [key]: Number(field.value) / scale }));
+      field.addEventListener("change", () => this.change(index, { [key]: fromShown("length", Number(field.value), units) }));
       row.append(cellOf(field));
     }
     const inner = index > 0 && index < this.stations.length - 1;
@@ -264,10 +306,15 @@ class Outline {
     return row;
   }
 
+  /**
+   * @param {number} index
+   * @param {Partial<Station>} values
+   */
   change(index, values) {
     this.onChange(this.stations.map((station, i) => (i === index ? { ...station, ...values } : station)), true);
   }
 
+  /** @param {number} index */
   insert(index) {
     const [here, next] = [this.stations[index], this.stations[index + 1]];
     const middle = {
@@ -277,6 +324,7 @@ class Outline {
   }
 }
 
+/** @param {...(Node | string)} parts */
 function cellOf(...parts) {
   const cell = document.createElement("td");
   cell.append(...parts);
@@ -291,4 +339,4 @@ export async function batText(app) {
   return toml;
 }
 
-const rounded = (value) => Math.round(1e4 * value) / 1e4;
+const rounded = (/** @type {number} */ value) => Math.round(1e4 * value) / 1e4;

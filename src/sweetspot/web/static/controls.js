@@ -42,7 +42,7 @@ export function slider(app, field, { label, step, empty = null, note = "", onInp
   number.setAttribute("aria-describedby", `${id}-fault`);
   partOf(box, ".entry", HTMLElement).append(range, number, unit);
   let scaled = "";
-  const shown = (value) => toShown(field, value, app.units);
+  const shown = (/** @type {number} */ value) => toShown(field, value, app.units);
   const stepShown = () => niceStep(Math.abs(shown(step) - shown(0)), app.units === "us" ? 0 : 1);
 
   function scale() {
@@ -62,6 +62,10 @@ export function slider(app, field, { label, step, empty = null, note = "", onInp
     number.setAttribute("aria-label", `${words}${unit.textContent ? `, ${unit.textContent}` : ""}`);
   }
 
+  /**
+   * @param {string} text
+   * @param {boolean} commit
+   */
   function take(text, commit) {
     const given = Number(text);
     if (text.trim() === "" || !Number.isFinite(given)) {
@@ -92,14 +96,17 @@ export function slider(app, field, { label, step, empty = null, note = "", onInp
   const control = {
     field,
     follows: true,
+    /** @param {State} state */
     sync(state) {
       scale();
       const value = state[field] ?? (typeof empty === "function" ? empty() : empty);
       if (typeof value !== "number") return;
       const fine = stepShown();
       if (document.activeElement !== range || Math.abs(Number(range.value) - shown(value)) > fine / 2) range.value = String(shown(value));
-      if (document.activeElement !== number || (fault.hidden && !typing)) number.value = String(Number(shown(value).toFixed(decimals(fine))));
-      range.setAttribute("aria-valuetext", `${number.value} ${unit.textContent}`);
+      const written = String(Number(shown(value).toFixed(decimals(fine))));
+      if (number.value !== written && (document.activeElement !== number || (fault.hidden && !typing))) number.value = written;
+      const said = `${number.value} ${unit.textContent}`;
+      if (range.getAttribute("aria-valuetext") !== said) range.setAttribute("aria-valuetext", said);
       box.classList.toggle("untouched", state[field] === null);
     },
     fault: faultSetter(fault, [range, number]),
@@ -120,7 +127,7 @@ export function choice(app, field, { label, options, note = "", follows = false,
   const select = document.createElement("select");
   select.id = id;
   select.setAttribute("aria-describedby", `${id}-fault`);
-  const fill = (list) => {
+  const fill = (/** @type {Options} */ list) => {
     select.replaceChildren(...list.map(([value, words]) => new Option(words, value)));
     if (app.state) control.sync(app.state);
   };
@@ -132,6 +139,7 @@ export function choice(app, field, { label, options, note = "", follows = false,
   const control = {
     field,
     follows,
+    /** @param {State} state */
     sync(state) {
       const value = String(shown(state) ?? "");
       if (![...select.options].some((option) => option.value === value)) select.append(new Option(value, value));
@@ -155,7 +163,7 @@ export function toggle(app, field, { label, note = "" }) {
   const tick = input("checkbox", id);
   partOf(box, ".entry", HTMLElement).append(tick);
   tick.addEventListener("change", () => app.setState({ [field]: tick.checked }));
-  const control = { field, sync: (state) => (tick.checked = Boolean(state[field])), fault: faultSetter(fault, [tick]) };
+  const control = { field, sync: (/** @type {State} */ state) => (tick.checked = Boolean(state[field])), fault: faultSetter(fault, [tick]) };
   app.control(control);
   return box;
 }
@@ -187,6 +195,11 @@ export function button(words, onClick, { primary = false, title = "" } = {}) {
   return made;
 }
 
+/**
+ * @param {string} field
+ * @param {Words} label
+ * @param {string} note
+ */
 function frame(field, label, note) {
   count += 1;
   const id = `c${count}-${field}`;
@@ -201,8 +214,13 @@ function frame(field, label, note) {
   return { box, fault, id, name };
 }
 
+/**
+ * @param {HTMLElement} place
+ * @param {HTMLElement[]} inputs
+ */
 function faultSetter(place, inputs) {
-  return (message) => {
+  return (/** @type {string} */ message) => {
+    if (message === place.textContent) return;
     place.textContent = message;
     place.hidden = message === "";
     if (message) reveal(place);
@@ -214,26 +232,37 @@ function faultSetter(place, inputs) {
 }
 
 // Open and show everything that a place lies in.
+/** @param {HTMLElement} place */
 export function reveal(place) {
-  for (let box = place; box && box.id !== "view"; box = box.parentElement) {
+  for (let box = /** @type {HTMLElement | null} */ (place); box && box.id !== "view"; box = box.parentElement) {
     box.hidden = false;
-    if (box.tagName === "DETAILS") box.open = true;
+    if (box instanceof HTMLDetailsElement) box.open = true;
+    box.dispatchEvent(new Event("reveal")); // a drawer
   }
 }
 
+/**
+ * @param {{ least: number, most: number }} given
+ * @param {number[] | null | undefined} known
+ */
 function narrowed({ least, most }, known) {
   if (!known) return { least, most };
   const [low, high] = [Math.max(least, known[0]), Math.min(most, known[1])];
   return low < high ? { least: low, most: high } : { least, most };
 }
 
+/**
+ * @param {string} type
+ * @param {string} id
+ */
 function input(type, id) {
   return Object.assign(document.createElement("input"), { type, id });
 }
 
 // Bounds of a number in a schema, also of one that may be null.
+/** @param {any} property */
 export function boundsOf(property) {
-  const numeric = (property.anyOf ?? [property]).find((one) => one.minimum !== undefined || one.maximum !== undefined) ?? property;
+  const numeric = (property.anyOf ?? [property]).find((/** @type {any} */ one) => one.minimum !== undefined || one.maximum !== undefined) ?? property;
   return {
     least: numeric.minimum ?? numeric.exclusiveMinimum ?? 0,
     most: numeric.maximum ?? numeric.exclusiveMaximum ?? 1,
@@ -241,12 +270,16 @@ export function boundsOf(property) {
 }
 
 // 1, 2 or 5 times a power of ten at or below a step; as it is in the system in which it was written.
+/**
+ * @param {number} step
+ * @param {number} convert
+ */
 function niceStep(step, convert) {
   if (!convert) return step;
   const power = 10 ** Math.floor(Math.log10(step) + 1e-9);
   return power * (step / power >= 5 ? 5 : step / power >= 2 ? 2 : 1);
 }
 
-const decimals = (step) => Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
-const round = (value, step, how) => Number((how(value / step - (how === Math.ceil ? 1e-9 : -1e-9)) * step).toFixed(6));
-const tidy = (value) => Number(value.toPrecision(9));
+const decimals = (/** @type {number} */ step) => Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
+const round = (/** @type {number} */ value, /** @type {number} */ step, /** @type {(value: number) => number} */ how) => Number((how(value / step - (how === Math.ceil ? 1e-9 : -1e-9)) * step).toFixed(6));
+const tidy = (/** @type {number} */ value) => Number(value.toPrecision(9));

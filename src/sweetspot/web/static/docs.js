@@ -5,17 +5,26 @@ import { posted } from "./post.js";
 
 const main = partOf(document, "#api", HTMLElement);
 
+/**
+ * @param {string} tag
+ * @param {string} words
+ */
 function make(tag, words, properties = {}) {
   return Object.assign(document.createElement(tag), { textContent: words, ...properties });
 }
 
+/**
+ * @param {any} document
+ * @param {any} schema
+ */
 function resolve(document, schema) {
   return schema?.$ref ? document.components.schemas[schema.$ref.split("/").pop()] : schema;
 }
 
+/** @param {any} property */
 function kindOf(property) {
   const choices = property.anyOf ?? [property];
-  return choices.map((one) => {
+  return choices.map((/** @type {any} */ one) => {
     if (one.enum) return one.enum.join(" | ");
     const bounds = [one.minimum ?? one.exclusiveMinimum, one.maximum ?? one.exclusiveMaximum];
     const range = bounds.some((bound) => bound !== undefined) ? ` ${bounds[0] ?? "…"} to ${bounds[1] ?? "…"}` : "";
@@ -23,6 +32,7 @@ function kindOf(property) {
   }).join(", or ");
 }
 
+/** @param {any} schema */
 function fieldsTable(schema) {
   const box = make("div", "", { className: "scroll", tabIndex: 0 });
   const table = document.createElement("table");
@@ -38,10 +48,11 @@ function fieldsTable(schema) {
   return box;
 }
 
+/** @param {string} path */
 function trial(path) {
   const box = document.createElement("details");
   const label = make("label", "Message");
-  const field = make("textarea", "{}", { rows: 3 });
+  const field = Object.assign(document.createElement("textarea"), { value: "{}", rows: 3 });
   const result = make("pre", "", { tabIndex: 0, hidden: true });
   const send = make("button", "Send", { type: "button" });
   label.append(field);
@@ -57,6 +68,12 @@ function trial(path) {
   return box;
 }
 
+/**
+ * @param {any} document
+ * @param {string} path
+ * @param {string} method
+ * @param {any} operation
+ */
 function route(document, path, method, operation) {
   const box = make("section", "", { className: "card" });
   box.append(make("h2", `${method.toUpperCase()} ${path}`), make("p", operation.description ?? operation.summary ?? ""));

@@ -3,23 +3,33 @@
 //   const place = new DocumentPlace(app, "Working out the report …");
 //   box.append(place.element);
 //   place.show(found)        // what an aside has answered: { title, html: { us, si } }
-//   place.redraw()           // after a change of units
+//   place.redraw()           // after every answer: made anew only where units or the document changed
 //   place.waits()            // until the next answer is there
 
 import { make } from "./parts.js";
+import { fitted, unbroken } from "./tables.js";
 /** @import { App } from "./main.js" */
+/** @import { System } from "./units.js" */
+
+/** @typedef {{ html: Record<System, string> }} Told */
 
 export class DocumentPlace {
-  /** @param {App} app */
+  /**
+   * @param {App} app
+   * @param {string} waiting  what is said until the first answer
+   */
   constructor(app, waiting) {
     this.app = app;
     this.waiting = waiting;
+    /** @type {Told | null} */
     this.found = null;
+    this.shown = ""; // of it, in the reader's units
     this.element = make("div", { className: "document" }, make("p", { className: "note", textContent: waiting }));
     this.element.setAttribute("aria-busy", "true");
   }
 
   // The server's own words: its templates escape whatever came from elsewhere.
+  /** @param {Told} found */
   show(found) {
     this.found = found;
     this.redraw();
@@ -27,10 +37,18 @@ export class DocumentPlace {
 
   redraw() {
     if (!this.found) return;
-    this.element.innerHTML = this.found.html[this.app.units];
     this.element.setAttribute("aria-busy", "false");
-    for (const box of this.element.querySelectorAll(".scroll")) box.setAttribute("role", "region");
-    for (const box of this.element.querySelectorAll(".scroll")) box.setAttribute("aria-label", box.querySelector("caption")?.textContent ?? "Table");
+    const html = this.found.html[this.app.units];
+    if (html === this.shown) return;
+    this.shown = html;
+    this.element.innerHTML = html;
+    const texts = document.createTreeWalker(this.element, NodeFilter.SHOW_TEXT);
+    for (let node = texts.nextNode(); node; node = texts.nextNode()) node.textContent = unbroken(node.textContent ?? "");
+    for (const box of this.element.querySelectorAll(".scroll")) {
+      box.setAttribute("role", "region");
+      box.setAttribute("aria-label", box.querySelector("caption")?.textContent ?? "Table");
+      fitted(box);
+    }
   }
 
   waits() {

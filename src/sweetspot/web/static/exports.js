@@ -1,5 +1,6 @@
 // What can be taken away: pictures, numbers, the bat, and the lines that give the same numbers without the page.
 
+import { download, downloadBlob } from "./download.js";
 import { posted } from "./post.js";
 import { FONT, wrapped } from "./surface.js";
 import { partOf } from "./parts.js";
@@ -10,15 +11,7 @@ const SHARP = 2; // pixels of a PNG per pixel of the page
 const GAP = 12, ROW = 20;
 
 /** @param {App} app */
-export function exportButton(app) {
-  const button = Object.assign(document.createElement("button"), { type: "button", id: "export", textContent: "Export" });
-  button.setAttribute("aria-haspopup", "dialog");
-  button.addEventListener("click", () => open(app));
-  return button;
-}
-
-/** @param {App} app */
-async function open(app) {
+export async function openExports(app) {
   const dialog = document.createElement("dialog");
   dialog.setAttribute("aria-label", "Export");
   dialog.innerHTML = "<h2>Take it with you</h2><div class=\"row files\"></div><div class=\"lines\"></div>" +
@@ -38,6 +31,7 @@ async function open(app) {
 
 /** @param {App} app */
 function choices(app) {
+  /** @type {[string, () => void][]} */
   const found = [];
   if (app.view.figures?.().length) {
     found.push(["PNG", () => savePng(app)], ["SVG", () => save(app, "svg", "image/svg+xml", svgOf(app))]);
@@ -49,8 +43,8 @@ function choices(app) {
 
 // The lines come from the server, which knows what the command line and the library call these things.
 /** @param {App} app */
-async function addLines(app, dialog) {
-  const place = dialog.querySelector(".lines");
+async function addLines(app, /** @type {HTMLDialogElement} */ dialog) {
+  const place = partOf(dialog, ".lines", HTMLElement), files = partOf(dialog, ".files", HTMLElement);
   let lines;
   try {
     lines = await posted(`/api/v1/${app.name}/recipe`, app.state);
@@ -62,13 +56,13 @@ async function addLines(app, dialog) {
     const button = Object.assign(document.createElement("button"), { type: "button", textContent: "Bat (TOML)" });
     button.dataset.format = "toml";
     button.addEventListener("click", () => download("bat.toml", "application/toml", lines.toml));
-    dialog.querySelector(".files").append(button);
+    files.append(button);
   }
   for (const name of Object.keys(lines).filter((key) => key.endsWith(".toml"))) {
     const button = Object.assign(document.createElement("button"), { type: "button", textContent: name });
     button.dataset.format = "toml";
     button.addEventListener("click", () => download(name, "application/toml", lines[name]));
-    dialog.querySelector(".files").append(button);
+    files.append(button);
   }
   for (const [key, words] of [["command", "Command line"], ["python", "Python"]]) {
     if (lines[key]) place.append(block(app, words, lines[key], key));
@@ -85,7 +79,7 @@ async function addLines(app, dialog) {
 }
 
 /** @param {App} app */
-function block(app, words, lines, key) {
+function block(app, /** @type {string} */ words, /** @type {string} */ lines, /** @type {string} */ key) {
   const box = document.createElement("section");
   const pre = Object.assign(document.createElement("pre"), { textContent: lines, tabIndex: 0 });
   pre.dataset.lines = key;
@@ -106,10 +100,10 @@ function block(app, words, lines, key) {
 // All drawings of the view, one below the other, on the theme's ground: what they show above, under which conditions,
 // by what and when below, so that a picture that travels alone still says what it is.
 /** @param {App} app */
-function onto(app, make) {
+function onto(app, /** @type {(width: number, height: number) => any} */ make) {
   const figures = app.view.figures?.() ?? [];
   const width = Math.max(...figures.map((figure) => figure.width));
-  const measure = document.createElement("canvas").getContext("2d");
+  const measure = /** @type {CanvasRenderingContext2D} */ (document.createElement("canvas").getContext("2d")); // which every browser has
   const rows = [
     ...wrapped(measure, `600 15px ${FONT}`, titleOf(app), width - 2 * GAP).map((words) => [words, `600 15px ${FONT}`, "ink"]),
     ...wrapped(measure, `12px ${FONT}`, conditionsOf(app), width - 2 * GAP).map((words) => [words, `12px ${FONT}`, "muted"])];
@@ -119,12 +113,12 @@ function onto(app, make) {
   context.fillStyle = app.colors.panel;
   context.fillRect(0, 0, width, height);
   let top = GAP;
-  const write = (words, font, color) => {
+  const write = (/** @type {string} */ words, /** @type {string} */ font, /** @type {string} */ color) => {
     Object.assign(context, { font, fillStyle: app.colors[color], textAlign: "left", textBaseline: "top" });
     context.fillText(words, GAP, top);
     top += ROW;
   };
-  for (const row of rows) write(...row);
+  for (const [words, font, color] of rows) write(words, font, color);
   for (const figure of figures) {
     context.save();
     context.translate(0, top);
@@ -142,6 +136,7 @@ const titleOf = (app) => document.getElementById("verdict")?.textContent || app.
 // The conditions of the answer, in words and in the reader's units.
 /** @param {App} app */
 function conditionsOf(app) {
+  /** @type {Record<string, string>} */
   const known = { pitch_speed_m_s: "pitch", bat_speed_m_s: "bat speed", hands_position_m: "top hand" };
   const said = Object.entries(app.answer?.conditions ?? {}).filter(([name, value]) => known[name] && typeof value === "number")
     .map(([name, value]) => `${known[name]} ${app.text(name, value)}`);
@@ -169,13 +164,14 @@ function savePng(app) {
     context?.scale(SHARP, SHARP);
     return context;
   });
-  canvas.toBlob((blob) => downloadBlob(`sweetspot-${app.name}.png`, blob));
+  canvas.toBlob((blob) => blob && downloadBlob(`sweetspot-${app.name}.png`, blob));
 }
 
+/** @param {Record<string, any[]>} table */
 export function csvOf(table) {
   const columns = Object.entries(table).filter(([, values]) => Array.isArray(values));
   const rows = Math.max(0, ...columns.map(([, values]) => values.length));
-  const cell = (value) => (value === null || value === undefined ? "" : /[",\n]/.test(String(value)) ? `"${String(value).replaceAll('"', '""')}"` : String(value));
+  const cell = (/** @type {number} */ value) => (value === null || value === undefined ? "" : /[",\n]/.test(String(value)) ? `"${String(value).replaceAll('"', '""')}"` : String(value));
   const lines = [columns.map(([name]) => name).join(",")];
   for (let row = 0; row < rows; row += 1) lines.push(columns.map(([, values]) => cell(values[row])).join(","));
   return `${lines.join("\n")}\n`;
@@ -187,16 +183,6 @@ function jsonOf(app) {
 }
 
 /** @param {App} app */
-function save(app, ending, type, content) {
+function save(app, /** @type {string} */ ending, /** @type {string} */ type, /** @type {string} */ content) {
   download(`sweetspot-${app.name}.${ending}`, type, content);
-}
-
-export function download(name, type, content) {
-  downloadBlob(name, new Blob([content], { type }));
-}
-
-function downloadBlob(name, blob) {
-  const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(blob), download: name });
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }

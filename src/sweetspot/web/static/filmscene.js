@@ -2,18 +2,31 @@
 
 import { radiusAt } from "./batview.js";
 import { FONT, haloText, wrapped } from "./surface.js";
+/** @import { Colors } from "./main.js" */
+/** @import { Way } from "./batpaint.js" */
+/** @import { Film } from "./film.js" */
+
+/** @typedef {{ film: Film, moment: number, exaggeration: number, recoil: boolean, colors: Colors, notes: string[] }} SideLook */
 
 const PAD = 16, SIDES = 96;
+const GRIP = 0.04; // m, half of a bat's thickness and what is drawn beside its handle
 
 // Ball and bat as a camera beside the bat sees them; the ball comes from above. How it is shown:
 // { film, moment, exaggeration, recoil, colors, notes: [texts] }
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {number} width
+ * @param {number} height
+ * @param {SideLook} given
+ */
 export function paintSide(context, width, height, { film, moment, exaggeration, recoil, colors, notes }) {
   const { bat, ball, hit, places } = film;
   const scale = (width - 2 * PAD) / bat.length_m;
-  const across = (x) => PAD + x * scale;
-  const middle = sideMiddle(film, width);
-  const line = film.line(moment, recoil).map((moved) => moved * exaggeration * scale);
-  const drop = (x) => interpolated(places, line, x);
+  const across = (/** @type {number} */ x) => PAD + x * scale;
+  const line = film.line(moment, recoil).map((/** @type {any} */ moved) => moved * exaggeration * scale);
+  const below = beneath(film, { exaggeration, recoil }) * scale;
+  const middle = sideMiddle(film, width) - Math.max(0, Math.max(...line) + GRIP * scale - below); // the camera follows a bat that leaves
+  const drop = (/** @type {number} */ x) => interpolated(places, line, x);
   paintRest(context, { across, middle, length: bat.length_m }, colors);
   paintBody(context, film, { across, middle, drop, scale }, colors);
   paintSpeed(context, film, moment, { across, middle, drop, scale }, colors);
@@ -31,17 +44,39 @@ export function paintSide(context, width, height, { film, moment, exaggeration, 
 }
 
 // Where the axis of the undisturbed bat lies, px from the top: room for the ball on its way.
+/**
+ * @param {Film} film
+ * @param {number} width
+ */
 export function sideMiddle(film, width) {
   const scale = (width - 2 * PAD) / film.bat.length_m;
   return 14 + scale * (2 * film.ball.radius_m + 0.05 + radiusAt(film.bat, film.hit.position_m));
 }
 
+/**
+ * @param {Film} film
+ * @param {number} width
+ * @param {{ exaggeration: number, recoil: boolean }} given
+ */
 export function sideHeight(film, width, { exaggeration, recoil }) {
   const scale = (width - 2 * PAD) / film.bat.length_m;
-  const room = recoil ? Math.min(0.42, Math.max(0.15, exaggeration * film.lowest + 0.04)) : 0.15;
-  return Math.round(sideMiddle(film, width) + room * scale + (width < 640 ? 112 : 64));
+  return Math.round(sideMiddle(film, width) + beneath(film, { exaggeration, recoil }) * scale + (width < 640 ? 112 : 64));
 }
 
+// Room below the undisturbed bat's axis, m: half of what the bat needs in the end, since the camera follows it there.
+/**
+ * @param {Film} film
+ * @param {{ exaggeration: number, recoil: boolean }} given
+ */
+function beneath(film, { exaggeration, recoil }) {
+  return recoil ? Math.min(0.25, Math.max(0.09, (exaggeration * film.lowest + GRIP) / 2)) : 0.09;
+}
+
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {{ across: Way, middle: number, length: number }} given
+ * @param {Colors} colors
+ */
 function paintRest(context, { across, middle, length }, colors) {
   context.strokeStyle = colors.line;
   context.lineWidth = 1;
@@ -53,6 +88,12 @@ function paintRest(context, { across, middle, length }, colors) {
   context.setLineDash([]);
 }
 
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Film} film
+ * @param {{ across: Way, middle: number, drop: Way, scale: number }} given
+ * @param {Colors} colors
+ */
 function paintBody(context, film, { across, middle, drop, scale }, colors) {
   const { bat } = film;
   const stations = unionOf(bat.outline.position_m, film.places);
@@ -70,6 +111,13 @@ function paintBody(context, film, { across, middle, drop, scale }, colors) {
 }
 
 // Red where the bat moves fast: the wave on its way.
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Film} film
+ * @param {number} moment
+ * @param {{ across: Way, middle: number, drop: Way, scale: number }} given
+ * @param {Colors} colors
+ */
 function paintSpeed(context, film, moment, { across, middle, drop, scale }, colors) {
   const speeds = film.speeds(moment);
   context.fillStyle = colors.red;
@@ -91,6 +139,13 @@ function paintSpeed(context, film, moment, { across, middle, drop, scale }, colo
   context.globalAlpha = 1;
 }
 
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Film} film
+ * @param {number} moment
+ * @param {{ across: Way, middle: number, drop: Way, scale: number }} given
+ * @param {Colors} colors
+ */
 function paintHands(context, film, moment, { across, middle, drop, scale }, colors) {
   const { hands_m: hands, hands: felt } = film.answer;
   const arrived = felt.arrival_s !== null && moment >= felt.arrival_s;
@@ -106,7 +161,7 @@ function paintHands(context, film, moment, { across, middle, drop, scale }, colo
       context.stroke();
     }
   }
-  const top = Math.min(...hands.map((hand) => drop(hand)));
+  const top = Math.min(...hands.map((/** @type {any} */ hand) => drop(hand)));
   const [x, y] = [across((hands[0] + hands[1]) / 2), middle + top - radiusAt(film.bat, hands[0]) * scale - 14];
   context.font = `${arrived ? "600 " : ""}12px ${FONT}`;
   context.textAlign = "center";
@@ -115,10 +170,16 @@ function paintHands(context, film, moment, { across, middle, drop, scale }, colo
 }
 
 // A ball resting on or above a surface: its near side flattened by what it is pressed in, its waist wider for that.
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {{ x: number, surface: number, radius: number, pressed: number }} given
+ * @param {Colors} colors
+ */
 export function paintBall(context, { x, surface, radius, pressed }, colors) {
   const near = radius - pressed;
   const waist = radius * Math.sqrt((2 * radius) / (2 * radius - pressed));
   const centre = surface - near;
+  /** @type {(turn: number, across: number, up: number, down: number) => [number, number]} */
   const outline = (turn, across, up, down) => [x + across * Math.sin(turn), centre - (Math.cos(turn) > 0 ? up : down) * Math.cos(turn)];
   context.beginPath();
   for (let i = 0; i <= SIDES; i += 1) context.lineTo(...outline((2 * Math.PI * i) / SIDES, waist, radius, near));
@@ -142,12 +203,18 @@ export function paintBall(context, { x, surface, radius, pressed }, colors) {
 }
 
 // The barrel from its end where the ball meets it, the ball above; a hollow wall breathes, `wall` times as far as in life.
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {number} width
+ * @param {number} height
+ * @param {{ film: Film, moment: number, wall: number, colors: Colors }} given
+ */
 export function paintEnd(context, width, height, { film, moment, wall, colors }) {
   const { bat, ball, hit, answer } = film;
   const outer = radiusAt(bat, hit.position_m);
   const scale = Math.min((width - 16) / (2 * ball.radius_m * 1.25), (height - 30) / (2 * ball.radius_m + 2 * outer + 0.012));
   const [x, y] = [width / 2, height - 22 - outer * scale];
-  const ring = (inset) => {
+  const ring = (/** @type {number} */ inset) => {
     for (let i = 0; i <= SIDES; i += 1) {
       const angle = (2 * Math.PI * i) / SIDES;
       const reach = (outer - inset - wall * film.dent(moment, angle)) * scale;
@@ -188,12 +255,21 @@ export function paintEnd(context, width, height, { film, moment, wall, colors })
   haloText(context, words, x, height - 5, colors.muted, colors.panel);
 }
 
+/**
+ * @param {number[]} places
+ * @param {number[]} values
+ * @param {number} x
+ */
 function interpolated(places, values, x) {
   const step = places[1] - places[0];
   const i = Math.min(places.length - 2, Math.max(0, Math.floor(x / step)));
   return values[i] + ((x - places[i]) / (places[i + 1] - places[i])) * (values[i + 1] - values[i]);
 }
 
+/**
+ * @param {number[]} first
+ * @param {number[]} second
+ */
 function unionOf(first, second) {
   return [...new Set([...first, ...second])].sort((a, b) => a - b);
 }

@@ -4,6 +4,7 @@
 
 const SPACE = "http://www.w3.org/1998/Math/MathML";
 
+/** @param {string} source */
 export function mathOf(source, { block = true } = {}) {
   const math = document.createElementNS(SPACE, "math");
   math.setAttribute("display", block ? "block" : "inline");
@@ -12,6 +13,7 @@ export function mathOf(source, { block = true } = {}) {
   return math;
 }
 
+/** @param {string[]} words */
 function rowOf(words) {
   const row = element("mrow");
   for (let i = 0; i < words.length; i += 1) {
@@ -27,6 +29,11 @@ function rowOf(words) {
 }
 
 // The bar or brace that belongs to the brace at `start`.
+/**
+ * @param {string[]} words
+ * @param {number} start
+ * @param {"|" | "}"} sign
+ */
 function find(words, start, sign) {
   let depth = 0;
   for (let i = start; i < words.length; i += 1) {
@@ -37,6 +44,7 @@ function find(words, start, sign) {
   throw new Error(`no ${sign} in the formula ${words.join(" ")}`);
 }
 
+/** @param {string} word */
 function term(word) {
   if (UNITS.includes(word)) return element("mtext", `\u2009${word}`);
   const [, base, below, above] = /^(.+?)(?:_([^_^]+))?(?:\^([^_^]+))?$/.exec(word) ?? ["", word];
@@ -69,6 +77,7 @@ export function typeset(place) {
 
 const UNITS = ["mm", "cm", "in", "kN", "lbf", "N", "s", "J", "%"];
 
+/** @param {string} text */
 function token(text) {
   const tag = /^[−-]?[\d.,]+$/.test(text) ? "mn" : /^[\p{L}′]+$/u.test(text) ? "mi" : "mo";
   const made = element(tag, text);
@@ -76,6 +85,10 @@ function token(text) {
   return made;
 }
 
+/**
+ * @param {string} tag
+ * @param {(Node | string)[]} children
+ */
 function element(tag, ...children) {
   const made = document.createElementNS(SPACE, tag);
   made.append(...children);

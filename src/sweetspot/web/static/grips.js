@@ -3,20 +3,22 @@
 //   gripsOf(answer, app)   [{ at, aside, take(along, aside) -> part of the state }], m from the knob end and from the axis
 
 import { INCH } from "./units.js";
-/** @import { Answer, App } from "./main.js" */
+/** @import { Answer, App, State } from "./main.js" */
 
+/** @typedef {{ at: number, aside: number, take: (along: number, aside: number) => State }} Grip */
 /**
  * @param {Answer} answer
  * @param {App} app
  */
 export function gripsOf({ bat, hands_m: hands }, app) {
   const { state } = app;
-  const inches = (metres) => Math.round((20 * metres) / INCH) / 20;
-  const within = (field, value) => {
+  const inches = (/** @type {number} */ metres) => Math.round((20 * metres) / INCH) / 20;
+  const within = (/** @type {string} */ field, /** @type {number} */ value) => {
     const { minimum = 0, maximum = 60 } = app.schema[field];
     const [least, most] = app.bounds(field) ?? [minimum, maximum];
     return Math.min(Math.min(most, maximum), Math.max(Math.max(least, minimum), value));
   };
+  /** @type {Grip[]} */
   const grips = [];
   if (state.bore_diameter_in && bat.bores.length) {
     const bore = bat.bores.at(-1);

@@ -1,5 +1,6 @@
 // Three steps for the first visit, and again whenever asked for; each view has its own.
 
+import { partOf } from "./parts.js";
 /** @import { App } from "./main.js" */
 
 const LAST = "The address holds all of it: send it to someone, or go back.";
@@ -18,6 +19,7 @@ export function welcome(app) {
   if (!localStorage.getItem("guided")) open(app);
 }
 
+/** @param {App} app */
 function open({ view }) {
   const steps = view.guide;
   const dialog = document.createElement("dialog");
@@ -26,7 +28,8 @@ function open({ view }) {
   dialog.innerHTML = "<p class=\"note\"></p><h2 id=\"guide-title\"></h2><p class=\"words\"></p>" +
     "<div class=\"row\"><button type=\"button\" class=\"back\">Back</button><button type=\"button\" class=\"primary next\"></button>" +
     "<button type=\"button\" class=\"end\">Close</button></div>";
-  const part = (name) => dialog.querySelector(name);
+  const part = (/** @type {string} */ name) => partOf(dialog, name, HTMLElement);
+  const [back, next] = [".back", ".next"].map((name) => partOf(dialog, name, HTMLButtonElement));
   let step = 0;
   const show = () => {
     part(".note").textContent = `Step ${step + 1} of ${steps.length}`;
@@ -34,11 +37,11 @@ function open({ view }) {
     const [title, words] = steps[step];
     part("h2").textContent = title;
     part(".words").textContent = last ? words + LAST : words;
-    part(".back").disabled = step === 0;
-    part(".next").textContent = last ? "Start" : "Next";
+    back.disabled = step === 0;
+    next.textContent = last ? "Start" : "Next";
   };
-  part(".back").addEventListener("click", () => ((step -= 1), show()));
-  part(".next").addEventListener("click", () => {
+  back.addEventListener("click", () => ((step -= 1), show()));
+  next.addEventListener("click", () => {
     step += 1;
     if (step === steps.length) dialog.close();
     else show();
@@ -51,5 +54,5 @@ function open({ view }) {
   show();
   document.body.append(dialog);
   dialog.showModal();
-  part(".next").focus();
+  next.focus();
 }

@@ -18,12 +18,13 @@ import { paintAxis, shownPlace } from "./chartpaint.js";
 import { heat } from "./heat.js";
 import { Numbers, evenly } from "./numbers.js";
 import { FONT, Surface, haloText, ticks } from "./surface.js";
-import { fromShown, kindOf, toShown, unitOf } from "./units.js";
+import { fromShown, grouped, kindOf, toShown, unitOf } from "./units.js";
 /** @import { Axis, Values } from "./chart.js" */
 /** @import { App } from "./main.js" */
 /** @import { Span, Zoom } from "./zoom.js" */
 
 const HEAD = 22, FOOT = 34;
+const CROSS = /** @type {[string, number][]} */ ([["white", 5], ["black", 2]]); // as dark on every colour of the map, whatever the theme
 /** @param {number[]} values @returns {Span} */
 const ends = (values) => [values[0], values[values.length - 1]];
 
@@ -46,9 +47,10 @@ export class HeatMap {
     /** @type {Drawn} */
     this.data = /** @type {any} */ (null); // until it is first drawn
     this.axis = x;
+    this.ends = { least: 0, most: 1 }; // of the values
     this.surface = new Surface(app, { label, height: () => HEAD + height + FOOT, paint: (context, width) => this.paint(context, width) });
     this.element = this.surface.element;
-    this.numbers = new Numbers("This map as a table", () => this.tabled());
+    this.numbers = new Numbers(app, "This map as a table", () => this.tabled());
     if (zoom) zoom.listen(this.surface, (pixel) => this.xAt(pixel));
     this.hover = null;
     this.surface.hovers((at) => {
@@ -67,72 +69,91 @@ export class HeatMap {
 
   /** @param {Drawn} data */
   draw(data) {
+    const other = data.z !== this.data?.z || this.units !== this.app.units;
     this.data = data;
+    this.units = this.app.units;
     this.surface.draw();
-    this.numbers.redraw();
+    if (other) this.numbers.redraw();
   }
+  /** @param {string} words */
   label(words) { this.surface.label(words); }
+  /** @param {string} name */
   figure(name) { return this.surface.figure(name); }
 
   // A row for each of some values upwards, a column for each of some across.
   tabled() {
     if (!this.data) return null;
     const { units } = this.app;
-    const words = (axis, value) => shownPlace(axis, value, units).toFixed(kindOf(axis.kind)[units].digits).replace("-", "−");
-    const places = (values, count) => evenly([...values.keys()], count);
+    const words = (/** @type {Axis} */ axis, /** @type {number} */ value) => grouped(shownPlace(axis, value, units).toFixed(kindOf(axis.kind)[units].digits)).replace("-", "−");
+    const places = (/** @type {number[]} */ values, /** @type {number} */ count) => evenly([...values.keys()], count);
     const { x, y, z } = this.data;
-    const columns = places(x, 9).map((column) => [column, `${words(this.x, x[column])} ${unitOf(this.x.kind, units)}`]);
+    const columns = places(x, 9).map((column) => /** @type {[number, string]} */ ([column, `${words(this.x, x[column])} ${unitOf(this.x.kind, units)}`]));
     return {
       caption: [this.title, unitOf(this.z.kind, units)].filter(Boolean).join(", "),
       columns: [`${this.y.label} (${unitOf(this.y.kind, units)}) ↓, ${this.x.label} →`, ...columns.map(([, name]) => name)],
       rows: places(y, 12).reverse().map((row) => [words(this.y, y[row]), ...columns.map(([column]) => {
         const value = z[row][column];
-        return value === null ? "–" : toShown(this.z.kind, value, units).toFixed(kindOf(this.z.kind)[units].digits);
+        return value === null ? "–" : grouped(toShown(this.z.kind, value, units).toFixed(kindOf(this.z.kind)[units].digits));
       })]),
     };
   }
 
   get range() { return this.zoom ? this.zoom.range : this.data.range ?? ends(this.data.x); }
   get height() { return this.data.heights ?? ends(this.data.y); }
+  /** @param {number} pixel */
   xAt(pixel) {
     const [low, high] = this.range;
     return low + Math.min(1, Math.max(0, (pixel - LEFT) / (this.surface.width - LEFT - RIGHT))) * (high - low);
   }
+  /** @param {number} pixel */
   yAt(pixel) {
     const [low, high] = this.height;
     return high - Math.min(1, Math.max(0, (pixel - HEAD) / this.tall)) * (high - low);
   }
+  /** @param {number} x */
   across(x) {
     const [low, high] = this.range;
     return LEFT + ((x - low) / (high - low)) * (this.surface.width - LEFT - RIGHT);
   }
+  /** @param {number} y */
   up(y) {
     const [low, high] = this.height;
     return HEAD + (1 - (y - low) / (high - low)) * this.tall;
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} width
+   */
   paint(context, width) {
     if (!this.data) return;
-    const { colors } = this.app;
-    const values = this.data.z.flat().filter((value) => value !== null);
-    const [least, most] = [Math.min(...values), Math.max(...values)];
-    context.save();
-    context.beginPath();
-    context.rect(LEFT, HEAD, width - LEFT - RIGHT, this.tall);
-    context.clip();
-    this.paintCells(context, least, most);
-    if (this.lines) this.paintLines(context, least, most);
-    if (this.data.outline) this.paintOutline(context);
-    this.paintCross(context, colors);
-    context.restore();
-    this.paintSides(context, width, { least, most });
-    paintAxis(context, this, (x) => this.across(x), HEAD + this.tall);
+    const inside = (/** @type {CanvasRenderingContext2D} */ surface, /** @type {(() => void)[]} */ ...parts) => {
+      surface.save();
+      surface.beginPath();
+      surface.rect(LEFT, HEAD, width - LEFT - RIGHT, this.tall);
+      surface.clip();
+      for (const part of parts) part();
+      surface.restore();
+    };
+    const { data, app: { colors, units }, range, height } = this;
+    this.surface.layer(context, [data.z, data.x, data.y, data.outline, colors, units, ...range, ...height], (ground) => {
+      const values = data.z.flat().filter((value) => value !== null);
+      this.ends = { least: Math.min(...values), most: Math.max(...values) };
+      inside(ground, () => this.paintCells(ground, this.ends), () => this.lines && this.paintLines(ground, this.ends), () => data.outline && this.paintOutline(ground));
+    });
+    inside(context, () => this.paintCross(context));
+    this.paintSides(context, width, this.ends);
+    paintAxis(context, this, (/** @type {number} */ x) => this.across(x), HEAD + this.tall);
   }
 
-  paintCells(context, least, most) {
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {{ least: number, most: number }} given
+   */
+  paintCells(context, { least, most }) {
     const { x, y, z } = this.data;
-    const beside = (values, i) => values[i] ?? (i < 0 ? 2 * values[0] - values[1] : 2 * values.at(-1) - values.at(-2));
-    const edges = (values, i) => [(beside(values, i - 1) + values[i]) / 2, (values[i] + beside(values, i + 1)) / 2];
+    const beside = (/** @type {number[]} */ values, /** @type {number} */ i) => values[i] ?? (i < 0 ? 2 * values[0] - values[1] : 2 * values[values.length - 1] - values[values.length - 2]);
+    const edges = (/** @type {number[]} */ values, /** @type {number} */ i) => [(beside(values, i - 1) + values[i]) / 2, (values[i] + beside(values, i + 1)) / 2];
     y.forEach((one, row) => {
       const [below, above] = edges(y, row).map((value) => Math.round(this.up(value)));
       x.forEach((_, column) => {
@@ -146,9 +167,13 @@ export class HeatMap {
   }
 
   // Lines of equal value, found square by square, each with its number once.
-  paintLines(context, least, most) {
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {{ least: number, most: number }} given
+   */
+  paintLines(context, { least, most }) {
     const { units, colors } = this.app;
-    const shown = (value) => toShown(this.z.kind, value, units);
+    const shown = (/** @type {number} */ value) => toShown(this.z.kind, value, units);
     for (const level of ticks(shown(least), shown(most), 6)) {
       const pieces = squares(this.data, fromShown(this.z.kind, level, units));
       Object.assign(context, { strokeStyle: colors.paper, lineWidth: 1 });
@@ -166,6 +191,7 @@ export class HeatMap {
     }
   }
 
+  /** @param {CanvasRenderingContext2D} context */
   paintOutline(context) {
     Object.assign(context, { strokeStyle: this.app.colors.ink, lineWidth: 1.5 });
     context.beginPath();
@@ -174,10 +200,11 @@ export class HeatMap {
     context.stroke();
   }
 
-  paintCross(context, colors) {
+  /** @param {CanvasRenderingContext2D} context */
+  paintCross(context) {
     if (!this.data.cross) return;
     const [x, y] = [this.across(this.data.cross[0]), this.up(this.data.cross[1])];
-    for (const [color, width] of [[colors.paper, 4], [colors.ink, 1.6]]) {
+    for (const [color, width] of CROSS) {
       Object.assign(context, { strokeStyle: color, lineWidth: width });
       context.beginPath();
       context.arc(x, y, 8, 0, 2 * Math.PI);
@@ -190,14 +217,23 @@ export class HeatMap {
   }
 
   // The value at the pointer, or else at the cross; null outside.
+  /**
+   * @param {number} x
+   * @param {number} y
+   */
   valueAt(x, y) {
-    const near = (values, wanted) => values.reduce((best, value, i) => (Math.abs(value - wanted) < Math.abs(values[best] - wanted) ? i : best), 0);
+    const near = (/** @type {number[]} */ values, /** @type {number} */ wanted) => values.reduce((best, value, i) => (Math.abs(value - wanted) < Math.abs(values[best] - wanted) ? i : best), 0);
     return this.data.z[near(this.data.y, y)][near(this.data.x, x)];
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} width
+   * @param {{ least: number, most: number }} given
+   */
   paintSides(context, width, { least, most }) {
     const { colors, units } = this.app;
-    const text = (value) => this.app.text(this.z.kind, value);
+    const text = (/** @type {number} */ value) => this.app.text(this.z.kind, value);
     Object.assign(context, { font: `600 12px ${FONT}`, fillStyle: colors.ink, textAlign: "left", textBaseline: "alphabetic" });
     context.fillText(this.title, LEFT, HEAD - 6);
     const after = LEFT + context.measureText(this.title).width + 12;
@@ -206,7 +242,7 @@ export class HeatMap {
     const ends = `${text(least)} to ${text(most)}`;
     context.fillStyle = colors.muted;
     const bar = 60, right = width - RIGHT;
-    const at = this.hover && this.hover.x > LEFT && this.hover.y > HEAD && this.hover.y < HEAD + this.tall ? [this.xAt(this.hover.x), this.yAt(this.hover.y)] : null;
+    const at = this.hover && this.hover.x > LEFT && this.hover.y > HEAD && this.hover.y < HEAD + this.tall ? /** @type {[number, number]} */ ([this.xAt(this.hover.x), this.yAt(this.hover.y)]) : null;
     if (at) {
       const value = this.valueAt(...at);
       const place = `${shownPlace(this.x, at[0], units).toFixed(1)} ${unitOf(this.x.kind, units)}, ${this.app.text(this.y.kind, at[1])}: ${value === null ? "–" : text(value)}`;
@@ -230,16 +266,21 @@ export class HeatMap {
 }
 
 // The pieces of the line z = level in a grid: [[x, y], [x, y]] each.
+/**
+ * @param {{ x: number[], y: number[], z: Values[] }} given
+ * @param {number} level
+ */
 export function squares({ x, y, z }, level) {
   const found = [];
   for (let j = 0; j + 1 < y.length; j += 1) {
     for (let i = 0; i + 1 < x.length; i += 1) {
       const corners = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]];
       if (corners.some(([a, b]) => z[b][a] === null)) continue;
+      /** @type {number[][]} */
       const cuts = [];
       corners.forEach(([a, b], k) => {
         const [c, d] = corners[(k + 1) % 4];
-        const [here, next] = [z[b][a] - level, z[d][c] - level];
+        const [here, next] = [(z[b][a] ?? 0) - level, (z[d][c] ?? 0) - level];
         if (here < 0 === next < 0) return;
         const part = here / (here - next);
         cuts.push([x[a] + part * (x[c] - x[a]), y[b] + part * (y[d] - y[b])]);

@@ -3,6 +3,11 @@
 import { Chart } from "./chart.js";
 import { FONT, haloText } from "./surface.js";
 /** @import { App } from "./main.js" */
+/** @import { Way } from "./batpaint.js" */
+/** @import { Panel } from "./chart.js" */
+/** @import { Box } from "./chartpaint.js" */
+/** @import { Placed } from "./chartpanels.js" */
+/** @import { Film } from "./film.js" */
 
 // Part of the answer's energy_j: what it is called, colour.
 export const PARTS = [
@@ -19,34 +24,41 @@ export const PARTS = [
 
 class Areas extends Chart {
   // The parts' names in their own areas, where those are high enough.
-  paintPanel(context, panel, box, across) {
-    super.paintPanel(context, panel, box, across);
-    const key = `${box.right} ${panel.lines.length}`;
-    if (this.named !== this.data.lines || this.namedAt !== key) {
-      this.names = this.placed(context, panel, box, across);
-      this.named = this.data.lines;
-      this.namedAt = key;
-    }
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Placed} place
+   * @param {Way} across
+   */
+  paintGround(context, place, across) {
+    super.paintGround(context, place, across);
+    const names = this.named(context, place.panel, place.box, across);
     context.font = `600 12px ${FONT}`;
     context.textAlign = "center";
     context.textBaseline = "middle";
-    for (const { name, middle, y } of this.names ?? []) haloText(context, name, middle, y, this.app.colors.ink, this.app.colors.panel);
+    for (const { name, middle, y } of names) haloText(context, name, middle, y, this.app.colors.ink, this.app.colors.panel);
   }
 
   // Where each name fits into its own area, as high as possible; names that fit nowhere stand in the list alone.
-  placed(context, panel, box, across) {
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Panel} panel
+   * @param {Box} box
+   * @param {Way} across
+   */
+  named(context, panel, box, across) {
     const { x, lines } = this.data;
     const total = Math.max(...x.map((_, i) => panel.lines.reduce((sum, { key }) => sum + (lines[key][i] ?? 0), 0)));
-    const up = (joules) => ((box.bottom - box.top) * joules) / (1.06 * total);
+    const up = (/** @type {number} */ joules) => ((box.bottom - box.top) * joules) / (1.06 * total);
     const at = x.map(across);
     context.font = `600 12px ${FONT}`;
     const below = x.map(() => 0);
+    /** @type {{ name: string, middle: number, y: number }[]} */
     const found = [];
-    for (const { key, name } of panel.lines) {
+    for (const { key, name = "" } of panel.lines) {
       const half = context.measureText(name).width / 2 + 4;
       const tops = below.map((joules, i) => up(joules + (lines[key][i] ?? 0)));
       const bottoms = below.map(up);
-      let best = { room: 15 };
+      let best = { room: 15, middle: 0, y: 0 };
       let first = 0; // of the places beneath the name, which go on to the right with it
       for (let middle = box.left + half; middle < box.right - half; middle += 8) {
         while (at[first] <= middle - half - 4) first += 1;
@@ -54,7 +66,7 @@ class Areas extends Chart {
         for (let i = first; at[i] < middle + half + 4; i += 1) [top, bottom] = [Math.min(top, tops[i]), Math.max(bottom, bottoms[i])];
         if (top < Infinity && top - bottom > best.room) best = { room: top - bottom, middle, y: box.bottom - (top + bottom) / 2 };
       }
-      if (best.middle) found.push({ name, ...best });
+      if (best.middle) found.push({ name, middle: best.middle, y: best.y });
       lines[key].forEach((joules, i) => (below[i] += joules ?? 0));
     }
     return found;
@@ -63,11 +75,13 @@ class Areas extends Chart {
 
 export class Ledger {
   /** @param {App} app */
-  constructor(app, { onPick }) {
+  constructor(app, /** @type {{ onPick: (moment: number, on: { last: boolean }) => void }} */ { onPick }) {
     this.app = app;
     const lines = PARTS.map(([key, name, color]) => ({ key, name, color }));
     this.panel = { title: "Where the energy is", kind: "energy_j", height: 190, stacked: true, lines };
     this.all = lines;
+    /** @type {unknown[]} */
+    this.named = []; // what the list was last made of
     this.chart = new Areas(app, {
       label: "Where the energy is", panels: [this.panel], axis: { kind: "time_s", label: "after first touch" }, onPick,
     });
@@ -77,10 +91,25 @@ export class Ledger {
     this.element.append(this.list); // the chart stands where its view wants it
   }
 
+  /**
+   * @param {Film} film
+   * @param {{ x: number[], lines: Record<string, number[]> }} series
+   */
   set(film, series) {
     this.film = film;
     this.series = series;
-    this.panel.lines = this.all.filter(({ key }) => film.energy[key]);
+    const last = this.all.filter(({ key }) => film.energy[key]).map(({ key, name }) => `${name} ${this.app.text("energy_j", film.energy[key].at(-1))}`).join(", ");
+    this.chart.label(`Where the ${this.app.text("energy_j", film.hit.incoming_energy_j)} of incoming energy are over time. At the end: ${last}.`);
+    this.name();
+  }
+
+  // The parts that this hit has, in the theme's colours; the list is made anew where it has others.
+  name() {
+    const parts = this.all.filter(({ key }) => this.film?.energy[key]);
+    const about = [this.app.colors, ...parts];
+    if (about.length === this.named.length && about.every((one, i) => one === this.named[i])) return;
+    this.named = about;
+    this.panel.lines = parts;
     this.list.replaceChildren();
     this.values = this.panel.lines.map(({ key, name, color }) => {
       const [box, term, value] = ["div", "dt", "dd"].map((tag) => document.createElement(tag));
@@ -92,12 +121,12 @@ export class Ledger {
       this.list.append(box);
       return value;
     });
-    const last = this.panel.lines.map(({ key, name }) => `${name} ${this.app.text("energy_j", film.energy[key].at(-1))}`).join(", ");
-    this.chart.label(`Where the ${this.app.text("energy_j", film.hit.incoming_energy_j)} of incoming energy are over time. At the end: ${last}.`);
   }
 
+  /** @param {number} moment */
   draw(moment) {
     const { film, series } = this;
+    if (!film || !series) return;
     this.chart.draw({
       x: series.x, lines: series.lines, range: [series.x[0], film.end], cursor: moment,
       marks: [{ at: film.hit.contact_time_s, color: "ink" }],
@@ -111,5 +140,6 @@ export class Ledger {
     });
   }
 
+  /** @param {string} name */
   figure(name) { return this.chart.figure(name); }
 }

@@ -8,13 +8,21 @@ import { make } from "./parts.js";
 
 const SIGNS = { pass: ["✓", "kept"], fail: ["✗", "not kept"], doubt: ["?", "not decidable"], none: ["–", "does not apply"] };
 
+/** @typedef {keyof typeof SIGNS} Light */
+
 export class Lights {
+  /** @param {string} title */
   constructor(title) {
     this.list = make("ul", {});
+    this.shown = "";
     this.element = make("div", { className: "lights", hidden: true }, make("h2", { textContent: title }), this.list);
   }
 
+  /** @param {{ state: Light, name: string, words?: string }[]} lights */
   show(lights) {
+    const now = JSON.stringify(lights);
+    if (now === this.shown) return;
+    this.shown = now;
     this.element.hidden = lights.length === 0;
     this.list.replaceChildren(...lights.map(({ state, name, words = "" }) => {
       const [sign, said] = SIGNS[state];
@@ -24,4 +32,7 @@ export class Lights {
   }
 }
 
-export const stateOf = (verdict) => ({ pass: "pass", fail: "fail", "not decidable": "doubt" }[verdict] ?? "none");
+/** @type {Record<string, Light>} */
+const LIGHTS = { pass: "pass", fail: "fail", "not decidable": "doubt" };
+
+export const stateOf = (/** @type {string} */ verdict) => LIGHTS[verdict] ?? "none";

@@ -10,13 +10,16 @@ const SUDDEN = 6; // times the loudness of the last while
 const FORGETS = 0.95; // of that loudness per piece
 
 export class Listening {
+  /** @param {{ onLevel: (level: number) => void, onTap: (tap: File) => void, onEnd: (words?: string) => void }} given */
   constructor({ onLevel, onTap, onEnd }) {
     this.onLevel = onLevel;
     this.onTap = onTap;
     this.onEnd = onEnd;
     this.audio = null;
     this.stream = null;
+    /** @type {Float32Array[]} */
     this.pieces = [];
+    /** @type {number | null} */
     this.floor = null; // loudness of the last while
     this.left = 0; // samples until the ringing is whole
     this.taps = 0;
@@ -51,6 +54,7 @@ export class Listening {
   }
 
   // One piece of sound: loud and sudden, or one of those after it until the ringing is whole.
+  /** @param {Float32Array} piece */
   take(piece) {
     if (!this.on) return;
     const most = piece.reduce((best, one) => Math.max(best, Math.abs(one)), 0);
@@ -68,6 +72,7 @@ export class Listening {
     if (sudden) this.left = AFTER * rate;
   }
 
+  /** @param {number} rate */
   freeze(rate) {
     this.taps += 1;
     const file = new File([wavOf(this.pieces, rate)], `tap ${this.taps}.wav`, { type: "audio/wav" });
@@ -77,10 +82,14 @@ export class Listening {
 }
 
 // A sound file of 32-bit numbers, as they came.
+/**
+ * @param {Float32Array[]} pieces
+ * @param {number} rate
+ */
 export function wavOf(pieces, rate) {
   const count = pieces.reduce((sum, piece) => sum + piece.length, 0);
   const bytes = new DataView(new ArrayBuffer(44 + 4 * count));
-  const letters = (at, text) => [...text].forEach((letter, i) => bytes.setUint8(at + i, letter.charCodeAt(0)));
+  const letters = (/** @type {number} */ at, /** @type {string} */ text) => [...text].forEach((letter, i) => bytes.setUint8(at + i, letter.charCodeAt(0)));
   letters(0, "RIFF");
   bytes.setUint32(4, 36 + 4 * count, true);
   letters(8, "WAVEfmt ");

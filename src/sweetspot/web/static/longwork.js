@@ -10,25 +10,39 @@
 import { posted } from "./post.js";
 
 const PAUSE = 400; // ms between two looks
+/** @type {Map<string, Work>} */
 const all = new Map();
 
+/** @param {string} name */
 export function longWork(name) {
-  if (!all.has(name)) all.set(name, new Work(name));
-  return all.get(name);
+  const known = all.get(name) ?? new Work(name);
+  all.set(name, known);
+  return known;
 }
 
 class Work {
+  /** @param {string} name */
   constructor(name) {
     this.name = name;
+    /** @type {string | null} */
     this.key = null;
     this.status = "none";
-    this.found = null;
+    /** @type {any} */
+    this.found = null; // as the view's own work has it
+    /** @type {{ field: string, message: string } | null} */
     this.fault = null;
     this.seen = 0;
+    /** @type {string | null} */
+    this.taken = null; // what of it a view has taken over already
+    /** @type {((work: Work) => void) | null} */
     this.onChange = null;
     this.turn = 0;
   }
 
+  /**
+   * @param {AbortSignal} signal
+   * @param {(work: Work) => void} onChange
+   */
   watch(signal, onChange) {
     this.onChange = onChange;
     signal.addEventListener("abort", () => this.onChange === onChange && (this.onChange = null));
@@ -36,6 +50,7 @@ class Work {
     if (this.key && this.status === "running") this.look();
   }
 
+  /** @param {object} state */
   async start(state) {
     Object.assign(this, { key: null, status: "starting", found: null, fault: null, seen: 0 });
     this.onChange?.(this);
@@ -51,12 +66,14 @@ class Work {
   stop() { return this.look({ stop: true }); }
   goOn() { return this.look({ go_on: true }); }
 
+  /** @param {any} fault */
   failed(fault) {
     Object.assign(this, { status: "failed", fault: fault?.message ? fault : { field: "", message: "The server does not answer; try again." } });
     this.onChange?.(this);
   }
 
   // Ask once, tell what has changed, and ask again later while it runs and somebody watches.
+  /** @param {{ stop?: boolean, go_on?: boolean }} also */
   async look(also = {}) {
     this.turn += 1;
     const turn = this.turn;

@@ -25,6 +25,8 @@
 //   app.announce(text)  says something to a screen reader, at most twice a second
 //   app.ask(view, state)     a promise of another answer, over the API
 //   app.aside(name, but, wait, onAnswer)   asks for one of the view's asides (web/view.py) once the state has rested
+//   app.afterwards(who, draw)   draws what may follow the picture: while something is dragged, once the hand rests
+//   app.rests      whether no hand is dragging just now: what moves by itself stands still meanwhile
 //   app.lists("bats", "parks")   a promise of { bats, parks }; there are also balls, materials, leagues, implements, pitches
 //   app.bounds(field)        [least, most] that the bat of the last answer allows, undefined where it sets none
 //   app.signal     an AbortSignal that ends when the view goes: give it to listeners on what outlives the view
@@ -33,24 +35,30 @@
 
 import { addressOf, stateIn } from "./address.js";
 import { Chip } from "./chip.js";
-import { exportButton } from "./exports.js";
+import { drawerOf } from "./drawer.js";
+import { defaultsOf, fieldsOf } from "./fields.js";
 import { guide, welcome } from "./guide.js";
-import { shareButton } from "./share.js";
-import { partOf } from "./parts.js";
+import { Later } from "./later.js";
+import { Lists } from "./lists.js";
+import { byId, partOf } from "./parts.js";
 import { posted } from "./post.js";
+import { shareButton } from "./share.js";
 import { Line } from "./socket.js";
+import { showFaults, showStatus } from "./status.js";
+import { Steps } from "./steps.js";
 import { explain, listTerms } from "./terms.js";
+import { exportButton, stepButton, switchOf, themeButton } from "./toolbar.js";
 import { text } from "./units.js";
+import { fillBar, pointBar } from "./viewbar.js";
+import { fetchOthers, fetched } from "./viewfiles.js";
 /** @import { System } from "./units.js" */
 
 const facts = JSON.parse(document.getElementById("facts")?.textContent ?? "{}");
 const LONGEST_ADDRESS = 16000;
 const LONG_TEXT = 2000; // letters of a field beyond which it does not go into an address that is too long
 const EMBED = "/embed/";
-const LISTS = ["bats", "balls", "materials", "leagues", "parks", "implements", "pitches"];
 const QUESTION = "answer";
 const MEANINGS = "meanings of words";
-const element = (id) => partOf(document, `#${id}`, HTMLElement);
 
 /**
  * What the server answers; its shape is that of the view (web/views) and is not written down a second time here.
@@ -95,23 +103,23 @@ export class App {
 
   constructor() {
     /** @type {Map<string, Entry>} */
-    this.views = new Map(facts.views.map(({ name, title, schema }) => [
+    this.views = new Map(facts.views.map((/** @type {{ name: string, title: string, schema: Record<string, any> }} */ { name, title, schema }) => [
       name, { name, title, schema: fieldsOf(schema), bat: Object.keys(schema.$defs?.BatState?.properties ?? {}) }]));
     /** @type {System} */
     this.units = localStorage.getItem("units") === "si" ? "si" : "us";
     this.calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
     /** @type {Map<string, Control>} */
     this.controls = new Map();
+    this.steps = new Steps();
+    this.later = new Later(this);
+    this.catalogue = new Lists((what, yes) => this.waits(what, yes));
     /** @type {Set<(now: number) => void>} */
     this.frames = new Set();
-    this.asides = new Map(); // what was asked apart: about what, and the timer that waits
     /** @type {State} */
     this.carried = {}; // what goes along from view to view: the bat, how it is swung, where the ball meets it
     this.left = new Map(); // view -> its own controls as they were left
-    this.known = new Map(); // list -> a promise of it
     this.awaited = new Set(); // what is asked for and not there yet; #view says it as data-waiting
     this.turn = 0;
-    this.step = this.lastStep = history.state?.step ?? 0; // of what was done since this page was opened
     this.embedded = location.pathname.startsWith(EMBED);
     /** @type {Answer} */
     this.answer = null;
@@ -159,18 +167,22 @@ export class App {
   setState(partial, { commit = true, merge = null, instead = false } = {}) {
     this.take({ ...this.state, ...partial });
     if (commit) this.commit({ merge, instead });
-    else this.dragged = true;
+    else this.later.dragged = true;
   }
 
   // Note that something has been asked for, or is there.
+  /** @param {string} what */
   waits(what, yes = true) {
+    if (this.awaited.has(what) === yes) return;
     this.awaited[yes ? "add" : "delete"](what);
-    element("view").dataset.waiting = [...this.awaited].join(" ");
+    byId("view").dataset.waiting = [...this.awaited].join(" ");
   }
 
+  /** @param {State} state */
   take(state) {
     this.waits(QUESTION);
     this.state = state;
+    this.later.moved = performance.now();
     for (const field of facts.carried) if (Object.hasOwn(this.schema, field)) this.carried[field] = state[field];
     this.left.set(this.name, state);
     this.line.ask(this.name, state);
@@ -181,31 +193,19 @@ export class App {
   // Put the state into the address as a step that the back button, and Undo, take back.
   /** @param {Step} [step] */
   commit({ merge = null, instead = false } = {}) {
-    this.dragged = false;
+    this.later.dragged = false;
     const again = instead || (merge !== null && merge === this.merging);
     this.merging = merge;
     let address = addressOf(this.name, this.state, this.defaults, this.embedded);
+    /** @type {{ view?: string, state?: State }} */
     let kept = {};
     if (address.length > LONGEST_ADDRESS) { // the browser keeps the rest, so that back and reload still work
       const short = Object.entries(this.state).map(([field, value]) => [field, typeof value === "string" && value.length > LONG_TEXT ? this.defaults[field] : value]);
       address = addressOf(this.name, Object.fromEntries(short), this.defaults, this.embedded);
       kept = { view: this.name, state: this.state };
     }
-    if (kept.view || history.state?.view || address !== location.pathname + location.search) this.stepTo(address, kept, again);
-    this.links();
-  }
-
-  stepTo(address, kept = {}, again = false) {
-    this.step += again ? 0 : 1;
-    this.lastStep = this.step;
-    history[again ? "replaceState" : "pushState"]({ step: this.step, ...kept }, "", address);
-    this.marks();
-  }
-
-  // What can be taken back, and done again.
-  marks() {
-    partOf(document, "#undo", HTMLButtonElement).disabled = this.step === 0;
-    partOf(document, "#redo", HTMLButtonElement).disabled = this.step >= this.lastStep;
+    if (kept.view || history.state?.view || address !== location.pathname + location.search) this.steps.to(address, kept, again);
+    pointBar(this);
   }
 
   /** @param {Control} control */
@@ -224,14 +224,16 @@ export class App {
     return () => this.frames.delete(step);
   }
 
+  /** @param {number} now */
   frame(now) {
     for (const step of this.frames) step(now);
     if (this.frames.size) requestAnimationFrame((later) => this.frame(later));
   }
 
+  /** @param {string} words */
   announce(words) {
     clearTimeout(this.speaking);
-    this.speaking = setTimeout(() => (element("announcer").textContent = words), 500);
+    this.speaking = setTimeout(() => (byId("announcer").textContent = words), 500);
   }
 
   /**
@@ -243,72 +245,43 @@ export class App {
     return posted(`/api/v1/${view}`, state);
   }
 
-  // Ask apart for what takes longer, once the state has rested for a while (ms); asked again only when something changes
-  // besides the fields in `but`. onAnswer hears what is still about the present state.
-  /**
-   * @param {string} name
-   * @param {string[]} but
-   * @param {number} wait
-   * @param {(answer: Answer) => void} onAnswer
-   */
-  aside(name, but, wait, onAnswer) {
-    const about = JSON.stringify(Object.entries(this.state).filter(([field]) => !but.includes(field)));
-    const last = this.asides.get(name);
-    if (last?.about === about) return;
-    clearTimeout(last?.timer);
-    this.waits(name);
-    const asked = { about, timer: setTimeout(async () => {
-      let found = null;
-      let again = false;
-      try {
-        found = await this.ask(`${this.name}/${name}`, this.state);
-      } catch (fault) {
-        again = fault?.again; // it is still being worked out; otherwise the next answer asks
-      }
-      if (this.asides.get(name) !== asked) return;
-      if (found) onAnswer(found);
-      else this.asides.delete(name);
-      if (again) this.aside(name, but, 2000, onAnswer);
-      else this.waits(name, false);
-    }, wait) };
-    this.asides.set(name, asked);
+  get rests() {
+    return this.later.rests;
   }
 
-  // Each list is fetched when first wanted, and by itself: none waits for another.
+  /** @type {Later["aside"]} */
+  aside(...question) {
+    this.later.aside(...question);
+  }
+
+  /** @type {Later["afterwards"]} */
+  afterwards(who, draw) {
+    this.later.afterwards(who, draw);
+  }
+
+  // Whether the answer to the present state is still to come.
+  get asking() {
+    return this.awaited.has(QUESTION);
+  }
+
   /**
    * @param {string[]} names
    * @returns {Promise<Record<string, any[]>>}
    */
   async lists(...names) {
-    const wanted = names.length ? names : LISTS;
-    const found = await Promise.all(wanted.map((name) => this.list(name)));
-    return Object.fromEntries(wanted.map((name, i) => [name, found[i]]));
-  }
-
-  list(name) {
-    if (!this.known.has(name)) {
-      const what = `list of ${name}`;
-      this.waits(what);
-      this.known.set(name, fetch(`/api/v1/${name}`).then((response) => response.json())
-        .catch((error) => {
-          this.known.delete(name); // so that the next who asks tries again
-          throw error;
-        })
-        .finally(() => setTimeout(() => this.waits(what, false)))); // once those who waited for it have drawn it
-    }
-    return this.known.get(name);
+    return this.catalogue.named(names);
   }
 
   redraw() {
     if (!this.answer || !this.view) return;
-    this.view.update(this.answer, this.answered);
+    this.view.update(this.answer, this.answered ?? this.state);
     this.explain();
   }
 
   // A view's tables are made anew whenever it is drawn, so the meanings of their words are put there anew.
   async explain() {
     this.waits(MEANINGS);
-    await explain(element("view"));
+    await explain(byId("view"), this);
     this.waits(MEANINGS, false);
   }
 
@@ -336,9 +309,13 @@ export class App {
     const told = kept ?? await stateIn(location.search, this.schema, this.defaults);
     if (turn !== this.turn) return;
     this.take(told);
-    this.links();
+    pointBar(this);
   }
 
+  /**
+   * @param {Entry} entry
+   * @param {View} view
+   */
   show(entry, view) {
     this.view?.unmount();
     this.mounted?.abort();
@@ -346,26 +323,25 @@ export class App {
     this.signal = this.mounted.signal;
     this.controls.clear();
     this.frames.clear();
-    for (const { timer } of this.asides.values()) clearTimeout(timer);
-    for (const name of this.asides.keys()) this.waits(name, false);
-    this.asides.clear();
+    this.later.clear();
     this.answer = null;
     this.name = entry.name;
     this.defaults = defaultsOf(entry.schema);
     this.state = { ...this.defaults };
     this.view = view;
-    const root = element("view");
+    const root = byId("view");
     root.replaceChildren();
     root.dataset.view = entry.name;
     delete root.dataset.answered;
     document.title = `${entry.title} – sweetspot`;
-    clearFault();
+    showFaults([], this.controls);
     view.mount(root, this);
     if (!root.querySelector("h1")) root.prepend(Object.assign(document.createElement("h1"), { className: "unseen", textContent: entry.title }));
-    drawerOf(root.querySelector(":scope > .side"));
+    drawerOf(/** @type {HTMLElement | null} */ (root.querySelector(":scope > .side")));
   }
 
   // Where a view's link leads: its own controls as they were left, with the bat and the hit that go along.
+  /** @param {string} name */
   addressFor(name) {
     const { schema } = this.entry(name);
     const first = defaultsOf(schema);
@@ -373,65 +349,36 @@ export class App {
     return addressOf(name, { ...first, ...this.left.get(name), ...Object.fromEntries(along) }, first, this.embedded);
   }
 
-  links() {
-    for (const link of element("views").querySelectorAll("a")) {
-      link.href = this.addressFor(link.dataset.name);
-      if (link.dataset.name === this.name) {
-        link.setAttribute("aria-current", "page");
-        centre(link);
-      }
-      else link.removeAttribute("aria-current");
-    }
-  }
-
   // What an overtaken question, or the first picture, gives is drawn; what is wrong with the present one stays said.
+  /**
+   * @param {Answer} answer
+   * @param {State} state
+   */
   answers(answer, state) {
     const first = this.answer === null;
     this.answer = answer;
     this.answered = state;
-    if (state === this.state) this.faults([]);
+    if (state === this.state) showFaults([], this.controls);
     if (state === this.state || first) this.waits(QUESTION, false);
     for (const control of this.controls.values()) if (control.follows) control.sync(this.state);
     this.redraw();
     this.chip.sync();
-    element("view").dataset.answered = String(Number(element("view").dataset.answered ?? 0) + 1);
+    byId("view").dataset.answered = String(Number(byId("view").dataset.answered ?? 0) + 1);
     if (!first || this.embedded) return;
     welcome(this);
     fetchOthers(this.views.keys()); // so that the other views are there at once, even without a server
   }
 
   // Say beside each control what is wrong with it, and on top what belongs to none; without any picture, draw the first.
+  /**
+   * @param {Fault} fault
+   * @param {State} state
+   */
   faulted(fault, state) {
     if (state !== this.state) return;
-    this.faults([fault, ...(fault.more ?? [])]);
+    showFaults([fault, ...(fault.more ?? [])], this.controls);
     if (this.answer === null) this.line.ask(this.name, this.defaults);
     else this.waits(QUESTION, false);
-  }
-
-  faults(faults) {
-    for (const control of this.controls.values()) control.fault?.("");
-    const homeless = faults.filter(({ field, message }) => {
-      const control = this.controlOf(field);
-      control?.fault?.(message);
-      return !control;
-    });
-    partOf(element("fault"), "span", HTMLElement).textContent = homeless.map(({ field, message }) => (field ? `${field}: ${message}` : message)).join("; ");
-    element("fault").hidden = homeless.length === 0;
-  }
-
-  // "profile_in.3.1" belongs to the control of profile_in.
-  controlOf(field) {
-    const parts = field.split(".");
-    for (let length = parts.length; length > 0; length -= 1) {
-      const control = this.controls.get(parts.slice(0, length).join("."));
-      if (control?.fault) return control;
-    }
-    return undefined;
-  }
-
-  // A step back (−1) or on again (1), if there is one.
-  undo(way) {
-    if (way < 0 ? this.step > 0 : this.step < this.lastStep) history.go(way);
   }
 
   // Every control of this view as it is in the first picture.
@@ -440,25 +387,17 @@ export class App {
   }
 
   start() {
-    const list = element("views");
-    for (const { name, title } of this.views.values()) {
-      const link = Object.assign(document.createElement("a"), { textContent: title });
-      link.dataset.name = name;
-      const item = document.createElement("li");
-      item.append(link);
-      list.append(item);
-    }
-    list.addEventListener("click", (event) => this.follow(event));
+    fillBar(this);
     this.readColors();
-    element("tools").append(switchOf("units", ["us", "US"], ["si", "SI"], this.units, (units) => this.setUnits(units)));
-    element("tools").append(stepButton("undo", "↶", "Undo (Ctrl+Z)", () => this.undo(-1)), stepButton("redo", "↷", "Redo (Ctrl+Y)", () => this.undo(1)),
+    byId("tools").append(switchOf("units", ["us", "US"], ["si", "SI"], this.units, (units) => this.setUnits(units)));
+    byId("tools").append(stepButton("undo", "↶", "Undo (Ctrl+Z)", () => this.steps.undo(-1)), stepButton("redo", "↷", "Redo (Ctrl+Y)", () => this.steps.undo(1)),
       themeButton(() => this.readColors(true)), shareButton(this), exportButton(this), guide(this));
     document.body.classList.toggle("embed", this.embedded);
-    this.marks();
+    this.steps.mark();
     this.chip = new Chip(this);
-    element("chip").append(this.chip.element);
-    element("terms").addEventListener("click", () => listTerms());
-    partOf(element("fault"), "button", HTMLElement).addEventListener("click", () => this.reset());
+    byId("chip").append(this.chip.element);
+    byId("terms").addEventListener("click", () => listTerms(this));
+    partOf(byId("fault"), "button", HTMLElement).addEventListener("click", () => this.reset());
     this.line = new Line({
       apart: true,
       onAnswer: (view, answer, state) => view === this.name && this.answers(answer, state),
@@ -471,43 +410,40 @@ export class App {
       },
     });
     addEventListener("popstate", () => {
-      this.step = history.state?.step ?? 0;
-      this.marks();
+      this.steps.arrive();
       this.go();
     });
-    addEventListener("keydown", (event) => {
-      if (!(event.ctrlKey || event.metaKey) || !(event.target instanceof Element)) return;
-      if (event.target.matches("textarea, input[type=number], input[type=text]")) return;
-      const way = { z: event.shiftKey ? 1 : -1, y: 1 }[event.key.toLowerCase()];
-      if (way) this.undo(way);
-    });
-    addEventListener("pointerup", () => this.dragged && this.commit());
-    new ResizeObserver(() => this.redraw()).observe(element("view"));
+    addEventListener("keydown", (event) => this.steps.key(event));
+    addEventListener("pointerup", () => this.later.dragged && this.commit());
+    let wide = 0; // every canvas looks after its own size, and a view's height follows from what is in it
+    new ResizeObserver(([{ contentRect: { width } }]) => {
+      if (width !== wide) this.redraw();
+      wide = width;
+    }).observe(byId("view"));
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.readColors(true));
     return this.go();
   }
 
-  follow(event) {
-    const link = event.target.closest("a");
-    if (!link || event.ctrlKey || event.metaKey || event.shiftKey) return;
-    event.preventDefault();
-    this.visit(link.href);
-  }
-
   // To another view, with some of its controls set.
+  /**
+   * @param {string} name
+   * @param {State} fields
+   */
   visitWith(name, fields) {
     this.left.set(name, { ...defaultsOf(this.entry(name).schema), ...this.left.get(name), ...fields });
     for (const field of Object.keys(fields)) if (Object.hasOwn(this.carried, field)) this.carried[field] = fields[field];
     return this.visit(this.addressFor(name));
   }
 
+  /** @param {string} address */
   async visit(address) {
-    this.stepTo(address);
+    this.steps.to(address);
     await this.go();
-    element("view").focus({ preventScroll: true });
+    byId("view").focus({ preventScroll: true });
     scrollTo(0, 0);
   }
 
+  /** @param {System} units */
   setUnits(units) {
     this.units = units;
     localStorage.setItem("units", units);
@@ -517,117 +453,11 @@ export class App {
 
   readColors(again = false) {
     const style = getComputedStyle(document.documentElement);
-    this.colors = new Proxy({}, {
+    this.colors = new Proxy(/** @type {Record<string | symbol, string>} */ ({}), {
       get: (known, name) => (known[name] ??= style.getPropertyValue(`--${String(name).replace(/[A-Z]/g, (l) => `-${l.toLowerCase()}`)}`).trim()),
     });
     if (again) this.redraw();
   }
-}
-
-function fieldsOf(schema) {
-  const resolve = (property) => (property.$ref ? { ...schema.$defs[property.$ref.split("/").pop()], ...property } : property);
-  return Object.fromEntries(Object.entries(schema.properties ?? {}).map(([field, property]) => [field, resolve(property)]));
-}
-
-function defaultsOf(schema) {
-  return Object.fromEntries(Object.entries(schema).map(([field, property]) => [field, property.default ?? null]));
-}
-
-// A view's module. A failed import is remembered by the browser under its address, so another try needs another one.
-const modules = new Map();
-let tries = 0;
-
-function fetched(name) {
-  if (!modules.has(name)) {
-    const again = tries ? `?try=${tries}` : "";
-    modules.set(name, import(`./views/${name}.js${again}`).catch((error) => {
-      modules.delete(name);
-      tries += 1;
-      throw error;
-    }));
-  }
-  return modules.get(name);
-}
-
-function fetchOthers(names) {
-  for (const name of names) fetched(name).catch(() => {}); // who goes there asks again
-}
-
-// Bring a link into the middle of a bar that is too narrow for all of them; the page itself stays where it is.
-function centre(link) {
-  const bar = link.closest("header");
-  const [all, own] = [bar.getBoundingClientRect(), link.getBoundingClientRect()];
-  bar.scrollLeft += own.left + own.width / 2 - all.left - all.width / 2;
-}
-
-// On a phone the controls are a drawer at the foot of the screen.
-function drawerOf(side) {
-  if (!side) return;
-  const toggle = Object.assign(document.createElement("button"), { type: "button", className: "drawer" });
-  const label = () => {
-    const shut = side.classList.contains("shut");
-    toggle.textContent = shut ? "▴ Controls" : "▾ Controls";
-    toggle.setAttribute("aria-expanded", String(!shut));
-  };
-  toggle.addEventListener("click", () => {
-    side.classList.toggle("shut");
-    label();
-  });
-  label();
-  side.prepend(toggle);
-}
-
-function clearFault() {
-  element("fault").hidden = true;
-}
-
-function showStatus(status) {
-  const words = {
-    open: "",
-    preparing: "First start: the solver is being compiled for this machine. That takes about a minute, once; the picture then comes by itself.",
-    lost: "The connection to the server is lost. Trying again; the page then goes on by itself.",
-    slow: "The server is taking its time with this answer.",
-  }[status];
-  element("status").textContent = words;
-  element("status").hidden = words === "";
-  document.body.dataset.line = status;
-}
-
-function stepButton(id, words, title, act) {
-  const made = Object.assign(document.createElement("button"), { type: "button", id, textContent: words, title });
-  made.setAttribute("aria-label", title);
-  made.addEventListener("click", act);
-  return made;
-}
-
-function switchOf(name, [first, firstWords], [second, secondWords], chosen, onChange) {
-  const group = document.createElement("fieldset");
-  group.className = "switch";
-  group.innerHTML = `<legend class="unseen">${name}</legend>` + [[first, firstWords], [second, secondWords]].map(
-    ([value, words]) => `<label><input type="radio" name="${name}" value="${value}"><span>${words}</span></label>`).join("");
-  for (const one of group.querySelectorAll("input")) {
-    one.checked = one.value === chosen;
-    one.addEventListener("change", () => onChange(one.value));
-  }
-  return group;
-}
-
-function themeButton(onChange) {
-  const root = document.documentElement;
-  const dark = () => (root.dataset.theme ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light")) === "dark";
-  const stored = localStorage.getItem("theme");
-  if (stored) root.dataset.theme = stored;
-  const button = Object.assign(document.createElement("button"), { type: "button", id: "theme" });
-  const label = () => (button.textContent = dark() ? "Light" : "Dark");
-  button.title = "Change between light and dark";
-  button.addEventListener("click", () => {
-    root.dataset.theme = dark() ? "light" : "dark";
-    localStorage.setItem("theme", root.dataset.theme);
-    label();
-    onChange();
-  });
-  label();
-  return button;
 }
 
 new App().start();

@@ -2,12 +2,17 @@
 
 import { paintBat, radiusAt } from "./batview.js";
 import { FONT, haloText } from "./surface.js";
+/** @import { Answer, App, Colors } from "./main.js" */
 
 const PAD = 16, TOP = 34, SIDES = 120;
 const SWING = 0.085; // m of drawing for the largest place of a motion of size 1
 const ROUND = 0.3; // part of the barrel's radius, for a hoop motion of size 1
 
 export class Stage {
+  /**
+   * @param {Answer} answer
+   * @param {number} width
+   */
   constructor(answer, width) {
     const { bat } = answer;
     this.answer = answer;
@@ -20,11 +25,19 @@ export class Stage {
     this.height = Math.round(this.axis + 0.12 * this.scale + 34);
   }
 
+  /** @param {number} x */
   across(x) { return PAD + x * this.scale; }
+  /** @param {number} pixel */
   along(pixel) { return Math.min(this.bat.length_m, Math.max(0, (pixel - PAD) / this.scale)); }
 }
 
 // shown: { answer, motion (of answer.modes), phase: -1 to 1, size, both: draw the opposite extreme too, colors, text, app }
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {number} width
+ * @param {number} height
+ * @param {Answer} shown
+ */
 export function paintMotion(context, width, height, shown) {
   const stage = new Stage(shown.answer, width);
   const { colors, answer } = shown;
@@ -45,6 +58,11 @@ export function paintMotion(context, width, height, shown) {
 }
 
 // Between the outer nodes of the first two bending motions: where neither is much excited.
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Stage} stage
+ * @param {{ answer: Answer, motion: Answer, colors: Colors }} given
+ */
 function paintZone(context, stage, { answer, motion, colors }) {
   if (motion.family !== "bending" || motion.number > 2) return;
   const [from, to] = [answer.nodes.node_1_m, answer.nodes.node_2_m].sort((a, b) => a - b);
@@ -52,6 +70,11 @@ function paintZone(context, stage, { answer, motion, colors }) {
   context.fillRect(stage.across(from), TOP - 6, stage.across(to) - stage.across(from), stage.height - TOP - 20);
 }
 
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Stage} stage
+ * @param {{ answer: Answer, colors: Colors }} given
+ */
 function paintMarks(context, stage, { answer, colors }) {
   context.strokeStyle = colors.muted;
   context.lineWidth = 3;
@@ -85,9 +108,14 @@ function paintMarks(context, stage, { answer, colors }) {
   haloText(context, "tap", x + (x > stage.width - 60 ? -9 : 9), y - 16, colors.ink, colors.panel);
 }
 
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Stage} stage
+ * @param {{ motion: Answer, answer: Answer, phase: number, size: number, both: boolean, colors: Colors }} given
+ */
 function paintBent(context, stage, { motion, answer, phase, size, both, colors }) {
-  const draw = (part, strength) => {
-    const shift = (x) => -part * size * SWING * stage.scale * between(answer.place_m, motion.shape, x);
+  const draw = (/** @type {number} */ part, /** @type {number} */ strength) => {
+    const shift = (/** @type {number} */ x) => -part * size * SWING * stage.scale * between(answer.place_m, motion.shape, x);
     const edges = [...new Set([...stage.bat.outline.position_m, ...answer.place_m])].sort((a, b) => a - b)
       .map((x) => [stage.across(x), stage.axis + shift(x), radiusAt(stage.bat, x) * stage.scale]);
     context.globalAlpha = strength;
@@ -107,13 +135,18 @@ function paintBent(context, stage, { motion, answer, phase, size, both, colors }
 }
 
 // The barrel's wall going out of round: from the side its upper and lower edge, and a cut where it moves most.
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Stage} stage
+ * @param {{ motion: Answer, answer: Answer, phase: number, size: number, both: boolean, colors: Colors }} given
+ */
 function paintHoop(context, stage, { motion, answer, phase, size, both, colors }) {
   const { harmonic } = motion;
   const largest = stage.widest * ROUND * size;
   const opposite = harmonic % 2 ? -1 : 1; // cos(n pi): how the side away from the ball moves
-  const places = answer.place_m.filter((x) => x >= answer.hoop_start_m - 0.03);
-  const draw = (part, filled) => {
-    const move = (x) => part * largest * between(answer.place_m, motion.shape, x);
+  const places = answer.place_m.filter((/** @type {number} */ x) => x >= answer.hoop_start_m - 0.03);
+  const draw = (/** @type {number} */ part, /** @type {boolean} */ filled) => {
+    const move = (/** @type {number} */ x) => part * largest * between(answer.place_m, motion.shape, x);
     context.beginPath();
     for (const x of places) context.lineTo(stage.across(x), stage.axis - (radiusAt(stage.bat, x) + move(x)) * stage.scale);
     for (const x of [...places].reverse()) context.lineTo(stage.across(x), stage.axis + (radiusAt(stage.bat, x) + opposite * move(x)) * stage.scale);
@@ -131,13 +164,18 @@ function paintHoop(context, stage, { motion, answer, phase, size, both, colors }
   paintCut(context, stage, { motion, answer, phase, largest, both, colors });
 }
 
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Stage} stage
+ * @param {{ motion: Answer, answer: Answer, phase: number, largest: number, both: boolean, colors: Colors }} given
+ */
 function paintCut(context, stage, { motion, answer, phase, largest, both, colors }) {
-  const top = motion.shape.reduce((best, value, i) => (Math.abs(value) > Math.abs(motion.shape[best]) ? i : best), 0);
+  const top = motion.shape.reduce((/** @type {number} */ best, /** @type {number} */ value, /** @type {number} */ i) => (Math.abs(value) > Math.abs(motion.shape[best]) ? i : best), 0);
   const place = answer.place_m[top];
   const zoom = Math.min(1.25, (0.42 * stage.width) / (stage.scale * 4.4 * stage.widest));
   const radius = radiusAt(stage.bat, place);
   const [x, y] = [stage.across(0) + 2 * stage.widest * stage.scale * zoom, stage.axis];
-  const ring = (part) => {
+  const ring = (/** @type {number} */ part) => {
     context.beginPath();
     for (let i = 0; i <= SIDES; i += 1) {
       const angle = (2 * Math.PI * i) / SIDES;
@@ -178,12 +216,16 @@ function paintCut(context, stage, { motion, answer, phase, largest, both, colors
 }
 
 // Still places: from the moving bat up to the bat at rest, with their distance from the tip.
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Stage} stage
+ * @param {{ motion: Answer, answer: Answer, colors: Colors, text: App["text"] }} given
+ */
 function paintNodes(context, stage, { motion, answer, colors, text }) {
   const few = motion.nodes_m.length <= 4;
   context.font = `12px ${FONT}`;
-  context.textAlign = "center";
   context.textBaseline = "middle";
-  motion.nodes_m.forEach((node) => {
+  motion.nodes_m.forEach((/** @type {number} */ node) => {
     const x = stage.across(node);
     context.strokeStyle = colors.accent;
     context.lineWidth = 1.3;
@@ -202,7 +244,9 @@ function paintNodes(context, stage, { motion, answer, colors, text }) {
       context.stroke();
     }
     const words = text("node_m", answer.bat.length_m - node, few ? undefined : 1);
-    if (few || stage.width > 900) haloText(context, words, x, stage.rest + stage.widest * stage.scale + 16, colors.ink, colors.panel);
+    const last = x > stage.width - 70; // beside its line, which would run through it
+    context.textAlign = last ? "right" : "left";
+    if (few || stage.width > 900) haloText(context, words, x + (last ? -7 : 7), stage.rest + stage.widest * stage.scale + 16, colors.ink, colors.panel);
   });
   context.textAlign = "right";
   context.fillStyle = colors.muted;
@@ -210,6 +254,11 @@ function paintNodes(context, stage, { motion, answer, colors, text }) {
   context.fillText(stage.width < 560 ? "● stands still" : "● stands still; numbers are from the tip", stage.width - PAD, stage.height - 8);
 }
 
+/**
+ * @param {number[]} places
+ * @param {number[]} values
+ * @param {number} x
+ */
 export function between(places, values, x) {
   const step = places[1] - places[0];
   const i = Math.min(places.length - 2, Math.max(0, Math.floor(x / step + 1e-9)));

@@ -1,26 +1,45 @@
 // The numbers of a picture as a table under a heading that folds, for those who do not see the picture.
 //
-//   const numbers = new Numbers("These curves as a table", () => ({ caption, columns, rows }));   or null: nothing yet
+//   const numbers = new Numbers(app, "These curves as a table", () => ({ caption, columns, rows }));   or null: nothing yet
 //   box.append(numbers.element);
 //   numbers.redraw();        // after every change of the picture
 
 import { make, tableOf } from "./parts.js";
+/** @import { App } from "./main.js" */
 
 export class Numbers {
-  constructor(words, tabled) {
+  /**
+   * @param {App} app
+   * @param {string} words
+   * @param {() => { caption: string, columns: string[], rows: string[][] } | null} tabled
+   */
+  constructor(app, words, tabled) {
+    this.app = app;
     this.tabled = tabled;
     this.element = make("details", { className: "numbers" }, make("summary", { textContent: words }));
     this.element.addEventListener("toggle", () => this.redraw());
   }
 
   redraw() {
-    this.element.querySelector(".scroll")?.remove();
+    if (this.element.open) this.app.afterwards(this, () => this.fill());
+    else this.empty();
+  }
+
+  fill() {
+    this.empty();
     const found = this.element.open ? this.tabled() : null;
     if (found) this.element.append(tableOf(found.caption, found.columns, found.rows));
   }
+
+  empty() { this.element.querySelector(".scroll")?.remove(); }
 }
 
 // About so many of a list, evenly, with the first and the last.
+/**
+ * @template Item
+ * @param {Item[]} list
+ * @param {number} count
+ */
 export function evenly(list, count) {
   if (list.length <= count) return list;
   return Array.from({ length: count }, (_, i) => list[Math.round((i * (list.length - 1)) / (count - 1))]);

@@ -1,7 +1,8 @@
 // Pieces that several views are made of: tables, paragraphs, sentences in either system of units, controls inside a list.
 
-import { MPH, toShown, unitOf } from "./units.js";
-/** @import { Answer, App, State } from "./main.js" */
+import { fitted, unbroken } from "./tables.js";
+import { MPH, grouped, toShown, unitOf } from "./units.js";
+/** @import { Answer, App, Control, State, Step } from "./main.js" */
 
 /**
  * @template {keyof HTMLElementTagNameMap} Tag
@@ -31,55 +32,77 @@ export function partOf(place, selector, kind) {
   throw new TypeError(`no ${kind.name} at ${selector}`);
 }
 
+// An element of the page's frame (index.html), which is always there.
+export const byId = (/** @type {string} */ id) => partOf(document, `#${id}`, HTMLElement);
+
 // "11,300 ± 680 oz in²": a value with its interval, with no more digits than are known; alone where there is none.
+/**
+ * @param {string} kind
+ * @param {number | null | undefined} value
+ * @param {number | null | undefined} half
+ * @param {App} app
+ */
 export function withDoubt(kind, value, half, app) {
   const size = half ? Math.abs(toShown(kind, half, app.units)) : 0;
-  if (!size) return app.text(kind, value);
+  if (!size || !half || value === null || value === undefined) return app.text(kind, value ?? null);
   const places = 1 - Math.floor(Math.log10(size)), step = 10 ** places;
-  const shown = (number) => (Math.round(toShown(kind, number, app.units) * step) / step).toLocaleString("en-US", { minimumFractionDigits: Math.max(places, 0), maximumFractionDigits: Math.max(places, 0) });
+  const shown = (/** @type {number} */ number) => grouped((Math.round(toShown(kind, number, app.units) * step) / step).toFixed(Math.max(places, 0)));
   return `${shown(value)} ± ${shown(half)} ${unitOf(kind, app.units)}`;
-}
-
-const BEFORE_UNIT = /(?<=\d) (?=[a-zµ°²%/]{1,4}\d?[²³]?(?:[\s,;)]|$))/gi;
-
-// A text in which number and unit stay on one line.
-export function unbroken(text) {
-  return String(text).replace(BEFORE_UNIT, "\u00a0");
 }
 
 // A table with a caption and row headers; a cell is a text, or { text, note, className }.
 // No line breaks a number from its unit.
-export function tableOf(caption, columns, rows) {
-  const cell = (tag, given, number) => {
+/**
+ * @typedef {string | { text?: string, note?: string, className?: string }} Cell
+ * @param {string} caption
+ * @param {Cell[]} columns
+ * @param {Cell[][]} rows
+ * @param {{ column?: number }} [look]  pixels that a column needs, where they are not the usual ones
+ */
+export function tableOf(caption, columns, rows, { column } = {}) {
+  const cell = (/** @type {"th" | "td"} */ tag, /** @type {Cell} */ given, /** @type {boolean} */ number) => {
     const { text, note = "", className = "" } = typeof given === "object" && given !== null ? given : { text: given };
-    const made = make(tag, { textContent: unbroken(text ?? "–"), className: [number ? "number" : "", className].filter(Boolean).join(" ") });
+    const made = make(tag, { textContent: printed(text ?? "–"), className: [number ? "number" : "", className].filter(Boolean).join(" ") });
     if (note) made.append(make("small", { textContent: note }));
     return made;
   };
-  const head = make("tr", {}, ...columns.map((words, i) => Object.assign(cell("th", words, i > 0), { scope: "col" })));
+  const head = make("tr", {}, ...columns.map((words, i) => (words === "" ? make("td") : Object.assign(cell("th", words, i > 0), { scope: "col" }))));
   const body = rows.map((row) => make("tr", {}, ...row.map((given, i) => (
-    i === 0 ? Object.assign(cell("th", given, false), { scope: "row" }) : labelled(cell("td", given, true), columns[i])))));
+    i === 0 ? Object.assign(cell("th", given, false), { scope: "row" }) : cell("td", given, true)))));
   const table = make("table", {}, make("caption", { textContent: caption }), make("thead", {}, head), make("tbody", {}, ...body));
-  return make("div", { className: "scroll", tabIndex: 0, role: "region", ariaLabel: caption }, table);
-}
-
-// The column's name beside the cell, for narrow screens where the head is not shown.
-function labelled(cell, column) {
-  cell.dataset.label = typeof column === "object" ? column.text : column;
-  return cell;
+  const box = make("div", { className: "scroll", tabIndex: 0, role: "region", ariaLabel: caption }, table);
+  fitted(box, { column });
+  return box;
 }
 
 // Sentences as they are printed: with minus signs, where programs are told hyphens, and no line between number and unit.
-const printed = (text) => unbroken(text.replace(/(^|[\s(])-(?=\d)/g, "$1−"));
+const printed = (/** @type {string} */ text) => unbroken(text.replace(/(^|[\s(])-(?=\d)/g, "$1−"));
 
+// Words where others stand: what stays as it is costs the browser nothing.
+/**
+ * @param {Element} place
+ * @param {string} words
+ */
+export function write(place, words) {
+  if (place.textContent !== words) place.textContent = words;
+}
+
+/**
+ * @param {HTMLElement} place
+ * @param {string[]} texts
+ */
 export function paragraphs(place, texts) {
-  place.replaceChildren(...texts.map((text) => make("p", { textContent: printed(text) })));
+  const rows = [...place.children];
+  if (rows.length === texts.length && rows.every((row) => row.localName === "p")) rows.forEach((row, i) => write(row, printed(texts[i])));
+  else place.replaceChildren(...texts.map((text) => make("p", { textContent: printed(text) })));
 }
 
 // A value of a row whose unit stands beside it, in the reader's units: [number, unit].
+/** @type {Record<string, string>} */
 const KIND_OF = {
-  m: "x_m", mm: "x_m", "m/s": "x_m_s", mph: "x_m_s", "kg m^2": "x_kg_m2", kN: "x_n", "N s": "x_n_s", ms: "x_ms",
+  m: "x_m", mm: "x_m", "m/s": "x_m_s", mph: "x_m_s", "m/s^2": "x_m_s2", "kg m^2": "x_kg_m2", kN: "x_n", "N s": "x_n_s", ms: "x_ms",
 };
+/** @type {Record<string, number>} */
 const TO_SI = { mm: 1e-3, mph: MPH, kN: 1e3 };
 
 /**
@@ -90,10 +113,17 @@ const TO_SI = { mm: 1e-3, mph: MPH, kN: 1e3 };
 export function inReadersUnit(value, unit, app) {
   if (typeof value !== "number") return value ?? "–";
   const kind = KIND_OF[unit];
-  if (kind) return app.text(kind, value * (TO_SI[unit] ?? 1), decimalsFor(kind, value * (TO_SI[unit] ?? 1), app));
-  const shown = Math.abs(value) >= 1e4 ? value.toPrecision(4) : String(Number(value.toPrecision(4)));
-  const tidy = Math.abs(value) >= 1e4 ? Number(shown).toLocaleString("en-US") : shown;
-  return `${tidy.replace("-", "−")}${unit === "ratio" ? "" : ` ${unit.replace("^2", "²")}`}`;
+  const si = value * (TO_SI[unit] ?? 1);
+  if (kind && Math.abs(toShown(kind, si, app.units)) >= MANY) return `${four(toShown(kind, si, app.units))} ${unitOf(kind, app.units)}`;
+  if (kind) return app.text(kind, si, decimalsFor(kind, si, app));
+  return `${four(value)}${unit === "ratio" ? "" : ` ${unit.replace("^2", "²")}`}`;
+}
+
+// A number with four figures, thousands apart where there are many.
+const MANY = 1e4;
+/** @param {number} value */
+function four(value) {
+  return grouped(Number(value.toPrecision(4))).replace("-", "−");
 }
 
 // Four figures, but no more decimals than four.
@@ -121,26 +151,35 @@ export function scoped(app, list, index, bounds) {
   return {
     schema,
     bounds,
-    lists: (...names) => app.lists(...names),
-    text: (name, value, digits) => app.text(name, value, digits),
+    lists: (/** @type {string[]} */ ...names) => app.lists(...names),
+    text: (/** @type {string} */ name, /** @type {any} */ value, /** @type {number=} */ digits) => app.text(name, value, digits),
     get units() { return app.units; },
     /** @returns {State} */
     get state() { return { ...defaults, ...app.state[list][index] }; },
+    /**
+     * @param {State} partial
+     * @param {Step} options
+     */
     setState(partial, options) {
-      const items = app.state[list].map((item, i) => slim({ ...defaults, ...item, ...(i === index ? partial : {}) }, defaults));
+      const items = app.state[list].map((/** @type {State} */ item, /** @type {number} */ i) => slim({ ...defaults, ...item, ...(i === index ? partial : {}) }, defaults));
       app.setState({ [list]: items }, options);
     },
-    commit: (options) => app.commit(options),
+    commit: (/** @type {Step} */ options) => app.commit(options),
+    /** @param {Control} control */
     control(control) {
       app.control({
         field: `${list}.${index}.${control.field}`,
         sync: (state) => state[list][index] && control.sync({ ...defaults, ...state[list][index] }),
-        fault: (message) => control.fault(message),
+        fault: (message) => control.fault?.(message),
       });
     },
   };
 }
 
+/**
+ * @param {State} item
+ * @param {State} defaults
+ */
 function slim(item, defaults) {
   const kept = Object.entries(item).filter(([field, value]) => JSON.stringify(value) !== JSON.stringify(defaults[field]));
   return Object.fromEntries(kept);
@@ -158,10 +197,11 @@ export function factList(facts, app) {
   const element = make("dl", { className: "facts" }, ...facts.map(([name], i) => make("div", {}, make("dt", { textContent: name }), values[i])));
   return {
     element,
+    /** @param {Answer} answer */
     fill(answer) {
       facts.forEach(([, value], i) => {
         const found = value(answer, app);
-        values[i].textContent = typeof found === "string" ? found : app.text(...found);
+        write(values[i], typeof found === "string" ? found : app.text(...found));
       });
     },
   };

@@ -1,5 +1,9 @@
 // POST JSON to the API; a refusal is thrown as {field, message}.
 
+/**
+ * @param {string} path
+ * @param {object} table
+ */
 export async function posted(path, table) {
   const response = await fetch(path, {
     method: "POST", headers: { "content-type": "application/json" }, body: JSON.stringify(table),

@@ -9,6 +9,7 @@ registerProcessor("recorder", class extends AudioWorkletProcessor {
     this.filled = 0;
   }
 
+  /** @param {Float32Array[][]} inputs  channels of each */
   process([input]) {
     const samples = input?.[0];
     if (!samples) return true;

@@ -17,7 +17,7 @@ export function shareButton(app) {
 /** @param {App} app */
 async function open(app) {
   const { name, state, defaults } = app;
-  const here = (address) => location.origin + address;
+  const here = (/** @type {string} */ address) => location.origin + address;
   const long = here(addressOf(name, state, defaults));
   const short = here(await shortAddressOf(name, state, defaults));
   const embedded = here(addressOf(name, state, defaults, true));
@@ -25,6 +25,7 @@ async function open(app) {
   dialog.setAttribute("aria-labelledby", "share-title");
   const said = make("p", { className: "note" });
   said.setAttribute("role", "status");
+  /** @type {(words: string, text: string | (() => Promise<string | null>)) => HTMLButtonElement} */
   const copy = (words, text) => button(words, async () => {
     const found = typeof text === "function" ? await text() : text;
     if (!found) {
@@ -34,7 +35,7 @@ async function open(app) {
     await navigator.clipboard.writeText(found);
     said.textContent = `${words}: copied.`;
   });
-  const lines = (key) => async () => {
+  const lines = (/** @type {string} */ key) => async () => {
     try {
       return (await posted(`/api/v1/${name}/recipe`, state))[key];
     } catch (fault) {

@@ -5,14 +5,26 @@ const AGAIN = 1000; // ms until a question that took too long is asked again
 const FIRST_WAIT = 250, LONGEST_WAIT = 4000;
 const PATIENCE = 1500; // ms that the first answer may take apart; then the line asks, and hears how far it is
 
+/** @import { Answer, Fault, State } from "./main.js" */
+/** @typedef {{ id: number | null, status?: string, again?: boolean, error?: Fault, answer?: Answer }} Message */
+/**
+ * @typedef {object} Handlers
+ * @property {(view: string, answer: Answer, state: State) => void} onAnswer
+ * @property {(view: string, fault: Fault, state: State) => void} onFault
+ * @property {(status: string) => void} onStatus  "open", "lost", "slow" or "preparing"
+ */
+
 export class Line {
-  // onAnswer(view, answer, state), onFault(view, {field, message}, state), onStatus("open" | "lost" | "slow" | "preparing")
   // apart: whether the first question is a request of its own, whose answer comes packed
+  /** @param {Handlers & { apart?: boolean }} look */
   constructor({ onAnswer, onFault, onStatus, apart = false }) {
     this.apart = apart;
     this.handlers = { onAnswer, onFault, onStatus };
+    /** @type {Map<string, { id: number, state: State }>} */
     this.asked = new Map(); // view -> {id, state} under way
+    /** @type {Map<string, State>} */
     this.next = new Map(); // view -> state to ask when that one is answered
+    /** @type {{ view: string, state: State } | null} */
     this.last = null; // {view, state} to ask again after a loss
     this.id = 0;
     this.wait = FIRST_WAIT;
@@ -20,6 +32,10 @@ export class Line {
     this.open();
   }
 
+  /**
+   * @param {string} view
+   * @param {State} state
+   */
   ask(view, state) {
     this.last = { view, state };
     this.next.set(view, state);
@@ -27,6 +43,10 @@ export class Line {
     else this.flush();
   }
 
+  /**
+   * @param {string} view
+   * @param {State} state
+   */
   async askApart(view, state) {
     this.id += 1;
     const asked = { id: this.id, state };
@@ -83,6 +103,7 @@ export class Line {
     }
   }
 
+  /** @param {Message} message */
   take(message) {
     const found = [...this.asked].find(([, asked]) => message.id === null || asked.id === message.id);
     if (!found) return;

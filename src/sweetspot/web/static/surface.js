@@ -3,7 +3,7 @@
 //   const surface = new Surface(app, { height: (width) => 300, label: "what it shows", paint(context, width, height) {} });
 //   root.append(surface.element); surface.draw();
 
-/** @import { App } from "./main.js" */
+/** @import { App, Figure } from "./main.js" */
 
 export const FONT = "system-ui, 'DejaVu Sans', sans-serif";
 
@@ -23,6 +23,11 @@ export class Surface {
     this.tall = 0;
     this.ratio = 0;
     this.pressed = false;
+    /** @type {HTMLCanvasElement | null} */
+    this.ground = null; // what `layer` has painted, and about what
+    /** @type {unknown[]} */
+    this.about = [];
+    this.layered = false; // whether that is there
     this.context = /** @type {CanvasRenderingContext2D} */ (this.element.getContext("2d")); // which every browser has
     /** @type {Map<number, number>} */
     this.fingers = new Map(); // that touch it, by their number: where
@@ -32,12 +37,18 @@ export class Surface {
   }
 
   // What the picture shows, for people who do not see it.
+  /** @param {string} words */
   label(words) {
     if (words && this.element.getAttribute("aria-label") !== words) this.element.setAttribute("aria-label", words);
   }
 
   fit() {
-    const width = this.element.clientWidth;
+    return this.size(this.element.clientWidth);
+  }
+
+  // Whether it had another size.
+  /** @param {number} width */
+  size(width) {
     if (!width) return false;
     const height = Math.round(this.height(width));
     const ratio = window.devicePixelRatio || 1;
@@ -51,15 +62,57 @@ export class Surface {
     return true;
   }
 
+  // What lies below a picture and stays: where it is painted again with nothing of `about` changed, from a layer of its
+  // own. What changes each time, or goes into a file, is painted where it belongs, for a layer costs more than it spares.
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {unknown[]} about
+   * @param {(context: CanvasRenderingContext2D) => void} paint
+   */
+  layer(context, about, paint) {
+    if (context !== this.context) {
+      paint(context);
+      return;
+    }
+    const known = [...about, this.width, this.tall, this.ratio];
+    if (known.length !== this.about.length || known.some((value, i) => value !== this.about[i])) {
+      this.about = known;
+      this.layered = false;
+      paint(context);
+      return;
+    }
+    this.ground ??= document.createElement("canvas");
+    if (!this.layered) {
+      Object.assign(this.ground, { width: this.element.width, height: this.element.height });
+      const below = /** @type {CanvasRenderingContext2D} */ (this.ground.getContext("2d"));
+      below.save();
+      below.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+      paint(below);
+      below.restore();
+      this.layered = true;
+    }
+    context.save();
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.drawImage(this.ground, 0, 0);
+    context.restore();
+  }
+
   draw() {
-    if (!this.width || Math.round(this.height(this.width)) !== this.tall) this.fit();
+    if (!this.width) this.fit();
+    else if (Math.round(this.height(this.width)) !== this.tall) this.size(this.width); // another width is told by the observer
     if (!this.width) return;
     this.context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     this.context.clearRect(0, 0, this.width, this.tall);
+    this.context.save(); // so that each time it is painted with the same pens
     this.paint(this.context, this.width, this.tall);
+    this.context.restore();
   }
 
   // For figures(): the drawing at its present size.
+  /**
+   * @param {string} name
+   * @returns {Figure}
+   */
   figure(name) {
     return { name, width: this.width, height: this.tall, paint: (context, width, height) => this.paint(context, width, height) };
   }
@@ -67,7 +120,7 @@ export class Surface {
   // Call onMove({x, y, first, last}) in the canvas' own coordinates while a pointer drags.
   /** @param {(at: { x: number, y: number, first: boolean, last: boolean }) => unknown} onMove false: this is no drag */
   drags(onMove) {
-    const place = (event) => {
+    const place = (/** @type {PointerEvent} */ event) => {
       const box = this.element.getBoundingClientRect();
       return { x: event.clientX - box.left, y: event.clientY - box.top };
     };
@@ -75,8 +128,8 @@ export class Surface {
       if (event.button !== 0 || this.fingers.size > 1) return;
       if (onMove({ ...place(event), first: true, last: false }) === false) return;
       this.element.setPointerCapture(event.pointerId);
-      const move = (moved) => !(this.fingers.size > 1) && onMove({ ...place(moved), first: false, last: false });
-      const end = (ended) => {
+      const move = (/** @type {PointerEvent} */ moved) => !(this.fingers.size > 1) && onMove({ ...place(moved), first: false, last: false });
+      const end = (/** @type {PointerEvent} */ ended) => {
         this.element.removeEventListener("pointermove", move);
         this.element.removeEventListener("pointerup", end);
         this.element.removeEventListener("pointercancel", end);
@@ -111,7 +164,7 @@ export class Surface {
       this.fingers.set(event.pointerId, event.offsetX);
       if (before) onPinch({ x: before.x, factor: far().apart / before.apart });
     });
-    const end = (event) => this.fingers.delete(event.pointerId);
+    const end = (/** @type {PointerEvent} */ event) => this.fingers.delete(event.pointerId);
     this.element.addEventListener("pointerup", end);
     this.element.addEventListener("pointercancel", end);
     this.element.addEventListener("pointerleave", end);
@@ -183,6 +236,12 @@ export function haloText(context, words, x, y, ink, paper) {
 }
 
 // Words in rows that are no wider than so many pixels.
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {string} font
+ * @param {string} words
+ * @param {number} width
+ */
 export function wrapped(context, font, words, width) {
   context.font = font;
   const rows = [""];

@@ -3,7 +3,9 @@
 // uniform scale and rectangular clips.
 
 const PROPERTIES = ["fillStyle", "strokeStyle", "lineWidth", "font", "textAlign", "textBaseline", "globalAlpha", "lineCap", "lineJoin"];
+/** @type {Record<string, string>} */
 const ANCHORS = { left: "start", start: "start", center: "middle", right: "end", end: "end" };
+/** @type {Record<string, string>} */
 const BASELINES = { alphabetic: "auto", middle: "central", top: "text-before-edge", bottom: "text-after-edge", hanging: "hanging" };
 const measure = /** @type {CanvasRenderingContext2D} */ (document.createElement("canvas").getContext("2d"));
 
@@ -23,6 +25,7 @@ export class SvgContext {
   parts = [];
   /** @type {string[]} */
   path = [];
+  /** @type {any[]} */
   stack = [];
   /** @type {Matrix} */
   matrix = [1, 0, 0, 1, 0, 0];
@@ -31,13 +34,17 @@ export class SvgContext {
   groups = 0;
   clips = 0;
 
+  /**
+   * @param {number} width
+   * @param {number} height
+   */
   constructor(width, height) {
     this.width = width;
     this.height = height;
   }
 
   save() {
-    const kept = Object.fromEntries(PROPERTIES.map((name) => [name, this[name]]));
+    const kept = Object.fromEntries(PROPERTIES.map((name) => [name, /** @type {any} */ (this)[name]]));
     this.stack.push({ kept, matrix: this.matrix, dash: this.dash, groups: this.groups });
     this.groups = 0;
   }
@@ -49,15 +56,31 @@ export class SvgContext {
     Object.assign(this, last.kept, { matrix: last.matrix, dash: last.dash, groups: last.groups });
   }
 
+  /**
+   * @param {number} x
+   * @param {number} y
+   */
   translate(x, y) { this.matrix = times(this.matrix, [1, 0, 0, 1, x, y]); }
+  /** @param {number} x */
   scale(x, y = x) { this.matrix = times(this.matrix, [x, 0, 0, y, 0, 0]); }
+  /** @param {number} angle */
   rotate(angle) {
     const [c, s] = [Math.cos(angle), Math.sin(angle)];
     this.matrix = times(this.matrix, [c, s, -s, c, 0, 0]);
   }
+  /**
+   * @param {number} a
+   * @param {number} b
+   * @param {number} c
+   * @param {number} d
+   * @param {number} e
+   * @param {number} f
+   */
   setTransform(a, b, c, d, e, f) { this.matrix = [a, b, c, d, e, f]; }
+  /** @param {number[]} dash */
   setLineDash(dash) { this.dash = dash; }
   getLineDash() { return this.dash; }
+  /** @param {string} words */
   measureText(words) {
     measure.font = this.font;
     return measure.measureText(words);
@@ -65,10 +88,38 @@ export class SvgContext {
 
   beginPath() { this.path = []; }
   closePath() { this.path.push("Z"); }
+  /**
+   * @param {number} x
+   * @param {number} y
+   */
   moveTo(x, y) { this.path.push(`M${this.at(x, y)}`); }
+  /**
+   * @param {number} x
+   * @param {number} y
+   */
   lineTo(x, y) { this.path.push(`${this.path.length ? "L" : "M"}${this.at(x, y)}`); }
+  /**
+   * @param {number} a
+   * @param {number} b
+   * @param {number} x
+   * @param {number} y
+   */
   quadraticCurveTo(a, b, x, y) { this.path.push(`Q${this.at(a, b)} ${this.at(x, y)}`); }
+  /**
+   * @param {number} a
+   * @param {number} b
+   * @param {number} c
+   * @param {number} d
+   * @param {number} x
+   * @param {number} y
+   */
   bezierCurveTo(a, b, c, d, x, y) { this.path.push(`C${this.at(a, b)} ${this.at(c, d)} ${this.at(x, y)}`); }
+  /**
+   * @param {number} x
+   * @param {number} y
+   * @param {number} width
+   * @param {number} height
+   */
   rect(x, y, width, height) {
     this.moveTo(x, y);
     this.lineTo(x + width, y);
@@ -76,13 +127,30 @@ export class SvgContext {
     this.lineTo(x, y + height);
     this.closePath();
   }
+  /**
+   * @param {number} x
+   * @param {number} y
+   * @param {number} radius
+   * @param {number} start
+   * @param {number} stop
+   */
   arc(x, y, radius, start, stop, backwards = false) { this.ellipse(x, y, radius, radius, 0, start, stop, backwards); }
+  /**
+   * @param {number} x
+   * @param {number} y
+   * @param {number} across
+   * @param {number} up
+   * @param {number} turn
+   * @param {number} start
+   * @param {number} stop
+   */
   ellipse(x, y, across, up, turn, start, stop, backwards = false) {
     const sweep = swept(start, stop, backwards);
     const count = Math.max(2, Math.ceil(Math.abs(sweep) / (Math.PI / 2)));
     const step = sweep / count;
     const pull = (4 / 3) * Math.tan(step / 4);
     const [c, s] = [Math.cos(turn), Math.sin(turn)];
+    /** @type {(u: number, v: number) => [number, number]} */
     const place = (u, v) => [x + across * u * c - up * v * s, y + across * u * s + up * v * c];
     this.lineTo(...place(Math.cos(start), Math.sin(start)));
     for (let i = 0; i < count; i += 1) {
@@ -93,6 +161,7 @@ export class SvgContext {
     }
   }
 
+  /** @param {string} [rule] */
   fill(rule) { this.draw(`fill="${escaped(this.fillStyle)}"${rule === "evenodd" ? ' fill-rule="evenodd"' : ""}`); }
   stroke() { this.draw(`fill="none" ${this.pen()}`); }
   clip() {
@@ -100,10 +169,32 @@ export class SvgContext {
     this.groups += 1;
     this.parts.push(`<clipPath id="clip${this.clips}"><path d="${this.path.join("")}"/></clipPath><g clip-path="url(#clip${this.clips})">`);
   }
+  /**
+   * @param {number} x
+   * @param {number} y
+   * @param {number} width
+   * @param {number} height
+   */
   fillRect(x, y, width, height) { this.alone(() => (this.rect(x, y, width, height), this.fill())); }
+  /**
+   * @param {number} x
+   * @param {number} y
+   * @param {number} width
+   * @param {number} height
+   */
   strokeRect(x, y, width, height) { this.alone(() => (this.rect(x, y, width, height), this.stroke())); }
   clearRect() {}
+  /**
+   * @param {string} words
+   * @param {number} x
+   * @param {number} y
+   */
   fillText(words, x, y) { this.write(words, x, y, `fill="${escaped(this.fillStyle)}"`); }
+  /**
+   * @param {string} words
+   * @param {number} x
+   * @param {number} y
+   */
   strokeText(words, x, y) { this.write(words, x, y, `fill="none" ${this.pen()}`); }
 
   toString() {
@@ -111,12 +202,17 @@ export class SvgContext {
     return `<svg xmlns="http://www.w3.org/2000/svg" ${size}>${this.parts.join("")}</svg>\n`;
   }
 
+  /** @param {() => void} draw */
   alone(draw) {
     const path = this.path;
     this.path = [];
     draw();
     this.path = path;
   }
+  /**
+   * @param {number} x
+   * @param {number} y
+   */
   at(x, y) {
     const [a, b, c, d, e, f] = this.matrix;
     return `${number(a * x + c * y + e)} ${number(b * x + d * y + f)}`;
@@ -126,8 +222,15 @@ export class SvgContext {
     const dash = this.dash.length ? ` stroke-dasharray="${this.dash.map((length) => number(length * size)).join(" ")}"` : "";
     return `stroke="${escaped(this.strokeStyle)}" stroke-width="${number(this.lineWidth * size)}" stroke-linecap="${this.lineCap}" stroke-linejoin="${this.lineJoin}"${dash}`;
   }
+  /** @param {string} look */
   draw(look) { this.parts.push(`<path d="${this.path.join("")}" ${look}${this.veil()}/>`); }
   veil() { return this.globalAlpha === 1 ? "" : ` opacity="${number(this.globalAlpha)}"`; }
+  /**
+   * @param {string} words
+   * @param {number} x
+   * @param {number} y
+   * @param {string} look
+   */
   write(words, x, y, look) {
     const matrix = times(this.matrix, [1, 0, 0, 1, x, y]).map(number).join(" ");
     const anchor = `text-anchor="${ANCHORS[this.textAlign]}" dominant-baseline="${BASELINES[this.textBaseline] ?? "auto"}"`;
@@ -135,10 +238,15 @@ export class SvgContext {
   }
 }
 
-const number = (value) => String(Math.round(value * 100) / 100);
-const escaped = (words) => String(words).replace(/[&<>"]/g, (letter) => `&#${letter.charCodeAt(0)};`);
+const number = (/** @type {number} */ value) => String(Math.round(value * 100) / 100);
+const escaped = (/** @type {string} */ words) => String(words).replace(/[&<>"]/g, (letter) => `&#${letter.charCodeAt(0)};`);
 
 // The angle an arc goes through, as a canvas takes it: a whole turn at most, in the direction asked for.
+/**
+ * @param {number} start
+ * @param {number} stop
+ * @param {boolean} backwards
+ */
 function swept(start, stop, backwards) {
   const turn = 2 * Math.PI;
   const sweep = backwards ? start - stop : stop - start;

@@ -3,6 +3,10 @@
 const LASTS = 1.2; // s
 const AUDIBLE = 60; // Hz
 
+/**
+ * @typedef {{ frequency_hz: number, decay_s: number | null, tap: { energy_share: number | null } }} Motion
+ * @param {{ modes: Motion[] } | null} answer
+ */
 export function strike(answer) {
   if (!answer) return;
   const audio = new AudioContext();

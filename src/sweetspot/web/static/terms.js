@@ -1,16 +1,19 @@
 // What the words mean, shown where they stand on hover and focus, with the source; and all of them in a list.
 
 import { make } from "./parts.js";
+/** @import { App } from "./main.js" */
+/** @import { System } from "./units.js" */
 
-/** @type {Promise<Map<string, any>> | null} */
+/** @typedef {{ names: string[], words: Record<System, string>, source: string }} Term */
+/** @type {Promise<Map<string, Term>> | null} */
 let known = null; // promise of a map from a word, in small letters, to { words, source }
 /** @type {HTMLElement | null} */
 let tip = null; // one for the page: what the word that is pointed at means
 
-/** @returns {Promise<Map<string, any>>} */
+/** @returns {Promise<Map<string, Term>>} */
 function meanings() {
-  known ??= fetch("/api/v1/terms").then((response) => response.json()).then((terms) => (
-    new Map(terms.flatMap((term) => term.names.map((name) => [name, term]))))).catch(() => {
+  known ??= fetch("/api/v1/terms").then((response) => response.json()).then((/** @type {Term[]} */ terms) => (
+    new Map(terms.flatMap((term) => term.names.map((name) => /** @type {[string, Term]} */ ([name, term])))))).catch(() => {
     known = null; // so that the next who asks tries again
     return new Map();
   });
@@ -18,11 +21,15 @@ function meanings() {
 }
 
 // Give every heading and name below a root that is known its meaning.
-export async function explain(root) {
+/**
+ * @param {ParentNode} root
+ * @param {App} app
+ */
+export async function explain(root, app) {
   const map = await meanings();
-  tip ??= tipOf(map);
-  for (const place of root.querySelectorAll("dt:not([data-term]), th[scope=col]:not([data-term])")) {
-    const name = place.textContent.trim().toLowerCase();
+  tip ??= tipOf(map, app);
+  for (const place of /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll("dt:not([data-term]), th[scope=col]:not([data-term])"))) {
+    const name = (place.textContent ?? "").trim().toLowerCase();
     place.dataset.term = map.has(name) ? name : "";
     if (!map.has(name)) continue;
     const word = make("span", { className: "term", tabIndex: 0 }, ...place.childNodes);
@@ -32,21 +39,27 @@ export async function explain(root) {
 }
 
 // Shown on hover and focus, stays while the pointer is on it, goes with Escape.
-function tipOf(map) {
+/**
+ * @param {Map<string, Term>} map
+ * @param {App} app
+ */
+function tipOf(map, app) {
   const made = make("div", { id: "tip", className: "tip", hidden: true });
   made.setAttribute("role", "tooltip");
-  const show = (event) => {
-    const word = event.target.closest?.(".term");
-    if (!word) return;
-    const { words, source } = map.get(word.parentElement.dataset.term);
-    made.replaceChildren(words, make("small", { textContent: ` ${source}` }));
+  const show = (/** @type {Event} */ event) => {
+    const word = event.target instanceof Element ? event.target.closest(".term") : null;
+    const term = map.get(word?.parentElement?.dataset.term ?? "");
+    if (!word || !term) return;
+    const { words, source } = term;
+    made.replaceChildren(words[app.units], make("small", { textContent: ` ${source}` }));
     made.hidden = false;
     const box = word.getBoundingClientRect();
     made.style.left = `${Math.max(8, Math.min(box.left + scrollX, scrollX + document.documentElement.clientWidth - made.offsetWidth - 8))}px`;
     made.style.top = `${box.bottom + scrollY}px`;
   };
-  const hide = (event) => {
-    if (!event.relatedTarget?.closest?.(".term, #tip")) made.hidden = true;
+  const hide = (/** @type {MouseEvent | FocusEvent} */ event) => {
+    const next = event.relatedTarget;
+    if (!(next instanceof Element && next.closest(".term, #tip"))) made.hidden = true;
   };
   document.addEventListener("mouseover", show);
   document.addEventListener("focusin", show);
@@ -57,14 +70,15 @@ function tipOf(map) {
   return made;
 }
 
-export async function listTerms() {
+/** @param {App} app */
+export async function listTerms(app) {
   const map = await meanings();
   const dialog = make("dialog", { className: "words-list" });
   dialog.setAttribute("aria-labelledby", "terms-title");
   const terms = [...new Set(map.values())];
   dialog.append(make("h2", { id: "terms-title", textContent: "What the words mean" }),
     make("dl", {}, ...terms.flatMap(({ names, words, source }) => [
-      make("dt", { textContent: names[0] }), make("dd", {}, words, make("small", { textContent: ` ${source}` }))])),
+      make("dt", { textContent: names[0] }), make("dd", {}, words[app.units], make("small", { textContent: ` ${source}` }))])),
     make("form", { method: "dialog" }, make("button", { textContent: "Close" })));
   dialog.addEventListener("close", () => dialog.remove());
   document.body.append(dialog);

@@ -8,7 +8,11 @@
 // The moment is the view's own while it plays or is scrubbed; where it rests, it goes into app.state[field] in ms.
 
 import { button } from "./controls.js";
-/** @import { App } from "./main.js" */
+import { write } from "./parts.js";
+/** @import { App, State } from "./main.js" */
+
+/** @type {Record<string, (transport: Transport) => void>} */
+const KEYS = { k: (transport) => transport.flip(), ",": (transport) => transport.step(-1), ".": (transport) => transport.step(1) };
 
 export class Transport {
   /**
@@ -23,6 +27,7 @@ export class Transport {
     this.moment = 0;
     this.from = 0;
     this.to = 1;
+    /** @type {number[]} */
     this.frames = [];
     this.slowness = 1000;
     /** @type {(() => void) | null} */
@@ -50,14 +55,17 @@ export class Transport {
     } });
   }
 
+  /** @param {{ from: number, to: number, frames: number[], slowness: number }} given */
   set({ from, to, frames, slowness }) {
     Object.assign(this, { from, to, frames, slowness });
-    this.range.min = String(from * 1000);
-    this.range.max = String(to * 1000);
+    const [least, most] = [String(from * 1000), String(to * 1000)];
+    if (this.range.min !== least) this.range.min = least;
+    if (this.range.max !== most) this.range.max = most;
     this.show(this.moment, false);
   }
 
   // The address' moment, unless it is the one that this view has just put there.
+  /** @param {State} state */
   sync(state) {
     if (state[this.field] === this.known || this.stop) return;
     this.known = state[this.field];
@@ -65,13 +73,14 @@ export class Transport {
     if (this.frames.length) this.show(this.moment);
   }
 
+  /** @param {number} moment */
   show(moment, draw = true) {
     this.moment = Math.min(this.to, Math.max(this.from, moment));
     if (document.activeElement !== this.range || this.stop || Math.abs(Number(this.range.value) / 1000 - this.moment) > 2e-6)
       this.range.value = String(this.moment * 1000);
     const { short, long } = this.describe(this.moment);
-    this.words.textContent = short;
-    this.range.setAttribute("aria-valuetext", long);
+    write(this.words, short);
+    if (this.range.ariaValueText !== long) this.range.ariaValueText = long;
     if (draw) this.onMoment(this.moment);
   }
 
@@ -98,10 +107,16 @@ export class Transport {
     this.stop = this.app.onFrame((now) => {
       const passed = before === null ? 0 : Math.min(100, now - before);
       before = now;
+      if (!this.app.rests) return; // the picture follows the hand, and stays at its moment
       this.show(this.moment + passed / 1000 / this.slowness);
       if (this.moment >= this.to - 1e-9) this.pause();
     });
     this.label();
+  }
+
+  // Whether pictures come by themselves.
+  get moving() {
+    return this.stop !== null && this.app.rests;
   }
 
   pause() {
@@ -115,6 +130,7 @@ export class Transport {
   }
 
   // To the next or the last picture of the answer.
+  /** @param {number} direction */
   step(direction) {
     this.pause();
     const margin = 1e-9;
@@ -124,14 +140,15 @@ export class Transport {
     this.rest();
   }
 
+  /** @param {HTMLElement} root */
   keys(root) {
     this.heard = new AbortController();
     root.addEventListener("keydown", (event) => {
-      if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches("input[type=number], input[type=text], select, textarea")) return;
-      const act = { k: () => this.flip(), ",": () => this.step(-1), ".": () => this.step(1) }[event.key.toLowerCase()];
+      if (event.ctrlKey || event.metaKey || event.altKey || !(event.target instanceof Element) || event.target.matches("input[type=number], input[type=text], select, textarea")) return;
+      const act = KEYS[event.key.toLowerCase()];
       if (!act) return;
       event.preventDefault();
-      act();
+      act(this);
     }, { signal: this.heard.signal });
   }
 

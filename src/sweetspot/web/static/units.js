@@ -6,6 +6,7 @@ import table from "./quantities.js";
 const { scales, endings } = table;
 export const [INCH, OUNCE, MPH] = ["length", "mass", "speed"].map((scale) => 1 / scales[scale].us.scale);
 // What a view calls a scale where the ending of a name would mean another: long distances and times of flights end in _m and _s too.
+/** @type {Record<string, string>} */
 const NAMED = { seconds: "time", sting: "vibration" };
 const ENDINGS = Object.entries(endings).sort(([one], [other]) => other.length - one.length);
 
@@ -49,6 +50,12 @@ export function fromShown(name, shown, system) {
   return (shown - offset) / scale;
 }
 
+// A written number with a comma at every third digit, where it has five or more before the point: "10,297", "3199".
+/** @param {string | number} number */
+export function grouped(number) {
+  return String(number).replace(/^\D?\d{5,}(?=\.|$)/, (whole) => whole.replace(/\B(?=(\d{3})+$)/g, ","));
+}
+
 // "93.1 mph"; a dash where there is no number.
 /**
  * @param {string} name
@@ -59,6 +66,6 @@ export function fromShown(name, shown, system) {
 export function text(name, value, system, digits = kindOf(name)[system].digits) {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
   const { unit } = kindOf(name)[system];
-  const shown = toShown(name, value, system).toFixed(digits).replace(/^-(0(\.0*)?)$/, "$1").replace("-", "−");
-  return unit === "" ? shown : `${shown}${unit === "%" || unit.startsWith("°") ? "" : " "}${unit}`;
+  const shown = grouped(toShown(name, value, system).toFixed(digits)).replace(/^-(0(\.0*)?)$/, "$1").replace("-", "−");
+  return unit === "" ? shown : `${shown}${unit.startsWith("°") ? "" : " "}${unit}`;
 }

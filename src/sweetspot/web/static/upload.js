@@ -22,6 +22,7 @@ export async function upload(file, onPart = () => {}, signal = undefined) {
 }
 
 // Where files go, in words.
+/** @param {string} what */
 export function whereTo(what) {
   const own = ["localhost", "127.0.0.1", "[::1]"].includes(location.hostname);
   return own ? `${what} goes to the program on this machine that shows this page, and nowhere else.` : `${what} goes to the server at ${location.hostname}, which shows this page, and nowhere else.`;

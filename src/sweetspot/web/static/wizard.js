@@ -1,74 +1,187 @@
-// A bat by questions: what it is for, how long and heavy it is, where it balances, what it is made of.
+// A bat, racket, club or stick by questions; which ones, and how far an answer may go, the server says (web/wizard_form.py).
 
 import { unchanged } from "./bench.js";
 import { button } from "./controls.js";
 import { make } from "./parts.js";
 import { posted } from "./post.js";
-import table from "./quantities.js";
 import { fromShown, toShown, unitOf } from "./units.js";
 /** @import { App } from "./main.js" */
+/** @import { System } from "./units.js" */
 
-const PER_OUNCE_INCH_SQUARED = 1 / table.scales.moi.us.scale; // kg m^2
-// Field of the answer: words, kind, first value in the answer's unit (null where it may stay empty).
-/** @type {[string, string, string, number | null][]} */
-const NUMBERS = [
-  ["length_in", "Length", "length_in", 33], ["mass_oz", "Weight", "mass_oz", 31],
-  ["balance_in", "Balance point from the knob, if measured", "balance_in", null],
-  ["swing_weight_oz_in2", "Swing weight about the axis 6 in from the knob, if measured", "moi", null],
-];
-const WOODS = [["white-ash", "white ash"], ["sugar-maple", "sugar maple"], ["yellow-birch", "yellow birch"], ["hickory", "hickory"]];
+/** @typedef {{ field: string, label: Record<System, string>, kind: string, system: System | null, value: number | string | null, least: number | null, most: number | null, options: { key: string, name: string }[] }} Question */
+/** @typedef {{ key: string, name: string, questions: Question[] }} Pattern */
+/** @typedef {{ sport: string, name: string, implement: string, view: string, patterns: Pattern[] }} Form */
+/** @typedef {HTMLInputElement | HTMLSelectElement} Field */
+
+const FIGURES = 4; // of a first value and of a bound
 
 /** @param {App} app */
-export function wizard(app) {
-  const dialog = make("dialog", { className: "wizard" });
-  dialog.setAttribute("aria-labelledby", "wizard-title");
-  const faults = new Map();
-  const row = (field, words, input, unit = "") => {
+export async function wizard(app) {
+  const { questions: forms } = /** @type {{ questions: Form[] }} */ (await app.lists("questions"));
+  new Wizard(app, forms).open();
+}
+
+class Wizard {
+  /**
+   * @param {App} app
+   * @param {Form[]} forms
+   */
+  constructor(app, forms) {
+    this.app = app;
+    this.forms = forms;
+    /** @type {Map<string, HTMLElement>} */
+    this.faults = new Map();
+    /** @type {[Question, Field][]} */
+    this.fields = [];
+    this.sport = picked(forms.map(({ sport, name }) => [sport, name]));
+    this.built = picked([]);
+    this.name = make("input", { type: "text", maxLength: 60 });
+    this.asked = make("div");
+    this.said = make("p", { className: "fault", hidden: true });
+    this.said.setAttribute("role", "alert");
+    this.dialog = make("dialog", { className: "wizard" });
+    this.dialog.setAttribute("aria-labelledby", "wizard-title");
+    this.dialog.addEventListener("close", () => this.dialog.remove());
+  }
+
+  /** @returns {Form} */
+  get form() { return this.forms.find(({ sport }) => sport === this.sport.value) ?? this.forms[0]; }
+
+  /** @returns {Pattern} */
+  get pattern() { return this.form.patterns.find(({ key }) => key === this.built.value) ?? this.form.patterns[0]; }
+
+  open() {
+    const here = this.forms.find(({ name, view }) => view === this.app.name && name === this.app.answer?.sport);
+    if (here) this.sport.value = here.sport;
+    this.like = this.row("pattern", "Built", this.built);
+    this.dialog.append(make("h2", { id: "wizard-title", textContent: "Describe your own" }),
+      make("p", { className: "note", textContent: "Its shape is a usual one's, stretched to your length. What you measured is matched or, where that cannot be, refused with the reason; what you leave empty is in proportion. A file says more." }),
+      this.row("sport", "Sport", this.sport), this.like, this.row("name", "Name", this.name), this.asked, this.said,
+      make("div", { className: "row" }, button("Put it on the bench", () => this.use(), { primary: true }), button("Close", () => this.dialog.close())));
+    this.sport.addEventListener("change", () => this.anew());
+    this.built.addEventListener("change", () => this.ask());
+    this.anew();
+    document.body.append(this.dialog);
+    this.dialog.showModal();
+  }
+
+  // Another sport has other patterns, and another word for what one hits with.
+  anew() {
+    const { patterns, implement } = this.form;
+    this.built.replaceChildren(...patterns.map(({ key, name }) => new Option(name, key)));
+    if (this.like) this.like.hidden = patterns.length === 1;
+    if (!this.name.value || /^my \w+$/.test(this.name.value)) this.name.value = `my ${implement}`;
+    this.ask();
+  }
+
+  ask() {
+    for (const [{ field }] of this.fields) this.faults.delete(field);
+    this.fields = this.pattern.questions.map((question) => [question, this.field(question)]);
+    this.asked.replaceChildren(...this.fields.map(([question, field]) => (
+      this.row(question.field, question.label[this.system(question)], field, question.kind && unitOf(question.kind, this.system(question))))));
+  }
+
+  /** @param {Question} question */
+  system({ system }) { return system ?? this.app.units; }
+
+  /**
+   * @param {Question} question
+   * @returns {Field}
+   */
+  field(question) {
+    const { kind, value, options } = question;
+    if (options.length) return picked(options.map(({ key, name }) => [key, name]));
+    if (!kind) return make("input", { type: "text", maxLength: 20 });
+    const shown = typeof value === "number" ? String(Number(toShown(kind, value, this.system(question)).toPrecision(FIGURES))) : "";
+    return make("input", { type: "number", step: "any", value: shown });
+  }
+
+  /**
+   * @param {string} field
+   * @param {string} words
+   * @param {Field} input
+   */
+  row(field, words, input, unit = "") {
     input.id = `wizard-${field}`;
     const fault = make("p", { className: "fault", hidden: true, id: `wizard-${field}-fault` });
     input.setAttribute("aria-describedby", fault.id);
-    faults.set(field, fault);
+    this.faults.set(field, fault);
     return make("div", { className: "control" }, make("label", { htmlFor: input.id, textContent: words }),
       make("div", { className: "entry" }, input, make("span", { className: "unit", textContent: unit })), fault);
-  };
-  const pick = (options) => make("select", {}, ...options.map(([value, words]) => new Option(words, value)));
-  const kind = pick([["baseball", "baseball"], ["softball", "softball"], ["youth", "youth baseball"]]);
-  const built = pick([["wood", "of wood, turned"], ["hollow", "hollow, of metal"]]);
-  const material = pick(WOODS);
-  const name = make("input", { type: "text", value: "my bat", maxLength: 60 });
-  const inner = (field, shown) => (field === "swing_weight_oz_in2" ? fromShown("x_kg_m2", shown, app.units) / PER_OUNCE_INCH_SQUARED : fromShown(field, shown, app.units));
-  const numbers = NUMBERS.map(([field, words, kindOf, first]) => {
-    const input = make("input", { type: "number", step: "any", value: first === null ? "" : String(Number(toShown(field, first, app.units).toFixed(1))) });
-    return { field, input, row: row(field, words, input, unitOf(kindOf, app.units)) };
-  });
-  const wood = row("material", "Wood", material);
-  built.addEventListener("change", () => (wood.hidden = built.value !== "wood"));
-  const said = make("p", { className: "fault", hidden: true });
-  said.setAttribute("role", "alert");
-  const use = button("Put it on the bench", async () => {
-    for (const fault of [...faults.values(), said]) fault.hidden = true;
-    const wanted = { name: name.value || "my bat", used_for: kind.value, built: built.value, material: material.value };
-    for (const { field, input } of numbers) if (input.value !== "") wanted[field] = inner(field, Number(input.value));
-    try {
-      const { toml } = await posted("/api/v1/describe", wanted);
-      dialog.close();
-      const fields = unchanged({ schema: app.entry("explorer").schema });
-      if (Object.hasOwn(app.schema, "bat_toml")) app.setState({ ...fields, bat_toml: toml });
-      else {
-        Object.assign(app.carried, fields, { bat_toml: toml });
-        app.visit(app.addressFor("explorer"));
+  }
+
+  /**
+   * @param {string} field
+   * @param {string} message
+   */
+  fault(field, message) {
+    const place = this.faults.get(field) ?? this.said;
+    place.textContent = message;
+    place.hidden = false;
+  }
+
+  // The answers as the server takes them; null where one is out of bounds, which is said beside it.
+  wanted() {
+    /** @type {Record<string, string | number>} */
+    const wanted = { sport: this.form.sport, pattern: this.pattern.key, name: this.name.value || `my ${this.form.implement}` };
+    let good = true;
+    for (const [question, { value }] of this.fields) {
+      const { field, kind, least, most } = question;
+      if (value === "") continue;
+      if (least === null || most === null) {
+        wanted[field] = value;
+        continue;
       }
-    } catch (fault) {
-      const place = faults.get(fault.field) ?? said;
-      place.textContent = fault.message;
-      place.hidden = false;
+      const system = this.system(question);
+      wanted[field] = fromShown(kind, Number(value), system);
+      if (wanted[field] >= least && wanted[field] <= most) continue;
+      const [low, high] = [least, most].map((bound) => Number(toShown(kind, bound, system).toPrecision(FIGURES)));
+      this.fault(field, `Allowed is ${low} to ${high} ${unitOf(kind, system)}.`);
+      good = false;
     }
-  }, { primary: true });
-  dialog.append(make("h2", { id: "wizard-title", textContent: "Describe your bat" }),
-    make("p", { className: "note", textContent: "Its outline is that of a usual bat, stretched to your length; what you measured is matched or, where it cannot be, refused with the reason. A file says more." }),
-    row("name", "Name", name), row("used_for", "For", kind), row("built", "Built", built), wood, ...numbers.map((one) => one.row), said,
-    make("div", { className: "row" }, use, button("Close", () => dialog.close())));
-  dialog.addEventListener("close", () => dialog.remove());
-  document.body.append(dialog);
-  dialog.showModal();
+    return good ? wanted : null;
+  }
+
+  async use() {
+    for (const fault of [...this.faults.values(), this.said]) fault.hidden = true;
+    const wanted = this.wanted();
+    if (!wanted) return;
+    try {
+      const { toml, told } = await posted("/api/v1/describe", wanted);
+      this.lay(toml);
+      if (told) this.tell(told);
+      else this.dialog.close();
+    } catch (fault) {
+      this.fault(fault.field, fault.message);
+    }
+  }
+
+  // On the bench: a bat for every view, anything else in the view of its own.
+  /** @param {string} toml */
+  lay(toml) {
+    const { app } = this;
+    if (this.form.view === "sports") {
+      app.visitWith("sports", { implement_toml: toml, swing_mph: null, incoming_mph: null, met_from_tip_in: null, aside_in: 0 });
+      return;
+    }
+    const fields = { ...unchanged({ schema: app.entry("explorer").schema }), bat_toml: toml };
+    if (Object.hasOwn(app.schema, "bat_toml")) app.setState(fields);
+    else {
+      Object.assign(app.carried, fields);
+      app.visit(app.addressFor("explorer"));
+    }
+  }
+
+  /** @param {string} told */
+  tell(told) {
+    const close = button("Close", () => this.dialog.close(), { primary: true });
+    this.dialog.replaceChildren(make("h2", { id: "wizard-title", textContent: `${this.name.value} lies on the bench` }),
+      make("p", { textContent: told }), make("div", { className: "row" }, close));
+    close.focus();
+  }
+}
+
+/** @param {string[][]} options */
+function picked(options) {
+  return make("select", {}, ...options.map(([value, words]) => new Option(words, value)));
 }

@@ -7,6 +7,7 @@ from shlex import quote
 from typing import Annotated, Any, Literal
 
 import numpy as np
+from markupsafe import escape
 from pydantic import Field
 
 from sweetspot import catalog
@@ -16,17 +17,20 @@ from sweetspot.analysis.comparison import Compared, Comparison, compare_reduced
 from sweetspot.analysis.trampoline import wall_point_of
 from sweetspot.catalog.corking import FILLS, LABELS
 from sweetspot.catalog.rules import league, league_names
+from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.catalog.swing_laws import swing_law
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.report.certification.numbers import check_json
+from sweetspot.report.certification.tested_bat import TestedBat
 from sweetspot.report.comparison.document import comparison_json
 from sweetspot.report.comparison.words import assumptions, cork_verdict, verdict, wall_verdict
+from sweetspot.report.quantities import SYSTEMS
 from sweetspot.report.sentences import Sentence, say
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import ball_of, conditions_of, reduced, swung
-from sweetspot.web.documents import in_both_systems
+from sweetspot.web.documents import in_both_systems, told
 from sweetspot.web.drawings import ball_picture, bat_picture, outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, is_catalogued, swing_options
@@ -64,13 +68,10 @@ def answer(state: CompareState) -> dict[str, Any]:
     state = swung(state)
     ball = ball_of(state)
     _leagues(state)  # a wrong name is told at once, though the rules come apart
-    reductions, labels = _bats(state, ball)
-    with about("swing_law"):
-        law = swing_law(state.swing_law or "") if state.same == "effort" else None
-    comparison = compare_reduced(reductions, conditions=conditions_of(state, reductions[0].bat), law=law, labels=labels)
+    reductions, comparison = _compared(state, ball)
     words, assumed = _words(state, comparison), assumptions(comparison)
-    told, taken = in_both_systems(words), in_both_systems([assumed])
-    table = comparison_json(comparison, told["us"])
+    verdicts, taken = in_both_systems(words), in_both_systems([assumed])
+    table = comparison_json(comparison, verdicts["us"])
     for row, one in zip(table["bats"], comparison.compared, strict=True):
         row["shape"] = outline(one.analysis.bat)
         row["scan"] |= {
@@ -85,8 +86,54 @@ def answer(state: CompareState) -> dict[str, Any]:
         "others_bounds": [bounds(*pair) for pair in _others(state, reductions)],
         "ball": ball_picture(state, ball),
         "assumptions": taken["us"][0],
-        "si": {"verdict": told["si"], "assumptions": taken["si"][0]},
+        "si": {"verdict": verdicts["si"], "assumptions": taken["si"][0]},
     }
+
+
+def _compared(state: CompareState, ball: Ball) -> tuple[list[ReducedBat[Bat]], Comparison[Bat]]:
+    """Return the bats and their comparison."""
+    reductions, labels = _bats(state, ball)
+    with about("swing_law"):
+        law = swing_law(state.swing_law or "") if state.same == "effort" else None
+    conditions = conditions_of(state, reductions[0].bat)
+    return reductions, compare_reduced(reductions, conditions=conditions, law=law, labels=labels)
+
+
+def sure(state: CompareState) -> dict[str, Any]:
+    """Return the comparison with an interval beside each number, and what they come from."""
+    from sweetspot.report.uncertainty.doubtful_answers import comparison_with_doubt
+    from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
+
+    state = swung(state)
+    _, comparison = _compared(state, ball_of(state))
+    analyses = [one.analysis for one in comparison.compared]
+    own = _own_controls(state, len(analyses))
+    sources = [sources_for(each, one.bat, one.conditions) for each, one in zip(own, analyses, strict=True)]
+    return told(comparison_with_doubt(comparison, sources, corking=state.what_if == "cork", count=PAGE_DRAWS))
+
+
+def rules_sure(state: CompareState) -> dict[str, Any]:
+    """Return every bat's simulated test with intervals, one below the other, for leagues with the first one's ball."""
+    from sweetspot.report.uncertainty.doubtful_answers import certificate_with_doubt
+    from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
+
+    state = swung(state)
+    reductions, labels = _bats(state, ball_of(state))
+    every = _leagues(state)
+    leagues = [one for one in every if one.ball == every[0].ball]
+    pages = dict.fromkeys(SYSTEMS, "")
+    bats = zip(_own_controls(state, len(reductions)), reductions, labels, strict=True)
+    for number, (own, reduction, label) in enumerate(bats, start=1):
+        bat = _unheld(reduction.bat)
+        done = _certified(bat, every[0].ball)
+        findings = {**construction_findings(bat, body=reduction.body), **done.findings()}
+        checks = [(one, check) for one in leagues for check in check_rules(one, bat=bat, findings=findings)]
+        conditions = standard_conditions(bat).replaced(ball=done.ball)
+        tested = TestedBat(bat, done.ball, done.body, done, checks=checks)
+        document = certificate_with_doubt(tested, conditions, sources_for(own, bat, conditions), count=PAGE_DRAWS)
+        for system, page in told(document, mark=f"-{number}")["html"].items():
+            pages[system] += page if label == bat.name else f"<h3>{escape(label)}</h3>{page}"
+    return {"title": "", "html": pages}
 
 
 def rules(state: CompareState) -> dict[str, Any]:
@@ -126,6 +173,16 @@ def _bats(state: CompareState, ball: Ball) -> tuple[list[ReducedBat], list[str]]
         return [first, other], ["wall as it is", f"wall x {state.wall_times:.3g}"]
     bats = [first, *(_other(bat, ball, number) for number, bat in enumerate(state.others, start=2))]
     return bats, _distinct([one.bat.name for one in bats])
+
+
+def _own_controls(state: CompareState, count: int) -> list[BatState]:
+    """Return the controls of every bat; those of a what-if are made of the first."""
+    return [state, *state.others] if state.what_if == "none" else [state] * count
+
+
+def _unheld(bat: Bat) -> Bat:
+    """Return a bat as a laboratory clamps it, whatever grip it was choked up to."""
+    return bat.choked_up(-bat.choke) if bat.choke else bat
 
 
 def _others(state: CompareState, reductions: list[ReducedBat]) -> list[tuple[BatState, Bat]]:
@@ -190,7 +247,7 @@ def _certification(state: CompareState, reductions: list[ReducedBat], labels: li
     for reduction, label in zip(reductions, labels, strict=True):
         bat, checks, measures = reduction.bat, [], {}
         for each in leagues:
-            done = _certified(bat.choked_up(-bat.choke) if bat.choke else bat, each.ball)
+            done = _certified(_unheld(bat), each.ball)
             known = {**construction_findings(bat, body=reduction.body), **done.findings()}
             measures = {"bbcor": done.bbcor, "besr": done.besr, "bpf": done.bpf, "ball": done.ball.name}
             checks += [
@@ -249,4 +306,6 @@ def recipe(state: CompareState) -> dict[str, str]:
     return {"command": "\n".join(lines), "python": python, "toml": bat_text(state), **files}
 
 
-VIEW = View("compare", "Compare", CompareState, answer, recipe, asides={"rules": rules})
+VIEW = View(
+    "compare", "Compare", CompareState, answer, recipe, asides={"rules": rules, "sure": sure, "rules_sure": rules_sure}
+)

@@ -12,8 +12,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from sweetspot.analysis.certification.rules import check_rules, title
-from sweetspot.calibration.measured import REACH
-from sweetspot.catalog.files.write import bat_toml
+from sweetspot.catalog.files.write import bat_toml, legible
 from sweetspot.design.answer import Designed, findings_of
 from sweetspot.design.batter_files import contacts_of_file, fitted_player
 from sweetspot.design.contacts import FROM_TIP
@@ -29,8 +28,8 @@ from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import SweetspotError
-from sweetspot.motion.swing_law import TWO_SIDED_95
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.certification.numbers import check_json
@@ -41,10 +40,10 @@ from sweetspot.report.quantities import SCALES, SYSTEMS
 from sweetspot.units import INCH
 from sweetspot.web.bats import ball_of, reduced
 from sweetspot.web.documents import in_both_systems
-from sweetspot.web.drawings import bat_picture, outline
+from sweetspot.web.drawings import ball_picture, bat_picture, outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.jobs import LongWork
-from sweetspot.web.recipes import bat_name, bat_text, swing_options
+from sweetspot.web.recipes import ENOUGH, bat_name, bat_text, swing_options
 from sweetspot.web.states import BatState
 from sweetspot.web.view import View
 from sweetspot.web.views.design_search import search
@@ -78,13 +77,14 @@ def answer(state: DesignState) -> dict[str, Any]:
     body = rigid_body(beam_model(bat))
     return {
         "bat": bat_picture(state, reduced(state, ball_of(state))),
+        "ball": ball_picture(state, ball_of(state)),
         "key": request.key,
         "own": own,
         "left_out": request.left_out,
         "present": outline(_present(request)),
         "variables": [
             {"name": one.name, "label": one.label, "ending": SCALES[one.scale].ending, "scale": one.scale,
-             "low": one.low, "high": one.high, "present": one.start, "value": value}
+             "from_tip_m": one.from_tip, "low": one.low, "high": one.high, "present": one.start, "value": value}
             for one, value in zip(space.variables, numbers.tolist(), strict=True)
         ],
         "design": {
@@ -175,7 +175,7 @@ def gain(state: DesignState) -> dict[str, Any]:
     words = [moved_words(design), worth_words(design), warning_words(design), effort_words(design)]
     tolerance = tolerance_words(design)
     every = [*words, *([] if tolerance is None else [tolerance])]
-    band = TWO_SIDED_95 * design.gain.noise[::-1]
+    band = REACH * design.gain.noise[::-1]
     return {
         "sentences": in_both_systems(every),
         "noise_low_m_s": -band,
@@ -205,7 +205,7 @@ def files(state: DesignState) -> dict[str, Any]:
     bat, _ = _made(request, numbers, own=own)
     endings = ("svg", "dxf", "csv") if bat.shell is None else ()
     return {
-        "toml": bat_toml(bat),
+        "toml": legible(bat_toml(bat), digits=ENOUGH),
         **{system: {ending: drawing(bat, ending, reader).decode() for ending in endings}
            for system, reader in SYSTEMS.items()},
     }  # fmt: skip
@@ -226,7 +226,7 @@ def batter(state: DesignState) -> dict[str, Any]:
         values = {name: posterior.learned[name].interval.value for name in
                   ("position", "position_spread", "offset", "offset_spread", "bat_speed")}  # fmt: skip
         place = posterior.learned["position"].interval
-        values["position_doubt"] = (place.high - place.low) / (2 * TWO_SIDED_95)
+        values["position_doubt"] = (place.high - place.low) / (2 * REACH)
     values["position_doubt"] = math.hypot(values["position_doubt"], PLACES_DOUBT)
     return batter_controls(values)
 

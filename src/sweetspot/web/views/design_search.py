@@ -33,10 +33,11 @@ def search(state: DesignState, *, after: Any, say: Say) -> dict[str, Any]:
 
     say({"key": task.key, "generation": 0 if after is None else after[0], "generations": question.generations,
          "wants": list(question.wants), "front": [], "present": {}}, after)  # fmt: skip
-    front = designed(
-        task.bench, question, after=after,
-        progress=lambda generation, front: say(told(generation, front), (generation, front.population)),
-    )  # fmt: skip
+
+    def grown(generation: int, front: Front) -> None:
+        say(told(generation, front), (generation, front.population) if generation else None)
+
+    front = designed(task.bench, question, after=after, progress=grown)
     return told(front.generation, front)
 
 

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from sweetspot.analysis.bat_analysis import analyse_reduced
-from sweetspot.catalog.files.bat import table_of_text
 from sweetspot.collision.closed_form import bbcor, exit_speed
 from sweetspot.collision.impact import Impacts, Outcome
 from sweetspot.collision.kernel import hits
@@ -16,6 +15,7 @@ from sweetspot.report.bat.place_words import speed_difference, why_here, why_off
 from sweetspot.report.bat.words import answer as words_about
 from sweetspot.report.bat.words import misses_of
 from sweetspot.report.hit.json import conditions_json
+from sweetspot.report.hit.second_touch import touched_again_at
 from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH
 from sweetspot.web.documents import in_both_systems, told
@@ -26,9 +26,6 @@ from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, swing_op
 from sweetspot.web.states import HitState
 from sweetspot.web.view import View
 from sweetspot.web.views.explorer_curves import Met, along, curves, leaving, power_map, struck
-
-PAGE_DRAWS = 256
-"""Draws of what is not known, a quarter of the command's: an interval's ends are then known to a tenth of it."""
 
 
 class ExplorerState(HitState):
@@ -85,16 +82,14 @@ def why(state: ExplorerState) -> dict[str, Any]:
 
 def sure(state: ExplorerState) -> dict[str, Any]:
     """Return the report with an interval beside each number, and what they come from; speeds are taken as they are."""
-    from sweetspot.calibration.calibrated_file import known_deviations
     from sweetspot.calibration.draws.drawn_reports import drawn_report
-    from sweetspot.calibration.draws.sources import sources_of
     from sweetspot.report.bat.document import report_document
     from sweetspot.report.uncertainty.uncertainty_section import uncertain
+    from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
 
     met = along(state)
     analysis = analyse_reduced(met.reduced, met.conditions)
-    known = known_deviations(table_of_text(state.bat_toml, "the bat's file")) if state.bat_toml else None
-    sources, misses = sources_of(met.reduced.bat, analysis.conditions, known=known), misses_of(analysis)
+    sources, misses = sources_for(state, met.reduced.bat, analysis.conditions), misses_of(analysis)
     answers = drawn_report(analysis, sources, misses=misses, count=PAGE_DRAWS)
     document = uncertain(
         report_document(analysis, misses=misses, reaches=answers.reaches()), answers,
@@ -131,12 +126,18 @@ def _hit(state: ExplorerState, met: Met) -> dict[str, Any]:
     done, (speed, angle, backspin) = _met(state, met, place)
     outcome = Outcome(int(done.outcome[0]))
     apart = outcome is Outcome.SEPARATED
-    efficiency = float(done.collision_efficiency[0])
+    efficiency, bat_speed = float(done.collision_efficiency[0]), conditions.swing.speed_at(place)
+    closing = conditions.pitch.speed + bat_speed if isinstance(done, Impacts) else float(done.closing_speed[0])
+    again = touched_again_at(
+        float(done.touches[0]), words_of(bat), modes=met.reduced.modes, ball=conditions.ball, position=place,
+        closing_speed=closing,
+    )  # fmt: skip
     return {
         "position_m": place,
         "outcome": outcome.name.lower(),
         "outcome_text": outcome.sentence,
-        "bat_speed_m_s": conditions.swing.speed_at(place),
+        "touched_again": in_both_systems(again),
+        "bat_speed_m_s": bat_speed,
         "exit_speed_m_s": speed if apart else None,
         "launch_angle_rad": angle if apart else None,
         "backspin_rad_s": backspin if apart else None,

@@ -9,20 +9,26 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from sweetspot import catalog
+from sweetspot.analysis.full_play import play
 from sweetspot.catalog.aerodynamic_laws import aerodynamics_in
 from sweetspot.catalog.sports import aerodynamics_of_ball
 from sweetspot.collision.hit_in_space import Contact, strikes
+from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.bat import Bat
 from sweetspot.flight.air import Air, Wind
 from sweetspot.flight.all_parks import PATH_POINTS
 from sweetspot.flight.bearing import launched_to
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.flight.park import Park
+from sweetspot.flight.trajectory import fly
 from sweetspot.motion.ball_motion import BallMotion, launched
+from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.units import FOOT, INCH, INCH_OF_MERCURY, MPH, RPM
 from sweetspot.web.bats import ball_of, conditions_of, described, reduced, swung, usual
+from sweetspot.web.documents import told
 from sweetspot.web.drawings import bat_picture
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.view import View
@@ -76,6 +82,37 @@ def carry_map(state: FlightState) -> dict[str, Any]:
     if start.motion is None:
         raise FieldError("offset_in", "the bat misses the ball; there is nothing to map")
     return carries(start.motion, conditions=start.conditions, park=start.park)
+
+
+def sure(state: FlightState) -> dict[str, Any]:
+    """Return the play, or the flight of a ball with its own numbers, with an interval beside each number."""
+    from sweetspot.calibration.draws.drawn_plays import PlayAsked, drag_source, drawn_flight, drawn_play
+    from sweetspot.catalog.aerodynamic_laws import drag_spread
+    from sweetspot.report.flight.document import flight_document
+    from sweetspot.report.play.document import play_document
+    from sweetspot.report.play.played_pitch import PlayedPitch
+    from sweetspot.report.uncertainty.uncertainty_section import uncertain
+    from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
+
+    start = _start(state)
+    if start.motion is None:
+        raise FieldError("offset_in", "the bat misses the ball; there is nothing to be sure of")
+    flying, spread = start.conditions, drag_spread(start.conditions.aerodynamics)
+    if state.start == "ball":
+        document = flight_document(fly(start.motion, flying))
+        answers, sources = drawn_flight(
+            start.motion, flying, spread=spread, speed_error=0.0, angle_error=0.0, count=PAGE_DRAWS
+        )
+        return told(uncertain(document, answers, main="carry_m", named="carry", where=sources.described))
+    free_bat, conditions, path, pitch, contact = _met(state, ball_of(state))
+    model, (place, offset) = free_bat.held(conditions.hands), (float(np.asarray(one)) for one in contact)
+    played = play(model, flying, swing=conditions.swing, path=path, pitch=pitch, contact=contact)
+    document = play_document(PlayedPitch(
+        play=played, bat=free_bat.bat, ball=conditions.ball, position=place, offset=offset, path=path, pitch=pitch,
+    ))  # fmt: skip
+    known = sources_for(state, free_bat.bat, conditions).with_source(drag_source(spread))
+    answers = drawn_play(PlayAsked(model, conditions, flying, path, pitch, contact), known, count=PAGE_DRAWS)
+    return told(uncertain(document, answers, main="flight.carry_m", named="carry", where=known.described))
 
 
 def fences(state: FlightState) -> dict[str, Any]:
@@ -137,8 +174,18 @@ def _conditions(state: FlightState, park: Park, ball: Ball) -> FlightConditions:
     return FlightConditions(ball=ball, aerodynamics=law, air=air, wind=wind)
 
 
-def _struck(state: FlightState, ball: Ball) -> dict[str, Any]:
-    """Return the hit in space that the swing's controls describe, by the compiled collision."""
+class _Meeting(NamedTuple):
+    """A pitch and the swing that meets it."""
+
+    free_bat: ReducedBat[Bat]
+    conditions: Conditions
+    path: SwingPath
+    pitch: BallMotion
+    contact: Contact
+
+
+def _met(state: FlightState, ball: Ball) -> _Meeting:
+    """Return the pitch and the swing that the controls describe."""
     free_bat = reduced(state, ball)
     bat, conditions = free_bat.bat, conditions_of(state, free_bat.bat)
     with about("tilt_deg"):
@@ -158,14 +205,20 @@ def _struck(state: FlightState, ball: Ball) -> dict[str, Any]:
         backspin=state.pitch_backspin_rpm * RPM,
         position=(0.0, FORWARD, state.height_ft * FOOT),
     )
-    model = free_bat.held(conditions.hands)
+    return _Meeting(free_bat, conditions, path, pitch, Contact(place, state.offset_in * INCH))
+
+
+def _struck(state: FlightState, ball: Ball) -> dict[str, Any]:
+    """Return the hit in space that the swing's controls describe, by the compiled collision."""
+    free_bat, conditions, path, pitch, contact = _met(state, ball)
+    place = float(np.asarray(contact.position))
     bat_speed = conditions.swing.speed_at(place)
     done = strikes(
-        model,
+        free_bat.held(conditions.hands),
         ball=ball,
         swings=Swings(bat_speed, path.axes, conditions.swing.pivot),
         pitches=pitch,
-        contact=Contact(place, state.offset_in * INCH),
+        contact=contact,
     )
     hit = bool(np.isfinite(done.velocity).all())
     return {
@@ -227,4 +280,6 @@ def _path(flown: Flights, row: int) -> dict[str, Any]:
     return {name: np.round(values, 4) for name, values in columns.items()}
 
 
-VIEW = View("flight", "Flight", FlightState, answer, flight_lines, asides={"map": carry_map, "fences": fences})
+VIEW = View(
+    "flight", "Flight", FlightState, answer, flight_lines, asides={"map": carry_map, "fences": fences, "sure": sure}
+)

@@ -17,11 +17,16 @@ from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.patch import contact_patch
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.dynamics.rigid import RigidBody
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.sport import Words
 from sweetspot.motion.swing import Conditions, Hands
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.hit.json import conditions_json
+from sweetspot.report.hit.second_touch import touched_again
+from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH
 from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.documents import in_both_systems, told
 from sweetspot.web.drawings import ball_picture, bat_picture
 from sweetspot.web.errors import FieldError
 from sweetspot.web.recipes import bat_name, bat_text, conditions_lines, modes_line, swing_options
@@ -54,15 +59,7 @@ def answer(state: HitFilmState) -> dict[str, Any]:
 
 @lru_cache(maxsize=64)
 def _answer(state: HitFilmState) -> dict[str, Any]:
-    reduced_bat = reduced(state, ball_of(state))
-    conditions = conditions_of(state, reduced_bat.bat)
-    check_conditions(reduced_bat.bat, conditions, body=reduced_bat.body)
-    place = reduced_bat.bat.length - state.impact_from_tip_in * INCH
-    if place < conditions.hands.position:
-        most = (reduced_bat.bat.length - conditions.hands.position) / INCH
-        raise FieldError(
-            "impact_from_tip_in", f"the ball would meet the hands; allowed is up to {most:.1f} in from the tip"
-        )
+    reduced_bat, conditions, place = _asked(state)
     modes = reduced_bat.modes
     if state.held:
         hands = conditions.hands
@@ -74,7 +71,7 @@ def _answer(state: HitFilmState) -> dict[str, Any]:
         "bat": bat_picture(state, reduced_bat),
         "ball": ball_picture(state, conditions.ball),
         "hands_m": conditions.hands.places,
-        "hit": _hit(impact, conditions),
+        "hit": _hit(impact, conditions, words_of(reduced_bat.bat)),
         "film": {
             "time_s": _short(scene.times, 9),
             "ball_travel_m": _short(scene.travel, 6),
@@ -90,10 +87,43 @@ def _answer(state: HitFilmState) -> dict[str, Any]:
     }
 
 
-def _hit(impact: Impact, conditions: Conditions) -> dict[str, Any]:
+def sure(state: HitFilmState) -> dict[str, Any]:
+    """Return the hit of the free bat with an interval beside each number, and what they come from."""
+    from sweetspot.analysis.strain import damage
+    from sweetspot.calibration.draws.drawn_reports import drawn_hit
+    from sweetspot.report.hit.document import BattedHit, hit_document
+    from sweetspot.report.uncertainty.uncertainty_section import uncertain
+    from sweetspot.web.how_sure import PAGE_DRAWS, sources_for
+
+    reduced_bat, conditions, place = _asked(state)
+    line, modes = reduced_bat.line, reduced_bat.modes
+    impact = hit_at(place, modes=modes, conditions=conditions)
+    strains = damage(impact, line=line, modes=modes)
+    document = hit_document(BattedHit(reduced_bat.bat, reduced_bat.body, conditions, impact, strains))
+    sources = sources_for(state, reduced_bat.bat, conditions)
+    answers = drawn_hit(line, conditions, sources, place, impact=impact, count=PAGE_DRAWS)
+    return told(uncertain(document, answers, main="exit_speed_m_s", named="exit speed", where=sources.described))
+
+
+def _asked(state: HitFilmState) -> tuple[ReducedBat[Bat], Conditions, float]:
+    """Return the bat, its swing and the place that is hit, m from the knob end."""
+    reduced_bat = reduced(state, ball_of(state))
+    conditions = conditions_of(state, reduced_bat.bat)
+    check_conditions(reduced_bat.bat, conditions, body=reduced_bat.body)
+    place = reduced_bat.bat.length - state.impact_from_tip_in * INCH
+    if place < conditions.hands.position:
+        most = (reduced_bat.bat.length - conditions.hands.position) / INCH
+        raise FieldError(
+            "impact_from_tip_in", f"the ball would meet the hands; allowed is up to {most:.1f} in from the tip"
+        )
+    return reduced_bat, conditions, place
+
+
+def _hit(impact: Impact, conditions: Conditions, words: Words) -> dict[str, Any]:
     return {
         "position_m": impact.position,
         "outcome_text": impact.outcome.sentence,
+        "touched_again": in_both_systems(touched_again(impact, words)),
         "closing_speed_m_s": impact.closing_speed,
         "bat_speed_m_s": conditions.swing.speed_at(impact.position),
         "exit_speed_m_s": exit_speed_of(impact, conditions),
@@ -177,4 +207,4 @@ def recipe(state: HitFilmState) -> dict[str, str]:
     return {"python": python, "toml": bat_text(state)} | ({} if state.held else {"command": command})
 
 
-VIEW = View("hit", "Slow motion", HitFilmState, answer, recipe)
+VIEW = View("hit", "Slow motion", HitFilmState, answer, recipe, asides={"sure": sure})

@@ -94,6 +94,7 @@ def _rows(modes: Modes, listed: list[int], places: Array) -> list[dict[str, Any]
     """Return the motions, lowest first, with shapes one high and positive at the tip."""
     shapes = modes.shape_at(places)
     damping = modes.damping_rate + np.sum(modes.dashpots**2, axis=0)
+    nodes = _nodes(modes, listed, float(places[-1]))
     counts: Counter[str] = Counter()
     rows = []
     for index in listed:
@@ -109,7 +110,7 @@ def _rows(modes: Modes, listed: list[int], places: Array) -> list[dict[str, Any]
                 "frequency_hz": omega / (2 * np.pi),
                 "damping_ratio": damping[index] / (2 * omega) if omega > 0 else None,
                 "decay_s": 2 / damping[index] if damping[index] * omega > 0 else None,
-                "nodes_m": _nodes(modes, index, float(places[-1])),
+                "nodes_m": nodes[index],
                 "shape": np.round(shapes[:, index] / _signed_largest(shapes[:, index]), 4) + 0.0,
             }
         )
@@ -131,17 +132,23 @@ def _taps(held: _Held, place: float, duration: float) -> list[dict[str, float | 
     ]
 
 
-def _nodes(modes: Modes, index: int, length: float) -> list[float]:
-    """Return where a motion stands still; a hoop mode's ends, where the barrel is held round, are not its nodes."""
-    if modes.families[index] != "hoop":
-        return [float(node) for node in modes.nodes(index)]
-    places = np.linspace(0, length, 2001)
-    shape = modes.shape_at(places)[:, index]
-    moving = np.abs(shape) > STILL * np.abs(shape).max()
-    places, shape = places[moving], shape[moving]
-    turns = np.flatnonzero(shape[1:] * shape[:-1] < 0)
-    parts = shape[turns] / (shape[turns] - shape[turns + 1])
-    return [float(node) for node in places[turns] + parts * (places[turns + 1] - places[turns])]
+def _nodes(modes: Modes, listed: list[int], length: float) -> dict[int, list[float]]:
+    """Return where motions stand still; a hoop mode's ends, where the barrel is held round, are not its nodes."""
+    hoops = [index for index in listed if modes.families[index] == "hoop"]
+    still = {index: [float(node) for node in modes.nodes(index)] for index in listed if index not in hoops}
+    if hoops:
+        places = np.linspace(0, length, 2001)
+        for index, shape in zip(hoops, modes.shape_at(places)[:, hoops].T, strict=True):
+            moving = np.abs(shape) > STILL * np.abs(shape).max()
+            still[index] = _crossings(places[moving], shape[moving])
+    return still
+
+
+def _crossings(places: Array, values: Array) -> list[float]:
+    """Return where values along a line change their sign, straight between places."""
+    turns = np.flatnonzero(values[1:] * values[:-1] < 0)
+    parts = values[turns] / (values[turns] - values[turns + 1])
+    return [float(place) for place in places[turns] + parts * (places[turns + 1] - places[turns])]
 
 
 def _signed_largest(shape: Array) -> float:

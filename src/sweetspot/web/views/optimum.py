@@ -23,7 +23,7 @@ from sweetspot.report.optimum.document import optimum_document
 from sweetspot.units import MPH, RPM
 from sweetspot.web.bats import ball_of, conditions_of, described, reduced, swung
 from sweetspot.web.documents import told
-from sweetspot.web.drawings import bat_picture
+from sweetspot.web.drawings import ball_picture, bat_picture
 from sweetspot.web.errors import about
 from sweetspot.web.recipes import bat_name, bat_text
 from sweetspot.web.states import Name, SwungState
@@ -60,6 +60,7 @@ def answer(state: OptimumState) -> dict[str, Any]:
     reduced_bat = reduced(state, ball_of(state))
     return {
         "bat": bat_picture(state, reduced_bat),
+        "ball": ball_picture(state, through.ball),
         "launch": {"exit_speed_m_s": speed, "launch_angle_rad": best.launch_angle, "carry_m": best.carry},
         "map": carries(ball, conditions=through, park=park),
         "park": park.name,

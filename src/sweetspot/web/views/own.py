@@ -8,15 +8,16 @@ import tomli_w
 
 from sweetspot.analysis.certification.rules import Finding, check_rules, construction_findings, title
 from sweetspot.calibration.calibrated_file import Value, calibrated_bat, calibrated_table, material_values, properties
-from sweetspot.calibration.measured import REACH, Measured
+from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import predicted
 from sweetspot.calibration.posterior import Posterior
 from sweetspot.calibration.unknowns import described as beam_of
 from sweetspot.catalog.rules import league
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.outline_doubt import moi_doubt
-from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.equipment.bat import Bat
+from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.calibration.document import SCALE_OF, VALUES, WORDS, budget_words, contradictions
@@ -42,31 +43,30 @@ def answer(state: OwnState) -> dict[str, Any]:
     bat_of(state)
     posterior = posterior_of(state)
     fitted = own if posterior is None else calibrated_bat(posterior, damping_of(state))
-    body = rigid_body(beam_model(fitted))
+    body, described_body = rigid_body(beam_model(fitted)), rigid_body(beam_model(own))
     words = [] if posterior is None else contradictions(posterior)
     known = {} if posterior is None else properties(posterior)
     budget = [] if posterior is None else [budget_words(posterior)]
     return {
         "bat": {
-            **bat_json(own.name, own.length, rigid_body(beam_model(own))), **outline(own),
+            **bat_json(own.name, own.length, described_body), **outline(own),
             "bounds": bounds(state, own),
         },
         "fitted": bat_json(fitted.name, fitted.length, body)
         | {"moi_6in_half_kg_m2": REACH * moi_doubt(fitted, body, STANDARD_AXIS)},
-        "guesses": _guesses(own),
+        "guesses": _guesses(described_body),
         "expected": expected_tones(state),
         "values": [] if posterior is None else _values(known, posterior, damping_of(state)),
         "unknowns": [] if posterior is None else _unknowns(posterior),
         "measurements": _residuals(state, posterior),
         "contradictions": in_both_systems(words),
         "budget": in_both_systems(budget),
-        "rules": _rules(state, own, fitted, known),
+        "rules": _rules(state, (own, described_body), (fitted, body), known),
     }  # fmt: skip
 
 
-def _guesses(own: Bat) -> dict[str, float]:
+def _guesses(body: RigidBody) -> dict[str, float]:
     """Return what the bat as described would measure, where its controls stand until somebody has measured."""
-    body = rigid_body(beam_model(own))
     return {"weighed_oz": body.mass / OUNCE, "balanced_in": body.balance_point / INCH}
 
 
@@ -121,13 +121,16 @@ def _residuals(state: OwnState, posterior: Posterior | None) -> list[dict[str, A
     return rows
 
 
-def _rules(state: OwnState, own: Bat, fitted: Bat, values: dict[str, Value]) -> list[dict[str, Any]]:
+def _rules(
+    state: OwnState, described: tuple[Bat, RigidBody], calibrated: tuple[Bat, RigidBody], values: dict[str, Value]
+) -> list[dict[str, Any]]:
     """Return the league's rules held against the bat; a moment of inertia counts with its interval."""
+    (own, own_body), (fitted, body) = described, calibrated
     usual = "mlb" if own.material.family == "wood" and own.shell is None else "ncaa"
     with about("league"):
         rules = league(usual if state.league == "usual" else state.league)
-    known = construction_findings(fitted, body=rigid_body(beam_model(fitted)))
-    known["solid_wood"] = construction_findings(own, body=rigid_body(beam_model(own)))["solid_wood"]  # without the tape
+    known = construction_findings(fitted, body=body)
+    known["solid_wood"] = construction_findings(own, body=own_body)["solid_wood"]  # without the tape
     if "moi" in values:
         moi = values["moi"].value
         known["moi"] = Finding(moi.value, interval=(moi.low, moi.high), interval_is="the 90 % interval")

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from sweetspot.calibration.measured import REACH, pooled
+from sweetspot.calibration.measured import pooled
 from sweetspot.calibration.measurements import of_tones
 from sweetspot.calibration.naming import expected_of
 from sweetspot.calibration.recording import BAT_BAND, Recording, read_recording
@@ -20,6 +20,7 @@ from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
+from sweetspot.numerics.confidence import REACH
 from sweetspot.units import INCH
 from sweetspot.web.errors import FieldError
 from sweetspot.web.uploads import UPLOADS

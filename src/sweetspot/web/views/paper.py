@@ -19,8 +19,10 @@ from sweetspot.dynamics.block import Block, Support
 from sweetspot.dynamics.rigid import centre_of_percussion, hand_impulse_ratio
 from sweetspot.equipment.ball import Ball
 from sweetspot.paper import formulas as paper
-from sweetspot.paper.chain import PARTS, Choices, can_be_drilled, corked_analysis, metal_wall_point
+from sweetspot.paper.chain import PARTS
+from sweetspot.paper.choices import Choices, can_be_drilled, corked_analysis
 from sweetspot.paper.formulas import Row
+from sweetspot.paper.metal_wall import metal_wall_point
 from sweetspot.paper.words import Number, Words
 from sweetspot.report.hit.json import conditions_json
 from sweetspot.report.json_shapes import cleaned
@@ -266,7 +268,8 @@ def recipe(state: PaperState) -> dict[str, str]:
     }
     options = "".join(f" --{name.replace('_', '-')} {text}" for name, text in texts.items())
     python = conditions_lines(state) + (
-        "\nfrom math import radians\nfrom sweetspot.paper.chain import PARTS, Choices\n\n"
+        "\nfrom math import radians\nfrom sweetspot.paper.chain import PARTS\n"
+        "from sweetspot.paper.choices import Choices\n\n"
         "choices = Choices(\n"
         f"    entry_angle=radians({state.entry_angle_deg!r}), rod_hands={state.rod_hands_in!r} * INCH,\n"
         f"    hands_moved={state.hands_moved_in!r} * INCH, bore_diameter={state.hole_diameter_in!r} * INCH,\n"

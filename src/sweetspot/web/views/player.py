@@ -114,7 +114,8 @@ def _swings(state: PlayerState) -> Swings:
             raise FieldError("swings_csv", str(error).replace(str(path), "the table")) from None
     good, thinned = evenly(good, MOST_SWINGS)
     rows = tuple(sorted((*swings.bad_rows, *bad), key=lambda row: row.row))
-    return replace(swings, swings=good, bad_rows=rows, notes=(*swings.notes, *notes, *thinned))
+    system = "made-up" if state.swings_csv is None else swings.system
+    return replace(swings, swings=good, bad_rows=rows, notes=(*swings.notes, *notes, *thinned), system=system)
 
 
 @lru_cache(maxsize=1)

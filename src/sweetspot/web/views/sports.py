@@ -25,20 +25,26 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions, Pitch
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.bat.words import answer as words_about
+from sweetspot.report.hit.second_touch import touched_again_at
 from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH, MPH
+from sweetspot.web.bats import implement_from_text
 from sweetspot.web.documents import in_both_systems
 from sweetspot.web.errors import FieldError, about
-from sweetspot.web.states import Name, ViewState
+from sweetspot.web.states import Name, Toml, ViewState
 from sweetspot.web.view import View
 
 ALONG, ACROSS = 48, 30
+FILE = "mine.toml"
 
 
 class SportsState(ViewState):
     """What one hits with, how fast, and where the ball meets it; empty: as is usual in its sport."""
 
-    implement: Name = Field("tennis-racket", description="name in the catalogue")
+    implement: Name = Field(
+        "tennis-racket", description="name in the catalogue; not looked at when implement_toml is given"
+    )
+    implement_toml: Toml | None = Field(None, description="the text of a file of one's own")
     swing_mph: Annotated[float, Field(ge=5, le=150)] | None = Field(
         None, description="of the implement, where measured"
     )
@@ -88,12 +94,16 @@ def face(state: SportsState) -> dict[str, Any]:
 
 
 def _played(state: SportsState) -> Analysis[Implement]:
-    return _analysed(state.implement, state.swing_mph, state.incoming_mph)
+    return _analysed(state.implement, state.implement_toml, state.swing_mph, state.incoming_mph)
 
 
 @lru_cache(maxsize=32)
-def _reduced(name: str) -> ReducedBat[Implement]:
+def _reduced(name: str, text: str | None) -> ReducedBat[Implement]:
     """Return an implement with its modes under its usual ball."""
+    if text is not None:
+        with about("implement_toml"):
+            tool = implement_from_text(text)
+            return reduced_bat(tool, ball=standard_conditions(tool).ball)
     with about("implement"):
         key, _ = entry(implement_tables(), name, "implement")  # by its name alone: a path must open no file
     tool = catalog.implement(key)
@@ -101,9 +111,9 @@ def _reduced(name: str) -> ReducedBat[Implement]:
 
 
 @lru_cache(maxsize=64)
-def _analysed(name: str, swing: float | None, incoming: float | None) -> Analysis[Implement]:
+def _analysed(name: str, text: str | None, swing: float | None, incoming: float | None) -> Analysis[Implement]:
     """Return an implement with its usual or chosen stroke."""
-    reduced = _reduced(name)
+    reduced = _reduced(name, text)
     tool = reduced.bat
     usual = standard_conditions(tool)
     with about("swing_mph"):
@@ -151,11 +161,16 @@ def _hit(state: SportsState, analysis: Analysis[Implement]) -> dict[str, Any]:
         analysis.modes, ball=conditions.ball, position=place, lateral=aside, closing_speed=closing
     )  # fmt: skip
     efficiency = float(done.collision_efficiency[0])
+    again = touched_again_at(
+        float(done.touches[0]), words_of(tool), modes=analysis.modes, ball=conditions.ball, position=place,
+        closing_speed=closing, lateral=aside,
+    )  # fmt: skip
     felt = sting(analysis.modes, hands=conditions.hands, displacement=done.displacement, velocity=done.velocity)
     return {
         "position_m": place,
         "lateral_m": aside,
         "outcome_text": Outcome(int(done.outcome[0])).sentence,
+        "touched_again": in_both_systems(again),
         "tool_speed_m_s": bat_speed,
         "exit_speed_m_s": exit_speed(efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed),
         "collision_efficiency": efficiency,
@@ -166,8 +181,8 @@ def _hit(state: SportsState, analysis: Analysis[Implement]) -> dict[str, Any]:
 
 
 def recipe(state: SportsState) -> dict[str, str]:
-    """Return command line and Python lines that give the same numbers."""
-    name, options, change = state.implement, "", ""
+    """Return command line and Python lines that give the same numbers, and the file they read, if there is one."""
+    name, options, change = state.implement if state.implement_toml is None else FILE, "", ""
     if state.swing_mph is not None:
         options += f" --bat-speed {state.swing_mph:.12g}mph"
         change += f"swing=usual.swing.replaced(bat_speed={state.swing_mph!r} * MPH), "
@@ -182,7 +197,8 @@ def recipe(state: SportsState) -> dict[str, str]:
         f"conditions = usual{changed}\n"
         "result = analyse(tool, conditions)\nresult.scan.exit_speed  # m/s along it\n"
     )
-    return {"command": f"sweetspot report {quote(name)}{options}", "python": python}
+    lines = {"command": f"sweetspot report {quote(name)}{options}", "python": python}
+    return lines if state.implement_toml is None else {**lines, FILE: state.implement_toml}
 
 
 VIEW = View("sports", "Every sport", SportsState, answer, recipe, asides={"face": face, "sentences": sentences})

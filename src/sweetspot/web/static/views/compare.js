@@ -3,17 +3,22 @@
 import { Chart, between } from "../chart.js";
 import { Bench, ballGroup, swingGroup, usualChoice } from "../bench.js";
 import { choice, group, slider } from "../controls.js";
-import { make, paragraphs, tableOf } from "../parts.js";
+import { HowSure } from "../howsure.js";
+import { make, paragraphs, tableOf, write } from "../parts.js";
 import { INCH } from "../units.js";
 import { ChangePicture, LINES, RowsPicture } from "./compare_pictures.js";
 import { Slots } from "./compare_slots.js";
-/** @import { App, View } from "../main.js" */
+/** @import { Answer, App, View } from "../main.js" */
+/** @import { Curve } from "../chart.js" */
 
+/** @type {Record<string, [string, string]>} */
 const VERDICTS = {
   pass: ["✓ pass", "good"], fail: ["✗ fail", "bad"], "not decidable": ["? not decidable", ""], "does not apply": ["– does not apply", "muted"],
 };
 const BARREL = 12 * INCH; // shown until somebody zooms
 const SWUNG = ["pitch_speed_mph", "bat_speed_mph", "hands_in", "same", "swing_law"]; // which no rule asks about
+const VERDICT = 110; // pixels that a column of verdicts needs
+/** @type {Record<string, string>} */
 const KINDS = { m: "x_m", "m/s": "x_m_s", "kg m^2": "x_kg_m2" };
 
 /** @type {View} */
@@ -56,40 +61,46 @@ export const view = {
     this.bats = make("div");
     this.rules = make("div");
     this.assumed = make("p", { className: "note" });
-    const section = (title, ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
+    this.sure = new HowSure(app, { but: ["league"] });
+    this.sureRules = new HowSure(app, { aside: "rules_sure", but: SWUNG, title: "How sure each bat's test is, and what that comes from" });
+    const section = (/** @type {string} */ title, /** @type {(Node | string)[]} */ ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
     const legend = make("p", { className: "note", textContent: "Dot: the ball leaves fastest there. Bar below the bat, and shaded stretch of the first one's in the curves: the sweet zone. Pale stretches around a curve: what is not known of that bat's speed." });
     const main = make("div", { className: "stack" },
       section("Verdict", this.words, this.change.element),
-      section("The bats and where they hit", this.rows.element, legend, this.chart.element, this.bats, this.assumed),
-      section("League rules", usualChoice(app, "league", { label: "Rules of", options: leagues(app) }), this.rules));
+      section("The bats and where they hit", this.rows.element, legend, this.chart.element, this.bats, this.assumed, this.sure.element),
+      section("League rules", usualChoice(app, "league", { label: "Rules of", options: leagues(app) }), this.rules, this.sureRules.element));
     root.append(side, main);
   },
 
   update(answer, state) {
     const { bats } = answer;
-    this.longest = Math.max(...bats.map(({ bat }) => bat.length_m));
+    this.longest = Math.max(...bats.map((/** @type {{ bat: Answer }} */ { bat }) => bat.length_m));
     this.bench.update(answer);
     this.slots.update(answer, state);
     const words = this.app.units === "si" ? answer.si : answer;
     paragraphs(this.words, words.verdict);
-    this.assumed.textContent = words.assumptions;
+    write(this.assumed, words.assumptions);
     this.app.announce(words.verdict[0]);
     this.rows.draw(bats, this.longest);
     this.change.draw(bats);
     this.drawCurves(bats);
-    this.bats.replaceChildren(this.tableOfBats(bats));
-    if (this.certification) this.rules.replaceChildren(...this.rulesOf(this.certification));
+    this.app.afterwards(this.bats, () => this.bats.replaceChildren(this.tableOfBats(bats)));
+    this.showRules();
+    this.sure.update();
+    this.sureRules.update();
     this.app.aside("rules", SWUNG, 150, ({ certification }) => {
       this.certification = certification;
-      this.rules.replaceChildren(...this.rulesOf(certification));
+      this.showRules();
     });
   },
 
   // The curves with what is not known of each bat's speed, and below them how far each lies from the first one's.
+  /** @param {Answer[]} bats */
   drawCurves(bats) {
-    const lines = {}, xs = {};
+    /** @type {Record<string, number[]>[]} */
+    const [lines, xs] = [{}, {}];
     const first = bats[0];
-    const placed = ({ scan, bat }) => scan.position_m.map((place) => place + this.longest - bat.length_m);
+    const placed = (/** @type {{ scan: Answer, bat: Answer }} */ { scan, bat }) => scan.position_m.map((/** @type {number} */ place) => place + this.longest - bat.length_m);
     const firstPlaces = placed(first);
     bats.forEach((one, i) => {
       const places = placed(one);
@@ -98,7 +109,7 @@ export const view = {
         xs[`${key}_${i}`] = places;
       }
       if (!i) return;
-      const against = (key) => one.scan[key].map((value, j) => {
+      const against = (/** @type {string} */ key) => one.scan[key].map((/** @type {number} */ value, /** @type {number} */ j) => {
         const other = between(firstPlaces, first.scan.exit_speed_m_s, places[j]);
         return value === null || other === null ? null : value - other;
       });
@@ -107,7 +118,8 @@ export const view = {
         xs[`${name}_${i}`] = places;
       }
     });
-    const line = (key, label, i, band) => ({ key: `${key}_${i}`, ...LINES[i], label: "", name: label, band: band?.map((name) => `${name}_${i}`) });
+    /** @type {(key: string, label: string, i: number, band?: string[] | null) => Curve} */
+    const line = (key, label, i, band) => ({ key: `${key}_${i}`, ...LINES[i], label: "", name: label, band: band?.map((/** @type {string} */ name) => `${name}_${i}`) });
     const others = bats.slice(1);
     this.chart.panels = [
       { title: "Exit speed", kind: "exit_speed_m_s", height: 190, lines: bats.map(({ label }, i) => line("exit_speed_m_s", label, i, i ? ["exit_speed_low_m_s", "exit_speed_high_m_s"] : null)) },
@@ -115,19 +127,20 @@ export const view = {
         lines: others.map(({ label }, i) => line("change", label, i + 1, ["change_low", "change_high"])) }] : []),
       { title: "Collision efficiency q", kind: "ratio", height: 100, lines: bats.map(({ label }, i) => line("collision_efficiency", label, i)) },
     ];
-    const zone = first.zone_m?.map((place) => place + this.longest - first.bat.length_m);
+    const zone = first.zone_m?.map((/** @type {number} */ place) => place + this.longest - first.bat.length_m);
     this.chart.draw({ x: [], xs, lines, range: [0, this.longest], usual: [this.longest - Math.min(BARREL, this.longest), this.longest],
       marks: [], bands: zone ? [{ from: zone[0], to: zone[1] }] : [] });
     this.chart.label(`Exit speed, its difference from the first bat's, and collision efficiency along ${bats.map(({ label }) => label).join(", ")}, tips aligned.`);
   },
 
+  /** @param {Answer[]} bats */
   tableOfBats(bats) {
-    const show = (name, value, digits) => this.app.text(name, value, digits);
-    const range = (name, { value, low, high }) => ({
+    const show = this.app.text.bind(this.app);
+    const range = (/** @type {string} */ name, /** @type {{ value: number, low: number, high: number }} */ { value, low, high }) => ({
       text: show(name, value), note: low < high ? `${show(name, low).split(" ")[0]} to ${show(name, high)}` : "",
     });
     return tableOf("The bats and what they do in play; small: the interval", [
-      "Bat", "Weight", "Balance", "Swing weight", "Bat speed", "Exit speed", "Change", "Breaks even at", "BBCOR",
+      "Bat", "Weight", "Balance", "Swing weight", "Bat speed", "Exit speed", "Change", "Breaks even at", "BBCOR in play",
     ], bats.map((one, i) => [
       one.label, show("mass_kg", one.bat.mass_kg), show("balance_point_m", one.bat.balance_point_m, 1),
       show("moi_6in_kg_m2", one.bat.moi_6in_kg_m2), range("bat_speed_m_s", one.bat_speed_m_s),
@@ -136,45 +149,59 @@ export const view = {
     ]));
   },
 
+  showRules() {
+    const { certification, app: { units } } = this;
+    if (!certification || (this.ruled?.certification === certification && this.ruled.units === units)) return;
+    this.ruled = { certification, units };
+    this.rules.replaceChildren(...this.rulesOf(certification));
+  },
+
   // Rules that say something of one of the bats; those that do not apply or cannot be decided are folded away.
+  /** @param {Answer[]} certification */
   rulesOf(certification) {
     const first = certification[0].checks;
-    const told = first.map((_, row) => certification.some(({ checks }) => checks[row].verdict === "pass" || checks[row].verdict === "fail"));
+    const told = first.map((/** @type {any} */ _, /** @type {number} */ row) => certification.some(({ checks }) => checks[row].verdict === "pass" || checks[row].verdict === "fail"));
     const measures = certification.map(({ bbcor, besr, bpf }) => `BBCOR ${bbcor.toFixed(3)}, BESR ${besr.toFixed(3)}, BPF ${bpf.toFixed(2)}`);
-    const table = (caption, wanted) => {
-      const rows = first.map((check, row) => [
+    const table = (/** @type {string} */ caption, /** @type {boolean} */ wanted) => {
+      const rows = first.map((/** @type {Answer} */ check, /** @type {number} */ row) => [
         { text: check.title, note: [check.league_name, this.limit(check)].filter(Boolean).join(": ") },
         ...certification.map(({ checks }) => this.verdictOf(checks[row])),
-      ]).filter((_, row) => told[row] === wanted);
-      const made = tableOf(caption, ["Rule", ...certification.map(({ label }, i) => ({ text: label, note: measures[i] }))], rows);
+      ]).filter((/** @type {any} */ _, /** @type {number} */ row) => told[row] === wanted);
+      const made = tableOf(caption, ["Rule", ...certification.map(({ label }, i) => ({ text: label, note: measures[i] }))], rows, { column: VERDICT });
       made.classList.add("rules");
       return made;
     };
-    const rest = told.filter((one) => !one).length;
+    const rest = told.filter((/** @type {any} */ one) => !one).length;
     const fold = make("details", { open: this.rulesOpen ?? false }, make("summary", { textContent: `${rest} more that do not apply to these bats or cannot be decided` }),
       table("Rules without a verdict", false));
     fold.addEventListener("toggle", () => (this.rulesOpen = fold.open));
     return [...(rest < told.length ? [table("Every rule held against every bat, from the simulated test", true)] : []), ...(rest ? [fold] : [])];
   },
 
+  /** @param {{ least: number, most: number, unit: string }} given */
   limit({ least, most, unit }) {
     if (unit === "yes or no") return "";
     const sides = [["at least", least], ["at most", most]].filter(([, value]) => value !== null);
     return sides.map(([words, value]) => `${words} ${this.amount(value, unit)}`).join(", ");
   },
 
+  /**
+   * @param {number} value
+   * @param {string} unit
+   */
   amount(value, unit) {
     if (unit === "yes or no") return value ? "yes" : "no";
     return KINDS[unit] ? this.app.text(KINDS[unit], value) : value.toFixed(unit === "-" ? 3 : 2);
   },
 
+  /** @param {Answer} check */
   verdictOf(check) {
     const [words, className] = VERDICTS[check.verdict];
     const value = check.value === null || check.verdict === "does not apply" ? "" : ` (${this.amount(check.value, check.unit)})`;
     return { text: words + value, className, note: check.reason };
   },
 
-  unmount() { this.certification = null; },
+  unmount() { this.certification = this.ruled = null; },
 
   figures() {
     return [this.change.surface.figure("change"), this.rows.surface.figure("bats"), this.chart.figure("curves")];

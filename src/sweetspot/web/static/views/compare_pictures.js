@@ -4,7 +4,8 @@ import { paintBat } from "../batview.js";
 import { LEFT, RIGHT } from "../chart.js";
 import { FONT, Surface, haloText, ticks } from "../surface.js";
 import { kindOf, toShown, unitOf } from "../units.js";
-/** @import { App } from "../main.js" */
+/** @import { Answer, App } from "../main.js" */
+/** @import { Way } from "../batpaint.js" */
 
 export const LINES = [
   { color: "ink", width: 2.4, dash: [] }, { color: "red", width: 2.2, dash: [7, 3] }, { color: "blue", width: 2.2, dash: [2, 2.5] },
@@ -16,32 +17,50 @@ export class RowsPicture {
   /** @param {App} app */
   constructor(app) {
     this.app = app;
+    /** @type {Answer[]} */
     this.bats = [];
     this.longest = 1;
     this.surface = new Surface(app, { height: (width) => Math.max(1, this.bats.length) * this.row(width), paint: (context, width) => this.paint(context, width) });
     this.element = this.surface.element;
   }
 
+  /**
+   * @param {Answer[]} bats
+   * @param {number} longest
+   */
   draw(bats, longest) {
     Object.assign(this, { bats, longest });
-    const place = ({ bat, max_exit_speed_m: best }) => this.app.text("from_m", bat.length_m - best, 1);
+    const place = (/** @type {{ bat: Answer, max_exit_speed_m: number }} */ { bat, max_exit_speed_m: best }) => this.app.text("from_m", bat.length_m - best, 1);
     this.surface.label(`The bats to scale, tips aligned. ${bats.map((one) => `${one.label} hits fastest ${place(one)} from the tip`).join("; ")}.`);
     this.surface.draw();
   }
 
+  /** @param {number} width */
   scale(width) { return (width - LEFT - RIGHT) / this.longest; }
+  /** @param {number} width */
   row(width) { return NAME + ROOM + WIDEST * this.scale(width); }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} width
+   */
   paint(context, width) {
     this.bats.forEach((one, i) => this.paintRow(context, one, LINES[i], i * this.row(width), width));
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {{ bat: Answer, shape: Answer, label: string, zone_m: number[] | null, max_exit_speed_m: number }} given
+   * @param {Answer} line
+   * @param {number} top
+   * @param {number} width
+   */
   paintRow(context, { bat, shape, label, zone_m: zone, max_exit_speed_m: best }, line, top, width) {
     const { colors } = this.app;
     const scale = this.scale(width);
     const left = width - RIGHT - bat.length_m * scale;
     const middle = top + NAME + (WIDEST * scale) / 2;
-    const across = (x) => left + x * scale;
+    const across = (/** @type {number} */ x) => left + x * scale;
     if (zone) {
       context.fillStyle = colors.zoneEdge;
       context.fillRect(across(zone[0]), top + NAME + WIDEST * scale + 4, across(zone[1]) - across(zone[0]), 4);
@@ -71,29 +90,36 @@ export class ChangePicture {
   /** @param {App} app */
   constructor(app) {
     this.app = app;
+    /** @type {Answer[]} */
     this.bats = [];
     this.surface = new Surface(app, { height: () => HEAD + Math.max(1, this.bats.length - 1) * CHANGE_ROW + FOOT, paint: (context, width, height) => this.paint(context, width, height) });
     this.element = this.surface.element;
   }
 
+  /** @param {Answer[]} bats */
   draw(bats) {
     this.bats = bats;
-    const show = (value) => this.app.text("speed_change", value);
+    const show = (/** @type {number} */ value) => this.app.text("speed_change", value);
     this.element.hidden = bats.length < 2;
     this.surface.label(`Change of exit speed against ${bats[0].label}: ${bats.slice(1).map(({ label, change_m_s: change }) => (
       `${label} ${show(change.value)}, interval ${show(change.low)} to ${show(change.high)}`)).join("; ")}.`);
     this.surface.draw();
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} width
+   * @param {number} height
+   */
   paint(context, width, height) {
     const { colors, units } = this.app;
-    const shown = (value) => toShown("speed_change", value, units);
+    const shown = (/** @type {number} */ value) => toShown("speed_change", value, units);
     const others = this.bats.slice(1);
     const ends = others.flatMap(({ change_m_s: { low, high } }) => [shown(low), shown(high)]);
     const room = 0.12 * Math.max(0.2, Math.max(0, ...ends) - Math.min(0, ...ends));
     const [least, most] = [Math.min(0, ...ends) - room, Math.max(0, ...ends) + room];
     const names = Math.min(0.42 * width, 220);
-    const across = (value) => names + 10 + ((value - least) / (most - least)) * (width - names - RIGHT - 20);
+    const across = (/** @type {number} */ value) => names + 10 + ((value - least) / (most - least)) * (width - names - RIGHT - 20);
     const bottom = height - FOOT;
     Object.assign(context, { font: `600 12px ${FONT}`, fillStyle: colors.ink, textAlign: "left", textBaseline: "middle" });
     context.fillText("Change of exit speed", 0, 9);
@@ -108,6 +134,13 @@ export class ChangePicture {
     others.forEach((one, i) => this.paintRow(context, one, LINES[i + 1], HEAD + (i + 0.5) * CHANGE_ROW, { across, shown, names }));
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} x
+   * @param {number} top
+   * @param {number} bottom
+   * @param {string} color
+   */
   rule(context, x, top, bottom, color) {
     Object.assign(context, { strokeStyle: color, lineWidth: 1 });
     context.beginPath();
@@ -116,6 +149,13 @@ export class ChangePicture {
     context.stroke();
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {{ label: string, change_m_s: Answer }} given
+   * @param {Answer} line
+   * @param {number} y
+   * @param {{ across: Way, shown: Way, names: number }} given
+   */
   paintRow(context, { label, change_m_s: change }, line, y, { across, shown, names }) {
     const { colors } = this.app;
     Object.assign(context, { font: `12px ${FONT}`, fillStyle: colors.ink, textAlign: "left", textBaseline: "middle" });
@@ -136,6 +176,11 @@ export class ChangePicture {
   }
 }
 
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {string} text
+ * @param {number} width
+ */
 function clipped(context, text, width) {
   if (context.measureText(text).width <= width) return text;
   let short = text;

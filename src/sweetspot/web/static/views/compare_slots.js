@@ -4,7 +4,7 @@ import { checked, textOf } from "../batfile.js";
 import { batChoice, unchanged, workshop } from "../bench.js";
 import { button } from "../controls.js";
 import { make, scoped } from "../parts.js";
-/** @import { App, State } from "../main.js" */
+/** @import { Answer, App, State } from "../main.js" */
 
 const MOST = 3;
 const FIRST_CHOICES = ["corked-r161", "russell-b6", "youth-30", "composite"];
@@ -25,6 +25,7 @@ export class Slots {
     } });
   }
 
+  /** @param {number} index */
   slot(index) {
     const one = scoped(this.app, "others", index, (field) => this.app.answer?.others_bounds?.[index]?.[field]);
     const title = `Bat ${index + 2}`;
@@ -48,12 +49,20 @@ export class Slots {
     this.element.hidden = asked !== "none";
   }
 
+  /**
+   * @param {{ bat: Answer, bats: Answer[] }} given
+   * @param {{ what_if: string, others: State[] }} given
+   */
   update({ bat, bats }, { what_if: asked, others }) {
     if (asked === "none") this.keepToTheSport(bat.sport, others);
     if (asked === "none") bats.slice(1).forEach(({ shape }, i) => this.slots[i].show(shape));
   }
 
   // The bats that stand there before anybody chose are baseball's: beside a bat of another sport those of its own stand.
+  /**
+   * @param {string} sport
+   * @param {State[]} others
+   */
   async keepToTheSport(sport, others) {
     const first = JSON.stringify(this.app.defaults.others);
     if (JSON.stringify(others) !== first || alike(sport, "baseball")) return;
@@ -70,20 +79,26 @@ export class Slots {
   async add() {
     const sport = this.app.answer?.bat.sport ?? "baseball";
     const choices = alike(sport, "baseball") ? FIRST_CHOICES : [...(await this.ofTheSport(sport)), ...FIRST_CHOICES];
-    const taken = [this.app.state.bat, ...this.app.state.others.map(({ bat }) => bat)];
+    const taken = [this.app.state.bat, ...this.app.state.others.map((/** @type {{ bat: string }} */ { bat }) => bat)];
     const next = choices.find((name) => !taken.includes(name)) ?? choices[0];
     this.app.setState({ others: [...this.app.state.others, { bat: next }] });
   }
 
+  /** @param {number} index */
   remove(index) {
-    this.app.setState({ others: this.app.state.others.filter((_, i) => i !== index) });
+    this.app.setState({ others: this.app.state.others.filter((/** @type {any} */ _, /** @type {number} */ i) => i !== index) });
     this.more.focus();
   }
 
+  /**
+   * @param {HTMLInputElement} input
+   * @param {any} one
+   * @param {number} index
+   */
   async read(input, one, index) {
-    const file = input.files[0];
+    const file = input.files?.[0];
     if (!file) return;
-    const say = (message) => this.app.controls.get(`others.${index}.bat`)?.fault?.(message);
+    const say = (/** @type {string} */ message) => this.app.controls.get(`others.${index}.bat`)?.fault?.(message);
     try {
       const text = await textOf(file);
       await checked(text);

@@ -4,26 +4,36 @@ import { BatView } from "../batview.js";
 import { Bench, ballGroup, swingGroup, unchanged } from "../bench.js";
 import { Chart } from "../chart.js";
 import { button, choice, group, reveal, slider, toggle } from "../controls.js";
-import { download } from "../exports.js";
+import { download } from "../download.js";
 import { Lights, stateOf } from "../lights.js";
-import { make, paragraphs, tableOf, withDoubt } from "../parts.js";
+import { make, paragraphs, tableOf, withDoubt, write } from "../parts.js";
 import { Front, WANTS } from "./design_front.js";
-/** @import { App, View } from "../main.js" */
+/** @import { Answer, App, Control, State, Step, View } from "../main.js" */
 
 const LONGEST = 40000;
+/** @type {Record<string, number>} */
 const STEPS = { length: 0.000127, compression: 0.00005, ratio: 0.005, mass: 0.0005 };
 const PANELS = [
   { title: "Exit speed", kind: "exit_speed_m_s", height: 120, lines: [
     { key: "exit_speed_m_s", label: "this bat", color: "red", width: 2.4 },
     { key: "present_exit_speed_m_s", label: "present bat", color: "muted", dash: [5, 4], width: 1.6 }] },
   { title: "This bat less the present one", kind: "speed_change", height: 100, zero: true, lines: [
-    { key: "nothing", name: "no change", label: "band: two bats of one shape, 95 %", color: "green", width: 1, silent: true, band: ["noise_low_m_s", "noise_high_m_s"] },
+    { key: "nothing", name: "no change", label: "band: two bats of one shape, 90 %", color: "green", width: 1, silent: true, band: ["noise_low_m_s", "noise_high_m_s"] },
     { key: "difference_m_s", name: "change", label: "", color: "red", width: 2.4 }] },
   { title: "Where this batter meets the ball", kind: "share", height: 50, zero: true, lines: [{ key: "contacts", color: "blue", fill: true }] },
 ];
+/** @type {Record<string, string>} */
+const CHANGES = { speed: "speed_change", place: "length" }; // how a change is shown where it is shown otherwise
+// One of the bat's numbers as a control calls it, with the ending that tells its unit.
+const key = (/** @type {{ name: string, ending: string }} */ { name, ending }) => `${name}${ending || "_ratio"}`;
+const capital = (/** @type {string} */ words) => words[0].toUpperCase() + words.slice(1);
 const ELSEWHERE = ["league", "want", "also_want", "generations", "seed", "swings_csv"]; // what the gain does not depend on
 
 // What of a gain can be said: seen only where the interval clearly leaves zero out.
+/**
+ * @param {number} change
+ * @param {{ words: Record<string, string>, seen_from_m_s: number, likely_from_m_s: number, half_interval_m_s: number }} given
+ */
 function verdictOf(change, { words, seen_from_m_s: clearly, likely_from_m_s: likely, half_interval_m_s: doubt }) {
   if (change > clearly) return words.seen;
   if (change > likely) return words.likely;
@@ -54,7 +64,7 @@ export const view = {
     this.lights = { locks: new Lights("What must stay"), rules: new Lights("Rules"), limits: new Lights("Can be turned, will not break") };
     this.beside = make("div");
     this.numbers = make("div");
-    this.front = new Front(app, { state: () => ({ ...app.state, swings_csv: null }), onTake: (numbers) => this.take(numbers) });
+    this.front = new Front(app, { state: () => ({ ...app.state, swings_csv: null }), onTake: (/** @type {number[]} */ numbers) => this.take(numbers) });
     root.append(this.side(app), make("div", { className: "stack" },
       make("section", { className: "picture" }, this.words, this.picture.element, this.note,
         make("div", { className: "light-rows" }, ...Object.values(this.lights).map(({ element }) => element)), this.tools(app)),
@@ -68,7 +78,7 @@ export const view = {
     const leagues = app.lists("leagues").then(({ leagues: all }) => [["usual", "usual for this bat"], ["nobody", "nobody's"], ...all.map(({ key, name }) => [key, name])]);
     return make("div", { className: "side" },
       group("What must stay", [
-        toggle(app, "keep_mass", { label: "Weight" }), toggle(app, "keep_moi", { label: "Swing weight (MOI about 6 in)" }),
+        toggle(app, "keep_mass", { label: "Weight" }), toggle(app, "keep_moi", { label: "Swing weight (MOI)" }),
         toggle(app, "keep_wood", { label: "Density of the wood" }),
         toggle(app, "keep_balance", { label: "Balance point" }), toggle(app, "keep_grip", { label: "Grip's smallest diameter" }),
         make("p", { className: "note", textContent: "Within 1 %. Length, knob and the cup's width stay; the command takes ranges for them (--length, --knob, --cup-diameter)." }),
@@ -98,7 +108,7 @@ export const view = {
   swings(app) {
     const file = make("input", { type: "file", id: "batter-file", accept: ".csv,.json,text/csv,application/json,text/plain" });
     const wrong = make("p", { className: "fault", hidden: true });
-    const read = async (text) => {
+    const read = async (/** @type {string} */ text) => {
       wrong.hidden = true;
       file.setAttribute("aria-busy", "true");
       try {
@@ -127,7 +137,7 @@ export const view = {
 
   /** @param {App} app */
   tools(app) {
-    const file = (words, ending, type) => button(words, async () => {
+    const file = (/** @type {string} */ words, /** @type {string} */ ending, /** @type {string} */ type) => button(words, async () => {
       const found = await app.ask("design/files", { ...app.state, swings_csv: null });
       download(`designed-bat.${ending}`, type, ending === "toml" ? found.toml : found[app.units][ending]);
     });
@@ -141,22 +151,33 @@ export const view = {
       file("Bat file", "toml", "application/toml"), ...this.drawings);
   },
 
+  /** @param {State} change */
   anew(change) {
     this.base = null;
     this.app.setState(change);
   },
 
+  /** @param {number[]} numbers */
   take(numbers) { this.anew({ design_si: numbers, design_for: this.answer.key, pulled: null }); },
 
   // One number pulled: the others as they were when the pulling began, so that back is back.
+  /**
+   * @param {number} index
+   * @param {number} value
+   * @param {Step} options
+   */
   pull(index, value, options) {
     if (!this.answer) return;
-    if (this.base?.index !== index) this.base = { index, numbers: this.answer.variables.map((one) => one.value) };
-    const numbers = this.base.numbers.map((one, i) => (i === index ? value : one));
+    if (this.base?.index !== index) this.base = { index, numbers: this.answer.variables.map((/** @type {Answer} */ one) => one.value) };
+    const numbers = this.base.numbers.map((/** @type {Answer} */ one, /** @type {number} */ i) => (i === index ? value : one));
     this.app.setState({ design_si: numbers, design_for: this.answer.key, pulled: index }, options);
     if (options?.commit !== false) this.base = null;
   },
 
+  /**
+   * @param {Answer[]} stations
+   * @param {boolean} last
+   */
   pulled(stations, last) {
     const index = stations.findIndex(({ diameter_m: wide }, i) => wide !== this.answer.design.stations[i].diameter_m);
     if (index < 0 && last) this.app.commit();
@@ -169,30 +190,30 @@ export const view = {
   },
 
   // A slider a number, for the keyboard and for what has no handle; made anew where another kind of bat has others.
+  /** @param {Answer[]} variables */
   sliders(variables) {
     const names = variables.map(({ name, low, high }) => `${name} ${low} ${high}`).join();
     if (names !== this.made) {
       this.made = names;
       this.own = [];
       const { app } = this;
-      const key = ({ name, ending }) => `${name}${ending}`;
       const inner = {
         schema: Object.fromEntries(variables.map((one) => [key(one), { minimum: one.low, maximum: one.high }])),
         get units() { return app.units; },
-        commit: (options) => {
+        commit: (/** @type {Step} */ options) => {
           this.base = null;
           app.commit(options);
         },
-        control: (control) => this.own.push(control),
-        setState: (partial, options) => {
+        control: (/** @type {Control} */ control) => this.own.push(control),
+        setState: (/** @type {State} */ partial, /** @type {Step} */ options) => {
           const [[name, value]] = Object.entries(partial);
-          this.pull(this.answer.variables.findIndex((one) => key(one) === name), value, options);
+          this.pull(this.answer.variables.findIndex((/** @type {Answer} */ one) => key(one) === name), value, options);
         },
       };
       this.numbers.replaceChildren(...variables.map((one) => slider(inner, key(one), {
-        label: one.label[0].toUpperCase() + one.label.slice(1), step: STEPS[one.scale] ?? (one.high - one.low) / 100 })));
+        label: () => capital(one.from_tip_m === null ? one.label : `${one.label} ${app.text("place", one.from_tip_m)} from the tip`), step: STEPS[one.scale] ?? (one.high - one.low) / 100 })));
     }
-    const state = Object.fromEntries(variables.map(({ name, ending, value }) => [`${name}${ending}`, value]));
+    const state = Object.fromEntries(variables.map((one) => [key(one), one.value]));
     for (const control of this.own) control.sync(state);
   },
 
@@ -206,8 +227,9 @@ export const view = {
     this.draw(curves, design);
     this.light(answer);
     this.compare(answer);
-    this.front.draw(answer.key, answer.own ? answer.variables.map(({ value }) => value) : null);
-    this.note.textContent = [...answer.left_out, design.stations.length ? "Dashed: the present bat. Pull a round handle." : "Dashed: the present bat. A hollow bat's wall is changed by its numbers, on the left."].join(" ");
+    this.front.draw(answer.key, answer.own ? answer.variables.map((/** @type {Answer} */ { value }) => value) : null);
+    const note = [...answer.left_out, design.stations.length ? "Dashed: the present bat. Pull a round handle." : "Dashed: the present bat. A hollow bat's wall is changed by “The bat's numbers” among the controls."].join(" ");
+    write(this.note, note);
     for (const one of this.drawings) one.hidden = design.hollow;
     this.say();
     this.gain.ariaBusy = "true";
@@ -218,49 +240,57 @@ export const view = {
     });
   },
 
+  /**
+   * @param {Answer} curves
+   * @param {Answer} design
+   */
   draw(curves, design) {
     const lines = { ...curves, nothing: curves.position_m.map(() => 0), ...(this.sure ?? { noise_low_m_s: [], noise_high_m_s: [] }) };
     const [least, most] = [curves.position_m[0], design.length_m];
     this.chart.draw({ x: curves.position_m, lines, range: [least, most] });
   },
 
+  /** @param {{ locks: Answer[], rules: Answer[], limits: Answer[] }} given */
   light({ locks, rules, limits }) {
     const { app } = this;
-    const words = ({ scale, value, kept, miss, why }) => `${app.text(scale, value)}${kept ? "" : `, beyond by ${app.text(scale, miss)}`}${why === "kept as it is" ? "" : ` (${why})`}`;
-    const lamp = (one) => ({ state: one.kept ? "pass" : "fail", name: one.label, words: words(one) });
+    const words = (/** @type {Answer} */ { scale, value, kept, miss, why }) => `${app.text(scale, value)}${kept ? "" : `, beyond by ${app.text(scale, miss)}`}${why === "kept as it is" ? "" : ` (${why})`}`;
+    const lamp = (/** @type {Answer} */ one) => ({ state: one.kept ? "pass" : "fail", name: one.label, words: words(one) });
+    /** @type {Record<string, string>} */
     const kinds = { m: "length", "kg m^2": "moi" };
     this.lights.locks.show(locks.map(lamp));
     this.lights.limits.show(limits.filter(({ why, kept }) => !kept || !rules.some(({ league_name: name }) => name === why)).map(lamp));
     this.lights.rules.show(rules.map(({ verdict, title, value, unit, reason, most, least }) => {
-      const show = (one) => (kinds[unit] ? app.text(kinds[unit], one) : app.text("ratio", one));
+      const show = (/** @type {Answer} */ one) => (kinds[unit] ? app.text(kinds[unit], one) : app.text("ratio", one));
       const ends = [least === null ? "" : `at least ${show(least)}`, most === null ? "" : `at most ${show(most)}`].filter(Boolean).join(", ");
       const known = typeof value === "number" && unit !== "yes or no" ? `${show(value)}, ${ends}` : "";
       return { state: stateOf(verdict), name: title, words: [known, reason].filter(Boolean).join("; ") };
     }));
   },
 
+  /** @param {{ measures: Answer[] }} given */
   compare({ measures }) {
-    const show = (scale, value, sign) => {
-      const words = this.app.text({ speed: "speed_change", place: "length" }[sign ? scale : ""] ?? scale, value, scale === "contact" ? 2 : undefined);
+    const show = (/** @type {string} */ scale, /** @type {number} */ value, sign = false) => {
+      const words = this.app.text(sign ? CHANGES[scale] ?? scale : scale, value, scale === "contact" ? 2 : undefined);
       return sign && value > 0 && Number.parseFloat(words) !== 0 ? `+${words}` : words;
     };
-    this.beside.replaceChildren(tableOf("Beside the present bat", ["Measure", "present", "this bat", "change"], measures.map(({ label, scale, present, value, change }) => (
-      [label, show(scale, present), show(scale, value), show(scale, change, true)]))));
+    this.app.afterwards(this.beside, () => this.beside.replaceChildren(tableOf("Beside the present bat", ["Measure", "present", "this bat", "change"],
+      measures.map(({ label, scale, present, value, change }) => [label, show(scale, present), show(scale, value), show(scale, change, true)]))));
   },
 
   // First what is gained over this batter's contacts, and whether anybody could see it.
   say() {
     const { answer, app, sure } = this;
-    const of = (name) => answer.measures.find((one) => one.name === name);
+    const of = (/** @type {string} */ name) => answer.measures.find((/** @type {Answer} */ one) => one.name === name);
     const speed = of("exit_speed");
     const change = `${app.text("speed_change", Math.abs(speed.change))} ${speed.change >= 0 ? "faster" : "slower"}`;
     const seen = sure ? `: ${verdictOf(speed.change, sure)}` : "";
-    const doubt = sure ? `, give or take ${app.text("speed_change", sure.half_interval_m_s)}` : "";
+    const doubt = sure ? `, give or take ${app.text("speed_change", sure.half_interval_m_s)} (90 %)` : "";
     const design = answer.design;
     const gained = answer.own ? `Over these contacts the ball leaves ${change}${doubt}${seen}.` : "This is the present bat still: pull a round handle, or let the search find better.";
-    this.words.textContent = `${gained} ` +
+    const words = `${gained} ` +
       `${app.text("mass_kg", design.mass_kg)}, balance ${app.text("balance_point_m", design.balance_point_m, 1)} from the knob, swing weight ${withDoubt("moi_kg_m2", design.moi_6in_kg_m2, design.moi_6in_half_kg_m2, app)}.`;
-    app.announce(this.words.textContent);
+    write(this.words, words);
+    app.announce(words);
     this.picture.label(`The bat that is shaped, its handles, and dashed the present one. ${this.words.textContent} The bat's numbers change it by keyboard.`);
     this.chart.label(`Exit speed along the bat and what it gains on the present one. ${this.words.textContent}`);
     if (sure) {

@@ -2,12 +2,13 @@
 
 import { button } from "../controls.js";
 import { longWork } from "../longwork.js";
-import { make, tableOf } from "../parts.js";
+import { make, tableOf, write } from "../parts.js";
 import { FONT, Surface, haloText, ticks } from "../surface.js";
 import { fromShown, toShown, unitOf } from "../units.js";
-/** @import { App } from "../main.js" */
+/** @import { Answer, App, State } from "../main.js" */
 
 const LEFT = 56, RIGHT = 18, TOP = 14, FOOT = 40, TALL = 300, SMALL = 64, THICK = 2.2;
+/** @type {Record<string, [string, string]>} */
 export const WANTS = {
   exit_speed: ["speed", "exit speed over the contacts"], zone: ["place", "width of the zone"], best: ["speed", "greatest exit speed"],
   sting: ["vibration", "sting"], swing_time: ["contact", "time to contact"], durability: ["ratio", "durability"], moi: ["moi", "swing weight"],
@@ -15,7 +16,7 @@ export const WANTS = {
 
 export class Front {
   /** @param {App} app */
-  constructor(app, { onTake, state }) {
+  constructor(app, /** @type {{ onTake: (numbers: number[]) => void, state: () => State }} */ { onTake, state }) {
     this.app = app;
     this.onTake = onTake;
     this.found = null;
@@ -38,6 +39,10 @@ export class Front {
   }
 
   // key: of the bat on the bench; a front of another bat is no longer shown.
+  /**
+   * @param {string} key
+   * @param {number[] | null} numbers
+   */
   draw(key, numbers) {
     this.key = key;
     this.numbers = numbers;
@@ -56,16 +61,19 @@ export class Front {
     this.bar.hidden = !runs;
     this.bar.value = found ? found.generation / found.generations : 0;
     this.fault.hidden = !fault;
-    this.fault.textContent = fault?.message ?? "";
-    const count = this.found ? `${this.found.front.length} bats on the front, none better in everything` : "";
+    write(this.fault, fault?.message ?? "");
+    const bats = this.found?.front.length;
+    const count = bats ? `${bats} bat${bats === 1 ? "" : "s"} on the front, none better in everything` : "";
+    const first = count ? `: ${count}.` : "; this takes some seconds …";
     const far = found ? `${found.generation} of ${found.generations} generations` : "";
-    this.words.textContent = {
+    /** @type {Record<string, string>} */
+    const told = {
       none: "The search runs on this server, beside the page; it can be stopped and gone on with.",
       starting: "The search begins …", failed: "",
-      running: found?.generation ? `Looking: ${far}; ${count || "no bat keeps every limit yet"}.` : "Looking for first bats that keep every limit; this takes some seconds …",
+      running: found?.generation ? `Looking: ${far}; ${count || "no bat keeps every limit yet"}.` : `Looking for first bats that keep every limit${first}`,
       stopped: `Stopped after ${far}; ${count}. Go on, or begin anew.`, done: `Looked at ${far}; ${count}. Click one to take it.`,
-    }[status];
-    if (found && !mine) this.words.textContent = "The front was another bat's; look again for this one.";
+    };
+    write(this.words, found && !mine ? "The front was another bat's; look again for this one." : told[status]);
     this.shown.hidden = !this.found;
     if (!this.found) return;
     this.surface.label(`The front: ${count}. ${this.words.textContent} The table below takes them by keyboard.`);
@@ -78,11 +86,12 @@ export class Front {
     return [x, y];
   }
 
+  /** @param {number} width */
   place(width) {
     const [x, y] = this.axes();
     const { front, present } = this.found;
-    const span = (name) => {
-      const values = front.map(({ values: own }) => own[name]);
+    const span = (/** @type {string} */ name) => {
+      const values = front.map((/** @type {Answer} */ { values: own }) => own[name]);
       if (present[name] !== undefined) values.push(present[name]);
       const [least, most] = [Math.min(...values), Math.max(...values)];
       const room = 0.14 * (most - least) || 0.02 * Math.abs(most) || 1;
@@ -91,22 +100,30 @@ export class Front {
     const [[left, right], [low, high]] = [span(x), span(y)];
     return {
       x: [left, right], y: [low, high],
-      across: (value) => LEFT + ((value - left) / (right - left)) * (width - LEFT - RIGHT),
-      up: (value) => TALL - FOOT - ((value - low) / (high - low)) * (TALL - FOOT - TOP),
+      across: (/** @type {number} */ value) => LEFT + ((value - left) / (right - left)) * (width - LEFT - RIGHT),
+      up: (/** @type {number} */ value) => TALL - FOOT - ((value - low) / (high - low)) * (TALL - FOOT - TOP),
     };
   }
 
+  /**
+   * @param {number} x
+   * @param {number} y
+   */
   pick(x, y) {
     if (!this.found) return false;
     const [one, other] = this.axes();
     const { across, up } = this.place(this.surface.width);
-    const far = this.found.front.map(({ values }) => Math.hypot(across(values[one]) - x, 2 * (up(values[other]) - y)));
+    const far = this.found.front.map((/** @type {Answer} */ { values }) => Math.hypot(across(values[one]) - x, 2 * (up(values[other]) - y)));
     const nearest = far.indexOf(Math.min(...far));
     if (far[nearest] > 45) return false;
     this.onTake(this.found.front[nearest].numbers);
     return true;
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} width
+   */
   paint(context, width) {
     if (!this.found) return;
     const { colors, units } = this.app;
@@ -147,11 +164,18 @@ export class Front {
     haloText(context, "present bat", px + (px > width / 2 ? -8 : 8), py, colors.ink, colors.panel);
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Answer} place
+   * @param {number} x
+   * @param {number} y
+   */
   paintBats(context, place, x, y) {
     const { colors } = this.app;
+    /** @type {number[][]} */
     const drawn = [];
     const chosen = this.chosen();
-    this.found.front.forEach(({ values, outline }, row) => {
+    this.found.front.forEach((/** @type {{ values: number[], outline: Answer }} */ { values, outline }, /** @type {number} */ row) => {
       const [px, py] = [place.across(values[x]), place.up(values[y])];
       const hidden = row !== chosen && drawn.some(([a, b]) => Math.abs(a - px) < SMALL * 0.8 && Math.abs(b - py) < 16);
       context.fillStyle = row === chosen ? colors.red : colors.blue;
@@ -165,7 +189,7 @@ export class Front {
       const { position_m: along, diameter_m: wide } = outline;
       const scale = SMALL / along.at(-1);
       context.beginPath();
-      along.forEach((at, i) => context.lineTo(px - SMALL / 2 + at * scale, py - (wide[i] / 2) * scale * THICK));
+      along.forEach((/** @type {number} */ at, /** @type {number} */ i) => context.lineTo(px - SMALL / 2 + at * scale, py - (wide[i] / 2) * scale * THICK));
       [...along.keys()].reverse().forEach((i) => context.lineTo(px - SMALL / 2 + along[i] * scale, py + (wide[i] / 2) * scale * THICK));
       context.closePath();
       context.fill();
@@ -176,17 +200,19 @@ export class Front {
 
   // Which bat of the front lies on the bench: none of its numbers is far off.
   chosen() {
-    if (!this.numbers) return -1;
-    return this.found.front.findIndex(({ numbers }) => numbers.every((one, i) => Math.abs(one - this.numbers[i]) <= 1e-6 * Math.abs(one) + 1e-12));
+    const { numbers: own } = this;
+    if (!own) return -1;
+    return this.found.front.findIndex((/** @type {{ numbers: number[] }} */ { numbers }) => numbers.every((one, i) => Math.abs(one - own[i]) <= 1e-6 * Math.abs(one) + 1e-12));
   }
 
   fill() {
     this.table.querySelector(".scroll")?.remove();
     if (!this.table.open || !this.found) return;
     const names = [...new Set([...this.found.wants, "best_from_tip", "mass", "moi"])];
+    /** @type {typeof WANTS} */
     const heads = { best_from_tip: ["place", "best place from the tip"], mass: ["mass", "weight"], ...WANTS };
     const chosen = this.chosen();
-    const box = tableOf("The front", ["Bat", ...names.map((name) => heads[name][1]), "take it"], this.found.front.map(({ values }, row) => (
+    const box = tableOf("The front", ["Bat", ...names.map((name) => heads[name][1]), "take it"], this.found.front.map((/** @type {Answer} */ { values }, /** @type {number} */ row) => (
       [`${row + 1}${row === chosen ? " (taken)" : ""}`, ...names.map((name) => this.app.text(heads[name][0], values[name])), ""])));
     box.querySelectorAll("tbody tr").forEach((row, i) => {
       const take = button("Take", () => this.onTake(this.found.front[i].numbers));

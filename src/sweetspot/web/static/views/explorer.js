@@ -6,13 +6,13 @@ import { Chart, between } from "../chart.js";
 import { button, group, slider } from "../controls.js";
 import { gripsOf } from "../grips.js";
 import { HeatMap } from "../heatmap.js";
-import { DocumentPlace } from "../document.js";
+import { HowSure } from "../howsure.js";
 import { PARTS } from "../ledger.js";
-import { factList, make, paragraphs } from "../parts.js";
+import { factList, make, paragraphs, write } from "../parts.js";
 import { INCH } from "../units.js";
 import { Zoom } from "../zoom.js";
 /** @import { Fact } from "../parts.js" */
-/** @import { App, View } from "../main.js" */
+/** @import { Answer, App, State, View } from "../main.js" */
 
 const BARREL = 18 * INCH; // shown until somebody zooms
 const ELSEWHERE = ["impact_from_tip_in", "offset_in"]; // what the map and the report do not depend on
@@ -22,7 +22,7 @@ const PANELS = [
     { key: "rigid_exit_speed_m_s", label: "rigid bat", color: "muted", dash: [5, 4], width: 1.6 }] },
   { title: "Where the energy goes", kind: "share", height: 110, stacked: true, lines: [] },
   { title: "Collision efficiency q", kind: "ratio", height: 70, lines: [{ key: "collision_efficiency", color: "orange" }] },
-  { title: "BBCOR", kind: "ratio", height: 70, lines: [{ key: "bbcor", color: "blue" }] },
+  { title: "BBCOR in play", kind: "ratio", height: 70, lines: [{ key: "bbcor", color: "blue" }] },
   { title: "Jolt at the top hand", kind: "hand_impulse_n_s", height: 70, zero: true, lines: [{ key: "hand_impulse_n_s", color: "green" }] },
   { title: "Sting, vibration at the hands", kind: "sting", height: 70, zero: true, lines: [{ key: "sting_m_s", color: "purple" }] },
 ];
@@ -31,13 +31,13 @@ const FACTS = [
   ["Exit speed", (a) => ["exit_speed_m_s", a.hit.exit_speed_m_s]],
   ["Lost against the best", (a) => ["exit_speed_m_s", a.lost_m_s]],
   ["Efficiency q", (a) => ["ratio", a.hit.collision_efficiency]],
-  ["BBCOR", (a) => ["ratio", a.hit.bbcor]],
+  ["BBCOR in play", (a) => ["ratio", a.hit.bbcor]],
   ["Launch angle", (a) => ["launch_angle_rad", a.hit.launch_angle_rad]],
   ["Backspin", (a) => ["backspin_rad_s", a.hit.backspin_rad_s]],
   ["Peak force", (a) => ["peak_force_n", a.hit.peak_force_n]],
   ["Contact time", (a) => ["contact_time_s", a.hit.contact_time_s]],
   ["Weight", (a) => ["mass_kg", a.bat.mass_kg]],
-  ["Swing weight, 6 in axis", (a) => ["moi_6in_kg_m2", a.bat.moi_6in_kg_m2]],
+  ["Swing weight", (a) => ["moi_6in_kg_m2", a.bat.moi_6in_kg_m2]],
 ];
 
 /** @type {View} */
@@ -53,9 +53,9 @@ export const view = {
   ],
 
   mount(root, app) {
-    Object.assign(this, { app, root, map: null, told: null, warm: true });
+    Object.assign(this, { app, root, map: null, told: null, listed: null, warm: true });
     this.zoom = new Zoom({ onChange: () => this.paint(), closest: 0.25, shared: true });
-    const onPick = (position, { last }) => this.moveBall(position, last);
+    const onPick = (/** @type {number} */ position, /** @type {{ last: boolean }} */ { last }) => this.moveBall(position, last);
     this.picture = new BatView(app, {
       zoom: this.zoom, onBall: onPick,
       onStations: (stations, { last }) => this.bench.reshape(stations, last),
@@ -75,9 +75,8 @@ export const view = {
     this.report = make("details", { className: "report", open: false }, make("summary", { textContent: "What the report says of this bat and swing" }));
     this.told = make("div", { className: "words" });
     this.report.append(this.told);
-    this.doubt = new DocumentPlace(app, "Drawing bats and balls that may be meant …");
-    this.sure = make("details", { className: "report", id: "sure", open: false }, make("summary", { textContent: "How sure these numbers are, and what that comes from" }), this.doubt.element);
-    this.sure.addEventListener("toggle", () => this.askHowSure());
+    this.sure = new HowSure(app, { but: ELSEWHERE });
+    this.bars = make("p", { className: "note", textContent: "Upright bars on the exit speed: by another law of the ball, how fast it leaves after the misses that the report tells of.", hidden: true });
     this.knownList = make("ul");
     this.known = make("details", { className: "report" }, make("summary", { textContent: "What was published of this bat (diamonds on the curves)" }), this.knownList);
     const barrel = button("Barrel", () => this.zoom.back());
@@ -85,7 +84,7 @@ export const view = {
     this.heatSwitch = button("Colours off", () => this.switchHeat());
     const tools = make("div", { className: "row tight" }, barrel, whole, this.zoom.buttons(), this.heatSwitch);
     const picture = make("section", { className: "picture", ariaLabel: "Bat and curves" },
-      tools, this.picture.element, this.facts.element, this.why, this.power.element, this.power.numbers.element, this.chart.element, this.known, this.report, this.sure);
+      tools, this.picture.element, this.facts.element, this.why, this.power.element, this.power.numbers.element, this.chart.element, this.bars, this.known, this.report, this.sure.element);
     root.append(this.words, side, picture);
     this.handle();
   },
@@ -102,7 +101,7 @@ export const view = {
     canvas.classList.add("pinned");
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "slider");
-    canvas.addEventListener("keydown", (event) => {
+    canvas.addEventListener("keydown", (/** @type {KeyboardEvent} */ event) => {
       const step = { ArrowLeft: 0.1, ArrowDown: 0.1, ArrowRight: -0.1, ArrowUp: -0.1, PageUp: -1, PageDown: 1, Home: 99, End: -99 }[event.key];
       if (step === undefined || !this.app.answer) return;
       event.preventDefault();
@@ -110,14 +109,20 @@ export const view = {
     });
   },
 
+  /** @param {number} inches */
   within(inches) {
     const most = (this.app.answer.bat.length_m - this.app.answer.hands_m[0]) / INCH;
     return Math.round(100 * Math.min(most, Math.max(0, inches))) / 100;
   },
 
+  /**
+   * @param {number} position
+   * @param {boolean} last
+   */
   moveBall(position, last, offset = null) {
     const { answer, schema } = this.app;
     if (!answer) return;
+    /** @type {State} */
     const change = { impact_from_tip_in: this.within((answer.bat.length_m - position) / INCH) };
     if (offset !== null) {
       const { minimum, maximum } = schema.offset_in;
@@ -136,25 +141,18 @@ export const view = {
     this.facts.fill(answer);
     this.say(answer);
     this.bench.update(answer);
-    this.app.aside("map", ELSEWHERE, 80, (map) => {
+    this.app.aside("map", ELSEWHERE, 150, (map) => {
       this.map = map;
       this.paint();
     });
     this.app.aside("why", ELSEWHERE, 600, (found) => {
       this.costs = found.other_law;
-      this.told.replaceChildren();
       this.found = found;
       paragraphs(this.told, found.sentences[this.app.units]);
       this.paint();
     });
     if (this.found) paragraphs(this.told, this.found.sentences[this.app.units]);
-    this.doubt.redraw();
-    this.askHowSure();
-  },
-
-  // Hundreds of bats are hit for it: only for those who look.
-  askHowSure() {
-    if (this.sure.open && this.app.answer) this.app.aside("sure", ELSEWHERE, 600, (found) => this.doubt.show(found));
+    this.sure.update();
   },
 
   paint() {
@@ -162,7 +160,7 @@ export const view = {
     if (!answer) return;
     const { bat, sweet_spots: spots, scan, hit } = answer;
     const speeds = scan.exit_speed_m_s;
-    const most = Math.max(...speeds.filter((value) => value !== null));
+    const most = Math.max(...speeds.filter((/** @type {number} */ value) => value !== null));
     this.picture.draw({ bat, sweet_spots: spots, hands_m: answer.hands_m, grips: gripsOf(answer, app),
       warm: this.warm ? { position_m: scan.position_m, values: speeds, least: 0.55 * most, most } : null,
       ball: { position_m: hit.position_m, radius_m: answer.ball.radius_m, offset_m: state.offset_in * INCH, launch_angle_rad: hit.launch_angle_rad } });
@@ -172,41 +170,47 @@ export const view = {
       bands: zone ? [{ from: zone[0], to: zone[1] }] : [],
       marks: [{ at: spots.max_exit_speed_m, color: "red" }],
       published: this.published(answer),
-      points: state.offset_in === 0 && this.costs ? { exit_speed_m_s: this.costs.map(({ position_m: x, low_m_s: low, high_m_s: high }) => ({ x, low, high })) } : {},
+      points: state.offset_in === 0 && this.costs ? { exit_speed_m_s: this.costs.map((/** @type {Answer} */ { position_m: x, low_m_s: low, high_m_s: high }) => ({ x, low, high })) } : {},
     });
+    this.bars.hidden = state.offset_in !== 0 || !this.costs?.length;
     if (this.map) this.power.draw({ x: this.map.position_m, y: this.map.offset_m, z: this.map.exit_speed_m_s, cross: [hit.position_m, state.offset_in * INCH] });
   },
 
   // What others have published of this very bat, where it lies on the curves, and in a list with its source.
+  /** @param {Answer} given */
   published({ published: known, bat, sweet_spots: spots }) {
-    const show = (places) => [...new Set(places.map((place) => this.app.text("from_m", place, 1)))].join(" to ");
-    const told = known.map(({ words, by, source, places_m: places, values, curve }) => ({ curve, source,
-      words: `${by}: ${words}: ${places ? `${show(places)} from the tip` : values.map((value) => value.toFixed(3)).join(" to ")}`,
+    const show = (/** @type {number[]} */ places) => [...new Set(places.map((place) => this.app.text("from_m", place, 1)))].join(" to ");
+    const told = known.map((/** @type {Answer} */ { words, by, source, places_m: places, values, curve }) => ({ curve, source,
+      words: `${by}: ${words}: ${places ? `${show(places)} from the tip` : values.map((/** @type {number} */ value) => value.toFixed(3)).join(" to ")}`,
       from: places ? bat.length_m - places[1] : spots.max_collision_efficiency_m, to: places ? bat.length_m - places[0] : spots.max_collision_efficiency_m,
       low: values?.[0], high: values?.[1] }));
     this.known.hidden = told.length === 0;
-    this.knownList.replaceChildren(...told.map(({ words, source }) => make("li", {}, `${words} `, make("small", { textContent: source }))));
+    const list = told.map((/** @type {Answer} */ { words, source }) => `${words} ${source}`).join();
+    if (list !== this.listed) this.knownList.replaceChildren(...told.map((/** @type {Answer} */ { words, source }) => make("li", {}, `${words} `, make("small", { textContent: source }))));
+    this.listed = list;
+    /** @type {Record<string, object[]>} */
     const marks = {};
     for (const { curve, words, ...place } of told) (marks[curve] ??= []).push({ ...place, label: words });
     return marks;
   },
 
+  /** @param {Answer} given */
   say({ bat, sweet_spots: spots, hit, best_exit_speed_m_s: best, why, energy_shares: shares, scan }) {
-    const show = (name, value, digits) => this.app.text(name, value, digits);
+    const show = this.app.text.bind(this.app);
     const here = hit.exit_speed_m_s === null ? hit.outcome_text : show("exit_speed_m_s", hit.exit_speed_m_s);
     const back = hit.launch_angle_rad !== null && Math.abs(hit.launch_angle_rad) > Math.PI / 2 ? ", fouled back" : "";
     const words = `${bat.name} hits fastest ${show("from_m", bat.length_m - spots.max_exit_speed_m, 1)} from the tip: ` +
       `${show("exit_speed_m_s", best)}. Here, ${show("from_m", bat.length_m - hit.position_m, 1)} from the tip: ${here}${back}.`;
-    this.words.textContent = words;
-    const parts = PARTS.filter(([key]) => shares[key]).map(([key, name]) => [between(scan.position_m, shares[key], hit.position_m), name]).filter(([part]) => part > 0.004);
-    const energy = parts.length ? ` Of the energy of the meeting: ${parts.map(([part, name]) => `${name} ${show("share", part, 0)}`).join(", ")}.` : "";
-    this.why.textContent = why[this.app.units].join(" ") + energy;
+    write(this.words, words);
+    const parts = PARTS.filter(([key]) => shares[key]).map(([key, name]) => ({ name, part: between(scan.position_m, shares[key], hit.position_m) ?? 0 })).filter(({ part }) => part > 0.004);
+    const energy = parts.length ? ` Of the energy of the meeting: ${parts.map(({ part, name }) => `${name} ${show("share", part, 0)}`).join(", ")}.` : "";
+    write(this.why, [...why[this.app.units], ...hit.touched_again[this.app.units]].join(" ") + energy);
     this.app.announce(words);
     this.picture.label(`Ball along the bat. ${words}`);
     this.chart.label(`Curves along the bat. ${words} ${this.why.textContent}`);
     this.power.label(`Exit speed over the barrel and how far off its axis the ball is met. ${words}`);
     const canvas = this.picture.element;
-    const inches = (place) => (place / INCH).toFixed(2);
+    const inches = (/** @type {number} */ place) => (place / INCH).toFixed(2);
     canvas.setAttribute("aria-valuemin", inches(this.app.answer.hands_m[0]));
     canvas.setAttribute("aria-valuemax", inches(bat.length_m));
     canvas.setAttribute("aria-valuenow", inches(hit.position_m)); // from the knob, so that right is more

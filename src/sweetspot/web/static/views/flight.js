@@ -3,13 +3,16 @@
 import { Bench, ballGroup, swingGroup } from "../bench.js";
 import { button, choice, group, slider, toggle } from "../controls.js";
 import { HeatMap } from "../heatmap.js";
+import { HowSure } from "../howsure.js";
 import { factList, make, tableOf } from "../parts.js";
 import { MPH, toShown } from "../units.js";
 import { FieldPicture, SidePicture } from "./flight_pictures.js";
 /** @import { Fact } from "../parts.js" */
-/** @import { App, View } from "../main.js" */
+/** @import { Answer, App, State, View } from "../main.js" */
 
+/** @type {Record<string, string>} */
 const WORDS = { "home run": "home run", "off the wall": "off the wall", "in play": "in play", foul: "foul" };
+/** @type {Record<string, string>} */
 const CLASSES = { "home run": "good", foul: "muted" };
 const MAPPED = ["exit_speed_mph", "launch_angle_deg", "own_elevation"]; // what the map does not depend on, for a ball with its own numbers
 /** @type {Fact[]} */
@@ -50,6 +53,7 @@ export const view = {
       own, swung, this.parkControls(app));
     this.words = make("p", { className: "headline", id: "verdict" });
     this.launch = make("p", { className: "note" });
+    this.sure = new HowSure(app, { but: ["own_elevation"] });
     this.facts = factList(FACTS, app);
     this.side = new SidePicture(app);
     this.field = new FieldPicture(app, { onLand: (place, { last }) => this.land(place, last), onWind: (wind, { last }) => app.setState(wind, { commit: last }) });
@@ -66,7 +70,7 @@ export const view = {
     this.list = make("section", { className: "picture" }, make("h2", { textContent: "In every park" }),
       toggle(app, "own_elevation", { label: "Each park with the air of its own elevation" }), this.parks);
     root.append(side, make("div", { className: "stack" },
-      make("section", { className: "picture" }, this.words, this.launch, this.pictures), this.list));
+      make("section", { className: "picture" }, this.words, this.launch, this.pictures, this.sure.element), this.list));
   },
 
   /** @param {App} app */
@@ -86,16 +90,25 @@ export const view = {
   },
 
   // The ball that starts with its own numbers is sent to a place: turned, and hit harder or softer at the same angle.
+  /**
+   * @param {{ distance: number, direction: number }} given
+   * @param {boolean} last
+   */
   land({ distance, direction }, last) {
     const { state, answer, schema } = this.app;
     if (state.start !== "ball" || !answer || answer.missed) return false;
-    const within = (field, value, step) => Math.min(schema[field].maximum, Math.max(schema[field].minimum, Math.round(value / step) * step));
+    const within = (/** @type {string} */ field, /** @type {number} */ value, /** @type {number} */ step) => Math.min(schema[field].maximum, Math.max(schema[field].minimum, Math.round(value / step) * step));
     const turned = state.direction === "landing" ? direction : direction - (answer.flight.landing_direction_rad - answer.launch.spray_rad);
     const harder = state.exit_speed_mph * (Math.max(20, distance) / Math.max(20, answer.flight.carry_m)) ** 0.6;
     this.app.setState({ spray_deg: within("spray_deg", (turned * 180) / Math.PI, 0.5), exit_speed_mph: within("exit_speed_mph", harder, 0.5) }, { commit: last });
     return true;
   },
 
+  /**
+   * @param {number} speed
+   * @param {number} angle
+   * @param {boolean} last
+   */
   launchAs(speed, angle, last) {
     if (this.app.state.start !== "ball") return;
     this.app.setState({ exit_speed_mph: Math.round(2 * speed / MPH) / 2, launch_angle_deg: Math.round((2 * angle * 180) / Math.PI) / 2 }, { commit: last });
@@ -132,6 +145,10 @@ export const view = {
   },
 
   // Until it is moved the elevation's control shows the park's.
+  /**
+   * @param {{ park: Answer }} given
+   * @param {State} state
+   */
   showElevation({ park }, state) {
     if (state.elevation_ft !== null) return;
     const shown = Math.round(toShown("distance", park.elevation_m, this.app.units));
@@ -152,6 +169,7 @@ export const view = {
     this.answer = answer;
     this.launch.textContent = this.start(answer);
     this.facts.fill(answer);
+    this.sure.update();
     this.drawMap(answer);
     this.app.aside("map", state.start === "ball" ? MAPPED : [], 120, (carries) => {
       this.carries = carries;
@@ -159,9 +177,10 @@ export const view = {
     });
     this.side.draw(answer);
     this.field.draw(answer, state);
-    this.parks.replaceChildren(this.listOfParks(answer));
+    this.app.afterwards(this.parks, () => this.parks.replaceChildren(this.listOfParks(answer)));
   },
 
+  /** @param {{ launch: Answer }} given */
   drawMap({ launch }) {
     if (!this.carries || !launch) return;
     const { exit_speed_m_s: x, launch_angle_rad: y, carry_m: z } = this.carries;
@@ -169,22 +188,26 @@ export const view = {
     this.map.label("How far the ball carries, by exit speed and launch angle, with this spin, direction and weather.");
   },
 
+  /** @param {{ end: Answer, park: Answer, flight: Answer, out_in: number, of: Answer }} given */
   headline({ end, park, flight, out_in: count, of }) {
-    const far = (value) => this.app.text("distance", value);
+    const far = (/** @type {number} */ value) => this.app.text("distance", value);
     const over = Math.abs(end.clearance_m ?? 0);
-    const what = {
+    /** @type {Record<string, string>} */
+    const outcomes = {
       "home run": `over the fence of ${park.name}, ${far(over)} above its top at ${far(end.distance_m)}`,
       "off the wall": `against the fence of ${park.name}, ${far(over)} below its top at ${far(end.distance_m)}`,
       "in play": `comes down ${far(flight.carry_m)} from the plate in ${park.name}`,
       foul: "foul",
-    }[end.outcome];
+    };
+    const what = outcomes[end.outcome];
     const name = end.outcome === "home run" ? "Home run: " : end.outcome === "foul" ? "" : "In play: ";
     return `${name}${what}. Out in ${count} of ${of} ${of === 1 ? "park" : "parks"}.`.replace(/^./, (letter) => letter.toUpperCase());
   },
 
+  /** @param {{ launch: Answer, swing: Answer }} given */
   start({ launch, swing }) {
-    const show = (name, value, digits) => this.app.text(name, value, digits);
-    const size = (name, value) => show(name, Math.abs(value));
+    const show = this.app.text.bind(this.app);
+    const size = (/** @type {string} */ name, /** @type {number} */ value) => show(name, Math.abs(value));
     const { launch_angle_rad: up, spray_rad: spray, backspin_rad_s: back, sidespin_rad_s: bend } = launch;
     const side = Math.abs(spray) < 5e-4 ? "to centre field" : `${size("a_rad", spray)} to ${spray < 0 ? "left" : "right"} field`;
     const words = `The ball leaves at ${show("v_m_s", launch.exit_speed_m_s)}, ${size("a_rad", up)} ${up < 0 ? "down" : "up"}, ${side}, ` +
@@ -192,13 +215,12 @@ export const view = {
     return swing ? `${words} The bat moves at ${show("v_m_s", swing.bat_speed_m_s)} where they meet.` : words;
   },
 
+  /** @param {{ parks: Answer[] }} given */
   listOfParks({ parks }) {
     const sorted = [...parks].sort((a, b) => (b.clearance_m ?? -1e3) - (a.clearance_m ?? -1e3));
-    const table = tableOf("Outcome in every park, the easiest first; chance: with what balls, spin and weather scatter by", ["Park", "Outcome", "Chance", "Above the fence", "Fence, or carry"], sorted.map((row) => [
+    return tableOf("Outcome in every park, the easiest first; chance: with what balls, spin and weather scatter by", ["Park", "Outcome", "Chance", "Above the fence", "Fence, or carry"], sorted.map((row) => [
       { text: row.park, note: row.team }, { text: WORDS[row.outcome], className: CLASSES[row.outcome] ?? "" }, this.app.text("share", row.chance, 0),
       row.clearance_m === null ? "–" : this.app.text("distance", row.clearance_m), this.app.text("distance", row.distance_m)]));
-    table.classList.add("parks");
-    return table;
   },
 
   unmount() {

@@ -3,9 +3,12 @@
 import { FONT, Surface, arrow, haloText, ticks } from "../surface.js";
 /** @import { Point } from "../surface.js" */
 import { fromShown, toShown, unitOf } from "../units.js";
-/** @import { App } from "../main.js" */
+/** @import { Answer, App, State } from "../main.js" */
+/** @import { Way } from "../batpaint.js" */
 
+/** @typedef {(right: number, out: number) => Point} Placing from a place on the field, m from home, to a pixel */
 const LEFT = 42, RIGHT = 14, TOP = 16, FOOT = 34;
+const ROW = 16;
 const BASE = 27.432; // m between bases
 const MOUND = 18.44;
 
@@ -38,6 +41,10 @@ function dot(context, [x, y], radius, color) {
 }
 
 // Where a ball is at a moment, straight between the points of its path.
+/**
+ * @param {{ time_s: number[] }} given
+ * @param {number} moment
+ */
 function placeAt({ time_s: times, ...path }, moment) {
   let i = times.findIndex((time) => time >= moment);
   if (i < 0) i = times.length - 1;
@@ -55,15 +62,17 @@ export class SidePicture {
     this.element = this.surface.element;
   }
 
+  /** @param {Answer} answer */
   draw(answer) {
     this.data = answer;
-    const far = (value) => this.app.text("distance", value);
+    const far = (/** @type {number} */ value) => this.app.text("distance", value);
     this.surface.label(`The flight from the side: ${far(answer.flight.apex_m)} high at its apex, ${far(answer.flight.carry_m)} of carry, ` +
       `${answer.end.clearance_m === null ? "not reaching the fence" : `${far(Math.abs(answer.end.clearance_m))} ${answer.end.clearance_m > 0 ? "above" : "below"} the fence's top`}.`);
     this.surface.draw();
   }
 
   // The ball on its way; null: the whole path.
+  /** @param {number} moment */
   at(moment) {
     this.moment = moment;
     this.surface.draw();
@@ -80,26 +89,33 @@ export class SidePicture {
   fence() {
     const { park, end } = this.data;
     const wanted = Math.min(park.direction_rad.at(-1), Math.max(park.direction_rad[0], end.direction_rad));
-    const at = park.direction_rad.findIndex((direction) => direction >= wanted - 1e-9);
+    const at = park.direction_rad.findIndex((/** @type {number} */ direction) => direction >= wanted - 1e-9);
     return { distance: park.distance_m[at], height: park.height_m[at] };
   }
 
+  /** @param {number} width */
   tall(width) {
     if (!this.data) return 200;
     const { far, high } = this.reach();
-    return Math.max(150, TOP + FOOT + (high / far) * (width - LEFT - RIGHT));
+    const room = TOP + FOOT + (high / far) * (width - LEFT - RIGHT);
+    return Math.max(150, ROW * Math.ceil(room / ROW)); // in steps, so that what lies below seldom moves
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} width
+   * @param {number} height
+   */
   paint(context, width, height) {
     if (!this.data) return;
     const { colors } = this.app;
     const { far } = this.reach();
     const scale = (width - LEFT - RIGHT) / far;
-    const [across, up] = [(x) => LEFT + x * scale, (z) => height - FOOT - z * scale];
+    const [across, up] = [(/** @type {number} */ x) => LEFT + x * scale, (/** @type {number} */ z) => height - FOOT - z * scale];
     this.paintAxes(context, { width, height, across, up, far, scale });
     const { path, path_without_air: vacuum, end } = this.data;
     const { distance, height: top } = this.fence();
-    const points = ({ distance_m, up_m }) => distance_m.map((x, i) => [across(x), up(up_m[i])]);
+    const points = (/** @type {{ distance_m: number[], up_m: number[] }} */ { distance_m, up_m }) => distance_m.map((x, i) => /** @type {Point} */ ([across(x), up(up_m[i])]));
     context.save();
     context.beginPath();
     context.rect(LEFT, 0, width - LEFT - RIGHT, height - FOOT + 6);
@@ -127,6 +143,10 @@ export class SidePicture {
     haloText(context, "without air", Math.min(width - 80, across(vacuum.distance_m[high])), Math.max(10, up(vacuum.up_m[high]) - 9), colors.muted, colors.panel);
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {{ width: number, height: number, across: Way, up: Way, far: number, scale: number }} given
+   */
   paintAxes(context, { width, height, across, up, far, scale }) {
     const { colors, units } = this.app;
     Object.assign(context, { font: `11px ${FONT}`, fillStyle: colors.muted, textAlign: "right", textBaseline: "middle" });
@@ -150,7 +170,7 @@ export class SidePicture {
 export class FieldPicture {
   // onLand({ distance, direction }, { last }): where the ball comes down is dragged; onWind: the wind's arrow is.
   /** @param {App} app */
-  constructor(app, { onLand, onWind }) {
+  constructor(app, /** @type {{ onLand: (place: { distance: number, direction: number }, on: { last: boolean }) => boolean, onWind: (wind: { wind_speed_mph: number, wind_direction_deg: number }, on: { last: boolean }) => void }} */ { onLand, onWind }) {
     this.app = app;
     this.data = null;
     this.moment = null;
@@ -175,6 +195,10 @@ export class FieldPicture {
   }
 
   // The arrow's length is the wind's speed, as it is painted.
+  /**
+   * @param {number} x
+   * @param {number} y
+   */
   windFrom(x, y) {
     const [right, out] = [x - this.vane[0], this.vane[1] - y];
     const speed = Math.min(50, Math.max(0, Math.round((Math.hypot(right, out) - 8) / 0.6)));
@@ -182,16 +206,22 @@ export class FieldPicture {
     return { wind_speed_mph: speed, wind_direction_deg: degrees };
   }
 
+  /** @param {number} moment */
   at(moment) {
     this.moment = moment;
     this.surface.draw();
   }
 
+  /** @param {Answer[] | null} fences */
   others(fences) {
     this.fences = fences;
     this.surface.draw();
   }
 
+  /**
+   * @param {Answer} answer
+   * @param {State} state
+   */
   draw(answer, state) {
     this.data = answer;
     this.state = state;
@@ -199,6 +229,11 @@ export class FieldPicture {
     this.surface.draw();
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} width
+   * @param {number} height
+   */
   paint(context, width, height) {
     if (!this.data) return;
     const { colors } = this.app;
@@ -208,7 +243,8 @@ export class FieldPicture {
     const scale = Math.min((height - 30) / (reach + 6), width / (2 * wide));
     /** @type {(right: number, out: number) => Point} */
     const at = (right, out) => [width / 2 + right * scale, height - 14 - (out + 4) * scale];
-    const fence = park.right_m.map((right, i) => at(right, park.out_m[i]));
+    /** @type {Point[]} */
+    const fence = park.right_m.map((/** @type {number} */ right, /** @type {number} */ i) => at(right, park.out_m[i]));
     this.plate = at(0, 0);
     this.scale = scale;
     this.vane = [46, height - 66];
@@ -219,9 +255,9 @@ export class FieldPicture {
     context.fillStyle = colors.grass;
     context.fill();
     this.paintInfield(context, at, scale, fence);
-    for (const other of this.fences ?? []) line(context, other.right_m.map((right, i) => at(right, other.out_m[i])), { color: colors.line, width: 0.7 });
+    for (const other of this.fences ?? []) line(context, other.right_m.map((/** @type {number} */ right, /** @type {number} */ i) => at(right, other.out_m[i])), { color: colors.line, width: 0.7 });
     this.paintFence(context, fence, park.height_m);
-    line(context, path.right_m.map((right, i) => at(right, path.out_m[i])), { color: colors.red, width: 2.6 });
+    line(context, path.right_m.map((/** @type {number} */ right, /** @type {number} */ i) => at(right, path.out_m[i])), { color: colors.red, width: 2.6 });
     dot(context, at(path.right_m.at(-1), path.out_m.at(-1)), 6, colors.red);
     if (this.moment !== null) {
       const here = placeAt(path, this.moment);
@@ -239,14 +275,19 @@ export class FieldPicture {
   }
 
   // Dirt and grass of the infield, the bases and the foul lines.
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Placing} at
+   * @param {number} scale
+   * @param {Point[]} fence
+   */
   paintInfield(context, at, scale, fence) {
     const { colors } = this.app;
     context.save();
     context.beginPath();
     context.moveTo(...at(0, -2));
-    context.lineTo(...fence[0]);
-    context.lineTo(fence.at(-1)[0], fence[0][1]);
-    context.lineTo(...fence.at(-1));
+    const [first, last] = [fence[0], fence[fence.length - 1]];
+    for (const [x, y] of [first, [last[0], first[1]], last]) context.lineTo(x, y);
     context.closePath();
     context.clip();
     context.beginPath();
@@ -260,12 +301,17 @@ export class FieldPicture {
     context.closePath();
     context.fillStyle = colors.grass;
     context.fill();
-    line(context, [fence[0], at(0, 0), fence.at(-1)], { color: colors.paper, width: 1.5 });
+    line(context, [first, at(0, 0), last], { color: colors.paper, width: 1.5 });
     for (const [right, out] of [[0, 0], [h, h], [0, 2 * h], [-h, h]]) dot(context, at(right, out), 2.5, colors.ink);
     dot(context, at(0, MOUND), 2.5, colors.ink);
   }
 
   // The fence is the thicker the higher it is.
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Answer} fence
+   * @param {number[]} heights
+   */
   paintFence(context, fence, heights) {
     const { colors } = this.app;
     for (let i = 1; i < fence.length; i += 1) {
@@ -273,6 +319,11 @@ export class FieldPicture {
     }
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Answer} fence
+   * @param {Answer} park
+   */
   paintDistances(context, fence, park) {
     const { colors } = this.app;
     const last = fence.length - 1;
@@ -286,8 +337,9 @@ export class FieldPicture {
   }
 
   // Down in the corner, where no ball goes; it can be dragged.
+  /** @param {CanvasRenderingContext2D} context */
   paintWind(context) {
-    const { wind_speed_mph: speed, wind_direction_deg: to } = this.state;
+    const { wind_speed_mph: speed, wind_direction_deg: to } = this.state ?? {};
     const { colors } = this.app;
     const [[x, y], angle] = [this.vane, (to * Math.PI) / 180];
     Object.assign(context, { strokeStyle: colors.line, lineWidth: 1 });

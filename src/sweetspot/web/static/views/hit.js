@@ -5,24 +5,26 @@ import { Bench, ballGroup, swingGroup } from "../bench.js";
 import { group, slider, toggle } from "../controls.js";
 import { Film, LEAD } from "../film.js";
 import { paintEnd, paintSide, sideHeight } from "../filmscene.js";
+import { HowSure } from "../howsure.js";
 import { Ledger } from "../ledger.js";
-import { factList } from "../parts.js";
+import { factList, write } from "../parts.js";
 import { Surface } from "../surface.js";
 import { Transport } from "../transport.js";
-/** @import { View } from "../main.js" */
+/** @import { Answer, View } from "../main.js" */
 /** @import { Fact } from "../parts.js" */
 
 const PANELS = [
   { title: "Force on the ball", kind: "force_n", height: 84, zero: true, lines: [{ key: "force_n", color: "red", fill: true }] },
   { title: "Speed of the bat under the top hand", kind: "hand_velocity_m_s", height: 84, lines: [{ key: "hand", color: "purple" }] },
 ];
+const FILMED = ["held", "duration_ms", "moment_ms", "exaggeration", "recoil", "slowness"]; // what the hit's numbers do not depend on
 /** @type {Fact[]} */
 const FACTS = [
   ["Exit speed", (a) => ["exit_speed_m_s", a.hit.exit_speed_m_s]],
   ["Push over, below 1 % of its peak", (a) => ["contact_time_s", a.hit.contact_time_s]],
   ["Ball free", (a) => ["release_time_s", a.hit.release_time_s]],
   ["Peak force", (a) => ["peak_force_n", a.hit.peak_force_n]],
-  ["Ball pressed in by", (a) => ["peak_compression_m", a.hit.peak_compression_m]],
+  ["Ball pressed in by", (a) => ["pressed", a.hit.peak_compression_m]],
   ["Wave reaches the top hand", (a) => ["arrival_s", a.hands.arrival_s]],
   ["Push given by then", (a) => ["given_pct", a.hands.impulse_given === null ? null : 100 * a.hands.impulse_given]],
 ];
@@ -53,12 +55,13 @@ export const view = {
       label: "Force and the hands' motion in time", panels: PANELS, axis: { kind: "time_s", label: "after first touch" },
       onPick: (moment, { last }) => this.pick(moment, last),
     });
-    this.ledger = new Ledger(app, { onPick: (moment, { last }) => this.pick(moment, last) });
+    this.ledger = new Ledger(app, { onPick: (/** @type {number} */ moment, /** @type {{ last: boolean }} */ { last }) => this.pick(moment, last) });
     this.transport = new Transport(app, {
       field: "moment_ms", onMoment: () => this.paint(), describe: (moment) => this.describe(moment),
     });
     this.words = Object.assign(document.createElement("p"), { className: "verdict flow", id: "verdict" });
     this.facts = factList(FACTS, app);
+    this.sure = new HowSure(app, { but: FILMED });
     root.append(this.controls(), this.pictures());
     this.transport.keys(root);
   },
@@ -71,7 +74,7 @@ export const view = {
     times.append(this.chart.element, this.ledger.chart.element);
     pair.append(this.end.element, times);
     this.side.element.classList.add("pinned");
-    picture.append(this.words, this.side.element, this.transport.element, pair, this.ledger.element, this.facts.element);
+    picture.append(this.words, this.side.element, this.transport.element, pair, this.ledger.element, this.facts.element, this.sure.element);
     return picture;
   },
 
@@ -102,11 +105,12 @@ export const view = {
     }
     this.state = state;
     this.facts.fill(answer);
+    this.sure.update();
     this.ledger.set(this.film, this.series);
     this.transport.set({ from: -LEAD, to: this.film.end, frames: this.film.times, slowness: state.slowness });
     this.bench.update(answer);
     this.say(answer);
-    this.paint();
+    if (!this.transport.moving) this.paint(); // while it plays, every frame does
     if (!this.started && !this.app.calm && !new URLSearchParams(location.search).has("moment_ms")) {
       this.transport.moment = -LEAD;
       this.transport.play();
@@ -142,12 +146,17 @@ export const view = {
     this.ledger.draw(moment);
   },
 
+  /**
+   * @param {number} moment
+   * @param {boolean} last
+   */
   pick(moment, last) {
     this.transport.pause();
     this.transport.show(moment);
     if (last) this.transport.rest();
   },
 
+  /** @param {number} moment */
   describe(moment) {
     const { film, app } = this;
     const short = app.text("moment_s", moment, 2);
@@ -161,15 +170,16 @@ export const view = {
     return { short, long: `${short} after first touch: ${ball}; ${hands}` };
   },
 
+  /** @param {{ bat: Answer, hit: Answer, hands: Answer }} given */
   say({ bat, hit, hands }) {
-    const time = (seconds) => this.app.text("time_s", seconds, 2);
+    const time = (/** @type {number} */ seconds) => this.app.text("time_s", seconds, 2);
     const back = `What the hands do about it could be back at the ball after ${time(2 * hands.arrival_s)}, `;
     const wave = hands.arrival_s === null ? "No wave to speak of reaches the top hand in this film."
       : `The wave reaches the top hand ${time(hands.arrival_s)} after first touch, when the ball has had ${this.app.text("given_pct", 100 * hands.impulse_given, 0)} of its push. ` +
         back + (2 * hands.arrival_s > hit.contact_time_s ? "too late." : "while ball and bat still push each other.");
-    const words = `${bat.name}: the push is over ${time(hit.contact_time_s)} after first touch. ${wave}`;
+    const words = [`${bat.name}: the push is over ${time(hit.contact_time_s)} after first touch.`, wave, ...hit.touched_again[this.app.units]].join(" ");
     if (this.words.textContent !== words) this.app.announce(words);
-    this.words.textContent = words;
+    write(this.words, words);
     this.side.label(`Ball and bat from the side, ${this.state.exaggeration} times its motion. ${words}`);
     this.chart.label(`Force on the ball, at most ${this.app.text("force_n", hit.peak_force_n)}, and speed of the bat under the top hand, in time.`);
     this.end.label("Barrel and ball from the end, where the ball meets it.");
@@ -185,7 +195,7 @@ export const view = {
 
   table() {
     const { film, hands, hoop, energy_j: energy } = this.film.answer;
-    const dents = Object.fromEntries((hoop?.harmonics ?? []).map((n, i) => [`wall_dent_harmonic_${n}_m`, hoop.dent_m[i]]));
+    const dents = Object.fromEntries((hoop?.harmonics ?? []).map((/** @type {number} */ n, /** @type {number} */ i) => [`wall_dent_harmonic_${n}_m`, hoop.dent_m[i]]));
     return {
       time_s: film.time_s, force_n: film.force_n, compression_m: film.compression_m, ball_travel_m: film.ball_travel_m,
       hand_displacement_m: hands.displacement_m, hand_velocity_m_s: hands.velocity_m_s,

@@ -3,10 +3,11 @@
 import { Bench } from "../bench.js";
 import { button, group, slider, toggle } from "../controls.js";
 import { Stage, paintMotion } from "../modescene.js";
+import { make, partOf } from "../parts.js";
 import { Surface } from "../surface.js";
 import { strike } from "../tapsound.js";
 import { INCH } from "../units.js";
-/** @import { View } from "../main.js" */
+/** @import { Answer, View } from "../main.js" */
 
 const PERIOD = 1400; // ms on the screen of one swing to and fro, whatever its real frequency
 const MOST_ROWS = 14;
@@ -31,7 +32,7 @@ export const view = {
     });
     this.stage.element.style.cursor = "ew-resize";
     this.stage.element.classList.add("pinned");
-    this.stage.drags(({ x, last }) => this.tapAt(x, last));
+    this.stage.drags((/** @type {{ x: number, last: boolean }} */ { x, last }) => this.tapAt(x, last));
     this.words = Object.assign(document.createElement("p"), { className: "verdict flow", id: "verdict" });
     this.toggle = button("Play", () => (this.stop ? this.pause() : this.play()), { primary: true, title: "Play or pause (K)" });
     this.toggle.id = "play";
@@ -44,7 +45,12 @@ export const view = {
     Object.assign(this.rowsBox, { tabIndex: 0 }).setAttribute("role", "region");
     this.rowsBox.setAttribute("aria-label", "List of the motions");
     this.aside = Object.assign(document.createElement("p"), { className: "note" });
-    picture.append(this.words, this.stage.element, row, this.rowsBox, this.aside);
+    this.all = false;
+    this.more = button("", () => {
+      this.all = !this.all;
+      this.list();
+    });
+    picture.append(this.words, this.stage.element, row, this.rowsBox, this.more, this.aside);
     root.append(this.controls(), picture);
     this.heard = new AbortController();
     root.addEventListener("keydown", (event) => this.key(event), { signal: this.heard.signal });
@@ -67,12 +73,17 @@ export const view = {
     return side;
   },
 
+  /** @param {KeyboardEvent} event */
   key(event) {
-    if (event.key.toLowerCase() !== "k" || event.target.matches("input[type=number], select") || event.ctrlKey || event.metaKey) return;
+    if (event.key.toLowerCase() !== "k" || !(event.target instanceof Element) || event.target.matches("input[type=number], select") || event.ctrlKey || event.metaKey) return;
     event.preventDefault();
     this.toggle.click();
   },
 
+  /**
+   * @param {number} pixel
+   * @param {boolean} last
+   */
   tapAt(pixel, last) {
     if (!this.answer) return;
     const stage = new Stage(this.answer, this.stage.width);
@@ -83,8 +94,8 @@ export const view = {
   // The chosen motion, or the one like it on another bat.
   motion() {
     const { family, number } = this.state;
-    const same = this.answer.modes.filter((one) => one.family === family);
-    return same[Math.min(number, same.length) - 1] ?? this.answer.modes.find((one) => one.family === "bending");
+    const same = this.answer.modes.filter((/** @type {Answer} */ one) => one.family === family);
+    return same[Math.min(number, same.length) - 1] ?? this.answer.modes.find((/** @type {Answer} */ one) => one.family === "bending");
   },
 
   update(answer, state) {
@@ -104,7 +115,7 @@ export const view = {
     const { answer, state, app } = this;
     return {
       answer, motion: this.motion(), phase: this.phase, size: state.exaggeration, both: !this.stop, colors: app.colors,
-      text: (name, value, digits) => app.text(name, value, digits),
+      text: (/** @type {string} */ name, /** @type {number} */ value, /** @type {number=} */ digits) => app.text(name, value, digits),
     };
   },
 
@@ -129,23 +140,29 @@ export const view = {
 
   list() {
     const rows = this.answer.modes.slice(0, MOST_ROWS);
-    const shape = JSON.stringify(rows.map((row) => [row.family, row.number, row.shape]));
+    const shape = JSON.stringify(rows.map((/** @type {Answer} */ row) => [row.family, row.number, row.shape]));
     if (shape !== this.listed) {
       this.listed = shape;
       this.rows(rows);
     }
     const chosen = this.motion();
-    const most = Math.max(...rows.map((row) => row.tap.hand_speed_m_s_per_n_s));
-    rows.forEach((row, i) => {
+    const most = Math.max(...rows.map((/** @type {Answer} */ row) => row.tap.hand_speed_m_s_per_n_s));
+    rows.forEach((/** @type {Answer} */ row, /** @type {number} */ i) => {
       const cells = this.cells[i];
+      if (worthShowing(row) || row === chosen) this.woken.add(i);
+      cells.line.hidden = !this.all && !this.woken.has(i);
       cells.input.checked = row.family === chosen.family && row.number === chosen.number;
       const share = row.tap.energy_share;
       bar(cells.share, share, share === null ? "–" : percent(share));
       const felt = row.tap.hand_speed_m_s_per_n_s;
       bar(cells.felt, felt / (most || 1), this.app.text("sting", felt));
     });
+    const quiet = rows.length - this.woken.size;
+    this.more.hidden = quiet === 0;
+    this.more.textContent = this.all ? "Leave out what is hardly woken" : `Show ${quiet} more, which are hardly woken`;
   },
 
+  /** @param {Answer[]} rows */
   rows(rows) {
     const held = document.activeElement?.matches("[name=motion]") ?? false;
     const heads = ["Motion", "Frequency", "Damping", "Dies away in", "Share of the tap's energy", "Felt at the hands after 1 N s"];
@@ -168,8 +185,9 @@ export const view = {
       for (const cell of cells.slice(1, 4)) cell.className = "number";
       for (const [i, cell] of cells.entries()) if (i > 0) cell.dataset.label = heads[i];
       table.append(line);
-      return { input, share: cells[4], felt: cells[5] };
+      return { line, input, share: cells[4], felt: cells[5] };
     });
+    this.woken = new Set(); // rows that some tap has woken so far: none goes while one drags
     this.rowsBox.replaceChildren(table);
     if (held) /** @type {HTMLElement | null} */ (table.querySelector(":checked"))?.focus();
   },
@@ -177,17 +195,19 @@ export const view = {
   say() {
     const { answer, app } = this;
     const motion = this.motion();
-    const place = (node) => app.text("node_m", answer.bat.length_m - node);
+    const place = (/** @type {number} */ node) => app.text("node_m", answer.bat.length_m - node);
     const hertz = app.text("f_hz", motion.frequency_hz);
     const still = motion.nodes_m.map(place).reverse();
     const where = still.length ? `It stands still ${listed(still)} from the tip.` : "It stands still nowhere along the bat.";
     const share = motion.tap.energy_share;
     const tap = share === null ? "" : ` The tap ${place(answer.tap.position_m)} from the tip gives it ${percent(share)} of the vibration's energy.`;
-    const words = {
+    /** @type {Record<string, string>} */
+    const told = {
       rigid: `${nameOf(motion)}: the bat moves without bending.`,
       hoop: `${nameOf(motion)}, ${hertz}: the barrel goes out of round with ${motion.harmonic} waves around it and ${motion.axial} half ${motion.axial === 1 ? "wave" : "waves"} along it.`,
       hand: `${nameOf(motion)}, ${hertz}: hands and bat against each other, on the hands' flesh.`,
-    }[motion.family] ?? `${nameOf(motion)}, ${hertz}.`;
+    };
+    const words = told[motion.family] ?? `${nameOf(motion)}, ${hertz}.`;
     this.words.textContent = `${words} ${where}${tap}`;
     this.speed.textContent = motion.frequency_hz ? `slowed down ${Math.round((motion.frequency_hz * PERIOD) / 1000)} times, drawn larger than life` : "drawn larger than life";
     this.stage.label(`${answer.bat.name}. ${this.words.textContent}`);
@@ -207,26 +227,35 @@ export const view = {
 
   table() {
     const { modes } = this.answer;
-    const shapes = Object.fromEntries(modes.map((row) => [`shape_${row.family}_${row.number}_${Math.round(row.frequency_hz)}_hz`, row.shape]));
+    const shapes = Object.fromEntries(modes.map((/** @type {Answer} */ row) => [`shape_${row.family}_${row.number}_${Math.round(row.frequency_hz)}_hz`, row.shape]));
     return { position_m: this.answer.place_m, ...shapes };
   },
 };
 
+/** @param {{ family: string, number: number, harmonic: number, axial: number, nodes_m: number[] }} given */
 function nameOf({ family, number, harmonic, axial, nodes_m: nodes }) {
   if (family === "hoop") return `Hoop ${harmonic}.${axial}`;
   if (family === "rigid") return nodes.length ? "Turn" : "Push";
   return `${family === "hand" ? "Hands" : "Bending"} ${number}`;
 }
 
-const percent = (share) => (share > 0 && share < 1e-4 ? "< 0.01 %" : `${(100 * share).toFixed(share < 0.01 ? 2 : 1)} %`);
-const listed = (words) => (words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} and ${words.at(-1)}`);
+// Whether a tap wakes a motion so that a number shows it; rigid motions have no share of the vibration.
+const worthShowing = (/** @type {{ tap: { energy_share: number, hand_speed_m_s_per_n_s: number } }} */ { tap: { energy_share: share, hand_speed_m_s_per_n_s: felt } }) => share === null || share >= 1e-3 || felt >= 0.05;
+const percent = (/** @type {number} */ share) => (share > 0 && share < 1e-4 ? "< 0.01 %" : `${(100 * share).toFixed(share < 0.01 ? 2 : 1)} %`);
+const listed = (/** @type {string[]} */ words) => (words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} and ${words.at(-1)}`);
 
+/**
+ * @param {HTMLElement} cell
+ * @param {number} part
+ * @param {string} words
+ */
 function bar(cell, part, words) {
-  if (!cell.firstChild) cell.append(Object.assign(document.createElement("span"), { className: "bar" }), "");
-  cell.firstChild.style.width = `calc(${Math.min(1, Math.max(0, part ?? 0)).toFixed(3)} * var(--bar))`;
-  cell.lastChild.textContent = words;
+  if (!cell.firstElementChild) cell.append(make("span", { className: "bar" }), "");
+  partOf(cell, ".bar", HTMLElement).style.width = `calc(${Math.min(1, Math.max(0, part ?? 0)).toFixed(3)} * var(--bar))`;
+  /** @type {ChildNode} */ (cell.lastChild).textContent = words;
 }
 
+/** @param {{ shape: number[] }} given */
 function thumbnail({ shape }) {
   const space = "http://www.w3.org/2000/svg";
   const svg = document.createElementNS(space, "svg");

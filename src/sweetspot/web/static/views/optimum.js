@@ -39,7 +39,7 @@ export const view = {
     this.map.element.classList.add("pinned");
     this.swing = new DocumentPlace(app, "Searching the best contact …");
     this.parks = new DocumentPlace(app, "Searching every park …");
-    const section = (title, ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
+    const section = (/** @type {string} */ title, /** @type {(Node | string)[]} */ ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
     root.append(side, make("div", { className: "stack" },
       section("How high to send it", this.words, this.map.element, this.map.numbers.element), section("How to swing", this.swing.element),
       section("The slowest home run of every park", this.parks.element)));
@@ -49,7 +49,7 @@ export const view = {
     this.answer = answer;
     this.bench.update(answer);
     const { launch, map } = answer;
-    const show = (name, value, digits) => this.app.text(name, value, digits);
+    const show = this.app.text.bind(this.app);
     this.words.textContent = `A ball at ${show("v_m_s", launch.exit_speed_m_s)} carries farthest at ${show("a_rad", launch.launch_angle_rad)}: ${show("distance", launch.carry_m)}.`;
     this.app.announce(this.words.textContent);
     this.map.draw({ x: map.exit_speed_m_s, y: map.launch_angle_rad, z: map.carry_m, cross: [launch.exit_speed_m_s, launch.launch_angle_rad] });
@@ -67,7 +67,7 @@ export const view = {
     const { map } = this.app.answer;
     /** @type {Record<string, unknown[]>} */
     const columns = { exit_speed_m_s: [], launch_angle_rad: [], carry_m: [], chance: [] };
-    map.launch_angle_rad.forEach((angle, row) => map.exit_speed_m_s.forEach((speed, column) => {
+    map.launch_angle_rad.forEach((/** @type {number} */ angle, /** @type {number} */ row) => map.exit_speed_m_s.forEach((/** @type {number} */ speed, /** @type {number} */ column) => {
       columns.exit_speed_m_s.push(speed);
       columns.launch_angle_rad.push(angle);
       columns.carry_m.push(map.carry_m[row][column]);

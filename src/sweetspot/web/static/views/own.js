@@ -3,13 +3,14 @@
 import { BatView } from "../batview.js";
 import { Bench, unchanged } from "../bench.js";
 import { button, choice, group, slider } from "../controls.js";
-import { download } from "../exports.js";
+import { download } from "../download.js";
 import { Lights, stateOf } from "../lights.js";
-import { make, paragraphs, tableOf, withDoubt } from "../parts.js";
+import { make, paragraphs, tableOf, withDoubt, write } from "../parts.js";
 import { takeDrops } from "../upload.js";
 import { TapPlace } from "./own_tap.js";
-/** @import { App, View } from "../main.js" */
+/** @import { Answer, App, View } from "../main.js" */
 
+/** @type {Record<string, number>} */
 const DIGITS = { mass: 2, density: 0, share: 2 };
 const SOUND = /\.(wav|flac|ogg|mp3|aiff)$/i;
 
@@ -37,7 +38,7 @@ export const view = {
     this.rules = new Lights("Rules");
     this.said = make("p", { className: "note" });
     this.said.setAttribute("role", "status");
-    const section = (title, ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
+    const section = (/** @type {string} */ title, /** @type {(Node | string)[]} */ ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
     root.append(this.side(app), make("div", { className: "stack" },
       make("section", { className: "picture" }, this.words, this.picture.element, this.against, this.residuals, this.tools(app), this.said),
       section("Tap it", this.tap.element), section("How sure", this.values, this.doubt, this.rules.element)));
@@ -46,9 +47,9 @@ export const view = {
 
   /** @param {App} app */
   side(app) {
-    const guess = (field) => () => app.answer?.guesses[field] ?? null;
+    const guess = (/** @type {string} */ field) => () => app.answer?.guesses[field] ?? null;
     // Where what was measured is just what stands there already, the slider need not be moved.
-    const none = (field, shown) => make("div", { className: "row tight" }, button("As shown", () => app.setState({ [field]: app.state[field] ?? Math.round(1000 * shown()) / 1000 })),
+    const none = (/** @type {string} */ field, /** @type {Answer} */ shown) => make("div", { className: "row tight" }, button("As shown", () => app.setState({ [field]: app.state[field] ?? Math.round(1000 * shown()) / 1000 })),
       button("Not measured", () => app.setState({ [field]: null })));
     const leagues = app.lists("leagues").then(({ leagues: all }) => [["usual", "usual for this bat"], ...all.map(({ key, name }) => [key, name])]);
     return make("div", { className: "side" }, this.bench.element,
@@ -65,7 +66,7 @@ export const view = {
 
   /** @param {App} app */
   tools(app) {
-    const file = async (then) => {
+    const file = async (/** @type {(toml: string) => void} */ then) => {
       this.said.textContent = "";
       try {
         const { toml } = await app.ask("own/file", app.state);
@@ -94,28 +95,31 @@ export const view = {
     this.tap.draw(answer);
     const off = answer.contradictions[app.units];
     this.against.hidden = off.length === 0;
-    paragraphs(this.against, off.map((words) => words.replace(/, or --leave-out '[^']*'/, ", or leave it out")));
+    paragraphs(this.against, off.map((/** @type {string} */ words) => words.replace(/, or --leave-out '[^']*'/, ", or leave it out")));
     this.measurements(answer.measurements);
-    this.sure(answer);
-    this.light(answer.rules);
+    app.afterwards(this.values, () => {
+      this.sure(answer);
+      this.light(answer.rules);
+    });
     for (const one of this.bringers) one.disabled = !answer.values.length || off.length > 0;
     this.say(answer);
   },
 
+  /** @param {Answer[]} rows */
   measurements(rows) {
     const { app } = this;
     const left = app.state.left_out;
     if (!rows.length) {
-      this.residuals.replaceChildren(make("p", { className: "note", textContent: "Nothing measured yet: move a slider on the left to what you measured, or tap." }));
+      this.residuals.replaceChildren(make("p", { className: "note", textContent: "Nothing measured yet: set a slider of Scale, Balance or Pendulum to what you measured, or tap." }));
       return;
     }
-    const show = (one, value) => app.text(one.scale, value, one.digits);
+    const show = (/** @type {Answer} */ one, /** @type {number} */ value) => app.text(one.scale, value, one.digits);
     const box = tableOf("What was measured, and what the bat that fits all of it says", ["Measured", "value (90 %)", "the fitted bat", "off by", ""], rows.map((one) => [
       one.name, `${show(one, one.value)} ± ${show(one, one.half)}`, show(one, one.fitted),
       one.counts ? { text: `${one.sigma >= 0 ? "+" : "−"}${Math.abs(one.sigma).toFixed(1)} sigma`, className: Math.abs(one.sigma) > 3 ? "bad" : "" } : "left out", ""]));
     box.querySelectorAll("tbody tr").forEach((row, i) => {
       const { name, counts } = rows[i];
-      const act = button(counts ? "Leave out" : "Count it", () => app.setState({ left_out: counts ? [...left, name] : left.filter((one) => one !== name) }));
+      const act = button(counts ? "Leave out" : "Count it", () => app.setState({ left_out: counts ? [...left, name] : left.filter((/** @type {Answer} */ one) => one !== name) }));
       act.setAttribute("aria-label", `${counts ? "Leave out" : "Count"}: ${name}`);
       row.lastElementChild?.replaceChildren(act);
     });
@@ -123,18 +127,19 @@ export const view = {
   },
 
   // What is known now, and beside it how the intervals have shrunk.
+  /** @param {Answer} given */
   sure({ values, unknowns, budget }) {
     const { app } = this;
-    const told = values.length ? [tableOf("The bat, with 90 % intervals", ["", "value", "known from"], values.map(({ label, scale, value, half, known_from: from }) => (
+    const told = values.length ? [tableOf("The bat, with 90 % intervals", ["", "value", "known from"], values.map((/** @type {{ label: string, scale: string, value: number, half: number, known_from: string }} */ { label, scale, value, half, known_from: from }) => (
       [label, `${app.text(scale, value, DIGITS[scale])} ± ${app.text(scale, half, DIGITS[scale])}`, from])))] : [make("p", { className: "note", textContent: "What the catalogue knows of such wood or metal is all that is known so far." })];
     if (unknowns.length) {
-      const share = (part) => app.text("share", part, 1);
-      const box = tableOf("What was not known: 90 % intervals before and now", ["", "before", "now", "off the description", "what is left comes from"], unknowns.map((one) => [
-        one.label, `±\u00a0${share(one.before)}`, `±\u00a0${share(one.after)}`, share(one.off), one.budget.slice(0, 2).map(({ name, share: part }) => `${name} ${share(part)}`).join(", ")]));
+      const share = (/** @type {Answer} */ part) => app.text("share", part, 1);
+      const box = tableOf("What was not known: 90 % intervals before and now", ["", "before", "now", "off the description", "what is left comes from"], unknowns.map((/** @type {Answer} */ one) => [
+        one.label, `±\u00a0${share(one.before)}`, `±\u00a0${share(one.after)}`, share(one.off), one.budget.slice(0, 2).map((/** @type {{ name: string, share: number }} */ { name, share: part }) => `${name} ${share(part)}`).join(", ")]));
       box.querySelectorAll("tbody tr").forEach((row, i) => {
         const left = make("span");
         left.style.width = `${100 * Math.min(1, unknowns[i].after / unknowns[i].before)}%`;
-        /** @type {HTMLElement} */ (row.lastElementChild).style.minWidth = "14em"; // on a telephone the table is pushed aside
+        row.lastElementChild?.classList.add("sources");
         row.children[2].append(make("span", { className: "shrunk", ariaHidden: "true" }, left));
       });
       told.push(box);
@@ -143,27 +148,31 @@ export const view = {
     paragraphs(this.doubt, budget[app.units]);
   },
 
+  /** @param {Answer[]} rules */
   light(rules) {
     const { app } = this;
+    /** @type {Record<string, string>} */
     const kinds = { m: "length", "kg m^2": "moi" };
     this.rules.show(rules.map(({ verdict, title, value, unit, reason }) => ({
       state: stateOf(verdict), name: title, words: [typeof value === "number" && unit !== "yes or no" ? app.text(kinds[unit] ?? "ratio", value) : "", reason].filter(Boolean).join("; ") })));
   },
 
+  /** @param {Answer} given */
   say({ fitted, values, contradictions, measurements }) {
     const { app } = this;
-    const moi = values.find(({ name }) => name === "moi");
+    const moi = values.find((/** @type {{ name: string }} */ { name }) => name === "moi");
     const swing = withDoubt("moi_kg_m2", fitted.moi_6in_kg_m2, moi?.half ?? fitted.moi_6in_half_kg_m2, app);
     const state = contradictions.us.length ? "The measurements contradict each other. " : measurements.length ? "The measurements agree. " : "As described, not measured: ";
-    this.words.textContent = `${state}${app.text("mass_kg", fitted.mass_kg)}, balance ${app.text("balance_point_m", fitted.balance_point_m, 1)} from the knob, swing weight ${swing}.`;
-    app.announce(this.words.textContent);
-    this.picture.label(`The bat and its balance point. ${this.words.textContent}`);
+    const words = `${state}${app.text("mass_kg", fitted.mass_kg)}, balance ${app.text("balance_point_m", fitted.balance_point_m, 1)} from the knob, swing weight ${swing}.`;
+    write(this.words, words);
+    app.announce(words);
+    this.picture.label(`The bat and its balance point. ${words}`);
   },
 
   unmount() { this.answer = null; },
   figures() { return [this.picture.figure("bat"), this.tap.chart.figure("spectrum")]; },
   table() {
     const rows = this.app.answer.unknowns;
-    return { before: rows.map(({ before }) => before), now: rows.map(({ after }) => after), off: rows.map(({ off }) => off) };
+    return { before: rows.map((/** @type {{ before: string }} */ { before }) => before), now: rows.map((/** @type {{ after: string }} */ { after }) => after), off: rows.map((/** @type {{ off: number }} */ { off }) => off) };
   },
 };

@@ -6,7 +6,7 @@ import { Lights } from "../lights.js";
 import { Listening } from "../listening.js";
 import { make, tableOf } from "../parts.js";
 import { upload, whereTo } from "../upload.js";
-/** @import { App } from "../main.js" */
+/** @import { Answer, App, State } from "../main.js" */
 
 const LARGEST = 60e6; // bytes of a sound
 const PANELS = [{ title: "What rings, dB below the loudest", kind: "level_db", height: 150, empty: [-60, 0], lines: [{ key: "level", label: "the first good tap", color: "blue", width: 1.4 }] }];
@@ -71,12 +71,14 @@ export class TapPlace {
       `${count ? `${count} recording${count > 1 ? "s" : ""}. ` : ""}The dashed lines are where a bat like the one described rings. ${whereTo("The sound")}`;
   }
 
+  /** @param {string} words */
   say(words) {
     this.fault.textContent = words;
     this.fault.hidden = words === "";
   }
 
   // Sounds handed to the server, then all of them heard anew.
+  /** @param {File[]} files */
   async add(files) {
     for (const file of files) {
       if (file.size > LARGEST) {
@@ -109,6 +111,7 @@ export class TapPlace {
     if (!this.signal.aborted) this.app.waits("taps", false);
   }
 
+  /** @param {Answer[]} recordings */
   async ask(recordings) {
     if (!recordings.length) return;
     this.words.textContent = "Listening to what was recorded …";
@@ -126,11 +129,12 @@ export class TapPlace {
     this.heard();
     this.say(found.fault ?? "");
     this.draw(this.app.answer);
-    if (found.damping) this.app.setState({ tones: found.measured.map(([name, hertz, error]) => [name, tidy(hertz), tidy(error)]), damping: tidy(found.damping[0]), damping_error: tidy(found.damping[1]) });
-    this.app.announce(`${found.taps.filter((one) => one.good).length} of ${found.taps.length} taps used.`);
+    if (found.damping) this.app.setState({ tones: found.measured.map((/** @type {[string, number, number]} */ [name, hertz, error]) => [name, tidy(hertz), tidy(error)]), damping: tidy(found.damping[0]), damping_error: tidy(found.damping[1]) });
+    this.app.announce(`${found.taps.filter((/** @type {Answer} */ one) => one.good).length} of ${found.taps.length} taps used.`);
   }
 
   // The same question until it is answered: with the taps that came meanwhile it would be another, begun from the start.
+  /** @param {State} question */
   async answerTo(question) {
     for (;;) {
       try {
@@ -149,6 +153,7 @@ export class TapPlace {
     this.app.setState({ tones: [], damping: null });
   }
 
+  /** @param {Answer} answer */
   draw(answer) {
     if (!answer) return;
     const { found } = kept;
@@ -156,15 +161,15 @@ export class TapPlace {
     const spectrum = found?.spectrum;
     const most = spectrum ? spectrum.frequency_hz.at(-1) : Math.min(2600, 1.1 * answer.expected.at(-1).frequency_hz);
     this.chart.draw({ x: spectrum?.frequency_hz ?? [0, most], lines: { level: spectrum?.level_db ?? [null, null] }, range: [0, most],
-      marks: answer.expected.filter(({ frequency_hz: at }) => at < most).map(({ name, frequency_hz: at }) => ({ at, color: "muted", label: name })) });
-    const said = answer.expected.slice(0, 4).map(({ name, frequency_hz: at }) => `${name} ${app.text("frequency_hz", at)}`).join(", ");
+      marks: answer.expected.filter((/** @type {{ frequency_hz: number }} */ { frequency_hz: at }) => at < most).map((/** @type {{ name: string, frequency_hz: number }} */ { name, frequency_hz: at }) => ({ at, color: "muted", label: name })) });
+    const said = answer.expected.slice(0, 4).map((/** @type {{ name: string, frequency_hz: number }} */ { name, frequency_hz: at }) => `${name} ${app.text("frequency_hz", at)}`).join(", ");
     this.chart.label(`Spectrum of the tap; expected: ${said}.`);
-    this.lights.show((found?.taps ?? []).map(({ recording, time_s: time, good, fault }) => ({
+    this.lights.show((found?.taps ?? []).map((/** @type {{ recording: number, time_s: number, good: boolean, fault: string | null }} */ { recording, time_s: time, good, fault }) => ({
       state: good ? "pass" : "fail", name: `${recording}, ${time.toFixed(2)} s`, words: good ? "used" : fault })));
-    this.tones.replaceChildren(...(found?.tones.length ? [tableOf("The tones of all good taps", ["Mode", "heard", "expected", "damping", "taps"], found.tones.map((one) => [
+    this.tones.replaceChildren(...(found?.tones.length ? [tableOf("The tones of all good taps", ["Mode", "heard", "expected", "damping", "taps"], found.tones.map((/** @type {Answer} */ one) => [
       one.name ?? "no mode of this bat", `${one.frequency_hz.toFixed(1)} ± ${one.half_hz.toFixed(1)} Hz`, one.expected_hz ? `${one.expected_hz.toFixed(0)} Hz` : "–",
       app.text("share", one.damping_ratio, 2), String(one.taps)]))] : []));
   }
 }
 
-const tidy = (value) => Number(value.toPrecision(7));
+const tidy = (/** @type {number} */ value) => Number(value.toPrecision(7));

@@ -3,10 +3,11 @@
 import { Bench, ballGroup, swingGroup } from "../bench.js";
 import { button, group } from "../controls.js";
 import { mathOf, typeset } from "../formula.js";
-import { inReadersUnit, make, tableOf } from "../parts.js";
+import { inReadersUnit, make, tableOf, write } from "../parts.js";
 import { PICTURES } from "./paper_pictures.js";
 import { STEPS } from "./paper_steps.js";
-/** @import { View } from "../main.js" */
+/** @import { Answer, View } from "../main.js" */
+/** @import { Asked } from "./paper_steps.js" */
 
 /** @type {View} */
 export const view = {
@@ -26,7 +27,7 @@ export const view = {
       made.className = "step";
       return made;
     });
-    const list = make("ol", { className: "questions" }, ...this.steps.map((step) => make("li", {}, step)));
+    const list = make("ol", { className: "questions" }, ...this.steps.map((/** @type {HTMLElement} */ step) => make("li", {}, step)));
     const nav = make("nav", { className: "group", ariaLabel: "Questions of the paper" }, make("h2", { textContent: "Questions" }), list);
     this.own = Object.fromEntries(STEPS.map((step) => [step.key, make("div", {}, ...step.controls(app))]));
     this.sliders = group("Move it", Object.values(this.own));
@@ -35,13 +36,14 @@ export const view = {
     this.bench = new Bench(app, { open: false });
     this.said = make("div", { className: "claim" });
     this.formulas = make("div", { className: "formulas" });
+    this.live = make("div", { className: "live" }); // with the numbers of now
     this.slips = make("details", { className: "slips" });
     this.picture = make("div");
     this.rows = make("div");
     this.truth = make("p", { className: "words", id: "verdict" });
     this.turn = make("div", { className: "row" },
       button("Back", () => this.go(-1)), button("Next question", () => this.go(1), { primary: true }));
-    const section = (title, ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
+    const section = (/** @type {string} */ title, /** @type {(Node | string)[]} */ ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
     this.title = make("h1");
     root.append(
       make("div", { className: "side" }, nav, this.bench.element, swingGroup(app, { open: false }), ballGroup(app)),
@@ -50,6 +52,7 @@ export const view = {
         section("Statement by statement", this.rows), this.turn));
   },
 
+  /** @param {string} question */
   choose(question) {
     STEPS.forEach((step, i) => {
       const here = step.key === question;
@@ -59,6 +62,7 @@ export const view = {
     });
   },
 
+  /** @param {number} by */
   go(by) {
     const at = STEPS.findIndex(({ key }) => key === this.app.state.question) + by;
     const next = STEPS[Math.min(STEPS.length - 1, Math.max(0, at))];
@@ -71,23 +75,26 @@ export const view = {
     const step = STEPS.find(({ key }) => key === answer.question) ?? STEPS[0];
     this.bench.update(answer);
     if (this.shown !== step.key) this.show(step);
-    this.formulas.replaceChildren(
-      ...step.formulas.map(([number, source, words]) => formulaRow(number, source, words)),
-      ...step.live(answer, state, this.app).map((source) => formulaRow("now", source, "")));
-    this.truth.textContent = step.truth(answer, state, this.app);
-    this.app.announce(this.truth.textContent);
+    this.live.replaceChildren(...step.live(answer, state, this.app).map((source) => formulaRow("now", source, "")));
+    const truth = step.truth(answer, state, this.app);
+    write(this.truth, truth);
+    this.app.announce(truth);
     this.drawing.draw(answer, state);
-    this.rows.replaceChildren(this.table_(answer.rows));
-    typeset(this.rows);
+    this.app.afterwards(this.rows, () => {
+      this.rows.replaceChildren(this.table_(answer.rows));
+      typeset(this.rows);
+    });
     const at = STEPS.indexOf(step);
     this.turn.firstChild.disabled = at === 0;
     this.turn.lastChild.disabled = at === STEPS.length - 1;
   },
 
+  /** @param {Asked} step */
   show(step) {
     this.shown = step.key;
     this.title.textContent = step.question;
     this.said.replaceChildren(...step.claim.map((text) => make("p", { textContent: text })));
+    this.formulas.replaceChildren(...step.formulas.map(([number, source, words]) => formulaRow(number, source, words)), this.live);
     this.slips.replaceChildren(make("summary", { textContent: "Misprints to know" }),
       make("ul", {}, ...step.slips.map((text) => make("li", { textContent: text }))));
     typeset(this.slips);
@@ -97,8 +104,9 @@ export const view = {
     this.picture.replaceChildren(...this.drawing.elements);
   },
 
+  /** @param {Answer[]} rows */
   table_(rows) {
-    const show = (value, unit) => (typeof value === "string" ? value : inReadersUnit(value, unit, this.app));
+    const show = (/** @type {number} */ value, /** @type {string} */ unit) => (typeof value === "string" ? value : inReadersUnit(value, unit, this.app));
     return tableOf("Each statement: the paper's number or claim, its formula evaluated here, the full model", [
       "Statement", "Paper", "Its formula", "Full model",
     ], rows.map((row) => [
@@ -114,10 +122,15 @@ export const view = {
 
   table() {
     const { rows } = this.app.answer;
-    return Object.fromEntries(["equation", "quantity", "unit", "paper", "computed", "full_model", "comment"].map((key) => [key, rows.map((row) => row[key])]));
+    return Object.fromEntries(["equation", "quantity", "unit", "paper", "computed", "full_model", "comment"].map((key) => [key, rows.map((/** @type {Answer} */ row) => row[key])]));
   },
 };
 
+/**
+ * @param {string} number
+ * @param {string} source
+ * @param {string} words
+ */
 function formulaRow(number, source, words) {
   return make("div", { className: "formula" }, make("span", { className: "number", textContent: number === "now" ? "now" : number ? `(${number})` : "" }),
     mathOf(source), make("span", { className: "note", textContent: words }));

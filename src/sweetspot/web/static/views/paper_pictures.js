@@ -3,7 +3,7 @@
 import { BatView } from "../batview.js";
 import { Chart } from "../chart.js";
 import { FONT, Surface, haloText } from "../surface.js";
-/** @import { App } from "../main.js" */
+/** @import { Answer, App, State } from "../main.js" */
 
 /** @param {App} app */
 const AXIS = (app) => ({ kind: "position_m", from: () => app.answer?.bat.length_m ?? 0.84, label: "from the tip" });
@@ -12,14 +12,23 @@ const SPEEDS = { title: "Exit speed", kind: "exit_speed_m_s", height: 170, lines
   { key: "rigid_exit_speed_m_s", label: "rigid bat", color: "muted", dash: [5, 4], width: 1.6 }] };
 
 // Charts and bats below each other; `fill` draws them.
+/**
+ * @template {Record<string, any>} Parts
+ * @param {Parts} parts
+ * @param {(parts: Parts, answer: Answer, state: State) => void} fill
+ */
 function pictureOf(parts, fill) {
   return {
     elements: Object.values(parts).map((part) => part.element),
-    draw: (answer, state) => fill(parts, answer, state),
+    draw: (/** @type {Answer} */ answer, /** @type {State} */ state) => fill(parts, answer, state),
     figures: () => Object.entries(parts).map(([name, part]) => (part.surface ?? part).figure(name)),
   };
 }
 
+/**
+ * @param {Answer} bat
+ * @param {Answer} answer
+ */
 function strip(bat, answer) {
   const { best_m: best, percussion_m: percussion, zone_m: zone } = answer.picture;
   bat.draw({ bat: answer.bat, sweet_spots: { max_exit_speed_m: best, center_of_percussion_m: percussion ?? null, zone_m: zone ?? null,
@@ -27,7 +36,7 @@ function strip(bat, answer) {
 }
 
 export const PICTURES = {
-  end: (app) => pictureOf({ bat: new BatView(app), curves: new Chart(app, { label: "", panels: [SPEEDS], axis: AXIS(app) }) },
+  end: (/** @type {App} */ app) => pictureOf({ bat: new BatView(app), curves: new Chart(app, { label: "", panels: [SPEEDS], axis: AXIS(app) }) },
     ({ bat, curves }, answer) => {
       const { picture, bat: { length_m: length } } = answer;
       strip(bat, { ...answer, picture: { ...picture, percussion_m: null, zone_m: null } });
@@ -36,7 +45,7 @@ export const PICTURES = {
       curves.label(`Exit speed along the bat; the stretch S of the paper, ${app.text("s_m", picture.elastic_travel_m, 2)}, is shaded at the tip.`);
     }),
 
-  percussion: (app) => pictureOf({ bat: new BatView(app), curves: new Chart(app, { label: "", axis: AXIS(app), panels: [
+  percussion: (/** @type {App} */ app) => pictureOf({ bat: new BatView(app), curves: new Chart(app, { label: "", axis: AXIS(app), panels: [
     { title: "Hands over blow, F / I", kind: "ratio", height: 190, lines: [
       { key: "rod_ratio", label: "rod", color: "muted", dash: [5, 4] }, { key: "bat_ratio", label: "bat", color: "green", width: 2.4 },
       { key: "moved_ratio", label: "moved up", color: "purple", dash: [2, 2.5] }] }] }) },
@@ -48,7 +57,7 @@ export const PICTURES = {
     curves.label("Force of the hands over the blow along rod and bat; it is zero at each one's centre of percussion.");
   }),
 
-  corking: (app) => pictureOf({
+  corking: (/** @type {App} */ app) => pictureOf({
     force: new Chart(app, { label: "Force during contact, plain and corked", axis: { kind: "time_s", label: "after first touch" }, panels: [
       { title: "Force of the bat on the ball", kind: "f_n", height: 170, zero: true, lines: [
         { key: "force_n", label: "plain", color: "ink", width: 2.4 }, { key: "corked_force_n", label: "corked", color: "red", dash: [6, 3] }] }] }),
@@ -62,19 +71,19 @@ export const PICTURES = {
     curves.draw({ x: picture.position_m, xs: { corked_exit_speed_m_s: picture.corked_position_m }, lines: picture, range: [0, answer.bat.length_m], bands: [], marks: [] });
   }),
 
-  drop: (app) => pictureOf({
+  drop: (/** @type {App} */ app) => pictureOf({
     blocks: new DropPicture(app),
     curves: new Chart(app, { label: "Rebound over fall against the thickness of the block", axis: { kind: "thickness_m", label: "thickness" }, panels: [
-      { title: "Rebound over fall, from 1 m", kind: "ratio", height: 150, lines: [
+      { title: "Rebound over fall", kind: "ratio", height: 150, lines: [
         { key: "wood", label: "wood", color: "orange", width: 2.4 }, { key: "metal", label: "metal", color: "blue", dash: [6, 3] }] }] }),
-  }, ({ blocks, curves }, answer, state) => {
+  }, ({ blocks, curves }, answer) => {
     const { wood, metal, thickness_m: thickness, block_thickness_m: own } = answer.picture;
-    blocks.draw(answer.picture, state);
+    blocks.draw(answer.picture);
     curves.draw({ x: thickness, lines: { wood: wood.rebound_ratios, metal: metal.rebound_ratios }, range: [0, 0.04], bands: [], marks: [],
       cursor: own <= 0.04 ? own : null });
   }),
 
-  energy: (app) => pictureOf({
+  energy: (/** @type {App} */ app) => pictureOf({
     curves: new Chart(app, { label: "Energy returned against the bat's share", axis: { kind: "ratio", label: "z, the bat's share of the energy" }, panels: [
       { title: "W", kind: "ratio", height: 230, zero: true, lines: [
         { key: "metal_returned", label: "metal", color: "blue" }, { key: "wood_returned", label: "wood", color: "orange", dash: [6, 3] },
@@ -85,7 +94,7 @@ export const PICTURES = {
       marks: [{ at: Math.min(0.3, wood.share), color: "orange" }, { at: Math.min(0.3, metal.share), color: "blue" }] });
   }),
 
-  verdict: (app) => pictureOf({ bat: new BatView(app), curves: new Chart(app, { label: "Exit speed along the bat", panels: [SPEEDS], axis: AXIS(app) }) },
+  verdict: (/** @type {App} */ app) => pictureOf({ bat: new BatView(app), curves: new Chart(app, { label: "Exit speed along the bat", panels: [SPEEDS], axis: AXIS(app) }) },
     ({ bat, curves }, answer) => {
       const { picture } = answer;
       strip(bat, answer);
@@ -103,13 +112,19 @@ class DropPicture {
     this.element = this.surface.element;
   }
 
+  /** @param {Answer} data */
   draw(data) {
     this.data = data;
-    const height = (value) => (value === null ? "does not come back cleanly" : `comes back to ${this.app.text("rebound_m", value, 1)}`);
+    const height = (/** @type {number} */ value) => (value === null ? "does not come back cleanly" : `comes back to ${this.app.text("rebound_m", value, 1)}`);
     this.surface.label(`A ball dropped from ${this.app.text("height_m", data.drop_height_m, 1)}: from wood it ${height(data.wood.rebound_m)}, from metal it ${height(data.metal.rebound_m)}.`);
     this.surface.draw();
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} width
+   * @param {number} height
+   */
   paint(context, width, height) {
     if (!this.data) return;
     const floor = height - 46;
@@ -120,6 +135,12 @@ class DropPicture {
     });
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {string} name
+   * @param {{ fill: string, edge: string }} given
+   * @param {{ middle: number, floor: number, scale: number, wide: number }} given
+   */
   paintBlock(context, name, { fill, edge }, { middle, floor, scale, wide }) {
     const { colors } = this.app;
     const { [name]: found, drop_height_m: height, block_thickness_m: thickness } = this.data;
@@ -137,6 +158,13 @@ class DropPicture {
     context.fillText(name, middle, floor + deep + 4);
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} x
+   * @param {number} y
+   * @param {string} color
+   * @param {number[]} dash
+   */
   paintBall(context, x, y, color, dash) {
     Object.assign(context, { strokeStyle: color, lineWidth: 2 });
     context.setLineDash(dash);
@@ -146,6 +174,13 @@ class DropPicture {
     context.setLineDash([]);
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} x
+   * @param {number} y
+   * @param {string} words
+   * @param {string} ink
+   */
   paintLevel(context, x, y, words, ink) {
     const { colors } = this.app;
     Object.assign(context, { font: `12px ${FONT}`, textAlign: "left", textBaseline: "middle" });

@@ -3,15 +3,34 @@
 import { FILLS } from "../bench.js";
 import { MPH } from "../units.js";
 import { choice, slider } from "../controls.js";
-/** @import { Answer, App } from "../main.js" */
+/** @import { Answer, App, State } from "../main.js" */
 
 const FILLED = FILLS.filter(([fill]) => fill !== "nothing");
 const HELD = [["floor", "lying on concrete"], ["clamped", "clamped at the edges"], ["free", "lying free"]];
-const number = (value, digits) => value.toFixed(digits).replace("-", "−");
-const rowsOf = (answer, equation) => answer.rows.filter((row) => row.equation === equation);
+const number = (/** @type {number} */ value, /** @type {number} */ digits) => value.toFixed(digits).replace("-", "−");
+const rowsOf = (/** @type {Answer} */ answer, /** @type {string} */ equation) => answer.rows.filter((/** @type {Answer} */ row) => row.equation === equation);
 /** @type {(answer: Answer, place: number, app: App) => string} */
 const fromTip = (answer, place, app) => app.text("from_m", answer.bat.length_m - place, 1);
 
+// A place at the tip's end of the bat, or beyond it, where the hands are held high.
+/** @type {(length: number, place: number, app: App) => string} */
+const tipwards = (length, place, app) => `${app.text("from_m", Math.abs(length - place), 1)} ${place > length ? "beyond" : "from"} the tip`;
+
+/**
+ * One question of the paper.
+ * @typedef {object} Asked
+ * @property {keyof typeof import("./paper_pictures.js").PICTURES} key
+ * @property {string} title
+ * @property {string} question
+ * @property {string[]} claim
+ * @property {[string, string, string][]} formulas  number of the paper's, source, what it is of
+ * @property {(app: App) => HTMLElement[]} controls
+ * @property {(answer: Answer, state: State, app: App) => string[]} live  formulas with the numbers of now
+ * @property {(answer: Answer, state: State, app: App) => string} truth
+ * @property {string[]} slips
+ */
+
+/** @type {Asked[]} */
 export const STEPS = [
   {
     key: "end", title: "Why not the end?", question: "Why is the best place to hit not the end of the bat?",
@@ -29,12 +48,12 @@ export const STEPS = [
     ],
     controls: (app) => [slider(app, "entry_angle_deg", { label: "Entry angle α", step: 1 })],
     live({ picture }, state, app) {
-      const show = (length) => app.text("s_m", length, 2);
+      const show = (/** @type {number} */ length) => app.text("s_m", length, 2);
       return [`0 ≤ S ≤ v_1 sin α T = ${show(picture.elastic_travel_m)}`, `S_real = ${show(picture.travel_m)}`];
     },
     truth(answer, state, app) {
       const { best_m: best, travel_m: travel, exit_speed_m_s: speeds, rigid_exit_speed_m_s: rigid } = answer.picture;
-      const show = (value) => app.text("exit_speed_m_s", value);
+      const show = (/** @type {number} */ value) => app.text("exit_speed_m_s", value);
       return `The ball does shift, by ${app.text("travel_m", travel, 2)}, but it is hit best ${fromTip(answer, best, app)} from the tip: S is far too short ` +
         `to explain it. The conclusion is right for another reason. At the tip even a rigid bat gives way by turning (${show(rigid.at(-1))}), ` +
         `and the real one also bends and keeps that energy (${show(speeds.at(-1))}); at its best place it gives ${show(Math.max(...speeds))}.`;
@@ -69,8 +88,8 @@ export const STEPS = [
       const { bat_percussion_m: place, best_m: best, moved_percussion_m: moved, rod_percussion_m: rod } = answer.picture;
       const length = answer.bat.length_m;
       const gap = best > place ? "further out" : "further in";
-      return `The mechanics hold for any rigid bat. Held as here, the rod's centre of percussion lies ${app.text("from_m", length - rod, 1)} from the tip, ` +
-        `this bat's ${app.text("from_m", length - place, 1)}, and ${app.text("from_m", length - moved, 1)} when the hands move up. But it is the place where the top hand feels ` +
+      return `The mechanics hold for any rigid bat. Held as here, the rod's centre of percussion lies ${tipwards(length, rod, app)}, ` +
+        `this bat's ${tipwards(length, place, app)}, and when the hands move up, ${tipwards(length, moved, app)}. But it is the place where the top hand feels ` +
         `no jolt, not the place where the ball leaves fastest: that is ${app.text("from_m", length - best, 1)} from the tip, ` +
         `${app.text("gap_m", Math.abs(best - place), 1)} ${gap}, and it hardly moves with the hands.`;
     },
@@ -89,7 +108,7 @@ export const STEPS = [
     ],
     live(answer, state, app) {
       const [[momentum], [force]] = [rowsOf(answer, "14"), rowsOf(answer, "13")];
-      const show = (thousands) => app.text("f_n", 1e3 * thousands);
+      const show = (/** @type {number} */ thousands) => app.text("f_n", 1e3 * thousands);
       return [`m ( v_2 − v_1 ) = ${app.text("p_n_s", momentum.computed)}`, `F_plain = ${show(force.computed)} , F_corked = ${show(force.full_model)}`];
     },
     truth(answer, state, app) {
@@ -116,12 +135,12 @@ export const STEPS = [
     ],
     live(answer) {
       const { wood, metal, drop_height_m: height } = answer.picture;
-      const lost = (one) => (one.rebound_m === null ? "?" : `${number(9.80665 * answer.conditions.ball_mass_kg * (height - one.rebound_m), 3)} J`);
+      const lost = (/** @type {Answer} */ one) => (one.rebound_m === null ? "?" : `${number(9.80665 * answer.conditions.ball_mass_kg * (height - one.rebound_m), 3)} J`);
       return [`E_wood = ${lost(wood)} , E_metal = ${lost(metal)}`];
     },
     truth(answer, state, app) {
       const { wood, metal } = answer.picture;
-      const show = ({ rebound_m: back }) => (back === null ? "no height, for it does not come off in one contact" : app.text("rebound_m", back, 1));
+      const show = (/** @type {{ rebound_m: number }} */ { rebound_m: back }) => (back === null ? "no height, for it does not come off in one contact" : app.text("rebound_m", back, 1));
       const thick = state.block_support === "floor" || state.block_thickness_m > 0.02;
       return `From wood the ball comes back to ${show(wood)}, from metal to ${show(metal)}. ` + (thick
         ? "On a thick block nearly all of the loss is in the ball, and the two hardly differ: the experiment measures the ball. Clamp the blocks and make them as thin as a bat's wall to see a trampoline."
@@ -143,7 +162,7 @@ export const STEPS = [
       slider(app, "metal_share", { label: "z₂, share of metal", step: 0.005 }),
     ],
     live(answer, { ball_restitution: k0, wood_restitution: k1, metal_restitution: k2, wood_share: z1, metal_share: z2 }) {
-      const line = (i, k, z) => `W_${i} = ${number(k, 2)}^2 · ${number(z, 3)} + ${number(k0, 2)}^2 · ${number(1 - z, 3)} = ${number(k * k * z + k0 * k0 * (1 - z), 4)}`;
+      const line = (/** @type {number} */ i, /** @type {number} */ k, /** @type {number} */ z) => `W_${i} = ${number(k, 2)}^2 · ${number(z, 3)} + ${number(k0, 2)}^2 · ${number(1 - z, 3)} = ${number(k * k * z + k0 * k0 * (1 - z), 4)}`;
       return [line(1, k1, z1), line(2, k2, z2)];
     },
     truth(answer, state, app) {
@@ -151,7 +170,7 @@ export const STEPS = [
       const [, thickness] = rowsOf(answer, "z");
       return `The formula is exact for two springs in series: e = √W is ${number(Math.sqrt(wood.computed), 3)} for wood and ${number(Math.sqrt(metal.computed), 3)} for metal here. ` +
         `The full model gives ${number(wood.full_model, 3)} for this bat, and ${number(metal.full_model, 3)} for an aluminium bat whose wall takes a tenth of the energy: ` +
-        `one ${app.units === "us" ? app.text("wall_m", thickness.full_model / 1e3, 3) : `${number(thickness.full_model, 1)} mm`} thick. A metal bat does hit faster. The red line joins aluminium bats with thicker (left) and thinner (right) walls.`;
+        `one ${app.units === "us" ? app.text("wall_m", thickness.full_model / 1e3, 3) : `${number(thickness.full_model, 1)} mm`} thick. A metal bat does hit faster. The orange line joins aluminium bats with thicker (left) and thinner (right) walls.`;
     },
   },
   {

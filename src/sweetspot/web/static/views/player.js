@@ -7,7 +7,7 @@ import { Numbers } from "../numbers.js";
 import { make } from "../parts.js";
 import { FONT, Surface, ticks } from "../surface.js";
 import { fromShown, toShown, unitOf } from "../units.js";
-/** @import { View } from "../main.js" */
+/** @import { Answer, View } from "../main.js" */
 
 const LONGEST = 40000;
 const LEFT = 46, FOOT = 34, TOP = 12, RIGHT = 12;
@@ -44,20 +44,21 @@ export const view = {
     this.bad = make("ul", { className: "note" });
     this.points = new Surface(app, { height: () => 260, paint: (...all) => this.paint(...all) });
     this.points.element.classList.add("pinned");
-    this.numbers = new Numbers("These swings as a table", () => this.tabled());
+    this.numbers = new Numbers(app, "These swings as a table", () => this.tabled());
     this.report = new DocumentPlace(app, "Reading the swings; this takes a few seconds …");
     root.append(side, make("div", { className: "stack" },
       make("section", { className: "picture" }, this.words, this.points.element, this.numbers.element, this.bad),
       make("section", { className: "picture" }, this.report.element)));
   },
 
+  /** @param {HTMLInputElement} input */
   async read(input) {
-    const file = input.files[0];
+    const file = input.files?.[0];
     if (!file) return;
     const text = await file.text();
     input.value = "";
     if (text.length > LONGEST) {
-      this.app.controlOf("swings_csv")?.fault?.(`${file.name} has ${text.length} letters; at most ${LONGEST}, about a thousand rows. The command fit-player takes more.`);
+      this.app.controls.get("swings_csv")?.fault?.(`${file.name} has ${text.length} letters; at most ${LONGEST}, about a thousand rows. The command fit-player takes more.`);
       return;
     }
     this.app.setState({ swings_csv: text });
@@ -67,10 +68,11 @@ export const view = {
     this.answer = answer;
     this.bench.update(answer);
     const { count, bad_rows: bad, example, notes } = answer;
-    this.words.textContent = `${count} swings${example ? " of a made-up player; bring your own table to read yours" : ""}${bad.length ? `; ${bad.length} rows could not be used` : ""}.`;
+    const many = (/** @type {number} */ number, /** @type {string} */ words) => `${number} ${words}${number === 1 ? "" : "s"}`;
+    this.words.textContent = `${many(count, "swing")}${example ? " of a made-up player; bring your own table to read yours" : ""}${bad.length ? `; ${many(bad.length, "row")} could not be used` : ""}.`;
     this.app.announce(this.words.textContent);
-    this.bad.replaceChildren(...[...notes, ...bad.map(({ row, reason }) => `row ${row}: ${reason}`)].map((words) => make("li", { textContent: words })));
-    this.points.label(`Exit speed against bat speed of ${count} swings.`);
+    this.bad.replaceChildren(...[...notes, ...bad.map((/** @type {{ row: number, reason: string }} */ { row, reason }) => `row ${row}: ${reason}`)].map((words) => make("li", { textContent: words })));
+    this.points.label(`Exit speed against bat speed of ${many(count, "swing")}.`);
     this.points.draw();
     this.numbers.redraw();
     this.report.redraw();
@@ -80,21 +82,26 @@ export const view = {
   tabled() {
     if (!this.answer) return null;
     const { bat_speed_m_s: bat, exit_speed_m_s: ball } = this.answer;
-    const words = (value) => (typeof value === "number" ? this.app.text("v_m_s", value) : "–");
-    return { caption: "Measured swings", columns: ["Swing", "Bat speed", "Exit speed"], rows: bat.map((one, i) => [String(i + 1), words(one), words(ball[i])]) };
+    const words = (/** @type {number} */ value) => (typeof value === "number" ? this.app.text("v_m_s", value) : "–");
+    return { caption: "Measured swings", columns: ["Swing", "Bat speed", "Exit speed"], rows: bat.map((/** @type {Answer} */ one, /** @type {number} */ i) => [String(i + 1), words(one), words(ball[i])]) };
   },
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} width
+   * @param {number} height
+   */
   paint(context, width, height) {
     if (!this.answer) return;
     const { colors, units } = this.app;
-    const pairs = this.answer.bat_speed_m_s.map((x, i) => [x, this.answer.exit_speed_m_s[i]]).filter(([x, y]) => typeof x === "number" && typeof y === "number");
+    const pairs = this.answer.bat_speed_m_s.map((/** @type {number} */ x, /** @type {number} */ i) => [x, this.answer.exit_speed_m_s[i]]).filter((/** @type {[number, number]} */ [x, y]) => typeof x === "number" && typeof y === "number");
     if (!pairs.length) return;
-    const span = (k) => [Math.min(...pairs.map((pair) => pair[k])), Math.max(...pairs.map((pair) => pair[k]))];
+    const span = (/** @type {number} */ k) => [Math.min(...pairs.map((/** @type {number[]} */ pair) => pair[k])), Math.max(...pairs.map((/** @type {number[]} */ pair) => pair[k]))];
     const [[least, most], [low, high]] = [span(0), span(1)];
-    const across = (x) => LEFT + 8 + ((x - least) / (most - least || 1)) * (width - LEFT - RIGHT - 16);
-    const up = (y) => TOP + 8 + (1 - (y - low) / (high - low || 1)) * (height - TOP - FOOT - 16);
+    const across = (/** @type {number} */ x) => LEFT + 8 + ((x - least) / (most - least || 1)) * (width - LEFT - RIGHT - 16);
+    const up = (/** @type {number} */ y) => TOP + 8 + (1 - (y - low) / (high - low || 1)) * (height - TOP - FOOT - 16);
     Object.assign(context, { font: `11px ${FONT}`, fillStyle: colors.muted, strokeStyle: colors.grid, lineWidth: 1 });
-    const shown = (value) => toShown("v_m_s", value, units);
+    const shown = (/** @type {number} */ value) => toShown("v_m_s", value, units);
     for (const value of ticks(shown(low), shown(high), 5)) {
       const y = up(fromShown("v_m_s", value, units));
       Object.assign(context, { textAlign: "right", textBaseline: "middle" });

@@ -7,6 +7,7 @@ import { factList, make } from "../parts.js";
 import { Filter, Players } from "./season_players.js";
 import { BarrelMap, Ceilings, FieldMap } from "./season_pictures.js";
 import { Reading } from "./season_reading.js";
+import { grouped } from "../units.js";
 /** @import { Fact } from "../parts.js" */
 /** @import { View } from "../main.js" */
 
@@ -14,7 +15,7 @@ const FILTERS = [["team", "Hit for", "any club"], ["pitch_type", "Off", "all pit
 const EVERYBODY = { batter: null, team: null, pitch_type: null, count: null, month: null, park: null };
 /** @type {Fact[]} */
 const FACTS = [
-  ["Balls", ({ means }) => means.balls.toLocaleString("en-US")], ["Exit speed", ({ means }) => ["speed", means.exit_speed]],
+  ["Balls", ({ means }) => grouped(means.balls)], ["Exit speed", ({ means }) => ["speed", means.exit_speed]],
   ["Hardest fifth (EV20)", ({ means }) => ["speed", means.ev20]], ["Bat speed", ({ means }) => ["speed", means.bat_speed]],
   ["Squared up, this bat", ({ means }) => ["share", means.squared_up]], ["Squared up, the league's formula", ({ means }) => ["share", means.league_squared_up]],
   ["From the best place", ({ means }) => ["offset", means.from_best]],
@@ -45,7 +46,7 @@ export const view = {
     this.whole = new DocumentPlace(app, "Reading what was found …");
     this.files = make("ul", { className: "files" });
     this.none = make("p", { className: "note", hidden: true });
-    const section = (title, ...parts) => make("section", { className: "picture", hidden: true }, make("h2", { textContent: title }), ...parts);
+    const section = (/** @type {string} */ title, /** @type {(Node | string)[]} */ ...parts) => make("section", { className: "picture", hidden: true }, make("h2", { textContent: title }), ...parts);
     this.wrong = make("p", { className: "fault", hidden: true });
     this.design = button("Design a bat for this player", () => this.toDesign(), { title: "Where this player meets the ball, and how fast, goes along to the view Design" });
     this.player = section("This player", make("div", { className: "row tight" }, this.design), this.wrong, this.page.element);
@@ -53,7 +54,7 @@ export const view = {
       section("How they were hit", this.none, this.facts.element, this.barrel.element, this.ceilings.element),
       section("Where they come down", this.field.element), section("Players", this.players.table),
       section("What was read", this.whole.element), section("Take the tables away", this.files)];
-    this.which = group("Which balls", [this.players.element, ...this.filters.map(({ element }) => element), button("All balls again", () => app.setState(EVERYBODY))]);
+    this.which = group("Which balls", [this.players.element, ...this.filters.map((/** @type {{ element: HTMLElement }} */ { element }) => element), button("All balls again", () => app.setState(EVERYBODY))]);
     root.append(make("div", { className: "side" },
       group("Tables", [this.reading.chooser]), this.which,
       group("Fence on the field", [choice(app, "fence", { label: "Park", options: app.lists("parks").then(({ parks }) => parks.map(({ key, name }) => [key, name])) })], { open: false }),
@@ -80,7 +81,7 @@ export const view = {
       return;
     }
     this.listFiles(season.tables);
-    const but = (...kept) => Object.keys(app.state).filter((field) => !kept.includes(field));
+    const but = (/** @type {string[]} */ ...kept) => Object.keys(app.state).filter((field) => !kept.includes(field));
     app.aside("summary", but("season"), 0, (found) => {
       this.players.fill(found.players ?? []);
       this.told[2].hidden = !found.players?.length;
@@ -128,7 +129,7 @@ export const view = {
     const { means } = found;
     const whose = app.state.batter === null ? "" : ` of ${this.players.nameOf(app.state.batter)}`;
     const bats = typeof means.squared_up === "number" ? `, ${app.text("share", means.squared_up)} squared up against ${answer.season.same_bat ? answer.bat.name : "the bat they were read with"}, met ${app.text("offset", means.from_best)} from its best place on average` : "";
-    this.words.textContent = `${means.balls.toLocaleString("en-US")} ${means.balls === 1 ? "ball" : "balls"} in play${whose}: ${app.text("speed", means.exit_speed)} of exit speed${bats}.`;
+    this.words.textContent = `${grouped(means.balls)} ${means.balls === 1 ? "ball" : "balls"} in play${whose}: ${app.text("speed", means.exit_speed)} of exit speed${bats}.`;
     app.announce(this.words.textContent);
   },
 
@@ -143,9 +144,10 @@ export const view = {
     }
   },
 
+  /** @param {{ name: string, bytes: number }[]} tables */
   listFiles(tables) {
     const { season } = this.app.state;
-    const size = (bytes) => (bytes < 1e6 ? `${Math.max(1, Math.round(bytes / 1e3))} kB` : `${(bytes / 1e6).toFixed(1)} MB`);
+    const size = (/** @type {number} */ bytes) => (bytes < 1e6 ? `${Math.max(1, Math.round(bytes / 1e3))} kB` : `${(bytes / 1e6).toFixed(1)} MB`);
     this.files.replaceChildren(...tables.map(({ name, bytes }) => make("li", {},
       make("a", { href: `/api/v1/uploads/${season}/${name}`, download: name, textContent: name }), ` ${size(bytes)}`)));
   },

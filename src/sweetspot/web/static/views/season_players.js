@@ -2,7 +2,8 @@
 
 import { button } from "../controls.js";
 import { make, tableOf } from "../parts.js";
-/** @import { App } from "../main.js" */
+import { grouped } from "../units.js";
+/** @import { Answer, App, State } from "../main.js" */
 
 const SHOWN = 25;
 const COLUMNS = [
@@ -14,7 +15,7 @@ const LOW_FIRST = ["from_best"];
 // One field of the state that may be empty: a list of [value, balls]; hidden where there is nothing to choose.
 export class Filter {
   /** @param {App} app */
-  constructor(app, field, { label, all }) {
+  constructor(app, /** @type {string} */ field, /** @type {{ label: string, all: string }} */ { label, all }) {
     this.app = app;
     this.field = field;
     this.all = all;
@@ -34,16 +35,18 @@ export class Filter {
     } });
   }
 
+  /** @param {Answer[]} list */
   fill(list) {
     const made = JSON.stringify(list);
     if (made !== this.made) {
       this.made = made;
-      this.select.replaceChildren(new Option(this.all, ""), ...list.map(([value, balls, words = value]) => new Option(`${words} (${balls.toLocaleString("en-US")})`, value)));
+      this.select.replaceChildren(new Option(this.all, ""), ...list.map(([value, balls, words = value]) => new Option(`${words} (${grouped(balls)})`, value)));
     }
     this.element.hidden = list.length < 2 && this.app.state[this.field] === null;
     this.sync(this.app.state);
   }
 
+  /** @param {State} state */
   sync(state) {
     const value = state[this.field] ?? "";
     if (![...this.select.options].some((option) => option.value === value)) this.select.append(new Option(value, value));
@@ -55,6 +58,7 @@ export class Players {
   /** @param {App} app */
   constructor(app) {
     this.app = app;
+    /** @type {Answer[]} */
     this.players = [];
     this.names = new Map();
     this.filter = new Filter(app, "batter", { label: "Player", all: "everybody" });
@@ -69,6 +73,7 @@ export class Players {
       make("label", { htmlFor: "season-order", textContent: "first by" }), this.order), this.place, this.note);
   }
 
+  /** @param {Answer[]} players */
   fill(players) {
     this.players = players;
     this.names = new Map(players.map(({ batter, name }) => [batter, name]));
@@ -76,6 +81,7 @@ export class Players {
     this.redraw();
   }
 
+  /** @param {Answer} batter */
   nameOf(batter) { return this.names.get(batter) ?? batter; }
 
   redraw() {
@@ -92,6 +98,7 @@ export class Players {
       this.place.replaceChildren();
       return;
     }
+    /** @type {Record<string, number>} */
     const digits = { home_runs_expected: 1 };
     const box = tableOf("Players", ["player", ...known.map(([, words]) => words)], shown.map((one) => (
       [one.name, ...known.map(([name, , scale]) => app.text(scale, one[name], digits[name]))])));

@@ -4,14 +4,15 @@ import { button } from "../controls.js";
 import { longWork } from "../longwork.js";
 import { make, partOf } from "../parts.js";
 import { takeDrops, upload, whereTo } from "../upload.js";
-/** @import { App } from "../main.js" */
+import { grouped } from "../units.js";
+/** @import { Answer, App } from "../main.js" */
 
 const TABLES = /\.(csv|tsv|txt|gz|parquet)$/i;
 const MOST = 60;
 
 export class Reading {
   /** @param {App} app */
-  constructor(app, { onSeason }) {
+  constructor(app, /** @type {{ onSeason: (season: string | null) => void }} */ { onSeason }) {
     this.app = app;
     this.onSeason = onSeason;
     this.going = null;
@@ -41,12 +42,14 @@ export class Reading {
     this.work.watch(app.signal, () => this.update());
   }
 
+  /** @param {string} words */
   say(words) {
     this.fault.textContent = words;
     this.fault.hidden = words === "";
   }
 
   // Files to the server, one after the other; then they are read together.
+  /** @param {FileList | File[]} files */
   async hand(files) {
     this.say("");
     if (!files.length || this.going) return;
@@ -70,12 +73,17 @@ export class Reading {
     if (uploads.length === files.length) this.begin({ uploads });
   }
 
+  /**
+   * @param {string} name
+   * @param {number} part
+   */
   handed(name, part) {
     this.bar.value = part;
     this.words.textContent = `Handing in ${name}: ${Math.round(100 * part)} %`;
     this.update();
   }
 
+  /** @param {{ uploads?: string[] }} also */
   begin(also = {}) {
     this.say("");
     if (also.uploads) this.app.setState({ ...also, season: null });
@@ -83,6 +91,7 @@ export class Reading {
   }
 
   // season: what the last answer says of one, null where none was read.
+  /** @param {Answer} season */
   draw(season) {
     this.season = season;
     this.update();
@@ -109,8 +118,12 @@ export class Reading {
     this.words.textContent = this.told(status, found);
   }
 
+  /**
+   * @param {string} status
+   * @param {Answer} found
+   */
   told(status, found) {
-    const number = (value) => Math.round(value).toLocaleString("en-US");
+    const number = (/** @type {number} */ value) => grouped(Math.round(value));
     const far = found?.phase === "rows" ? `${number(found.done)} of ${number(found.rows)} rows` : "";
     if (status === "starting") return "The reading begins …";
     if (status === "running" && far) return found.rows_per_s === null ? `${far} …` : `${far}, ${number(found.rows_per_s)} rows/s, ${Math.ceil(found.left_s)} s left`;

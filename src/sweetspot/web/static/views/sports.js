@@ -1,13 +1,17 @@
 // Every sport: what one hits with, its face as a map, and what a hit at a place gives, in the sport's own words.
 
 import { Chart } from "../chart.js";
-import { choice, group, slider } from "../controls.js";
+import { textOf } from "../batfile.js";
+import { describeOwn } from "../bench.js";
+import { button, choice, group, slider } from "../controls.js";
 import { HeatMap } from "../heatmap.js";
-import { factList, make, paragraphs } from "../parts.js";
+import { factList, make, paragraphs, partOf } from "../parts.js";
 import { INCH } from "../units.js";
+import { takeDrops } from "../upload.js";
 /** @import { Fact } from "../parts.js" */
-/** @import { View } from "../main.js" */
+/** @import { App, State, View } from "../main.js" */
 
+const OWN = "own file";
 const PLACE = ["met_from_tip_in", "aside_in"]; // where the ball meets it changes neither map nor words
 
 /** @type {Fact[]} */
@@ -35,10 +39,12 @@ export const view = {
   mount(root, app) {
     Object.assign(this, { app, answer: null });
     const tools = app.lists("implements").then(({ implements: all }) => all.map(({ key, name }) => [key, name]));
-    const usual = (name) => () => app.answer?.[name] ?? null;
+    const usual = (/** @type {string} */ name) => () => app.answer?.[name] ?? null;
     const side = make("div", { className: "side" },
       group("What one hits with", [choice(app, "implement", { label: "Implement", options: tools,
-        take: (implement) => app.setState({ ...app.defaults, implement }) })]),
+        shown: (state) => (state.implement_toml === null ? state.implement : OWN),
+        take: (implement) => implement !== OWN && app.setState({ ...app.defaults, implement }) }),
+      button("Describe your own by questions\u00a0…", () => describeOwn(app)), this.ownFile(app)]),
       group("Stroke", [
         slider(app, "swing_mph", { label: "Speed of the implement", step: 1, empty: usual("swing_mph") }),
         slider(app, "incoming_mph", { label: "Speed of the ball before", step: 1, empty: usual("incoming_mph") }),
@@ -64,15 +70,38 @@ export const view = {
       make("section", { className: "picture" }, make("h2", { textContent: "Where it hits best, and why" }), this.report)));
   },
 
+  // A file of one's own: chosen, or dropped anywhere on the view.
+  /** @param {App} app */
+  ownFile(app) {
+    const chosen = make("input", { type: "file", id: "implement-file", accept: ".toml,text/plain" });
+    const fault = make("p", { className: "fault", hidden: true });
+    fault.setAttribute("role", "alert");
+    const say = (/** @type {string} */ message) => Object.assign(fault, { textContent: message, hidden: message === "" });
+    const read = (/** @type {File} */ file) => textOf(file).then((text) => app.setState({ ...app.defaults, implement_toml: text }), ({ message }) => say(message));
+    chosen.addEventListener("change", () => {
+      if (chosen.files?.[0]) read(chosen.files[0]);
+      chosen.value = ""; // so that the same file can be chosen again once it is mended
+    });
+    takeDrops(partOf(document, "#view", HTMLElement), /\.toml$/i, app.signal, ([file]) => read(file));
+    app.control({ field: "implement_toml", sync: () => {}, fault: say });
+    return make("div", { className: "control" }, make("label", { htmlFor: chosen.id, textContent: "Your own (file, TOML)" }), chosen, fault);
+  },
+
   fromTip() {
     const { answer } = this.app;
     return answer ? (answer.tool.length_m - answer.hit.position_m) / INCH : null;
   },
 
+  /**
+   * @param {number} position
+   * @param {number | null} across
+   * @param {boolean} last
+   */
   pick(position, across, last) {
     const { answer } = this;
     if (!answer) return;
-    const inches = (metres) => Math.round((20 * metres) / INCH) / 20;
+    const inches = (/** @type {number} */ metres) => Math.round((20 * metres) / INCH) / 20;
+    /** @type {State} */
     const change = { met_from_tip_in: Math.max(0, inches(answer.tool.length_m - position)) };
     if (across !== null) change.aside_in = inches(across);
     this.app.setState(change, { commit: last });
@@ -81,13 +110,15 @@ export const view = {
   update(answer) {
     this.answer = answer;
     const { tool, hit, scan, sweet_spots: spots, words, sport } = answer;
-    const show = (name, value, digits) => this.app.text(name, value, digits);
+    const show = this.app.text.bind(this.app);
     const length = tool.length_m;
     this.words.textContent = `${tool.name.startsWith(sport) ? "" : `${sport}, `}${tool.name}: hits best ${show("from_m", length - spots.max_exit_speed_m, 1)} from the ${words.tip}. ` +
-      `Here, ${show("from_m", length - hit.position_m, 1)} from it${hit.lateral_m ? ` and ${show("from_m", Math.abs(hit.lateral_m), 1)} off the line` : ""}, the ${words.ball} leaves at ${show("exit_speed_m_s", hit.exit_speed_m_s)}.`;
+      `Here, ${show("from_m", length - hit.position_m, 1)} from it${hit.lateral_m ? ` and ${show("from_m", Math.abs(hit.lateral_m), 1)} off the line` : ""}, the ${words.ball} leaves at ${show("exit_speed_m_s", hit.exit_speed_m_s)}.` +
+      hit.touched_again[this.app.units].map((/** @type {string} */ doubt) => ` ${doubt}`).join("");
     this.app.announce(this.words.textContent);
     this.facts.fill(answer);
-    if (answer.implement !== this.shown) Object.assign(this, { face: null, sentences: null, shown: answer.implement });
+    const shown = this.app.state.implement_toml ?? answer.implement;
+    if (shown !== this.shown) Object.assign(this, { face: null, sentences: null, shown });
     this.drawFace();
     paragraphs(this.report, this.sentences?.[this.app.units] ?? []);
     this.app.aside("face", PLACE, 80, ({ face }) => {

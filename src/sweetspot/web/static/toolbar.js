@@ -1,0 +1,63 @@
+// The buttons of the page's head: undo and redo, units, light or dark, export.
+
+/** @import { App } from "./main.js" */
+
+/**
+ * @param {string} id
+ * @param {string} words
+ * @param {string} title
+ * @param {() => void} act
+ */
+export function stepButton(id, words, title, act) {
+  const made = Object.assign(document.createElement("button"), { type: "button", id, textContent: words, title });
+  made.setAttribute("aria-label", title);
+  made.addEventListener("click", act);
+  return made;
+}
+
+/**
+ * @param {string} name
+ * @param {[string, string]} given
+ * @param {[string, string]} given
+ * @param {string} chosen
+ * @param {(value: any) => void} onChange
+ */
+export function switchOf(name, [first, firstWords], [second, secondWords], chosen, onChange) {
+  const group = document.createElement("fieldset");
+  group.className = "switch";
+  group.innerHTML = `<legend class="unseen">${name}</legend>` + [[first, firstWords], [second, secondWords]].map(
+    ([value, words]) => `<label><input type="radio" name="${name}" value="${value}"><span>${words}</span></label>`).join("");
+  for (const one of group.querySelectorAll("input")) {
+    one.checked = one.value === chosen;
+    one.addEventListener("change", () => onChange(one.value));
+  }
+  return group;
+}
+
+/** @param {() => void} onChange */
+export function themeButton(onChange) {
+  const root = document.documentElement;
+  const dark = () => (root.dataset.theme ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light")) === "dark";
+  const stored = localStorage.getItem("theme");
+  if (stored) root.dataset.theme = stored;
+  const button = Object.assign(document.createElement("button"), { type: "button", id: "theme" });
+  const label = () => (button.textContent = dark() ? "Light" : "Dark");
+  button.title = "Change between light and dark";
+  button.addEventListener("click", () => {
+    root.dataset.theme = dark() ? "light" : "dark";
+    localStorage.setItem("theme", root.dataset.theme);
+    label();
+    onChange();
+  });
+  label();
+  return button;
+}
+
+// What it opens is fetched when first wanted.
+/** @param {App} app */
+export function exportButton(app) {
+  const button = Object.assign(document.createElement("button"), { type: "button", id: "export", textContent: "Export" });
+  button.setAttribute("aria-haspopup", "dialog");
+  button.addEventListener("click", async () => (await import("./exports.js")).openExports(app));
+  return button;
+}

@@ -1,0 +1,173 @@
+"""What the wizard asks, sport by sport: the questions, what the answer usually is, and how far it may go."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Literal
+
+from pydantic import BaseModel
+
+from sweetspot import catalog
+from sweetspot.catalog.records import read_table, unwrapped
+from sweetspot.catalog.rubbers import rubber, rubber_names
+from sweetspot.catalog.swing_weights import swing_weight
+from sweetspot.catalog.usual_bodies import BATS, USUAL_BODIES, UsualBody
+from sweetspot.catalog.usual_sizes import USUAL_SIZES
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.golf_club import GolfClub
+from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.racket import Racket
+from sweetspot.equipment.table_tennis_racket import TableTennisRacket
+from sweetspot.report.quantity_table import words_in_both_systems
+from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
+from sweetspot.web.schemas import Choice
+
+PATTERNS = {
+    "baseball": {"r161-ash": "of wood, turned", "single-wall": "hollow, of metal", "composite": "hollow, composite"},
+    "softball": {"fast-pitch": "hollow, composite", "r161-ash": "of wood, turned"},
+    "slow-pitch": {"slow-pitch": "hollow, composite", "r161-ash": "of wood, turned"},
+    "youth-baseball": {"youth-30": "of wood, turned", "youth-alloy": "hollow, of metal"},
+    "cricket": {"cricket-bat": "blade with a spine"},
+    "tennis": {"tennis-racket": "carbon-fibre frame"},
+    "badminton": {"badminton-racket": "carbon-fibre frame and shaft"},
+    "table-tennis": {"table-tennis-racket": "five plies"},
+    "golf": {"golf-driver": "driver"},
+    "field-hockey": {"hockey-stick": "composite"},
+}
+"""By sport: the catalogue's names of what an own one may be like, and what people call the kind."""
+WOODS = ("white-ash", "sugar-maple", "yellow-birch", "hickory")
+SHAFTS = ("carbon-shaft", "steel")
+LENGTHS = (0.78, 1.12)
+"""Of a pattern's, for children and for the tallest."""
+
+
+class Question(BaseModel):
+    """One question.
+
+    ``kind`` says how its number is shown, by the ending of a name; ``system`` that it is told in one system whatever
+    the page has. A number without a value may stay empty.
+    """
+
+    field: str
+    label: dict[Literal["us", "si"], str]
+    kind: str
+    system: Literal["us", "si"] | None = None
+    value: float | str | None = None
+    least: float | None = None
+    most: float | None = None
+    options: list[Choice] = []
+
+
+class Pattern(BaseModel):
+    """What an own implement may be like, and what is asked of it then."""
+
+    key: str
+    name: str
+    questions: list[Question]
+
+
+class Form(BaseModel):
+    """The questions of a sport; ``view`` is where its implement is looked at."""
+
+    sport: str
+    name: str
+    implement: str
+    view: Literal["explorer", "sports"]
+    patterns: list[Pattern]
+
+
+@cache
+def forms() -> tuple[Form, ...]:
+    """Return what is asked in every sport."""
+    return tuple(_form(sport, patterns) for sport, patterns in PATTERNS.items())
+
+
+def _form(sport: str, patterns: dict[str, str]) -> Form:
+    its = catalog.sport(sport)
+    made = [Pattern(key=key, name=name, questions=_questions(key, sport)) for key, name in patterns.items()]
+    bats = all(isinstance(catalog.implement(key), Bat) for key in patterns)
+    view: Literal["explorer", "sports"] = "explorer" if bats else "sports"
+    return Form(sport=sport, name=its.name, implement=its.words.implement, view=view, patterns=made)
+
+
+def _questions(key: str, sport: str) -> list[Question]:
+    pattern = catalog.implement(key)
+    usual = USUAL_BODIES.get(sport, BATS)
+    body, length = rigid_body(beam_model(pattern)), pattern.length
+    low, high = (part * length for part in LENGTHS)
+    butt = catalog.sport(sport).words.butt
+    return [
+        *_made_of(pattern),
+        _number("length_in", "Length", length / INCH, (low / INCH, high / INCH)),
+        _number("mass_oz", "Weight", body.mass / OUNCE, (usual.mass[0] / OUNCE, usual.mass[1] / OUNCE)),
+        _number("balance_in", f"Balance point from the {butt}, if measured", None,
+                (usual.balance[0] * low / INCH, usual.balance[1] * high / INCH)),
+        *_swing_weight(sport, usual, (low, high)),
+        *_stiffness(pattern, usual),
+    ]  # fmt: skip
+
+
+def _made_of(pattern: Implement) -> list[Question]:
+    if isinstance(pattern, GolfClub):
+        return [_choice("material", "Shaft", SHAFTS)]
+    if isinstance(pattern, Bat) and pattern.shell is None:
+        return [_choice("material", "Wood", WOODS)]
+    if isinstance(pattern, TableTennisRacket):
+        names = {name: rubber(name).name for name in rubber_names()}
+        options = [Choice(key=name, name=words) for name, words in names.items()]
+        return [Question(field="front", label=_same("Rubber"), kind="", value=options[0].key, options=options)]
+    return []
+
+
+def _swing_weight(sport: str, usual: UsualBody, lengths: tuple[float, float]) -> list[Question]:
+    """Ask for a swing weight in the sport's own way; where it only repeats the balance point, it is not asked."""
+    its, words = swing_weight(sport), catalog.sport(sport).words
+    if its.order == 1:
+        letters = its.zero is not None
+        label = _same(f"{its.name.capitalize()}, such as D2, if known; it stands for the balance point")
+        return [Question(field="swing_points", label=label, kind="")] if letters else []
+    own: Literal["si"] | None = None if words.weighed_in == "oz" else "si"  # kg cm^2 the world over
+    axis = f"{{{_place(its.axis, words.place_unit)}}}"
+    told = words_in_both_systems(f"Swing weight about the axis {axis} from the {words.butt}, if measured")
+    if own is not None:
+        told = _same(told[own])
+    if its.axis == 0:
+        told = _same(f"Moment of inertia about the {words.butt}, if measured")
+    least, most = (
+        mass * ((gyration * length) ** 2 + (balance * length - its.axis) ** 2) / OUNCE_INCH_SQUARED
+        for mass, gyration, balance, length in zip(usual.mass, usual.gyration, usual.balance, lengths, strict=True)
+    )
+    return [Question(field="swing_weight_oz_in2", label=told, kind="_oz_in2", system=own, least=least, most=most)]
+
+
+def _stiffness(pattern: Implement, usual: UsualBody) -> list[Question]:
+    tone = _number("tone_hz", "First bending tone hung freely, if tapped", None, usual.frequency)
+    if not isinstance(pattern, Racket):
+        return [] if isinstance(pattern, Bat | TableTennisRacket) else [tone]
+    tension = USUAL_SIZES["racket"]["strings.tension"]
+    most = min(tension.high, pattern.greatest_tension or tension.high)
+    strings = _number("string_tension_n", "Tension of the strings", pattern.bed.tension, (tension.low, most))
+    if pattern.sport != "tennis":
+        return [tone, strings]
+    known = read_table("racket_stiffness.toml")["ra"]
+    bounds = float(unwrapped(known["low"])), float(unwrapped(known["high"]))
+    return [_number("ra", "Stiffness of the frame (RA), if known", None, bounds), strings]
+
+
+def _number(field: str, label: str, value: float | None, bounds: tuple[float, float]) -> Question:
+    return Question(field=field, label=_same(label), kind=field, value=value, least=bounds[0], most=bounds[1])
+
+
+def _choice(field: str, label: str, materials: tuple[str, ...]) -> Question:
+    options = [Choice(key=name, name=catalog.material(name).name) for name in materials]
+    return Question(field=field, label=_same(label), kind="", value=materials[0], options=options)
+
+
+def _same(label: str) -> dict[Literal["us", "si"], str]:
+    return {"us": label, "si": label}
+
+
+def _place(position: float, unit: str) -> str:
+    return f"{position / INCH:.4g} in" if unit == "in" else f"{100 * position:.4g} cm"

@@ -1,0 +1,188 @@
+"""What Player, Season, Own bat, Design, Compare and The paper say themselves: the answer's numbers and directions."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+import pytest
+from playwright.sync_api import BrowserContext
+
+from sweetspot.units import grouped
+from sweetspot.web.views import compare, design, own, paper, player
+from sweetspot.web.views.design_state import DesignState
+from sweetspot.web.views.own_state import OwnState
+from tests.web.test_page_sentences import shown
+
+Said = Callable[..., Any]
+SCRIPT = """(async ([name, method, answer, mine]) => {
+  const { text } = await import("/static/units.js");
+  const app = { units: "us", answer, schema: {}, state: mine.state ?? {}, announce() {}, aside() {}, afterwards() {} };
+  app.text = (one, value, digits) => text(one, value, "us", digits);
+  if (name === "paper_steps") {
+    const { STEPS } = await import("/static/views/paper_steps.js");
+    return STEPS.find(({ key }) => key === answer.question)[method](answer, app.state, app);
+  }
+  const { view } = await import(`/static/views/${name}.js`);
+  const get = (_, key) => (key === Symbol.toPrimitive ? () => "" : nothing);
+  const nothing = new Proxy(() => nothing, { get, set: () => true });
+  const players = { nameOf: (one) => one };
+  const it = Object.assign(Object.create(view), { app, answer, words: {}, players, ...mine });
+  const own = new Proxy(it, { get: (_, key) => it[key] ?? nothing });
+  const told = own[method](answer);
+  const cells = (row) => [...row.children].map((cell) => cell.textContent);
+  return told?.outerHTML ? [...told.querySelectorAll("tbody tr")].map(cells) : told ?? it.words.textContent;
+})"""
+SWINGS = "bat_speed_mph,exit_speed_mph\n"
+BETTER, WORSE = 1.06, 0.93
+"""Of the barrel's diameter."""
+
+
+@pytest.fixture(scope="module")
+def said(visitor: BrowserContext, server: str) -> Iterator[Said]:
+    """What a view's method says of an answer, in a page that draws nothing."""
+    page = visitor.new_page()
+    page.goto(f"{server}/docs")
+
+    def words(name: str, method: str, answer: Mapping[str, Any], **mine: Any) -> Any:
+        plain = json.loads(json.dumps([answer, mine], default=lambda values: values.tolist()))
+        told = page.evaluate(SCRIPT, [name, method, *plain])
+        return json.loads(json.dumps(told, ensure_ascii=False).replace("\N{NO-BREAK SPACE}", " "))
+
+    yield words
+    page.close()
+
+
+@pytest.mark.parametrize(
+    ("rows", "counted", "bad"),
+    [(["66,88", "68,90", "64,86", "66,85", "67,91"], "5 swings", ""),
+     (["66,88", "68,90", "64,86", "66,85", "67,91", "68,nine"], "5 swings", "; 1 row could not be used"),
+     (["66,88", "68,90", "64,86", "66,85", "67,91", "68,-9", "x,80"], "5 swings", "; 2 rows could not be used")],
+)  # fmt: skip
+def test_player_counts_swings_and_rows(rows: list[str], counted: str, bad: str, said: Said) -> None:
+    found = player.answer(player.PlayerState(swings_csv=SWINGS + "\n".join(rows)))
+    assert said("player", "update", found) == f"{counted}{bad}."
+    table = said("player", "tabled", found)["rows"]
+    assert len(table) == found["count"] == 5
+    assert table[0] == ["1", shown(found["bat_speed_m_s"][0], "speed"), shown(found["exit_speed_m_s"][0], "speed")]
+
+
+def test_the_made_up_player_is_called_so(said: Said) -> None:
+    found = player.answer(player.PlayerState())
+    assert said("player", "update", found).startswith(f"{found['count']} swings of a made-up player; ")
+
+
+@pytest.mark.parametrize("balls", [1, 1234])
+@pytest.mark.parametrize("squared", [None, 0.316])
+@pytest.mark.parametrize("batter", [None, "Diaz, Cy"])
+def test_season_says_the_means(balls: int, squared: float | None, batter: str | None, said: Said) -> None:
+    means = {"balls": balls, "exit_speed": 39.4, "squared_up": squared, "from_best": 0.031}
+    answer = {"season": {"same_bat": True}, "bat": {"name": "R161, white ash"}}
+    words = said("season", "say", answer, found={"means": means}, state={"batter": batter})
+    whose = "" if batter is None else f" of {batter}"
+    assert words.startswith(
+        f"{grouped(balls)} ball{'' if balls == 1 else 's'} in play{whose}: {shown(39.4, 'speed')} of exit speed"
+    )
+    bats = ", 32 % squared up against R161, white ash, met 1.22 in from its best place on average."
+    assert words.endswith(bats) == (squared is not None)
+
+
+@pytest.mark.parametrize(
+    "measured",
+    [{}, {"weighed_oz": 31.0}, {"weighed_oz": 31.0, "balanced_in": 22.05, "pendulum_ms": 1454.5},
+     {"weighed_oz": 31.0, "balanced_in": 22.05, "pendulum_ms": 1430.0}],
+)  # fmt: skip
+def test_own_bat_says_what_it_is_now(measured: dict[str, float], said: Said) -> None:
+    found = own.answer(OwnState(**measured))
+    words, fitted = said("own", "say", found), found["fitted"]
+    against = bool(found["contradictions"]["us"])
+    assert ("As described, not measured" in words) == (not measured)
+    assert words.startswith("The measurements contradict each other.") == against
+    assert words.startswith("The measurements agree.") == (bool(measured) and not against)
+    assert against == (measured.get("pendulum_ms") == 1430.0)
+    assert (
+        f"{shown(fitted['mass_kg'], 'mass')}, balance {shown(fitted['balance_point_m'], 'place')} from the knob"
+        in words
+    )
+    value, expected = (
+        float(text.replace(",", ""))
+        for text in (re.findall(r"swing weight ([\d,]+)", words)[0], shown(fitted["moi_6in_kg_m2"], "moi").split()[0])
+    )
+    assert value == pytest.approx(expected, abs=51)
+
+
+@pytest.mark.parametrize("change", [None, BETTER, WORSE])
+def test_design_says_faster_or_slower_as_the_table_does(change: float | None, said: Said) -> None:
+    first = design.answer(DesignState())
+    state: dict[str, Any] = {}
+    if change is not None:
+        numbers = [one["value"] for one in first["variables"]]
+        numbers[7] *= change
+        state = {"design_si": numbers, "design_for": first["key"], "pulled": 7, "keep_mass": False, "keep_moi": False}
+    found = design.answer(DesignState(**state)) if state else first
+    sure = design.gain(DesignState(**state)) if change == BETTER else {}
+    words, made = said("design", "say", found, sure=sure or False), found["design"]
+    speed = next(one for one in found["measures"] if one["name"] == "exit_speed")
+    if change is None:
+        assert words.startswith("This is the present bat still")
+    else:
+        direction = "faster" if speed["change"] > 0 else "slower"
+        assert (
+            f"the ball leaves {shown(abs(speed['change']), 'speed_change')} {direction}{'' if sure else '.'}" in words
+        )
+    if sure:
+        assert f"give or take {shown(sure['half_interval_m_s'], 'speed_change')} (90 %): " in words
+        assert any(f": {verdict}." in words for verdict in sure["words"].values())
+    assert f"{shown(made['mass_kg'], 'mass')}, balance {shown(made['balance_point_m'], 'place')} from the knob" in words
+
+
+def test_compare_s_table_has_the_answer_s_numbers_and_signs(said: Said) -> None:
+    state = compare.CompareState(bat="r161-ash", others=[{"bat": "youth-30"}, {"bat": "torpedo"}])
+    found = compare.answer(state)
+    table = said("compare", "tableOfBats", found["bats"])
+    for row, one in zip(table, found["bats"], strict=True):
+        assert row[0] == one["label"] and row[1] == shown(one["bat"]["mass_kg"], "mass")
+        assert row[5].startswith(shown(one["exit_speed_m_s"]["value"], "speed"))
+        assert row[8] == f"{one['max_bbcor']:.3f}"
+    for row, one in zip(table[1:], found["bats"][1:], strict=True):
+        assert row[6].startswith(shown(one["change_m_s"]["value"], "speed_change"))
+        assert not re.search(r"(?<!\d)-\d", "".join(row))
+
+
+PLACE = re.compile(r"(\N{MINUS SIGN}?[\d.]+) in (?:from|beyond) the tip")
+
+
+@pytest.mark.parametrize("question", ["end", "percussion", "corking", "drop", "energy", "verdict"])
+@pytest.mark.parametrize(
+    "moved",
+    [{}, {"bat": "torpedo", "rod_hands_in": 11.0, "hands_moved_in": 5.0, "hole_diameter_in": 1.5, "hole_depth_in": 14.0,
+          "block_thickness_m": 0.003, "block_support": "clamped", "metal_share": 0.3}],
+)  # fmt: skip
+def test_the_paper_says_what_the_full_model_says(question: str, moved: dict[str, Any], said: Said) -> None:
+    state = paper.PaperState(question=question, **moved)
+    found = paper.answer(state)
+    words, picture = said("paper_steps", "truth", found, state=state.model_dump(mode="json")), found["picture"]
+    length = found["bat"]["length_m"]
+    assert not [place for place in PLACE.findall(words) if place.startswith("\N{MINUS SIGN}")], words
+    if "best_m" in picture and question in ("end", "percussion", "verdict"):
+        assert f"{shown(length - picture['best_m'], 'place')} from the tip" in words
+    if question == "end":
+        assert shown(max(picture["exit_speed_m_s"]), "speed") in words
+    if question == "percussion":
+        gap = picture["best_m"] - picture["bat_percussion_m"]
+        assert f"{shown(abs(gap), 'place')} {'further out' if gap > 0 else 'further in'}" in words
+        for name in ("rod_percussion_m", "bat_percussion_m", "moved_percussion_m"):
+            beyond = picture[name] > length
+            assert f"{shown(abs(length - picture[name]), 'place')} {'beyond' if beyond else 'from'} the tip" in words
+    if question == "corking":
+        plain, corked = next((one["computed"], one["full_model"]) for one in found["rows"] if one["equation"] == "13")
+        assert ("The force grows" in words) == (corked > plain + 0.005)
+        speed = [one for one in found["rows"] if one["equation"] == "14"][-1]
+        assert ("slower" in words) == (speed["full_model"] < speed["computed"])
+    if question == "drop":
+        for one in ("wood", "metal"):
+            back = picture[one]["rebound_m"]
+            assert (shown(back, "place") in words) if back is not None else "does not come off" in words
+        assert ("trampoline: it takes" in words) == (state.block_support != "floor" and state.block_thickness_m <= 0.02)

@@ -1,0 +1,121 @@
+"""What answers a few questions is a file that every command reads, and has the values that were answered."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from sweetspot import catalog
+from sweetspot.catalog.implements import load_implement
+from sweetspot.catalog.swing_weights import swing_weight
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
+from sweetspot.web.errors import FieldError
+from sweetspot.web.wizard import Wanted, described_by
+from sweetspot.web.wizard_form import PATTERNS, forms
+
+KINDS = [(sport, key) for sport, patterns in PATTERNS.items() for key in patterns]
+ASKED: dict[str, dict[str, Any]] = {
+    "baseball": {"length_in": 33.5, "mass_oz": 31.5, "balance_in": 22.6, "swing_weight_oz_in2": 11400},
+    "softball": {"length_in": 33, "mass_oz": 24},
+    "slow-pitch": {"length_in": 34, "mass_oz": 27, "balance_in": 20.9},
+    "youth-baseball": {"length_in": 29, "mass_oz": 23, "material": "sugar-maple"},
+    "cricket": {"length_in": 33, "mass_oz": 42, "balance_in": 19.4},
+    "tennis": {"length_in": 27, "mass_oz": 10.9, "swing_weight_oz_in2": 1750, "ra": 66, "string_tension_n": 240},
+    "badminton": {"length_in": 26.4, "mass_oz": 3.1, "balance_in": 11.7, "swing_weight_oz_in2": 500},
+    "table-tennis": {"length_in": 10.2, "mass_oz": 6.1, "balance_in": 6.2, "front": "short-pips"},
+    "golf": {"length_in": 45, "mass_oz": 11, "swing_points": "D2"},
+    "field-hockey": {"length_in": 37.5, "mass_oz": 21, "swing_weight_oz_in2": 12600, "tone_hz": 110},
+}
+
+
+@pytest.mark.parametrize("sport", PATTERNS)
+def test_every_sport_s_file_answers_at_the_command_line(
+    sport: str, tmp_path: Path, run_json: Callable[..., Any]
+) -> None:
+    """Exact: what was asked for."""
+    asked = ASKED[sport]
+    text, _ = described_by(Wanted(sport=sport, pattern=next(iter(PATTERNS[sport])), name="Mine", **asked))
+    file = tmp_path / "mine.toml"
+    file.write_text(text, encoding="utf-8")
+    answer = run_json("report", str(file))
+    told = answer["bat"]
+    assert told["name"] == "Mine" and load_implement(str(file)).sport == sport
+    assert told["length_m"] / INCH == pytest.approx(asked["length_in"], rel=1e-6)
+    assert told["mass_kg"] / OUNCE == pytest.approx(asked["mass_oz"], rel=1e-6)
+    body = rigid_body(beam_model(load_implement(str(file))))
+    if "balance_in" in asked:
+        assert told["balance_point_m"] / INCH == pytest.approx(asked["balance_in"], rel=1e-6)
+    if "swing_weight_oz_in2" in asked:
+        moi = told["moi_cm_kg_m2"] + told["mass_kg"] * (told["balance_point_m"] - swing_weight(sport).axis) ** 2
+        assert moi / OUNCE_INCH_SQUARED == pytest.approx(asked["swing_weight_oz_in2"], rel=1e-4)
+    if "swing_points" in asked:
+        assert swing_weight(sport).shown(body) == "D2.0"
+    best = f"{answer['sweet_spots']['max_exit_speed_m']}m"
+    assert run_json("hit", str(file), "--at", best)["exit_speed_m_s"] > 0
+
+
+@pytest.mark.parametrize(("sport", "key"), KINDS)
+def test_first_answers_are_the_pattern_and_within_their_bounds(sport: str, key: str) -> None:
+    form = next(form for form in forms() if form.sport == sport)
+    asked = next(pattern for pattern in form.patterns if pattern.key == key).questions
+    for one in asked:
+        if isinstance(one.value, float):
+            assert one.least is not None and one.most is not None and one.least < one.value < one.most
+    first = {one.field: one.value for one in asked if one.value is not None}
+    text, told = described_by(Wanted(sport=sport, pattern=key, **first))
+    assert f'like = "{key}"' in text or f'sport = "{sport}"' in text or sport == "baseball"
+    assert told == "" or form.sport == "golf" or catalog.bat(key).shell is not None
+
+
+@pytest.mark.parametrize(
+    ("wanted", "field", "words"),
+    [
+        ({"mass_oz": 14}, "mass_oz", "density"),
+        ({"pattern": "../../etc/passwd"}, "pattern", "no"),
+        ({"sport": "chess"}, "sport", "chess"),
+        ({"material": "butter"}, "material", "butter"),
+        ({"sport": "tennis", "pattern": "tennis-racket", "ra": 190}, "ra", "frames have"),
+        ({"sport": "tennis", "pattern": "tennis-racket", "string_tension_n": 400}, "string_tension_n", "bears"),
+        ({"sport": "tennis", "pattern": "tennis-racket", "swing_weight_oz_in2": 9000}, "swing_weight_oz_in2", "weight"),
+        ({"sport": "golf", "pattern": "golf-driver", "swing_points": "H2"}, "swing_points", "such as D2"),
+        ({"sport": "golf", "pattern": "golf-driver", "mass_oz": 5}, "mass_oz", "head"),
+        ({"sport": "baseball", "pattern": "single-wall", "mass_oz": 58}, "mass_oz", "wall"),
+    ],
+)
+def test_the_answer_that_cannot_be_is_named(wanted: dict[str, Any], field: str, words: str) -> None:
+    with pytest.raises(FieldError, match=words) as raised:
+        described_by(Wanted(**wanted))
+    assert raised.value.field == field
+
+
+def test_a_racket_by_questions_lies_on_the_bench(page: Page, server: str, settled: Callable[[Page], None]) -> None:
+    page.goto(f"{server}/sports")
+    settled(page)
+    page.get_by_role("button", name="Describe your own by questions").click()
+    expect(page.locator("#wizard-sport")).to_have_value("tennis")
+    expect(page.get_by_label("Name", exact=True)).to_have_value("my racket")
+    unit = page.locator(".wizard .control", has_text="Swing weight about the axis 10 cm from the butt").locator(".unit")
+    expect(unit).to_have_text("kg cm²")  # in the sport's own unit, whatever the page's are
+    page.locator("#wizard-mass_oz").fill("300")
+    page.get_by_role("button", name="Put it on the bench").click()
+    expect(page.locator("#wizard-mass_oz-fault")).to_have_text(re.compile(r"Allowed is 7\.05. to 14\.8. oz\."))
+    page.locator("#wizard-mass_oz").fill("10.58")
+    page.get_by_role("button", name="Put it on the bench").click()
+    expect(page.locator("#bench-chip")).to_contain_text("my racket")
+    settled(page)
+    expect(page.locator("dt", has_text=re.compile("^Weight")).locator("+ dd")).to_have_text("10.6 oz")
+    expect(page.locator("[data-field=implement] select")).to_have_value("own file")
+    page.locator("#bench-chip").click()
+    page.get_by_role("button", name="Describe another").click()
+    page.locator("#wizard-sport").select_option("golf")
+    page.get_by_role("button", name="Put it on the bench").click()
+    expect(page.locator(".wizard")).to_contain_text("a head of 0.2001 kg")  # what makes its weight is said
+    page.locator(".wizard").get_by_role("button", name="Close").click()
+    expect(page.locator("#bench-chip")).to_contain_text("my club")
