@@ -14,10 +14,13 @@ report: $(VENV)/.run  ## where does this bat hit best? BAT=name or file, OUT=fol
 app: $(VENV)/.run  ## the laboratory in a browser
 	$(BIN)/sweetspot app
 
-browser:  ## Chromium for the page's tests, where apt-get may install it
-	@for name in chromium chromium-browser google-chrome; do command -v $$name > /dev/null && exit 0; done; \
-	if [ "$$(id -u)" = 0 ] && command -v apt-get > /dev/null && export DEBIAN_FRONTEND=noninteractive && \
-		apt-get update -qq && apt-get install -y -qq --no-install-recommends chromium > /dev/null; then exit 0; fi; \
+browser:  ## Chromium for the page's tests, where apt-get may install it; the shell without windows needs less of the processor
+	@command -v chromium-headless-shell > /dev/null && exit 0; \
+	if [ "$$(id -u)" = 0 ] && command -v apt-get > /dev/null; then \
+		export DEBIAN_FRONTEND=noninteractive; \
+		timeout 60 apt-get update -qq && for name in chromium-headless-shell chromium; do \
+			timeout 300 apt-get install -y -qq --no-install-recommends $$name > /dev/null && exit 0; done; fi; \
+	for name in chromium chromium-browser google-chrome; do command -v $$name > /dev/null && exit 0; done; \
 	echo "No Chromium here and none could be installed: tests of the page in a browser are skipped (with CI=true: fail)."
 
 test: $(VENV)/.dev browser  ## all tests; three at a time keep two cores busy, as tests of the page wait for a browser

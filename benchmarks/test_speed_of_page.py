@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import json
 import re
-import shutil
 import statistics
 import subprocess
 import time
@@ -25,6 +24,7 @@ from websockets.asyncio.client import connect
 from benchmarks.cases import QUICK, duration, measured
 from benchmarks.test_speed_of_start import command
 from sweetspot.web.files import FOLDER
+from tests import browsers
 
 Record = Callable[..., None]
 Result = TypeVar("Result")
@@ -120,14 +120,14 @@ def started() -> Iterator[tuple[str, subprocess.Popen[str]]]:
         yield re.findall(r"http://\S+", process.stderr.readline())[0].rstrip("/"), process
     finally:
         process.terminate()
-        process.communicate(timeout=10)
+        process.communicate(timeout=600)
 
 
 @pytest.fixture(scope="module")
 def running() -> Iterator[Running]:
     begin = time.perf_counter()
     with started() as (address, process):
-        response = httpx.get(f"{address}/explorer", timeout=30)
+        response = httpx.get(f"{address}/explorer", timeout=600)
         start = time.perf_counter() - begin
         assert response.status_code == 200
         apart(_warm(address))
@@ -137,9 +137,7 @@ def running() -> Iterator[Running]:
 @pytest.fixture(scope="module")
 def drawn(running: Running) -> Iterator[Any]:
     """A browser's page on the warm server, and when its first picture was drawn, s."""
-    found = next(
-        (path for name in ("chromium", "chromium-browser", "google-chrome") if (path := shutil.which(name))), None
-    )
+    found = browsers.for_people()
     if found is None:
         pytest.skip("no Chromium found")
     with sync_playwright() as playwright:

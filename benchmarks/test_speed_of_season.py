@@ -1,85 +1,120 @@
-"""A season's table, Parquet to Parquet: carry, thirty parks, everything; beside pandas and pybaseball's flight."""
+"""A season's table, Parquet to Parquet: carry, thirty parks, everything; beside pandas and pybaseball's flight.
+
+Rows are made by `tools/season_rows.py`: each its own, with the shape of tracked balls where those are at hand
+(`SWEETSPOT_DATA`) and of made-up ones where not. A part of the season is run first, so that compiling does not count.
+"""
 
 from __future__ import annotations
 
-import resource
+import subprocess
+import sys
 import time
 import warnings
 from collections.abc import Callable
 from dataclasses import replace
-from functools import cache
 from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-import polars as pl
+import pytest
 
 from benchmarks.cases import QUICK
-from sweetspot import catalog
 from sweetspot.season.answers import SeasonSetting
-from sweetspot.season.made_up import MadeSeason, made_season
 from sweetspot.season.season_table import analyse_season, season_setting
-from sweetspot.season.standings import standing
+from sweetspot.season.standings import all_standings
+from tools import season_rows
 
 BALLS = 4_000 if QUICK else 118_000
-RIVAL_BALLS = 5
+MANY = 8_000 if QUICK else 1_000_000
+"""Balls of the longer table, in which what is done once a table counts little."""
+RIVAL_BALLS = 5 if QUICK else 100
+PEAK = """
+import sys
+from sweetspot.cli import main
+try:
+    main()
+finally:
+    print(next(line for line in open("/proc/self/status") if line.startswith("VmHWM")), file=sys.stderr)
+"""
 
 
-@cache
-def table() -> pl.DataFrame:
-    """Return as many balls as a season has: a made-up season over and over, each pitch with its own number."""
-    made = made_season(catalog.bat("r161-ash"), MadeSeason(players=60, balls=110))
-    many = pl.concat([made] * (BALLS // len(made) + 1)).head(BALLS)
-    return many.with_columns(at_bat_number=pl.int_range(pl.len()))
+@pytest.fixture(scope="module")
+def tables(tmp_path_factory: pytest.TempPathFactory) -> dict[int, Path]:
+    """Return tables by their number of balls, and under 0 one that is only there to compile."""
+    folder = tmp_path_factory.mktemp("rows")
+    tracked = all((season_rows.DATA / name).is_file() for name in (season_rows.SWINGS, season_rows.PITCHES))
+    base = season_rows.drawn_from(season_rows.DATA) if tracked else season_rows.drawn_from_made_up()
+    paths = {}
+    for balls in (0, BALLS, MANY):
+        paths[balls] = folder / f"{balls}.parquet"
+        season_rows.write_rows(paths[balls], balls or 2_000, base=base)
+    return paths
 
 
-def seconds(setting: SeasonSetting, folder: Path) -> tuple[float, float]:
-    """Return wall and processor seconds of one run after a short one that compiles."""
-    table().head(300).write_parquet(folder / "few.parquet")
-    analyse_season([folder / "few.parquet"], setting=setting, folder=folder / "few")
-    table().write_parquet(folder / "all.parquet")
+def seconds(table: Path, setting: SeasonSetting, folder: Path) -> tuple[float, float]:
+    """Return wall and processor seconds of one run."""
     wall, busy = time.perf_counter(), time.process_time()
-    analyse_season([folder / "all.parquet"], setting=setting, folder=folder / "all")
+    analyse_season([table], setting=setting, folder=folder)
     return time.perf_counter() - wall, time.process_time() - busy
 
 
-def test_season(benchmark: Any, record: Callable[..., None], tmp_path: Path) -> None:
-    whole = season_setting(bats={"": "r161-ash"})
-    carry = season_setting(contact=False)
-    for name, setting, goal in (
-        ("carry columns", replace(carry, flight=replace(carry.flight, parks=False)), 300_000),
-        ("carry and thirty parks", carry, 150_000),
-        ("everything", whole, 120_000),
-    ):
-        (tmp_path / name).mkdir()
-        wall, busy = seconds(setting, tmp_path / name)
-        record(
-            f"season, {BALLS:,} balls, {name}",
-            f"{BALLS / wall:,.0f} rows/s, {busy / BALLS * 1e6:.1f} µs of a core a row",
-            goal=f"{goal:,} rows/s on 2 idle cores",
-        )
-    memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2**20
-    record("season, most memory held", f"{memory:.2f} GiB", goal="1 GiB")
-    benchmark.pedantic(lambda: None, rounds=1)
-
-
-def test_players_pooled(benchmark: Any, record: Callable[..., None], tmp_path: Path) -> None:
-    table().write_parquet(tmp_path / "all.parquet")
-    season = analyse_season([tmp_path / "all.parquet"], setting=season_setting(), folder=tmp_path / "out")
+def pandas_and_pybaseball(table: Path) -> float:
+    """Return how many rows a second the rival carries: it flies one ball a call, some are enough to know its rate."""
     start = time.perf_counter()
-    benchmark.pedantic(lambda: standing(season.counted(), key="batter"), rounds=1)
-    record("all hitters pooled, every measure", f"{time.perf_counter() - start:.2f} s", goal="60 s")
-
-
-def test_pandas_and_pybaseball(benchmark: Any, record: Callable[..., None]) -> None:
-    """The rival flies one ball a call; a few are enough to know its rate."""
-    frame = table().head(RIVAL_BALLS).to_pandas()
+    frame = import_module("pandas").read_parquet(table)
+    read = time.perf_counter() - start
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         rival = import_module("pybaseball.analysis.trajectories").BattedBallTrajectory()
         start = time.perf_counter()
-        for row in frame.itertuples():
+        for row in frame.head(RIVAL_BALLS).itertuples():
             rival.get_trajectory(row.launch_speed, max(row.launch_angle, 5.0), 0.0, 2000.0, 0.0)
-        rate = len(frame) / (time.perf_counter() - start)
-    record("season, carry by pandas and pybaseball, one ball a call", f"{rate:,.0f} rows/s")
+        flown = (time.perf_counter() - start) / RIVAL_BALLS
+    return len(frame) / (read + flown * len(frame))
+
+
+def test_season(benchmark: Any, record: Callable[..., None], tables: dict[int, Path], tmp_path: Path) -> None:
+    whole = season_setting(bats={"": "r161-ash"})
+    carry = season_setting(contact=False)
+    bare = replace(carry, flight=replace(carry.flight, parks=False))
+    slow = pandas_and_pybaseball(tables[BALLS])
+    for name, setting, goal in (
+        ("carry columns", bare, 300_000),
+        ("carry and thirty parks", carry, 150_000),
+        ("everything", whole, 120_000),
+    ):
+        seconds(tables[0], setting, tmp_path / name)
+        for balls in (BALLS, MANY):
+            wall, busy = seconds(tables[balls], setting, tmp_path / name)
+            beside = {"rival": f"{slow:,.0f} rows/s", "ratio": f"{slow * wall / balls:.4f}"} if setting is bare else {}
+            record(
+                f"season, {balls:,} balls, {name}",
+                f"{balls / wall:,.0f} rows/s in {wall:.2f} s, {busy / balls * 1e6:.1f} µs of a core a row",
+                goal=f"{goal:,} rows/s on 2 idle cores" + (", 3 s" if setting is whole and balls == BALLS else ""),
+                **beside,
+            )
     benchmark.pedantic(lambda: None, rounds=1)
+
+
+def test_memory_of_the_whole_command(
+    benchmark: Any, record: Callable[..., None], tables: dict[int, Path], tmp_path: Path
+) -> None:
+    """With the tables of players, pitchers and so on and the picture, in a process of its own."""
+    if not Path("/proc/self/status").exists():
+        pytest.skip("the system does not tell how much memory was held")
+    for balls in (BALLS, MANY):
+        command = ["season", tables[balls], "--bat", "r161-ash", "--out", tmp_path / str(balls)]
+        done = subprocess.run([sys.executable, "-c", PEAK, *command], capture_output=True, text=True, check=True)
+        peak = int(done.stderr.rsplit("VmHWM:", 1)[1].split()[0]) / 2**20
+        record(f"season, whole command, {balls:,} balls, most memory held", f"{peak:.2f} GiB", goal="1 GiB")
+    benchmark.pedantic(lambda: None, rounds=1)
+
+
+def test_players_pooled(
+    benchmark: Any, record: Callable[..., None], tables: dict[int, Path], tmp_path: Path
+) -> None:  # fmt: skip
+    season = analyse_season([tables[BALLS]], setting=season_setting(), folder=tmp_path / "out")
+    start = time.perf_counter()
+    benchmark.pedantic(lambda: all_standings(season.counted_parts()), rounds=1)
+    record("all hitters, pitchers, clubs and so on pooled, every measure", f"{time.perf_counter() - start:.2f} s",
+           goal="60 s")  # fmt: skip

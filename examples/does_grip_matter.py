@@ -3,7 +3,7 @@
 Run: python examples/does_grip_matter.py
 """
 
-from sweetspot import analyse, beam_model, bending_modes, catalog, exit_speed_of, gripped, hit_at, standard_conditions
+from sweetspot import analyse, catalog, exit_speed_of, gripped, hit_at, standard_conditions
 from sweetspot.analysis.bat_analysis import TYPICAL_HAND
 from sweetspot.units import MPH
 
@@ -11,7 +11,6 @@ bat = catalog.bat("r161-ash")
 conditions = standard_conditions(bat)
 result = analyse(bat, conditions)
 place = result.sweet_spots.max_exit_speed
-free = bending_modes(beam_model(bat))
 
 grips = {
     "typical hands": conditions.hands.replaced(**TYPICAL_HAND),
@@ -20,7 +19,7 @@ grips = {
 base = exit_speed_of(result.best, conditions)
 print(f"{'free':20} {base / MPH:7.2f} mph")
 for name, hands in grips.items():
-    held = exit_speed_of(hit_at(place, modes=gripped(free, hands), conditions=conditions), conditions)
+    held = exit_speed_of(hit_at(place, modes=gripped(result.free, hands), conditions=conditions), conditions)
     print(f"{name:20} {held / MPH:7.2f} mph   {100 * (held / base - 1):+.3f} %")
 
 print(f"Grip changes the exit speed of {base / MPH:.1f} mph by {100 * result.grip_effect:+.4f} %")

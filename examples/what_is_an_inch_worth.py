@@ -18,7 +18,7 @@ from sweetspot.units import INCH, MPH
 
 bat, ball = catalog.bat("r161-ash"), catalog.ball()
 usual = natural(np.zeros(10))  # the most likely player before any swing was seen
-swings = simulated_swings(usual, bats=[bat], ball=ball, count=40, pitch_speed=80 * MPH, seed=1)
+swings = simulated_swings(usual, bats=[bat], ball=ball, count=120, pitch_speed=80 * MPH, seed=1)
 found = fit_player(player_model(swings, bat=bat, ball=ball), seed=1)
 
 speed, scatter = found.learned["bat_speed"].interval, found.learned["position_spread"].interval

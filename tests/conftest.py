@@ -5,13 +5,12 @@ from __future__ import annotations
 import gc
 import json
 import os
-import shutil
 import sys
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from hypothesis import settings
+from hypothesis import HealthCheck, settings
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the command line does; before anything loads the library
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # what one program has compiled the next that a test starts need not
@@ -23,18 +22,19 @@ from sweetspot.cli import UNTIDIED, main, output
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.material import Material
+from tests import browsers
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
 
 sys.dont_write_bytecode = False  # nor the next run
-BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 FLAGS = ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"]
 
 gc.set_threshold(UNTIDIED, *gc.get_threshold()[1:])  # as the command line does
-output.BEAT = 1e6  # s: on a busy machine a command may take so long that it says so, which is not what tests look for
-settings.register_profile("sweetspot", deadline=None)  # how long an example takes says how busy the machine is
-settings.register_profile("few", deadline=None, max_examples=8)  # for `make coverage`: each branch once is enough
+output.BEAT = output.PATIENCE = 1e6  # s: on a busy machine a command says that it takes long, which no test looks for
+# how long examples take says how busy the machine is; every run tries the same ones, so none fails by luck
+settings.register_profile("sweetspot", deadline=None, suppress_health_check=[HealthCheck.too_slow], derandomize=True)
+settings.register_profile("few", settings.get_profile("sweetspot"), max_examples=8)  # `make coverage`: each branch once
 settings.load_profile("sweetspot")
 
 
@@ -93,7 +93,7 @@ def run_json(run: Callable[..., tuple[int, str, str]]) -> Callable[..., Any]:
 @pytest.fixture(scope="session")
 def browser() -> Iterator[Browser]:
     """A real browser; the test is skipped where there is none."""
-    found = next((path for name in BROWSERS if (path := shutil.which(name))), None)
+    found = browsers.for_tests()
     if found is None:
         words = "no Chromium found: install it (`make browser` does on Debian as root) to test the page in a browser"
         if os.environ.get("CI") == "true":

@@ -105,7 +105,7 @@ ADDITIONS = {
         "bat = catalog.bat('r161-ash')\nbody = rigid_body(beam_model(bat))\n"
         "checks = check_rules(league('mlb'), bat=bat, findings=construction_findings(bat, body=body))\n"
         "assert next(check for check in checks if check.rule.quantity == 'balance').verdict.value == 'pass'\n",
-        (("analysis/certification/rules.py", '    "moi": ("moment of inertia about 6 in", "kg m^2"),',
+        (("analysis/certification/rules.py", '    "moi": ("moment of inertia", "kg m^2"),',
           '    "balance": ("balance point", "m"),\n'),
          ("analysis/certification/rules.py", '        "moi": Finding(moi, interval=',
           '        "balance": Finding(body.balance_point),\n')),

@@ -35,7 +35,7 @@ NEIGHBOURS = {("references", "errors"), ("units", "errors")}
 """The only two arrows inside a line."""
 
 HOMES = {
-    "numba": ("numerics/", "collision/kernel.py", "flight/compiled.py", "player/likelihood.py"),
+    "numba": ("numerics/", "collision/compiled.py", "flight/compiled.py", "player/likelihood.py"),
     "llvmlite": ("numerics/vector_math.py",),
     "matplotlib": ("report/",),
     "rich": ("report/", "cli/"),

@@ -61,7 +61,9 @@ def main(wanted: list[str]) -> None:
                 words, there = PRESSED[name]
                 page.get_by_role("button", name=words).click()
                 page.locator(there).wait_for(timeout=READING)
-            time.sleep(1.0)  # lists of bats and parks arrive after the first picture
+                page.locator("#view[data-waiting~=answer]").wait_for(state="detached", timeout=READING)
+            page.locator("#view[data-waiting='']").wait_for(timeout=READING)  # lists, words and parts come later
+            time.sleep(1.0)  # painted, and what grew has settled
             shot = Image.open(io.BytesIO(page.screenshot()))
             small = shot.convert("RGB").quantize(COLOURS, kmeans=3, dither=Image.Dither.NONE)
             small.save(FOLDER / f"{name}.png", optimize=True)

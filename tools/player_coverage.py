@@ -34,8 +34,16 @@ FARTHEST, STEEPEST = 14 * INCH, 60 * DEGREE
 """m from the tip, and launch angle, up to which hits are in the file."""
 
 
-def swings_of(theta: Array, *, count: int, seed: int, protective: float = PROTECTIVE) -> tuple[PlayerSwing, ...]:
-    """Return swings of one made-up player with an ash bat."""
+def swings_of(
+    theta: Array, *, count: int, seed: int, protective: float = PROTECTIVE, unsteady: float = 1.0
+) -> tuple[PlayerSwing, ...]:
+    """Return swings of one made-up player with an ash bat.
+
+    Parameters
+    ----------
+    protective : part of swings that are slower.
+    unsteady : times the scatter of tilt, descent and spin.
+    """
     value = dict(zip(NAMES, (float(one) for one in theta), strict=True))
     random = np.random.default_rng(seed)
     bat, ball, many = catalog.bat("r161-ash"), catalog.ball(), 8 * count
@@ -43,12 +51,12 @@ def swings_of(theta: Array, *, count: int, seed: int, protective: float = PROTEC
     speed = value["bat_speed"] + value["bat_speed_spread"] * draw(many)
     speed -= np.where(random.random(many) < protective, SLOWER * random.exponential(size=many), 0.0)
     attack = value["attack_angle"] + fixed("attack_angle_spread") * draw(many)
-    tilt = fixed("swing_tilt") + TILT_SPREAD * draw(many)
+    tilt = fixed("swing_tilt") + unsteady * TILT_SPREAD * draw(many)
     place = value["position"] + value["position_spread"] * draw(many)
     above = value["offset"] + value["offset_spread"] * draw(many)
     pitch = PITCH + PITCH_SPREAD * draw(many)
-    descent = fixed("pitch_descent") + DESCENT_SPREAD * draw(many)
-    backspin = PITCH_SPIN + PITCH_SPIN_SPREAD * draw(many)
+    descent = fixed("pitch_descent") + unsteady * DESCENT_SPREAD * draw(many)
+    backspin = PITCH_SPIN + unsteady * PITCH_SPIN_SPREAD * draw(many)
     fine = (place > 0) & (place < FARTHEST) & (speed > 20 * MPH)
     there = speed * (bat.length - bat.choke - place) / (bat.length - bat.choke - SPEED_FROM_TIP)
     plane = np.array([steep_enough(float(one), float(up)) for one, up in zip(tilt, attack, strict=True)])
@@ -84,14 +92,18 @@ def main() -> None:
     options.add_argument("--players", type=int, default=100)
     options.add_argument("--swings", type=int, default=80)
     options.add_argument("--protective", type=float, default=PROTECTIVE, help="part of swings that are slower")
+    options.add_argument("--unsteady", type=float, default=1.0, help="times the scatter of tilt, descent and spin")
+    options.add_argument("--seed", type=int, default=11, help="of the players and of their swings")
     given = options.parse_args()
     inside = np.zeros((given.players, len(NAMES)), bool)
     rank = np.zeros((given.players, len(NAMES)))
     apart = np.zeros((given.players, len(NAMES)))
-    for player, standard in enumerate(prior_draws(given.players, seed=11)):
+    for player, standard in enumerate(prior_draws(given.players, seed=given.seed)):
         theta = natural(standard)
-        swings = swings_of(theta, count=given.swings, seed=player, protective=given.protective)
-        found = fit_player(player_model(swings, bat=catalog.bat("r161-ash"), ball=catalog.ball()))
+        swings = swings_of(theta, count=given.swings, seed=1000 * given.seed + player,
+                          protective=given.protective, unsteady=given.unsteady)  # fmt: skip
+        # a seed of its own: with one for all, the draws' own error would be the same for every player
+        found = fit_player(player_model(swings, bat=catalog.bat("r161-ash"), ball=catalog.ball()), seed=player)
         low, high = np.quantile(found.draws, (0.05, 0.95), axis=0)
         inside[player] = (low <= theta) & (theta <= high)
         rank[player] = (found.draws < theta).mean(axis=0)

@@ -7,7 +7,7 @@ import time
 import numpy as np
 from numba import njit
 
-from sweetspot.collision.kernel import LANES
+from sweetspot.collision.compiled import LANES
 
 MODES = 14
 MODAL_FLOPS = 10 * MODES

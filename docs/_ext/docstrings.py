@@ -7,6 +7,7 @@ from importlib import import_module
 from typing import Any
 
 from sphinx.application import Sphinx
+from sphinx.util.inspect import TypeAliasForwardRef
 
 CITATION = re.compile(r"\[([a-z][a-z0-9_]*(?:[,;] [^\]]*)?)\]")
 SECTIONS = {"Parameters", "Returns"}
@@ -48,18 +49,8 @@ def process(*event: Any) -> None:
     lines[:] = [line if ">>>" in line else linked(line.replace("|", r"\|"), keys) for line in for_napoleon(lines)]
 
 
-def named(*given: Any) -> tuple[str | None, str | None]:
-    """Return a signature in which the names of our arrays stand as they are written in the source."""
-    signature, returns = given[-2:]
-    return tuple(text and ALIAS.sub(r"\1", text) for text in (signature, returns))
-
-
-ALIAS = re.compile(r"TypeAliasForwardRef\('(\w+)'\)")
-"""What Sphinx makes of an alias beside a bar."""
-
-
 def setup(app: Sphinx) -> dict[str, Any]:
     """Listen to autodoc."""
     app.connect("autodoc-process-docstring", process, priority=400)  # napoleon listens at 500
-    app.connect("autodoc-process-signature", named)
+    TypeAliasForwardRef.__repr__ = lambda alias: alias.name  # the names of our arrays, as the source writes them
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

@@ -9,12 +9,13 @@ from figures.style import BLUE, GREY, RED, new_figure
 from sweetspot import catalog
 from sweetspot.calibration.draws.drawn_reports import drawn_hit
 from sweetspot.calibration.draws.sources import Sources
-from sweetspot.calibration.measured import REACH, Measured
+from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.naming import ModeName
 from sweetspot.calibration.posterior import calibrate
 from sweetspot.calibration.unknowns import described, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.numerics.confidence import REACH
 from sweetspot.units import MPH
 
 STEPS = {

@@ -2,6 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterable, Sequence
+
+ALMOST = 0.75
+"""How alike two names are at least, from 0 to 1, where one may be a slip of the other. [Our choice.]"""
+SPELT_LIKE = 0.65
+"""The same where several are only listed as what may have been meant. [Our choice.]"""
+MOST_MEANT, MOST_LISTED, MOST_EXAMPLES = 3, 12, 8
+"""Names listed at most: of those spelt alike, of a short list whole, of a long one as examples."""
+
 
 class SweetspotError(Exception):
     """Base of every error that this package raises on purpose."""
@@ -28,16 +37,66 @@ def first_line(error: BaseException) -> str:
     return str(error).strip().split("\n")[0][:200] or type(error).__name__
 
 
-def nearest_names(name: str, known: list[str]) -> str:
-    """Return a hint that lists the known names closest to ``name``.
+def nearest_names(name: str, known: Sequence[str]) -> str:
+    """Return a hint that lists the known names spelt like ``name``, whole or by a word in them; else what there is.
 
-    >>> nearest_names("r161", ["r161-ash", "youth-30"])
-    'Did you mean r161-ash?'
+    >>> nearest_names("r161", ["r161-ash", "youth-30"]), nearest_names("asch", ["white-ash", "maple"])
+    ('Did you mean r161-ash?', 'Did you mean white-ash?')
+    >>> nearest_names("nosuch", ["r161-ash", "youth-30"])
+    'Known names: r161-ash, youth-30.'
     """
     import difflib
 
-    close = difflib.get_close_matches(name.lower(), known, n=3, cutoff=0.4)
-    close = close or [known_name for known_name in known if name.lower() in known_name][:3]
+    def likeness(one: str) -> tuple[float, float]:
+        """Return how alike the nearest of the name and its words is, then how alike the whole name."""
+        parts = [one, *one.replace("-", " ").split()]
+        ratios = [difflib.SequenceMatcher(None, asked, part.lower()).ratio() for part in parts]
+        return max(ratios), ratios[0]
+
+    asked = name.lower()
+    enough = ALMOST if asked.isdigit() else SPELT_LIKE  # any two numbers of players share half of their digits
+    likely = sorted(((likeness(one), one) for one in known), reverse=True)
+    close = [one for how, one in likely if how[0] >= enough][:MOST_MEANT]
     if close:
         return f"Did you mean {' or '.join(close)}?"
-    return f"Known names: {', '.join(known)}."
+    if len(known) <= MOST_LISTED:
+        return f"Known names: {', '.join(known)}."
+    return f"There are {len(known)}, for example {', '.join(known[:MOST_EXAMPLES])}."
+
+
+def maybe_meant(name: str, known: Iterable[str]) -> str:
+    """Return a name in quotes, and behind it the known one that is spelt almost so, where there is one.
+
+    >>> maybe_meant("r161-asch", ["r161-ash", "youth-30"]), maybe_meant("my gamer", ["r161-ash", "youth-30"])
+    ("'r161-asch' (did you mean r161-ash?)", "'my gamer'")
+    """
+    return _with_meant(name, spelt_almost(name, known))
+
+
+def maybe_meant_heading(heading: str, known: Iterable[str], units: Collection[str]) -> str:
+    """Return a column's heading in quotes, and behind it what is spelt almost so, with the unit that it ends in.
+
+    >>> maybe_meant_heading("Bat_sped_mph", ["bat_speed", "exit_speed"], ["mph", "m_s"])
+    "'Bat_sped_mph' (did you mean bat_speed_mph?)"
+    """
+    name = "_".join(heading.lower().split())
+    endings = [f"_{unit}" for unit in units if name.endswith(f"_{unit}")]
+    ending = max(endings, key=len, default="")
+    almost = spelt_almost(name.removesuffix(ending), known)
+    meant = almost and almost + ending
+    return _with_meant(heading, meant if meant != name else None)
+
+
+def spelt_almost(name: str, known: Iterable[str]) -> str | None:
+    """Return the known name that another may be a slip of, None where there is none.
+
+    >>> spelt_almost("R161-asch", ["r161-ash", "youth-30"]), spelt_almost("my gamer", ["r161-ash", "youth-30"])
+    ('r161-ash', None)
+    """
+    import difflib
+
+    return next(iter(difflib.get_close_matches(name.lower(), list(known), n=1, cutoff=ALMOST)), None)
+
+
+def _with_meant(name: str, meant: str | None) -> str:
+    return f"{name!r} (did you mean {meant}?)" if meant else repr(name)

