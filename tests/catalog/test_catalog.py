@@ -9,6 +9,7 @@ from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.files.bat import bat_from_table
 from sweetspot.catalog.files.turned import turned_profile
 from sweetspot.catalog.records import all_records, read_table
+from sweetspot.catalog.rules import league
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.errors import InputError
@@ -24,6 +25,16 @@ KEYS = set(references.keys())
 PLAIN = {"name", "family", "sport", "like", "note", "scale"}
 """Fields that are words, not values."""
 ENTRIES = [(table, name) for table, entries in TABLES.items() for name in entries]
+
+
+def test_rules_are_known_by_the_names_that_people_have_for_them() -> None:
+    """What is printed on bats and said in offices: NFHS and NCAA share one rule, USA Softball was the ASA."""
+    known = {"NFHS": "ncaa", "high school": "ncaa", "USA Bat": "usabat", "usa-softball": "asa", "BPF 1.15": "usssa"}
+    assert {name: league(name).key for name in known} == known
+    with pytest.raises(InputError, match="Known names: asa, cricket, little-league"):
+        league("xyz")
+    also = [name for entry in read_table("rules.toml").values() for name in entry.get("also", ())]
+    assert len(also) == len(set(also)) and not {*also} & {*read_table("rules.toml")}
 
 
 @pytest.mark.parametrize(("table", "name"), ENTRIES)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Callable
 from pathlib import Path
@@ -18,6 +19,10 @@ SLIPS = [
     ((*FLIGHT, "--spray", "90deg"), "the spray is 90 deg, and what spin hits usually have is known for -60 to 60 deg"),
     ((*FLIGHT, "--wind-direction", "40deg"), "--wind-direction was given without --wind-speed"),
     ((*FLIGHT, "--wind-speed", "9mph", "--wind-direction", "400deg"), "usual is -360 to 360 deg"),
+    (
+        (*FLIGHT, "--wind-speed", "9mph", "--wind-direction", "sw"),
+        "no direction known here; write for example out, in,",
+    ),
     ((*FLIGHT, "--humidity", "50"), "usual is 0 to 1; a ratio from 0 to 1, or a percentage: 50 % is 0.5"),
     (("play", "r161-ash", "--at", "30in-from-tip"), "there the hands are"),
     (("play", "r161-ash", "--attack-angle", "58deg"), "swing path: the plane of the swing"),
@@ -90,6 +95,15 @@ def test_a_table_of_another_kind(run: Run, tmp_path: Path, command: tuple[str, s
     file.write_text(text)
     code, _, err = run(command[0].strip(), str(file))
     assert code == 2 and message in err, err
+
+
+def test_a_wind_in_words_is_that_of_its_angle(run: Run) -> None:
+    """Exact; and answers for programs come by the short word too."""
+    carries = [
+        json.loads(run(*FLIGHT, "--wind-speed", "9mph", "--wind-direction", to, "--json")[1])["carry_m"]
+        for to in ("in-from-lf", "135deg", "0deg")
+    ]
+    assert carries[0] == carries[1] < carries[2] - 10
 
 
 def test_no_wind_bends_no_ball(run: Run) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from sweetspot.catalog.records import canonical, quantity, read_table
+from sweetspot.catalog.records import canonical, known_names, quantity, read_table
 from sweetspot.errors import InputError, nearest_names
 from sweetspot.flight.pitch import Delivery
 from sweetspot.units import Kind
@@ -64,7 +64,7 @@ def usual_height(name: str) -> float:
 
 def _entry(name: str) -> dict[str, Any]:
     table = read_table(FILE) | read_table(OTHERS)
-    known = {canonical(word): key for key, entry in table.items() for word in (key, *entry["also"])}
+    known = known_names(table)
     if canonical(name) not in known:
         raise InputError(f"pitch {name!r} is not in the catalogue. {nearest_names(canonical(name), list(known))}")
     return table[known[canonical(name)]]

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from sweetspot.catalog.implements import implement_tables
-from sweetspot.catalog.records import canonical, read_table, unwrapped
+from sweetspot.catalog.records import canonical, known_names, read_table, unwrapped
 from sweetspot.errors import InputError, nearest_names
 
 Tables = dict[str, dict[str, Any]]
@@ -54,10 +54,11 @@ def entry_toml(name: str, kind: str | None = None, *, sources: bool = False) -> 
     wanted = canonical(name)
     tables = {one: KINDS[one]() for one in KINDS if kind in (None, one)}
     for table in tables.values():
-        for key, value in table.items():
-            if canonical(key) == wanted:
-                text = tomli_w.dumps(value if sources else _plain(value), multiline_strings=True)
-                return text if sources else _marked(text, value)
+        key = known_names(table).get(wanted)
+        if key is not None:
+            value = table[key]
+            text = tomli_w.dumps(value if sources else _plain(value), multiline_strings=True)
+            return text if sources else _marked(text, value)
     known = sorted({canonical(key) for table in tables.values() for key in table})
     hint = nearest_names(wanted[:60], known)
     where = "" if hint.endswith("?") else " `sweetspot bats`, `sports` and `parks` list most of them."

@@ -51,14 +51,28 @@ def read_table(file_name: str) -> dict[str, dict[str, Any]]:
 
 
 def entry(table: Mapping[str, Entry], name: str, what: str) -> tuple[str, Entry]:
-    """Return the key and entry of a name, however its words are joined, or refuse it with the nearest names."""
+    """Return the key and entry of a name, however its words are joined, or refuse it with the nearest names.
+
+    An entry is known by its key, and by what else it has under ``also``.
+    """
     key = canonical(name)
-    known = {canonical(key): key for key in table}
+    known = known_names(table)
     if key not in known:
         listed = f" {LISTED[what]} lists all." if what in LISTED else ""
-        hint = nearest_names(key[:60], sorted(known))
+        hint = nearest_names(key[:60], sorted(map(canonical, table)))
         raise InputError(f"{what} {name[:60]!r} is not in the catalogue. {hint}{'' if hint.endswith('?') else listed}")
     return known[key], table[known[key]]
+
+
+def known_names(table: Mapping[str, Any]) -> dict[str, str]:
+    """Return the key of every entry by each of the names that people know it by."""
+    also = {
+        canonical(name): key
+        for key, described in table.items()
+        if isinstance(described, dict)
+        for name in described.get("also", ())
+    }
+    return also | {canonical(key): key for key in table}
 
 
 def canonical(name: str) -> str:

@@ -21,6 +21,8 @@ UNTIDIED = 100_000
 """New objects between two looks for garbage: a command makes a million that stay, and looking takes a tenth of it."""
 FORCE = "--force"
 """Takes every number as it is given, whatever is usual; every command understands it."""
+SHORT = {"--json": ("--format", "json"), "--csv": ("--format", "csv"), "-": ("/dev/stdin",)}
+"""What other programs have taught people to write, for any command: answers at hand, standard input as the file."""
 
 
 def main(arguments: list[str] | None = None) -> None:
@@ -41,7 +43,7 @@ def main(arguments: list[str] | None = None) -> None:
     try:
         beating = nullcontext() if given[:1] == [SERVER] else heartbeat()
         with held_output(), insisting(FORCE in given), _warnings_told(FORCE in given), beating:
-            words = [word for word in given if word != FORCE]
+            words = [word for one in given if one != FORCE for word in SHORT.get(one, (one,))]
             ASKED.set(tuple(given))
             if not words or words[0].startswith("-"):
                 load_all()

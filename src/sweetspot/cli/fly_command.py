@@ -24,7 +24,7 @@ KINDS: dict[str, Kind] = {
     "exit_speed": "speed", "launch_angle": "angle", "spray": "angle", "bearing": "angle", "backspin": "angular speed",
     "sidespin": "angular speed", "gyrospin": "angular speed", "height": "length", "forward": "length",
     "temperature": "temperature", "humidity": "ratio", "pressure": "pressure", "elevation": "length",
-    "wind_speed": "speed", "wind_direction": "angle", "wind_exponent": "ratio", "calm_below": "length",
+    "wind_speed": "speed", "wind_direction": "wind direction", "wind_exponent": "ratio", "calm_below": "length",
 }  # fmt: skip
 """Every number of a hit and its weather, and the kind of quantity."""
 

@@ -16,9 +16,11 @@ from sweetspot.errors import InputError
 from sweetspot.units.sizes import INCH, OUNCE
 from sweetspot.units.usual import check_usual, example_of
 from sweetspot.units.usual_units import written
+from sweetspot.units.wind import in_words
 
 Kind = Literal[
-    "length", "mass", "speed", "moi", "density", "pressure", "force", "time", "angle", "angular speed",
+    "length", "mass", "speed", "moi", "density", "pressure", "force", "time", "angle", "wind direction",
+    "angular speed",
     "linear density", "areal density", "first moment", "temperature",
     "stiffness", "damping", "frequency", "ratio", "slope per speed",
     "slope per temperature",
@@ -37,6 +39,7 @@ SI: dict[Kind, tuple[str, str]] = {
     "force": ("newton", "230 N, 24 kg or 52 lb"),
     "time": ("second", "1.6 s"),
     "angle": ("radian", "27deg"),
+    "wind direction": ("radian", "out, in, left-to-right, out-to-right-field or 30deg"),
     "angular speed": ("radian/second", "45 rad/s"),
     "linear density": ("kilogram/meter", "1.2 kg/m"),
     "areal density": ("kilogram/meter**2", "2.4 kg/m^2"),
@@ -53,7 +56,8 @@ SI: dict[Kind, tuple[str, str]] = {
 
 LARGEST: dict[Kind, float] = {
     "length": 1e4, "mass": 1e3, "speed": 1e4, "moi": 1e3, "density": 1e5, "pressure": 1e13, "force": 1e8, "time": 1e6,
-    "angle": 1e3, "angular speed": 1e5, "linear density": 1e3, "areal density": 1e4, "first moment": 1e4,
+    "angle": 1e3, "wind direction": 1e3, "angular speed": 1e5, "linear density": 1e3, "areal density": 1e4,
+    "first moment": 1e4,
     "temperature": 1e4, "stiffness": 1e12, "damping": 1e9, "frequency": 1e7, "ratio": 1e6,
     "slope per speed": 1e3, "slope per temperature": 1e3,
 }  # fmt: skip
@@ -190,7 +194,9 @@ def _understood(text: str, kind: Kind, what: str) -> float:
             return float(percent) / (100 if percent != spelled else 1)
         except ValueError:
             raise InputError(_not_a_number(text, kind, what)) from None
-    value = written(spelled, kind)
+    if kind == "wind direction" and (blows_to := in_words(spelled)) is not None:
+        return blows_to
+    value = written(spelled, "angle" if kind == "wind direction" else kind)
     return _by_pint(text, spelled, kind, what) if value is None else value
 
 
@@ -245,7 +251,8 @@ def _not_understood(text: str, kind: Kind, what: str, error: Exception) -> str:
     if isinstance(error, pint.DimensionalityError):
         return f"{what} was given as {text!r}, which is not a {kind}; write for example {example}"
     if isinstance(error, pint.UndefinedUnitError):
-        return f"{what} was given as {text!r}, whose unit is not known; write for example {example}"
+        unknown = "which is no direction known here" if kind == "wind direction" else "whose unit is not known"
+        return f"{what} was given as {text!r}, {unknown}; write for example {example}"
     return _not_a_number(text, kind, what)
 
 

@@ -42,6 +42,11 @@ WRITTEN: Mapping[str, Mapping[str, float]] = {
 """Size in SI of each unit, by the kind of quantity."""
 TEMPERATURES = {"degC": (1.0, 0.0), "degF": (5 / 9, 32.0)}
 """Size in degC, and which number stands for 0 degC."""
+TEMPERATURE = re.compile(
+    r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(?:deg(?:rees?)?|[°º])?[\s_]*(f|c)(?:ahrenheit|elsius)?",
+    re.IGNORECASE,
+)
+"""A number and F or C, with or without a word or sign for degrees: no weather is told in farads or coulombs."""
 SHOUTED = {"in", "ft", "yd", "oz", "lb", "mph"}
 """Units that are the same in capitals."""
 ONE_NUMBER_AND_UNIT = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([A-Za-z1][\w*/^]*)")
@@ -50,19 +55,28 @@ ONE_NUMBER_AND_UNIT = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s
 def written(text: str, kind: str) -> float | None:
     """Return one number with one usual unit of a kind in SI; None for anything else.
 
-    >>> written("10 mm", "length"), written("50 degF", "temperature"), written("10 furlong", "length")
+    >>> written("10 mm", "length"), written("50 F", "temperature"), written("10 furlong", "length")
     (0.01, 10.0, None)
     """
+    if kind == "temperature":
+        number_in = _temperature(text)
+        if number_in is None:
+            return None
+        size, zero = TEMPERATURES[number_in[1]]
+        return (number_in[0] - zero) * size
     match = ONE_NUMBER_AND_UNIT.fullmatch(text.strip())
     if match is None:
         return None
     number, unit = float(match[1]), match[2]
     unit = unit.lower() if unit.lower() in SHOUTED else unit
-    if kind == "temperature" and unit in TEMPERATURES:
-        size, zero = TEMPERATURES[unit]
-        return (number - zero) * size
     size_of = WRITTEN.get(kind, {})
     return number * size_of[unit] if unit in size_of else None
+
+
+def _temperature(text: str) -> tuple[float, str] | None:
+    """Return a temperature's number and the key of its unit."""
+    match = TEMPERATURE.fullmatch(text.strip())
+    return None if match is None else (float(match[1]), f"deg{match[2].upper()}")
 
 
 def in_unit_of(given: str, bounds: tuple[float, float], unit: str) -> tuple[tuple[float, float], str]:
@@ -76,12 +90,14 @@ def in_unit_of(given: str, bounds: tuple[float, float], unit: str) -> tuple[tupl
     >>> in_unit_of("-300degF", (-40, 60), "degC"), in_unit_of("0.6 m", (-1, 2), "ft")
     (((-40.0, 140.0), 'degF'), ((-0.3048, 0.6096), 'm'))
     """
-    match = ONE_NUMBER_AND_UNIT.fullmatch(given.strip())
-    theirs = match[2] if match else unit
-    if theirs in TEMPERATURES and unit in TEMPERATURES:
+    if unit in TEMPERATURES:
+        number_in = _temperature(given)
+        theirs = number_in[1] if number_in else unit
         (our_size, our_zero), (size, zero) = TEMPERATURES[unit], TEMPERATURES[theirs]
         low, high = ((bound - our_zero) * our_size / size + zero for bound in bounds)
         return (low, high), theirs
+    match = ONE_NUMBER_AND_UNIT.fullmatch(given.strip())
+    theirs = match[2] if match else unit
     for sizes in WRITTEN.values():
         if theirs in sizes and unit in sizes:
             low, high = (bound * sizes[unit] / sizes[theirs] for bound in bounds)

@@ -16,7 +16,9 @@ Format = Literal["table", "json", "csv"]
 class AnswerOptions:
     """How an answer is told."""
 
-    format: Annotated[Format, Parameter(help="table for people, json or csv for programs (SI).")] = "table"
+    format: Annotated[
+        Format, Parameter(help="table for people, json or csv for programs (SI); --json and --csv do too.")
+    ] = "table"
     units: Annotated[
         Literal["us", "si"] | None, Parameter(help="Units that people are told in; default: those of the sport.")
     ] = None

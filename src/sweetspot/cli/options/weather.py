@@ -28,7 +28,11 @@ class AirOptions:
     ] = None
     wind_speed: Annotated[str, Parameter(help="Of the wind: 10mph.")] = "0mph"
     wind_direction: Annotated[
-        str, Parameter(help="Where the wind blows to: 0deg is out to centre field, 90deg to right field, 180deg in.")
+        str,
+        Parameter(
+            help="Where the wind blows to: out, in, left-to-right, out-to-right-field, in-from-left-field, ... or an "
+            "angle: 0deg is out to centre field, 90deg from left to right, 180deg in."
+        ),
     ] = "0deg"
     wind_profile: Annotated[
         str, Parameter(help="Exponent of the wind's growth with height, from 10 m: 0 is alike everywhere, 0.14 usual.")
@@ -81,7 +85,7 @@ def wind_of(options: AirOptions) -> Wind:
     check_wind(options)
     return Wind(
         speed=parse(options.wind_speed, "speed", "--wind-speed"),
-        direction=parse(options.wind_direction, "angle", "--wind-direction"),
+        direction=parse(options.wind_direction, "wind direction", "--wind-direction"),
         exponent=parse(options.wind_profile, "ratio", "--wind-profile"),
         calm_below=parse(options.calm_below, "length", "--calm-below"),
     )
