@@ -51,7 +51,7 @@ NOTHING_ASKED = "!document.querySelector('#view').dataset.waiting.split(' ').inc
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Try a test in a browser, which may be starved on a busy machine, once more before it fails; both are reported."""
     for item in items:
-        if "page" in getattr(item, "fixturenames", ()):
+        if "browser" in getattr(item, "fixturenames", ()):
             item.add_marker(pytest.mark.flaky(reruns=1))
 
 
@@ -115,6 +115,10 @@ def page(visitor: BrowserContext) -> Iterator[Page]:
     assert not surprises, "\n".join(surprises)
 
 
+def _told(page: Page) -> str:
+    return " ".join(page.locator("body").inner_text().split())[:500]
+
+
 @pytest.fixture
 def until() -> Callable[[Page, str], Any]:
     """A function that waits until a script's value is true, and returns it."""
@@ -127,7 +131,7 @@ def until() -> Callable[[Page, str], Any]:
             except PlaywrightError as error:  # of a page that was left for another one, which is looked at next
                 if "context was destroyed" not in str(error):
                     raise
-            assert found or time.monotonic() < deadline, f"never true: {script}"
+            assert found or time.monotonic() < deadline, f"never true: {script}\non a page that says: {_told(page)}"
         return found
 
     return wait

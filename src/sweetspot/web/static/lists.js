@@ -1,5 +1,7 @@
 // The catalogue's lists, each fetched when first wanted and by itself: none waits for another.
 
+import { asked } from "./post.js";
+
 const ALL = ["bats", "balls", "materials", "leagues", "parks", "implements", "pitches"];
 
 export class Lists {
@@ -24,7 +26,7 @@ export class Lists {
   fetched(name) {
     const what = `list of ${name}`;
     this.waits(what);
-    const list = fetch(`/api/v1/${name}`).then((response) => response.json())
+    const list = asked(`/api/v1/${name}`).then((response) => response.json())
       .catch((error) => {
         this.known.delete(name); // so that the next who asks tries again
         throw error;

@@ -1,11 +1,28 @@
-// POST JSON to the API; a refusal is thrown as {field, message}.
+// Questions to the API.
+
+const WAIT = 429; // status of an answer to one of many behind this address: to be asked again after a while
+
+// What the server answers; where it says to wait, it is asked again then.
+/**
+ * @param {string} path
+ * @param {RequestInit} [question]
+ * @returns {Promise<Response>}
+ */
+export async function asked(path, question) {
+  const response = await fetch(path, question);
+  if (response.status !== WAIT) return response;
+  await new Promise((done) => setTimeout(done, 1000 * Number(response.headers.get("retry-after"))));
+  return asked(path, question);
+}
+
+// POST JSON; a refusal is thrown as {field, message}.
 
 /**
  * @param {string} path
  * @param {object} table
  */
 export async function posted(path, table) {
-  const response = await fetch(path, {
+  const response = await asked(path, {
     method: "POST", headers: { "content-type": "application/json" }, body: JSON.stringify(table),
   });
   const answer = await response.json();

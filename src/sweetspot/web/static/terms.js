@@ -1,6 +1,7 @@
 // What the words mean, shown where they stand on hover and focus, with the source; and all of them in a list.
 
 import { make } from "./parts.js";
+import { asked } from "./post.js";
 /** @import { App } from "./main.js" */
 /** @import { System } from "./units.js" */
 
@@ -12,7 +13,7 @@ let tip = null; // one for the page: what the word that is pointed at means
 
 /** @returns {Promise<Map<string, Term>>} */
 function meanings() {
-  known ??= fetch("/api/v1/terms").then((response) => response.json()).then((/** @type {Term[]} */ terms) => (
+  known ??= asked("/api/v1/terms").then((response) => response.json()).then((/** @type {Term[]} */ terms) => (
     new Map(terms.flatMap((term) => term.names.map((name) => /** @type {[string, Term]} */ ([name, term])))))).catch(() => {
     known = null; // so that the next who asks tries again
     return new Map();

@@ -2,7 +2,7 @@
 //
 //   const key = await upload(file, (part) => ..., signal);      // part: how much has gone, 0 to 1; a refusal is thrown
 
-import { posted } from "./post.js";
+import { asked, posted } from "./post.js";
 
 /**
  * @param {File} file
@@ -14,7 +14,7 @@ export async function upload(file, onPart = () => {}, signal = undefined) {
   const { upload: key, piece } = await posted("/api/v1/uploads", { name: file.name || "file", size: file.size });
   for (let offset = 0; offset < file.size; offset += piece) {
     signal?.throwIfAborted();
-    const response = await fetch(`/api/v1/uploads/${key}/${offset}`, { method: "POST", body: file.slice(offset, offset + piece), signal });
+    const response = await asked(`/api/v1/uploads/${key}/${offset}`, { method: "POST", body: file.slice(offset, offset + piece), signal });
     if (!response.ok) throw (await response.json()).error;
     onPart(Math.min(1, (offset + piece) / file.size));
   }
