@@ -45,6 +45,19 @@ if __name__ == "__main__":
     main(sys.argv[1:])
 """
 """The command, and a Ctrl-C to it and all its workers, as a terminal sends it, as soon as a task is done."""
+WRITES = """
+import sys, time
+from pathlib import Path
+from sweetspot.season.whole_files import written_whole
+
+with written_whole(Path(sys.argv[1])) as file:
+    file.write(b"half")
+    file.flush()
+    print("half written", flush=True)
+    sys.stdin.read()
+    file.write(b" and whole")
+"""
+"""A process that is in the middle of a file until its input ends."""
 
 
 def season(*arguments: object) -> int:
@@ -92,6 +105,46 @@ def test_ctrl_c_keeps_what_is_done(months: list[Path], whole: dict[str, str], tm
     assert done
     assert season(*months, "--out", out, "--resume") == 0
     assert files_of(out) == whole and done.items() <= done_in(out).items()
+
+
+@pytest.fixture
+def writers() -> Iterator[Callable[[Path], subprocess.Popen[bytes]]]:
+    """Return what starts a process that holds a file half written."""
+    started: list[subprocess.Popen[bytes]] = []
+
+    def start(path: Path) -> subprocess.Popen[bytes]:
+        process = subprocess.Popen(
+            [sys.executable, "-c", WRITES, str(path)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=ROOT,
+            env={**os.environ, "PYTHONPATH": str(ROOT / "src")},
+        )  # fmt: skip
+        started.append(process)
+        assert process.stdout is not None and process.stdout.readline() == b"half written\n"
+        return process
+
+    yield start
+    for process in started:
+        process.kill()
+        process.communicate()
+
+
+def test_what_a_killed_process_left_is_swept_and_what_a_living_one_writes_is_not(
+    months: list[Path], whole: dict[str, str], tmp_path: Path, writers: Callable[[Path], subprocess.Popen[bytes]]
+) -> None:
+    """A real SIGKILL in the middle of a file, and another process in the middle of one while --resume goes on."""
+    assert season(*months, "--out", tmp_path) == 0
+    balls = tmp_path / "balls"
+    missing = balls / "0001-0000000000.parquet"
+    missing.unlink()
+    dead, living = writers(missing), writers(balls / "0009-0000000000.parquet")
+    dead.kill()
+    dead.wait()
+    assert len(list(balls.glob(".*"))) == 2 and not missing.exists()
+    assert season(*months, "--out", tmp_path, "--resume") == 0
+    assert [path.name.split(".")[1] for path in tmp_path.rglob(".*")] == ["0009-0000000000"]
+    assert files_of(tmp_path) == whole
+    living.communicate(b"")
+    assert (balls / "0009-0000000000.parquet").read_bytes() == b"half and whole"
+    assert not list(tmp_path.rglob(".*"))
 
 
 @contextmanager

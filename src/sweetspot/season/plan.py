@@ -12,7 +12,6 @@ import json
 import os
 import re
 from collections.abc import Callable, Iterator
-from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -28,6 +27,7 @@ from sweetspot.season.duplicates import with_duplicates
 from sweetspot.season.rows import USED, rows_of
 from sweetspot.season.table_file import TableFile
 from sweetspot.season.table_reader import TableReader
+from sweetspot.season.whole_files import sweep, written_whole
 
 TASK_ROWS = 32_768
 """Rows of a task; the answers of a row do not depend on it, what is held in memory at a time does."""
@@ -91,6 +91,12 @@ class Plan:
         return balls, ledger, counted
 
 
+def sweep_plan(plan: Plan) -> None:
+    """Remove what killed processes left half written among the answers of a plan."""
+    for name in (BALLS, LEDGER, COUNTED):
+        sweep(plan.folder / name)
+
+
 def serial(plan: Plan) -> Plan:
     """Return a plan whose tasks use one thread each, for many tasks side by side on one machine."""
     setting = plan.setting
@@ -149,23 +155,16 @@ def do_task(plan: Plan, task: Task, reader: TableReader | None = None) -> int:
 
 
 def _write(frame: pl.DataFrame, path: Path, plan: Plan) -> None:
-    waiting = path.with_name(f".{path.name}.{os.getpid()}")
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        frame.write_parquet(
-            waiting, compression="lz4", metadata={MARK: json.dumps({"plan": plan.fingerprint, "rows": len(frame)})}
-        )
-        with waiting.open("rb") as file:
-            os.fsync(file.fileno())
-        waiting.replace(path)
+        with written_whole(path) as file:
+            frame.write_parquet(
+                file, compression="lz4", metadata={MARK: json.dumps({"plan": plan.fingerprint, "rows": len(frame)})}
+            )
     except (pl.exceptions.PolarsError, OSError) as error:
         told = re.search(r"\(os error (\d+)\)", str(error))
         reason = os.strerror(int(told[1])) if told else getattr(error, "strerror", None) or str(error)
         reason = reason.lower()
         raise InputError(f"{path} cannot be written: {reason}; make room, and go on with --resume") from None
-    finally:
-        with suppress(OSError):
-            waiting.unlink(missing_ok=True)
 
 
 def plan_fingerprint(tables: tuple[TableFile, ...], setting: SeasonSetting, *, task_rows: int) -> str:

@@ -32,7 +32,7 @@ from sweetspot.season.flight_columns import FlightSetting
 from sweetspot.season.headings import headings_of
 from sweetspot.season.output_columns import System
 from sweetspot.season.place_relation import PlaceRelation
-from sweetspot.season.plan import BALLS, COUNTED, LEDGER, Plan, do_task, plan_fingerprint, reader_of, serial
+from sweetspot.season.plan import BALLS, COUNTED, LEDGER, Plan, do_task, plan_fingerprint, reader_of, serial, sweep_plan
 from sweetspot.season.rows import DATED, REASONED, REASONS, SIDED, USED, rows_of
 from sweetspot.season.survey import Survey, survey_tables
 from sweetspot.season.table_parts import PART, parts
@@ -157,7 +157,8 @@ def analyse_season(
     setting : how; None: the usual. Its relation of places is learnt from the tables unless it was learnt before.
     folder : made if need be; answers of another plan in it are replaced.
     given : heading by quantity where a heading is not understood, ``{"exit_speed": "EV:mph"}``.
-    resume : whether answers of the same plan that are there already are kept.
+    resume : whether answers of the same plan that are there already are kept; what a killed run left half written is
+        removed, what a living one writes is not.
     run : does a plan's tasks; None: in this process, two at a time.
     progress : is told rows done and in all.
 
@@ -182,10 +183,13 @@ def analyse_season(
         chosen = replace(chosen, contact=replace(chosen.contact, relation=learn_relation(survey, chosen)))
     plan = Plan(survey.tables, survey.duplicates, chosen, folder)
     plan = replace(plan, fingerprint=plan_fingerprint(survey.tables, chosen, task_rows=plan.task_rows))
-    if not resume:
+    if resume:
+        sweep_plan(plan)
+    else:
         for name in (BALLS, LEDGER, COUNTED):
             shutil.rmtree(folder / name, ignore_errors=True)
     (run or run_here)(plan, progress)
+    sweep_plan(plan)  # of workers that were killed, too
     shutil.rmtree(staging, ignore_errors=True)
     return Season(survey, chosen, folder)
 

@@ -1,0 +1,73 @@
+"""Files that are there whole or not at all, and what a writer that was killed left beside them.
+
+A writer holds a lock on the file that waits beside its target. The system lets go of it when the process dies, on
+whatever machine that shares the folder it ran, so a lock that can be had tells a file that nobody writes to any more
+from one under way; a process number would tell neither of another machine nor of a number given out again.
+"""
+
+from __future__ import annotations
+
+import os
+import secrets
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import BinaryIO
+
+try:
+    import fcntl
+except ImportError:  # Windows removes no file that somebody has open, which is as good as a lock
+    fcntl = None  # type: ignore[assignment]
+
+WAITING = ".[0-9]*.parquet.*"
+"""What waiting files are called."""
+
+
+@contextmanager
+def written_whole(path: Path) -> Iterator[BinaryIO]:
+    """Yield a file that takes a name once all is written and on the disk; after an error nothing of it is left.
+
+    Parameters
+    ----------
+    path : the name; its folder is made if need be.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
+    waiting, file = _opened(path)
+    try:
+        with file:
+            yield file
+            file.flush()
+            os.fsync(file.fileno())
+            if fcntl is not None:  # still locked: nobody can take it for left behind
+                waiting.replace(path)
+        if fcntl is None:  # an open file cannot be renamed there
+            waiting.replace(path)
+    finally:
+        with suppress(OSError):
+            waiting.unlink(missing_ok=True)
+
+
+def _opened(path: Path) -> tuple[Path, BinaryIO]:
+    """Return a new locked file beside another; one that was swept before it was locked is made again."""
+    while True:
+        waiting = path.with_name(f".{path.name}.{secrets.token_hex(8)}")
+        file = waiting.open("xb")
+        if fcntl is None:
+            return waiting, file
+        with suppress(OSError):  # some shared folders know no locks: nothing is swept there
+            fcntl.flock(file, fcntl.LOCK_EX)
+        if waiting.exists():
+            return waiting, file
+        file.close()
+
+
+def sweep(folder: Path) -> None:
+    """Remove what killed writers left in a folder; what is being written, by whatever process, stays."""
+    for path in folder.glob(WAITING):
+        with suppress(OSError), path.open("rb") as file:
+            if fcntl is not None:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                path.unlink()
+        if fcntl is None:
+            with suppress(OSError):
+                path.unlink()
