@@ -4,6 +4,8 @@ Balls y of group j are normal about theta_j with variance sigma^2, and theta_j a
 from all groups (one-way analysis of variance). Then theta_j given n balls of mean m has the mean
 mu + R (m - mu) and the variance tau^2 (1 - R), R = tau^2 / (tau^2 + sigma^2 / n), which is the reliability at n balls:
 the correlation to be expected between two halves of n balls each.
+
+What has bounds, as a rate has 0 and 1, has intervals within them (`bounded_pooling`).
 """
 
 from __future__ import annotations
@@ -15,9 +17,12 @@ import polars as pl
 
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
+from sweetspot.season.bounded_pooling import Bounds, Scatter, bounded_intervals
 
 HALF = 0.674490
 """Standard deviations to either side that hold half of a normal distribution."""
+REACHES = {50: HALF, 90: REACH}
+"""Standard deviations to either side that hold so many percent."""
 BALLS, MEAN, SQUARES = "balls", "mean", "squares"
 """Columns of what is added up of groups."""
 FEWEST_GROUPS = 5
@@ -74,7 +79,9 @@ def spread_of(counts: Array, means: Array, squares: Array) -> Spread:
     return Spread(float(np.average(means, weights=weights)), float(within), float(between), int(total), groups)
 
 
-def pooled(frame: pl.DataFrame | pl.LazyFrame, *, key: str, measure: str) -> tuple[pl.DataFrame, Spread]:
+def pooled(
+    frame: pl.DataFrame | pl.LazyFrame, *, key: str, measure: str, bounds: Bounds | None = None
+) -> tuple[pl.DataFrame, Spread]:
     """Return the groups' means, partly pooled, with 50 and 90 % intervals.
 
     Parameters
@@ -82,6 +89,7 @@ def pooled(frame: pl.DataFrame | pl.LazyFrame, *, key: str, measure: str) -> tup
     frame : one row per ball.
     key : column of the groups; rows without one are left out.
     measure : column of what is averaged; rows without it are left out.
+    bounds : least and greatest value there can be, between which the intervals then lie; None: there are none.
 
     Returns
     -------
@@ -95,32 +103,42 @@ def pooled(frame: pl.DataFrame | pl.LazyFrame, *, key: str, measure: str) -> tup
         .agg(pl.len().alias(BALLS), value.mean().alias(MEAN), ((value - value.mean()) ** 2).sum().alias(SQUARES))
         .sort(key).collect()
     )  # fmt: skip
-    return pooled_groups(table, key=key)
+    return pooled_groups(table, key=key, bounds=bounds)
 
 
-def pooled_groups(table: pl.DataFrame, *, key: str) -> tuple[pl.DataFrame, Spread]:
+def pooled_groups(table: pl.DataFrame, *, key: str, bounds: Bounds | None = None) -> tuple[pl.DataFrame, Spread]:
     """Return what `pooled` does, from what was added up of the groups.
 
     Parameters
     ----------
     table : a row a group: ``key``, ``balls`` (above 0), ``mean``, and ``squares``: their sum about the group's mean.
     key : column of the groups.
+    bounds : least and greatest value there can be; None: there are none.
     """
     if not len(table):
         return table.select(key, "balls", "mean"), Spread(np.nan, np.nan, np.nan, 0, 0)
     counts, means = table["balls"].cast(pl.Float64).to_numpy(), table["mean"].to_numpy()
     spread = spread_of(counts, means, table["squares"].to_numpy())
     trust = spread.reliability(counts)
-    if spread.groups < FEWEST_GROUPS:
-        centre, error = means, np.sqrt(spread.within / counts)
+    centre = means if spread.groups < FEWEST_GROUPS else spread.mean + trust * (means - spread.mean)
+    if bounds is None:
+        error = _errors(counts, trust, spread)
+        ends = {percent: (centre - reach * error, centre + reach * error) for percent, reach in REACHES.items()}
     else:
-        centre = spread.mean + trust * (means - spread.mean)
-        unsure = 1 / np.sum(1 / np.maximum(spread.between + spread.within / counts, 1e-300))  # of mu itself
-        error = np.sqrt(spread.between * (1 - trust) + (1 - trust) ** 2 * unsure)
+        scatter = Scatter(spread.mean, spread.within, spread.between, spread.groups >= FEWEST_GROUPS)
+        error, ends = bounded_intervals(counts, means, centre, scatter, bounds=bounds)
     order = centre.argsort(kind="stable").argsort(kind="stable")
     return table.select(key, "balls", "mean").with_columns(
         pooled=pl.Series(centre), spread=pl.Series(error),
-        low50=pl.Series(centre - HALF * error), high50=pl.Series(centre + HALF * error),
-        low90=pl.Series(centre - REACH * error), high90=pl.Series(centre + REACH * error),
+        **{f"{side}{percent}": pl.Series(values) for percent, both in ends.items()
+           for side, values in zip(("low", "high"), both, strict=True)},
         reliability=pl.Series(trust), percentile=pl.Series(100 * (order + 0.5) / len(order)),
     ), spread  # fmt: skip
+
+
+def _errors(counts: Array, trust: Array, spread: Spread) -> Array:
+    """Return the standard deviations of what is told of the groups."""
+    if spread.groups < FEWEST_GROUPS:
+        return np.sqrt(spread.within / counts)
+    unsure = 1 / np.sum(1 / np.maximum(spread.between + spread.within / counts, 1e-300))  # of mu itself
+    return np.sqrt(spread.between * (1 - trust) + (1 - trust) ** 2 * unsure)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import polars as pl
 
+from sweetspot.season.bounded_pooling import Bounds
 from sweetspot.season.counted import WITH
 from sweetspot.season.pooling import BALLS, MEAN, SQUARES, Spread, pooled_groups
 from sweetspot.season.sums import group_sums
@@ -17,6 +18,8 @@ GROUPS: Mapping[str, str] = {
     "month": "months", "park": "parks",
 }  # fmt: skip
 """Columns that balls are grouped by, and what their tables are called."""
+ABOVE = "squared_up_above"
+"""By how much more often a ball is squared up than balls of its bat speed."""
 MEASURES: Mapping[str, tuple[str, str]] = {
     "exit_speed": ("speed", "exit speed"),
     "bat_speed": ("speed", "bat speed"),
@@ -24,7 +27,7 @@ MEASURES: Mapping[str, tuple[str, str]] = {
     "squared_up": ("share", "squared up against this bat"),
     "league_ratio": ("ratio", "exit speed over the league's ceiling"),
     "league_squared_up": ("share", "squared up by the league's formula"),
-    "squared_up_above": ("share", "squared up by the league's formula, above expected for the bat speed"),
+    ABOVE: ("share", "squared up by the league's formula, above expected for the bat speed"),
     "blast": ("share", "blasts"),
     "kept_vertically": ("share", "kept vertically"),
     "from_best": ("offset", "distance from the best place along the bat"),
@@ -39,6 +42,10 @@ MEASURES: Mapping[str, tuple[str, str]] = {
     "home_run_here": ("share", "expected home runs per ball in play"),
 }
 """What is averaged over balls: scale and meaning."""
+BOUNDS: Mapping[str, Bounds] = {
+    name: (-1.0, 1.0) if name == ABOVE else (0.0, 1.0) for name, (scale, _) in MEASURES.items() if scale == "share"
+}
+"""Least and greatest value of the measures that have one: shares, and how far a share may be from another."""
 PLAIN = ("balls", "ev20", "home_runs_expected", "home_runs_average_park", "home_runs", "doubters", "mostly_gone",
          "no_doubters", "name")  # fmt: skip
 """Columns that are counted and not pooled."""
@@ -94,7 +101,7 @@ def _standing(summed: pl.DataFrame, key: str, measures: Sequence[str], others: l
         own = summed.select(
             key, *(pl.col(f"{measure} {what}").alias(what) for what in (BALLS, MEAN, SQUARES))
         ).filter(pl.col(BALLS) > 0)  # fmt: skip
-        measured, spreads[measure] = pooled_groups(own, key=key)
+        measured, spreads[measure] = pooled_groups(own, key=key, bounds=BOUNDS.get(measure))
         if "pooled" not in measured.columns:
             continue
         renamed = measured.rename({"balls": f"{measure}_balls", "mean": f"{measure}_mean", "pooled": measure} | {
@@ -144,5 +151,5 @@ def above_expected_parts(counted: pl.LazyFrame, parts: Sequence[pl.LazyFrame]) -
     square = np.array([[moments[f"s{i + j}"] for j in range(3)] for i in range(3)])
     a, b, c = np.linalg.lstsq(square, np.array([moments[f"f{i}"] for i in range(3)]), rcond=None)[0].tolist()
     expected = a + b * (speed - 32.0) + c * (speed - 32.0) ** 2
-    fresh = (flag - expected).cast(pl.Float32).alias("squared_up_above")
+    fresh = (flag - expected).cast(pl.Float32).alias(ABOVE)
     return [part.with_columns(fresh) if "league_squared_up" in part.collect_schema() else part for part in parts]

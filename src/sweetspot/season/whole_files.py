@@ -11,13 +11,15 @@ import os
 import secrets
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from importlib import import_module
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
+locks: Any
 try:
-    import fcntl
+    locks = import_module("fcntl")
 except ImportError:  # Windows removes no file that somebody has open, which is as good as a lock
-    fcntl = None  # type: ignore[assignment]
+    locks = None
 
 WAITING = ".[0-9]*.parquet.*"
 """What waiting files are called."""
@@ -38,9 +40,9 @@ def written_whole(path: Path) -> Iterator[BinaryIO]:
             yield file
             file.flush()
             os.fsync(file.fileno())
-            if fcntl is not None:  # still locked: nobody can take it for left behind
+            if locks is not None:  # still locked: nobody can take it for left behind
                 waiting.replace(path)
-        if fcntl is None:  # an open file cannot be renamed there
+        if locks is None:  # an open file cannot be renamed there
             waiting.replace(path)
     finally:
         with suppress(OSError):
@@ -52,10 +54,10 @@ def _opened(path: Path) -> tuple[Path, BinaryIO]:
     while True:
         waiting = path.with_name(f".{path.name}.{secrets.token_hex(8)}")
         file = waiting.open("xb")
-        if fcntl is None:
+        if locks is None:
             return waiting, file
         with suppress(OSError):  # some shared folders know no locks: nothing is swept there
-            fcntl.flock(file, fcntl.LOCK_EX)
+            locks.flock(file, locks.LOCK_EX)
         if waiting.exists():
             return waiting, file
         file.close()
@@ -65,9 +67,9 @@ def sweep(folder: Path) -> None:
     """Remove what killed writers left in a folder; what is being written, by whatever process, stays."""
     for path in folder.glob(WAITING):
         with suppress(OSError), path.open("rb") as file:
-            if fcntl is not None:
-                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            if locks is not None:
+                locks.flock(file, locks.LOCK_EX | locks.LOCK_NB)
                 path.unlink()
-        if fcntl is None:
+        if locks is None:
             with suppress(OSError):
                 path.unlink()

@@ -1,0 +1,90 @@
+"""Intervals of rates lie between 0 and 1 and hold the truth as often as they say, next to 0 and 1 too."""
+
+from __future__ import annotations
+
+import numpy as np
+import polars as pl
+import pytest
+
+from sweetspot.numerics.arrays import Array
+from sweetspot.season.pooling import pooled_groups
+from sweetspot.season.standings import BOUNDS
+
+SHARE = (0.0, 1.0)
+
+
+def groups_of(counts: Array, means: Array, squares: Array | None = None) -> pl.DataFrame:
+    """Return what is added up of groups of yes or no."""
+    own = counts * means * (1 - means) if squares is None else squares
+    return pl.DataFrame({"who": np.arange(len(counts)), "balls": counts, "mean": means, "squares": own})
+
+
+def held(told: pl.DataFrame, truth: Array, percent: int) -> float:
+    low, high = (told[f"{side}{percent}"].to_numpy() for side in ("low", "high"))
+    return float(np.mean((low <= truth) & (truth <= high)))
+
+
+@pytest.mark.parametrize("part", [0.5, 0.9])
+@pytest.mark.parametrize(
+    ("mean", "bounds"), [*((mean, SHARE) for mean in (0.01, 0.05, 0.3, 0.65, 0.95, 0.99)), (0.5, (-1.0, 1.0))]
+)
+def test_intervals_hold_as_often_as_they_say(mean: float, part: float, bounds: tuple[float, float]) -> None:
+    """300 groups of 3 to 120 balls, forty times; how much groups differ in terms of the nearer bound."""
+    rng = np.random.default_rng(round(1000 * mean) + round(10 * part))
+    low, span = bounds[0], bounds[1] - bounds[0]
+    kappa = mean * (1 - mean) / (part * min(mean, 1 - mean)) ** 2 - 1
+    halves, nines = [], []
+    for _ in range(40):
+        truth = rng.beta(mean * kappa, (1 - mean) * kappa, 300)
+        counts = rng.integers(3, 120, 300)
+        rates = rng.binomial(counts, truth) / counts
+        told, _ = pooled_groups(
+            groups_of(counts, low + span * rates, span**2 * counts * rates * (1 - rates)), key="who", bounds=bounds
+        )
+        for percent in (50, 90):
+            assert told[f"low{percent}"].min() >= low and told[f"high{percent}"].max() <= low + span  # type: ignore[operator]
+            assert (told[f"low{percent}"] <= told["pooled"]).all() and (told["pooled"] <= told[f"high{percent}"]).all()
+        halves.append(held(told, low + span * truth, 50))
+        nines.append(held(told, low + span * truth, 90))
+    assert 0.45 < np.mean(halves) < 0.57
+    assert 0.84 < np.mean(nines) < 0.93
+
+
+def test_probabilities_tell_more_than_yes_or_no() -> None:
+    """Balls whose values scatter little are worth several trials: intervals are narrower, and hold as often."""
+    rng = np.random.default_rng(5)
+    truth = rng.beta(30, 3, 300)
+    balls = [rng.beta(7 * one, 7 * (1 - one), 20) for one in truth]
+    means = np.array([one.mean() for one in balls])
+    squares = np.array([np.sum((one - one.mean()) ** 2) for one in balls])
+    told, _ = pooled_groups(groups_of(np.full(300, 20), means, squares), key="who", bounds=SHARE)
+    rates = rng.binomial(20, truth) / 20
+    coarse, _ = pooled_groups(groups_of(np.full(300, 20), rates), key="who", bounds=SHARE)
+    assert 0.45 < held(told, truth, 50) < 0.57 and 0.86 < held(told, truth, 90) < 0.94
+    wide = (one["high90"] - one["low90"] for one in (told, coarse))
+    assert float(next(wide).mean()) < 0.8 * float(next(wide).mean())  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("groups", [1, 3, 40])
+@pytest.mark.parametrize("rate", [0.0, 1.0])
+def test_what_never_or_always_happened_is_not_certain(groups: int, rate: float) -> None:
+    """Of 30 balls none or all: an interval from the bound on, at most some parts of a hundred wide."""
+    told, _ = pooled_groups(groups_of(np.full(groups, 30), np.full(groups, rate)), key="who", bounds=SHARE)
+    wide = (told["high90"] - told["low90"]).to_numpy()
+    assert np.all(wide > 0.0005) and np.all(wide < 0.07)
+    assert (told["low90" if rate == 0 else "high90"] == rate).all()
+
+
+def test_one_group_has_jeffreys_interval() -> None:
+    """5 of 20: Beta(5.5, 15.5) by its tables, 0.116 to 0.428 between its parts of 0.05 and 0.95."""
+    from scipy.stats import beta
+
+    told, _ = pooled_groups(groups_of(np.array([20]), np.array([0.25])), key="who", bounds=SHARE)
+    worth = 0.25 * 0.75 / (20 * 0.25 * 0.75 / 19)  # trials a ball, by the unbiased variance
+    assert worth == pytest.approx(0.95)  # at least one is taken
+    assert told.select("low90", "high90").row(0) == pytest.approx(beta.ppf([0.05, 0.95], 5.5, 15.5), abs=1e-9)
+
+
+def test_every_share_has_bounds() -> None:
+    assert BOUNDS["squared_up"] == BOUNDS["home_run_here"] == SHARE
+    assert BOUNDS["squared_up_above"] == (-1.0, 1.0) and "exit_speed" not in BOUNDS
