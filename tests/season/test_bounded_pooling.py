@@ -36,7 +36,7 @@ def test_intervals_hold_as_often_as_they_say(mean: float, part: float, bounds: t
     halves, nines = [], []
     for _ in range(40):
         truth = rng.beta(mean * kappa, (1 - mean) * kappa, 300)
-        counts = rng.integers(3, 120, 300)
+        counts = rng.integers(3, 120, 300).astype(float)
         rates = rng.binomial(counts, truth) / counts
         told, _ = pooled_groups(
             groups_of(counts, low + span * rates, span**2 * counts * rates * (1 - rates)), key="who", bounds=bounds
