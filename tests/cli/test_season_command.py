@@ -12,9 +12,12 @@ import pytest
 
 from sweetspot.cli import main
 from sweetspot.errors import InputError
+from sweetspot.report import html
+from sweetspot.report.quantities import US
 from sweetspot.report.season.one_player import player_page
 from sweetspot.report.season.tables import write_tables
 from sweetspot.season.standings import GROUPS
+from tests.report.season.test_picture import CASES
 from tests.season.conftest import made_up
 
 
@@ -81,8 +84,20 @@ def test_a_page_for_one_player(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert run(table, "--player", "600002", "--flight-only", "--out", out) == 0
     assert "50 balls in play" in capsys.readouterr().out
     assert json.loads((out / "player-600002.json").read_text("utf-8"))["balls"] == 50
+    page = (out / "player-600002.html").read_text("utf-8")
+    assert "<h1>Player 600002</h1>" in page and "<details" not in page  # which would begin a second sheet
+    assert "Fouls and misses" in page and "ceiling" not in page.split("</style>")[1]  # no bats, so nothing of them
     assert run(table, "--player", "600009", "--flight-only") == 2
     assert "no batter '600009' in the tables. Did you mean" in capsys.readouterr().err
+
+
+def test_one_is_not_several() -> None:
+    row = {"batter": "7", "name": None, "balls": 1, "ev20": 40.0, "home_runs_expected": 0.2, "home_runs": 0,
+           "doubters": 1, "mostly_gone": 1, "no_doubters": 2}  # fmt: skip
+    report: Any = SimpleNamespace(standings={"batter": SimpleNamespace(table=pl.DataFrame([row]))},
+                                  counted=CASES["speeds alone"][0].with_columns(batter=pl.lit("7")))  # fmt: skip
+    told = html.page(player_page(report, "7"), US)
+    assert "1 ball in play" in told and "1 doubter, 1 mostly gone, 2 no-doubters" in told
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,9 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, Page
 
+from sweetspot import catalog
+from sweetspot.season.made_up import MadeSeason, made_season
+
 Run = Callable[..., tuple[int, str, str]]
 
 MARGINS = {"top": "11mm", "bottom": "11mm", "left": "14mm", "right": "14mm"}
@@ -29,6 +32,7 @@ COMMANDS = (
     ("play", 5.5, ("play", "r161-ash", "--park", "fenway")),
     ("park", 5.5, ("parks", "fenway")),
     ("parks", 0.0, ("parks",)),
+    ("player-600003", 5.5, ("season", "SEASON", "--bat", "r161-ash", "--try", "mlb-a", "--player", "600003")),
     ("design", 0.0, ("design", "mlb-a", "--population", "8", "--generations", "1")),
 )
 """Name of the page, points of its picture's small letters that stay on paper, and the command."""
@@ -45,11 +49,20 @@ def swings(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.fixture(scope="module")
+def season(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A made-up season of six batters."""
+    path = tmp_path_factory.mktemp("season") / "season.parquet"
+    made_season(catalog.bat("r161-ash"), MadeSeason(players=6, balls=60)).write_parquet(path)
+    return path
+
+
 @pytest.mark.parametrize(("name", "least", "command"), COMMANDS, ids=lambda one: one if isinstance(one, str) else "")
 def test_a_page_is_one_sheet(
     run: Run,
     browser: Browser,
     swings: Path,
+    season: Path,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
     name: str,
@@ -57,7 +70,8 @@ def test_a_page_is_one_sheet(
     command: tuple[str, ...],
 ) -> None:
     monkeypatch.setattr("sweetspot.design.polish.LOOKS", 3)  # a design's sheet is as long when it is hardly polished
-    words = [str(swings) if word == "FILE" else word for word in command]
+    given = {"FILE": str(swings), "SEASON": str(season)}
+    words = [given.get(word, word) for word in command]
     code, _, said = run(*words, "--title", "Spring <2026>", "--for", "Ann Example", "--out", str(tmp_path))
     assert code in (0, 1), said
     page = (tmp_path / f"{name}.html").read_text(encoding="utf-8")

@@ -57,3 +57,12 @@ def test_few_balls_are_dots() -> None:
     dots = [line for line in few.lines if line.get_marker() == "o"]
     assert len(dots) == 1 and len(np.asarray(dots[0].get_xdata())) == 16 and not few.collections
     assert many.collections and not [line for line in many.lines if line.get_marker() == "o"]
+
+
+def test_few_speeds_have_few_bins_of_whole_numbers() -> None:
+    """Of ninety balls no bin is a ball's own, and edges are what people read."""
+    for reader in SYSTEMS.values():
+        axes = season_figure(CASES["speeds alone"][0], reading=reader).axes[0]
+        edges = np.unique(np.asarray(axes.patches[0].get_path().vertices)[:, 0])
+        assert 5 <= len(edges) - 1 <= 14 and np.allclose(edges, np.round(edges))
+        assert axes.get_ylabel() == "balls"

@@ -38,11 +38,14 @@ LISTED = {
     "squared_up": "squared up", "from_best": "from the best place", "home_run_here": "home runs a ball",
 }  # fmt: skip
 """Measures in the printed table of players, and what they are called there."""
+NO_FOULS = (
+    "Fouls and misses have no exit speed in public tables, so nothing per contact or per swing can be told; timing "
+    "needs the place of the bat in time, which tables seldom hold."
+)
 CANNOT = (
     "Which side of the best place one ball was met on is told by the pitch's place alone; tip_side near 0.5 says that "
     "it cannot be told.",
-    "Fouls and misses have no exit speed in public tables, so nothing per contact or per swing can be told; timing "
-    "needs the place of the bat in time, which tables seldom hold.",
+    NO_FOULS,
     "Without a bat of each player every ball is judged against one bat; a ceiling then is that bat's, not the player's "
     "own.",
 )

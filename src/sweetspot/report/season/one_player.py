@@ -8,10 +8,10 @@ from typing import Any
 import polars as pl
 
 from sweetspot.errors import InputError, nearest_names
-from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Picture, Section, Table
+from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Picture, Table
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.quantities import Reader
-from sweetspot.report.season.document import CANNOT, SeasonReport
+from sweetspot.report.season.document import CANNOT, NO_FOULS, SeasonReport
 from sweetspot.report.sentences import Slot, joined, say
 from sweetspot.season.counted import WITH
 from sweetspot.season.standings import MEASURES
@@ -21,7 +21,9 @@ TELLING = 0.05
 """Reliability below which players do not differ, and a percentile would be chance."""
 MOST_NAMED = 8
 """Batters whose numbers or names are told where one is not known."""
-KINDS = (("doubters", "doubters"), ("mostly_gone", "mostly gone"), ("no_doubters", "no-doubters"))
+KINDS = (("doubters", "doubter", "doubters"), ("mostly_gone", "mostly gone", "mostly gone"),
+         ("no_doubters", "no-doubter", "no-doubters"))  # fmt: skip
+"""Kinds of home runs: column, and what one and several are called."""
 
 
 def player_page(report: SeasonReport, batter: str) -> Document:
@@ -36,19 +38,23 @@ def player_page(report: SeasonReport, batter: str) -> Document:
     if players is None:
         raise InputError("no table has a column of batters, so there is no player to tell of")
     row = _row_of(players.table, batter)
-    name = str(row.get("name") or row["batter"])
-    drawing = Picture("player", partial(_drawn, report, str(row["batter"]), name), label=f"Balls of {name}.")
-    homers = ", ".join(f"{grouped(row[key])} {words}" for key, words in KINDS)
+    number = str(row["batter"])
+    name = str(row.get("name") or f"Player {number}")
+    drawing = Picture("player", partial(_drawn, report, number, name), label=f"Balls of {name}.",
+                      sheet=partial(_drawn, report, number, ""))  # fmt: skip
+    homers = ", ".join(f"{grouped(row[key])} {one if row[key] == 1 else several}" for key, one, several in KINDS)
+    balls = "1 ball" if row["balls"] == 1 else f"{grouped(row['balls'])} balls"
     words = say(
-        "{balls} balls in play with an exit speed, the hardest fifth at {ev20} on average. {expected} home runs "
+        "{balls} in play with an exit speed, the hardest fifth at {ev20} on average. {expected} home runs "
         "expected in the parks they were hit in, {real} hit; {homers}.",
-        balls=grouped(row['balls']), ev20=Slot(row["ev20"], "speed"), expected=f"{row['home_runs_expected']:.1f}",
+        balls=balls, ev20=Slot(row["ev20"], "speed"), expected=f"{row['home_runs_expected']:.1f}",
         real=grouped(row['home_runs']), homers=homers,
     )  # fmt: skip
-    blocks: list[Block] = [Paragraph(words), _measures(row), drawing, *_bats(row)]
+    cannot = CANNOT if row.get("squared_up") is not None else (NO_FOULS,)
+    blocks: list[Block] = [Paragraph(words), _measures(row), drawing, *_bats(row), Bullets(cannot)]
     return Document(
-        name=f"player-{row['batter']}", title=name, kind="Season of a player", blocks=blocks, drawing=drawing,
-        details=[Section("cannot", "What such tables cannot tell", [Bullets(CANNOT)])], data=cleaned(dict(row)),
+        name=f"player-{number}", title=name, kind="Season of a player", blocks=blocks, drawing=drawing,
+        data=cleaned(dict(row)),
         rows={key: [value] for key, value in row.items()},
     )  # fmt: skip
 

@@ -11,6 +11,7 @@ import numpy as np
 import polars as pl
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from sweetspot.numerics.arrays import Array
 from sweetspot.report.pictures.style import MUTED, SMALL, heading, light_grid, styled
@@ -37,6 +38,7 @@ def season_figure(counted: pl.LazyFrame, *, title: str = "Season", reading: Read
     Parameters
     ----------
     counted : groups and measures of the balls.
+    title : above it; "": none.
     """
     names = counted.collect_schema().names()
     swung = "squared_up_ratio" in names and counted.select(pl.col("squared_up_ratio").count()).collect().item() > 0
@@ -48,7 +50,8 @@ def season_figure(counted: pl.LazyFrame, *, title: str = "Season", reading: Read
     rows = rows or [ROW]
     figure = Figure(figsize=(8.0, 0.6 + sum(rows)), layout="constrained")
     figure.get_layout_engine().set(w_pad=0.12, h_pad=0.08)  # type: ignore[union-attr, call-arg]
-    figure.suptitle(title, weight="bold", x=0.02, ha="left", size=13, parse_math=False)
+    if title:
+        figure.suptitle(title, weight="bold", x=0.02, ha="left", size=13, parse_math=False)
     grid = figure.add_gridspec(len(rows), 1, height_ratios=rows)
     if swung:
         upper = grid[0].subgridspec(1, 2)
@@ -151,6 +154,18 @@ def _spread_by(axes: Axes, names: list[str], means: Array, errors: Array, *, col
 def _speeds(axes: Axes, counted: pl.LazyFrame, reading: Reader) -> None:
     unit = reading.units["speed"]
     values = counted.select("exit_speed").collect()["exit_speed"].drop_nulls().to_numpy()
-    axes.hist(values / unit.size, 60, histtype="step", color=BLUE)
-    axes.set(xlabel=f"exit speed, {unit.name}", yticks=[])
+    axes.hist(values / unit.size, whole_bins(values / unit.size).tolist(), histtype="step", color=BLUE)
+    axes.yaxis.set_major_locator(MaxNLocator(integer=True))
+    axes.set(xlabel=f"exit speed, {unit.name}", ylabel="balls")
     heading(axes, "Exit speeds", f"{grouped(len(values))} balls")
+
+
+def whole_bins(values: Array) -> Array:
+    """Return edges of bins of whole numbers, as wide as Freedman and Diaconis or, of few values, Sturges would.
+
+    >>> whole_bins(np.array([3.2, 4.5, 4.6, 9.9])).tolist()
+    [2.0, 4.0, 6.0, 8.0, 10.0]
+    """
+    width = max(1.0, np.round(np.diff(np.histogram_bin_edges(values, "auto"))[0]))
+    first = np.floor(values.min() / width)
+    return np.asarray(width * np.arange(first, np.floor(values.max() / width) + 2))
