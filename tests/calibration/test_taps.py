@@ -10,7 +10,7 @@ import scipy.signal
 
 from sweetspot import all_modes, beam_model, catalog
 from sweetspot.calibration.bar import SHEAR_SHAPE, Bar, bar_modulus, frequency_factor
-from sweetspot.calibration.echoes import echoed
+from sweetspot.calibration.echoes import stands_out
 from sweetspot.calibration.hum import hum_taken_out
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.naming import ModeName, NamedTone
@@ -20,12 +20,14 @@ from sweetspot.calibration.sinusoids import fit_sinusoids
 from sweetspot.calibration.synthetic import synthesised, tap_sound
 from sweetspot.calibration.tap_analysis import tap_test
 from sweetspot.calibration.tap_faults import (
+    LOUDER,
     MOST_CANCELLED,
     MOST_DRIVEN,
     blows,
     breaks_off,
     cancelled,
     driven_part,
+    louder_later,
     step_of,
 )
 from sweetspot.calibration.taps import find_taps
@@ -218,7 +220,7 @@ def test_the_only_loud_tone_may_have_a_slower_neighbour() -> None:
     (tap,) = find_taps(Recording("one", sound, 16000.0), band=BAT_BAND)
     assert tap.fit is not None
     loudest = max(tap.fit.sinusoids, key=lambda one: one.amplitude)
-    assert echoed(loudest, tap.fit.sinusoids)
+    assert not stands_out(loudest, tap.fit.sinusoids)
 
 
 def test_a_plate_that_nobody_described_has_no_names() -> None:
@@ -263,6 +265,52 @@ def test_a_syllable_is_no_tap(lasts: float, pitch: float) -> None:
     assert breaks_off(vowel + noise, rate)
     twins = (np.sin(2 * np.pi * f * time) * np.exp(-0.004 * 2 * np.pi * f * time) for f in (170.0, 172.7))
     assert not breaks_off(np.subtract(*twins) + noise, rate)
+
+
+@pytest.mark.parametrize("planes", [0.1, 0.5, 0.8, 1.2])
+def test_a_body_gets_as_much_louder_as_its_two_planes_let_it(planes: float) -> None:
+    """A mode in two planes heard 60 degrees from the blow beats up to four times the power that it begins with."""
+    rate, heard = 8000.0, np.radians(60.0)
+    time = np.arange(int(0.5 * rate)) / rate
+    parts = np.cos(planes) * np.cos(planes - heard), np.sin(planes) * np.sin(planes - heard)
+    first, second = (one * np.sin(2 * np.pi * f * time) for one, f in zip(parts, (170.0, 174.0), strict=True))
+    beats = louder_later(first + second, rate)
+    most = max(abs(parts[0]) + abs(parts[1]), abs(parts[0] + parts[1])) / np.cos(heard)
+    assert beats == pytest.approx(20 * np.log10(most), abs=0.4)
+    assert beats < LOUDER + 0.1
+
+
+def test_what_gets_louder_later_is_no_tap(modes: Modes) -> None:
+    """A word that begins with a click; from where it is loudest on it only falls, and is not refused for this."""
+    rate = 16000.0
+    time = np.arange(round(0.45 * rate)) / rate
+    word = sum(np.sin(2 * np.pi * 120 * number * time) / number for number in range(1, 12))
+    word = word * np.minimum(1, time / 0.15) * np.exp(-np.maximum(time - 0.15, 0) / 0.1)
+    word[:40] += 0.5 * np.random.default_rng(2).standard_normal(40)
+    noise = 1e-4 * np.random.default_rng(1).standard_normal(len(time))
+    assert louder_later(word + noise, rate) > LOUDER
+    assert louder_later((word + noise)[round(0.15 * rate) :], rate) < 0
+    quiet = 1e-4 * np.random.default_rng(3).standard_normal(round(0.3 * rate))
+    taps = find_taps(Recording("word", 0.3 * np.concatenate([quiet, word + noise, quiet]), rate), band=BAT_BAND)
+    assert taps
+    assert not any(tap.good for tap in taps)
+
+
+def test_a_room_s_tones_do_not_stand_out(modes: Modes) -> None:
+    """A bat in a made-up room: tones that stand out are the bat's, and the named lowest two are among them."""
+    dry = synthesised(modes, position=0.813, listened=0.80, taps=2)
+    random = np.random.default_rng(4)
+    time = np.arange(round(0.35 * dry.rate)) / dry.rate
+    echo = random.standard_normal(len(time)) * np.exp(-6.9 * time / 0.35)
+    echo[: round(0.004 * dry.rate)] = 0
+    echo *= 0.3 / np.sqrt(np.sum(echo**2))
+    echo[0] = 1.0
+    wet = scipy.signal.fftconvolve(dry.samples, echo)[: len(dry.samples)]
+    tones = tap_test([replace(dry, samples=0.4 * wet / np.abs(wet).max())], modes=modes, positions=[0.813]).tones
+    off = [np.min(np.abs(modes.frequency[2:] / one.tone.frequency.value - 1)) for one in tones]
+    assert any(miss > 0.02 and not one.tone.own for one, miss in zip(tones, off, strict=True))
+    assert all(miss < 0.02 for one, miss in zip(tones, off, strict=True) if one.tone.own)
+    assert {1, 2} <= {one.name.harmonic for one in tones if one.name and one.tone.own}
 
 
 def test_a_quiet_tap(modes: Modes) -> None:

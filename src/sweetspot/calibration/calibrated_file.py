@@ -105,9 +105,7 @@ def calibrated_bat(posterior: Posterior, damping: Measured | None) -> Bat:
     bat = posterior.line.bat
     assert isinstance(bat, Bat)  # only bats are calibrated
     body = rigid_body(posterior.line)
-    density = bat.material.density * posterior.line.density_factor
-    low, high = bat.material.density_range or (density, density)
-    material = bat.material.replaced(density=min(max(density, low), high))
+    material = bat.material.of_density(bat.material.density * posterior.line.density_factor)
     if damping is not None:
         material = material.replaced(damping_ratio=damping.value)
     return bat.replaced(

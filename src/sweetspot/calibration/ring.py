@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
+from sweetspot.calibration.echoes import stands_out
 from sweetspot.calibration.measured import Measured, pooled
 from sweetspot.calibration.sinusoids import Sinusoid
 from sweetspot.calibration.taps import Tap
@@ -30,17 +32,28 @@ class Tone:
     damping_ratio : fraction of critical; the errors of both hold the repeatability.
     level : loudness over the loudest tone's, 0 to 1.
     taps : number of taps in which it was heard.
+    own : whether it stands out of what a room may add, in at least half of them; see `echoes.stands_out`.
     """
 
     frequency: Measured
     damping_ratio: Measured
     level: float
     taps: int
+    own: bool = True
 
     @property
     def quality(self) -> float:
         """Q = 1 / (2 zeta): how often it swings before it has lost most of its energy."""
         return 0.5 / max(self.damping_ratio.value, 1e-9)
+
+
+class _Heard(NamedTuple):
+    """A tone as one tap has it: the tap's number, its level there, and whether it stands out there."""
+
+    tone: Sinusoid
+    tap: int
+    level: float
+    own: bool
 
 
 def tones_of(taps: Sequence[Tap]) -> tuple[Tone, ...]:
@@ -56,14 +69,15 @@ def tones_of(taps: Sequence[Tap]) -> tuple[Tone, ...]:
         faults = "; ".join(f"{tap.recording} at {tap.start:.2f} s {tap.fault}" for tap in taps)
         raise InputError(f"no tap can be used: {faults or 'there is none'}")
     heard = sorted(
-        ((one, number, one.amplitude / max(other.amplitude for other in fit.sinusoids))
+        (_Heard(one, number, one.amplitude / max(other.amplitude for other in fit.sinusoids),
+                stands_out(one, fit.sinusoids))
          for number, fit in enumerate(fits) for one in fit.sinusoids),
-        key=lambda entry: entry[0].frequency.value,
+        key=lambda entry: entry.tone.frequency.value,
     )  # fmt: skip
-    groups: list[list[tuple[Sinusoid, int, float]]] = []
+    groups: list[list[_Heard]] = []
     for entry in heard:
-        near = groups and entry[0].frequency.value < (1 + SAME) * groups[-1][-1][0].frequency.value
-        if near and entry[1] not in {number for _, number, _ in groups[-1]}:
+        near = groups and entry.tone.frequency.value < (1 + SAME) * groups[-1][-1].tone.frequency.value
+        if near and entry.tap not in {other.tap for other in groups[-1]}:
             groups[-1].append(entry)
         else:
             groups.append([entry])
@@ -71,13 +85,14 @@ def tones_of(taps: Sequence[Tap]) -> tuple[Tone, ...]:
     return tuple(_tone(group) for group in often)
 
 
-def _tone(group: list[tuple[Sinusoid, int, float]]) -> Tone:
-    frequency = pooled([one.frequency for one, _, _ in group])
-    damping = pooled([one.damping_ratio for one, _, _ in group])
-    shared = sum(one.shared_error for one, _, _ in group) / len(group)  # more taps in one room do not make it less
+def _tone(group: list[_Heard]) -> Tone:
+    frequency = pooled([one.tone.frequency for one in group])
+    damping = pooled([one.tone.damping_ratio for one in group])
+    shared = sum(one.tone.shared_error for one in group) / len(group)  # more taps in one room do not make it less
     return Tone(
         frequency.widened(REPEATABILITY * frequency.value).widened(shared),
         damping.widened(DAMPING_REPEATABILITY * damping.value).widened(shared / frequency.value),
-        max(level for _, _, level in group),
+        max(one.level for one in group),
         len(group),
+        sum(one.own for one in group) >= OFTEN * len(group),
     )

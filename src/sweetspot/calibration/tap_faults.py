@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from sweetspot.calibration.echoes import echoed
+from sweetspot.calibration.echoes import WEIGHTY, stands_out
 from sweetspot.calibration.sinusoids import LOUD_PART, Fit
 from sweetspot.numerics.arrays import Array
 
@@ -45,6 +45,10 @@ LASTING, BREAKS_OFF, DEEPEST = (0.12, 0.24, 0.48), 14.0, 30.0
 """s in three thirds, and dB by which twice the middle third may lie above the other two together, of which none counts
 as more than `DEEPEST` below the loudest. What dies away is never above by more than a pair of tones makes that begin by
 cancelling each other (11 dB); a syllable goes on and breaks off."""
+LOUDER = 6.0
+"""dB by which a later 20 ms may be louder than the blow's. Of a free body the energy only falls, and a microphone hears
+each mode's two planes: cos b cos(b - a) e^(-i w1 t) + sin b sin(b - a) e^(-i w2 t), the planes at b and the microphone
+at a to the blow. That begins with cos a and is never more than 1: 1 / cos^2 a, 6 dB at 60 degrees."""
 FEWEST_STEPS = 20.0
 """Steps of a recording that its loudest sample has at least: at 13, made-up taps seem held for the rounding alone."""
 HELD = 0.02
@@ -74,6 +78,13 @@ def fault_of_sound(raw: Array, whole: Array, struck: Array, rate: float, *, step
     late = struck[struck > ONE_BLOW]
     if len(late):
         return f"doubled: a second blow {1e3 * late[0]:.0f} ms after the first; let the hammer bounce off"
+    return _does_not_die_away(whole, struck, rate)
+
+
+def _does_not_die_away(whole: Array, struck: Array, rate: float) -> str | None:
+    louder = louder_later(whole[int(struck.max(initial=0.0) * rate) :], rate)
+    if louder > LOUDER:
+        return f"no ring: it gets {louder:.0f} dB louder after its beginning, and a ring only dies away; a voice"
     if breaks_off(whole[int(SETTLE * rate) :], rate):
         return "no ring: it goes on and breaks off instead of dying away; speech, or a hand that stopped it"
     return None
@@ -92,7 +103,7 @@ def fault_of_fit(fit: Fit, *, background: float, held: float) -> str | None:
         return f"too quiet: {share:.0f} % of the sound is noise; tap harder or nearer the microphone"
     loudest = max(one.amplitude for one in fit.sinusoids)
     loud = [one for one in fit.sinusoids if one.amplitude > HEARD * loudest]
-    lowest = next((one for one in loud if not echoed(one, fit.sinusoids)), loud[0])
+    lowest = next((one for one in loud if stands_out(one, fit.sinusoids, least=WEIGHTY)), loud[0])
     ratio = lowest.damping_ratio
     if ratio.value > held and ratio.low > held / 2:
         return (
@@ -108,6 +119,19 @@ def fault_of_fit(fit: Fit, *, background: float, held: float) -> str | None:
     if cancelled(fit) > MOST_CANCELLED:
         return "no ring: its tones glide instead of keeping their pitch; a whistle or a voice"
     return None
+
+
+def louder_later(samples: Array, rate: float) -> float:
+    """Return how much louder in dB a sound gets later than in its first `ONE_BLOW` s, over as long a time each.
+
+    Parameters
+    ----------
+    samples : from the blow on, longer than twice `ONE_BLOW`.
+    """
+    size = int(ONE_BLOW * rate)
+    energy = np.concatenate([[0.0], np.cumsum(samples**2)])
+    power = energy[size:] - energy[:-size] + 1e-30
+    return float(10 * np.log10(power[size:].max() / power[0]))
 
 
 def driven_part(fit: Fit, background: float) -> float:

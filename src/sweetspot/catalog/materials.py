@@ -46,6 +46,12 @@ def material(name: str) -> Material:
 
 
 @cache
+def keys_by_name() -> dict[str, str]:
+    """Return the catalogue's key of every material by its name; the name need not be the key."""
+    return {material(key).name: key for key in material_names()}
+
+
+@cache
 def material_spreads(name: str) -> dict[str, float]:
     """Return the spread of a material's values as a part of them, by field; `name` is what people call it or its key.
 

@@ -54,7 +54,7 @@ def report(
             misses = misses_of(analysis)
             answers = drawn_report(analysis, sources, misses=misses)
             document = uncertain(
-                report_document(analysis, misses=misses, reaches=answers.reaches()), answers,
+                report_document(analysis, misses=misses, reaches=answers.reaches), answers,
                 main="best_hit.exit_speed_m_s", named="best exit speed", where=sources.described,
             )  # fmt: skip
     return present(document, output, long=appendix)

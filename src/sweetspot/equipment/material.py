@@ -77,3 +77,8 @@ class Material(Validated):
             return self.shear_modulus
         assert self.poisson_ratio is not None  # guaranteed at construction
         return self.longitudinal_modulus / (2 * (1 + self.poisson_ratio))
+
+    def of_density(self, density: float) -> Material:
+        """Return the material as a piece of it that has this density in kg/m^3, its range widened to it if need be."""
+        reach = self.density_range and (min(self.density_range[0], density), max(self.density_range[1], density))
+        return self.replaced(density=density, density_range=reach)

@@ -29,9 +29,9 @@ def drawn() -> tuple[Document, Reaches, Any]:
     misses = misses_of(analysis)
     sources = sources_of(bat, analysis.conditions, bat_speed_error=0.3, pitch_speed_error=0.3)
     answers = drawn_report(analysis, sources, misses=misses, count=32)
-    plain = report_document(analysis, misses=misses, reaches=answers.reaches())
+    plain = report_document(analysis, misses=misses, reaches=answers.reaches)
     told = uncertain(plain, answers, main="best_hit.exit_speed_m_s", named="best exit speed", where=sources.described)
-    return told, answers.reaches(), analysis
+    return told, answers.reaches, analysis
 
 
 def slots(part: Any) -> Iterator[Slot | Bounds]:

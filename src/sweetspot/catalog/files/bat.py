@@ -241,7 +241,7 @@ def checked_drawing(bat: Bat) -> Bat:
 
 def _bat(file: BatFile) -> Bat:
     length = parse(file.length, "length", "length")
-    own = _material(file.material)
+    own = _material(file.material, measured=file.calibration is not None)
     outlines = [name for name in ("profile", "turned", "linear_density") if getattr(file, name) is not None]
     if len(outlines) != 1:
         given = " and ".join(outlines) or "none of them"
@@ -347,12 +347,14 @@ def laminate_of(plies: tuple[PlyTable, ...], what: str) -> Laminate:
     )
 
 
-def _material(given: str | MaterialTable) -> Material:
+def _material(given: str | MaterialTable, *, measured: bool) -> Material:
+    """Return the material of a file; a measured density may lie outside what its kind usually has."""
     if isinstance(given, str):
         return material(given)
-    changes: dict[str, Any] = {}
+    own, changes = material(given.like), dict[str, Any]()
     if given.density is not None:
-        changes["density"] = parse(given.density, "density", "material.density")
+        density = parse(given.density, "density", "material.density")
+        own = own.of_density(density) if measured else own.replaced(density=density)
     for name in ("longitudinal_modulus", "shear_modulus", "transverse_modulus"):
         text = getattr(given, name)
         if text is not None:
@@ -360,4 +362,4 @@ def _material(given: str | MaterialTable) -> Material:
     for name in ("poisson_ratio", "damping_ratio"):
         if getattr(given, name) is not None:
             changes[name] = getattr(given, name)
-    return material(given.like).replaced(**changes)
+    return own.replaced(**changes)

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import re
-from functools import cache
 from typing import Any
 
-from sweetspot.catalog.materials import material, material_names
+from sweetspot.catalog.materials import keys_by_name, material
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.laminate import Laminate
 from sweetspot.equipment.material import Material
@@ -145,7 +144,7 @@ def _material(own: Material) -> str | dict[str, Any]:
     if own == known:
         return key
     changed = {name: getattr(own, name) for name in OWN_VALUES if getattr(own, name) != getattr(known, name)}
-    if known.replaced(**changed) != own or None in changed.values():
+    if known.of_density(own.density).replaced(**changed) != own or None in changed.values():
         raise InputError(f"{own.name} differs from the catalogue's in ways that a bat file cannot describe")
     values = {name: f"{value!r} {unit}" if (unit := OWN_VALUES[name]) else value for name, value in changed.items()}
     return {"like": key, **values}
@@ -161,15 +160,10 @@ def material_key(own: Material) -> str:
 
 def _key(own: Material) -> str:
     """Return the catalogue's key of a material, which its own name need not be."""
-    key = _keys().get(own.name)
+    key = keys_by_name().get(own.name)
     if key is None:
         raise InputError(f"{own.name} is not in the catalogue, so that no bat file can name it")
     return key
-
-
-@cache
-def _keys() -> dict[str, str]:
-    return {material(key).name: key for key in material_names()}
 
 
 def pairs_text(stations: Stations) -> list[list[str]]:

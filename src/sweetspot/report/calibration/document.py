@@ -8,6 +8,7 @@ from sweetspot.calibration.calibrated_file import Value, material_values, proper
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import MeasuredKind, Measurement, predicted
 from sweetspot.calibration.posterior import CONTRADICTION, Posterior, suspects
+from sweetspot.catalog.materials import keys_by_name, material
 from sweetspot.catalog.sports import sport
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.equipment.bat import Bat
@@ -210,11 +211,11 @@ def budget_words(posterior: Posterior) -> Sentence:
 def density_words(posterior: Posterior) -> list[Sentence]:
     """Return in words that the material would be lighter or heavier than usual; nothing where it is not."""
     line = posterior.line
-    known = line.bat.density_range
-    if known is None:
+    own, known = line.bat.density_range, _usual(line.bat).density_range
+    if own is None or known is None:
         return []
     weighed = line if isinstance(line.bat, Bat) else beam_model(line.bat.replaced(balance_point=None, moi=None))
-    density = weighed.density_factor * known.usual
+    density = weighed.density_factor * own.usual
     if known.lightest <= density <= known.heaviest:
         return []
     return [
@@ -226,6 +227,13 @@ def density_words(posterior: Posterior) -> list[Sentence]:
             bat=sport(line.bat.sport).words.implement,
         )
     ]  # fmt: skip
+
+
+def _usual(implement: Implement) -> Implement:
+    """Return a bat of the catalogue's material: the file of a calibrated one may have an unusual piece of it."""
+    if not isinstance(implement, Bat):
+        return implement
+    return implement.unchecked(material=material(keys_by_name()[implement.material.name]))
 
 
 def source_words(name: str, implement: Implement) -> str:

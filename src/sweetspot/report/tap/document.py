@@ -15,6 +15,10 @@ from sweetspot.report.quantities import NOTHING
 from sweetspot.report.sentences import Sentence, Slot, joined, say
 
 LEAST_SHARE = 0.005
+ROOMS = (
+    "room's?: a tone that the room may have added, or the same mode in another plane; another within 10 % holds more "
+    "energy, or it holds less than a thousandth of the greatest."
+)
 
 
 def tap_document(test: TapTest, title: str) -> Document:
@@ -35,9 +39,12 @@ def tap_document(test: TapTest, title: str) -> Document:
     level = say(
         "Plus or minus: {level} intervals. Level: loudness over the loudest tone's.", level=Slot(LEVEL, "share")
     )
+    notes = [Paragraph(level, "note")]
+    if not all(one.tone.own for one in test.tones):
+        notes.append(Paragraph(ROOMS, "note"))
     picture = Picture("tap", lambda _: _drawn(test, title), "The recording, its spectrum and how its tones decay")
     return Document(
-        name="tap", title=title, kind="Tap test", blocks=[*blocks, Paragraph(level, "note"), picture],
+        name="tap", title=title, kind="Tap test", blocks=[*blocks, *notes, picture],
         data=_data(test), rows=as_columns([cleaned(_tone_data(one)) for one in test.tones]), drawing=picture,
     )  # fmt: skip
 
@@ -53,6 +60,7 @@ def _tones(test: TapTest) -> Table:
     columns = [
         Column("mode"), Column("frequency", right=True), Column("expected", "frequency", digits=1),
         Column("damping", right=True), Column("Q", right=True), Column("level", "ratio"), Column("taps", "count"),
+        Column("whose"),
     ]  # fmt: skip
     return Table("Tones", columns, [_tone_row(one) for one in test.tones])
 
@@ -63,6 +71,7 @@ def _tone_row(one: NamedTone) -> tuple[Cell, ...]:
     return (
         str(one.name) if one.name else "?", measured_words(tone.frequency, "frequency"), one.expected,
         measured_words(tone.damping_ratio, "share"), quality, tone.level, tone.taps,
+        "its own" if tone.own else "room's?",
     )  # fmt: skip
 
 
@@ -117,6 +126,7 @@ def _tone_data(one: NamedTone) -> dict[str, Any]:
         "q_factor": tone.quality,
         "level": tone.level,
         "taps": tone.taps,
+        "own": tone.own,
         "expected_hz": one.expected,
     }
 

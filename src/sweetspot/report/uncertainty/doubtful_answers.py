@@ -50,7 +50,7 @@ def comparison_with_doubt(
     )
     document = comparison_document(
         with_drawn_intervals(comparison, answers), corking=corking, interval_is=INTERVAL_HOLDS, tested=tested,
-        reaches=answers.reaches(),
+        reaches=answers.reaches,
     )  # fmt: skip
     told = uncertain(document, answers, main=main, named=named, where=where)
     gains = [(one.label, index) for index, one in enumerate(compared) if index]

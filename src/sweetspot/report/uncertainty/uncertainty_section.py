@@ -31,8 +31,9 @@ def uncertain(
     main, named : the answer whose doubt is taken apart, and what people call it.
     where : what the distribution of every source rests on, in words.
     """
-    told = with_intervals(document, answers.reaches())
-    shares = {name: share for name, share in answers.shares(main).items() if share >= LEAST_SHARE}
+    told = with_intervals(document, answers.reaches)
+    every = answers.shares(main)
+    shares = {name: share for name, share in every.items() if share >= LEAST_SHARE}
     not_drawn = {name: 0.0 for name in where if name not in answers.names}
     section = Section("how-sure", "How sure", [
         Paragraph(say(
@@ -44,7 +45,7 @@ def uncertain(
         shares_table({**shares, **not_drawn}, where), shares_picture(shares, named),
     ])  # fmt: skip
     data = {**told.data, "uncertainty": cleaned({
-        "interval_level": LEVEL, "draws": len(answers.normal) - 1, "of": main, "shares": answers.shares(main),
+        "interval_level": LEVEL, "draws": len(answers.normal) - 1, "of": main, "shares": every,
         "sources": dict(where),
     })}  # fmt: skip
     return replace(told, blocks=[*told.blocks, section], data=data)

@@ -92,7 +92,7 @@ def sure(state: ExplorerState) -> dict[str, Any]:
     sources, misses = sources_for(state, met.reduced.bat, analysis.conditions), misses_of(analysis)
     answers = drawn_report(analysis, sources, misses=misses, count=PAGE_DRAWS)
     document = uncertain(
-        report_document(analysis, misses=misses, reaches=answers.reaches()), answers,
+        report_document(analysis, misses=misses, reaches=answers.reaches), answers,
         main="best_hit.exit_speed_m_s", named="best exit speed", where=sources.described,
     )  # fmt: skip
     return told(document)
