@@ -53,7 +53,7 @@ def test_a_table_is_read_chosen_from_taken_away_and_read_with_another_bat(
     name = page.get_by_role("button", name="600003")
     name.focus()
     page.keyboard.press("Enter")
-    expect(page.locator("#verdict")).to_contain_text("of 600003")
+    expect(page.locator("#verdict")).to_contain_text("of player 600003")
     expect(page.locator(".document h2", has_text="600003")).to_be_visible()
     assert "batter=600003" in page.url
     with page.expect_download() as saved:
@@ -68,11 +68,11 @@ def test_a_table_is_read_chosen_from_taken_away_and_read_with_another_bat(
     expect(page.locator("#verdict")).to_contain_text("This is the present bat still")
     settled(page)
     page.go_back()
-    expect(page.locator("#verdict")).to_contain_text("of 600003")
+    expect(page.locator("#verdict")).to_contain_text("of player 600003")
     settled(page)
     narrow(page)
     page.reload()  # the address holds it
-    expect(page.locator("#verdict")).to_contain_text("of 600003")
+    expect(page.locator("#verdict")).to_contain_text("of player 600003")
     page.set_viewport_size({"width": 1280, "height": 900})
     count = answered(page)
     page.locator("summary", has_text="Bat").first.click()
@@ -81,6 +81,29 @@ def test_a_table_is_read_chosen_from_taken_away_and_read_with_another_bat(
     page.get_by_role("button", name="Read again with this bat").click()
     expect(page.get_by_role("button", name="Read again with this bat")).to_be_hidden(timeout=PATIENT)
     expect(page.locator("#verdict")).to_contain_text("squared up against MLB", timeout=PATIENT)
+
+
+def test_a_bad_table_leaves_what_was_read(read: Page, settled: Callable[[Page], None]) -> None:
+    page = read
+    settled(page)
+    whole, address = page.locator("#verdict").inner_text(), page.url
+    fault: Any = page.locator("#view [role=alert]:visible")
+    page.evaluate(DROPPED, ["nothing.csv", ""])
+    expect(fault).to_have_text("nothing.csv is empty; save it anew, or leave it out.")
+    page.evaluate(DROPPED, ["my words.csv", "exit_speed_mph,launch_angle_deg\nfast,high\n"])
+    expect(fault).to_contain_text("my words.csv: none of 1 rows", timeout=PATIENT)
+    expect(page.get_by_role("status").filter(has_text="rows of my balls.csv")).to_be_visible()
+    assert (page.locator("#verdict").inner_text(), page.url) == (whole, address)
+    rows = "".join(f"{90 + number},{10 + number},7\n" for number in range(12))
+    page.evaluate(DROPPED, ["no bats.csv", f"exit_speed_mph,launch_angle_deg,batter\n{rows}"])
+    expect(page.locator("#verdict")).to_contain_text("12 balls in play: ", timeout=PATIENT)
+    expect(page.get_by_text("These tables have no bat speeds, so nothing is told of bats.")).to_be_visible()
+    settled(page)
+    told = page.locator(".facts > div:visible dt").all_inner_texts()
+    assert told[:2] == ["Balls", "Exit speed"] and not {"Bat speed", "From the best place"} & set(told)
+    page.get_by_role("button", name="7", exact=True).click()
+    expect(page.locator(".document h2", has_text="Player 7")).to_be_visible()
+    expect(page.get_by_role("button", name="Design a bat for this player")).to_be_hidden()
 
 
 def test_what_is_no_table_is_told_in_one_line(page: Page, server: str, answered: Answered) -> None:

@@ -34,7 +34,7 @@ export const view = {
   mount(root, app) {
     Object.assign(this, { app, answer: null, found: null });
     this.bench = new Bench(app, { open: false });
-    this.reading = new Reading(app, { onSeason: (season) => app.setState({ season, ...EVERYBODY }) });
+    this.reading = new Reading(app, { onSeason: (read) => app.setState({ ...read, ...EVERYBODY }) });
     this.filters = FILTERS.map(([field, label, all]) => new Filter(app, field, { label, all }));
     this.players = new Players(app);
     this.words = make("p", { className: "verdict flow", id: "verdict" });
@@ -105,9 +105,14 @@ export const view = {
   },
 
   draw() {
-    const { answer, found } = this;
+    const { answer, app, found } = this;
     if (!found?.means || !answer?.season) return;
     this.facts.fill(found);
+    FACTS.forEach(([, value], i) => { // what these tables do not hold is left out
+      const told = value(found, app);
+      /** @type {HTMLElement} */ (this.facts.element.children[i]).hidden = Array.isArray(told) && typeof told[1] !== "number";
+    });
+    this.design.hidden = !found.barrel;
     this.barrel.element.hidden = !found.barrel;
     this.ceilings.element.hidden = !found.ceilings;
     this.told[1].hidden = !found.field;

@@ -82,7 +82,10 @@ export class Players {
   }
 
   /** @param {Answer} batter */
-  nameOf(batter) { return this.names.get(batter) ?? batter; }
+  nameOf(batter) {
+    const name = this.names.get(batter) ?? batter;
+    return name === batter ? `player ${batter}` : name;
+  }
 
   redraw() {
     const { app } = this;

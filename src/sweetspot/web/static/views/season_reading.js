@@ -9,10 +9,12 @@ import { grouped } from "../units.js";
 
 const TABLES = /\.(csv|tsv|txt|gz|parquet)$/i;
 const MOST = 60;
+/** @type {{ uploads: string[] }} what is being read or was read last; what stands on the page stays till it is there */
+const handed = { uploads: [] };
 
 export class Reading {
   /** @param {App} app */
-  constructor(app, /** @type {{ onSeason: (season: string | null) => void }} */ { onSeason }) {
+  constructor(app, /** @type {{ onSeason: (read: { uploads: string[], season: string }) => void }} */ { onSeason }) {
     this.app = app;
     this.onSeason = onSeason;
     this.going = null;
@@ -57,6 +59,12 @@ export class Reading {
       this.say(`${files.length} files; at most ${MOST} at a time. Put them together, or take the command season.`);
       return;
     }
+    const empty = [...files].filter(({ size }) => !size).map(({ name }) => name);
+    if (empty.length) {
+      const [are, them] = empty.length === 1 ? ["is", "it"] : ["are", "them"];
+      this.say(`${empty.join(", ")} ${are} empty; save ${them} anew, or leave ${them} out.`);
+      return;
+    }
     const going = new AbortController();
     this.going = going;
     const uploads = [];
@@ -86,8 +94,8 @@ export class Reading {
   /** @param {{ uploads?: string[] }} also */
   begin(also = {}) {
     this.say("");
-    if (also.uploads) this.app.setState({ ...also, season: null });
-    this.work.start({ ...this.app.state, ...also, season: null });
+    handed.uploads = also.uploads ?? this.app.state.uploads;
+    this.work.start({ ...this.app.state, ...handed, season: null });
   }
 
   // season: what the last answer says of one, null where none was read.
@@ -102,7 +110,7 @@ export class Reading {
     const runs = ["running", "starting"].includes(status);
     if (status === "done" && found?.season && this.work.taken !== found.season) {
       this.work.taken = found.season; // once: who goes back finds what was before
-      this.onSeason(found.season);
+      this.onSeason({ ...handed, season: found.season });
     }
     const idle = !runs && this.going === null;
     for (const one of this.first) one.hidden = !idle || this.season !== null;
