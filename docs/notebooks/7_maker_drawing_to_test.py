@@ -42,6 +42,10 @@ found = compare(
 found
 
 # %%
+
+found.plot()
+
+# %%
 # The torpedo is better inside and worse outside: who meets the ball where decides.
 #
 # Would an alloy bat of ours pass? The simulated test, and the wall that would:

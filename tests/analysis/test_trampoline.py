@@ -16,21 +16,16 @@ from sweetspot.analysis.trampoline import (
     wall_share,
     wall_stiffness_at,
     wall_sweep,
-    weighing,
-    weights,
-    with_wall_factor,
 )
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.kernel import hits
-from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.modes import Modes
-from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.dynamics.weight_match import with_wall_factor
 from sweetspot.equipment.ball import Ball
 from sweetspot.errors import InputError
 from sweetspot.numerics.piecewise import Piecewise
 from sweetspot.paper import formulas as paper
-from sweetspot.units import OUNCE
 
 
 def spring_wall(stiffness: float, frequency: float) -> Modes:
@@ -123,21 +118,3 @@ def test_a_solid_bat_has_no_wall() -> None:
         wall_point(wood, standard_conditions(wood))
     with pytest.raises(InputError, match="above zero"):
         with_wall_factor(catalog.bat("russell-b6"), 0.0)
-
-
-@pytest.mark.parametrize(("ounces", "by"), [(31.0, "an end cap"), (36.0, "walls 1.2"), (22.0, "walls 0.6")])
-def test_a_hollow_bat_weighs_what_its_cap_or_its_walls_make_it(ounces: float, by: str) -> None:
-    """Exact: the weight that was asked for."""
-    weighed = weighing(catalog.bat("single-wall"), ounces * OUNCE)
-    assert rigid_body(beam_model(weighed)).mass == pytest.approx(ounces * OUNCE, rel=1e-6)
-    assert by in weighed.remark
-
-
-def test_no_cap_and_no_wall_makes_any_weight() -> None:
-    bat = catalog.bat("single-wall")
-    for limit in weights(bat):
-        assert rigid_body(beam_model(weighing(bat, limit))).mass == pytest.approx(limit, rel=1e-6)
-    with pytest.raises(InputError, match="can weigh"):
-        weighing(bat, 60 * OUNCE)
-    with pytest.raises(InputError, match="solid"):
-        weighing(catalog.bat("r161-ash"), 1.0)

@@ -33,6 +33,15 @@ def test_a_wood_bat_passes(run: Run) -> None:
     assert code == 0 and "BBCOR" in words and "pass" in words and "not decidable" in words
 
 
+def test_another_ball_than_the_bats_own_is_explained(run: Run) -> None:
+    told = " ".join(run("certify", "fast-pitch")[1].split())
+    assert (
+        'the ball that the rule names [bpf_limits], "softball, 12 in, slow pitch", not with "softball, 12 in, fast'
+        in told
+    )
+    assert "that the rule names" not in run("certify", "slow-pitch")[1]
+
+
 def test_json_keys_and_units(run: Run) -> None:
     code, out, _ = run("certify", "r161-ash", "--format", "json")
     result = json.loads(out)

@@ -51,6 +51,7 @@ def test_answers_for_people_and_a_page(run: Run, file: Path, tmp_path: Path) -> 
     assert "Balanced or end-loaded?" in words and "What is better contact worth?" in words
     assert "8 swings count, 8 with bat speed and exit speed, from a file; 1 row does not (row 10: exit speed" in words
     assert "Only 8 swings are usable" in words
+    assert "8 of 8 swings have a launch angle and no attack angle; where over or under" in words
     assert "1 row is not used: row 10: exit speed is 400.0 mph" in words
     assert sorted(path.name for path in out.iterdir()) == ["player.html", "player.json", "player.png", "player.svg"]
     page = (out / "player.html").read_text(encoding="utf-8")

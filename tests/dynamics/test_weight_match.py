@@ -9,7 +9,7 @@ from sweetspot.catalog.files.bat import bat_from_table
 from sweetspot.catalog.files.write import bat_table
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
-from sweetspot.dynamics.weight_match import ORDER, WeightBy, weight_matched, with_barrel_wall
+from sweetspot.dynamics.weight_match import ORDER, WeightBy, weighing, weight_matched, weights, with_barrel_wall
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.units import OUNCE
@@ -17,14 +17,14 @@ from sweetspot.units import OUNCE
 BAT = catalog.bat("single-wall")  # 30.0 oz as drawn
 
 
-def weighing(ounces: float) -> Bat:
+def measured(ounces: float) -> Bat:
     return BAT.replaced(mass=ounces * OUNCE)
 
 
 @pytest.mark.parametrize("by", [None, *ORDER])
 @pytest.mark.parametrize("ounces", [29.9, 30.5, 31.5])
 def test_the_weight_is_met_at_the_metals_own_density(ounces: float, by: WeightBy | None) -> None:
-    found = weight_matched(weighing(ounces), by)
+    found = weight_matched(measured(ounces), by)
     line = beam_model(found)
     assert rigid_body(line).mass == pytest.approx(ounces * OUNCE)
     if found.remark:
@@ -34,7 +34,7 @@ def test_the_weight_is_met_at_the_metals_own_density(ounces: float, by: WeightBy
 
 
 def test_the_barrel_is_left_alone_before_all_walls_are_scaled() -> None:
-    heavy, light = weight_matched(weighing(32.0)), weight_matched(weighing(26.0))
+    heavy, light = weight_matched(measured(32.0)), weight_matched(measured(26.0))
     place = BAT.length - 0.15
     assert "handle" in heavy.remark and heavy.wall_at(place) == pytest.approx(BAT.wall_at(place))
     assert heavy.wall_at(0.2) > BAT.wall_at(0.2)
@@ -43,9 +43,9 @@ def test_the_barrel_is_left_alone_before_all_walls_are_scaled() -> None:
 
 def test_what_cannot_be_is_refused_with_what_can() -> None:
     with pytest.raises(InputError, match=r"end cap: 29\.7 oz .* to 32\.7 oz"):
-        weight_matched(weighing(36.0), "end cap")
+        weight_matched(measured(36.0), "end cap")
     with pytest.raises(InputError, match="wall: "):
-        weight_matched(weighing(80.0))
+        weight_matched(measured(80.0))
 
 
 def test_a_bat_file_says_how_its_weight_was_met() -> None:
@@ -66,3 +66,21 @@ def test_a_thicker_barrel_leaves_the_handle() -> None:
     assert thick.wall_at(BAT.length - 0.1) == pytest.approx(1.5 * BAT.wall_at(BAT.length - 0.1))
     with pytest.raises(InputError, match="solid"):
         with_barrel_wall(catalog.bat("r161-ash"), 1.5)
+
+
+@pytest.mark.parametrize(("ounces", "by"), [(31.0, "an end cap"), (36.0, "walls 1.2"), (22.0, "walls 0.6")])
+def test_a_hollow_bat_weighs_what_its_cap_or_its_walls_make_it(ounces: float, by: str) -> None:
+    """Exact: the weight that was asked for."""
+    weighed = weighing(catalog.bat("single-wall"), ounces * OUNCE)
+    assert rigid_body(beam_model(weighed)).mass == pytest.approx(ounces * OUNCE, rel=1e-6)
+    assert by in weighed.remark
+
+
+def test_no_cap_and_no_wall_makes_any_weight() -> None:
+    bat = catalog.bat("single-wall")
+    for limit in weights(bat):
+        assert rigid_body(beam_model(weighing(bat, limit))).mass == pytest.approx(limit, rel=1e-6)
+    with pytest.raises(InputError, match="can weigh"):
+        weighing(bat, 60 * OUNCE)
+    with pytest.raises(InputError, match="solid"):
+        weighing(catalog.bat("r161-ash"), 1.0)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import math
 from typing import Any
 
@@ -164,3 +165,9 @@ def test_a_weight_at_the_tip_is_still_on_the_bat_and_things_of_two_kinds_are_nev
     narrow, wide = (bat(ash, cup=cup, bores=({"diameter": size, "depth": 0.2},)) for size in (0.02, 0.04))
     (edge,) = set(narrow.breakpoints()) - set(wide.breakpoints())
     assert edge == pytest.approx(0.84 - 0.02 * (1 - 0.25))
+
+
+def test_help_begins_with_names_and_defaults() -> None:
+    """And not with the bounds of every type, which the docstring tells."""
+    written = str(inspect.signature(Bat))
+    assert written.startswith("(*, name, length, sport='baseball', mass=None,") and "Annotated" not in written

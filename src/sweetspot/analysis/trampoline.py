@@ -12,15 +12,12 @@ from sweetspot.collision.closed_form import bbcor
 from sweetspot.collision.contact_law import loading_force
 from sweetspot.collision.impact import Impact, bat_energy
 from sweetspot.collision.modal_response import replayed
-from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.modes import Modes
-from sweetspot.dynamics.rigid import rigid_body
-from sweetspot.dynamics.weight_match import HEAVIEST_CAP, WALL_FACTOR
+from sweetspot.dynamics.weight_match import with_wall_factor
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import Conditions
-from sweetspot.units import shown_mass
 
 
 @dataclass(frozen=True)
@@ -96,71 +93,6 @@ def wall_energy(impact: Impact, modes: Modes) -> WallEnergy:
     stored = float((energy[:-1] + give * impact.force**2 / 2).max())
     restitution = math.sqrt(max(0.0, 1 - held / stored)) if stored > 0 else math.nan
     return WallEnergy(stored, held, stored / impact.energy.incoming, restitution)
-
-
-def with_wall_factor(bat: Bat, factor: float) -> Bat:
-    """Return a hollow bat whose wall is ``factor`` times as thick everywhere; the outside stays as it is.
-
-    What was measured belongs to the original wall, whose density is kept, so a thinner wall makes a lighter bat.
-    """
-    if bat.shell is None:
-        raise InputError(f"{bat.name} is solid; a wall can be changed only on a bat with a shell")
-    if not factor > 0:
-        raise InputError(f"wall factor is {factor:g}; allowed is a number above zero")
-    return bat.replaced(
-        name=f"{bat.name}, wall x {factor:.3g}",
-        shell=bat.shell.scaled(factor),
-        mass=None,
-        balance_point=None,
-        moi=None,
-        original=bat.original or bat,
-        remark="",
-    )
-
-
-def weighing(bat: Bat, mass: float) -> Bat:
-    """Return a hollow bat of another weight, by its end cap where that can be, else by all its walls: see its remark.
-
-    Raises
-    ------
-    InputError
-        when neither can be.
-
-    >>> from sweetspot import catalog
-    >>> weighing(catalog.bat("single-wall"), 0.88).remark
-    'Its weight, 0.88 kg (31.04 oz), is that with an end cap of 0.03933 kg (1.387 oz).'
-    """
-    from scipy.optimize import brentq
-
-    if bat.shell is None:
-        raise InputError(f"{bat.name} is solid: other wood makes it lighter or heavier, not a cap")
-    cap = mass - _mass_of(bat) + bat.shell.end_cap_mass
-    told = f"Its weight, {shown_mass(mass)}, is that with"
-    if 0 <= cap <= HEAVIEST_CAP:
-        shell = bat.shell.replaced(end_cap_mass=cap)
-        return bat.replaced(
-            shell=shell, mass=None, balance_point=None, moi=None, original=bat.original or bat,
-            remark=f"{told} an end cap of {shown_mass(cap)}.",
-        )  # fmt: skip
-    low, high = weights(bat)
-    if not low <= mass <= high:
-        raise InputError(f"{bat.name} can weigh {shown_mass(low)} to {shown_mass(high)}; given was {shown_mass(mass)}")
-    factor = float(brentq(lambda size: _mass_of(with_wall_factor(bat, size)) - mass, *WALL_FACTOR, xtol=1e-9))
-    return with_wall_factor(bat, factor).replaced(
-        remark=f"{told} walls {factor:.3g} times as thick; no end cap makes it."
-    )
-
-
-def weights(bat: Bat) -> tuple[float, float]:
-    """Return the least and the most that a hollow bat can weigh, kg, by its end cap or by its walls; see `weighing`."""
-    assert bat.shell is not None
-    bare = _mass_of(bat) - bat.shell.end_cap_mass
-    thin, thick = (_mass_of(with_wall_factor(bat, factor)) for factor in WALL_FACTOR)
-    return min(bare, thin), max(bare + HEAVIEST_CAP, thick)
-
-
-def _mass_of(bat: Bat) -> float:
-    return rigid_body(beam_model(bat)).mass
 
 
 def wall_point(bat: Bat, conditions: Conditions) -> WallPoint:

@@ -9,13 +9,13 @@ from typing import Literal, get_args
 import numpy as np
 
 from sweetspot.analysis.comparison import speed_ratios, swung_conditions
-from sweetspot.analysis.trampoline import with_wall_factor
 from sweetspot.collision.closed_form import bbcor, exit_speed
 from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.hands import gripped
 from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
+from sweetspot.dynamics.weight_match import with_wall_factor
 from sweetspot.equipment.bat import USUAL_CUP, WIDEST_CUP, Bat
 from sweetspot.equipment.material import Material
 from sweetspot.errors import InputError, SweetspotError

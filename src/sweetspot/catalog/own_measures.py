@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from sweetspot.catalog.usual_sizes import USUAL_SIZES
 from sweetspot.dynamics.beam import BeamModel, beam_model, moments
 from sweetspot.dynamics.rigid import rigid_body
-from sweetspot.dynamics.weight_match import weight_matched
+from sweetspot.dynamics.weight_match import Way, drawn_mass, weight_matched
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.golf_club import GolfClub
@@ -116,24 +116,16 @@ def _weighing(tool: Implement, mass: float) -> tuple[Implement, str]:
 
 def _thickened(tool: Implement, mass: float) -> tuple[Implement, str]:
     """Return an implement of a mass by its thickness; beyond what that can be, density has to make the rest."""
-    from scipy.optimize import brentq
-
     thicker, what = THICKER[type(tool)]
-
-    def excess(factor: float) -> float:
-        return _drawn_mass(thicker(tool, factor)) - mass
-
-    low, high = (excess(factor) for factor in THICKNESS)
-    if low < 0 < high:
-        factor = float(brentq(excess, *THICKNESS, xtol=1e-13))
-    else:
-        factor = THICKNESS[0] if low >= 0 else THICKNESS[1]
-    told = f"Its weight, {shown_mass(mass)}, is met where {what} {factor:.3f} times as thick as the pattern's."
-    return thicker(tool, factor).replaced(mass=mass, balance_point=None, moi=None), told
-
-
-def _drawn_mass(tool: Implement) -> float:
-    return moments(BeamModel(tool, 1.0, 0.0, tool.lumps()))[0]
+    way: Way[Implement] = Way(
+        what, THICKNESS, lambda factor: thicker(tool, factor),
+        lambda factor: f"{what} {factor:.3f} times as thick as the pattern's",
+    )  # fmt: skip
+    factor = way.met(mass, drawn_mass)
+    if factor is None:
+        factor = THICKNESS[0] if mass <= way.weights(drawn_mass)[0] else THICKNESS[1]
+    changed = way.changed(factor).replaced(mass=mass, balance_point=None, moi=None)
+    return changed, f"Its weight, {shown_mass(mass)}, is met where {way.told(factor)}."
 
 
 def _thicker_blade(bat: CricketBat, factor: float) -> CricketBat:

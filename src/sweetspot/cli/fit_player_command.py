@@ -98,8 +98,7 @@ def fit_player(
         posterior = fitted(model, method=wanted.sampler, seed=wanted.seed, progress=report)
     with progress("trying bats") as report:
         advice = _advised(posterior, wanted, goal, air, given, report)
-    named = ", ".join(filter(None, [output.made_for, today()]))
-    return present(player_document(posterior, advice, swings, player=named), output)
+    return present(player_document(posterior, advice, swings, player=output.made_for, day=today()), output)
 
 
 def _team(

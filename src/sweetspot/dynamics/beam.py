@@ -17,7 +17,7 @@ from sweetspot.equipment.section import Section
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.gauss_legendre import quadrature
-from sweetspot.units import INCH, OUNCE_INCH_SQUARED, shown, shown_mass
+from sweetspot.units import INCH, OUNCE_INCH_SQUARED, shown, shown_density, shown_mass
 
 BALANCE_SCATTER = 0.3 * INCH
 """By how much a measured balance point may differ from the drawing's before the drawing is corrected: 3 standard
@@ -246,8 +246,8 @@ def _check_density(line: BeamModel, known: DensityRange) -> None:
         own = ((bat.mass or 0.0) - others) / density
         raise InputError(
             f"{bat.name} weighs {shown_mass(bat.mass or 0.0)}, which this outline has only at a density of "
-            f"{density:.0f} kg/m^3; {bat.made_of} can be {low:.0f} to {high:.0f} kg/m^3, and the nearest that the bat "
-            f"can weigh is {shown_mass(others + own * low)} to {shown_mass(others + own * high)}. "
+            f"{shown_density(density)}; {bat.made_of} can be {shown_density(low)} to {shown_density(high)}, and the "
+            f"nearest that the bat can weigh is {shown_mass(others + own * low)} to {shown_mass(others + own * high)}. "
             "Check the weight, the diameters and the material"
         )
 

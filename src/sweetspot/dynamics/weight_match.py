@@ -1,18 +1,23 @@
-"""A hollow bat's measured weight, met by what its owner is least likely to have measured.
+"""A weight met by a size: which walls, caps, knobs or blades give an implement the weight that it has or shall have.
 
-Metal has one density. Where the drawing of a hollow bat does not weigh what the scale says, the wall of the handle, the
-knob, the end cap or all walls were drawn wrong; which one is a choice, and is said (`Bat.remark`).
+Metal has one density. Where the drawing of a hollow bat does not weigh what the scale says (`weight_matched`), the wall
+of the handle, the knob, the end cap or all walls were drawn wrong; which one is a choice, and is said (`Bat.remark`).
+A bat that shall weigh otherwise (`weighing`) gets another end cap, or other walls.
 """
 
 from __future__ import annotations
 
-from typing import Literal
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Generic, Literal, TypeVar
 
-from sweetspot.dynamics.beam import BeamModel, moments
+from sweetspot.dynamics.beam import BeamModel, beam_model, moments
+from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.shell import Shell, between
 from sweetspot.errors import InputError
-from sweetspot.units import OUNCE
+from sweetspot.units import OUNCE, shown_mass
 
 WeightBy = Literal["handle", "knob", "end cap", "wall"]
 ORDER: tuple[WeightBy, ...] = ("handle", "knob", "end cap", "wall")
@@ -24,6 +29,50 @@ HEAVIEST_KNOB, HEAVIEST_CAP = 0.150, 0.085
 WALL_FACTOR = (0.5, 2.0)
 BARREL_PART = 0.95
 """Of the greatest diameter: where a bat is wider, it is barrel."""
+
+
+Tool = TypeVar("Tool", bound=Implement)
+
+
+@dataclass(frozen=True)
+class Way(Generic[Tool]):
+    """A size that may be changed to meet a weight; it grows with the size.
+
+    Parameters
+    ----------
+    name : of the size.
+    limits : between which it may lie.
+    changed : gives the implement with the size.
+    told : says the size in words.
+    """
+
+    name: str
+    limits: tuple[float, float]
+    changed: Callable[[float], Tool]
+    told: Callable[[float], str]
+
+    def weights(self, weigh: Callable[[Tool], float]) -> tuple[float, float]:
+        """Return the least and the most, kg, that can be met this way."""
+        low, high = (weigh(self.changed(size)) for size in self.limits)
+        return low, high
+
+    def met(self, mass: float, weigh: Callable[[Tool], float]) -> float | None:
+        """Return the size that has a mass (kg), None where none within the limits has."""
+        from scipy.optimize import brentq
+
+        low, high = self.weights(weigh)
+        if not low <= mass <= high:
+            return None
+        return float(brentq(lambda size: weigh(self.changed(size)) - mass, *self.limits, xtol=1e-13))
+
+
+def first_met(ways: Sequence[Way[Tool]], mass: float, weigh: Callable[[Tool], float]) -> tuple[Tool, str] | None:
+    """Return an implement of a mass (kg) by the first of some ways that can, and the size in words; None: none can."""
+    for way in ways:
+        size = way.met(mass, weigh)
+        if size is not None:
+            return way.changed(size), way.told(size)
+    return None
 
 
 def weight_matched(bat: Bat, by: WeightBy | None = None) -> Bat:
@@ -44,16 +93,55 @@ def weight_matched(bat: Bat, by: WeightBy | None = None) -> Bat:
         return bat
     if by is None and _density_can(bat):
         return bat
-    tried = []
-    for way in (by,) if by is not None else ORDER:
-        attempt = _matched(bat, bat.shell, way)
-        if isinstance(attempt, Bat):
-            return attempt
-        tried.append(f"{way}: {attempt}")
+    ways = _as_drawn(bat, bat.shell)
+    asked = [ways[name] for name in ((by,) if by is not None else ORDER)]
+    if (met := first_met(asked, bat.mass, drawn_mass)) is not None:
+        changed, how = met
+        return changed.replaced(remark=f"The measured weight, {_weighed(bat.mass)}, is met by the drawing where {how}.")
+    tried = [f"{way.name}: {' to '.join(map(_weighed, way.weights(drawn_mass)))}" for way in asked]
     raise InputError(
         f"{bat.name} weighs {_weighed(bat.mass)}, but its drawing can be {'; '.join(tried)}. "
         "Check the weight, the diameters and the wall"
     )
+
+
+def weighing(bat: Bat, mass: float) -> Bat:
+    """Return a hollow bat of another weight, by its end cap where that can be, else by all its walls: see its remark.
+
+    Raises
+    ------
+    InputError
+        when neither can be.
+
+    >>> from sweetspot import catalog
+    >>> weighing(catalog.bat("single-wall"), 0.88).remark
+    'Its weight, 0.88 kg (31.04 oz), is that with an end cap of 0.03933 kg (1.387 oz).'
+    """
+    if bat.shell is None:
+        raise InputError(f"{bat.name} is solid: other wood makes it lighter or heavier, not a cap")
+    met = first_met(_made_otherwise(bat, bat.shell), mass, _mass_of)
+    if met is None:
+        low, high = weights(bat)
+        raise InputError(f"{bat.name} can weigh {shown_mass(low)} to {shown_mass(high)}; given was {shown_mass(mass)}")
+    changed, how = met
+    return changed.replaced(remark=f"Its weight, {shown_mass(mass)}, is that with {how}.")
+
+
+def weights(bat: Bat) -> tuple[float, float]:
+    """Return the least and the most that a hollow bat can weigh, kg, by its end cap or by its walls; see `weighing`."""
+    ends = [way.weights(_mass_of) for way in _made_otherwise(bat, _hollow(bat))]
+    return min(low for low, _ in ends), max(high for _, high in ends)
+
+
+def with_wall_factor(bat: Bat, factor: float) -> Bat:
+    """Return a hollow bat whose wall is ``factor`` times as thick everywhere; the outside stays as it is.
+
+    What was measured belongs to the original wall, whose density is kept, so a thinner wall makes a lighter bat.
+    """
+    shell = _hollow(bat)
+    if not factor > 0:
+        raise InputError(f"wall factor is {factor:g}; allowed is a number above zero")
+    return _made_with(bat, shell.scaled(factor), f"{bat.name}, wall x {factor:.3g}")
 
 
 def barrel_start(bat: Bat) -> float:
@@ -91,68 +179,78 @@ def _weighed(mass: float) -> str:
     return f"{mass / OUNCE:.1f} oz ({1e3 * mass:.0f} g)"
 
 
-def _drawn_mass(bat: Bat) -> float:
-    plain = bat.replaced(mass=None, balance_point=None, moi=None)
-    return moments(BeamModel(plain, 1.0, bat.density_gradient, plain.lumps()))[0]
+def drawn_mass(tool: Implement) -> float:
+    """Return what an implement weighs as drawn, kg: at the usual density of its material, whatever was measured."""
+    gradient = tool.density_gradient if isinstance(tool, Bat) else 0.0
+    plain = tool.replaced(mass=None, balance_point=None, moi=None)
+    return moments(BeamModel(plain, 1.0, gradient, plain.lumps()))[0]
+
+
+def _mass_of(bat: Bat) -> float:
+    return rigid_body(beam_model(bat)).mass
+
+
+def _made_with(bat: Bat, shell: Shell, name: str = "") -> Bat:
+    """Return a bat made with another shell: what was measured on the original tells its density, and nothing else."""
+    return bat.replaced(
+        name=name or bat.name, shell=shell, mass=None, balance_point=None, moi=None, original=bat.original or bat,
+        remark="",
+    )  # fmt: skip
 
 
 def _density_can(bat: Bat) -> bool:
     assert bat.mass is not None
     others = moments(BeamModel(bat, 0.0, bat.density_gradient, bat.lumps()))[0]
-    factor = (bat.mass - others) / (_drawn_mass(bat) - others)
+    factor = (bat.mass - others) / (drawn_mass(bat) - others)
     known = bat.density_range
     return known.lightest <= factor * known.usual * (1 + 1e-9) and factor * known.usual * (1 - 1e-9) <= known.heaviest
 
 
-def _matched(bat: Bat, shell: Shell, way: WeightBy) -> Bat | str:
-    """Return the bat of the measured mass, or what it can weigh this way."""
-    from scipy.optimize import brentq
+def _as_drawn(bat: Bat, shell: Shell) -> dict[WeightBy, Way[Bat]]:
+    """Return what may have been drawn wrong of a bat that was weighed."""
 
-    assert bat.mass is not None
-    missing = bat.mass - _drawn_mass(bat)
-    if way in ("knob", "end cap"):
-        old = shell.knob_mass if way == "knob" else shell.end_cap_mass
-        most = HEAVIEST_KNOB if way == "knob" else HEAVIEST_CAP
-        if not 0 <= old + missing <= most:
-            least = bat.mass - missing
-            return f"{_weighed(least - old)} to {_weighed(least - old + most)}"
-        field = "knob_mass" if way == "knob" else "end_cap_mass"
-        changed = bat.replaced(shell=shell.replaced(**{field: old + missing}))
-        return _remarked(changed, f"its {way} of {_weighed(old)} counts as {_weighed(old + missing)}")
-    wall_of = _handle_wall if way == "handle" else _all_walls
-    low, high = _limits(bat, shell, way)
-    target = bat.mass
+    def put_on(name: WeightBy, field: str, most: float) -> Way[Bat]:
+        was = _weighed(getattr(shell, field))
+        return Way(
+            name, (0.0, most), lambda mass: bat.replaced(shell=shell.replaced(**{field: mass})),
+            lambda mass: f"its {name} of {was} counts as {_weighed(mass)}",
+        )  # fmt: skip
 
-    def excess(size: float) -> float:
-        return _drawn_mass(wall_of(bat, shell, size)) - target
-
-    if not excess(low) <= 0 <= excess(high):
-        return f"{_weighed(target + excess(low))} to {_weighed(target + excess(high))}"
-    size = float(brentq(excess, low, high, xtol=1e-12))
-    changed = wall_of(bat, shell, size)
-    if way == "handle":
-        drawn = float(shell.wall[0][1])
-        return _remarked(changed, f"its handle's wall of {1e3 * drawn:.2f} mm counts as {1e3 * size:.2f} mm")
-    return _remarked(changed, f"every wall counts as {size:.3f} times as thick as drawn")
+    drawn = 1e3 * float(shell.wall[0][1])
+    return {
+        "handle": Way(
+            "handle", _handle_walls(bat, shell), lambda size: _handle_wall(bat, shell, size),
+            lambda size: f"its handle's wall of {drawn:.2f} mm counts as {1e3 * size:.2f} mm",
+        ),
+        "knob": put_on("knob", "knob_mass", HEAVIEST_KNOB),
+        "end cap": put_on("end cap", "end_cap_mass", HEAVIEST_CAP),
+        "wall": Way(
+            "wall", WALL_FACTOR, lambda factor: bat.replaced(shell=shell.scaled(factor)),
+            lambda factor: f"every wall counts as {factor:.3f} times as thick as drawn",
+        ),
+    }  # fmt: skip
 
 
-def _remarked(bat: Bat, how: str) -> Bat:
-    assert bat.mass is not None
-    return bat.replaced(remark=f"The measured weight, {_weighed(bat.mass)}, is met by the drawing where {how}.")
+def _made_otherwise(bat: Bat, shell: Shell) -> tuple[Way[Bat], ...]:
+    """Return how a bat can be made of another weight."""
+    return (
+        Way(
+            "end cap", (0.0, HEAVIEST_CAP), lambda mass: _made_with(bat, shell.replaced(end_cap_mass=mass)),
+            lambda mass: f"an end cap of {shown_mass(mass)}",
+        ),
+        Way(
+            "wall", WALL_FACTOR, lambda factor: with_wall_factor(bat, factor),
+            lambda factor: f"walls {factor:.3g} times as thick; no end cap makes it",
+        ),
+    )  # fmt: skip
 
 
-def _limits(bat: Bat, shell: Shell, way: WeightBy) -> tuple[float, float]:
-    if way == "wall":
-        return WALL_FACTOR
+def _handle_walls(bat: Bat, shell: Shell) -> tuple[float, float]:
     assert bat.profile is not None
     narrowest = min(size for _, size in bat.profile) / 2
     made_of = shell.handle_material or bat.material
     least, most = HANDLE_WALL.get(made_of.family, HANDLE_WALL["metal"])
     return least, min(most, 0.9 * narrowest)
-
-
-def _all_walls(bat: Bat, shell: Shell, factor: float) -> Bat:
-    return bat.replaced(shell=shell.scaled(factor))
 
 
 def _handle_wall(bat: Bat, shell: Shell, size: float) -> Bat:

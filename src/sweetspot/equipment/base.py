@@ -5,6 +5,7 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Sequence
 from difflib import get_close_matches
+from inspect import Parameter, Signature
 from typing import TYPE_CHECKING, Annotated, Any, Self, TypeVar, cast
 
 import numpy as np
@@ -55,6 +56,23 @@ UNIT_OF = {
 
 class _Readable(ModelMetaclass):
     """Lets `dir` and `help` of a class name what is its own, not the machinery that checks its fields."""
+
+    @property
+    def __signature__(self) -> Signature:
+        """Return the fields by name with their defaults: types and bounds are told of each in the docstring."""
+        fields = cast("type[BaseModel]", self).model_fields
+        return Signature(
+            [
+                Parameter(
+                    name, Parameter.KEYWORD_ONLY, default=Parameter.empty if one.is_required() else one.get_default()
+                )
+                for name, one in fields.items()
+            ]
+        )
+
+    @__signature__.setter
+    def __signature__(self, spelled_out: object) -> None:
+        """Pass over pydantic's own, in which every bound of every type is spelled out."""
 
     def __dir__(self) -> list[str]:
         own = (name for name in super().__dir__() if name not in MACHINERY)

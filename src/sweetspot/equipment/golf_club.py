@@ -92,7 +92,7 @@ class GolfClub(OfMaterial):
     @property
     def made_of(self) -> str:
         """Shaft and head."""
-        return f"{self.material.name}, head of {1e3 * self.head.mass:.0f} g"
+        return self.material.name
 
     @property
     def density_range(self) -> None:

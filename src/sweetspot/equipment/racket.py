@@ -109,7 +109,7 @@ class Racket(Implement):
     @property
     def made_of(self) -> str:
         """Frame and tension."""
-        return f"{self.frame}, strings at {self.bed.tension:.0f} N"
+        return self.frame
 
     @property
     def look(self) -> Look:

@@ -89,7 +89,9 @@ class TableTennisRacket(Implement):
     @property
     def made_of(self) -> str:
         """Plies and rubbers."""
-        return f"{len(self.blade.plies)} plies, " + " and ".join(rubber.name for rubber in self.rubbers)
+        names = [rubber.name for rubber in self.rubbers]
+        alike = len(names) == 2 and names[0] == names[1]
+        return f"{len(self.blade.plies)} plies, " + (f"{names[0]} on both sides" if alike else " and ".join(names))
 
     @property
     def materials(self) -> tuple[Material, ...]:

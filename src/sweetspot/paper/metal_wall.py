@@ -8,8 +8,9 @@ from functools import cache
 import numpy as np
 
 from sweetspot import catalog
-from sweetspot.analysis.trampoline import WallPoint, wall_point, with_wall_factor
+from sweetspot.analysis.trampoline import WallPoint, wall_point
 from sweetspot.catalog.standard_hit import standard_conditions
+from sweetspot.dynamics.weight_match import with_wall_factor
 from sweetspot.paper.formulas import PAPER_METAL_SHARE
 
 METAL_BAT = "russell-b6"

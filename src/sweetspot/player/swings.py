@@ -262,6 +262,12 @@ def _notes(swings: list[PlayerSwing], columns: Columns, pitch_speed: float | Non
             notes.append(f"{words[0]} is the same in every row ({_told(quantity, values[0])}): {words[2]}.")
         elif len(values) < count and quantity in ("bat_speed", "exit_speed"):
             notes.append(f"{words[0]} is there for {len(values)} of {count} swings.")
+    lone = sum(one.launch_angle is not None and one.attack_angle is None for one in swings)
+    if lone:
+        notes.append(
+            f"{lone} of {count} swings have a launch angle and no attack angle; where over or under the ball those "
+            "were hit is told from exit speed alone, since steep swings and low hits launch alike."
+        )
     if "release_speed" in columns.understood and "pitch_speed" not in columns.understood:
         notes.append(f"Pitch speed at the plate is taken as {PLATE_OVER_RELEASE:.3f} of the speed at release.")
     return tuple(notes)

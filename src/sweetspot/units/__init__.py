@@ -11,7 +11,7 @@ from sweetspot.units.sizes import (
     POUND_FORCE,
     RPM,
 )
-from sweetspot.units.text import NUMBER, SI, Kind, grouped, parse, parse_position, shown, shown_mass
+from sweetspot.units.text import NUMBER, SI, Kind, grouped, parse, parse_position, shown, shown_density, shown_mass
 from sweetspot.units.usual import (
     USUAL,
     check_angle,
@@ -48,5 +48,6 @@ __all__ = [
     "parse",
     "parse_position",
     "shown",
+    "shown_density",
     "shown_mass",
 ]

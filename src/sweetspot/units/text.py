@@ -13,7 +13,7 @@ from functools import cache
 from typing import Any, Literal
 
 from sweetspot.errors import InputError
-from sweetspot.units.sizes import INCH, OUNCE
+from sweetspot.units.sizes import FOOT, INCH, OUNCE
 from sweetspot.units.usual import check_usual, example_of
 from sweetspot.units.usual_units import written
 from sweetspot.units.wind import in_words
@@ -121,6 +121,15 @@ def shown_mass(mass: float) -> str:
     '0.8788 kg (31 oz)'
     """
     return f"{mass:.4g} kg ({mass / OUNCE:.4g} oz)"
+
+
+def shown_density(density: float) -> str:
+    """Return a density in kg/m^3 as people on both sides of the ocean read it.
+
+    >>> shown_density(680)
+    '680 kg/m^3 (42.5 lb/ft^3)'
+    """
+    return f"{density:.0f} kg/m^3 ({density * FOOT**3 / (16 * OUNCE):.1f} lb/ft^3)"
 
 
 def parse(text: str | float, kind: Kind, what: str = "value") -> float:

@@ -7,9 +7,9 @@ from functools import lru_cache
 
 import numpy as np
 
-from sweetspot.analysis.trampoline import weights
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.dynamics.weight_match import weights
 from sweetspot.equipment.bat import Bat
 from sweetspot.units import INCH, OUNCE
 from sweetspot.web.bats import KEPT, plain

@@ -9,7 +9,6 @@ from typing import Any, NamedTuple, TypeVar
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced
-from sweetspot.analysis.trampoline import weighing, with_wall_factor
 from sweetspot.analysis.two_way import varied
 from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.files.bat import bat_from_table, table_of_text
@@ -19,6 +18,7 @@ from sweetspot.catalog.standard_hit import SPEED_FROM_TIP, standard_conditions
 from sweetspot.dynamics.batch.reduction import fast_reduced_bat
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
+from sweetspot.dynamics.weight_match import weighing, with_wall_factor
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement

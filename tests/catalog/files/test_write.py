@@ -7,10 +7,10 @@ import tomllib
 import pytest
 
 from sweetspot import catalog
-from sweetspot.analysis.trampoline import with_wall_factor
 from sweetspot.catalog.files.bat import bat_from_table
 from sweetspot.catalog.files.write import bat_toml, legible
 from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.weight_match import with_wall_factor
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.material import Material
 from sweetspot.errors import InputError

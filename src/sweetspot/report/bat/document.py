@@ -17,6 +17,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat.json import bat_json, report_json
+from sweetspot.report.bat.made_of import made_of_words
 from sweetspot.report.bat.tables import (
     along_table,
     conditions_table,
@@ -81,7 +82,8 @@ def described_document(bat: Implement) -> Document:
     body = rigid_body(beam_model(bat))
     data = bat_json(bat.name, bat.length, body)
     return Document(
-        name="bat", title=bat.name, subtitle=bat.made_of, kind=f"{sport(bat.sport).name}: {words_of(bat).implement}",
+        name="bat", title=bat.name, subtitle=made_of_words(bat),
+        kind=f"{sport(bat.sport).name}: {words_of(bat).implement}",
         blocks=[*_mass(bat, body), *(Paragraph(words) for words in remarks(bat))],
         data=data, rows={name: [value] for name, value in data.items()}, reader=reader_of(bat),
     )  # fmt: skip
@@ -97,7 +99,7 @@ def _sizes(analysis: Analysis[Implement]) -> Sentence:
     other = "" if ball == standard_conditions(bat).ball else f"; hit by: {ball.name}"
     return in_words(
         "{length} long, {mass}, {made_of}, balance {balance} from the {butt}{other}", words_of(bat), other=other,
-        length=Slot(bat.length, "length"), mass=Slot(body.mass, "mass", of="bat.mass_kg"), made_of=bat.made_of,
+        length=Slot(bat.length, "length"), mass=Slot(body.mass, "mass", of="bat.mass_kg"), made_of=made_of_words(bat),
         balance=Slot(body.balance_point, "place", of="bat.balance_point_m"),
     )  # fmt: skip
 

@@ -17,6 +17,7 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.racket import Racket
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat import along_picture as along
+from sweetspot.report.bat.made_of import made_of_words
 from sweetspot.report.bat.outline_picture import ABOVE, GUIDE_START, RULER, SIDE, WIDTH, bat_panel, draw_bat_panel
 from sweetspot.report.bat.words import BEST_SPEED
 from sweetspot.report.pictures import ruler
@@ -33,7 +34,7 @@ from sweetspot.report.pictures.style import (
     styled,
 )
 from sweetspot.report.quantities import RED, Reader
-from sweetspot.report.sentences import Slot, with_doubt
+from sweetspot.report.sentences import Slot, read, with_doubt
 from sweetspot.report.sport_words import arriving, reader_of, words_of
 from sweetspot.report.uncertainty.document_intervals import reached
 
@@ -110,9 +111,9 @@ def _header(
     figure.text(left, 1 - 0.45 / height, name, size=size, weight="bold", parse_math=False)
     quiet: dict[str, Any] = {"color": MUTED, "size": NORMAL, "parse_math": False}
     mass = reached(Slot(body.mass, "mass", of="bat.mass_kg"), reaches or {}).read(reading)
-    sizes = f"{reading.shown(bat.length, 'length')}  ·  {mass}  ·  {bat.made_of}"
-    sizes, _ = fitted(sizes, width=WIDTH - 2 * SIDE - SWING_ROOM, size=NORMAL, smallest=NORMAL)
-    figure.text(left, 1 - 0.68 / height, sizes, **quiet)
+    sizes = f"{reading.shown(bat.length, 'length')}  ·  {mass}  ·  {read(made_of_words(bat), reading)}"
+    sizes, size = fitted(sizes, width=WIDTH - 2 * SIDE - SWING_ROOM, size=NORMAL, smallest=SMALL, bold=False)
+    figure.text(left, 1 - 0.68 / height, sizes, **{**quiet, "size": size})
     figure.text(left, 1 - 0.86 / height, _swing_weight(analysis, reading, reaches), **quiet)
     swing = conditions.swing
     swung = f"{arriving(words, conditions.pitch.speed).read(reading)}, {words.implement} at "

@@ -9,6 +9,7 @@ from sweetspot.dynamics.rigid import centre_of_percussion
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
 from sweetspot.report.bat.json import bat_json, modes_json
+from sweetspot.report.bat.made_of import made_of_words
 from sweetspot.report.bat.tables import mass_table, modes_table, places_table
 from sweetspot.report.document import Document, Paragraph, Section
 from sweetspot.report.json_shapes import cleaned
@@ -34,7 +35,7 @@ def unhit_document(reduced: ReducedBat[Implement], conditions: Conditions) -> Do
         }
     )
     return Document(
-        name="report", title=bat.name, subtitle=bat.made_of, kind=f"{sport(bat.sport).name}: without a ball",
+        name="report", title=bat.name, subtitle=made_of_words(bat), kind=f"{sport(bat.sport).name}: without a ball",
         blocks=[Paragraph(_why(reduced, conditions))],
         details=[
             Section("sweet-spots", "What needs no ball", [places_table(bat, places)]),

@@ -222,8 +222,8 @@ def density_words(posterior: Posterior) -> list[Sentence]:
         say(
             "As drawn it weighs this only at {density}; {material} usually has {low} to {high}. The drawing's walls or "
             "thicknesses are not quite those of this {bat}.",
-            density=Slot(density, "density", 0), material=line.bat.made_of,
-            low=Slot(known.lightest, "density", 0).bare, high=Slot(known.heaviest, "density", 0),
+            density=Slot(density, "density"), material=line.bat.made_of,
+            low=Slot(known.lightest, "density").bare, high=Slot(known.heaviest, "density"),
             bat=sport(line.bat.sport).words.implement,
         )
     ]  # fmt: skip

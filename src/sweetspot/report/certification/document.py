@@ -11,6 +11,8 @@ from sweetspot.analysis.certification.shot_statistics import Estimate, Measured
 from sweetspot.analysis.certification.shots import Shots
 from sweetspot.analysis.certification.simulated_test import CLAMP, OLD_BALL_SPEED, OLD_BAT_SPEED, BatTest, Certification
 from sweetspot.calibration.draws.drawn_tests import RULED
+from sweetspot.catalog.balls import ball
+from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.report.bat.assumed_values import soft_note
 from sweetspot.report.bat.json import bat_json
@@ -41,6 +43,7 @@ def tested_document(tested: TestedBat) -> Document:
     test = tested.test
     blocks: list[Block] = [Paragraph(_headline(tested))] if tested.checks else []
     blocks += [Paragraph(words, "warning") for words in _superseded(tested.checks)]
+    blocks += [Paragraph(words) for words in _ball_of_the_rule(tested)]
     blocks += [Paragraph(_passing(tested, league, wall)) for league, wall in tested.walls]
     if tested.bat.remark:
         blocks.append(Paragraph(tested.bat.remark))
@@ -128,6 +131,21 @@ def _headline(tested: TestedBat) -> Sentence:
 def _superseded(checks: Sequence[tuple[League, Check]]) -> list[str]:
     leagues = {league.key: league for league, _ in checks}.values()
     return [f"{league.name}: {league.superseded}." for league in leagues if league.superseded]
+
+
+def _ball_of_the_rule(tested: TestedBat) -> list[Sentence]:
+    """Return why a bat is tested with another ball than it is swung at; nothing where it is the same."""
+    own = standard_conditions(tested.bat).ball
+    named = {league.key: league for league, _ in tested.checks if ball(league.ball) == tested.ball}
+    if tested.ball == own or not named or not isinstance(tested.test, Certification):
+        return []
+    source = next(iter(named.values())).rules[0].source
+    return [
+        say(
+            'The test is with the ball that the rule names [{source}], "{ball}", not with "{own}", which this bat is '
+            "swung at; --ball takes that.", source=source, ball=tested.ball.name, own=own.name,
+        )
+    ]  # fmt: skip
 
 
 def _simulated(test: Certification) -> list[Block]:

@@ -106,11 +106,12 @@ def compare_figure(
 @styled
 def compare_sheet(comparison: Comparison[Implement], reading: Reader = US, *, reaches: Reaches | None = None) -> Figure:
     """Return `compare_figure` for a printed sheet, whose tables hold the zones' numbers: curves side by side."""
-    compared, side, tall, top = comparison.compared, 0.5, 1.3, 0.22
+    compared, side, top = comparison.compared, 0.5, 0.22
     length, across = max(one.analysis.bat.length for one in compared), SHEET - 2 * side
     scale = ruler.metres_per_inch_of_paper(length, across)
     outlines = max(float(one.analysis.bat.width_at(_places(one)).max()) for one in compared) / scale + 0.1
     drawn = len(compared) <= MOST_OUTLINES
+    tall = 1.3 if drawn else 0.9  # the tables of many bats leave little room, and letters are as small as it makes them
     names = 0.2 * math.ceil(len(compared) / NAMES_IN_A_ROW)
     height = top + (outlines + 0.38 if drawn else 0.0) + tall + 0.42 + names
     figure = Figure(figsize=(SHEET, height))

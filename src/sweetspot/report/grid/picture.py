@@ -23,8 +23,10 @@ def grid_figure(grid: Grid, reading: Reader, title: str = "") -> Figure:
     """Return the picture of a grid; ``title`` says what it is about."""
     figure = Figure(figsize=(8.0, 5.0), layout="constrained")
     axes = figure.subplots()
-    label = _label(grid.answer, reading)
-    words, size = fitted(f"{title}: {label}" if title else label, width=7.7, size=LARGE, smallest=SMALL)
+    sides = [QUANTITIES[name].label for name, _ in (grid.down, *([grid.across] if grid.across else []))]
+    words = f"{_label(grid.answer, reading)} by {' and '.join(sides)}"
+    words = f"{title}: {words}" if title else words[0].upper() + words[1:]
+    words, size = fitted(words, width=7.7, size=LARGE, smallest=SMALL)
     figure.suptitle(words, x=0.01, ha="left", weight="bold", size=size, parse_math=False)
     (_curve if grid.across is None else _cells)(axes, grid, reading)
     return figure

@@ -44,7 +44,7 @@ SMALL, NORMAL, LARGE, HUGE = 7.5, 8.5, 10.0, 17.0
 SHEET = 7.17
 """Inches between the margins of an A4 sheet, the width of pictures that are laid out for paper."""
 
-BOLD = FontProperties(family="DejaVu Sans", weight="bold")
+PLAIN, BOLD = (FontProperties(family="DejaVu Sans", weight=weight) for weight in ("normal", "bold"))
 
 LOOK: dict[RcKeyType, Any] = {
     "font.family": "DejaVu Sans",
@@ -121,21 +121,21 @@ def axes_in_inches(figure: Figure, *, left: float, top: float, width: float, hei
     return figure.add_axes((left / across, 1 - (top + height) / down, width / across, height / down))
 
 
-def fitted(words: str, *, width: float, size: float, smallest: float = 9.0) -> tuple[str, float]:
-    """Return bold words and a type size in points with which they take at most ``width`` inches of paper.
+def fitted(words: str, *, width: float, size: float, smallest: float = 9.0, bold: bool = True) -> tuple[str, float]:
+    """Return words and a type size in points with which they take at most ``width`` inches of paper.
 
     The type shrinks to ``smallest``; words too long even then are cut and end in an ellipsis.
     """
     words = " ".join(words.split())
-    size = max(smallest, min(size, 72 * width * size / max(_width(words, size), 1e-9)))
-    while len(words) > 1 and _width(words, size) > 72 * width * 1.001:
+    type_face = (BOLD if bold else PLAIN).copy()
+    size = max(smallest, min(size, 72 * width * size / max(_width(words, type_face, size), 1e-9)))
+    while len(words) > 1 and _width(words, type_face, size) > 72 * width * 1.001:
         words = words[:-2].rstrip() + "…"
     return words, size
 
 
-def _width(words: str, size: float) -> float:
-    """Return how wide bold words are in points."""
-    type_face = BOLD.copy()
+def _width(words: str, type_face: FontProperties, size: float) -> float:
+    """Return how wide words are in points."""
     type_face.set_size(size)
     with warnings.catch_warnings():  # a letter the typeface lacks is drawn as a box, which has a width too
         warnings.simplefilter("ignore")

@@ -37,16 +37,19 @@ from sweetspot.report.quantities import Reader
 from sweetspot.report.sentences import Sentence, Slot, Words, say
 
 
-def player_document(posterior: Posterior, advice: Advice, swings: Swings, *, player: str = "") -> Document:
+def player_document(
+    posterior: Posterior, advice: Advice, swings: Swings, *, player: str = "", day: str = ""
+) -> Document:
     """Return the training report as a document.
 
     Parameters
     ----------
     player : whom it is for, named in the picture.
+    day : when it was made, in the picture too.
     """
     untried = [f"Could not be tried: {fault}." for fault in advice.faults]
     picture = Picture(
-        "player", lambda reading: _drawn(posterior, advice, player, reading),
+        "player", lambda reading: _drawn(posterior, advice, reading, player=player, day=day),
         label=say(
             "Expected {goal} against the contact point, and what changes of player and bat are worth.",
             goal=goal_words(advice.goal),
@@ -133,10 +136,10 @@ def _means(goal: Goal) -> str:
     )
 
 
-def _drawn(posterior: Posterior, advice: Advice, player: str, reading: Reader) -> Any:
+def _drawn(posterior: Posterior, advice: Advice, reading: Reader, *, player: str, day: str) -> Any:
     from sweetspot.report.player.picture import player_figure
 
-    return player_figure(posterior, advice, player=player, reading=reading)
+    return player_figure(posterior, advice, player=player, day=day, reading=reading)
 
 
 def _drawn_sheet(posterior: Posterior, advice: Advice, reading: Reader) -> Any:

@@ -65,7 +65,13 @@ NOTHING = 0.05
 
 @styled
 def player_figure(
-    posterior: Posterior, advice: Advice, *, player: str = "", reading: Reader = US, paper: Paper = ALONE
+    posterior: Posterior,
+    advice: Advice,
+    *,
+    player: str = "",
+    day: str = "",
+    reading: Reader = US,
+    paper: Paper = ALONE,
 ) -> Figure:
     """Return the figure: expected goal against contact point, worth of single changes, bats tried."""
     worth = [(words.read(reading), advice.worth[key].gain) for key, words in changes().items()]
@@ -76,7 +82,7 @@ def player_figure(
     height = max(below + deep[0], top + deep[1]) + paper.footer
     figure = Figure(figsize=(paper.width, height))
     if paper is ALONE:
-        _header(figure, posterior, advice, height, player, reading)
+        _header(figure, posterior, advice, height, reading, player=player, day=day)
     axes = axes_in_inches(figure, left=side, top=top, width=column, height=paper.curve)
     _contact(axes, posterior, advice, reading, note="by where the ball is met on average" if paper is ALONE else "")
     unit = _unit(advice, reading)
@@ -100,13 +106,16 @@ def _unit(advice: Advice, reading: Reader) -> Unit:
     return replace(unit, digits=unit.digits if digits is None else digits)
 
 
-def _header(figure: Figure, posterior: Posterior, advice: Advice, height: float, player: str, reading: Reader) -> None:
+def _header(
+    figure: Figure, posterior: Posterior, advice: Advice, height: float, reading: Reader, *, player: str, day: str
+) -> None:
     left, room, learned = ALONE.side / ALONE.width, ALONE.width - 2 * ALONE.side, posterior.learned
     title = f"Training report: {player}" if player else "Training report"
     words, size = fitted(title, width=room, size=HUGE)
     figure.text(left, 1 - 0.42 / height, words, size=size, weight="bold", parse_math=False)
     line = say(
-        "{count} swings, {bat}: bat speed {speed}, pitch {pitch} at the plate", count=len(posterior.model.swings),
+        "{day}{count} swings, {bat}: bat speed {speed}, pitch {pitch} at the plate",
+        day=f"{day}: " if day else "", count=len(posterior.model.swings),
         bat=posterior.model.bats[0].bat.name, speed=within(learned["bat_speed"].interval, "speed"),
         pitch=Slot(advice.pitch_speed, "speed", 0),
     )  # fmt: skip
