@@ -258,7 +258,8 @@ def _not_understood(text: str, kind: Kind, what: str, error: Exception) -> str:
 
     example = SI[kind][1]
     if isinstance(error, pint.DimensionalityError):
-        return f"{what} was given as {text!r}, which is not a {kind}; write for example {example}"
+        article = "an" if kind[0] in "aeiou" else "a"
+        return f"{what} was given as {text!r}, which is not {article} {kind}; write for example {example}"
     if isinstance(error, pint.UndefinedUnitError):
         unknown = "which is no direction known here" if kind == "wind direction" else "whose unit is not known"
         return f"{what} was given as {text!r}, {unknown}; write for example {example}"
