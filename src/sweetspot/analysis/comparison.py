@@ -316,7 +316,9 @@ def _compared(
     body, along = analysis.body, analysis.scan
     outer = along.position > body.balance_point
     barrel = _Barrel(analysis.modes, along.position[outer], along.exit_speed[outer])
-    exits = Interval(peak(barrel.known), *barrel.best(swung[1:]))
+    fastest = peak(barrel.known)
+    alike = all(one.swing == swung[0].swing for one in swung)  # the reference's are, and all at the same speed
+    exits = Interval(fastest, fastest, fastest) if alike else Interval(fastest, *barrel.best(swung[1:]))
     known = exits.value if reference is None else reference.exit_speed.value
     return Compared(
         label=label,

@@ -103,11 +103,13 @@ def held_speeds(speed: Array, *, step: float) -> Array:
 
 def _opened(values: Array, window: int) -> Array:
     """Return values without peaks narrower than a window of an odd number of them: the greatest of the least ones."""
-    beside = [(0, 0)] * (values.ndim - 1) + [(window // 2, window // 2)]
+    count = values.shape[-1]
     for extreme in (np.minimum, np.maximum):
-        padded = np.pad(values, beside, mode="edge")
-        count = values.shape[-1]
-        values = extreme.reduce([padded[..., shift : shift + count] for shift in range(window)])
+        ends = (np.repeat(values[..., end], window // 2, axis=-1) for end in (slice(1), slice(-1, None)))
+        padded = np.concatenate([next(ends), values, next(ends)], axis=-1)
+        values = padded[..., :count]
+        for shift in range(1, window):
+            values = extreme(values, padded[..., shift : shift + count])
     return values
 
 
@@ -129,11 +131,15 @@ def sweet_zone(scan: Scan, *, loss: float = ZONE_LOSS, sting: float = ZONE_STING
     loss : m/s that the exit speed may lie below its best.
     sting : part of the scan's mean sting that must not be reached.
     """
-    places = np.linspace(scan.position[0], scan.position[-1], 20 * len(scan.position))
     held = held_exit_speed(scan)
+    least = np.nanmax(held) - loss
+    fast = np.flatnonzero(held >= least)
+    start, stop = scan.position[max(fast[0] - 1, 0)], scan.position[min(fast[-1] + 1, len(held) - 1)]
+    places = np.linspace(scan.position[0], scan.position[-1], 20 * len(held))
+    places = places[(places >= start) & (places <= stop)]
     speed = np.interp(places, scan.position, held)
     felt = np.interp(places, scan.position, scan.sting)
-    good = (speed >= np.nanmax(held) - loss) & (felt < sting * np.nanmean(scan.sting))
+    good = (speed >= least) & (felt < sting * np.nanmean(scan.sting))
     edges = np.flatnonzero(np.diff(np.concatenate([[False], good, [False]]).astype(int)))
     if len(edges) == 0:
         return None

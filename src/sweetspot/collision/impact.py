@@ -165,7 +165,8 @@ def bat_energy(modes: Modes, displacement: Array, velocity: Array) -> tuple[Arra
     displacement, velocity : of every mode, shape (..., n): of one moment or of many.
     """
     each = (velocity**2 + (modes.angular_frequency * displacement) ** 2) / 2
-    translation, *turning = np.moveaxis((velocity @ modes.rigid_part.T) ** 2 / 2, -1, 0)
-    rotation = np.sum(turning, axis=0)
-    hoop, face = (each[..., modes.of_family(family)].sum(axis=-1) for family in ("hoop", "face"))
+    rigid = (velocity @ modes.rigid_part.T) ** 2 / 2
+    translation, rotation = rigid[..., 0], rigid[..., 1:].sum(axis=-1)
+    walls = (modes.of_family(family) for family in ("hoop", "face"))
+    hoop, face = (each[..., own].sum(axis=-1) if own else np.zeros(each.shape[:-1]) for own in walls)
     return translation, rotation, each.sum(axis=-1) - translation - rotation - hoop - face, hoop, face

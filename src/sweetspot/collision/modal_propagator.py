@@ -22,6 +22,14 @@ def free_steps(angular_frequency: Array, damping_rate: Array, step: float | Arra
     ----------
     angular_frequency, damping_rate : omega in rad/s and 2 g in 1/s, shape (...).
     """
+    parts = _free_parts(angular_frequency, damping_rate, step)
+    return np.stack([np.stack(row, axis=-1) for row in parts], axis=-2)
+
+
+def _free_parts(
+    angular_frequency: Array, damping_rate: Array, step: float | Array
+) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
+    """Return the four numbers of those matrices, each of shape (...), row by row."""
     rate = damping_rate / 2
     square = angular_frequency**2 - rate**2
     root = np.sqrt(square if np.all(square >= 0) else square.astype(complex))  # real sines take a third of the time
@@ -30,12 +38,8 @@ def free_steps(angular_frequency: Array, damping_rate: Array, step: float | Arra
     small = np.abs(turned) < 1e-8
     sine = np.where(small, step, (np.sin(turned) / np.where(small, 1, root)).real)
     decay = np.exp(-rate * step)
-    matrices = np.empty((*decay.shape, 2, 2))
-    matrices[..., 0, 0] = decay * (cosine + rate * sine)
-    matrices[..., 0, 1] = decay * sine
-    matrices[..., 1, 0] = -decay * angular_frequency**2 * sine
-    matrices[..., 1, 1] = decay * (cosine - rate * sine)
-    return matrices
+    whole, slowed, part = decay * cosine, decay * sine, rate * decay * sine
+    return (whole + part, slowed), (-(angular_frequency**2) * slowed, whole - part)
 
 
 def dashpot_factors(modes: Modes, step: float) -> Array:
@@ -71,11 +75,8 @@ def moved_freely(
 ) -> tuple[Array, Array]:
     """Return the same for oscillators by their numbers, of shapes that go with (..., n); no dashpots."""
     span = np.asarray(time, float)[..., None]
-    ahead = free_steps(angular_frequency, damping_rate, span)
-    return (
-        ahead[..., 0, 0] * displacement + ahead[..., 0, 1] * velocity,
-        ahead[..., 1, 0] * displacement + ahead[..., 1, 1] * velocity,
-    )
+    place, speed = _free_parts(angular_frequency, damping_rate, span)
+    return place[0] * displacement + place[1] * velocity, speed[0] * displacement + speed[1] * velocity
 
 
 def _dashed_for(modes: Modes, velocity: Array, span: Array) -> Array:

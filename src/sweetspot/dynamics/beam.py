@@ -7,6 +7,7 @@ so Gauss-Legendre quadrature on each piece gives the mass integrals exactly, to 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 
@@ -138,6 +139,7 @@ def moments(line: BeamModel) -> tuple[float, float, float]:
     return moments_with_roll(line)[:3]
 
 
+@lru_cache(maxsize=64)  # fitting a line to what was measured asks for the same one again and again
 def moments_with_roll(line: BeamModel) -> tuple[float, float, float, float]:
     """Return mass (kg), first moment (kg m) and second moment (kg m^2) about the knob end, and about the bat's axis.
 

@@ -98,14 +98,15 @@ def posterior_of(state: OwnState) -> Posterior | None:
     if not measured:
         return None
     bat, unknowns = bat_of(state)
-    balance = rigid_body(beam_of(bat)).balance_point
+    described_beam = beam_of(bat)
+    balance = rigid_body(described_beam).balance_point
     if state.pendulum_ms is not None and state.pivot_in * INCH > FARTHEST_PIVOT * balance:
         raise FieldError(
             "pivot_in", f"a bat that balances {balance / INCH:.4g} in from its knob hardly swings from there; hang it "
             "from the handle"
         )  # fmt: skip
     with about("bat"):
-        return calibrate(beam_of(bat), unknowns, measured)
+        return calibrate(described_beam, unknowns, measured)
 
 
 def damping_of(state: OwnState) -> Measured | None:
