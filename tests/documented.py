@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import polars as pl
 
+from tests.photographs import rendered, saved
 from tests.season.conftest import made_up
 
 DOCS = Path(__file__).parents[1] / "docs"
@@ -17,7 +18,6 @@ BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
 NEEDS_ONE_S_OWN = {
-    "outline bat.jpg": "a photograph of one's own; tests/calibration/outline draws one",
     "outline drawing.dxf": "a drawing of one's own; tests/calibration/outline reads many",
     "app": "runs until it is stopped; tests/web opens it",
 }
@@ -80,6 +80,8 @@ def write_files(folder: Path, page: Path) -> None:
     _write(folder / "dozen.csv", "name,mass_oz,balance_point_in,pendulum_s", [
         f"{name},{mass}±0.05,22.05±0.05,1.4545±0.003" for name, mass in (("A", 31.0), ("B", 31.4))
     ])  # fmt: skip
+    if "bat.jpg" in page.read_text(encoding="utf-8"):
+        saved(folder / "bat.jpg", rendered(angle=8, ruler=0.3), quality=90)
     _write_swings(folder)
     _write_season(folder)
 

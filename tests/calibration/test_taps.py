@@ -296,6 +296,19 @@ def test_what_gets_louder_later_is_no_tap(modes: Modes) -> None:
     assert not any(tap.good for tap in taps)
 
 
+def test_a_held_note_is_no_tap() -> None:
+    """A chord that does not die away; one that falls by 3 dB in a second, slower than any bat, does."""
+    rate = 16000.0
+    time = np.arange(round(0.6 * rate)) / rate
+    noise = 1e-4 * np.random.default_rng(1).standard_normal(round(0.9 * rate))
+    for decay, good in ((0.0, False), (0.35, True)):
+        chord = sum(np.sin(2 * np.pi * tone * time) for tone in (220.0, 330.0, 554.0)) * np.exp(-decay * time)
+        sound = 0.2 * np.concatenate([np.zeros(round(0.3 * rate)), chord]) + noise
+        (tap,) = find_taps(Recording("chord", sound, rate), band=BAT_BAND)
+        assert tap.good == good
+        assert good or "Hz does not die away" in (tap.fault or "")
+
+
 def test_a_room_s_tones_do_not_stand_out(modes: Modes) -> None:
     """A bat in a made-up room: tones that stand out are the bat's, and the named lowest two are among them."""
     dry = synthesised(modes, position=0.813, listened=0.80, taps=2)
@@ -406,6 +419,7 @@ def test_the_tapped_steel_bar() -> None:
     test = tap_test([read_recording(real_file("steel_bar_tap.wav"))], bar=STEEL_BAR)
     first = next(one.tone.frequency for one in test.tones if one.name == ModeName("bending", 1))
     assert first.low < 1281 < first.high
+    assert {one.name for one in test.tones if one.tone.own} == {ModeName("bending", 1), ModeName("bending", 2)}
     assert test.bar is not None
     assert test.bar.modulus.low < 215e9 < test.bar.modulus.high
     assert test.bar.modulus.relative < 0.015

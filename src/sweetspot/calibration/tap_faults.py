@@ -41,6 +41,9 @@ drives what was tapped: all that it says is damped sinusoids that began together
 MOST_CANCELLED = 5.0
 """Energy of a fit's sinusoids, each alone, over that of the sound (assumed). Tones of a body lie apart and hardly
 cancel each other: two planes that begin against each other reach 4; a tone that glides needs many that cancel."""
+STEADIEST = 5e-6
+"""Damping ratio of the tone with most energy, below which it does not die away (assumed): what hangs in air loses more,
+a recorded steel bar 1.4e-5."""
 LASTING, BREAKS_OFF, DEEPEST = (0.12, 0.24, 0.48), 14.0, 30.0
 """s in three thirds, and dB by which twice the middle third may lie above the other two together, of which none counts
 as more than `DEEPEST` below the loudest. What dies away is never above by more than a pair of tones makes that begin by
@@ -110,6 +113,9 @@ def fault_of_fit(fit: Fit, *, background: float, held: float) -> str | None:
             f"not free: at {lowest.frequency.value:.0f} Hz the damping is {100 * ratio.value:.1f} %, a freely hung one "
             f"has less than {100 * held:g} %; hang it from rubber bands and keep hands away, or set --most-damping"
         )
+    longest = max(fit.sinusoids, key=lambda one: one.energy(len(fit.samples) / fit.rate))
+    if longest.damping_ratio.high < STEADIEST:
+        return f"no ring: {longest.frequency.value:.0f} Hz does not die away; a held note, or an alarm"
     driven = driven_part(fit, background)
     if driven > MOST_DRIVEN:
         return (
