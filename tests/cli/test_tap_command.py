@@ -36,7 +36,7 @@ def test_there_and_back(run_json: Callable[..., Any], sound: str, tmp_path: Path
 
 def test_a_bar_of_sizes(run: Run, sound: str) -> None:
     """The sound of a bat taken for a bar's still goes the whole way; its first tone counts as the bar's."""
-    code, out, _ = run("tap", sound, "--bar", "500mm x 40mm x 10mm", "--mass", "0.14kg±1g")
+    code, out, _ = run("tap", sound, "--bar", "500mm x 40mm x 10mm", "--mass", "0.14kg±1g", "--units", "si")
     assert code == 0
     assert "3 of 3 taps used" in out
     assert "700 ± " in out  # kg/m^3: 0.14 kg / (0.5 x 0.04 x 0.01) m^3
