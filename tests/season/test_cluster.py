@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import multiprocessing
 import os
 import signal
 import socket
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack, suppress
 from functools import partial
 from pathlib import Path
 
+import dask
 import polars as pl
 import pytest
+from distributed.utils import get_mp_context
 
 from sweetspot.season.cluster import run_on_cluster
 from sweetspot.season.plan import Plan, do_task, is_done
@@ -20,6 +23,16 @@ from tests.season.conftest import files_of
 
 USUAL_PORT = 8787
 """Of Dask's status."""
+
+
+@pytest.fixture(autouse=True)
+def _imported_once() -> Iterator[None]:
+    """Workers come of a process that has imported what they need, where there are such; elsewhere each imports it."""
+    how = "forkserver" if "forkserver" in multiprocessing.get_all_start_methods() else "spawn"
+    with dask.config.set({"distributed.worker.multiprocessing-method": how}):
+        context = get_mp_context()  # type: ignore[no-untyped-call]
+        context.set_forkserver_preload(["distributed", "sweetspot.season.cluster", __name__])
+        yield
 
 
 def test_a_plan_has_every_row_once(alone: dict[str, str]) -> None:

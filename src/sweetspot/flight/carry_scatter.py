@@ -77,14 +77,20 @@ class CarryErrors:
         per_drag : m by which the carry grows with the logarithm of drag, shape (n,).
         scatter : of home runs, all told as drag, shape (n,); see `flight.home_runs.Scatter`.
         """
-        from scipy.interpolate import RegularGridInterpolator
+        row, along = _between(SPEEDS, exit_speed)
+        column, across = _between(ANGLES, launch_angle)
+        slower, faster = (
+            (1 - across) * self.variances[at, column] + across * self.variances[at, column + 1] for at in (row, row + 1)
+        )
+        here = (1 - along) * slower + along * faster
+        return np.sqrt(drag_alone(per_drag * scatter, per_drag=per_drag, home_run=self.home_run) + here)
 
-        table = RegularGridInterpolator((SPEEDS, ANGLES), self.variances)
-        places = np.stack([
-            np.clip(np.nan_to_num(exit_speed), SPEEDS[0], SPEEDS[-1]),
-            np.clip(np.nan_to_num(launch_angle), ANGLES[0], ANGLES[-1]),
-        ], axis=1)  # fmt: skip
-        return np.sqrt(drag_alone(per_drag * scatter, per_drag=per_drag, home_run=self.home_run) + table(places))
+
+def _between(nodes: Array, values: Array) -> tuple[NDArray[np.intp], Array]:
+    """Return the node before each value and the part of the way to the next; beyond the ends the nearest counts."""
+    inside = np.clip(np.nan_to_num(values), nodes[0], nodes[-1])
+    before = np.clip(np.searchsorted(nodes, inside, side="right") - 1, 0, len(nodes) - 2)
+    return before, (inside - nodes[before]) / (nodes[before + 1] - nodes[before])
 
 
 def drag_alone(by_drag: Array, *, per_drag: Array, home_run: float) -> Array:

@@ -29,7 +29,7 @@ WRITTEN: Mapping[str, Mapping[str, float]] = {
     "pressure": {"Pa": 1.0, "hPa": 100.0, "kPa": 1e3, "MPa": 1e6, "GPa": 1e9, "inHg": INCH_OF_MERCURY,
                  "psi": POUND_FORCE / INCH**2},
     "force": {"N": 1.0, "kN": 1e3, "lbf": POUND_FORCE},
-    "time": {"s": 1.0, "ms": 1e-3, "us": 1e-6},
+    "time": {"s": 1.0, "ms": 1e-3, "us": 1e-6, "1/krpm": 1e-3 / RPM},
     "angle": {"deg": DEGREE, "rad": 1.0},
     "angular speed": {"rpm": RPM, "rad/s": 1.0},
     "areal density": {"kg/m^2": 1.0},
