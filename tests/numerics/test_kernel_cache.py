@@ -207,6 +207,29 @@ def test_nobody_without_a_home_gets_an_answer() -> None:
     assert "r161-ash" in result.stdout
 
 
+def test_what_another_process_compiles_is_waited_for(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The other one has its turn, and keeps the file and lets go while this one waits; one that hangs is left."""
+    pytest.importorskip("fcntl")
+    compiled()(scale)(3.0)
+    (path,) = folder.iterdir()
+    content = path.read_bytes()
+
+    def kept(_: float) -> None:
+        path.write_bytes(content)
+        other.close()
+
+    for sleep, patience, hits in ((kept, 600.0, 1), (lambda _: None, 0.01, 0)):
+        path.unlink()
+        other = kernel_cache._turn(path)
+        monkeypatch.setattr(kernel_cache, "sleep", sleep)
+        monkeypatch.setattr(kernel_cache, "PATIENCE", patience)
+        function = compiled()(scale)
+        assert function(3.0) == 6.0
+        assert sum(function.stats.cache_hits.values()) == hits  # type: ignore[attr-defined]
+        other.close()
+        assert [*folder.iterdir()] == [path]
+
+
 def test_files_belong_to_one_signature(folder: Path) -> None:
     function = compiled()(scale)
     assert (function(3.0), function(3)) == (6.0, 6.0)

@@ -4,7 +4,8 @@ numba bakes every constant and helper that a function uses into its machine code
 only changes of the function's own file. Here a kept function belongs to a fingerprint of everything that its code
 reaches: the text of each file of its package that holds a reached function, and each reached constant.
 
-Without a place to write, or with a damaged one, functions are compiled in memory, and standard error says so once.
+Of several processes that need the same function one compiles it and the others wait for its file. Without a place to
+write, or with a damaged one, functions are compiled in memory, and standard error says so once.
 """
 
 from __future__ import annotations
@@ -15,8 +16,10 @@ import pickle
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
+from contextlib import ExitStack, suppress
 from functools import cache, cached_property
 from pathlib import Path
+from time import monotonic, sleep
 from types import CodeType, FunctionType, ModuleType
 from typing import Any, TypeVar, cast
 
@@ -31,6 +34,10 @@ from numba.misc.appdirs import AppDirs
 
 PACKAGE = Path(__file__).parents[1]
 DIGEST_SIZE = 16
+PATIENCE = 120.0
+"""s that another process is waited for which compiles the same: longer than any kernel takes, on a slow machine too."""
+LOOKS = 0.05
+"""s from one look whether it is done to the next."""
 FUNCTION = TypeVar("FUNCTION", bound=Callable[..., Any])
 
 
@@ -92,6 +99,7 @@ class _KernelFiles(NullCache):
 
     def __init__(self, function: Callable[..., Any]) -> None:
         self.function = function
+        self.turns: dict[Path, ExitStack] = {}
         self.name = f"{function.__module__}.{function.__qualname__}".replace("<", "").replace(">", "")
 
     @cached_property
@@ -108,26 +116,31 @@ class _KernelFiles(NullCache):
         return folder / f"{self.name}-{self.fingerprint}-{target_digest}.kernel"
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
-        """Return what was kept for a signature; None where there is nothing whole."""
+        """Return what was kept for a signature; None where nothing whole is, and this process is to compile it."""
         rtsys.initialize(target_context)  # of all that compiling needs, what running needs
         path = self.path(sig, target_context.codegen())
         if path is None:
             return None
-        try:
-            stored = path.read_bytes()
-        except OSError:
-            return None
-        content = stored[DIGEST_SIZE:]
-        if hashlib.blake2b(content, digest_size=DIGEST_SIZE).digest() != stored[:DIGEST_SIZE]:
-            return None
+        content = _whole(path)
+        if content is None:
+            turn = _turn(path)
+            content = _whole(path)  # now there, if another process was waited for
+            if content is None:
+                self.turns[path] = turn
+                return None
+            turn.close()
         return CompileResult._rebuild(target_context, *pickle.loads(content))  # type: ignore[no-untyped-call]
 
     def save_overload(self, sig: Any, data: Any) -> None:
         """Keep what was compiled for a signature; remove what was kept of earlier states of the function."""
         path = self.path(sig, data.codegen)
-        if path is None or data.lifted or data.library.has_dynamic_globals:
+        if path is None:
             return
-        content = dumps(data._reduce())  # type: ignore[no-untyped-call]
+        with self.turns.pop(path, ExitStack()):
+            if not data.lifted and not data.library.has_dynamic_globals:
+                self._keep(path, dumps(data._reduce()))  # type: ignore[no-untyped-call]
+
+    def _keep(self, path: Path, content: bytes) -> None:
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
             with tempfile.NamedTemporaryFile(dir=path.parent, prefix=f"{self.name}-", delete=False) as file:
@@ -143,6 +156,40 @@ class _KernelFiles(NullCache):
                     other.unlink(missing_ok=True)
         except OSError as error:
             _say_that_nothing_is_kept(f"{path.parent}: {error.strerror}")
+
+
+def _whole(path: Path) -> bytes | None:
+    """Return what a file keeps; None where there is none, or it is not whole."""
+    try:
+        stored = path.read_bytes()
+    except OSError:
+        return None
+    content = stored[DIGEST_SIZE:]
+    whole = hashlib.blake2b(content, digest_size=DIGEST_SIZE).digest() == stored[:DIGEST_SIZE]
+    return content if whole else None
+
+
+def _turn(path: Path) -> ExitStack:
+    """Return once no other process compiles what a file will keep; closing what is returned lets the next one go on.
+
+    A process that ends lets go. One that is not done in time is waited for no longer: both then compile it.
+    """
+    turn = ExitStack()
+    lock = path.with_suffix(".lock")
+    with suppress(ImportError, OSError):  # Windows has no such locks, nor have some disks
+        import fcntl
+
+        lock.parent.mkdir(parents=True, exist_ok=True)
+        file = turn.enter_context(lock.open("wb"))
+        end = monotonic() + PATIENCE
+        while monotonic() < end:
+            with suppress(BlockingIOError):
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                turn.callback(fcntl.flock, file, fcntl.LOCK_UN)
+                turn.callback(lock.unlink, missing_ok=True)
+                break
+            sleep(LOOKS)
+    return turn
 
 
 @cache
