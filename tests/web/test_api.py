@@ -220,6 +220,7 @@ def test_pages_come_with_a_policy_and_a_tag(client: httpx.Client) -> None:
     assert "microphone=(self)" in response.headers["permissions-policy"]
     module = client.get("/static/main.js")  # no document, so what is said of documents is left out
     assert "content-security-policy" not in module.headers and module.headers["x-content-type-options"] == "nosniff"
+    assert (response.headers["cache-control"], module.headers["cache-control"]) == ("no-cache", "max-age=20")
     again = client.get("/explorer", headers={"if-none-match": response.headers["etag"]})
     assert again.status_code == 304
     assert "http://" not in response.text.replace("http://www.w3.org", "")
