@@ -184,8 +184,9 @@ def _maximised(now: PlaceRelation, sample: Sample, moments: Array) -> PlaceRelat
 
 def _solved(terms: Array, weight: Array, wanted: Array, widths: Array) -> Array:
     """Return weights by least squares, those known beforehand to be about 0 with some widths."""
-    heavy = terms.T * weight
-    return np.asarray(np.linalg.solve(heavy @ terms + np.diag(1 / widths**2), heavy @ wanted))
+    return np.asarray(
+        np.linalg.solve(_products(terms, weight) + np.diag(1 / widths**2), _along(terms, weight * wanted))
+    )
 
 
 def _scored(terms: Array, share: Array, off: Array, now: Array, widths: Array) -> Array:
@@ -196,5 +197,20 @@ def _scored(terms: Array, share: Array, off: Array, now: Array, widths: Array) -
     share : part of each variance that hangs on the weights, squared.
     off : squares over what they should be, less 1, times that part.
     """
-    slope = terms.T @ off - now / widths**2
-    return np.asarray(np.linalg.solve(2 * (terms.T * share) @ terms + np.diag(1 / widths**2), slope))
+    slope = _along(terms, off) - now / widths**2
+    return np.asarray(np.linalg.solve(2 * _products(terms, share) + np.diag(1 / widths**2), slope))
+
+
+def _products(terms: Array, weight: Array) -> Array:
+    """Return the weighted sums over balls of all products of two terms.
+
+    Not by BLAS, here and in `_along`: its threads wait for each other in a loop, which for such narrow tables costs
+    many times the sums where other programs run, and how it adds up hangs on how many there are.
+    """
+    rows = np.ascontiguousarray(terms.T)
+    return np.asarray(np.einsum("jn,kn->jk", rows * weight, rows))
+
+
+def _along(terms: Array, values: Array) -> Array:
+    """Return the sums over balls of each term times a value."""
+    return np.asarray(np.einsum("jn,n->j", np.ascontiguousarray(terms.T), values))
