@@ -220,7 +220,7 @@ def test_what_another_process_compiles_is_waited_for(folder: Path, monkeypatch: 
 
     for sleep, patience, hits in ((kept, 600.0, 1), (lambda _: None, 0.01, 0)):
         path.unlink()
-        other = kernel_cache._turn(path)
+        other = kernel_cache.turn_at(path)
         monkeypatch.setattr(kernel_cache, "sleep", sleep)
         monkeypatch.setattr(kernel_cache, "PATIENCE", patience)
         function = compiled()(scale)

@@ -123,7 +123,7 @@ class _KernelFiles(NullCache):
             return None
         content = _whole(path)
         if content is None:
-            turn = _turn(path)
+            turn = turn_at(path)
             content = _whole(path)  # now there, if another process was waited for
             if content is None:
                 self.turns[path] = turn
@@ -169,7 +169,7 @@ def _whole(path: Path) -> bytes | None:
     return content if whole else None
 
 
-def _turn(path: Path) -> ExitStack:
+def turn_at(path: Path) -> ExitStack:
     """Return once no other process compiles what a file will keep; closing what is returned lets the next one go on.
 
     A process that ends lets go. One that is not done in time is waited for no longer: both then compile it.

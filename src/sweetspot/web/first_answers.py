@@ -12,11 +12,11 @@ import tempfile
 from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from functools import cache
 from pathlib import Path
 
-from sweetspot.numerics.kernel_cache import PACKAGE, kernel_folder
+from sweetspot.numerics.kernel_cache import PACKAGE, kernel_folder, turn_at
 from sweetspot.web.states import ViewState
 from sweetspot.web.views import VIEWS
 
@@ -78,10 +78,17 @@ def prepare(answer: Answer, say: Callable[[str], None]) -> None:
 
 
 def work_out(answer: Answer, names: tuple[str, ...]) -> tuple[str, ...]:
-    """Work out and keep the first answers of some views; return their names."""
+    """Work out and keep the first answers of some views; return their names.
+
+    What another process is working out is waited for, where it is kept.
+    """
     for question in first_questions():
-        if question[0] in names and kept_answer(*question) is None:
-            keep(question, answer(*question))
+        if question[0] not in names or kept_answer(*question) is not None:
+            continue
+        path = _path(*question)
+        with nullcontext() if path is None else turn_at(path):
+            if kept_answer(*question) is None:
+                keep(question, answer(*question))
     return names
 
 
