@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 from urllib.parse import quote
 
@@ -128,29 +130,56 @@ def test_a_page_that_is_told_to_wait_asks_again(page: Page, server: str, settled
     assert page.locator("[data-field=bat] select option").count() == len(catalog.bat_names())
 
 
-def test_a_lost_connection_is_shown_and_comes_back(page: Page, answered: Answered) -> None:
-    import threading
-
-    opened = listening("127.0.0.1", 0)
-    port = opened.getsockname()[1]
-    first = server_for()
-    thread = threading.Thread(target=first.run, kwargs={"sockets": [opened]}, daemon=True)
+@contextmanager
+def serving(port: int = 0) -> Iterator[int]:
+    """A server of one's own for a while, and its port."""
+    opened = listening("127.0.0.1", port)
+    server = server_for()
+    thread = threading.Thread(target=server.run, kwargs={"sockets": [opened]}, daemon=True)
     thread.start()
-    page.goto(f"http://127.0.0.1:{port}/explorer")
-    count = answered(page)
-    first.should_exit = True
-    thread.join(60)
+    try:
+        yield opened.getsockname()[1]
+    finally:
+        server.should_exit = True
+        thread.join(60)
+
+
+def test_a_lost_connection_is_shown_and_comes_back(page: Page, answered: Answered) -> None:
+    with serving() as port:
+        page.goto(f"http://127.0.0.1:{port}/explorer")
+        count = answered(page)
     expect(page.locator("#status")).to_contain_text("connection to the server is lost")
     field(page, "pitch_speed_mph").fill("70")  # asked while nobody listens
     field(page, "pitch_speed_mph").press("Enter")
-    again = server_for()
-    thread = threading.Thread(target=again.run, kwargs={"sockets": [listening("127.0.0.1", port)]}, daemon=True)
-    thread.start()
-    expect(page.locator("#status")).to_be_hidden()
-    answered(page, count)
-    assert field(page, "pitch_speed_mph").input_value() == "70"
-    again.should_exit = True
-    thread.join(60)
+    with serving(port):
+        expect(page.locator("#status")).to_be_hidden()
+        answered(page, count)
+        assert field(page, "pitch_speed_mph").input_value() == "70"
+
+
+def test_a_view_opened_without_a_server_says_so_and_comes_with_it(
+    page: Page, answered: Answered, settled: Callable[[Page], None]
+) -> None:
+    with serving() as port:
+        page.goto(f"http://127.0.0.1:{port}/explorer?bat=youth-30")
+        settled(page)
+        page.wait_for_load_state("networkidle")  # the files of the other views too
+    expect(page.locator("#status")).to_contain_text("connection to the server is lost")
+    page.get_by_role("link", name="Flight", exact=True).click()
+    expect(page.locator("#view .absent")).to_contain_text("Flight needs the server")
+    expect(page.locator("#view :is(.side, .picture:not(.absent)):visible")).to_have_count(0)
+    page.locator("#bench-chip").click()
+    page.get_by_role("button", name="Describe another bat").click()
+    expect(page.locator("dialog")).to_contain_text("The server does not answer")
+    page.locator("dialog").get_by_role("button", name="Close").click()
+    with serving(port):
+        expect(page.locator("#status")).to_be_hidden()
+        answered(page)
+        expect(page.locator("#view .absent")).to_have_count(0)
+        expect(page.locator("#bench-chip")).to_contain_text("youth 30 in")
+        expect(page.locator("[data-field=park] option")).not_to_have_count(1)  # the lists too
+        expect(page.locator("#view canvas").first).to_be_visible()
+        settled(page)
 
 
 def from_elsewhere(asked: list[str], server: str) -> list[str]:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import httpx
 import pytest
 from playwright.sync_api import Page, expect
 
@@ -98,7 +99,7 @@ def test_the_answer_that_cannot_be_is_named(wanted: dict[str, Any], field: str, 
 def test_a_racket_by_questions_lies_on_the_bench(page: Page, server: str, settled: Callable[[Page], None]) -> None:
     page.goto(f"{server}/sports")
     settled(page)
-    page.get_by_role("button", name="Describe your own by questions").click()
+    page.get_by_role("button", name="Describe yours by questions").click()
     expect(page.locator("#wizard-sport")).to_have_value("tennis")
     expect(page.get_by_label("Name", exact=True)).to_have_value("my racket")
     unit = page.locator(".wizard .control", has_text="Swing weight about the axis 10 cm from the butt").locator(".unit")
@@ -116,6 +117,42 @@ def test_a_racket_by_questions_lies_on_the_bench(page: Page, server: str, settle
     page.get_by_role("button", name="Describe another").click()
     page.locator("#wizard-sport").select_option("golf")
     page.get_by_role("button", name="Put it on the bench").click()
-    expect(page.locator(".wizard")).to_contain_text("a head of 0.2001 kg")  # what makes its weight is said
+    expect(page.locator(".wizard")).to_contain_text(
+        "a shaft of 2.6 oz and a head of 7.1 oz"
+    )  # what makes its weight is said
     page.locator(".wizard").get_by_role("button", name="Close").click()
     expect(page.locator("#bench-chip")).to_contain_text("my club")
+
+
+def test_the_weight_follows_the_shaft_the_wood_and_the_length(page: Page, server: str, answered: Any) -> None:
+    """Exact: a steel shaft of the same stiffness is heavier, and hickory cannot be as light as ash."""
+    page.goto(f"{server}/explorer")
+    answered(page)
+    page.locator("#bench-chip").click()
+    page.get_by_role("button", name="Describe another").click()
+    weight, put = page.locator("#wizard-mass_oz"), page.get_by_role("button", name="Put it on the bench")
+    expect(weight).to_have_value("31")
+    page.locator("#wizard-length_in").fill("30")
+    page.locator("#wizard-length_in").press("Tab")
+    expect(weight).to_have_value("28.18")  # 31 oz at 33 in
+    page.locator("#wizard-material").select_option("hickory")
+    light = float(weight.input_value())
+    assert light > 31
+    weight.fill("26")
+    put.click()
+    expect(page.locator("#wizard-mass_oz-fault")).to_contain_text("Allowed is 29.2")  # 26.07 (690 / 560) (30 / 33)
+    expect(weight).to_be_focused()
+    page.locator("#wizard-sport").select_option("golf")
+    expect(weight).to_have_value("11.41")
+    page.locator("#wizard-material").select_option("steel")
+    expect(weight).to_have_value(re.compile("^15"))
+    put.click()
+    expect(page.locator(".wizard h2")).to_have_text("my club lies on the bench")
+    expect(page.locator(".wizard")).not_to_contain_text("kg")
+
+
+def test_a_refusal_tells_its_weights_in_the_reader_s_units(client: httpx.Client) -> None:
+    wanted = {"sport": "golf", "pattern": "golf-driver", "material": "steel", "mass_oz": 8}
+    fault = client.post("/api/v1/describe", json=wanted).json()["error"]
+    assert fault["field"] == "mass_oz" and "kg (" in fault["message"]
+    assert " g " in fault["words"]["si"] and "oz" not in fault["words"]["si"] and "kg" not in fault["words"]["us"]

@@ -19,6 +19,7 @@ from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.hockey_stick import HockeyStick
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.laminate import Laminate
+from sweetspot.equipment.material import Material
 from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.stretch import stretched
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
@@ -164,10 +165,31 @@ def _club(club: GolfClub, known: Measures) -> tuple[Implement, str]:
     head = mass - shaft - club.grip_mass
     parts = f"a grip of {shown_mass(club.grip_mass)}, a shaft of {shown_mass(shaft)} and a head of {shown_mass(head)}"
     if not USUAL_SIZES["golf-club"]["head.mass"].holds(max(head, 1e-6)):
-        raise InputError(f"{shown_mass(mass)} would be {parts}, which is no head of a club; check weight and balance")
+        least, most = club_weights(club)
+        raise InputError(
+            f"a club with a shaft of {shown_mass(shaft)} and a grip of {shown_mass(club.grip_mass)} weighs "
+            f"{shown_mass(least)} to {shown_mass(most)}, by its head; given was {shown_mass(mass)}. "
+            "Check the weight, the shaft and the balance"
+        )
     heavier = head / club.head.mass
     changed = {name: heavier * getattr(club.head, name) for name in ("mass", "moi", "roll_moi")}
     return club.replaced(head=club.head.replaced(**changed)), f"Its weight, {shown_mass(mass)}, is {parts}."
+
+
+def club_weights(club: GolfClub) -> tuple[float, float]:
+    """Return the least and the greatest weight that a club with this shaft has, kg: the lightest and heaviest head."""
+    usual = USUAL_SIZES["golf-club"]["head.mass"]
+    rest = rigid_body(beam_model(club)).mass - club.head.mass
+    return rest + usual.low * usual.size, rest + usual.high * usual.size
+
+
+def with_shaft(club: GolfClub, material: Material) -> GolfClub:
+    """Return a club with a shaft of another material that bends as before.
+
+    What bends a thin tube is its modulus times its wall, so a stiffer material has a thinner wall.
+    """
+    thinner = club.material.longitudinal_modulus / material.longitudinal_modulus
+    return _with_wall(club.replaced(material=material), thinner)
 
 
 def _balanced(club: GolfClub, mass: float, balance: float) -> GolfClub:

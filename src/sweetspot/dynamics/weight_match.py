@@ -17,7 +17,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.shell import Shell, between
 from sweetspot.errors import InputError
-from sweetspot.units import OUNCE, shown_mass
+from sweetspot.units import INCH, OUNCE, shown_mass
 
 WeightBy = Literal["handle", "knob", "end cap", "wall"]
 ORDER: tuple[WeightBy, ...] = ("handle", "knob", "end cap", "wall")
@@ -179,6 +179,10 @@ def _weighed(mass: float) -> str:
     return f"{mass / OUNCE:.1f} oz ({1e3 * mass:.0f} g)"
 
 
+def _thick(size: float) -> str:
+    return f"{1e3 * size:.2f} mm ({size / INCH:.3f} in)"
+
+
 def drawn_mass(tool: Implement) -> float:
     """Return what an implement weighs as drawn, kg: at the usual density of its material, whatever was measured."""
     gradient = tool.density_gradient if isinstance(tool, Bat) else 0.0
@@ -216,6 +220,7 @@ def _as_drawn(bat: Bat, shell: Shell) -> dict[WeightBy, Way[Bat]]:
             lambda mass: f"its {name} of {was} counts as {_weighed(mass)}",
         )  # fmt: skip
 
+<<<<<<< HEAD
     drawn = 1e3 * float(shell.wall[0][1])
     return {
         "handle": Way(
@@ -229,6 +234,19 @@ def _as_drawn(bat: Bat, shell: Shell) -> dict[WeightBy, Way[Bat]]:
             lambda factor: f"every wall counts as {factor:.3f} times as thick as drawn",
         ),
     }  # fmt: skip
+=======
+    def excess(size: float) -> float:
+        return _drawn_mass(wall_of(bat, shell, size)) - target
+
+    if not excess(low) <= 0 <= excess(high):
+        return f"{_weighed(target + excess(low))} to {_weighed(target + excess(high))}"
+    size = float(brentq(excess, low, high, xtol=1e-12))
+    changed = wall_of(bat, shell, size)
+    if way == "handle":
+        drawn = float(shell.wall[0][1])
+        return _remarked(changed, f"its handle's wall of {_thick(drawn)} counts as {_thick(size)}")
+    return _remarked(changed, f"every wall counts as {size:.3f} times as thick as drawn")
+>>>>>>> 4754b8a (The page without its server, a wizard whose weight follows shaft, wood and length, and words in the reader's units)
 
 
 def _made_otherwise(bat: Bat, shell: Shell) -> tuple[Way[Bat], ...]:

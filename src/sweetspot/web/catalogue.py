@@ -19,6 +19,7 @@ from sweetspot.report.bat.json import bat_json
 from sweetspot.report.quantity_table import quantity_data, words_in_both_systems
 from sweetspot.web.bats import bat_from_text
 from sweetspot.web.errors import about
+from sweetspot.web.one_system import in_one_system
 from sweetspot.web.schemas import BatFacts, BatText, Choice, Described, Meaning
 from sweetspot.web.wizard import Wanted, described_by
 from sweetspot.web.wizard_form import Form, forms
@@ -89,7 +90,7 @@ def catalogue_routes(api: APIRouter) -> None:
     def describe(wanted: Wanted) -> Described:
         """Return the file of a bat, racket, club or stick from a few answers, or which answer cannot be."""
         toml, told = described_by(wanted)
-        return Described(toml=toml, told=told)
+        return Described(toml=toml, told=in_one_system(told))
 
     @api.post("/bat", tags=["catalogue"])
     def bat(text: BatText) -> BatFacts:

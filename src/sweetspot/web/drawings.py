@@ -13,6 +13,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.report.bat.json import bat_json
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import swung, usual
+from sweetspot.web.one_system import in_one_system
 from sweetspot.web.states import BatState, SwungState
 
 POINTS = 120
@@ -63,5 +64,5 @@ def outline(bat: Bat) -> dict[str, Any]:
         "cup": None if bat.cup is None else {"diameter_m": bat.cup.diameter, "depth_m": bat.cup.depth},
         "weights": [{"position_m": weight.position, "mass_kg": weight.mass} for weight in bat.point_masses],
         "material": bat.material.name,
-        "remark": bat.remark,
+        "remark": in_one_system(bat.remark),
     }

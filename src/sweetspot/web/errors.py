@@ -10,6 +10,7 @@ from fastapi.exceptions import RequestValidationError
 from pydantic import ValidationError
 
 from sweetspot.errors import InputError, SweetspotError
+from sweetspot.web.one_system import in_one_system
 
 MOST_FAULTS = 20
 LONGEST_MESSAGE = 500
@@ -36,15 +37,24 @@ def about(field: str) -> Iterator[None]:
 
 
 def fault(error: SweetspotError | ValidationError | RequestValidationError) -> dict[str, Any]:
-    """Return {"field", "message"} of an error, short enough to show; where there are several, the rest as "more"."""
+    """Return {"field", "message"} of an error, short enough to show; where there are several, the rest as "more".
+
+    Where the message tells lengths or weights in both systems, "words" has it for readers of either.
+    """
     if isinstance(error, ValidationError):
         return _together([_one(problem) for problem in error.errors(include_url=False)])
     if isinstance(error, RequestValidationError):  # the first part of a place says that it stood in the body
         return _together([_one({**problem, "loc": problem["loc"][1:]}) for problem in error.errors()])
     if isinstance(error, FieldError) and error.more:
-        return _together([{"field": error.field, "message": str(error)}, *error.more])
+        return _together([_told(error.field, str(error)), *error.more])
     field = error.field if isinstance(error, FieldError) else ""
-    return {"field": field, "message": shortened(str(error))}
+    return _told(field, str(error))
+
+
+def _told(field: str, message: str) -> dict[str, Any]:
+    told = {"field": field, "message": shortened(message)}
+    words = {system: shortened(one) for system, one in in_one_system(message).items()}
+    return told if words["us"] == words["si"] else {**told, "words": words}
 
 
 def shortened(message: str) -> str:

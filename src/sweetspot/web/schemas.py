@@ -40,9 +40,12 @@ class BatText(BaseModel):
 
 
 class Described(BatText):
-    """A file that answers made, and what was changed of its pattern so that it weighs what was said; "": nothing."""
+    """A file that answers made, and what was changed of its pattern so that it weighs what was said; "": nothing.
 
-    told: str
+    The words are for readers of either system.
+    """
+
+    told: dict[Literal["us", "si"], str]
 
 
 class Choice(BaseModel):

@@ -13,7 +13,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from sweetspot import catalog
 from sweetspot.catalog.files.write import bat_toml, legible
 from sweetspot.catalog.files.write_implement import changes_table
-from sweetspot.catalog.own_measures import Measures, made_to_measure
+from sweetspot.catalog.own_measures import Measures, made_to_measure, with_shaft
 from sweetspot.catalog.racket_stiffness import frequency_of_ra
 from sweetspot.catalog.rubbers import rubber
 from sweetspot.catalog.swing_weights import swing_weight
@@ -58,14 +58,14 @@ def described_by(wanted: Wanted) -> tuple[str, str]:
     with about("pattern"):
         if wanted.pattern not in catalog.implement_names():  # by its name alone: a path must open no file
             raise FieldError("pattern", f"there is no {wanted.pattern!r} in the catalogue")
-        pattern = _built(catalog.implement(wanted.pattern), wanted)
+        pattern = _built(catalog.implement(wanted.pattern), wanted).replaced(name=wanted.name)
     with about("sport"):
         axis = swing_weight(wanted.sport).axis
     tool, told = pattern, ""
     for field, known in _steps(pattern, wanted, axis):
         with about(field):
             tool, told = made_to_measure(pattern, known)
-    tool = tool.replaced(name=wanted.name, sport=wanted.sport)
+    tool = tool.replaced(sport=wanted.sport)
     return f"# {told}\n{_text(tool, wanted)}" if told else _text(tool, wanted), told
 
 
@@ -74,7 +74,10 @@ def _built(tool: Implement, wanted: Wanted) -> Implement:
     if wanted.material is not None:
         with about("material"):
             material = catalog.material(wanted.material)
-            tool = tool.with_material(material) if isinstance(tool, Bat) else tool.replaced(material=material)
+            if isinstance(tool, GolfClub):
+                tool = with_shaft(tool, material)
+            else:
+                tool = tool.with_material(material) if isinstance(tool, Bat) else tool.replaced(material=material)
     if wanted.front is not None:
         with about("front"):
             tool = tool.replaced(front=rubber(wanted.front))

@@ -8,6 +8,7 @@ from typing import Literal
 from pydantic import BaseModel
 
 from sweetspot import catalog
+from sweetspot.catalog.own_measures import club_weights, with_shaft
 from sweetspot.catalog.records import read_table, unwrapped
 from sweetspot.catalog.rubbers import rubber, rubber_names
 from sweetspot.catalog.swing_weights import swing_weight
@@ -43,20 +44,29 @@ LENGTHS = (0.78, 1.12)
 """Of a pattern's, for children and for the tallest."""
 
 
-class Question(BaseModel):
+class Usual(BaseModel):
+    """What an answer usually is, and how far it may go."""
+
+    value: float | str | None = None
+    least: float | None = None
+    most: float | None = None
+
+
+class Question(Usual):
     """One question.
 
     ``kind`` says how its number is shown, by the ending of a name; ``system`` that it is told in one system whatever
-    the page has. A number without a value may stay empty.
+    the page has. A number without a value may stay empty. ``follows`` names another question of whose answer ``by``
+    has what is usual here, and ``proportion_to`` one in proportion to whose answer that is.
     """
 
     field: str
     label: dict[Literal["us", "si"], str]
     kind: str
     system: Literal["us", "si"] | None = None
-    value: float | str | None = None
-    least: float | None = None
-    most: float | None = None
+    follows: str = ""
+    by: dict[str, Usual] = {}
+    proportion_to: str = ""
     options: list[Choice] = []
 
 
@@ -101,12 +111,47 @@ def _questions(key: str, sport: str) -> list[Question]:
     return [
         *_made_of(pattern),
         _number("length_in", "Length", length / INCH, (low / INCH, high / INCH)),
-        _number("mass_oz", "Weight", body.mass / OUNCE, (usual.mass[0] / OUNCE, usual.mass[1] / OUNCE)),
+        _weight(pattern, body.mass, usual.mass),
         _number("balance_in", f"Balance point from the {butt}, if measured", None,
                 (usual.balance[0] * low / INCH, usual.balance[1] * high / INCH)),
         *_swing_weight(sport, usual, (low, high)),
         *_stiffness(pattern, usual),
     ]  # fmt: skip
+
+
+def _weight(pattern: Implement, mass: float, usual: tuple[float, float]) -> Question:
+    """Ask for the weight: what it may be follows from the wood, or the shaft."""
+    question = _number("mass_oz", "Weight", mass / OUNCE, (usual[0] / OUNCE, usual[1] / OUNCE))
+    if isinstance(pattern, Racket):
+        return question
+    if isinstance(pattern, GolfClub):
+        return _following(question, {name: _club_weight(pattern, name, usual) for name in SHAFTS})
+    question.proportion_to = "length_in"
+    if not isinstance(pattern, Bat) or pattern.shell is not None:
+        return question
+    return _following(question, {name: _wood_weight(pattern, name, mass) for name in WOODS})
+
+
+def _following(question: Question, by: dict[str, Usual]) -> Question:
+    """Return a question whose usual answer follows the material's; at first it is that of the first one."""
+    first = next(iter(by.values()))
+    return question.model_copy(update={"follows": "material", "by": by, **first.model_dump()})
+
+
+def _club_weight(pattern: GolfClub, shaft: str, usual: tuple[float, float]) -> Usual:
+    club = with_shaft(pattern, catalog.material(shaft))
+    low, high = club_weights(club)
+    value = rigid_body(beam_model(club)).mass
+    return Usual(value=value / OUNCE, least=max(low, usual[0]) / OUNCE, most=min(high, usual[1]) / OUNCE)
+
+
+def _wood_weight(pattern: Bat, wood: str, mass: float) -> Usual:
+    """Return what a turned bat of the pattern's length may weigh, and what it does: as the pattern, where it can."""
+    bat = pattern.with_material(catalog.material(wood))
+    drawn, density = rigid_body(beam_model(bat)).mass, bat.density_range
+    low, high = (drawn * part / density.usual for part in (density.lightest, density.heaviest))
+    value = mass if low < mass < high else drawn
+    return Usual(value=value / OUNCE, least=low / OUNCE, most=high / OUNCE)
 
 
 def _made_of(pattern: Implement) -> list[Question]:

@@ -6,18 +6,34 @@
 
 import { checked, textOf } from "./batfile.js";
 import { button, choice, group, reveal, slider } from "./controls.js";
-import { partOf } from "./parts.js";
+import { make, partOf } from "./parts.js";
 import { posted } from "./post.js";
+import { wordsOf } from "./status.js";
+import { endWithRow } from "./tables.js";
 import { INCH, OUNCE, fromShown, toShown, unitOf } from "./units.js";
 /** @import { Answer, App, State } from "./main.js" */
 /** @import { Desk, Options, Words } from "./controls.js" */
 /** @import { BatView } from "./batview.js" */
+/** @import { System } from "./units.js" */
 
 /** @typedef {{ position_m: number, diameter_m: number }} Station where the outline has a corner, and how wide it is there */
 
 const OWN = "own file";
 export const UNCHANGED = ["bat_toml", "profile_in", "mass_oz", "wall_factor", "bore_diameter_in", "cup_diameter_in", "weight_oz", "choke_up_in"];
 export const FILLS = [["nothing", "nothing"], ["cork", "cork"], ["rubber", "rubber"], ["polyurethane-foam", "polyurethane foam"]];
+
+// What a button does with the server's help; where that fails, a dialog says why.
+/** @param {() => Promise<void>} doing */
+export async function orSaid(doing) {
+  try {
+    await doing();
+  } catch (fault) {
+    const dialog = make("dialog", {}, make("p", { textContent: fault.message }), make("form", { method: "dialog" }, make("button", { textContent: "Close" })));
+    dialog.addEventListener("close", () => dialog.remove());
+    document.body.append(dialog);
+    dialog.showModal();
+  }
+}
 
 // The fields of a bat as it was before anything was done to it; another bat starts with them.
 /** @param {Pick<App, "schema">} app */
@@ -28,7 +44,7 @@ export function unchanged(app) {
 // Questions about an implement of one's own; they are fetched when first wanted.
 /** @param {App} app */
 export async function describeOwn(app) {
-  return (await import("./wizard.js")).wizard(app);
+  return orSaid(async () => (await import("./wizard.js")).wizard(app));
 }
 
 // The list of the catalogue's bats; a bat of one's own stands in it too, so that it never names another bat.
@@ -65,11 +81,11 @@ export function workshop(app, /** @type {() => number | null | undefined} */ mas
     slider(app, "cup_depth_in", { label: "Cupped end, depth", step: 0.05 }),
   );
   const remark = Object.assign(document.createElement("p"), { className: "note", hidden: true });
-  const show = (/** @type {{ hollow: boolean, remark: string }} */ { hollow, remark: words }) => {
+  const show = (/** @type {{ hollow: boolean, remark: Record<System, string> }} */ { hollow, remark: words }) => {
     wall.hidden = !hollow;
     holes.hidden = hollow;
-    remark.hidden = !words;
-    remark.textContent = words;
+    remark.hidden = !words[app.units];
+    remark.textContent = words[app.units];
   };
   const controls = [
     slider(app, "mass_oz", { label: "Weight of the bat", step: 0.1, empty: () => (mass() ?? 0.88) / OUNCE }), remark, wall, holes,
@@ -119,7 +135,7 @@ export class Bench {
     const { controls, show } = workshop(app, () => app.answer?.bat?.mass_kg);
     this.show = show;
     this.element = group("Bat", [
-      batChoice(app), button("Describe your bat by questions\u00a0…", () => describeOwn(app)), this.own.element, this.outline.element,
+      batChoice(app), button("Describe yours by questions\u00a0…", () => describeOwn(app)), this.own.element, this.outline.element,
       group("Workshop", [...controls, button("As it was", () => app.setState(unchanged(app)))], { open: false }),
     ], { open });
   }
@@ -198,7 +214,7 @@ class OwnBat {
     try {
       this.take(await textOf(file));
     } catch (fault) {
-      this.fault(fault.message);
+      this.fault(wordsOf(fault, this.app.units));
     }
   }
 
@@ -208,7 +224,7 @@ class OwnBat {
     try {
       await checked(text);
     } catch (fault) {
-      this.fault(fault.message);
+      this.fault(wordsOf(fault, this.app.units));
       return;
     }
     this.fault("");
@@ -219,7 +235,7 @@ class OwnBat {
     try {
       this.text.value = await batText(this.app);
     } catch (fault) {
-      this.fault(fault.message);
+      this.fault(wordsOf(fault, this.app.units));
     }
   }
 
@@ -278,6 +294,7 @@ class Outline {
     this.heads.forEach((head, i) => (head.textContent = `${["Place", "Diameter"][i]}, ${this.unit}`));
     this.body.replaceChildren(...stations.map((station, index) => this.row(station, index)));
     parts()[focused]?.focus();
+    endWithRow(partOf(this.element, ".stations", HTMLElement));
   }
 
   get unit() { return unitOf("length", this.app.units); }

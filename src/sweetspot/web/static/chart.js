@@ -68,6 +68,7 @@ export class Chart {
     this.app = app;
     this.panels = panels;
     this.axis = axis;
+    this.caption = label || "Curves";
     /** @type {Shown} */
     this.data = /** @type {any} */ (null); // until it is first drawn
     /** @type {number | null} */
@@ -299,6 +300,6 @@ export class Chart {
     const rows = Array.from({ length: ROWS }, (_, i) => least + (i / (ROWS - 1)) * (most - least)).map((x) => [
       grouped(shownPlace(this.axis, x, units).toFixed(kindOf(this.axis.kind)[units].digits)),
       ...lines.map(({ panel, line, values }) => between(this.data.xs?.[line.key] ?? this.data.x, values, x)?.toFixed(kindOf(panel.kind)[units].digits) ?? "–")]);
-    return { caption: this.surface.element.getAttribute("aria-label") ?? "Curves", columns: [head, ...columns], rows };
+    return { caption: this.caption, columns: [head, ...columns], rows };
   }
 }

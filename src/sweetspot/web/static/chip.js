@@ -1,6 +1,6 @@
 // The chip in the header: what lies on the bench, what was changed of it, and what can be done with it.
 
-import { batText, describeOwn, unchanged } from "./bench.js";
+import { batText, describeOwn, orSaid, unchanged } from "./bench.js";
 import { button } from "./controls.js";
 import { download } from "./download.js";
 import { make, write } from "./parts.js";
@@ -114,7 +114,7 @@ export class Chip {
       : make("p", { className: "note", textContent: "Nothing was changed of it." });
     return [list, make("div", { className: "row" },
       act("As it was", () => app.setState(unchanged({ schema: app.entry("explorer").schema }))),
-      act("Save as bat.toml", async () => download("bat.toml", "application/toml", await batText(app))),
+      act("Save as bat.toml", () => orSaid(async () => download("bat.toml", "application/toml", await batText(app)))),
       act("Describe another bat …", () => describeOwn(app)),
       act("Compare this with …", () => app.visit(app.addressFor("compare"))),
       act("Start this view anew", () => app.reset()))];

@@ -5,9 +5,13 @@ import { asked } from "./post.js";
 const ALL = ["bats", "balls", "materials", "leagues", "parks", "implements", "pitches"];
 
 export class Lists {
-  /** @param {(what: string, yes?: boolean) => void} waits */
-  constructor(waits) {
+  /**
+   * @param {(what: string, yes?: boolean) => void} waits
+   * @param {() => void} lacks  called when a list cannot be had
+   */
+  constructor(waits, lacks) {
     this.waits = waits;
+    this.lacks = lacks;
     /** @type {Map<string, Promise<any[]>>} */
     this.known = new Map();
   }
@@ -29,6 +33,7 @@ export class Lists {
     const list = asked(`/api/v1/${name}`).then((response) => response.json())
       .catch((error) => {
         this.known.delete(name); // so that the next who asks tries again
+        this.lacks();
         throw error;
       })
       .finally(() => setTimeout(() => this.waits(what, false))); // once those who waited for it have drawn it

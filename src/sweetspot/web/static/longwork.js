@@ -68,7 +68,7 @@ class Work {
 
   /** @param {any} fault */
   failed(fault) {
-    Object.assign(this, { status: "failed", fault: fault?.message ? fault : { field: "", message: "The server does not answer; try again." } });
+    Object.assign(this, { status: "failed", fault });
     this.onChange?.(this);
   }
 

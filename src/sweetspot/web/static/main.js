@@ -44,7 +44,7 @@ import { byId, partOf } from "./parts.js";
 import { posted } from "./post.js";
 import { shareButton } from "./share.js";
 import { Line } from "./socket.js";
-import { showFaults, showStatus } from "./status.js";
+import { showAbsent, showFaults, showStatus } from "./status.js";
 import { Steps } from "./steps.js";
 import { explain, listTerms } from "./terms.js";
 import { exportButton, stepButton, switchOf, themeButton } from "./toolbar.js";
@@ -67,7 +67,7 @@ const MEANINGS = "meanings of words";
 /** @typedef {Record<string, any>} State of a view: its fields, by their names in web/views */
 /** @typedef {Record<string, string>} Colors by name */
 /** @typedef {{ name: string, width: number, height: number, paint: (context: any, width: number, height: number) => void }} Figure */
-/** @typedef {{ field: string, message: string, more?: Fault[], again?: boolean }} Fault */
+/** @typedef {{ field: string, message: string, words?: Record<System, string>, more?: Fault[], again?: boolean }} Fault words: for readers of either system, where it tells lengths or weights */
 /** @typedef {{ commit?: boolean, merge?: string | null, instead?: boolean }} Step how a change goes into the address */
 /** @typedef {{ field: string, follows?: boolean, sync: (state: State) => void, fault?: (message: string) => void }} Control */
 /** @typedef {{ name: string, title: string, schema: Record<string, any>, bat: string[] }} Entry */
@@ -112,7 +112,9 @@ export class App {
     this.controls = new Map();
     this.steps = new Steps();
     this.later = new Later(this);
-    this.catalogue = new Lists((what, yes) => this.waits(what, yes));
+    this.catalogue = new Lists((what, yes) => this.waits(what, yes), () => (this.hollow = true));
+    this.lost = false; // whether the server is
+    this.hollow = false; // whether the view lacks what a lost server could not give
     /** @type {Set<(now: number) => void>} */
     this.frames = new Set();
     /** @type {State} */
@@ -120,6 +122,8 @@ export class App {
     this.left = new Map(); // view -> its own controls as they were left
     this.awaited = new Set(); // what is asked for and not there yet; #view says it as data-waiting
     this.turn = 0;
+    /** @type {Fault[]} */
+    this.faults = []; // of the present state
     this.embedded = location.pathname.startsWith(EMBED);
     /** @type {Answer} */
     this.answer = null;
@@ -292,13 +296,13 @@ export class App {
     const turn = this.turn;
     const name = location.pathname.split("/").at(-1) || "explorer";
     const entry = this.views.get(name) ?? this.entry("explorer");
-    if (entry.name !== this.name || !this.view) {
+    if (entry.name !== this.name || !this.view || this.hollow) {
       let view;
       try {
         ({ view } = await fetched(entry.name));
       } catch {
-        this.missing = true;
-        showStatus("lost");
+        this.heard("lost");
+        this.lacks(entry.title);
         return;
       }
       if (turn !== this.turn) return; // someone has gone elsewhere meanwhile
@@ -334,10 +338,29 @@ export class App {
     root.dataset.view = entry.name;
     delete root.dataset.answered;
     document.title = `${entry.title} – sweetspot`;
-    showFaults([], this.controls);
+    this.say([]);
     view.mount(root, this);
     if (!root.querySelector("h1")) root.prepend(Object.assign(document.createElement("h1"), { className: "unseen", textContent: entry.title }));
     drawerOf(/** @type {HTMLElement | null} */ (root.querySelector(":scope > .side")));
+    this.hollow = false;
+    showAbsent("");
+    if (this.lost) this.lacks(entry.title);
+  }
+
+  // What the line says of the server. A view that has no picture without it says so; once it is back, what lacks is made anew.
+  /** @param {string} status */
+  heard(status) {
+    const back = this.lost && status === "open";
+    this.lost = status === "lost";
+    showStatus(status);
+    if (this.lost && this.view && this.answer === null) this.lacks(this.entry(this.name).title);
+    if (back && this.hollow) this.go();
+  }
+
+  /** @param {string} title */
+  lacks(title) {
+    this.hollow = true;
+    showAbsent(title);
   }
 
   // Where a view's link leads: its own controls as they were left, with the bat and the hit that go along.
@@ -358,7 +381,7 @@ export class App {
     const first = this.answer === null;
     this.answer = answer;
     this.answered = state;
-    if (state === this.state) showFaults([], this.controls);
+    if (state === this.state) this.say([]);
     if (state === this.state || first) this.waits(QUESTION, false);
     for (const control of this.controls.values()) if (control.follows) control.sync(this.state);
     this.redraw();
@@ -376,9 +399,15 @@ export class App {
    */
   faulted(fault, state) {
     if (state !== this.state) return;
-    showFaults([fault, ...(fault.more ?? [])], this.controls);
+    this.say([fault, ...(fault.more ?? [])]);
     if (this.answer === null) this.line.ask(this.name, this.defaults);
     else this.waits(QUESTION, false);
+  }
+
+  /** @param {Fault[]} faults */
+  say(faults) {
+    this.faults = faults;
+    showFaults(faults, this.controls, this.units);
   }
 
   // Every control of this view as it is in the first picture.
@@ -402,12 +431,7 @@ export class App {
       apart: true,
       onAnswer: (view, answer, state) => view === this.name && this.answers(answer, state),
       onFault: (view, fault, state) => view === this.name && this.faulted(fault, state),
-      onStatus: (status) => {
-        showStatus(status);
-        if (status !== "open" || !this.missing) return;
-        this.missing = false;
-        this.go();
-      },
+      onStatus: (status) => this.heard(status),
     });
     addEventListener("popstate", () => {
       this.steps.arrive();
@@ -448,6 +472,7 @@ export class App {
     this.units = units;
     localStorage.setItem("units", units);
     for (const control of this.controls.values()) control.sync(this.state);
+    if (this.faults.length) this.say(this.faults);
     this.redraw();
   }
 

@@ -7,6 +7,8 @@
 import { make, tableOf } from "./parts.js";
 /** @import { App } from "./main.js" */
 
+const NOTHING = "–"; // where there is no number; a row of nothing else is left out
+
 export class Numbers {
   /**
    * @param {App} app
@@ -28,7 +30,7 @@ export class Numbers {
   fill() {
     this.empty();
     const found = this.element.open ? this.tabled() : null;
-    if (found) this.element.append(tableOf(found.caption, found.columns, found.rows));
+    if (found) this.element.append(tableOf(found.caption, found.columns, found.rows.filter((row) => row.slice(1).some((cell) => cell !== NOTHING))));
   }
 
   empty() { this.element.querySelector(".scroll")?.remove(); }

@@ -47,7 +47,7 @@ export function withDoubt(kind, value, half, app) {
   if (!size || !half || value === null || value === undefined) return app.text(kind, value ?? null);
   const places = 1 - Math.floor(Math.log10(size)), step = 10 ** places;
   const shown = (/** @type {number} */ number) => grouped((Math.round(toShown(kind, number, app.units) * step) / step).toFixed(Math.max(places, 0)));
-  return `${shown(value)} ± ${shown(half)} ${unitOf(kind, app.units)}`;
+  return unbroken(`${shown(value)} ± ${shown(half)} ${unitOf(kind, app.units)}`);
 }
 
 // A table with a caption and row headers; a cell is a text, or { text, note, className }.

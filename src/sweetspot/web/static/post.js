@@ -2,14 +2,20 @@
 
 const WAIT = 429; // status of an answer to one of many behind this address: to be asked again after a while
 
-// What the server answers; where it says to wait, it is asked again then.
+// What the server answers; where it says to wait, it is asked again then. One that cannot be reached is a refusal.
 /**
  * @param {string} path
  * @param {RequestInit} [question]
  * @returns {Promise<Response>}
  */
 export async function asked(path, question) {
-  const response = await fetch(path, question);
+  let response;
+  try {
+    response = await fetch(path, question);
+  } catch (error) {
+    if (question?.signal?.aborted) throw error;
+    throw { field: "", message: "The server does not answer; try again once it does." };
+  }
   if (response.status !== WAIT) return response;
   await new Promise((done) => setTimeout(done, 1000 * Number(response.headers.get("retry-after"))));
   return asked(path, question);

@@ -1,7 +1,8 @@
 // What is wrong, said on top of the page: with the server, or with a question and no control to say it beside.
 
-import { byId, partOf } from "./parts.js";
+import { byId, make, partOf } from "./parts.js";
 /** @import { Control, Fault } from "./main.js" */
+/** @import { System } from "./units.js" */
 
 /** @type {Record<string, string>} */
 const WORDS = {
@@ -19,19 +20,36 @@ export function showStatus(status) {
   document.body.dataset.line = status;
 }
 
+// In the place of a view that could not be fetched: that it comes. Nothing where there is no title.
+/** @param {string} title */
+export function showAbsent(title) {
+  const view = byId("view");
+  view.querySelector(":scope > .absent")?.remove();
+  view.toggleAttribute("data-absent", title !== "");
+  if (title) view.append(make("p", { className: "absent picture wide", textContent: `${title} needs the server, which does not answer. It comes by itself once the connection is back.` }));
+}
+
+// What is wrong, in the reader's units.
+/**
+ * @param {Fault} fault
+ * @param {System} units
+ */
+export const wordsOf = ({ words, message }, units) => words?.[units] ?? message;
+
 // Beside each control what is wrong with it, and on top what belongs to none.
 /**
  * @param {Fault[]} faults
  * @param {Map<string, Control>} controls
+ * @param {System} units
  */
-export function showFaults(faults, controls) {
+export function showFaults(faults, controls, units) {
   for (const control of controls.values()) control.fault?.("");
-  const homeless = faults.filter(({ field, message }) => {
-    const control = controlOf(field, controls);
-    control?.fault?.(message);
+  const homeless = faults.filter((fault) => {
+    const control = controlOf(fault.field, controls);
+    control?.fault?.(wordsOf(fault, units));
     return !control;
   });
-  const words = homeless.map(({ field, message }) => (field ? `${field}: ${message}` : message)).join("; ");
+  const words = homeless.map((fault) => (fault.field ? `${fault.field}: ` : "") + wordsOf(fault, units)).join("; ");
   partOf(byId("fault"), "span", HTMLElement).textContent = words;
   byId("fault").hidden = homeless.length === 0;
 }

@@ -7,7 +7,7 @@
 const COLUMN = 76; // pixels that a column needs at least
 const LONG = 14; // letters of a row's name from which on it needs the room of two columns
 const BRACKETS = /\([^()]{1,24}\)/g; // an interval, which no line breaks
-const BEFORE_UNIT = /(?<=\d) (?=[a-zµ°²%/]{1,4}\d?[²³]?(?:[\s,;)]|$))/gi;
+const BEFORE_UNIT = /(?<=\d) (?=[a-zµ°²%/]{1,4}\d?[²³]?(?:[\s,;:.)]|$))/gi;
 const INSIDE_UNIT = /(?<=\d[ \u00a0](?:oz|kg|N)) (?=(?:in²|cm²|m²|s)(?![a-z]))/g;
 const LEAST = 5.4; // rem that a cell of such a row has at least
 const SENTENCE = 24; // letters from which on a cell of a row that stands apart has a line of its own
@@ -16,7 +16,7 @@ const [LETTER, AROUND] = [0.6, 0.8]; // rem that a letter takes at most, and tha
 // A text in which number and unit stay on one line, and so does what it may be off by.
 /** @param {string} text */
 export function unbroken(text) {
-  return String(text).replace(BEFORE_UNIT, "\u00a0").replace(INSIDE_UNIT, "\u00a0").replaceAll("± ", "±\u00a0");
+  return String(text).replace(BEFORE_UNIT, "\u00a0").replace(INSIDE_UNIT, "\u00a0").replaceAll(/(?<=\d) ± | ?± /g, "\u00a0±\u00a0");
 }
 
 /** @type {WeakMap<Element, number>} */
@@ -73,4 +73,16 @@ function arrange(ruler) {
   if (!table || !room) return;
   if (!table.classList.contains("apart") && table.scrollWidth > room + 1) needed.set(ruler, Math.max(table.scrollWidth, needed.get(ruler) ?? 0));
   table.classList.toggle("apart", room < (needed.get(ruler) ?? 0) - 1);
+  if (ruler.parentElement) endWithRow(ruler.parentElement);
+}
+
+// A box that is scrolled ends where one of its rows does, so that none is cut through.
+/** @param {HTMLElement} box */
+export function endWithRow(box) {
+  box.style.maxHeight = "";
+  const most = parseFloat(getComputedStyle(box).maxHeight);
+  if (!(box.scrollHeight > most + 1)) return;
+  const top = box.getBoundingClientRect().top - box.scrollTop;
+  const ends = [...box.querySelectorAll("tbody tr")].map((row) => row.getBoundingClientRect().bottom - top);
+  box.style.maxHeight = `${Math.ceil(Math.max(ends[0] ?? most, ...ends.filter((end) => end <= most)))}px`;
 }

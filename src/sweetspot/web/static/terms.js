@@ -7,18 +7,21 @@ import { asked } from "./post.js";
 
 /** @typedef {{ names: string[], words: Record<System, string>, source: string }} Term */
 /** @type {Promise<Map<string, Term>> | null} */
-let known = null; // promise of a map from a word, in small letters, to { words, source }
+let wanted = null; // promise of them
+/** @type {Map<string, Term>} */
+let known = new Map(); // from a word, in small letters, to { words, source }
 /** @type {HTMLElement | null} */
 let tip = null; // one for the page: what the word that is pointed at means
 
+// All that is known; nothing while the server cannot be reached, and whoever asks next tries again.
 /** @returns {Promise<Map<string, Term>>} */
 function meanings() {
-  known ??= asked("/api/v1/terms").then((response) => response.json()).then((/** @type {Term[]} */ terms) => (
-    new Map(terms.flatMap((term) => term.names.map((name) => /** @type {[string, Term]} */ ([name, term])))))).catch(() => {
-    known = null; // so that the next who asks tries again
-    return new Map();
+  wanted ??= asked("/api/v1/terms").then((response) => response.json()).then((/** @type {Term[]} */ terms) => (
+    known = new Map(terms.flatMap((term) => term.names.map((name) => /** @type {[string, Term]} */ ([name, term])))))).catch(() => {
+    wanted = null;
+    return known;
   });
-  return known;
+  return wanted;
 }
 
 // Give every heading and name below a root that is known its meaning.
@@ -28,7 +31,8 @@ function meanings() {
  */
 export async function explain(root, app) {
   const map = await meanings();
-  tip ??= tipOf(map, app);
+  if (!map.size) return;
+  tip ??= tipOf(app);
   for (const place of /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll("dt:not([data-term]), th[scope=col]:not([data-term])"))) {
     const name = (place.textContent ?? "").trim().toLowerCase();
     place.dataset.term = map.has(name) ? name : "";
@@ -40,16 +44,13 @@ export async function explain(root, app) {
 }
 
 // Shown on hover and focus, stays while the pointer is on it, goes with Escape.
-/**
- * @param {Map<string, Term>} map
- * @param {App} app
- */
-function tipOf(map, app) {
+/** @param {App} app */
+function tipOf(app) {
   const made = make("div", { id: "tip", className: "tip", hidden: true });
   made.setAttribute("role", "tooltip");
   const show = (/** @type {Event} */ event) => {
     const word = event.target instanceof Element ? event.target.closest(".term") : null;
-    const term = map.get(word?.parentElement?.dataset.term ?? "");
+    const term = known.get(word?.parentElement?.dataset.term ?? "");
     if (!word || !term) return;
     const { words, source } = term;
     made.replaceChildren(words[app.units], make("small", { textContent: ` ${source}` }));

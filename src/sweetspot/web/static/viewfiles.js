@@ -17,9 +17,10 @@ export function fetched(name) {
   return modules.get(name);
 }
 
-// Those of the other views, and the exports, so that they are there at once, even without a server; who goes there asks again.
+// Those of the other views, the exports and the wizard, so that they are there at once, even without a server; who goes there asks again.
 /** @param {Iterable<string>} names */
 export function fetchOthers(names) {
   for (const name of names) fetched(name).catch(() => {});
   import("./exports.js").catch(() => {});
+  import("./wizard.js").catch(() => {});
 }

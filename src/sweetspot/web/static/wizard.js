@@ -4,11 +4,13 @@ import { unchanged } from "./bench.js";
 import { button } from "./controls.js";
 import { make } from "./parts.js";
 import { posted } from "./post.js";
+import { wordsOf } from "./status.js";
 import { fromShown, toShown, unitOf } from "./units.js";
 /** @import { App } from "./main.js" */
 /** @import { System } from "./units.js" */
 
-/** @typedef {{ field: string, label: Record<System, string>, kind: string, system: System | null, value: number | string | null, least: number | null, most: number | null, options: { key: string, name: string }[] }} Question */
+/** @typedef {{ value: number | string | null, least: number | null, most: number | null }} Usual */
+/** @typedef {Usual & { field: string, label: Record<System, string>, kind: string, system: System | null, follows: string, by: Record<string, Usual>, proportion_to: string, options: { key: string, name: string }[] }} Question follows: another question of whose answer `by` has what is usual here, proportion_to: one in proportion to whose answer that is */
 /** @typedef {{ key: string, name: string, questions: Question[] }} Pattern */
 /** @typedef {{ sport: string, name: string, implement: string, view: string, patterns: Pattern[] }} Form */
 /** @typedef {HTMLInputElement | HTMLSelectElement} Field */
@@ -79,7 +81,44 @@ class Wizard {
     this.fields = this.pattern.questions.map((question) => [question, this.field(question)]);
     this.asked.replaceChildren(...this.fields.map(([question, field]) => (
       this.row(question.field, question.label[this.system(question)], field, question.kind && unitOf(question.kind, this.system(question))))));
+    for (const [question, field] of this.fields) {
+      this.fill(question, field);
+      field.addEventListener("change", () => this.fields.forEach(([other, its]) => [other.follows, other.proportion_to].includes(question.field) && this.fill(other, its)));
+    }
   }
+
+  // What is usual here, which may follow from other answers.
+  /**
+   * @param {Question} question
+   * @returns {Usual}
+   */
+  usual(question) {
+    const answerTo = (/** @type {string} */ name) => this.fields.find(([{ field }]) => field === name);
+    const known = question.by[answerTo(question.follows)?.[1].value ?? ""];
+    const { value, least, most } = known ?? question;
+    const [whole, given] = answerTo(question.proportion_to) ?? [];
+    if (typeof value !== "number" || typeof whole?.value !== "number" || !(Number(given?.value) > 0)) return { value, least, most };
+    const part = Number(given?.value) / this.shown(whole, whole.value);
+    const bound = (/** @type {number | null} */ one) => (known && one !== null ? part * one : one);
+    return { value: part * value, least: bound(least), most: bound(most) };
+  }
+
+  // The usual answer, unless somebody gave another one.
+  /**
+   * @param {Question} question
+   * @param {Field} field
+   */
+  fill(question, field) {
+    const { value } = this.usual(question);
+    if (typeof value !== "number" || field.value !== (field.dataset.usual ?? "")) return;
+    field.value = field.dataset.usual = String(this.shown(question, value));
+  }
+
+  /**
+   * @param {Question} question
+   * @param {number} value
+   */
+  shown(question, value) { return Number(toShown(question.kind, value, this.system(question)).toPrecision(FIGURES)); }
 
   /** @param {Question} question */
   system({ system }) { return system ?? this.app.units; }
@@ -89,11 +128,9 @@ class Wizard {
    * @returns {Field}
    */
   field(question) {
-    const { kind, value, options } = question;
+    const { kind, options } = question;
     if (options.length) return picked(options.map(({ key, name }) => [key, name]));
-    if (!kind) return make("input", { type: "text", maxLength: 20 });
-    const shown = typeof value === "number" ? String(Number(toShown(kind, value, this.system(question)).toPrecision(FIGURES))) : "";
-    return make("input", { type: "number", step: "any", value: shown });
+    return kind ? make("input", { type: "number", step: "any" }) : make("input", { type: "text", maxLength: 20 });
   }
 
   /**
@@ -115,9 +152,20 @@ class Wizard {
    * @param {string} message
    */
   fault(field, message) {
-    const place = this.faults.get(field) ?? this.said;
+    const beside = this.faults.get(field);
+    const place = beside && !beside.parentElement?.hidden ? beside : this.said;
+    const first = [...this.faults.values(), this.said].every((fault) => fault.hidden);
     place.textContent = message;
     place.hidden = false;
+    const input = this.dialog.querySelector(`#wizard-${field}`);
+    if (place !== beside || !(input instanceof HTMLElement)) return;
+    input.setAttribute("aria-invalid", "true");
+    if (first) input.focus(); // on a phone it may stand out of sight
+  }
+
+  wellAgain() {
+    for (const fault of [...this.faults.values(), this.said]) fault.hidden = true;
+    for (const input of this.dialog.querySelectorAll("[aria-invalid]")) input.removeAttribute("aria-invalid");
   }
 
   // The answers as the server takes them; null where one is out of bounds, which is said beside it.
@@ -125,8 +173,14 @@ class Wizard {
     /** @type {Record<string, string | number>} */
     const wanted = { sport: this.form.sport, pattern: this.pattern.key, name: this.name.value || `my ${this.form.implement}` };
     let good = true;
-    for (const [question, { value }] of this.fields) {
-      const { field, kind, least, most } = question;
+    for (const [question, { value, validity }] of this.fields) {
+      const { field, kind } = question;
+      const { least, most } = this.usual(question);
+      if (validity.badInput) {
+        this.fault(field, "Give a number, or leave it empty.");
+        good = false;
+        continue;
+      }
       if (value === "") continue;
       if (least === null || most === null) {
         wanted[field] = value;
@@ -135,7 +189,7 @@ class Wizard {
       const system = this.system(question);
       wanted[field] = fromShown(kind, Number(value), system);
       if (wanted[field] >= least && wanted[field] <= most) continue;
-      const [low, high] = [least, most].map((bound) => Number(toShown(kind, bound, system).toPrecision(FIGURES)));
+      const [low, high] = [inward(toShown(kind, least, system), Math.ceil), inward(toShown(kind, most, system), Math.floor)];
       this.fault(field, `Allowed is ${low} to ${high} ${unitOf(kind, system)}.`);
       good = false;
     }
@@ -143,16 +197,16 @@ class Wizard {
   }
 
   async use() {
-    for (const fault of [...this.faults.values(), this.said]) fault.hidden = true;
+    this.wellAgain();
     const wanted = this.wanted();
     if (!wanted) return;
     try {
       const { toml, told } = await posted("/api/v1/describe", wanted);
       this.lay(toml);
-      if (told) this.tell(told);
+      if (told[this.app.units]) this.tell(told[this.app.units]);
       else this.dialog.close();
     } catch (fault) {
-      this.fault(fault.field, fault.message);
+      this.fault(fault.field, wordsOf(fault, this.app.units));
     }
   }
 
@@ -179,6 +233,16 @@ class Wizard {
       make("p", { textContent: told }), make("div", { className: "row" }, close));
     close.focus();
   }
+}
+
+// A bound with a few figures, itself allowed.
+/**
+ * @param {number} bound
+ * @param {(value: number) => number} round
+ */
+function inward(bound, round) {
+  const step = 10 ** (Math.floor(Math.log10(bound)) + 1 - FIGURES);
+  return Number((step * round(bound / step)).toPrecision(FIGURES));
 }
 
 /** @param {string[][]} options */

@@ -55,7 +55,7 @@ export const view = {
       this.bench.element, this.slots.element, swingGroup(app, { title: "Swing of bat 1, and pitch" }), ballGroup(app),
     );
     this.words = make("div", { className: "words", id: "verdict" });
-    this.chart = new Chart(app, { label: "", panels: [], axis: { kind: "position_m", from: () => this.longest, label: "from the tip" } });
+    this.chart = new Chart(app, { label: "Curves along the bats, tips aligned", panels: [], axis: { kind: "position_m", from: () => this.longest, label: "from the tip" } });
     this.rows = new RowsPicture(app);
     this.change = new ChangePicture(app);
     this.bats = make("div");

@@ -4,6 +4,7 @@ import { checked, textOf } from "../batfile.js";
 import { batChoice, unchanged, workshop } from "../bench.js";
 import { button } from "../controls.js";
 import { make, scoped } from "../parts.js";
+import { wordsOf } from "../status.js";
 /** @import { Answer, App, State } from "../main.js" */
 
 const MOST = 3;
@@ -104,7 +105,7 @@ export class Slots {
       await checked(text);
       one.setState({ ...unchanged(one), bat_toml: text });
     } catch (fault) {
-      say(fault.message);
+      say(wordsOf(fault, this.app.units));
     }
     input.value = ""; // so that the same file, mended, can be chosen again
   }

@@ -114,7 +114,7 @@ export const view = {
       try {
         app.setState(await app.ask("design/batter", { ...app.state, swings_csv: text }));
       } catch (fault) {
-        wrong.textContent = fault?.message ?? "The server does not answer; try again.";
+        wrong.textContent = fault.message;
         wrong.hidden = false;
         reveal(wrong);
       }

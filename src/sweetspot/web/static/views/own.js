@@ -73,7 +73,7 @@ export const view = {
         if (toml) then(toml);
         else this.said.textContent = "Nothing was measured yet: weigh, balance, swing or tap the bat first.";
       } catch (fault) {
-        this.said.textContent = fault?.message ?? "The server does not answer; try again.";
+        this.said.textContent = fault.message;
       }
     };
     this.bringers = [

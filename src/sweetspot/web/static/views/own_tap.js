@@ -88,7 +88,7 @@ export class TapPlace {
       try {
         kept.recordings.push(await upload(file));
       } catch (fault) {
-        this.say(fault?.message ?? "The server does not answer; try again.");
+        this.say(fault.message);
       }
     }
     this.heard();
@@ -120,7 +120,7 @@ export class TapPlace {
       found = await this.answerTo({ ...this.app.state, recordings });
     } catch (fault) {
       this.heard();
-      this.say(fault?.message ?? "The server does not answer; try again.");
+      this.say(fault.message);
       if (fault?.field === "upload") kept.recordings = [];
       return;
     }

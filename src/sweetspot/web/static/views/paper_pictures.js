@@ -36,7 +36,7 @@ function strip(bat, answer) {
 }
 
 export const PICTURES = {
-  end: (/** @type {App} */ app) => pictureOf({ bat: new BatView(app), curves: new Chart(app, { label: "", panels: [SPEEDS], axis: AXIS(app) }) },
+  end: (/** @type {App} */ app) => pictureOf({ bat: new BatView(app), curves: new Chart(app, { label: "Exit speed along the bat", panels: [SPEEDS], axis: AXIS(app) }) },
     ({ bat, curves }, answer) => {
       const { picture, bat: { length_m: length } } = answer;
       strip(bat, { ...answer, picture: { ...picture, percussion_m: null, zone_m: null } });
@@ -45,7 +45,7 @@ export const PICTURES = {
       curves.label(`Exit speed along the bat; the stretch S of the paper, ${app.text("s_m", picture.elastic_travel_m, 2)}, is shaded at the tip.`);
     }),
 
-  percussion: (/** @type {App} */ app) => pictureOf({ bat: new BatView(app), curves: new Chart(app, { label: "", axis: AXIS(app), panels: [
+  percussion: (/** @type {App} */ app) => pictureOf({ bat: new BatView(app), curves: new Chart(app, { label: "Force of the hands over the blow", axis: AXIS(app), panels: [
     { title: "Hands over blow, F / I", kind: "ratio", height: 190, lines: [
       { key: "rod_ratio", label: "rod", color: "muted", dash: [5, 4] }, { key: "bat_ratio", label: "bat", color: "green", width: 2.4 },
       { key: "moved_ratio", label: "moved up", color: "purple", dash: [2, 2.5] }] }] }) },

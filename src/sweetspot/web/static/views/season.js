@@ -144,7 +144,7 @@ export const view = {
     try {
       app.visitWith("design", { ...await app.ask("season/contacts", app.state), design_si: null, design_for: null });
     } catch (fault) {
-      this.wrong.textContent = fault?.message ?? "The server does not answer; try again.";
+      this.wrong.textContent = fault.message;
       this.wrong.hidden = false;
     }
   },

@@ -73,7 +73,7 @@ export class Reading {
         uploads.push(await upload(file, (part) => this.handed(file.name, part), going.signal));
       }
     } catch (fault) {
-      if (!this.app.signal.aborted) this.say(going.signal.aborted ? "Stopped; nothing was read." : fault?.message ?? "The server does not answer; try again.");
+      if (!this.app.signal.aborted) this.say(going.signal.aborted ? "Stopped; nothing was read." : fault.message);
     }
     this.going = null;
     if (this.app.signal.aborted) return;

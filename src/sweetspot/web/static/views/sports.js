@@ -44,7 +44,7 @@ export const view = {
       group("What one hits with", [choice(app, "implement", { label: "Implement", options: tools,
         shown: (state) => (state.implement_toml === null ? state.implement : OWN),
         take: (implement) => implement !== OWN && app.setState({ ...app.defaults, implement }) }),
-      button("Describe your own by questions\u00a0…", () => describeOwn(app)), this.ownFile(app)]),
+      button("Describe yours by questions\u00a0…", () => describeOwn(app)), this.ownFile(app)]),
       group("Stroke", [
         slider(app, "swing_mph", { label: "Speed of the implement", step: 1, empty: usual("swing_mph") }),
         slider(app, "incoming_mph", { label: "Speed of the ball before", step: 1, empty: usual("incoming_mph") }),
@@ -59,7 +59,7 @@ export const view = {
     this.map = new HeatMap(app, { label: "", title: "Ball speed over the face", height: 240,
       x: axis, y: { kind: "lateral_m", label: "across" }, z: { kind: "exit_speed_m_s" }, onPick: (x, y, { last }) => this.pick(x, y, last) });
     this.map.element.classList.add("pinned");
-    this.chart = new Chart(app, { label: "", axis, onPick: (x, { last }) => this.pick(x, null, last), panels: [
+    this.chart = new Chart(app, { label: "Speed of the ball, efficiency and vibration, from the tip", axis, onPick: (x, { last }) => this.pick(x, null, last), panels: [
       { title: "Speed of the ball", kind: "exit_speed_m_s", height: 140, lines: [{ key: "exit_speed_m_s", label: "real", color: "red", width: 2.4 },
         { key: "rigid_exit_speed_m_s", label: "rigid", color: "muted", dash: [5, 4], width: 1.6 }] },
       { title: "Efficiency", kind: "ratio", height: 80, lines: [{ key: "collision_efficiency", color: "orange" }] },

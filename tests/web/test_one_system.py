@@ -1,0 +1,28 @@
+"""Words that the library writes in both systems, for readers of one; checked in units.py's own words."""
+
+from __future__ import annotations
+
+import pytest
+
+from sweetspot.units import shown, shown_mass
+from sweetspot.web.errors import FieldError, fault
+from sweetspot.web.one_system import in_one_system
+
+
+def test_each_reader_sees_one_unit() -> None:
+    """Exact."""
+    words = in_one_system(f"{shown_mass(0.8788)} balances {shown(0.5602)} from the knob; a head of {shown_mass(-0.1)}")
+    assert words["us"] == "31.0 oz balances 22.1 in from the knob; a head of −3.5 oz"
+    assert words["si"] == "879 g balances 56.0 cm from the knob; a head of −100 g"
+
+
+@pytest.mark.parametrize("words", ["", "at most 30 in (see there)", "a density of 301 kg/m^3 (2 kinds)"])
+def test_other_words_stay(words: str) -> None:
+    assert in_one_system(words) == {"us": words, "si": words}
+
+
+def test_a_fault_has_words_for_either_where_they_differ() -> None:
+    assert "words" not in fault(FieldError("bat", "there is no such bat"))
+    told = fault(FieldError("mass_oz", f"given was {shown_mass(1.0)}"))
+    assert told["message"] == "given was 1 kg (35.27 oz)"
+    assert told["words"] == {"us": "given was 35.3 oz", "si": "given was 1000 g"}
