@@ -12,8 +12,8 @@ from sweetspot.web.one_system import in_one_system
 def test_each_reader_sees_one_unit() -> None:
     """Exact."""
     words = in_one_system(f"{shown_mass(0.8788)} balances {shown(0.5602)} from the knob; a head of {shown_mass(-0.1)}")
-    assert words["us"] == "31.0 oz balances 22.1 in from the knob; a head of −3.5 oz"
-    assert words["si"] == "879 g balances 56.0 cm from the knob; a head of −100 g"
+    assert words["us"] == "31.0 oz balances 22.1 in from the knob; a head of \N{MINUS SIGN}3.5 oz"
+    assert words["si"] == "879 g balances 56.0 cm from the knob; a head of \N{MINUS SIGN}100 g"
 
 
 @pytest.mark.parametrize("words", ["", "at most 30 in (see there)", "a density of 301 kg/m^3 (2 kinds)"])

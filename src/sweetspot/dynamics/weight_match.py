@@ -220,12 +220,11 @@ def _as_drawn(bat: Bat, shell: Shell) -> dict[WeightBy, Way[Bat]]:
             lambda mass: f"its {name} of {was} counts as {_weighed(mass)}",
         )  # fmt: skip
 
-<<<<<<< HEAD
-    drawn = 1e3 * float(shell.wall[0][1])
+    drawn = _thick(float(shell.wall[0][1]))
     return {
         "handle": Way(
             "handle", _handle_walls(bat, shell), lambda size: _handle_wall(bat, shell, size),
-            lambda size: f"its handle's wall of {drawn:.2f} mm counts as {1e3 * size:.2f} mm",
+            lambda size: f"its handle's wall of {drawn} counts as {_thick(size)}",
         ),
         "knob": put_on("knob", "knob_mass", HEAVIEST_KNOB),
         "end cap": put_on("end cap", "end_cap_mass", HEAVIEST_CAP),
@@ -234,19 +233,6 @@ def _as_drawn(bat: Bat, shell: Shell) -> dict[WeightBy, Way[Bat]]:
             lambda factor: f"every wall counts as {factor:.3f} times as thick as drawn",
         ),
     }  # fmt: skip
-=======
-    def excess(size: float) -> float:
-        return _drawn_mass(wall_of(bat, shell, size)) - target
-
-    if not excess(low) <= 0 <= excess(high):
-        return f"{_weighed(target + excess(low))} to {_weighed(target + excess(high))}"
-    size = float(brentq(excess, low, high, xtol=1e-12))
-    changed = wall_of(bat, shell, size)
-    if way == "handle":
-        drawn = float(shell.wall[0][1])
-        return _remarked(changed, f"its handle's wall of {_thick(drawn)} counts as {_thick(size)}")
-    return _remarked(changed, f"every wall counts as {size:.3f} times as thick as drawn")
->>>>>>> 4754b8a (The page without its server, a wizard whose weight follows shaft, wood and length, and words in the reader's units)
 
 
 def _made_otherwise(bat: Bat, shell: Shell) -> tuple[Way[Bat], ...]:
