@@ -1,0 +1,179 @@
+"""Small screens, large letters, the system's own colours and the keyboard alone: every view, the wizard, the drawer."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from sweetspot.web.views import VIEWS
+
+Answered = Callable[..., int]
+ZOOMED = [(640, 450), (320, 225)]
+"""CSS pixels of a window of 1280 by 900 at 200 and at 400 %."""
+OUTSIDE = """() => [...document.querySelectorAll("body *")].filter((element) => {
+  const { left, right, width } = element.getBoundingClientRect();
+  const movable = ".scroll, .stations, .formula, pre, textarea, .top nav, .top .tools, .unseen, .skip";
+  return width > 1 && (right > innerWidth + 1 || left < -1) && element.checkVisibility() && !element.closest(movable);
+}).map((element) => element.outerHTML.slice(0, 100))"""
+MARKED = """(place) => [...document.querySelectorAll(place)].map((element) => getComputedStyle(element).outlineStyle)"""
+OPEN = "document.querySelectorAll('#view details').forEach((details) => (details.open = true))"
+
+
+@pytest.mark.parametrize("name", VIEWS)
+def test_every_view_in_forced_colours_and_at_200_and_400_percent(
+    page: Page, server: str, settled: Callable[[Page], None], until: Callable[[Page, str], Any], name: str
+) -> None:
+    page.emulate_media(forced_colors="active", reduced_motion="reduce")
+    page.goto(f"{server}/{name}")
+    settled(page)
+    for chosen in ("#views [aria-current=page]", "#tools .switch input:checked + span"):
+        assert set(page.evaluate(MARKED, chosen)) == {"solid"}, chosen
+    page.evaluate(OPEN)
+    for width, height in ZOOMED:
+        page.set_viewport_size({"width": width, "height": height})
+        until(page, f"innerWidth === {width} && document.documentElement.scrollWidth <= {width}")
+        settled(page)
+        assert page.evaluate(OUTSIDE) == []
+
+
+def test_the_drawer_is_shut_in_a_low_window_and_opens_where_a_fault_lies(
+    page: Page, server: str, answered: Answered
+) -> None:
+    page.set_viewport_size({"width": 320, "height": 225})
+    page.goto(f"{server}/explorer")
+    answered(page)
+    drawer, speed = page.locator("button.drawer"), page.locator("[data-field=pitch_speed_mph] input[type=number]")
+    expect(drawer).to_have_attribute("aria-expanded", "false")
+    expect(speed).to_be_hidden()
+    drawer.focus()
+    page.keyboard.press("Tab")
+    assert not page.evaluate("document.activeElement.closest('.side')")  # what is shut is not reached
+    drawer.focus()
+    page.keyboard.press("Enter")
+    expect(drawer).to_have_attribute("aria-expanded", "true")
+    expect(speed).to_be_visible()
+    drawer.press("Enter")
+    page.goto(f"{server}/explorer?pitch_speed_mph=999")
+    answered(page)
+    expect(drawer).to_have_attribute("aria-expanded", "true")
+    expect(page.locator("[data-field=pitch_speed_mph] .fault")).to_contain_text("110")
+
+
+def test_the_wizard_by_keyboard_on_a_small_screen(page: Page, server: str, answered: Answered) -> None:
+    page.set_viewport_size({"width": 320, "height": 480})
+    page.goto(f"{server}/explorer")
+    answered(page)
+    page.locator("#bench-chip").focus()
+    page.keyboard.press("Enter")
+    page.get_by_role("button", name="Describe another").focus()
+    page.keyboard.press("Enter")
+    expect(page.locator("#wizard-sport")).to_be_focused()
+    assert page.evaluate(OUTSIDE) == []
+    page.keyboard.press("Tab")
+    page.keyboard.press("Tab")
+    expect(page.locator("#wizard-name")).to_be_focused()
+    page.keyboard.type("Typed")
+    page.locator("#wizard-length_in").fill("90")
+    put = page.get_by_role("button", name="Put it on the bench")
+    put.focus()
+    page.keyboard.press("Enter")
+    expect(page.locator("#wizard-length_in")).to_be_focused()  # where the refusal stands
+    expect(page.locator("#wizard-length_in-fault")).to_be_in_viewport()
+    page.keyboard.press("Control+a")
+    page.keyboard.type("33.5")
+    put.focus()
+    page.keyboard.press("Enter")
+    expect(page.locator("dialog")).to_have_count(0)
+    expect(page.locator("#bench-chip")).to_contain_text("Typed")
+
+
+def test_an_own_bat_is_measured_by_keyboard(page: Page, server: str, answered: Answered) -> None:
+    page.goto(f"{server}/own")
+    count = answered(page)
+    page.get_by_role("slider", name="It weighs").focus()
+    page.keyboard.press("ArrowRight")
+    count = answered(page, count)
+    expect(page.get_by_role("row", name="mass").first).to_be_visible()
+    leave = page.get_by_role("button", name="Leave out: mass")
+    leave.focus()
+    page.keyboard.press("Enter")
+    answered(page, count)
+    expect(leave).to_have_count(0)
+
+
+def test_the_workshop_tells_a_weight_in_the_reader_s_units(page: Page, server: str, answered: Answered) -> None:
+    page.goto(f"{server}/explorer?bat=single-wall&mass_oz=31.5")
+    answered(page)
+    page.locator("summary", has_text="Workshop").click()
+    line = page.locator(".note", has_text="Its weight")
+    expect(line).to_contain_text("31.5 oz")
+    expect(line).not_to_contain_text(re.compile(r"\d g"))
+    page.get_by_role("radio", name="SI").check()
+    expect(line).to_contain_text("893 g")
+    expect(line).not_to_contain_text("oz")
+
+
+def test_a_thin_plate_is_told_in_the_reader_s_units(page: Page, server: str, answered: Answered) -> None:
+    page.goto(f"{server}/paper?question=drop")
+    answered(page)
+    plate = page.locator("#view")
+    expect(plate).to_contain_text("0.12 in")  # 3 mm
+    expect(plate).not_to_contain_text("3 mm")
+    page.get_by_role("radio", name="SI").check()
+    expect(plate).not_to_contain_text("0.12 in")
+
+
+def test_a_table_without_room_keeps_words_whole_and_bars_true(page: Page, server: str, answered: Answered) -> None:
+    """Exact: a bar of 30 blocks is twice as long as one of 15, and no cell is wider than the box."""
+    page.set_viewport_size({"width": 360, "height": 740})
+    page.goto(f"{server}/explorer")
+    answered(page)
+    widths = page.evaluate(
+        """async () => {
+          const { tableOf } = await import("/static/parts.js");
+          const row = (name, count) => [name, "45.0° to left field", "█".repeat(count), "1.0 ± 0.2 mph"];
+          const rows = [row("the first one of them", 30), row("two", 15)];
+          const box = tableOf("Parks", ["park", "towards", "", "speed"], rows);
+          document.querySelector("#view .stack, #view .picture").append(box);
+          await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+          const range = document.createRange();
+          const bars = [...box.querySelectorAll(".bars")].map((cell) => {
+            range.selectNodeContents(cell);
+            return [range.getBoundingClientRect().width, cell.clientWidth];
+          });
+          const lines = [...box.querySelectorAll("td[data-label=towards], td[data-label=speed]")].map((cell) => {
+            range.selectNodeContents(cell);
+            return range.getClientRects().length;
+          });
+          const apart = box.querySelector("table").matches(".apart");
+          return { bars, lines, apart, over: box.scrollWidth - box.clientWidth };
+        }"""
+    )
+    (long, room), (short, _) = widths["bars"]
+    assert widths["apart"] and widths["over"] <= 0
+    assert long == pytest.approx(2 * short, rel=0.02) and long <= room
+    assert widths["lines"] == [1, 1, 1, 1]
+
+
+@pytest.mark.parametrize("width", [1280, 390])
+def test_a_scrolled_table_ends_with_a_whole_row(
+    page: Page, server: str, settled: Callable[[Page], None], width: int
+) -> None:
+    page.set_viewport_size({"width": width, "height": 844})
+    page.goto(f"{server}/explorer")
+    settled(page)
+    page.evaluate(OPEN)
+    settled(page)
+    cut = page.evaluate(
+        """() => [...document.querySelectorAll("#view .numbers .scroll, #view .stations")].filter((box) => {
+          const end = box.getBoundingClientRect().bottom;
+          return box.scrollHeight > box.clientHeight + 1 && ![...box.querySelectorAll("tbody tr")]
+            .some((row) => Math.abs(row.getBoundingClientRect().bottom - end) < 2);
+        }).map((box) => box.className + box.textContent.slice(0, 40))"""
+    )
+    assert cut == []
+    assert page.locator("#view .stations").evaluate("(box) => box.scrollHeight > box.clientHeight + 1")
