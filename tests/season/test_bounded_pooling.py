@@ -5,15 +5,16 @@ from __future__ import annotations
 import numpy as np
 import polars as pl
 import pytest
+from numpy.typing import NDArray
 
 from sweetspot.numerics.arrays import Array
-from sweetspot.season.pooling import pooled_groups
+from sweetspot.season.pooling import POSITIVE, pooled_groups
 from sweetspot.season.standings import BOUNDS
 
 SHARE = (0.0, 1.0)
 
 
-def groups_of(counts: Array, means: Array, squares: Array | None = None) -> pl.DataFrame:
+def groups_of(counts: Array | NDArray[np.int64], means: Array, squares: Array | None = None) -> pl.DataFrame:
     """Return what is added up of groups of yes or no."""
     own = counts * means * (1 - means) if squares is None else squares
     return pl.DataFrame({"who": np.arange(len(counts)), "balls": counts, "mean": means, "squares": own})
@@ -36,7 +37,7 @@ def test_intervals_hold_as_often_as_they_say(mean: float, part: float, bounds: t
     halves, nines = [], []
     for _ in range(40):
         truth = rng.beta(mean * kappa, (1 - mean) * kappa, 300)
-        counts = rng.integers(3, 120, 300).astype(float)
+        counts = rng.integers(3, 120, 300)
         rates = rng.binomial(counts, truth) / counts
         told, _ = pooled_groups(
             groups_of(counts, low + span * rates, span**2 * counts * rates * (1 - rates)), key="who", bounds=bounds
@@ -73,6 +74,33 @@ def test_what_never_or_always_happened_is_not_certain(groups: int, rate: float) 
     wide = (told["high90"] - told["low90"]).to_numpy()
     assert np.all(wide > 0.0005) and np.all(wide < 0.07)
     assert (told["low90" if rate == 0 else "high90"] == rate).all()
+
+
+@pytest.mark.parametrize("spread", [0.15, 0.3])
+def test_what_is_never_negative_has_intervals_above_zero_that_hold(spread: float) -> None:
+    """200 groups of 3 to 60 balls, twenty times; distances of half a normal distribution about groups' own mean."""
+    rng = np.random.default_rng(round(100 * spread))
+    halves, nines, below, above = [], [], [], []
+    for _ in range(20):
+        truth = rng.gamma(1 / spread**2, spread**2, 200)
+        counts = rng.integers(3, 60, 200)
+        balls = [np.abs(rng.normal(0, 1, n)) * np.sqrt(np.pi / 2) * one for n, one in zip(counts, truth, strict=True)]
+        means = np.array([one.mean() for one in balls])
+        squares = np.array([np.sum((one - one.mean()) ** 2) for one in balls])
+        told, _ = pooled_groups(groups_of(counts, means, squares), key="who", bounds=POSITIVE)
+        assert (told["low90"] > 0).all() and (told["low90"] < told["low50"]).all()
+        assert (told["high90"] - told["pooled"] > told["pooled"] - told["low90"]).all()
+        halves.append(held(told, truth, 50))
+        nines.append(held(told, truth, 90))
+        below.append(np.mean(truth < told["low90"].to_numpy()))
+        above.append(np.mean(truth > told["high90"].to_numpy()))
+    assert 0.45 < np.mean(halves) < 0.57 and 0.86 < np.mean(nines) < 0.94
+    assert 0.02 < np.mean(below) < 0.07 and 0.03 < np.mean(above) < 0.08
+
+
+def test_groups_that_nothing_tells_apart_are_all_in_the_middle() -> None:
+    told, spread = pooled_groups(groups_of(np.full(6, 30), np.full(6, 0.4)), key="who", bounds=SHARE)
+    assert spread.between == 0 and (told["percentile"] == 50).all()
 
 
 def test_one_group_has_jeffreys_interval() -> None:

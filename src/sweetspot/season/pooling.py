@@ -5,7 +5,9 @@ from all groups (one-way analysis of variance). Then theta_j given n balls of me
 mu + R (m - mu) and the variance tau^2 (1 - R), R = tau^2 / (tau^2 + sigma^2 / n), which is the reliability at n balls:
 the correlation to be expected between two halves of n balls each.
 
-What has bounds, as a rate has 0 and 1, has intervals within them (`bounded_pooling`).
+What has bounds, as a rate has 0 and 1, has intervals within them (`bounded_pooling`). What is only never negative, as a
+distance, has those of the gamma distribution with the same mean and variance: they begin above 0, and of groups with
+few balls they are as long upwards as such means scatter.
 """
 
 from __future__ import annotations
@@ -17,7 +19,7 @@ import polars as pl
 
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
-from sweetspot.season.bounded_pooling import Bounds, Scatter, bounded_intervals
+from sweetspot.season.bounded_pooling import TAILS, Bounds, Scatter, bounded_intervals
 
 HALF = 0.674490
 """Standard deviations to either side that hold half of a normal distribution."""
@@ -27,6 +29,8 @@ BALLS, MEAN, SQUARES = "balls", "mean", "squares"
 """Columns of what is added up of groups."""
 FEWEST_GROUPS = 5
 """Groups below which nothing is known of how groups differ, and nothing is pooled."""
+POSITIVE: Bounds = (0.0, np.inf)
+"""Bounds of what is never negative and has no greatest value."""
 
 
 @dataclass(frozen=True)
@@ -89,7 +93,8 @@ def pooled(
     frame : one row per ball.
     key : column of the groups; rows without one are left out.
     measure : column of what is averaged; rows without it are left out.
-    bounds : least and greatest value there can be, between which the intervals then lie; None: there are none.
+    bounds : least and greatest value there can be, both finite or `POSITIVE`, between which the intervals then lie;
+        None: there are none.
 
     Returns
     -------
@@ -113,7 +118,7 @@ def pooled_groups(table: pl.DataFrame, *, key: str, bounds: Bounds | None = None
     ----------
     table : a row a group: ``key``, ``balls`` (above 0), ``mean``, and ``squares``: their sum about the group's mean.
     key : column of the groups.
-    bounds : least and greatest value there can be; None: there are none.
+    bounds : least and greatest value there can be, both finite or `POSITIVE`; None: there are none.
     """
     if not len(table):
         return table.select(key, "balls", "mean"), Spread(np.nan, np.nan, np.nan, 0, 0)
@@ -124,16 +129,32 @@ def pooled_groups(table: pl.DataFrame, *, key: str, bounds: Bounds | None = None
     if bounds is None:
         error = _errors(counts, trust, spread)
         ends = {percent: (centre - reach * error, centre + reach * error) for percent, reach in REACHES.items()}
+    elif bounds == POSITIVE:
+        error = _errors(counts, trust, spread)
+        ends = _positive_ends(centre, error)
     else:
         scatter = Scatter(spread.mean, spread.within, spread.between, spread.groups >= FEWEST_GROUPS)
         error, ends = bounded_intervals(counts, means, centre, scatter, bounds=bounds)
-    order = centre.argsort(kind="stable").argsort(kind="stable")
+    rank = pl.Series(centre).rank("average")  # groups that nothing tells apart are all in the middle
     return table.select(key, "balls", "mean").with_columns(
         pooled=pl.Series(centre), spread=pl.Series(error),
         **{f"{side}{percent}": pl.Series(values) for percent, both in ends.items()
            for side, values in zip(("low", "high"), both, strict=True)},
-        reliability=pl.Series(trust), percentile=pl.Series(100 * (order + 0.5) / len(order)),
+        reliability=pl.Series(trust), percentile=100 * (rank - 0.5) / len(centre),
     ), spread  # fmt: skip
+
+
+def _positive_ends(centre: Array, error: Array) -> dict[int, tuple[Array, Array]]:
+    """Return the ends of gamma distributed intervals by their percent; one of no width where nothing scatters."""
+    from scipy.special import gammaincinv
+
+    known = (centre > 0) & (error > 0)
+    shape = np.divide(centre, error, out=np.ones_like(centre), where=known) ** 2
+
+    def end(tail: float) -> Array:
+        return np.where(known, centre / shape * gammaincinv(shape, tail), centre)
+
+    return {percent: (end(lower), end(upper)) for percent, (lower, upper) in TAILS.items()}
 
 
 def _errors(counts: Array, trust: Array, spread: Spread) -> Array:

@@ -10,7 +10,7 @@ import polars as pl
 
 from sweetspot.season.bounded_pooling import Bounds
 from sweetspot.season.counted import WITH
-from sweetspot.season.pooling import BALLS, MEAN, SQUARES, Spread, pooled_groups
+from sweetspot.season.pooling import BALLS, MEAN, POSITIVE, SQUARES, Spread, pooled_groups
 from sweetspot.season.sums import group_sums
 
 GROUPS: Mapping[str, str] = {
@@ -44,8 +44,9 @@ MEASURES: Mapping[str, tuple[str, str]] = {
 """What is averaged over balls: scale and meaning."""
 BOUNDS: Mapping[str, Bounds] = {
     name: (-1.0, 1.0) if name == ABOVE else (0.0, 1.0) for name, (scale, _) in MEASURES.items() if scale == "share"
-}
-"""Least and greatest value of the measures that have one: shares, and how far a share may be from another."""
+} | {"from_best": POSITIVE}
+"""Least and greatest value of the measures that come near one: shares, how far a share may be from another, and the
+distance from the best place."""
 PLAIN = ("balls", "ev20", "home_runs_expected", "home_runs_average_park", "home_runs", "doubters", "mostly_gone",
          "no_doubters", "name")  # fmt: skip
 """Columns that are counted and not pooled."""
