@@ -93,6 +93,19 @@ def test_maps_hold_the_chosen_balls_each_once(client: httpx.Client, known: str) 
     assert nobody["means"]["balls"] == 0 and nobody["barrel"] is None and nobody["ceilings"] is None
 
 
+def test_the_fence_is_that_of_the_park_chosen_unless_another_was_chosen_by_hand(
+    client: httpx.Client, known: str
+) -> None:
+    def fence(**fields: Any) -> str:
+        return str(asked(client, season=known, **fields)["park"]["name"])
+
+    parks = [park for park, _ in asked(client, season=known)["season"]["choices"]["park"]]
+    assert len(parks) > 2
+    assert fence() == "Fenway Park" and [fence(park=park) for park in parks] == parks
+    assert fence(park="Coors Field", fence="wrigley-field") == "Wrigley Field"
+    assert fence(park="Nowhere Park") == "Fenway Park"
+
+
 def test_a_players_page_and_the_tables_are_there_and_nothing_else(client: httpx.Client, known: str) -> None:
     one = asked(client, "/summary", season=known)["players"][0]
     page = asked(client, "/player", season=known, batter=one["batter"])

@@ -15,11 +15,12 @@ from pydantic import Field
 from sweetspot import catalog
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
-from sweetspot.flight.park import FOUL_LINE, fence_at
+from sweetspot.errors import InputError
+from sweetspot.flight.park import FOUL_LINE, Park, fence_at
 from sweetspot.report.bat.json import bat_json
 from sweetspot.units import INCH
 from sweetspot.web.bat_bounds import bounds
-from sweetspot.web.bats import described
+from sweetspot.web.bats import PARK, described
 from sweetspot.web.documents import told
 from sweetspot.web.drawings import outline
 from sweetspot.web.errors import FieldError, about
@@ -56,14 +57,16 @@ class SeasonState(BatState):
     count: Choice = Field(None, description="at which count, as 3-2; empty: at all")
     month: Choice = Field(None, description="in which month, as 2024-07; empty: in all")
     park: Choice = Field(None, description="hit in which park; empty: in all")
-    fence: Name = Field("fenway-park", description="park whose fence is drawn over the field")
+    fence: Name | None = Field(
+        None, description="park whose fence is drawn over the field; empty: the one chosen under park, else Fenway Park"
+    )
 
 
 def answer(state: SeasonState) -> dict[str, Any]:
     """Return the bat, the chosen park's fence, and of a season that was read what can be chosen and taken away."""
     own = described(state)
     with about("fence"):
-        park = catalog.park(state.fence)
+        park = fenced(state)
         distance, _ = fence_at(park, DIRECTIONS)
     folder = _folder(state)
     summary = None if folder is None else kept_summary(folder)
@@ -80,6 +83,16 @@ def answer(state: SeasonState) -> dict[str, Any]:
             "same_bat": summary["bat"] == bat_words(state),
         },
     }  # fmt: skip
+
+
+def fenced(state: SeasonState) -> Park:
+    """Return the park whose fence is drawn: as chosen by hand, else where the looked-at balls were hit, else Fenway."""
+    if state.fence is not None:
+        return catalog.park(state.fence)
+    try:
+        return catalog.park(state.park or PARK)
+    except InputError:  # no ball was hit in such a park, and the answer shows none
+        return catalog.park(PARK)
 
 
 def bat_words(state: BatState) -> str:

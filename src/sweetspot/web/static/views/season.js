@@ -57,7 +57,7 @@ export const view = {
     this.which = group("Which balls", [this.players.element, ...this.filters.map((/** @type {{ element: HTMLElement }} */ { element }) => element), button("All balls again", () => app.setState(EVERYBODY))]);
     root.append(make("div", { className: "side" },
       group("Tables", [this.reading.chooser]), this.which,
-      group("Fence on the field", [choice(app, "fence", { label: "Park", options: app.lists("parks").then(({ parks }) => parks.map(({ key, name }) => [key, name])) })], { open: false }),
+      group("Fence on the field", [choice(app, "fence", { label: "Park", options: app.lists("parks").then(({ parks }) => [["", "The park chosen above, else Fenway Park"], ...parks.map(({ key, name }) => [key, name])]), take: (key) => app.setState({ fence: key || null }) })], { open: false }),
       this.bench.element),
     make("div", { className: "stack" }, make("section", { className: "picture" }, this.words, this.reading.element), this.told[0], this.told[1], this.player, ...this.told.slice(2)));
   },
