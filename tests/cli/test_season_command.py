@@ -16,6 +16,7 @@ from sweetspot.report import html
 from sweetspot.report.quantities import US
 from sweetspot.report.season.one_player import player_page
 from sweetspot.report.season.tables import write_tables
+from sweetspot.season.batters import require_batter
 from sweetspot.season.standings import GROUPS
 from tests.report.season.test_picture import CASES
 from tests.season.conftest import made_up
@@ -43,6 +44,7 @@ def test_tables_in_answers_out(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert (players["gain_with_mlb_a_reliability"] <= 1).all() and "gain_with_r161_ash_mph" not in players.columns
     data = json.loads((out / "season.json").read_text("utf-8"))
     assert sum(data["tables"][0]["ledger"].values()) == data["tables"][0]["rows"] == 300
+    assert set(pl.read_parquet(out / "ledger")["table"]) == {"table.csv"}  # rows of several tables are told apart
     assert (out / "season.html").exists() and (out / "season.png").exists()
 
 
@@ -87,8 +89,27 @@ def test_a_page_for_one_player(tmp_path: Path, capsys: pytest.CaptureFixture[str
     page = (out / "player-600002.html").read_text("utf-8")
     assert "<h1>Player 600002</h1>" in page and "<details" not in page  # which would begin a second sheet
     assert "Fouls and misses" in page and "ceiling" not in page.split("</style>")[1]  # no bats, so nothing of them
-    assert run(table, "--player", "600009", "--flight-only") == 2
-    assert "no batter '600009' in the tables. Did you mean" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["table.csv", "table.csv.gz", "table.parquet"])
+def test_an_unknown_player_is_refused_before_anything_is_computed(
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    table, other = tmp_path / name, tmp_path / "other.csv"
+    made = made_up(30).with_columns(batter=pl.col("batter").cast(pl.Float64))  # 600002.0, as exports write it
+    made.write_parquet(table) if name.endswith("parquet") else made.write_csv(
+        table, compression="gzip" if name.endswith("gz") else "uncompressed"
+    )
+    other.write_text("launch_speed\n90\n", encoding="utf-8")
+    monkeypatch.setattr("sweetspot.season.season_table.analyse_season", lambda *_, **__: pytest.fail("computed"))
+    assert run(table, "--player", "600009") == 2
+    said = capsys.readouterr().err.strip()
+    assert said.count("\n") == 0 and "no batter '600009' in the tables. Did you mean 60000" in said
+    assert run(table, other, tmp_path / "none.csv", "--player", "Nobody") == 2
+    assert "Known names: 600000, 600001" in capsys.readouterr().err
+    assert run(other, "--player", "600009") == 2
+    assert "no table has a column of batters" in capsys.readouterr().err
+    require_batter([other, table], "600002")  # and with another table that knows no batters
 
 
 def test_one_is_not_several() -> None:

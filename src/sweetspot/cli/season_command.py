@@ -117,6 +117,7 @@ def season(
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Tell every ball in play of tables of any size: where on the bat it was hit, how far it carries, who did what."""
+    from sweetspot.season.batters import require_batter
     from sweetspot.season.season_table import temporary_folder
 
     given = columns.given()
@@ -125,6 +126,8 @@ def season(
     if output.out is None and work.needs_folder:
         raise InputError(work.needs_folder)
     names = bats.named()
+    if player is not None:
+        require_batter(files, player, given=given)
 
     def computed(folder: Path) -> Season:
         from functools import partial

@@ -127,9 +127,9 @@ class _Texts:
             return
         values = text.unique().drop_nulls()
         if len(values) > len(text) // SELDOM:
-            self.column = pl.select(_tidy(pl.lit(text))).to_series()
+            self.column = pl.select(tidy(pl.lit(text))).to_series()
             return
-        self.values = pl.select(_tidy(pl.lit(values))).to_series()
+        self.values = pl.select(tidy(pl.lit(values))).to_series()
         self.number = text.cast(pl.Enum(values)).to_physical()
         if not self.values.equals(values, null_equal=True):
             self.column = self.values.gather(self.number)
@@ -141,7 +141,8 @@ class _Texts:
         return pl.select(change(pl.lit(self.values))).to_series().gather(self.number)
 
 
-def _tidy(text: pl.Expr) -> pl.Expr:
+def tidy(text: pl.Expr) -> pl.Expr:
+    """Return texts without blanks about them and without the ``.0`` of whole numbers; empty ones are missing."""
     plain = text.str.strip_chars().str.replace(r"^(\d+)\.0$", "$1")
     return pl.when(plain != "").then(plain)
 

@@ -94,6 +94,35 @@ def open_table(path: Path, *, staging: Path, given: Mapping[str, str] | None = N
     return _csv(path, staging, given)
 
 
+def text_columns(path: Path, quantities: Sequence[str], *, given: Mapping[str, str] | None = None) -> pl.LazyFrame:
+    """Return some columns of a table as they are written, those that it has, called by their quantity.
+
+    Nothing else of the table is read; a damaged one may fail only when the columns are collected.
+
+    Parameters
+    ----------
+    quantities : that are wanted.
+    given : heading by quantity, as `headings_of` takes it.
+
+    Raises
+    ------
+    InputError
+        when the file cannot be read, or lacks what is needed.
+    """
+    try:
+        if path.name.lower().endswith(PARQUET_ENDINGS):
+            frame = pl.scan_parquet(path)
+        else:
+            first, _ = _ends(path)
+            frame = pl.scan_csv(path, separator=_separator(first), infer_schema=False, truncate_ragged_lines=True,
+                                encoding="utf8-lossy", null_values=MISSING)  # fmt: skip
+        headings = headings_of(frame.collect_schema().names(), given=given, file_name=str(path))
+    except (pl.exceptions.PolarsError, OSError, EOFError, zlib.error) as error:
+        raise InputError(f"{path} cannot be read as a table: {first_line(error)}") from None
+    columns = headings.only(*quantities).columns
+    return frame.select(pl.col(column.heading).cast(pl.String).alias(name) for name, column in columns.items())
+
+
 def _parquet(path: Path, given: Mapping[str, str] | None) -> TableFile:
     try:
         frame = pl.scan_parquet(path)
@@ -113,7 +142,7 @@ def _parquet(path: Path, given: Mapping[str, str] | None) -> TableFile:
 
 def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFile:
     first, last = _ends(path)
-    separator = max(",;\t|", key=first.count)
+    separator = _separator(first)
     names = _cells(first, separator)
     if not first.strip() or all(_is_number(name) for name in names):
         raise InputError(f"{path} does not begin with a line of column names; give one, for example launch_speed")
@@ -174,6 +203,10 @@ def _ends(path: Path) -> tuple[str, str]:
         raise InputError(f"{path} is no text in UTF-8; save it as CSV, or give Parquet")
     lines = tail.splitlines()
     return first.decode("utf-8-sig", "replace"), lines[-1].decode("utf-8", "replace") if lines else ""
+
+
+def _separator(line: str) -> str:
+    return max(",;\t|", key=line.count)
 
 
 def _cells(line: str, separator: str) -> list[str]:

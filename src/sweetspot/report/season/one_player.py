@@ -7,12 +7,13 @@ from typing import Any
 
 import polars as pl
 
-from sweetspot.errors import InputError, nearest_names
+from sweetspot.errors import InputError
 from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Picture, Table
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.quantities import Reader
 from sweetspot.report.season.document import CANNOT, NO_FOULS, SeasonReport
 from sweetspot.report.sentences import Slot, joined, say
+from sweetspot.season.batters import unknown_batter
 from sweetspot.season.counted import WITH
 from sweetspot.season.standings import MEASURES
 from sweetspot.units import grouped
@@ -70,7 +71,7 @@ def _row_of(players: pl.DataFrame, batter: str) -> dict[str, Any]:
         if len(rows):
             return rows.row(0, named=True)
     known = players[asked[0] if batter.isdigit() else asked[-1]].drop_nulls().unique(maintain_order=True).to_list()
-    raise InputError(f"no batter {batter!r} in the tables. {nearest_names(batter, known)}")
+    raise unknown_batter(batter, known)
 
 
 def _measures(row: dict[str, Any]) -> Table:
