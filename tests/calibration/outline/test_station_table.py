@@ -62,6 +62,8 @@ def test_refusals(tmp_path: Path) -> None:
         ("position_in,diameter_mm", [(40.0, 50.0)], 0.8636, "off the bat"),
         ("position_in,diameter_mm", [], 1.1, "both ends"),
         ("position_in,diameter_mm", [(30.5, math.nan)], None, "line 37"),
+        ("in_from_tip,diameter_mm", [(6.0, 51.0)], 0.8636, r"two stations 0.1524 m \(6 in\) from the tip"),
+        ("position_in,diameter_mm", [(30.5, 200.0)], None, "call the column so"),
     ):
         with pytest.raises(InputError, match=message):
             read_outline(table(tmp_path / "bat.csv", heading, [*rows, *more]), length=length)

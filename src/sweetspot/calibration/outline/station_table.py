@@ -6,12 +6,14 @@ import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 
 from sweetspot.calibration.outline.measured_outline import Outline, closed
 from sweetspot.errors import InputError
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text, table_rows
 from sweetspot.units import INCH, shown
+from sweetspot.units.usual import USUAL, insisted
 
 UNITS = {"in": INCH, "inch": INCH, "inches": INCH, "mm": 1e-3, "cm": 1e-2, "m": 1.0}
 SIZES = {"diameter": 1.0, "dia": 1.0, "circumference": 1 / math.pi, "girth": 1 / math.pi, "radius": 2.0}
@@ -55,6 +57,8 @@ def read_stations(path: Path, *, length: float | None = None) -> Outline:
     stations = sorted((_number(row, where, number, path), _number(row, across, number, path))
                       for number, row in enumerate(rows[1:], start=2))  # fmt: skip
     _check_not_swapped(stations, rows[0], path)
+    _check_each_once(stations, where, path)
+    _check_not_girths(stations, rows[0][across.index], path)
     if where.from_tip:
         if length is None:
             raise InputError(f"{path} counts from the tip; say how long the bat is with --length")
@@ -69,6 +73,28 @@ def _check_not_swapped(stations: Sequence[tuple[float, float]], heading: Sequenc
         raise InputError(
             f"{path} goes {shown(reach)} along the bat and is {shown(thickest)} thick: the columns "
             f"{' and '.join(heading)} are swapped; put each heading over its own numbers"
+        )
+
+
+def _check_each_once(stations: Sequence[tuple[float, float]], where: _Column, path: Path) -> None:
+    for (place, size), (following, other) in pairwise(stations):
+        if place == following:
+            end = " from the tip" if where.from_tip else ""
+            raise InputError(
+                f"{path} has two stations {shown(place)}{end}, of {shown(size)} and {shown(other)}; "
+                "give each place once"
+            )
+
+
+def _check_not_girths(stations: Sequence[tuple[float, float]], heading: str, path: Path) -> None:
+    """Refuse a bat too thick to be one that is not when its sizes are taken for circumferences."""
+    thickest = max(size for _, size in stations)
+    usual = USUAL["greatest_diameter"]
+    if not insisted() and thickest > usual.high * usual.size and usual.holds(thickest / math.pi):
+        raise InputError(
+            f"{path} says under {heading} that the bat is {shown(thickest)} thick; usual is {usual.low:g} to "
+            f"{usual.high:g} {usual.unit}. A tape laid around it tells circumferences: call the column so, or mend the "
+            "unit, or add --force if it is meant"
         )
 
 
