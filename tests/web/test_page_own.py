@@ -25,6 +25,7 @@ def test_a_bat_is_weighed_tapped_and_carried_to_other_views(
     expect(page.locator(".lights .pass").filter(has_text="used")).to_have_count(2)
     expect(page.locator(".lights .fail").first).to_contain_text("doubled")
     expect(page.get_by_role("row", name="bending 1").first).to_contain_text("Hz")
+    expect(page.get_by_role("row", name="bending 1").first).to_contain_text("its own")
     expect(page.get_by_role("button", name="Leave out: bending 1")).to_be_visible()
     page.get_by_role("button", name="Put it on the bench").click()
     expect(page.locator("#bench-chip")).to_contain_text("calibrated")

@@ -72,7 +72,7 @@ def tap(state: OwnState) -> dict[str, Any]:
         "tones": [
             {"name": None if one.name is None else str(one.name), "frequency_hz": one.tone.frequency.value,
              "half_hz": REACH * one.tone.frequency.error, "damping_ratio": one.tone.damping_ratio.value,
-             "expected_hz": one.expected, "taps": one.tone.taps}
+             "expected_hz": one.expected, "taps": one.tone.taps, "own": one.tone.own}
             for one in test.tones
         ],
         "measured": [[name_of(one.mode), one.value.value, one.value.error] for one in named if one.mode is not None],

@@ -10,6 +10,7 @@ import { upload, whereTo } from "../upload.js";
 
 const LARGEST = 60e6; // bytes of a sound
 const PANELS = [{ title: "What rings, dB below the loudest", kind: "level_db", height: 150, empty: [-60, 0], lines: [{ key: "level", label: "the first good tap", color: "blue", width: 1.4 }] }];
+const ROOM = "room’s?: a tone that the room may have added, or the same mode in another plane. Such a tone holds less energy than another within 10 % of it, or less than a thousandth of the greatest.";
 /** @type {{ recordings: string[], found: any }} */
 const kept = { recordings: [], found: null }; // as long as the page is open
 
@@ -166,9 +167,9 @@ export class TapPlace {
     this.chart.label(`Spectrum of the tap; expected: ${said}.`);
     this.lights.show((found?.taps ?? []).map((/** @type {{ recording: number, time_s: number, good: boolean, fault: string | null }} */ { recording, time_s: time, good, fault }) => ({
       state: good ? "pass" : "fail", name: `${recording}, ${time.toFixed(2)} s`, words: good ? "used" : fault })));
-    this.tones.replaceChildren(...(found?.tones.length ? [tableOf("The tones of all good taps", ["Mode", "heard", "expected", "damping", "taps"], found.tones.map((/** @type {Answer} */ one) => [
+    this.tones.replaceChildren(...(found?.tones.length ? [tableOf("The tones of all good taps", ["Mode", "heard", "expected", "damping", "taps", "whose"], found.tones.map((/** @type {Answer} */ one) => [
       one.name ?? "no mode of this bat", `${one.frequency_hz.toFixed(1)} ± ${one.half_hz.toFixed(1)} Hz`, one.expected_hz ? `${one.expected_hz.toFixed(0)} Hz` : "–",
-      app.text("share", one.damping_ratio, 2), String(one.taps)]))] : []));
+      app.text("share", one.damping_ratio, 2), String(one.taps), one.own ? "its own" : "room’s?"])), ...(found.tones.every((/** @type {Answer} */ one) => one.own) ? [] : [make("p", { className: "note", textContent: ROOM })])] : []));
   }
 }
 
