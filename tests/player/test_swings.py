@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.errors import InputError
 from sweetspot.player.columns import columns_of, simplified
 from sweetspot.player.player_swing import PlayerSwing, check_enough
@@ -237,5 +238,7 @@ def test_too_few_swings_are_refused_unless_somebody_insists(tmp_path: Path) -> N
     swings = read(written(tmp_path, "bat_speed_mph,exit_speed_mph", "66,88", "67,90", "65,85")).swings
     with pytest.raises(InputError, match="5 are the fewest"):
         check_enough(swings, Path("swings.csv"))
+    with pytest.raises(InputError, match=r"used \(1 left out; row 4: no such file\); 5"):
+        check_enough(swings, Path("swings.csv"), [BadRow(4, "no such file")])
     with insisting():
         check_enough(swings, Path("swings.csv"))

@@ -184,7 +184,7 @@ def _read(file: Path, given: FileOptions) -> tuple[Swings, PlayerModel]:
     good = tuple(replace(one, bat="") if one.bat in same else one for one in good)
     others = {name: other for name, other in bats.items() if name not in same}
     rows = tuple(sorted((*table.bad_rows, *bad), key=lambda row: row.row))
-    check_enough(good, file)
+    check_enough(good, file, rows)
     good, thinned = evenly(good, MOST_SWINGS)
     assumed = () if given.bat else (f"No bat was named: the swings are taken as made with {own.name}; say --bat.",)
     swings = replace(table, swings=good, bad_rows=rows, notes=(*assumed, *table.notes, *notes, *thinned))

@@ -142,11 +142,12 @@ def check_speeds(swings: Sequence[PlayerSwing], path: Path) -> None:
         )
 
 
-def check_enough(swings: Sequence[PlayerSwing], path: Path) -> None:
-    """Refuse so few swings that the answers would be those for anybody."""
+def check_enough(swings: Sequence[PlayerSwing], path: Path, bad_rows: Sequence[BadRow] = ()) -> None:
+    """Refuse so few swings that the answers would be those for anybody, and say why others do not count."""
     if len(swings) < FEWEST and not insisted():
         noun = "swing" if len(swings) == 1 else "swings"
+        left = f" ({len(bad_rows)} left out; row {bad_rows[0].row}: {bad_rows[0].reason})" if bad_rows else ""
         raise InputError(
-            f"{path} has {len(swings)} {noun} that can be used; {FEWEST} are the fewest that tell anything of a "
+            f"{path} has {len(swings)} {noun} that can be used{left}; {FEWEST} are the fewest that tell anything of a "
             "player. Swing more, or add --force for what is usual for players"
         )

@@ -109,7 +109,7 @@ def _swings(state: PlayerState) -> Swings:
         try:
             swings = read_swings(path, length=own.length, pitch_speed=state.given_pitch_mph * MPH)
             good, _, bad, notes = bats_of(swings.swings, load=listed_bat)
-            check_enough(good, path)
+            check_enough(good, path, (*swings.bad_rows, *bad))
         except SweetspotError as error:
             raise FieldError("swings_csv", str(error).replace(str(path), "the table")) from None
     good, thinned = evenly(good, MOST_SWINGS)
