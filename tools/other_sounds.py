@@ -5,7 +5,8 @@
 No limit of `sweetspot.calibration` was set on these. A voice is a tube of ten sections whose areas glide from one vowel
 to another, driven by the flow through a glottis that opens and closes (Kelly and Lochbaum's lines, Rosenberg's pulse);
 a room is a box of walls that take a part of the sound (image sources); what clatters rings, falls back and rings again.
-Taps are those of the catalogue's implements of every sport, in a mode's two planes, once and in series.
+Taps are those on frame, shaft or blade of the catalogue's implements of every sport, in a mode's two planes, once and
+in series.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from sweetspot import catalog
 from sweetspot.calibration.recording import Band, Recording
 from sweetspot.calibration.synthetic import tap_sound
 from sweetspot.calibration.taps import Tap, find_taps
-from sweetspot.cli.tap_command import modes_to_name, usual_band
+from sweetspot.cli.tap_command import frame_modes, usual_band, usual_held
 from sweetspot.dynamics.modes import Modes
 
 Array = NDArray[np.float64]
@@ -221,7 +222,7 @@ def series(name: str, seed: int) -> tuple[tuple[Tap, ...], list[float], Modes]:
     """Return what is found in one to five taps of an implement, when it was tapped in s, and its modes."""
     generator = np.random.default_rng((seed, 11))
     implement = catalog.load_implement(name)
-    modes = modes_to_name(implement)
+    modes = frame_modes(implement)
     place = implement.length * generator.uniform(0.9, 0.99)
     taps = generator.integers(1, 6)
     parts = [generator.uniform(0.4, 1) * two_planes(generator, modes, place) for _ in range(taps)]
@@ -229,7 +230,7 @@ def series(name: str, seed: int) -> tuple[tuple[Tap, ...], list[float], Modes]:
     sound = np.concatenate([piece for part in parts for piece in (part / np.abs(part).max(), gap)])
     samples = recorded(generator, sound, live=seed % 2 == 0)
     when = [LEAD + number * (len(parts[0]) + len(gap)) / RATE for number in range(taps)]
-    return find_taps(Recording(name, samples, RATE), band=usual_band(modes)), when, modes
+    return find_taps(Recording(name, samples, RATE), band=usual_band(modes), held=usual_held(modes)), when, modes
 
 
 def main() -> None:

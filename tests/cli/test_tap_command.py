@@ -43,9 +43,12 @@ def test_a_bar_of_sizes(run: Run, sound: str) -> None:
     assert "What the doubt about E comes from: thickness" in out
 
 
-@pytest.mark.parametrize(("name", "at"), [("tennis-racket", "1cm-from-tip"), ("golf-driver", "50cm-from-tip")])
+@pytest.mark.parametrize(
+    ("name", "at"),
+    [("tennis-racket", "1cm-from-tip"), ("golf-driver", "50cm-from-tip"), ("table-tennis-racket", "1cm-from-tip")],
+)
 def test_other_sports(run: Run, run_json: Callable[..., Any], tmp_path: Path, name: str, at: str) -> None:
-    """Strings are held still; a club's lowest tone, 42 Hz, is looked for below a bat's band."""
+    """Strings are held still; a club's lowest tone, 42 Hz, is looked for below a bat's band; a blade damps most."""
     path = str(tmp_path / "sound.wav")
     assert run("tap", "--synthesise", name, "--at", at, "--listen-at", at, "--out", path)[0] == 0
     tones = run_json("tap", path, "--bat", name, "--at", at)["tones"]

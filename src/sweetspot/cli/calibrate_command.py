@@ -152,14 +152,15 @@ def _tapped(own: Implement, recordings: list[Path], at: list[str]) -> tuple[list
     from sweetspot.calibration.measurements import of_tones
     from sweetspot.calibration.recording import read_recording
     from sweetspot.calibration.tap_analysis import tap_test
-    from sweetspot.cli.tap_command import modes_to_name, tap_places
+    from sweetspot.cli.tap_command import modes_to_name, tap_places, usual_band, usual_held
 
     if not recordings:
         if at:
             raise InputError("--at was given without --tap; name the recordings")
         return [], None
     sounds = [read_recording(path) for path in recordings]
-    test = tap_test(sounds, modes=modes_to_name(own), positions=tap_places(own, at))
+    modes = modes_to_name(own)
+    test = tap_test(sounds, modes=modes, positions=tap_places(own, at), band=usual_band(modes), held=usual_held(modes))
     bending = [one.tone.damping_ratio for one in test.tones if one.name and one.name.family == "bending"]
     if not bending:
         raise InputError(

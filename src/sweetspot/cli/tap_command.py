@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 BELOW_FIRST = 0.6
 """Part of the lowest mode's frequency at which the band of a limp implement begins."""
+TIMES_OWN = 2.0
+"""Times the damping of the described implement's lowest mode, from which on it counts as held (assumed)."""
 PLACE = "1in-from-tip"
 """Where a sound that is made is tapped and heard, unless somebody says."""
 
@@ -47,7 +49,10 @@ class ListeningOptions:
     ] = None
     most_damping: Annotated[
         str | None,
-        Parameter(help="Damping ratio of the lowest loud tone above which the implement counts as held; default: 2%."),
+        Parameter(
+            help="Damping ratio of the lowest loud tone above which the implement counts as held; default: 2%, or "
+            "twice that of a --bat with more than 1%."
+        ),
     ] = None
 
 
@@ -104,14 +109,14 @@ def tap(
     if tapped.at and described is None:
         raise InputError("--at was given without --bat; say what was tapped")
     modes = None if described is None else modes_to_name(described)
-    output, bar, held = answer.into(out), _bar(tapped.bar, tapped.mass), _most_damping(listening.most_damping)
+    output, bar = answer.into(out), _bar(tapped.bar, tapped.mass)
     test = tap_test(
         [read_recording(path) for path in recordings],
         modes=modes,
         positions=[] if described is None else tap_places(described, tapped.at or []),
         bar=bar,
         band=usual_band(modes) if listening.band is None else _band(listening.band),
-        held=held,
+        held=usual_held(modes) if listening.most_damping is None else _most_damping(listening.most_damping),
     )
     title = "A tapped bar" if bar else described.name if described else "A tap"
     return present(tap_document(test, title), output)
@@ -136,6 +141,20 @@ def usual_band(modes: Modes | None) -> Band:
     return Band(min(BAT_BAND.low, BELOW_FIRST * float(modes.frequency[bending[0]])), BAT_BAND.high)
 
 
+def frame_modes(described: Implement) -> Modes:
+    """Return the modes that a tap on the frame, the shaft or the blade rings: strings and rubber are held still."""
+    modes = modes_to_name(described)
+    return modes.kept([index for index, family in enumerate(modes.families) if family != "face"])
+
+
+def usual_held(modes: Modes | None) -> float:
+    """Return the damping ratio from which on an implement counts as held: a blade of wood and rubber loses more."""
+    from sweetspot.calibration.tap_faults import HELD
+
+    bending = [] if modes is None else modes.of_family("bending")
+    return HELD if modes is None or not bending else max(HELD, TIMES_OWN * float(modes.damping_ratio[bending[0]]))
+
+
 def tap_places(described: Implement, texts: list[str], what: str = "--at") -> list[float]:
     """Return the places in m from the knob end that texts of an option name."""
     from sweetspot.equipment.implement import check_position
@@ -147,12 +166,9 @@ def tap_places(described: Implement, texts: list[str], what: str = "--at") -> li
     return places
 
 
-def _most_damping(text: str | None) -> float:
-    from sweetspot.calibration.tap_faults import HELD
+def _most_damping(text: str) -> float:
     from sweetspot.units import parse
 
-    if text is None:
-        return HELD
     ratio = parse(text, "ratio", "--most-damping")
     if not 0 < ratio < 1:
         raise InputError(f"--most-damping was given as {text}; allowed is more than 0 and less than 100 %: 2%")
@@ -202,9 +218,7 @@ def _synthesise(name: str, synthesis: SynthesisOptions, at: list[str], out: Path
     if len(places) > 1:
         raise InputError("--synthesise taps in one place; give --at once")
     listened = tap_places(described, [synthesis.listen_at or PLACE], "--listen-at")[0]
-    modes = modes_to_name(described)  # strings and rubber are held still, the frame is tapped
-    modes = modes.kept([index for index, family in enumerate(modes.families) if family != "face"])
-    sound = synthesised(modes, position=places[0], listened=listened, noise=noise, seed=seed)
+    sound = synthesised(frame_modes(described), position=places[0], listened=listened, noise=noise, seed=seed)
     path = out or Path(f"{Path(name).stem}-tap.wav")
     write_all({path: recording_bytes(sound, path)})
     print(f"sweetspot: wrote {path}", file=sys.stderr)
