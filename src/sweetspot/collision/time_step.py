@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from functools import cache
+from functools import lru_cache
 
 import numpy as np
 
@@ -17,6 +17,8 @@ SPEED = 30.0
 PHASE = 0.48
 """Largest step times the contact's angular frequency; q is then within 1e-4 on every face of the catalogue."""
 TERMS, HALVINGS = 10, 48
+KEPT = 8192
+"""Exponents whose first kick is kept: a few times the draws of one answer."""
 
 
 def contact_step(modes: Modes, ball: Ball, *, longest: float) -> float:
@@ -33,7 +35,7 @@ def contact_step(modes: Modes, ball: Ball, *, longest: float) -> float:
     return min(longest, PHASE / math.sqrt(slope * inverse_mass))
 
 
-@cache
+@lru_cache(maxsize=KEPT)
 def first_kick_after_touch(exponent: float) -> float:
     """Return how many steps after touch the first kick comes, so that the kicks of a force t^n add up to its integral.
 
