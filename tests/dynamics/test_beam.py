@@ -137,7 +137,7 @@ def test_a_measured_moi_alone_is_met() -> None:
     [
         ({"mass": 2.0}, "only at a density of"),
         ({"mass": 0.2}, "weighs 0.2 kg (7.055 oz), which"),
-        ({"mass": 0.2}, "wood can be 500 to 800"),
+        ({"mass": 0.2}, "wood can be 500 kg/m^3 (31.2 lb/ft^3) to 800 kg/m^3"),
         ({"balance_point": 0.5}, "weigh it and give the mass"),
         ({"mass": 0.93, "balance_point": 0.35}, "% towards the tip"),
         ({"mass": 0.93, "balance_point": 0.516, "moi": 0.1}, "the nearest that can be is"),
