@@ -40,6 +40,8 @@ ONLY_CONTACTS = {
 }  # fmt: skip
 """Quantities that contacts alone hang on."""
 BALLS, LEDGER, COUNTED, MARK = "balls", "ledger", "counted", "sweetspot"
+WRITTEN = 2
+"""What a task writes, counted up when that changes: answers of an earlier form are computed anew."""
 SIZE_SEEN = 1 << 16
 """Bytes of a file's beginning and end that go into the fingerprint of a plan."""
 
@@ -183,7 +185,7 @@ def plan_fingerprint(tables: tuple[TableFile, ...], setting: SeasonSetting, *, t
 
     digest = hashlib.blake2b(digest_size=16)
     kernels: tuple[Callable[..., Any], ...] = (solve, chances, fill_posteriors, expected_of)
-    for part in (__version__, task_rows, setting.system, sorted(setting.bats.items()),
+    for part in (__version__, WRITTEN, task_rows, setting.system, sorted(setting.bats.items()),
                  replace(setting.flight, threads=None),
                  *map(fingerprint, kernels)):  # fmt: skip
         digest.update(repr(part).encode())

@@ -166,13 +166,14 @@ def _bats(season: Season) -> str:
 
 
 def _relation(relation: PlaceRelation) -> Sentence:
+    towards_tip = -relation.weights[1] * FOOT / 0.3
     return say(
         "Learnt from {balls} swings: the ball is met {mean} from the tip on average, scattering by {spread} about what "
-        "the pitch's place says; a pitch {further} further outside is met {slope} nearer the tip; exit speeds are "
+        "the pitch's place says; a pitch {further} further outside is met {slope} {way} the tip; exit speeds are "
         "{level} beside the bat's and scatter by {noise} more than measuring errors do.",
         balls=grouped(relation.balls), mean=Slot(relation.marginal[0], "place"), spread=Slot(relation.spread, "place"),
         further=Slot(FOOT, "distance"),
-        slope=Slot(-relation.weights[1] * FOOT / 0.3, "place"), level=f"{round(100 * relation.level, 1) + 0.0:+.1f} %",
+        slope=Slot(abs(towards_tip), "place"), way="nearer" if towards_tip >= 0 else "further from", level=f"{round(100 * relation.level, 1) + 0.0:+.1f} %",
         noise=Slot(relation.noise, "speed"),
     )  # fmt: skip
 
