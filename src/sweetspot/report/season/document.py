@@ -173,7 +173,8 @@ def _relation(relation: PlaceRelation) -> Sentence:
         "{level} beside the bat's and scatter by {noise} more than measuring errors do.",
         balls=grouped(relation.balls), mean=Slot(relation.marginal[0], "place"), spread=Slot(relation.spread, "place"),
         further=Slot(FOOT, "distance"),
-        slope=Slot(abs(towards_tip), "place"), way="nearer" if towards_tip >= 0 else "further from", level=f"{round(100 * relation.level, 1) + 0.0:+.1f} %",
+        slope=Slot(abs(towards_tip), "place"), way="nearer" if towards_tip >= 0 else "further from",
+        level=f"{round(100 * relation.level, 1) + 0.0:+.1f} %",
         noise=Slot(relation.noise, "speed"),
     )  # fmt: skip
 
