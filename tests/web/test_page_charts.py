@@ -61,7 +61,7 @@ def test_the_pointer_reads_values_and_the_wheel_zooms_once_pressed(
     assert float(re.findall(r"[\d.]+", rows.last.locator("th").inner_text())[0]) == pytest.approx(
         0, abs=0.05
     )  # the tip
-    assert float(rows.first.locator("th").inner_text()) == pytest.approx(24.4, abs=0.1)  # where hits begin, from the tip
+    assert float(rows.first.locator("th").inner_text()) == pytest.approx(24.4, abs=0.1)  # where hits begin
 
 
 @pytest.mark.parametrize("name", CHARTS)
