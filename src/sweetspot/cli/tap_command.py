@@ -110,13 +110,15 @@ def tap(
         raise InputError("--at was given without --bat; say what was tapped")
     modes = None if described is None else modes_to_name(described)
     output, bar = answer.into(out), _bar(tapped.bar, tapped.mass)
+    band = usual_band(modes) if listening.band is None else _band(listening.band)
+    held = usual_held(modes) if listening.most_damping is None else _most_damping(listening.most_damping)
     test = tap_test(
         [read_recording(path) for path in recordings],
         modes=modes,
         positions=[] if described is None else tap_places(described, tapped.at or []),
         bar=bar,
-        band=usual_band(modes) if listening.band is None else _band(listening.band),
-        held=usual_held(modes) if listening.most_damping is None else _most_damping(listening.most_damping),
+        band=band,
+        held=held,
     )
     title = "A tapped bar" if bar else described.name if described else "A tap"
     return present(tap_document(test, title), output)
