@@ -48,7 +48,7 @@ if __name__ == "__main__":
 WRITES = """
 import sys, time
 from pathlib import Path
-from sweetspot.season.whole_files import written_whole
+from sweetspot.numerics.whole_files import written_whole
 
 with written_whole(Path(sys.argv[1])) as file:
     file.write(b"half")

@@ -32,6 +32,8 @@ from numba.core.runtime.nrt import rtsys
 from numba.core.serialize import dumps
 from numba.misc.appdirs import AppDirs
 
+from sweetspot.numerics.whole_files import written_whole
+
 PACKAGE = Path(__file__).parents[1]
 DIGEST_SIZE = 16
 PATIENCE = 120.0
@@ -142,15 +144,8 @@ class _KernelFiles(NullCache):
 
     def _keep(self, path: Path, content: bytes) -> None:
         try:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            with tempfile.NamedTemporaryFile(dir=path.parent, prefix=f"{self.name}-", delete=False) as file:
-                try:
-                    file.write(hashlib.blake2b(content, digest_size=DIGEST_SIZE).digest() + content)
-                    file.close()
-                    Path(file.name).replace(path)
-                except OSError:
-                    Path(file.name).unlink(missing_ok=True)
-                    raise
+            with written_whole(path) as file:
+                file.write(hashlib.blake2b(content, digest_size=DIGEST_SIZE).digest() + content)
             for other in path.parent.glob(f"{self.name}-*.kernel"):
                 if not other.name.startswith(f"{self.name}-{self.fingerprint}-"):
                     other.unlink(missing_ok=True)

@@ -12,8 +12,6 @@ until it agrees (`SPEED_ERROR`, `ANGLE_ERROR`); it is kept on disk under the fin
 from __future__ import annotations
 
 import hashlib
-import os
-import tempfile
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -30,6 +28,7 @@ from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.motion.swing_path import Swings, path_axes
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.kernel_cache import fingerprint, kernel_folder
+from sweetspot.numerics.whole_files import written_whole
 from sweetspot.season.surface_kernel import fill_ceilings, look_up
 from sweetspot.units import INCH, MPH, RPM
 
@@ -266,11 +265,7 @@ def _keep(surface: BatSurface) -> None:
     path = _file(surface.key)
     if path is None:
         return
-    with suppress(OSError):
-        path.parent.mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(dir=path.parent, suffix=".part")
-        with os.fdopen(handle, "wb") as file:
-            held: dict[str, Any] = {f"axis{number}": nodes for number, nodes in enumerate(surface.axes)}
-            held["numbers"] = np.array([*surface.along, surface.speed_error, surface.angle_error])
-            np.savez(file, **held, **{name: getattr(surface, name) for name in FIELDS})
-        Path(name).replace(path)
+    held: dict[str, Any] = {f"axis{number}": nodes for number, nodes in enumerate(surface.axes)}
+    held["numbers"] = np.array([*surface.along, surface.speed_error, surface.angle_error])
+    with suppress(OSError), written_whole(path) as file:
+        np.savez(file, **held, **{name: getattr(surface, name) for name in FIELDS})

@@ -21,13 +21,13 @@ import polars as pl
 from numpy.typing import NDArray
 
 from sweetspot.errors import InputError
+from sweetspot.numerics.whole_files import sweep, written_whole
 from sweetspot.season.answers import SeasonSetting, answer_columns, answers_of
 from sweetspot.season.counted import counted_rows
 from sweetspot.season.duplicates import with_duplicates
 from sweetspot.season.rows import USED, rows_of
 from sweetspot.season.table_file import TableFile
 from sweetspot.season.table_reader import TableReader
-from sweetspot.season.whole_files import sweep, written_whole
 
 TASK_ROWS = 32_768
 """Rows of a task; the answers of a row do not depend on it, what is held in memory at a time does."""
@@ -96,7 +96,7 @@ class Plan:
 def sweep_plan(plan: Plan) -> None:
     """Remove what killed processes left half written among the answers of a plan."""
     for name in (BALLS, LEDGER, COUNTED):
-        sweep(plan.folder / name)
+        sweep(plan.folder / name, "[0-9]*.parquet")
 
 
 def serial(plan: Plan) -> Plan:

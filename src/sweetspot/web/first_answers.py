@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import hashlib
 import multiprocessing
-import tempfile
 from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
@@ -17,6 +16,7 @@ from functools import cache
 from pathlib import Path
 
 from sweetspot.numerics.kernel_cache import PACKAGE, kernel_folder, turn_at
+from sweetspot.numerics.whole_files import written_whole
 from sweetspot.web.states import ViewState
 from sweetspot.web.views import VIEWS
 
@@ -51,10 +51,8 @@ def keep(question: Question, answer: bytes) -> None:
     if path is None:
         return
     with suppress(OSError):
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as file:
+        with written_whole(path) as file:
             file.write(answer)
-        Path(file.name).replace(path)
         for other in path.parent.glob(f"{path.name.rpartition('-')[0]}-*"):
             if other != path:
                 other.unlink(missing_ok=True)

@@ -21,9 +21,6 @@ try:
 except ImportError:  # Windows removes no file that somebody has open, which is as good as a lock
     locks = None
 
-WAITING = ".[0-9]*.parquet.*"
-"""What waiting files are called."""
-
 
 @contextmanager
 def written_whole(path: Path) -> Iterator[BinaryIO]:
@@ -63,9 +60,15 @@ def _opened(path: Path) -> tuple[Path, BinaryIO]:
         file.close()
 
 
-def sweep(folder: Path) -> None:
-    """Remove what killed writers left in a folder; what is being written, by whatever process, stays."""
-    for path in folder.glob(WAITING):
+def sweep(folder: Path, names: str) -> None:
+    """Remove what killed writers left of some files in a folder; what is being written, by whatever process, stays.
+
+    Parameters
+    ----------
+    folder : where the files are.
+    names : a pattern of what they are called, as `Path.glob` takes it.
+    """
+    for path in folder.glob(f".{names}.*"):
         with suppress(OSError), path.open("rb") as file:
             if locks is not None:
                 locks.flock(file, locks.LOCK_EX | locks.LOCK_NB)
