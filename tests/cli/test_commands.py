@@ -238,12 +238,6 @@ def test_output_folder_that_cannot_be_written(run: Run, tmp_path: Path) -> None:
     assert (tmp_path / "file").read_text() == "in the way" and list(tmp_path.iterdir()) == [tmp_path / "file"]
 
 
-def test_validate(run: Run) -> None:
-    code, out, err = run("validate", "--format", "json")
-    assert code == 0, err
-    assert len(json.loads(out)["rows"]) > 40
-
-
 def command(*arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run([sys.executable, "-m", "sweetspot", *arguments], capture_output=True, text=True, check=False)
 

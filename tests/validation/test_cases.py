@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import re
 import shutil
 import tomllib
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -23,6 +25,15 @@ BIBLIOGRAPHY = Path(sweetspot.__file__).parent / "references.bib"
 @pytest.fixture(scope="module")
 def found() -> tuple[Result, ...]:
     return validation.results()
+
+
+def test_the_command_tells_every_row_and_passes(
+    found: tuple[Result, ...], run: Callable[..., tuple[int, str, str]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(validation, "results", lambda: found)  # computed once for all tests here
+    code, out, err = run("validate", "--format", "json")
+    assert code == 0, err
+    assert len(json.loads(out)["rows"]) == len(found) > 40
 
 
 def copied(source: str, folder: Path, old: str, new: str) -> Path:

@@ -1,8 +1,6 @@
-"""The page for people who use a keyboard, a screen reader, large contrast or calm pictures: checked on every view.
+"""The page for people who use a keyboard, a screen reader, large contrast or calm pictures.
 
-The checks are our own, after the Web Content Accessibility Guidelines 2.2: names and roles of controls (4.1.2, 1.3.1),
-contrast of text (1.4.3: 4.5, or 3 for large text) and of what a control is known by (1.4.11: 3), order and visibility
-of the focus (2.4.3, 2.4.7), and pictures with words (1.1.1).
+What holds for every view is checked in test_page_every_view.py.
 """
 
 from __future__ import annotations
@@ -14,8 +12,6 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect
 
-from sweetspot.web.views import VIEWS
-
 Answered = Callable[..., int]
 CHECKS = Path(__file__).with_name("access.js").read_text(encoding="utf-8")
 
@@ -23,31 +19,6 @@ CHECKS = Path(__file__).with_name("access.js").read_text(encoding="utf-8")
 def check(page: Page, name: str) -> Any:
     """Return what one of the checks in access.js finds."""
     return page.evaluate(f"{CHECKS.rstrip()}.{name}()")
-
-
-@pytest.mark.parametrize("name", VIEWS)
-def test_every_view_by_keyboard_names_roles_and_contrast(
-    page: Page, server: str, settled: Callable[[Page], None], name: str
-) -> None:
-    page.goto(f"{server}/{name}")
-    settled(page)
-    reached_in_order_and_seen(page)
-    named_and_seen(page)
-
-
-def test_the_description_by_names_roles_and_contrast(page: Page, server: str) -> None:
-    page.goto(f"{server}/docs")
-    page.locator("section").first.wait_for()
-    named_and_seen(page)
-
-
-def named_and_seen(page: Page) -> None:
-    """Check names, roles and contrast of all that a page holds, in both themes."""
-    page.evaluate("document.querySelectorAll('details').forEach((details) => (details.open = true))")
-    assert check(page, "names") == []
-    assert check(page, "contrast") == []
-    page.evaluate("document.documentElement.dataset.theme = 'dark'")
-    assert check(page, "contrast") == []
 
 
 @pytest.mark.parametrize("theme", ["light", "dark"])
@@ -72,26 +43,6 @@ def contrast(one: str, other: str) -> float:
 
     low, high = sorted([light(one), light(other)])
     return (high + 0.05) / (low + 0.05)
-
-
-def reached_in_order_and_seen(page: Page) -> None:
-    """Check that Tab goes through all that can be used, in the order of the document, and each stop has an outline."""
-    page.evaluate(
-        "window.stops = [...document.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex]')]"
-        ".filter((element) => element.tabIndex >= 0 && !element.disabled && element.checkVisibility())"
-    )
-    reached = []
-    for _ in range(page.evaluate("window.stops.length") + 5):
-        page.keyboard.press("Tab")
-        place, seen = check(page, "stop")
-        if place < 0 or place in reached:
-            break
-        assert seen, page.evaluate("document.activeElement.outerHTML.slice(0, 120)")
-        reached.append(place)
-    radios = page.evaluate("window.stops.filter((stop) => stop.type === 'radio').length")
-    groups = page.evaluate("new Set(window.stops.filter((s) => s.type === 'radio').map((s) => s.name)).size")
-    assert reached == sorted(reached)
-    assert len(reached) == page.evaluate("window.stops.length") - (radios - groups)  # a group of radios is one stop
 
 
 def test_the_explorer_works_without_a_mouse(page: Page, server: str, answered: Answered) -> None:

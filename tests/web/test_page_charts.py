@@ -13,8 +13,6 @@ from sweetspot.web.views import VIEWS
 
 Answered = Callable[..., int]
 
-CHARTS = [name for name in VIEWS if name not in ("modes", "own", "season")]
-"""Views with charts of curves, maps or points at once; the modes stand in a table anyway, a season is read first."""
 SCROLLED = """new Promise((done) => {
   let last = NaN;
   const look = () => (scrollY === last ? done() : ((last = scrollY), requestAnimationFrame(look)));
@@ -62,18 +60,6 @@ def test_the_pointer_reads_values_and_the_wheel_zooms_once_pressed(
         0, abs=0.05
     )  # the tip
     assert float(rows.first.locator("th").inner_text()) == pytest.approx(24.4, abs=0.1)  # where hits begin
-
-
-@pytest.mark.parametrize("name", CHARTS)
-def test_every_curve_and_map_has_a_table(page: Page, server: str, settled: Callable[[Page], None], name: str) -> None:
-    page.goto(f"{server}/{name}")
-    settled(page)
-    tables = page.locator("summary:visible", has_text="as a table")
-    assert tables.count() >= 1
-    for table in tables.all():
-        table.click()
-    for table in page.locator(".numbers:visible").all():
-        expect(table.locator("tbody td", has_text=re.compile(r"\d")).first).to_be_visible()
 
 
 def test_a_picture_says_what_it_is_when_it_travels_alone(page: Page, server: str, answered: Answered) -> None:

@@ -1,43 +1,20 @@
-"""Small screens, large letters, the system's own colours and the keyboard alone: every view, the wizard, the drawer."""
+"""Small screens and the keyboard alone: the wizard, the drawer, and words; test_page_every_view.py has the views."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from typing import Any
 
 import pytest
 from playwright.sync_api import Page, expect
 
-from sweetspot.web.views import VIEWS
-
 Answered = Callable[..., int]
-ZOOMED = [(640, 450), (320, 225)]
-"""CSS pixels of a window of 1280 by 900 at 200 and at 400 %."""
 OUTSIDE = """() => [...document.querySelectorAll("body *")].filter((element) => {
   const { left, right, width } = element.getBoundingClientRect();
   const movable = ".scroll, .stations, .formula, pre, textarea, .top nav, .top .tools, .unseen, .skip";
   return width > 1 && (right > innerWidth + 1 || left < -1) && element.checkVisibility() && !element.closest(movable);
 }).map((element) => element.outerHTML.slice(0, 100))"""
-MARKED = """(place) => [...document.querySelectorAll(place)].map((element) => getComputedStyle(element).outlineStyle)"""
 OPEN = "document.querySelectorAll('#view details').forEach((details) => (details.open = true))"
-
-
-@pytest.mark.parametrize("name", VIEWS)
-def test_every_view_in_forced_colours_and_at_200_and_400_percent(
-    page: Page, server: str, settled: Callable[[Page], None], until: Callable[[Page, str], Any], name: str
-) -> None:
-    page.emulate_media(forced_colors="active", reduced_motion="reduce")
-    page.goto(f"{server}/{name}")
-    settled(page)
-    for chosen in ("#views [aria-current=page]", "#tools .switch input:checked + span"):
-        assert set(page.evaluate(MARKED, chosen)) == {"solid"}, chosen
-    page.evaluate(OPEN)
-    for width, height in ZOOMED:
-        page.set_viewport_size({"width": width, "height": height})
-        until(page, f"innerWidth === {width} && document.documentElement.scrollWidth <= {width}")
-        settled(page)
-        assert page.evaluate(OUTSIDE) == []
 
 
 def test_the_drawer_is_shut_in_a_low_window_and_opens_where_a_fault_lies(

@@ -9,13 +9,11 @@ from contextlib import contextmanager
 from typing import Any
 from urllib.parse import quote
 
-import pytest
 from playwright.sync_api import Browser, Page, Route, expect
 
 from sweetspot import catalog
 from sweetspot.catalog.files.write import bat_toml
 from sweetspot.web.run_server import listening, server_for
-from sweetspot.web.views import VIEWS
 
 Answered = Callable[..., int]
 Until = Callable[[Page, str], Any]
@@ -23,21 +21,6 @@ Until = Callable[[Page, str], Any]
 
 def field(page: Page, name: str) -> Any:
     return page.locator(f"[data-field={name}] input[type=number]")
-
-
-@pytest.mark.parametrize("name", VIEWS)
-def test_every_view_opens_by_its_address_alone_draws_and_fits_a_phone(
-    page: Page, server: str, settled: Callable[[Page], None], narrow: Callable[[Page], None], name: str
-) -> None:
-    asked: list[str] = []
-    page.on("request", lambda request: asked.append(request.url))
-    page.goto(f"{server}/{name}")
-    settled(page)
-    assert f"{server}/{name}" in asked and from_elsewhere(asked, server) == []
-    expect(page).to_have_title(re.compile(re.escape(VIEWS[name].title)))
-    expect(page.locator("#views [aria-current=page]")).to_have_text(VIEWS[name].title)
-    expect(page.locator("#fault")).to_be_hidden()
-    narrow(page)
 
 
 def test_the_address_is_the_state(page: Page, server: str, answered: Answered) -> None:
@@ -180,28 +163,6 @@ def test_a_view_opened_without_a_server_says_so_and_comes_with_it(
         expect(page.locator("[data-field=park] option")).not_to_have_count(1)  # the lists too
         expect(page.locator("#view canvas").first).to_be_visible()
         settled(page)
-
-
-def from_elsewhere(asked: list[str], server: str) -> list[str]:
-    """Return the addresses that are not the server's own."""
-    return [url for url in asked if not url.startswith((server, "data:", "blob:"))]
-
-
-def test_nothing_comes_from_elsewhere_to_the_description(page: Page, server: str) -> None:
-    asked: list[str] = []
-    page.on("request", lambda request: asked.append(request.url))
-    page.goto(f"{server}/docs")
-    expect(page.locator("h2", has_text="POST /api/v1/explorer").first).to_be_visible()
-    assert f"{server}/docs" in asked and from_elsewhere(asked, server) == []
-
-
-def test_the_description_of_the_api_is_readable_and_works(page: Page, server: str) -> None:
-    page.goto(f"{server}/docs")
-    section = page.locator("section", has=page.locator("h2", has_text="POST /api/v1/explorer")).first
-    expect(section).to_contain_text("pitch_speed_mph")
-    section.locator("summary").click()
-    section.get_by_role("button", name="Send").click()
-    expect(section.locator("pre")).to_contain_text("R161, white ash")
 
 
 def test_what_is_being_typed_stays_when_an_answer_comes(page: Page, server: str, answered: Answered) -> None:

@@ -24,11 +24,13 @@ from sweetspot.report.bat.outline_picture import bat_figure
 from sweetspot.report.file_set import write_all
 from sweetspot.report.hit.ledger import ENERGY_NAMES
 from sweetspot.report.hit.picture import hit_figure
+from sweetspot.report.pictures import files
 from sweetspot.report.pictures.files import png_bytes, save, svg_bytes
 from sweetspot.report.pictures.marks import ladder
 from sweetspot.report.sport_words import words_of
 from sweetspot.report.sweet_spots import SPOTS
 from sweetspot.units import INCH, MPH
+from tests.conftest import FEWER_DOTS
 from tests.report.pictures.labels import check_labels, texts
 
 
@@ -181,6 +183,14 @@ def test_files_are_the_same_every_time_and_settings_stay(analysis: Analysis, tmp
     assert path.read_bytes() == first
     assert dict(matplotlib.rcParams) == before
     assert [file.name for file in tmp_path.iterdir()] == ["hit.SVG"]
+
+
+def test_a_picture_has_200_dots_an_inch(analysis: Analysis, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(files, "DOTS_PER_INCH", FEWER_DOTS * files.DOTS_PER_INCH)
+    figure = hit_figure(analysis.best)
+    png = png_bytes(figure)
+    sides = [int.from_bytes(png[place : place + 4], "big") for place in (16, 20)]  # as PNG has them
+    assert sides == pytest.approx(200 * figure.get_size_inches(), abs=1)
 
 
 def test_a_name_in_another_script_is_no_trouble(analysis: Analysis) -> None:
