@@ -1,9 +1,9 @@
 """The compiled heart of `home_runs`: balls against every park, followed no further than the fences.
 
-Parks differ in their air by little, so a ball is flown at three densities (one, where all are alike) and every park's
-path lies on the parabola through them, moment by moment; that is right to a few millimetres at 130 m. One more flight,
-with more drag, says how the height at a fence changes with drag. Flights advance side by side in lanes, as in
-`compiled`; nothing is kept of a ball but its chances.
+Parks differ in their air by little, so a ball is flown at three densities and every park's path lies on the parabola
+through them, moment by moment; that is right to a few millimetres at 130 m. One more flight, with more drag, says how
+the height at a fence changes with drag. Flights advance side by side in lanes, as in `compiled`; nothing is kept of a
+ball but its chances.
 """
 
 from __future__ import annotations
@@ -28,9 +28,15 @@ MORE_DRAG = 0.1
 """Part of its drag coefficient that the extra flight has more."""
 TURNS, NO_MISS = 6, 1e-4
 """Most corrections of the moment at which a path passes the fence, and m beside it that call for none."""
-LANES, PATHS = 16, 4
-"""Flights side by side, and at most of one ball: three airs and more drag."""
+AIRS, MIDDLE = 3, 1
+"""Densities that every ball is flown at, and the one at which it is flown with more drag too."""
+LANES, PATHS = 16, AIRS + 1
+"""Flights side by side, and those of one ball."""
 BALLS = LANES // PATHS
+SETTLED = 6.5
+"""Standard deviations over or under a fence from which the chance is 1 or 0, right to 4e-11."""
+SMALL = 0.03
+"""rad up to which the arc tangent is its series; what is left out is below 1e-14."""
 # rows of the lanes' numbers: position, velocity, spin that is left, then these
 SPIN, STRENGTH, WIND, BRAKED = 7, 11, 12, 14
 ROWS = 15
@@ -51,7 +57,7 @@ def chances(
     Parameters
     ----------
     start : (11, n), position, velocity, spin, wind to the right and out.
-    densities : (k,), of the air, kg/m^3, thinnest first, at most 3; ``weights`` (m, k) mix them to each park's air.
+    densities : (3,), of the air, kg/m^3, thinnest first; ``weights`` (m, 3) mix them to each park's air.
     fences : (2, m, directions), distance and height of the fence every `TABLE_STEP` from one foul line to the other.
     nearest : m, no fence is nearer.
     drags, scatters : (m,), what each park adds to the drag coefficient, and standard deviation of the latter, as parts
@@ -59,9 +65,9 @@ def chances(
     per_density, law, power, profile : as `compiled.solve` takes them.
     chance, margin : (n, m).
     """
-    nodes, balls = len(densities), start.shape[1]
+    balls = start.shape[1]
     lanes, paths = np.zeros(ROWS * LANES), np.empty((MOST_POINTS, 6, LANES))
-    seen, lost = np.empty((MOST_POINTS, 6, nodes)), np.empty((MOST_POINTS, 2))
+    seen, lost = np.empty((MOST_POINTS, 6, AIRS)), np.empty((MOST_POINTS, 2))
     points, reach = np.empty(LANES, np.int64), np.empty(LANES)
     far = np.empty(balls, np.int64)
     count, farthest = 0, fences[0].max() + NEAR
@@ -79,22 +85,24 @@ def chances(
     for first in range(0, count, BALLS):
         for lane in range(LANES):
             ball, path = far[min(first + lane // PATHS, count - 1)], lane % PATHS
-            density = densities[path] if path < nodes else densities[nodes // 2]
-            _set_out(lanes, lane, start, ball, per_density * density, 1 + MORE_DRAG if path >= nodes else 1.0)
+            density = densities[path] if path < AIRS else densities[MIDDLE]
+            _set_out(lanes, lane, start, ball, per_density * density, 1 + MORE_DRAG if path == AIRS else 1.0)
         _fly(lanes, law, power, profile, farthest, paths, points, reach)
         for place in range(min(BALLS, count - first)):
             ball, lane = far[first + place], PATHS * place
-            last = points[lane : lane + nodes + 1].min()
+            last = points[lane : lane + PATHS].min()
             begin, end = _seen_from_home(paths, lane, last, nearest - NEAR, farthest, seen, lost)
             hint = begin + 1
             for park in range(len(weights)):
-                height, fall, hint = _over(seen, lost, begin, end, weights[park], fences[:, park], hint)
+                height, fall, hint = _over(seen, lost, begin, end, weights, fences, park, hint)
                 height -= fall * drags[park] / MORE_DRAG
                 margin[ball, park] = height
                 spread = max(abs(fall) * scatters[park] / MORE_DRAG, 1e-9)
-                chance[ball, park] = (
-                    0.5 * math.erfc(-height / spread / math.sqrt(2.0)) if math.isfinite(height) else 0.0
-                )
+                off = height / spread
+                if abs(off) < SETTLED:
+                    chance[ball, park] = 0.5 * math.erfc(-off / math.sqrt(2.0))
+                else:
+                    chance[ball, park] = 1.0 if off > 0 else 0.0
 
 
 @compiled(error_model="numpy")
@@ -181,44 +189,51 @@ def _seen_from_home(
     seen : (points, 6, airs).
     lost : (points, 2), what more drag takes of distance and height.
     """
-    nodes = seen.shape[2]
-    middle = lane + nodes // 2
+    middle, braked = lane + MIDDLE, lane + AIRS
     begin = 0
     while begin < last - 2 and paths[begin + 1, 0, middle] ** 2 + paths[begin + 1, 1, middle] ** 2 < near * near:
         begin += 1
     for point in range(begin, last):
         least = math.inf
-        for node in range(nodes):
+        x_middle, y_middle = paths[point, 0, middle], paths[point, 1, middle]
+        way = math.atan2(x_middle, y_middle)
+        for node in range(AIRS):
             x, y, z = paths[point, 0, lane + node], paths[point, 1, lane + node], paths[point, 2, lane + node]
             right, out, up = paths[point, 3, lane + node], paths[point, 4, lane + node], paths[point, 5, lane + node]
             far = max(math.sqrt(x * x + y * y), 1e-9)
-            seen[point, FAR, node], seen[point, WAY, node], seen[point, HIGH, node] = far, math.atan2(x, y), z
+            seen[point, FAR, node], seen[point, WAY, node], seen[point, HIGH, node] = far, way, z
+            aside = (x * y_middle - y * x_middle) / max(x * x_middle + y * y_middle, 1e-9)
+            if abs(aside) < SMALL:
+                square = aside * aside
+                seen[point, WAY, node] += aside * (1 - square * (1 / 3 - square * (1 / 5 - square * (1 / 7))))
+            else:
+                seen[point, WAY, node] = math.atan2(x, y)
             seen[point, FARTHER, node] = STEP * (x * right + y * out) / far
             seen[point, TURNED, node] = STEP * (right * y - out * x) / (far * far)
             seen[point, HIGHER, node] = STEP * up
             least = min(least, far)
         x, y, z = paths[point, 0, middle], paths[point, 1, middle], paths[point, 2, middle]
-        shorter = x * (paths[point, 0, lane + nodes] - x) + y * (paths[point, 1, lane + nodes] - y)
+        shorter = x * (paths[point, 0, braked] - x) + y * (paths[point, 1, braked] - y)
         lost[point, 0] = shorter / max(math.sqrt(x * x + y * y), 1e-9)
-        lost[point, 1] = paths[point, 2, lane + nodes] - z
+        lost[point, 1] = paths[point, 2, braked] - z
         if least > farthest:
             return begin, point + 1
     return begin, last
 
 
 @compiled(error_model="numpy")
-def _beyond(seen: Array, point: int, weights: Array, fence: Array) -> tuple[float, float]:
+def _beyond(seen: Array, point: int, weights: Array, fences: Array, park: int) -> tuple[float, float]:
     """Return how far beyond a fence a path is at a step, m, and its direction from home plate."""
     far, way = 0.0, 0.0
-    for node in range(len(weights)):
-        far += weights[node] * seen[point, FAR, node]
-        way += weights[node] * seen[point, WAY, node]
-    return far - _at(fence[0], way), way
+    for node in range(AIRS):
+        far += weights[park, node] * seen[point, FAR, node]
+        way += weights[park, node] * seen[point, WAY, node]
+    return far - _at(fences, 0, park, way), way
 
 
 @compiled(error_model="numpy")
 def _over(
-    seen: Array, lost: Array, begin: int, end: int, weights: Array, fence: Array, hint: int
+    seen: Array, lost: Array, begin: int, end: int, weights: Array, fences: Array, park: int, hint: int
 ) -> tuple[float, float, int]:  # fmt: skip
     """Return how high over a fence's top a ball passes, m, and what it loses of that by `MORE_DRAG`; NaN where foul.
 
@@ -227,15 +242,15 @@ def _over(
     point = min(max(hint, begin + 1), end - 1)
     if point <= begin:
         return math.nan, 0.0, hint
-    beyond, way = _beyond(seen, point, weights, fence)
+    beyond, way = _beyond(seen, point, weights, fences, park)
     before = beyond
     while beyond < 0:
         before, point = beyond, point + 1
         if point >= end:
             return math.nan, 0.0, end - 1
-        beyond, way = _beyond(seen, point, weights, fence)
+        beyond, way = _beyond(seen, point, weights, fences, park)
     while before >= 0 and point > begin + 1:
-        before, earlier = _beyond(seen, point - 1, weights, fence)
+        before, earlier = _beyond(seen, point - 1, weights, fences, park)
         if before >= 0:
             beyond, way, point = before, earlier, point - 1
     if abs(way) > BEHIND:
@@ -243,11 +258,11 @@ def _over(
     before = -1.0 if before >= 0 else before  # beyond already at the first step
     part = before / (before - beyond)
     low, high = 0.0, 1.0
-    turning, going = _step_of(seen, weights, point, WAY), _step_of(seen, weights, point, FAR)
+    turning, going = _step_of(seen, weights, park, point, WAY), _step_of(seen, weights, park, point, FAR)
     rate = going[3]
     for _ in range(TURNS):
         way = _within(turning, part)
-        miss = _within(going, part) - _at(fence[0], way)
+        miss = _within(going, part) - _at(fences, 0, park, way)
         if abs(miss) < NO_MISS:
             break
         if miss > 0:
@@ -259,23 +274,23 @@ def _over(
             part = (low + high) / 2
     if abs(way) > FOUL:
         return math.nan, 0.0, point
-    height = _within(_step_of(seen, weights, point, HIGH), part) - _at(fence[1], way)
-    middle = len(weights) // 2
-    outwards = max(seen[point, FARTHER, middle], STEP)
+    height = _within(_step_of(seen, weights, park, point, HIGH), part) - _at(fences, 1, park, way)
+    outwards = max(seen[point, FARTHER, MIDDLE], STEP)
     shorter = (1 - part) * lost[point - 1, 0] + part * lost[point, 0]
     lower = (1 - part) * lost[point - 1, 1] + part * lost[point, 1]
-    return height, seen[point, HIGHER, middle] / outwards * shorter - lower, point
+    return height, seen[point, HIGHER, MIDDLE] / outwards * shorter - lower, point
 
 
 @compiled(error_model="numpy")
-def _step_of(seen: Array, weights: Array, point: int, what: int) -> tuple[float, float, float, float]:
+def _step_of(seen: Array, weights: Array, park: int, point: int, what: int) -> tuple[float, float, float, float]:
     """Return what is known of a path at both ends of a step, and what it gains in a step there."""
     first, last, rise, fall = 0.0, 0.0, 0.0, 0.0
-    for node in range(len(weights)):
-        first += weights[node] * seen[point - 1, what, node]
-        last += weights[node] * seen[point, what, node]
-        rise += weights[node] * seen[point - 1, what + 3, node]
-        fall += weights[node] * seen[point, what + 3, node]
+    for node in range(AIRS):
+        weight = weights[park, node]
+        first += weight * seen[point - 1, what, node]
+        last += weight * seen[point, what, node]
+        rise += weight * seen[point - 1, what + 3, node]
+        fall += weight * seen[point, what + 3, node]
     return first, last, rise, fall
 
 
@@ -291,8 +306,9 @@ def _within(step: tuple[float, float, float, float], part: float) -> float:
 
 
 @compiled(error_model="numpy")
-def _at(table: Array, direction: float) -> float:
-    """Return the entry of an even table for a direction; beyond a foul line that of the line."""
-    place = min(max((direction + FOUL) / TABLE_STEP, 0.0), len(table) - 1.0)
-    left = min(int(place), len(table) - 2)
-    return float(table[left] + (place - left) * (table[left + 1] - table[left]))
+def _at(fences: Array, what: int, park: int, direction: float) -> float:
+    """Return distance (0) or height (1) of a park's fence in a direction; beyond a foul line that of the line."""
+    place = min(max((direction + FOUL) / TABLE_STEP, 0.0), fences.shape[2] - 1.0)
+    left = min(int(place), fences.shape[2] - 2)
+    low, high = fences[what, park, left], fences[what, park, left + 1]
+    return float(low + (place - left) * (high - low))

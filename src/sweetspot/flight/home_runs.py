@@ -27,7 +27,7 @@ from sweetspot.numerics.threads import in_parts
 CHUNK = 2048
 """Balls per task handed to a thread."""
 ALIKE = 1e-4
-"""kg/m^3; parks whose air differs by less share it."""
+"""kg/m^3 by which the airs that a ball is flown in differ at least."""
 DIRECTIONS = np.linspace(-FOUL, FOUL, round(2 * FOUL / TABLE_STEP) + 1)
 
 
@@ -127,7 +127,8 @@ def _airs(parks: tuple[Park, ...], air: Air, own_elevation: bool) -> tuple[Array
     """Return densities at which a ball is flown, and how they mix to the air of each park."""
     airs = [air.replaced(elevation=park.elevation) if own_elevation else air for park in parks]
     density = np.array([one.density for one in airs])
-    nodes = np.linspace(density.min(), density.max(), 3) if np.ptp(density) > ALIKE else density[:1]
+    apart = max(np.ptp(density) / 2, ALIKE)
+    nodes = (density.min() + density.max()) / 2 + apart * np.array([-1.0, 0.0, 1.0])
     return nodes, np.array([_weights(one, nodes) for one in density])
 
 
@@ -139,7 +140,7 @@ def _fences(parks: tuple[Park, ...]) -> tuple[Array, float]:
 
 
 def _weights(density: float, nodes: Array) -> list[float]:
-    """Return the weights of Lagrange's parabola through the nodes (or of the only one).
+    """Return the weights of Lagrange's parabola through the nodes.
 
     >>> [round(weight, 6) + 0.0 for weight in _weights(1.05, np.array([1.0, 1.1, 1.2]))]
     [0.375, 0.75, -0.125]
