@@ -104,11 +104,17 @@ def by_value(column: pl.Series, change: Callable[[pl.Expr], pl.Expr]) -> pl.Seri
     >>> by_value(pl.Series(["a", "b", None, "a"]), lambda text: text.str.to_uppercase()).to_list()
     ['A', 'B', None, 'A']
     """
-    values = column.unique().drop_nulls()
+    codes, values = _coded(column)
     if len(values) > len(column) // SELDOM:
         return pl.select(change(pl.lit(column))).to_series()
-    changed = pl.select(change(pl.lit(values))).to_series()
-    return changed.gather(column.cast(pl.Enum(values)).to_physical())
+    return pl.select(change(pl.lit(values))).to_series().gather(codes)
+
+
+def _coded(column: pl.Series) -> tuple[pl.Series, pl.Series]:
+    """Return which of its values stands in each row of a column of texts, and the values; in one pass over the rows."""
+    known = pl.Categories.random()
+    coded = column.cast(pl.Categorical(known))
+    return coded.to_physical(), known.to_series()
 
 
 class _Texts:
@@ -125,12 +131,11 @@ class _Texts:
         self.column = text
         if column.dtype.is_integer():
             return
-        values = text.unique().drop_nulls()
+        codes, values = _coded(text)
         if len(values) > len(text) // SELDOM:
             self.column = pl.select(tidy(pl.lit(text))).to_series()
             return
-        self.values = pl.select(tidy(pl.lit(values))).to_series()
-        self.number = text.cast(pl.Enum(values)).to_physical()
+        self.values, self.number = pl.select(tidy(pl.lit(values))).to_series(), codes
         if not self.values.equals(values, null_equal=True):
             self.column = self.values.gather(self.number)
 
