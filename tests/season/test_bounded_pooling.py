@@ -1,4 +1,4 @@
-"""Intervals of rates lie between 0 and 1 and hold the truth as often as they say, next to 0 and 1 too."""
+"""Intervals of groups' means hold as often as they say, of few groups too; those of rates lie between 0 and 1."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import pytest
 from numpy.typing import NDArray
 
 from sweetspot.numerics.arrays import Array
-from sweetspot.season.pooling import POSITIVE, pooled_groups
+from sweetspot.season.pooling import FEWEST_GROUPS, POSITIVE, pooled_groups
 from sweetspot.season.standings import BOUNDS
 
 SHARE = (0.0, 1.0)
@@ -96,6 +96,39 @@ def test_what_is_never_negative_has_intervals_above_zero_that_hold(spread: float
         above.append(np.mean(truth > told["high90"].to_numpy()))
     assert 0.45 < np.mean(halves) < 0.57 and 0.86 < np.mean(nines) < 0.94
     assert 0.02 < np.mean(below) < 0.07 and 0.03 < np.mean(above) < 0.08
+
+
+@pytest.mark.parametrize("count", [1, 2, 3])
+@pytest.mark.parametrize("groups", [1, 2, 3, 6])
+def test_few_balls_of_few_groups_have_wide_intervals_or_none(groups: int, count: int) -> None:
+    """One ball each tells nothing of how balls scatter: no interval, no reliability, and no error of 0."""
+    rng = np.random.default_rng(10 * groups + count)
+    nines, halves = [], []
+    for _ in range(300 if count > 1 else 3):
+        truth = rng.normal(5, 0.7, groups)
+        balls = rng.normal(truth[:, None], 1, (groups, count))
+        squares = np.sum((balls - balls.mean(axis=1, keepdims=True)) ** 2, axis=1)
+        table = groups_of(np.full(groups, count), balls.mean(axis=1), squares)
+        told, _ = pooled_groups(table, key="who")
+        near, _ = pooled_groups(table, key="who", bounds=POSITIVE)
+        assert told["reliability"].null_count() == (groups if count == 1 or groups < FEWEST_GROUPS else 0)
+        if count == 1:
+            for one in (told, near):
+                assert one.select("spread", "low50", "high50", "low90", "high90").null_count().row(0) == (groups,) * 5
+                assert one["pooled"].to_list() == one["mean"].to_list()
+            continue
+        assert (near["low90"] < near["low50"]).all() and (near["high90"] > near["high50"]).all()
+        halves.append(held(told, truth, 50))
+        nines.append(held(told, truth, 90))
+    if nines:
+        assert 0.42 < np.mean(halves) < 0.6 and 0.85 < np.mean(nines) < 0.95
+
+
+def test_one_ball_each_of_a_share_has_an_interval_all_the_same() -> None:
+    """Yes or no says by itself how it scatters: 3 of 8 players squared their only ball up."""
+    told, spread = pooled_groups(groups_of(np.ones(8), np.array([1.0] * 3 + [0.0] * 5)), key="who", bounds=SHARE)
+    assert np.isnan(spread.between) and told["reliability"].null_count() == 8
+    assert ((told["high90"] - told["low90"]) > 0.4).all() and told["low90"].min() >= 0  # type: ignore[operator]
 
 
 def test_groups_that_nothing_tells_apart_are_all_in_the_middle() -> None:

@@ -311,6 +311,9 @@ def test_held_out_exit_speeds_hold_in_every_band(tmp_path: Path) -> None:
         half, most = held("offset_in", low, high)
         assert 0.47 < half < 0.56, (low, half)  # of some 1,300 balls: +- 0.014
         assert 0.88 < most < 0.93, (low, most)
+    for low, high in ((-4, -1.8), (1.8, 4)):  # of 435 and 355 balls that were only grazed: +- 0.026 and 0.016
+        half, most = held("offset_in", low, high)
+        assert 0.44 < half < 0.58 and 0.86 < most < 0.95, (low, half, most)
     for low, high in ((-90.0, -8.0), (-8, -2), (-2, 4), (4, 10), (10, 16), (16, 22), (22, 90)):
         half, most = held("attack_angle", low, high)
         assert 0.46 < half < 0.54, (low, half)  # of 617 balls in the first: +- 0.02

@@ -13,7 +13,7 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.season import contact_kernel as kernel
 from sweetspot.season.balls import Balls, balls_of
 from sweetspot.season.contact import Contacts, ContactSetting, contacts, measures
-from sweetspot.season.fields import Fields, fields_of
+from sweetspot.season.fields import ELSEWHERE, Fields, fields_of
 from sweetspot.season.flight_columns import GLOVE, FlightColumns, FlightSetting, flown_balls
 from sweetspot.season.output_columns import CONTACT, FLIGHT, OutputColumn, System, Words, as_series, columns_of_other
 from sweetspot.season.swings import OUTCOMES
@@ -73,7 +73,7 @@ def answers_of(rows: pl.DataFrame, setting: SeasonSetting) -> Answers:
     rows : those that are used.
     """
     balls = balls_of(rows, pitches=setting.contact is not None)
-    clubs = rows["home_team"] if "home_team" in rows.columns else [None] * len(rows)
+    clubs = _clubs_at_home(rows) if "home_team" in rows.columns else [None] * len(rows)
     fields = fields_of(clubs, balls.season)
     warm = rows["temperature"].fill_null(np.nan).to_numpy() if "temperature" in rows.columns else np.full(
         len(rows), np.nan)  # fmt: skip
@@ -81,6 +81,14 @@ def answers_of(rows: pl.DataFrame, setting: SeasonSetting) -> Answers:
     bat_of = bats_of(rows, setting)
     met = None if setting.contact is None else contacts(balls, bat_of, setting.contact)
     return Answers(balls, fields, flown, met, bat_of)
+
+
+def _clubs_at_home(rows: pl.DataFrame) -> pl.Series:
+    """Return the home clubs of balls that were hit in their own parks, as far as a table tells."""
+    if "game_kind" not in rows.columns:
+        return rows["home_team"]
+    away = pl.col("game_kind").is_in(ELSEWHERE).fill_null(value=False)
+    return rows.select(pl.when(~away).then(pl.col("home_team"))).to_series()
 
 
 def bats_of(rows: pl.DataFrame, setting: SeasonSetting) -> NDArray[np.int64]:

@@ -17,6 +17,8 @@ from sweetspot.flight.park import FOUL_LINE, Park, fence_at
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import DEGREE
 
+ELSEWHERE = ("S", "E", "A")
+"""Kinds of games that are not played in the home club's own park: spring training, exhibition, All-Star Game."""
 ASIDE = 5 * DEGREE
 """rad by which a ball may pass a fence beside where it comes down."""
 

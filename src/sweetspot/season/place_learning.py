@@ -31,8 +31,8 @@ from sweetspot.units import INCH, MPH
 
 PLACE_WIDTHS = np.array([1e3, *[1 * INCH] * (len(PLACE) - 1)])
 SPREAD_WIDTHS = np.array([1e3, *[0.5] * (len(SPREAD) - 1)])
-LEVEL_WIDTHS = np.array([0.02, 0.01, 0.02])
-NOISE_WIDTHS = np.array([10.0, *[0.5] * (len(NOISE) - 3), 2.0, 2.0])
+LEVEL_WIDTHS = np.array([0.02, 0.01, 0.02, 0.05, 0.05])
+NOISE_WIDTHS = np.array([10.0, *[0.5] * (len(NOISE) - 5), *[2.0] * 4])
 """Standard deviations of the weights known beforehand, so that small tables do not run away: of the place in m, of the
 level as a part (restitution of balls, and bats that are not as described), of the others as logarithms."""
 NOISES = math.log(0.05 * MPH), math.log(40 * MPH)

@@ -8,7 +8,9 @@ whose logarithm is a sum over `SPREAD`; its exit speed is (1 + level) times the 
 pitch is: exit speed falls to both sides of the best place and cannot tell them apart, geometry can. The level goes with
 how much faster than usual a full swing was read: those were on average not quite so fast, and exit speeds do not keep
 up with what was read. A ball that is only grazed scatters by more than one met squarely, up and down by different
-amounts, and so does one met by a bat that goes up or down unusually. All weights are what makes the measured exit
+amounts, and so does one met by a bat that goes up or down unusually; of balls turned by more than `GRAZED` the level
+is another too, for the bat's table is least right there, and from there on both change at a rate of their own. All
+weights are what makes the measured exit
 speeds most likely, the places summed over (expectation and maximisation).
 """
 
@@ -29,14 +31,17 @@ from sweetspot.units import DEGREE, INCH, MPH
 SIX = ("outside", "height", "faster", "lost", "attack", "tilt")
 PLACE = ("one", *SIX, *(f"outside {name}" for name in SIX), *(f"{name} {name}" for name in SIX[1:]))
 SPREAD = ("one", *SIX)
-LEVEL = ("one", "faster", "turned")
-NOISE = ("one", *SIX, "attack attack", "turned", "turned either way")
-"""What each quantity is a sum over; products where there are two words. See `Circumstances` for their units."""
+FAR = ("far up", "far down")
+LEVEL = ("one", "faster", "turned", *FAR)
+NOISE = ("one", *SIX, "attack attack", "turned", "turned either way", *FAR)
+"""What each quantity is a sum over; `FAR` is how much further than `GRAZED` a ball was turned up or down, other two words
+are products. See `Circumstances` for their units."""
 USUAL_PLACE, USUAL_SPREAD = 6.5 * INCH, 1.8 * INCH
 """Before a table is read: middle of the stretch where hits are squared up [statcast], and scatter of contact."""
 TURNED = 0.7
-"""rad by which a ball leaves the bat's path that is hit about 1.4 in over or under the axis; beyond 1.2 times that the
-scatter of tracked balls grows no more."""
+"""rad by which a ball leaves the bat's path that is hit about 1.4 in over or under the axis."""
+GRAZED, MOST_TURNED = 1.2, 2.2
+"""Of that: 48 degrees, beyond which exit speeds go another way than before, and 88, the most there can be."""
 CENTRE, SCALE = (0.0, 0.75), (0.3, 0.25)
 """m, by which places over the plate are brought to about 0 and 1: outside, height."""
 SPEED, TILT = 5 * MPH, 6 * DEGREE
@@ -76,6 +81,7 @@ class Circumstances(NamedTuple):
         known = {**self._asdict(), "one": np.ones(len(self.outside))}
         if turned is not None:
             known |= {"turned": turned, "turned either way": np.abs(turned)}
+            known |= dict(zip(FAR, (np.maximum(way * turned - GRAZED, 0.0) for way in (1, -1)), strict=True))
         columns = [known[name] if name in known else np.prod([known[one] for one in name.split()], axis=0)
                    for name in names]  # fmt: skip
         return np.stack(columns, axis=-1)
@@ -103,8 +109,8 @@ def circumstances(balls: Balls, bat_speeds: SwingSpeeds) -> Circumstances:
 
 
 def turn_term(turned: Array) -> Array:
-    """Return by how much balls left the bat's path upwards, in `TURNED`, at most 1.2 either way; 0 where not known."""
-    return np.clip(np.nan_to_num(turned / TURNED), -1.2, 1.2)
+    """Return by how much balls left the bat's path upwards, in `TURNED`; 0 where not known."""
+    return np.clip(np.nan_to_num(turned / TURNED), -MOST_TURNED, MOST_TURNED)
 
 
 @dataclass(frozen=True)

@@ -5,9 +5,15 @@ from all groups (one-way analysis of variance). Then theta_j given n balls of me
 mu + R (m - mu) and the variance tau^2 (1 - R), R = tau^2 / (tau^2 + sigma^2 / n), which is the reliability at n balls:
 the correlation to be expected between two halves of n balls each.
 
-What has bounds, as a rate has 0 and 1, has intervals within them (`bounded_pooling`). What is only never negative, as a
-distance, has those of the gamma distribution with the same mean and variance: they begin above 0, and of groups with
-few balls they are as long upwards as such means scatter.
+Of a few groups, or a few balls each, neither variance is known well. So the intervals sum over tau, by the likelihood
+of all groups and a flat prior [gelman2006], and are those of Student's distribution with as many degrees of freedom as
+sigma has. Fewer than `FEWEST_GROUPS` tell nothing of tau: nothing is pooled there, and reliability is missing. One ball
+a group tells nothing of sigma: then intervals are missing too, for any would be a guess.
+
+What has bounds, as a rate has 0 and 1, has intervals within them (`bounded_pooling`), and those also of one ball each,
+for yes or no says by itself how it scatters. What is only never negative, as a distance, has those of the gamma
+distribution with the same mean and variance: they begin above 0, and of groups with few balls they are as long upwards
+as such means scatter.
 """
 
 from __future__ import annotations
@@ -24,7 +30,9 @@ from sweetspot.season.bounded_pooling import TAILS, Bounds, Scatter, bounded_int
 HALF = 0.674490
 """Standard deviations to either side that hold half of a normal distribution."""
 REACHES = {50: HALF, 90: REACH}
-"""Standard deviations to either side that hold so many percent."""
+"""Standard deviations to either side that hold so many percent of a normal distribution."""
+SPREADS: Array = 4 * (np.arange(61) / 60) ** 1.5
+"""tau over what groups' means scatter by, that are summed over: denser near zero, where few groups leave it unknown."""
 BALLS, MEAN, SQUARES = "balls", "mean", "squares"
 """Columns of what is added up of groups."""
 FEWEST_GROUPS = 5
@@ -40,7 +48,8 @@ class Spread:
     Parameters
     ----------
     mean : mu, of the groups.
-    within, between : sigma^2 and tau^2.
+    within, between : sigma^2 and tau^2; NaN where nothing tells of them: sigma with one ball a group, tau also with
+        fewer than `FEWEST_GROUPS`.
     balls, groups : how many.
     """
 
@@ -51,16 +60,15 @@ class Spread:
     groups: int
 
     def reliability(self, count: Array | float) -> Array:
-        """Return R at some numbers of balls.
+        """Return R at some numbers of balls, NaN where nothing tells how groups differ.
 
         >>> float(Spread(0.0, 9.0, 1.0, 100, 10).reliability(9.0))
         0.5
         """
         several = np.asarray(count, float)
         noise = self.within / np.maximum(several, 1e-9)
-        return np.where(
-            (several > 0) & (self.between > 0), self.between / np.maximum(self.between + noise, 1e-300), 0.0
-        )
+        told = np.where((several > 0) & (self.between > 0), self.between / np.maximum(self.between + noise, 1e-300), 0)
+        return np.where(np.isnan(self.between), np.nan, told)
 
 
 def spread_of(counts: Array, means: Array, squares: Array) -> Spread:
@@ -73,14 +81,14 @@ def spread_of(counts: Array, means: Array, squares: Array) -> Spread:
     squares : sum of squares about the group's own mean.
     """
     total, groups = counts.sum(), len(counts)
-    within = squares.sum() / max(total - groups, 1)
-    if groups < FEWEST_GROUPS or total <= groups or within <= 0:
-        return Spread(float(np.average(means, weights=counts)), float(within), 0.0, int(total), groups)
-    grand = np.average(means, weights=counts)
+    grand = float(np.average(means, weights=counts))
+    within = float(squares.sum() / (total - groups)) if total > groups else np.nan
+    if groups < FEWEST_GROUPS or np.isnan(within):
+        return Spread(grand, within, np.nan, int(total), groups)
     scatter = np.sum(counts * (means - grand) ** 2) - (groups - 1) * within
     between = max(scatter / (total - np.sum(counts**2) / total), 0.0)
-    weights = 1 / (between + within / counts)
-    return Spread(float(np.average(means, weights=weights)), float(within), float(between), int(total), groups)
+    weights = 1 / np.maximum(between + within / counts, 1e-300)
+    return Spread(float(np.average(means, weights=weights)), within, float(between), int(total), groups)
 
 
 def pooled(
@@ -100,7 +108,7 @@ def pooled(
     -------
     tuple
         a row per group: key, balls, mean, pooled, spread, low50, high50, low90, high90, reliability and percentile
-        among the groups by the pooled mean; and how balls and groups scatter.
+        among the groups by the pooled mean; and how balls and groups scatter. What nothing tells is missing.
     """
     value = pl.col(measure).cast(pl.Float64)
     table = (
@@ -125,41 +133,65 @@ def pooled_groups(table: pl.DataFrame, *, key: str, bounds: Bounds | None = None
     counts, means = table["balls"].cast(pl.Float64).to_numpy(), table["mean"].to_numpy()
     spread = spread_of(counts, means, table["squares"].to_numpy())
     trust = spread.reliability(counts)
-    centre = means if spread.groups < FEWEST_GROUPS else spread.mean + trust * (means - spread.mean)
-    if bounds is None:
-        error = _errors(counts, trust, spread)
-        ends = {percent: (centre - reach * error, centre + reach * error) for percent, reach in REACHES.items()}
-    elif bounds == POSITIVE:
-        error = _errors(counts, trust, spread)
-        ends = _positive_ends(centre, error)
+    centre = means if np.isnan(spread.between) else spread.mean + trust * (means - spread.mean)
+    if bounds is None or bounds == POSITIVE:
+        error = _errors(counts, means, centre, spread)
+        reaches = {percent: error * wider for percent, wider in _wider(spread).items()}
+        ends = _positive_ends(centre, reaches) if bounds == POSITIVE else {
+            percent: (centre - REACHES[percent] * reach, centre + REACHES[percent] * reach)
+            for percent, reach in reaches.items()
+        }  # fmt: skip
     else:
-        scatter = Scatter(spread.mean, spread.within, spread.between, spread.groups >= FEWEST_GROUPS)
+        scatter = Scatter(spread.mean, *np.nan_to_num([spread.within, spread.between]), spread.groups >= FEWEST_GROUPS)
         error, ends = bounded_intervals(counts, means, centre, scatter, bounds=bounds)
     rank = pl.Series(centre).rank("average")  # groups that nothing tells apart are all in the middle
     return table.select(key, "balls", "mean").with_columns(
-        pooled=pl.Series(centre), spread=pl.Series(error),
-        **{f"{side}{percent}": pl.Series(values) for percent, both in ends.items()
+        pooled=pl.Series(centre), spread=pl.Series(error, nan_to_null=True),
+        **{f"{side}{percent}": pl.Series(values, nan_to_null=True) for percent, both in ends.items()
            for side, values in zip(("low", "high"), both, strict=True)},
-        reliability=pl.Series(trust), percentile=100 * (rank - 0.5) / len(centre),
+        reliability=pl.Series(trust, nan_to_null=True), percentile=100 * (rank - 0.5) / len(centre),
     ), spread  # fmt: skip
 
 
-def _positive_ends(centre: Array, error: Array) -> dict[int, tuple[Array, Array]]:
+def _wider(spread: Spread) -> dict[int, float]:
+    """Return by how much wider intervals are, by their percent, for balls that tell sigma badly: Student's."""
+    from scipy.special import stdtrit
+
+    freedom = spread.balls - spread.groups
+    return {percent: float(stdtrit(freedom, upper)) / REACHES[percent] if freedom else np.nan
+            for percent, (_, upper) in TAILS.items()}  # fmt: skip
+
+
+def _positive_ends(centre: Array, errors: dict[int, Array]) -> dict[int, tuple[Array, Array]]:
     """Return the ends of gamma distributed intervals by their percent; one of no width where nothing scatters."""
     from scipy.special import gammaincinv
 
-    known = (centre > 0) & (error > 0)
-    shape = np.divide(centre, error, out=np.ones_like(centre), where=known) ** 2
+    ends = {}
+    for percent, error in errors.items():
+        known = (centre > 0) & (error > 0)
+        shape = np.divide(centre, error, out=np.ones_like(centre), where=known) ** 2
+        both = (np.where(known, centre / shape * gammaincinv(shape, tail), centre + 0 * error)
+                for tail in TAILS[percent])  # fmt: skip
+        ends[percent] = (next(both), next(both))
+    return ends
 
-    def end(tail: float) -> Array:
-        return np.where(known, centre / shape * gammaincinv(shape, tail), centre)
 
-    return {percent: (end(lower), end(upper)) for percent, (lower, upper) in TAILS.items()}
-
-
-def _errors(counts: Array, trust: Array, spread: Spread) -> Array:
-    """Return the standard deviations of what is told of the groups."""
-    if spread.groups < FEWEST_GROUPS:
-        return np.sqrt(spread.within / counts)
-    unsure = 1 / np.sum(1 / np.maximum(spread.between + spread.within / counts, 1e-300))  # of mu itself
-    return np.sqrt(spread.between * (1 - trust) + (1 - trust) ** 2 * unsure)
+def _errors(counts: Array, means: Array, centre: Array, spread: Spread) -> Array:
+    """Return the standard deviations of what is told of the groups, summed over tau; NaN where nothing tells them."""
+    noise = spread.within / counts
+    if np.isnan(spread.between):
+        return np.sqrt(noise)
+    size = np.std(means)
+    if not size > 0 or not spread.within > 0:
+        return np.sqrt(noise)
+    between = (size * SPREADS[:, None]) ** 2
+    weight = 1 / (between + noise)
+    total = weight.sum(axis=1)
+    mu = (weight @ means) / total
+    likely = 0.5 * np.sum(np.log(weight) - weight * (means - mu[:, None]) ** 2, axis=1) - 0.5 * np.log(total)
+    part = np.exp(likely - likely.max()) * np.gradient(SPREADS)
+    part /= part.sum()
+    trust = between * weight
+    middle = mu[:, None] + trust * (means - mu[:, None])
+    variance = between * (1 - trust) + (1 - trust) ** 2 / total[:, None]
+    return np.asarray(np.sqrt(part @ (variance + (middle - centre) ** 2)))

@@ -6,14 +6,15 @@ the ledger under the first reason that holds.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 import polars as pl
 from numpy.typing import NDArray
 
 from sweetspot.season.headings import UNITS, Headings, TableColumn
-from sweetspot.units import MPH
+from sweetspot.units import DEGREE, FOOT, MPH
 
 USED = "used"
 REASONS = {
@@ -28,7 +29,22 @@ REASONS = {
 """Why a row is where it is in the ledger, in the order in which they are asked."""
 SLOWEST, FASTEST = 1 * MPH, 125 * MPH
 """m/s of balls that were put in play."""
-DATES = ("%Y-%m-%d", "%m/%d/%Y", "%m/%d/%y", "%Y/%m/%d", "%d.%m.%Y", "%b %d, %Y")
+_SPEEDS, _TURNS, _RIGHT = (1 * MPH, 140 * MPH), (-math.pi, math.pi), (-math.pi / 2, math.pi / 2)
+POSSIBLE: Mapping[str, tuple[float, float]] = {
+    "bat_speed": _SPEEDS, "release_speed": _SPEEDS, "plate_speed": _SPEEDS, "attack_angle": _RIGHT, "tilt": _RIGHT,
+    "attack_direction": _RIGHT, "attack_to_right": _RIGHT, "launch_direction": _TURNS, "bearing": _TURNS,
+    "axial_offset": (-1.0, 1.0), "plate_side": (-15 * FOOT, 15 * FOOT), "plate_height": (-15 * FOOT, 15 * FOOT),
+    "distance": (0.0, 700 * FOOT), "hang_time": (0.0, 15.0), "temperature": (-40.0, 60.0),
+    "map_x": (-100.0, 400.0), "map_y": (-100.0, 400.0),
+    **{f"velocity_{axis}": (-200 * MPH, 200 * MPH) for axis in "xyz"},
+    **{f"acceleration_{axis}": (-300 * FOOT, 300 * FOOT) for axis in "xyz"},
+}  # fmt: skip
+"""SI, what a measurement can be at all; beyond it stands for something missing (0, -9999) or a slip, and is missing.
+Exit speed and launch angle decide by themselves whether a row counts."""
+DATES = ("%Y-%m-%d", "%m/%d/%Y", "%m/%d/%y", "%Y/%m/%d", "%d.%m.%Y", "%Y%m%d", "%m-%d-%Y", "%d-%b-%Y")
+WORDED_DATES = ("%b %d, %Y", "%B %d, %Y", "%d %b %Y", "%d %B %Y")
+FIRST_YEAR = 1900
+"""Before which 04/02/24 is no date of the year 24."""
 IN_PLAY = "in ?play|hit_into_play"
 FOUL, TIP = "foul", "foul.?tip"
 BUNTED = ("event", "words", "batted_type", "description")
@@ -65,8 +81,8 @@ def rows_of(frame: pl.DataFrame, headings: Headings, *, first: int = 0) -> pl.Da
     Returns
     -------
     DataFrame
-        also ``left`` (batter's side), ``day``, ``season`` and ``unreadable`` (how many measurements of the row were
-        written so that no number could be read).
+        also ``left`` (batter's side), ``day``, ``season``, ``unreadable`` (how many measurements of the row were
+        written so that no number could be read, and whether its date was) and ``beyond`` (how many cannot be).
     """
     columns = headings.columns
     words = {name: _Texts(frame[column.heading]) for name, column in columns.items() if column.kind == "text"}
@@ -79,15 +95,17 @@ def rows_of(frame: pl.DataFrame, headings: Headings, *, first: int = 0) -> pl.Da
         ),
     ).with_columns(*(text.column.alias(name) for name, text in words.items()))
     lost = [name for name in selected.columns if name.startswith("lost ")]
+    selected, beyond = _possible(selected)
     said = {name: words[of].turned(change) for name, (of, change) in _said(headings).items()}
     return (
         selected.with_row_index("row", offset=first)
         .with_columns(
             *(series.alias(name) for name, series in said.items()),
             unreadable=pl.sum_horizontal(lost) if lost else pl.lit(0, pl.Int32),
+            beyond=beyond,
             **{name: pl.lit(None, kind) for name, kind in MISSING.items() if name not in said},
         )
-        .with_columns(season=_season(headings))
+        .with_columns(season=_season(headings), unreadable=pl.col("unreadable") + _undated(headings))
         .drop(lost)
         .with_columns(reason=_reason(headings))
         .drop(name for name in said if name not in MISSING)
@@ -152,6 +170,29 @@ def tidy(text: pl.Expr) -> pl.Expr:
     return pl.when(plain != "").then(plain)
 
 
+def _possible(rows: pl.DataFrame) -> tuple[pl.DataFrame, pl.Expr]:
+    """Return rows without what cannot be, and how many measurements of each that were."""
+    wrong = {name: ~pl.col(name).is_between(*ends) for name, ends in POSSIBLE.items() if name in rows.columns}
+    if "map_x" in wrong and "map_y" in wrong:
+        nowhere = (pl.col("map_x") == 0) & (pl.col("map_y") == 0)
+        wrong |= {name: wrong[name] | nowhere for name in ("map_x", "map_y")}
+    if not wrong:
+        return rows, pl.lit(0, pl.UInt32)
+    flags = rows.select(condition.fill_null(value=False).alias(name) for name, condition in wrong.items())
+    hit = [column.name for column in flags.get_columns() if column.any()]
+    if not hit:
+        return rows, pl.lit(0, pl.UInt32)
+    kept = rows.with_columns(pl.when(~flags[name]).then(pl.col(name)).alias(name) for name in hit)
+    return kept, pl.lit(flags.select(pl.sum_horizontal(hit).cast(pl.UInt32)).to_series())
+
+
+def _undated(headings: Headings) -> pl.Expr:
+    """Return 1 for rows whose date is written so that no day could be read."""
+    if not headings.has("date"):
+        return pl.lit(0, pl.Int32)
+    return (pl.col("date").is_not_null() & pl.col("day").is_null()).cast(pl.Int32)
+
+
 def _number(frame: pl.DataFrame, column: TableColumn) -> pl.Expr:
     value = _as_float(frame, column)
     return pl.when(value.is_finite()).then(column.zero + column.factor * value)
@@ -175,7 +216,7 @@ def _said(headings: Headings) -> dict[str, tuple[str, Callable[[pl.Expr], pl.Exp
     """Return what is read out of texts: the quantity, and what becomes of its text."""
     conversions: dict[str, tuple[str, Callable[[pl.Expr], pl.Expr]]] = {}
     if headings.has("bats"):
-        conversions["left"] = ("bats", lambda text: text.str.to_lowercase().str.starts_with("l"))
+        conversions["left"] = ("bats", _left)
     elif headings.has("bats_left"):
         conversions["left"] = (
             "bats_left",
@@ -190,8 +231,23 @@ def _said(headings: Headings) -> dict[str, tuple[str, Callable[[pl.Expr], pl.Exp
         conversions["result in play"] = ("result_type", lambda text: text.str.to_uppercase() == "X")
     for name in BUNTED:
         if headings.has(name):
-            conversions[f"bunted by {name}"] = (name, lambda text: text.str.to_lowercase().str.contains("bunt"))
+            conversions[f"bunted by {name}"] = (name, _bunted_in_words if name == "words" else _bunted)
     return conversions
+
+
+def _left(text: pl.Expr) -> pl.Expr:
+    """Return whether a batter stood on the left; a switch hitter's S, or Undefined, tells no side."""
+    first = text.str.slice(0, 1).str.to_lowercase()
+    return pl.when(first.is_in(["l", "r"])).then(first == "l")
+
+
+def _bunted(text: pl.Expr) -> pl.Expr:
+    return text.str.to_lowercase().str.contains("bunt")
+
+
+def _bunted_in_words(text: pl.Expr) -> pl.Expr:
+    """Return whether a sentence tells of a bunt; names of people, which begin with a capital, do not count."""
+    return text.str.contains(r"\bbunt")
 
 
 def _fouled(text: pl.Expr) -> pl.Expr:
@@ -201,8 +257,9 @@ def _fouled(text: pl.Expr) -> pl.Expr:
 
 def _day(text: pl.Expr) -> pl.Expr:
     first = text.str.split(" ").list.first().str.split("T").list.first()
-    return pl.coalesce(*(first.str.to_date(form, strict=False) for form in DATES[:-1]),
-                       text.str.to_date(DATES[-1], strict=False))  # fmt: skip
+    days = (*(first.str.to_date(form, strict=False) for form in DATES),
+            *(text.str.to_date(form, strict=False) for form in WORDED_DATES))  # fmt: skip
+    return pl.coalesce(*(pl.when(day.dt.year() >= FIRST_YEAR).then(day) for day in days))
 
 
 def _season(headings: Headings) -> pl.Expr:

@@ -175,7 +175,8 @@ def analyse_season(
         why = (f"{sum(one[reason] for one in survey.counts)} {reason} ({words})" for reason, words in REASONS.items())
         raise InputError(
             f"{survey.tables[0].path}: none of {survey.rows} rows is a ball in play with an exit speed: "
-            f"{'; '.join(one for one in why if not one.startswith('0 '))}. Look at its columns with --show-columns"
+            f"{'; '.join(one for one in why if not one.startswith('0 '))}{_unread(survey)}. Look at its columns with "
+            "--show-columns"
         )
     chosen = setting or season_setting()
     swung = any(table.headings.has("bat_speed") for table in survey.tables)
@@ -192,6 +193,12 @@ def analyse_season(
     sweep_plan(plan)  # of workers that were killed, too
     shutil.rmtree(staging, ignore_errors=True)
     return Season(survey, chosen, folder)
+
+
+def _unread(survey: Survey) -> str:
+    """Return in how many rows something stands that is no number where one should be, in words."""
+    count = sum(warning.count for warning in survey.warnings if warning.name == "unreadable")
+    return f"; {count} rows hold words, or numbers with their unit, where a bare number should be" if count else ""
 
 
 def run_here(plan: Plan, progress: Progress | None = None, *, workers: int | None = None) -> None:

@@ -126,7 +126,8 @@ def text_columns(path: Path, quantities: Sequence[str], *, given: Mapping[str, s
 def _parquet(path: Path, given: Mapping[str, str] | None) -> TableFile:
     try:
         frame = pl.scan_parquet(path)
-        names = frame.collect_schema().names()
+        schema = frame.collect_schema()
+        names = schema.names()
         rows = int(frame.select(pl.len()).collect().item())
         if rows > path.stat().st_size:
             raise InputError(
@@ -137,6 +138,12 @@ def _parquet(path: Path, given: Mapping[str, str] | None) -> TableFile:
     headings = headings_of(names, given=given, file_name=str(path))
     if not rows:
         raise InputError(f"{path} has column names and no row; give one row per ball")
+    for column in headings.columns.values():
+        held = schema[column.heading]
+        if held.is_nested() or isinstance(held, pl.Duration | pl.Object):
+            raise InputError(
+                f"{path}: column {column.heading} holds {held} where a number or a word is needed; write one of these a row"
+            )
     return TableFile(path, path, headings, rows, torn=False, notes=headings.notes)
 
 
@@ -153,7 +160,8 @@ def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFil
         scanned = _scanned(path, separator, given)
         headings = headings_of(scanned[1], given=given, file_name=str(path))
         waiting = target.with_suffix(".part")
-        scanned[0].sink_parquet(waiting, row_group_size=32_768)
+        told = scanned[0].filter(~pl.all_horizontal(pl.all().is_null()))  # a blank line is no ball
+        told.sink_parquet(waiting, row_group_size=32_768)
         waiting.replace(target)
         rows = int(pl.scan_parquet(target).select(pl.len()).collect().item())
     except (pl.exceptions.PolarsError, OSError, EOFError, zlib.error) as error:

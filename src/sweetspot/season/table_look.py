@@ -14,16 +14,18 @@ from numpy.typing import NDArray
 from sweetspot.flight.bearing import bearing_of_place
 from sweetspot.season.balls import FIRST_MIDDLE_SEASON
 from sweetspot.season.duplicates import with_duplicates
-from sweetspot.season.fields import home_park
+from sweetspot.season.fields import ELSEWHERE, home_park
 from sweetspot.season.headings import Headings
-from sweetspot.season.rows import DATED, REASONED, REASONS, SIDED, TIP, USED, by_value, tells_pitches
+from sweetspot.season.rows import DATED, POSSIBLE, REASONED, REASONS, SIDED, TIP, USED, by_value, tells_pitches
 from sweetspot.season.table_file import TableFile
 from sweetspot.season.table_warnings import TableWarning
-from sweetspot.units import MPH, grouped, is_usual
+from sweetspot.units import DEGREE, MPH, grouped, is_usual
 
-LOOKED_AT = ("bat_speed", "velocity_y", "release_speed", "plate_speed", "plate_side", "map_x", "map_y", "home_team",
-             *REASONED, *SIDED, *DATED)  # fmt: skip
+LOOKED_AT = (*POSSIBLE, "home_team", "game_kind", *REASONED, *SIDED, *DATED)
 """Quantities that the first look asks of every row; of the others only whether they hold anything."""
+AGAIN, AGAIN_PART = 5, 0.005
+"""Balls of a part of a table that have the very same exit speed and angle, at least, and their part of it: tracked ones
+of a season stand a hundred times less often in the densest place."""
 SHOWN = 20
 """Rows named with a warning."""
 FEW = 50
@@ -84,6 +86,7 @@ class TableLook:
             if reason in counts:
                 self._note(name, rows, pl.col("reason") == reason)
         self._note("unreadable", rows, pl.col("unreadable") > 0)
+        self._note("cannot be", rows, pl.col("beyond") > 0)
         used = rows.filter(pl.col("reason") == USED) if counts.get(USED) != len(rows) else rows
         if headings.has("description"):
             self._note("foul tips", rows, pl.lit(by_value(rows["description"], _is_foul_tip)))
@@ -93,6 +96,9 @@ class TableLook:
             self._note("plate reference", used, late & tracked)
             self._note("plate not moved", used, late & ~tracked)
         self._note("side unknown", used, pl.col("left").is_null())
+        self._note_placeholders(used)
+        if headings.has("game_kind"):
+            self._note("other games", used, pl.col("game_kind").is_in(ELSEWHERE))
         if headings.has("bat_speed") and not headings.has("velocity_y"):
             speeds = [pl.col(name).is_not_null() for name in ("release_speed", "plate_speed") if headings.has(name)]
             told = pl.any_horizontal(speeds) if speeds else pl.lit(value=False)
@@ -104,6 +110,25 @@ class TableLook:
         self._doubt(used, used.gather_every(max(1, len(used) // DOUBTED)))
         if headings.has("event"):
             self.endings |= set(used["event"].drop_nulls().unique())
+
+    def _note_placeholders(self, used: pl.DataFrame) -> None:
+        """Note balls with an exit speed and launch angle that stand in the table again and again."""
+        if not self.table.headings.has("launch_angle"):
+            return
+        pair = {
+            "speed": (pl.col("exit_speed") / (0.1 * MPH)).round(),
+            "angle": (pl.col("launch_angle") / (0.1 * DEGREE)).round(),
+        }
+        often = used.group_by(**pair).len().filter(
+            (pl.col("len") >= max(AGAIN, AGAIN_PART * len(used))) & pl.col("angle").is_not_null()
+        ).sort("len", descending=True)  # fmt: skip
+        if len(often):
+            shown = "; ".join(
+                f"{row[0] / 10:.1f} mph at {row[1] / 10:.1f} degrees" for row in often.head(3).iter_rows()
+            )
+            self._note(
+                "placeholders", used.with_columns(**pair).join(often, on=["speed", "angle"], how="semi"), detail=shown
+            )
 
     def _doubt(self, used: pl.DataFrame, some: pl.DataFrame) -> None:
         """Note columns that seem to stand in each other's place, or in another unit, by some of the balls."""

@@ -242,8 +242,10 @@ def _players(players: Standing) -> Block:
 def _pooled(row: Mapping[str, Any], name: str) -> Cell:
     if row[name] is None:
         return None
-    scale = MEASURES[name][0]
-    return within(Interval(row[name], row[f"{name}_low90"], row[f"{name}_high90"]), scale)
+    scale, low, high = MEASURES[name][0], row[f"{name}_low90"], row[f"{name}_high90"]
+    if low is None:  # one ball of each player tells nothing of how balls scatter
+        return Slot(row[name], scale, unit=False)
+    return within(Interval(row[name], low, high), scale, unit=False)
 
 
 def _drag(months: Sequence[DragOfMonth]) -> Table:
@@ -264,9 +266,8 @@ def _groups(report: SeasonReport) -> Table:
     for name, spread in ({} if players is None else players.spreads).items():
         if spread.groups:
             label = MEASURES[name][1] if name in MEASURES else f"gain with {name.removeprefix(WITH)}"
-            rows.append(
-                [label, grouped(spread.groups), *(float(spread.reliability(count)) for count in (34, 100, 400))]
-            )
+            trust = (float(spread.reliability(count)) for count in (34, 100, 400))
+            rows.append([label, grouped(spread.groups), *(None if np.isnan(part) else part for part in trust)])
     return Table("Reliability: how well so many balls of a player tell him from the others", columns, rows)
 
 

@@ -20,6 +20,7 @@ from sweetspot.units import grouped
 
 TELLING = 0.05
 """Reliability below which players do not differ, and a percentile would be chance."""
+ENDS = ("low90", "high90")
 MOST_NAMED = 8
 """Batters whose numbers or names are told where one is not known."""
 KINDS = (("doubters", "doubter", "doubters"), ("mostly_gone", "mostly gone", "mostly gone"),
@@ -85,12 +86,12 @@ def _measures(row: dict[str, Any]) -> Table:
         trust = row[f"{name}_reliability"]
 
         def ends(width: str, name: str = name, scale: str = scale) -> Cell:
-            low, high = Slot(row[f"{name}_low{width}"], scale).bare, Slot(row[f"{name}_high{width}"], scale)
-            return joined([low, "to", high])
+            low, high = row[f"{name}_low{width}"], row[f"{name}_high{width}"]
+            return None if low is None else joined([Slot(low, scale).bare, "to", Slot(high, scale)])
 
         rows.append([
             words, Slot(row[name], scale), ends("50"), ends("90"), Slot(row[f"{name}_mean"], scale),
-            trust, f"{row[f'{name}_percentile']:.0f}" if trust > TELLING else None,
+            trust, f"{row[f'{name}_percentile']:.0f}" if (trust or 0.0) > TELLING else None,
         ])  # fmt: skip
     return Table("Against everybody in the tables", columns, rows)
 
@@ -103,11 +104,15 @@ def _bats(row: dict[str, Any]) -> list[Paragraph]:
     best = max(gains, key=lambda name: gains[name])
     if gains[best] <= 0:
         return [Paragraph("None of the bats tried gives more exit speed than the player's own.")]
-    low, high = (Slot(row[f"{WITH}{best}_{end}"], "speed_change", 1, sign=True) for end in ("low90", "high90"))
+    gain, ends = Slot(gains[best], "speed_change", 1, sign=True), [row[f"{WITH}{best}_{end}"] for end in ENDS]
+    if None in ends:
+        return [Paragraph(say("Of the bats tried {bat} would serve best: {gain} of exit speed on average; how sure that "
+                              "is so few balls do not tell.", bat=best, gain=gain))]  # fmt: skip
+    low, high = (Slot(end, "speed_change", 1, sign=True) for end in ends)
     words = say(
         "Of the bats tried {bat} would serve best: {gain} of exit speed on average ({low} to {high} in 90 % by chance "
         "alone; the error of the swing law comes on top).",
-        bat=best, gain=Slot(gains[best], "speed_change", 1, sign=True), low=low.bare, high=high,
+        bat=best, gain=gain, low=low.bare, high=high,
     )  # fmt: skip
     return [Paragraph(words)]
 
