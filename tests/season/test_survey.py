@@ -11,9 +11,11 @@ import numpy as np
 import polars as pl
 import pytest
 
+from sweetspot.errors import InputError
 from sweetspot.season import duplicates
 from sweetspot.season.balls import balls_of
 from sweetspot.season.rows import USED, rows_of
+from sweetspot.season.season_table import analyse_season, season_setting
 from sweetspot.season.survey import Survey, survey_tables
 from sweetspot.season.untracked import untracked_bias
 from tests.season.conftest import made_up
@@ -178,6 +180,81 @@ def test_one_bad_file_never_stops_the_others(table: Write, tmp_path: Path) -> No
     assert "is empty" in reasons["empty.csv"] and "no row" in reasons["header.csv"]
     assert "no column for exit speed" in reasons["other.csv"] and "is not a file" in reasons["none.csv"]
     assert all("\n" not in reason for reason in reasons.values())
+
+
+def test_what_cannot_be_is_missing_and_named(table: Write) -> None:
+    """Zeros and -9999 that stand for nothing, in six rows of sixty, each in another column."""
+    slips = {"bat_speed": 0.0, "release_speed": 0.0, "plate_x": -9999.0, "attack_angle": 900.0, "hit_distance_sc": -1}
+    row, frame = pl.int_range(pl.len()), made_up()
+    changes = {name: pl.when(row == number).then(value).otherwise(pl.col(name)).alias(name)
+               for number, (name, value) in enumerate(slips.items())}  # fmt: skip
+    nowhere = {name: pl.when(row == 5).then(0.0).otherwise(pl.col(name)) for name in ("hc_x", "hc_y")}
+    found = look(table(frame=frame.with_columns(*changes.values(), **nowhere)))
+    assert [one.rows for one in found.warnings if one.name == "cannot be"] == [[1, 2, 3, 4, 5, 6]]
+    rows = rows_of(found.tables[0].part(0, 60), found.tables[0].headings)
+    lost = [
+        rows[name].null_count() for name in ("bat_speed", "release_speed", "plate_side", "attack_angle", "distance")
+    ]
+    assert lost == [1] * 5 and rows["map_x"].null_count() == rows["map_y"].null_count() == 1
+    assert found.counts[0][USED] == 60
+
+
+def test_placeholders_are_named(table: Write) -> None:
+    frame = pl.concat([made_up(seed=seed) for seed in range(10)]).with_columns(game_pk=pl.int_range(pl.len()))
+    put_in = pl.int_range(pl.len()) % 20 == 0
+    frame = frame.with_columns(
+        launch_speed=pl.when(put_in).then(82.9).otherwise(pl.col("launch_speed")),
+        launch_angle=pl.when(put_in).then(-20.7).otherwise(pl.col("launch_angle").cast(pl.Float64)),
+    )
+    found = [one for one in look(table(frame=frame)).warnings if one.name == "placeholders"]
+    assert [(one.count, one.rows[:2], one.detail) for one in found] == [(30, [1, 21], "82.9 mph at -20.7 degrees")]
+
+
+def test_games_elsewhere_have_no_home_park(table: Write) -> None:
+    frame = made_up().with_columns(game_type=pl.Series(["S", "R", "E", "A", "F", "D"] * 10))
+    path = table(frame=frame)
+    assert warned(look(path), "other games") == 30
+    balls = analyse_season([path], setting=season_setting(contact=False), folder=path.parent / "out").balls().collect()
+    told = balls.group_by("game_type").agg(pl.col("home_run_here").count() > 0).sort("game_type").rows()
+    assert told == [("A", False), ("D", True), ("E", False), ("F", True), ("R", True), ("S", False)]
+
+
+@pytest.mark.parametrize("form", ["%m/%d/%y", "%Y%m%d", "%m-%d-%Y", "%d-%b-%Y", "%B %d, %Y", "%d %b %Y"])
+def test_days_as_people_write_them(table: Write, form: str) -> None:
+    days = pl.col("game_date").str.to_date().dt.strftime(form)
+    found = look(table(frame=made_up().with_columns(game_date=days)))
+    assert found.days[0] == (date(2024, 4, 1), date(2024, 8, 25)) and warned(found, "unreadable") == 0
+
+
+def test_a_day_that_cannot_be_read_is_told(table: Write) -> None:
+    days = pl.Series(["25/04/2024", "soon"] + ["2024-04-02"] * 58)
+    assert warned(look(table(frame=made_up().with_columns(game_date=days))), "unreadable") == 2
+
+
+def test_a_switch_hitter_s_letter_tells_no_side(table: Write) -> None:
+    sides = pl.Series(["L", "Right", "S", "Undefined", "l", "R"] * 10)
+    assert warned(look(table(frame=made_up().with_columns(stand=sides))), "side unknown") == 20
+
+
+def test_a_name_is_no_bunt(table: Write) -> None:
+    words = pl.Series(["Joe Bunting flies out.", "Joe Bunting out on a sacrifice bunt.", "Joe Day bunts out."] * 20)
+    assert look(table(frame=made_up().with_columns(des=words))).counts[0]["bunt"] == 40
+
+
+def test_blank_lines_are_no_balls(table: Write) -> None:
+    path = table()
+    path.write_text(path.read_text("utf-8") + "\n\n\n", "utf-8")
+    found = look(path)
+    assert found.rows == found.counts[0][USED] == 60
+
+
+def test_lists_and_words_with_units_are_told(table: Write, tmp_path: Path) -> None:
+    nested = made_up().with_columns(launch_speed=pl.concat_list("launch_speed"))
+    assert "column launch_speed holds List" in look(table("nested.parquet", nested)).faults[0][1]
+    path = tmp_path / "units.csv"
+    path.write_text("exit_speed_mph,launch_angle_deg\n98 mph,20\n97 mph,12\n", "utf-8")
+    with pytest.raises(InputError, match="2 rows hold words, or numbers with their unit"):
+        analyse_season([path], setting=season_setting(contact=False), folder=tmp_path / "out")
 
 
 def test_impossible_selected_empty_and_sides(table: Write) -> None:

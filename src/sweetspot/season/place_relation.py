@@ -34,8 +34,8 @@ SPREAD = ("one", *SIX)
 FAR = ("far up", "far down")
 LEVEL = ("one", "faster", "turned", *FAR)
 NOISE = ("one", *SIX, "attack attack", "turned", "turned either way", *FAR)
-"""What each quantity is a sum over; `FAR` is how much further than `GRAZED` a ball was turned up or down, other two words
-are products. See `Circumstances` for their units."""
+"""What each quantity is a sum over; `FAR` is how much further than `GRAZED` a ball was turned up or down, other two
+words are products. See `Circumstances` for their units."""
 USUAL_PLACE, USUAL_SPREAD = 6.5 * INCH, 1.8 * INCH
 """Before a table is read: middle of the stretch where hits are squared up [statcast], and scatter of contact."""
 TURNED = 0.7

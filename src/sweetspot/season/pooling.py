@@ -142,7 +142,8 @@ def pooled_groups(table: pl.DataFrame, *, key: str, bounds: Bounds | None = None
             for percent, reach in reaches.items()
         }  # fmt: skip
     else:
-        scatter = Scatter(spread.mean, *np.nan_to_num([spread.within, spread.between]), spread.groups >= FEWEST_GROUPS)
+        within, between = (0.0 if np.isnan(part) else part for part in (spread.within, spread.between))
+        scatter = Scatter(spread.mean, within, between, spread.groups >= FEWEST_GROUPS)
         error, ends = bounded_intervals(counts, means, centre, scatter, bounds=bounds)
     rank = pl.Series(centre).rank("average")  # groups that nothing tells apart are all in the middle
     return table.select(key, "balls", "mean").with_columns(

@@ -14,7 +14,7 @@ import polars as pl
 from numpy.typing import NDArray
 
 from sweetspot.season.headings import UNITS, Headings, TableColumn
-from sweetspot.units import DEGREE, FOOT, MPH
+from sweetspot.units import FOOT, MPH
 
 USED = "used"
 REASONS = {
@@ -31,11 +31,11 @@ SLOWEST, FASTEST = 1 * MPH, 125 * MPH
 """m/s of balls that were put in play."""
 _SPEEDS, _TURNS, _RIGHT = (1 * MPH, 140 * MPH), (-math.pi, math.pi), (-math.pi / 2, math.pi / 2)
 POSSIBLE: Mapping[str, tuple[float, float]] = {
-    "bat_speed": _SPEEDS, "release_speed": _SPEEDS, "plate_speed": _SPEEDS, "attack_angle": _RIGHT, "tilt": _RIGHT,
-    "attack_direction": _RIGHT, "attack_to_right": _RIGHT, "launch_direction": _TURNS, "bearing": _TURNS,
-    "axial_offset": (-1.0, 1.0), "plate_side": (-15 * FOOT, 15 * FOOT), "plate_height": (-15 * FOOT, 15 * FOOT),
-    "distance": (0.0, 700 * FOOT), "hang_time": (0.0, 15.0), "temperature": (-40.0, 60.0),
-    "map_x": (-100.0, 400.0), "map_y": (-100.0, 400.0),
+    "bat_speed": _SPEEDS, "release_speed": _SPEEDS, "plate_speed": (0.0, 140 * MPH), "attack_angle": _RIGHT,
+    "tilt": _RIGHT, "attack_direction": _RIGHT, "attack_to_right": _RIGHT, "launch_direction": _TURNS,
+    "bearing": _TURNS, "axial_offset": (-1.0, 1.0), "plate_side": (-15 * FOOT, 15 * FOOT),
+    "plate_height": (-15 * FOOT, 15 * FOOT), "distance": (0.0, 700 * FOOT), "hang_time": (0.0, 15.0),
+    "temperature": (-40.0, 60.0), "map_x": (-100.0, 400.0), "map_y": (-100.0, 400.0),
     **{f"velocity_{axis}": (-200 * MPH, 200 * MPH) for axis in "xyz"},
     **{f"acceleration_{axis}": (-300 * FOOT, 300 * FOOT) for axis in "xyz"},
 }  # fmt: skip

@@ -141,9 +141,7 @@ def _parquet(path: Path, given: Mapping[str, str] | None) -> TableFile:
     for column in headings.columns.values():
         held = schema[column.heading]
         if held.is_nested() or isinstance(held, pl.Duration | pl.Object):
-            raise InputError(
-                f"{path}: column {column.heading} holds {held} where a number or a word is needed; write one of these a row"
-            )
+            raise InputError(f"{path}: column {column.heading} holds {held}; write one number or one word a row")
     return TableFile(path, path, headings, rows, torn=False, notes=headings.notes)
 
 

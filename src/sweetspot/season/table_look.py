@@ -115,20 +115,15 @@ class TableLook:
         """Note balls with an exit speed and launch angle that stand in the table again and again."""
         if not self.table.headings.has("launch_angle"):
             return
-        pair = {
-            "speed": (pl.col("exit_speed") / (0.1 * MPH)).round(),
-            "angle": (pl.col("launch_angle") / (0.1 * DEGREE)).round(),
-        }
-        often = used.group_by(**pair).len().filter(
-            (pl.col("len") >= max(AGAIN, AGAIN_PART * len(used))) & pl.col("angle").is_not_null()
-        ).sort("len", descending=True)  # fmt: skip
+        speed, angle = pl.col("exit_speed") / (0.1 * MPH), pl.col("launch_angle") / (0.1 * DEGREE)
+        pairs = used.select("row", speed=speed.round(), angle=angle.round()).drop_nulls()
+        often = pairs.group_by("speed", "angle").len().sort("len", "speed", "angle", descending=True)
+        often = often.filter(pl.col("len") >= max(AGAIN, AGAIN_PART * len(used)))
         if len(often):
             shown = "; ".join(
-                f"{row[0] / 10:.1f} mph at {row[1] / 10:.1f} degrees" for row in often.head(3).iter_rows()
+                f"{speed / 10:.1f} mph at {angle / 10:.1f} degrees" for speed, angle, _ in often.head(3).rows()
             )
-            self._note(
-                "placeholders", used.with_columns(**pair).join(often, on=["speed", "angle"], how="semi"), detail=shown
-            )
+            self._note("placeholders", pairs.join(often, on=["speed", "angle"], how="semi"), detail=shown)
 
     def _doubt(self, used: pl.DataFrame, some: pl.DataFrame) -> None:
         """Note columns that seem to stand in each other's place, or in another unit, by some of the balls."""

@@ -44,10 +44,11 @@ WARNINGS: Mapping[str, str] = {
     "part off": "a column is missing that a part of the answers needs",
     "headings": "headings that needed care",
     "unreadable": "measurements that are no numbers, and dates that are none, are taken as missing",
-    "cannot be": "measurements that cannot be (a bat at 0 mph, -9999, a ball that came down at 0, 0) are taken as missing",
-    "placeholders": "the very same exit speed and launch angle again and again: most likely put in for balls that were not "
-    "measured; they count as they stand",
-    "other games": "games before the season or of All-Stars: they are not played in the club's own park, so there is no "
+    "cannot be": "measurements that cannot be (a bat at 0 mph, -9999, a ball that came down at 0, 0) are taken as "
+    "missing",
+    "placeholders": "the very same exit speed and launch angle again and again: most likely put in for balls that were "
+    "not measured; they count as they stand",
+    "other games": "games before the season or of All-Stars are not played in the club's own park, so there is no "
     "chance of a home run there; who wants the season alone takes them out",
     "swapped": "columns seem to stand in each other's place: mend the headings, every answer hangs on it",
     "unit": "numbers that are usual in another unit: check the unit of the column, every answer hangs on it",

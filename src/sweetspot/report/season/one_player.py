@@ -106,8 +106,10 @@ def _bats(row: dict[str, Any]) -> list[Paragraph]:
         return [Paragraph("None of the bats tried gives more exit speed than the player's own.")]
     gain, ends = Slot(gains[best], "speed_change", 1, sign=True), [row[f"{WITH}{best}_{end}"] for end in ENDS]
     if None in ends:
-        return [Paragraph(say("Of the bats tried {bat} would serve best: {gain} of exit speed on average; how sure that "
-                              "is so few balls do not tell.", bat=best, gain=gain))]  # fmt: skip
+        unsure = (
+            "Of the bats tried {bat} would serve best: {gain} of exit speed; so few balls do not tell how sure it is."
+        )
+        return [Paragraph(say(unsure, bat=best, gain=gain))]
     low, high = (Slot(end, "speed_change", 1, sign=True) for end in ends)
     words = say(
         "Of the bats tried {bat} would serve best: {gain} of exit speed on average ({low} to {high} in 90 % by chance "
