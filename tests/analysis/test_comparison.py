@@ -7,7 +7,7 @@ import pytest
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import exit_speed_of
-from sweetspot.analysis.comparison import Comparison, best_exit_speeds, compare, on_barrel
+from sweetspot.analysis.comparison import Comparison, best_exit_speeds, compare
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
@@ -68,7 +68,7 @@ def test_break_even_breaks_even(found: Comparison) -> None:
         swing = analysis.conditions.swing.replaced(bat_speed=other.break_even)
         (speed,) = best_exit_speeds(
             analysis.modes,
-            positions=on_barrel(analysis.scan.position, analysis.body),
+            positions=analysis.scan.position[analysis.scan.position > analysis.body.balance_point],
             swung=[analysis.conditions.replaced(swing=swing)],
         )
         assert speed == pytest.approx(found.reference.exit_speed.value, abs=1e-8)

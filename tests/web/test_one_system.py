@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sweetspot.units import shown, shown_mass
+from sweetspot.units import shown, shown_density, shown_mass
 from sweetspot.web.errors import FieldError, fault
 from sweetspot.web.one_system import in_one_system
 
@@ -16,7 +16,14 @@ def test_each_reader_sees_one_unit() -> None:
     assert words["si"] == "879 g balances 56.0 cm from the knob; a head of \N{MINUS SIGN}100 g"
 
 
-@pytest.mark.parametrize("words", ["", "at most 30 in (see there)", "a density of 301 kg/m^3 (2 kinds)"])
+def test_densities_speeds_and_distances_too() -> None:
+    """Exact."""
+    words = in_one_system(f"{shown_density(301)}; 31.29 m/s (70 mph); 100 m (328.1 ft); 0.05 kg m^2 (2734 oz in^2)")
+    assert words["us"] == "18.8 lb/ft³; 70.0 mph; 328 ft; 2734 oz in²"
+    assert words["si"] == "301 kg/m³; 31.3 m/s; 100.0 m; 500 kg cm²"
+
+
+@pytest.mark.parametrize("words", ["3 kg (2 kg)", "", "at most 30 in (see there)", "a density of 301 kg/m^3 (2 kinds)"])
 def test_other_words_stay(words: str) -> None:
     assert in_one_system(words) == {"us": words, "si": words}
 

@@ -207,11 +207,6 @@ def swung_conditions(
     return conditions.replaced(swing=swung, hands=hands.replaced(position=hands.position + moved))
 
 
-def on_barrel(positions: Array, body: RigidBody) -> Array:
-    """Return the positions beyond the balance point, where the best hit is looked for."""
-    return positions[positions > body.balance_point]
-
-
 def best_exit_speeds(modes: Modes, *, positions: Array, swung: Sequence[Conditions]) -> list[float]:
     """Return the greatest exit speed in m/s of hits at ``positions`` (m from the knob end, increasing), swing by swing.
 

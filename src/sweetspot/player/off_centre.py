@@ -31,8 +31,6 @@ CELL = ((-2, 0.125), (-1, 0.25), (0, 0.25), (1, 0.25), (2, 0.125))
 """Tabled offsets that belong to one of those, and what each counts: its own and half of the way to the next ones."""
 MEAN_ATTACKS = np.radians(np.linspace(-30.0, 30.0, 13))
 """Mean attack angles, less the usual one, for which the part of hits within `STEEPEST_LAUNCH` is tabled."""
-SCATTER_POINTS = 9
-"""Attack angles that one such mean is scattered to."""
 TOGETHER = 16
 """Swings worked on at once, which a processor's fast memory has room for."""
 NONE = 1e-200

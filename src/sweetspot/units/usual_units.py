@@ -25,7 +25,7 @@ WRITTEN: Mapping[str, Mapping[str, float]] = {
     "mass": {"oz": OUNCE, "lb": 16 * OUNCE, "g": 1e-3, "kg": 1.0},
     "speed": {"mph": MPH, "m/s": 1.0, "km/h": 1 / 3.6, "ft/s": FOOT},
     "moi": {"oz*in^2": OUNCE_INCH_SQUARED, "kg*m^2": 1.0, "kg*cm^2": 1e-4, "g*cm^2": 1e-7},
-    "density": {"kg/m^3": 1.0, "g/cm^3": 1e3},
+    "density": {"kg/m^3": 1.0, "g/cm^3": 1e3, "lb/ft^3": 16 * OUNCE / FOOT**3},
     "pressure": {"Pa": 1.0, "hPa": 100.0, "kPa": 1e3, "MPa": 1e6, "GPa": 1e9, "inHg": INCH_OF_MERCURY,
                  "psi": POUND_FORCE / INCH**2},
     "force": {"N": 1.0, "kN": 1e3, "lbf": POUND_FORCE},

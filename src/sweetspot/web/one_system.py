@@ -1,4 +1,4 @@
-"""Words of the library that tell lengths and weights in both systems, for readers of one."""
+"""Words of the library that tell quantities in both systems, for readers of one."""
 
 from __future__ import annotations
 
@@ -7,33 +7,35 @@ from functools import partial
 
 from sweetspot.report.quantities import SYSTEMS, Reader, System, with_minus_signs
 from sweetspot.report.sentences import Slot
-from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
+from sweetspot.units.usual_units import WRITTEN
 
+SCALES = {"oz": "mass", "in": "place", "ft": "distance", "mph": "speed", "lb/ft^3": "density", "oz in^2": "moi"}
+"""How a quantity is told that one of these stands beside; the other unit is an SI one."""
+SIZES = {unit: size for kind in ("length", "mass", "speed", "density", "moi") for unit, size in WRITTEN[kind].items()}
 NUMBER = r"-?\d[\d.]*(?:e[+-]?\d+)?"
-UNIT = r"kg m\^2|oz in\^2|kg|g|mm|m|oz|in"
-BOTH = re.compile(rf"({NUMBER}) ({UNIT}) \({NUMBER} (?:{UNIT})\)")
-"""As `sweetspot.units.shown` and `shown_mass` write them: '0.8382 m (33 in)'."""
-WEIGHTS = {"kg": 1.0, "g": 1e-3, "oz": OUNCE}
-LENGTHS = {"m": 1.0, "mm": 1e-3, "in": INCH}
-INERTIAS = {"kg m^2": 1.0, "oz in^2": OUNCE_INCH_SQUARED}
+METRIC, CUSTOMARY = r"kg m\^2|kg/m\^3|m/s|kg|g|mm|m", "|".join(map(re.escape, SCALES))
+BOTH = re.compile(
+    rf"(?P<number>{NUMBER}) (?:(?P<metric>{METRIC}) \({NUMBER} (?P<beside>{CUSTOMARY})\)"
+    rf"|(?P<customary>{CUSTOMARY}) \({NUMBER} (?:{METRIC})\))"
+)
+"""As `sweetspot.units.shown` and its like write them: '0.8382 m (33 in)'; or the other way round."""
 WALL_DIGITS = 3
 """Behind the point of inches or centimetres, of what is told in millimetres."""
 
 
 def in_one_system(words: str) -> dict[System, str]:
-    """Return words whose lengths and weights stand there in both systems, for readers of each.
+    """Return words whose quantities stand there in both systems, for readers of each.
 
     >>> in_one_system("its knob of 2.0 oz (57 g), 0.8382 m (33 in) from the tip")["us"]
     'its knob of 2.0 oz, 33.0 in from the tip'
+    >>> in_one_system("a density of 301 kg/m^3 (18.8 lb/ft^3)")["si"]
+    'a density of 301 kg/m³'
     """
     return {system: BOTH.sub(partial(_told, reader=reader), words) for system, reader in SYSTEMS.items()}
 
 
 def _told(found: re.Match[str], reader: Reader) -> str:
-    value, unit = float(found[1]), found[2]
-    if unit in INERTIAS:
-        return with_minus_signs(Slot(value * INERTIAS[unit], "moi").read(reader))
-    if unit in WEIGHTS:
-        return with_minus_signs(Slot(value * WEIGHTS[unit], "mass").read(reader))
+    unit = found["metric"] or found["customary"]
+    value = float(found["number"]) * SIZES[unit.replace(" ", "*")]
     digits = WALL_DIGITS if unit == "mm" else None
-    return with_minus_signs(Slot(value * LENGTHS[unit], "place", digits=digits).read(reader))
+    return with_minus_signs(Slot(value, SCALES[found["beside"] or unit], digits=digits).read(reader))

@@ -29,7 +29,7 @@ class PairsOf:
 
 
 LENGTH, MASS, MOI, FORCE = Of("length"), Of("mass"), Of("moi"), Of("force")
-FREQUENCY, STIFFNESS, LINEAR_DENSITY, ANGLE = Of("frequency"), Of("stiffness"), Of("linear density"), Of("angle")
+FREQUENCY, STIFFNESS, LINEAR_DENSITY = Of("frequency"), Of("stiffness"), Of("linear density")
 Length = Annotated[str, LENGTH]
 Mass = Annotated[str, MASS]
 Sizes = Annotated[tuple[tuple[str, str], ...], PairsOf("length", "length")]

@@ -39,7 +39,7 @@ BODY = {
     "filler": ("#e4dccb", "#8a7f68"),
 }
 """Fill and outline of a body, by its material's family."""
-FILL, FILL_EDGE, HOLLOW = "#c98f55", "#7d5733", "#f4efe6"
+FILL, HOLLOW = "#c98f55", "#f4efe6"
 STRING, RUBBER = "#9aa1a8", "#a63a32"
 SHADES = ((-1.0, -0.62, "#000000", 0.16), (-0.62, -0.3, "#000000", 0.06), (0.25, 0.62, "#fffffe", 0.20))
 """Bands of the radius (from, to, colour, strength) that make a round body look round; its white is not the paper's."""
