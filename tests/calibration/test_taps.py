@@ -13,25 +13,28 @@ from sweetspot.calibration.bar import SHEAR_SHAPE, Bar, bar_modulus, frequency_f
 from sweetspot.calibration.echoes import stands_out
 from sweetspot.calibration.hum import hum_taken_out
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.naming import ModeName, NamedTone
+from sweetspot.calibration.naming import UNIFORM, ModeName, NamedTone, named, uniform_bar
 from sweetspot.calibration.recording import BAT_BAND, Recording, in_band, read_recording
 from sweetspot.calibration.ring import REPEATABILITY, Tone
-from sweetspot.calibration.sinusoids import fit_sinusoids
+from sweetspot.calibration.sinusoids import Fit, Sinusoid, fit_sinusoids
 from sweetspot.calibration.synthetic import synthesised, tap_sound
 from sweetspot.calibration.tap_analysis import tap_test
 from sweetspot.calibration.tap_faults import (
     LOUDER,
     MOST_CANCELLED,
     MOST_DRIVEN,
+    SUCCESSIVE,
     blows,
     breaks_off,
     cancelled,
     driven_part,
     louder_later,
+    pitch_of,
     step_of,
 )
 from sweetspot.calibration.taps import find_taps
 from sweetspot.calibration.written import parse_measured
+from sweetspot.cli.tap_command import modes_to_name
 from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
@@ -309,6 +312,30 @@ def test_a_held_note_is_no_tap() -> None:
         assert good or "Hz does not die away" in (tap.fault or "")
 
 
+@pytest.mark.parametrize(("pitch", "numbers"), [(137.0, (1, 2, 3, 4)), (260.0, (2, 3, 5, 6))])
+def test_multiples_of_one_frequency_are_a_voice(pitch: float, numbers: tuple[int, ...]) -> None:
+    """A vowel that fades out is a sum of damped sinusoids too, but one whose frequencies are successive multiples."""
+    rate = 16000.0
+    time = np.arange(round(0.6 * rate)) / rate
+    vowel = sum(np.sin(2 * np.pi * number * pitch * time + number) for number in numbers) * np.exp(-9 * time)
+    sound = 0.1 * np.concatenate([np.zeros(round(0.3 * rate)), vowel])
+    sound += 1e-4 * np.random.default_rng(1).standard_normal(len(sound))
+    (tap,) = find_taps(Recording("vowel", sound, rate), band=BAT_BAND)
+    assert f"multiples of {pitch:.0f} Hz" in (tap.fault or "")
+
+
+def test_no_implement_rings_in_multiples_of_one_frequency() -> None:
+    """The modes of every bat, racket, club and stick of the catalogue, and of bars, taken as loud as each other."""
+    bodies = [170.0 * np.array(UNIFORM)]
+    for name in [*catalog.bat_names(), *catalog.implement_names()]:
+        frequency = modes_to_name(catalog.load_implement(name)).frequency
+        bodies.append(np.sort(frequency[(frequency > BAT_BAND.low) & (frequency < BAT_BAND.high)]))
+    for body in bodies:
+        tones = tuple(Sinusoid(Measured(float(one), 0.1), Measured(0.005, 1e-4), 1.0) for one in body)
+        for count in range(SUCCESSIVE, len(tones) + 1):
+            assert pitch_of(Fit(tones[:count], 0.0, np.zeros(8000), np.zeros(8000), 16000.0)) is None
+
+
 def test_a_room_s_tones_do_not_stand_out(modes: Modes) -> None:
     """A bat in a made-up room: tones that stand out are the bat's, and the named lowest two are among them."""
     dry = synthesised(modes, position=0.813, listened=0.80, taps=2)
@@ -425,6 +452,23 @@ def test_the_tapped_steel_bar() -> None:
     assert test.bar.modulus.relative < 0.015
 
 
+def test_a_bar_whose_first_tone_was_not_heard() -> None:
+    """A spruce brace of 11 GPa: as "bending 1" the third tone would make it stiffer than diamond for its weight."""
+    brace = Bar(Measured(0.4, 2e-4), Measured(0.012, 5e-5), Measured(0.008, 5e-5), Measured(0.01613, 1e-4))
+    heard = [(713.4, 1.0), (1346.7, 0.1), (1373.8, 0.54), (2221.3, 0.15)]
+    tones = [Tone(Measured(one, 1.0), Measured(0.007, 1e-4), level, 1) for one, level in heard]
+    found = named(tones, [uniform_bar(brace.usual_first_tone)])
+    assert [str(one.name) for one in found] == ["bending 2", "None", "bending 3", "bending 4"]
+    assert all(one.expected is None for one in found)
+    modulus = bar_modulus(brace, found).modulus
+    assert modulus.low < 11e9 < modulus.high
+
+
+def test_a_bar_of_no_substance() -> None:
+    with pytest.raises(InputError, match=r"density of 7.85e\+06 kg/m3; allowed is 20 to 23000: check the units"):
+        replace(STEEL_BAR, mass=Measured(71.3, 0.1))
+
+
 def test_quantities_as_people_write_them() -> None:
     assert parse_measured("31.2oz", "mass").relative == pytest.approx(0.1 / 31.2)
     assert parse_measured("22.4in ± 2mm", "length").error == pytest.approx(0.002)
@@ -439,12 +483,12 @@ def test_what_nobody_described_has_tones_and_no_names() -> None:
     """Tones of a free steel bar have no mode's name of a bat, even where some ratio fits; a bat's have."""
     rate = 22050.0
     time = np.arange(int(rate)) / rate
-    for tones, named in (((1279.0, 3525.6), False), ((172.0, 572.8, 1118.0), True)):
+    for tones, like_a_bat in (((1279.0, 3525.6), False), ((172.0, 572.8, 1118.0), True)):
         ring = sum(np.exp(-8 * tone / tones[0] * time) * np.sin(2 * np.pi * tone * time) for tone in tones)
         sound = np.concatenate([np.zeros(int(0.2 * rate)), 0.2 * ring])
         sound += 1e-5 * np.random.default_rng(1).standard_normal(len(sound))
         test = tap_test([Recording("a", sound, rate)])
-        assert any(one.name is not None for one in test.tones) == named
+        assert any(one.name is not None for one in test.tones) == like_a_bat
 
 
 def test_a_bar_has_sizes_and_rings_in_bending(modes: Modes, sound: Recording) -> None:

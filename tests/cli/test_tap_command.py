@@ -34,9 +34,10 @@ def test_there_and_back(run_json: Callable[..., Any], sound: str, tmp_path: Path
     assert json.loads((out / "tap.json").read_text()) == found
 
 
-def test_a_bar_of_sizes(run: Run, sound: str) -> None:
+@pytest.mark.parametrize("sizes", ["500mm x 40mm x 10mm", "50 \u00d7 4.0 \u00d7 1.0 cm"])
+def test_a_bar_of_sizes(run: Run, sound: str, sizes: str) -> None:
     """The sound of a bat taken for a bar's still goes the whole way; its first tone counts as the bar's."""
-    code, out, _ = run("tap", sound, "--bar", "500mm x 40mm x 10mm", "--mass", "0.14kg±1g", "--units", "si")
+    code, out, _ = run("tap", sound, "--bar", sizes, "--mass", "0.14kg±1g", "--units", "si")
     assert code == 0
     assert "3 of 3 taps used" in out
     assert "700 ± " in out  # kg/m^3: 0.14 kg / (0.5 x 0.04 x 0.01) m^3

@@ -31,6 +31,11 @@ STEP = 0.1
 """Of a standard error, in the derivatives."""
 THICKEST = 0.2
 """Of the length; a thicker bar is no beam."""
+SPEED = 4000.0
+"""sqrt(E / rho) in m/s of a bar that nobody has tapped: the middle of lead's 1,200 and beryllium's 12,900 m/s, between
+which solids lie (both recalled); steel, aluminium, glass and spruce along its grain have about 5,000."""
+LIGHTEST, DENSEST = 20.0, 23000.0
+"""kg/m^3 of a bar, from foams to osmium (recalled): what lies outside is a slip of a unit."""
 
 
 @dataclass(frozen=True)
@@ -51,6 +56,21 @@ class Bar:
                 f"the bar is {1e3 * self.thickness.value:.4g} mm thick and {1e3 * self.length.value:.4g} mm long; "
                 f"allowed is a thickness up to {THICKEST:g} of the length: give length x width x thickness"
             )
+        if not LIGHTEST <= self.density <= DENSEST:
+            raise InputError(
+                f"the bar's sizes and mass give a density of {self.density:.3g} kg/m3; allowed is {LIGHTEST:g} to "
+                f"{DENSEST:g}: check the units"
+            )
+
+    @property
+    def density(self) -> float:
+        """kg/m^3."""
+        return self.mass.value / (self.length.value * self.width.value * self.thickness.value)
+
+    @property
+    def usual_first_tone(self) -> float:
+        """Hz, of the lowest bending mode were sqrt(E / rho) `SPEED`: Euler's slender beam."""
+        return ROOTS[0] ** 2 * self.thickness.value * SPEED / (2 * math.pi * math.sqrt(12) * self.length.value**2)
 
 
 @dataclass(frozen=True)
@@ -93,9 +113,8 @@ def bar_modulus(bar: Bar, tones: Sequence[NamedTone]) -> BarModulus:
     shares = effects[:, 0] ** 2
     modulus, ratio = np.exp(centre)
     deviations = np.sqrt(np.sum(effects**2, axis=0))
-    density = bar.mass.value / (bar.length.value * bar.width.value * bar.thickness.value)
     return BarModulus(
-        Measured(density, density * math.sqrt(sum(one.relative**2 for one in sizes.values()))),
+        Measured(bar.density, bar.density * math.sqrt(sum(one.relative**2 for one in sizes.values()))),
         Measured(float(modulus), float(modulus * deviations[0])),
         Measured(float(ratio), float(ratio * deviations[1])),
         {name: float(share / shares.sum()) for name, share in zip(sources, shares, strict=True)},

@@ -33,6 +33,10 @@ LOUD = 0.1
 """Level of a tone that wants to be explained."""
 UNIFORM = (1.0, 2.7565, 5.4039, 8.9330, 13.3443)
 """Frequencies of a slender uniform free bar over its first: squares of 4.7300, 7.8532, ... (cos x cosh x = 1)."""
+BAR_SPREAD = 0.6
+"""One sigma of the logarithm of a bar's first frequency before it is tapped: that of sqrt(E / rho), see `bar.SPEED`."""
+VAGUE = 0.5
+"""Spread of a family's scale from which on no frequency is told as expected."""
 ANY_BAT = (175.0, 580.0, 1180.0, 1900.0)
 """Hz, bending modes of bats: f2 / f1 is 2.8 to 3.7 and f3 / f1 5.4 to 7.9 over the catalogue's bats."""
 ANY_SPREAD, ANY_RATIO_SPREAD = 0.25, 0.09
@@ -58,7 +62,7 @@ class Expected:
     ----------
     names, frequency : of the modes, Hz, increasing.
     excitation : how strongly the tap moves each, over its greatest; 1 where the place is not known.
-    spread : one sigma of the logarithm of the common scale; infinite where no frequency is expected.
+    spread : one sigma of the logarithm of the common scale; from `VAGUE` on no frequency is told as expected.
     ratio_spread : one sigma of every frequency's logarithm against the scale.
     """
 
@@ -96,9 +100,14 @@ def expected_of(modes: Modes, family: Family, *, positions: Sequence[float]) -> 
     return Expected(names, modes.frequency[chosen], excitation, STIFFNESS_SPREAD)
 
 
-def uniform_bar() -> Expected:
-    """Return the bending modes of a uniform bar, of which only the ratios are known."""
-    return _bending(UNIFORM, math.inf, RATIO_SPREAD)
+def uniform_bar(first: float) -> Expected:
+    """Return the bending modes of a uniform bar, of which hardly more than the ratios is known.
+
+    Parameters
+    ----------
+    first : Hz, of the lowest, were it of a usual material.
+    """
+    return _bending([first * ratio for ratio in UNIFORM], BAR_SPREAD, RATIO_SPREAD)
 
 
 def any_bat() -> Expected:
@@ -120,7 +129,7 @@ def named(tones: Sequence[Tone], families: Sequence[Expected]) -> tuple[NamedTon
             result.append(NamedTone(tone, None, None))
             continue
         family, mode = modes[index]
-        expected = float(family.frequency[mode]) if math.isfinite(family.spread) else None
+        expected = float(family.frequency[mode]) if family.spread < VAGUE else None
         result.append(NamedTone(tone, family.names[mode], expected))
     return tuple(result)
 

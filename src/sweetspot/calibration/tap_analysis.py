@@ -89,7 +89,7 @@ def told_taps(
     taps : of all recordings, good and bad.
     """
     if bar is not None:
-        expected = [uniform_bar()]
+        expected = [uniform_bar(bar.usual_first_tone)]
     elif modes is None:
         expected = [any_bat()]
     else:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from dataclasses import dataclass
 from pathlib import Path
@@ -185,9 +186,11 @@ def _bar(sizes: str | None, mass: str | None) -> Bar | None:
         return None
     if sizes is None or mass is None:
         raise InputError("a bar needs both --bar and --mass; give its sizes and its weight")
-    parts = sizes.split(" x ") if " x " in sizes else sizes.split("x")
+    parts = re.split(r"\s*[x\u00d7*]\s*|,\s+", sizes.strip().lower())
     if len(parts) != 3:
         raise InputError(f"--bar was given as {sizes!r}; write length x width x thickness: 114.36mm x 25.44mm x 3.12mm")
+    unit = re.sub(r"^[^a-z]*", "", parts[2])  # said once, it counts for all three
+    parts = [part if re.search("[a-z]", part) else part + unit for part in parts]
     length, width, thickness = (parse_measured(part, "length", "--bar") for part in parts)
     return Bar(length, width, thickness, parse_measured(mass, "mass", "the bar's --mass"))
 
