@@ -8,7 +8,7 @@ thousands of hits.
 from __future__ import annotations
 
 import math
-from dataclasses import fields, replace
+from dataclasses import astuple, fields, replace
 from typing import Any
 
 import numpy as np
@@ -18,11 +18,13 @@ from hypothesis import strategies as st
 
 from sweetspot import catalog
 from sweetspot.collision.coupled import STEP, hit
-from sweetspot.collision.impact import Impacts, Outcome
+from sweetspot.collision.impact import Impact, Impacts, Outcome
 from sweetspot.collision.kernel import CHUNK, hits, hits_with_motion
+from sweetspot.collision.one_hit import quick_hit
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.hands import gripped
+from sweetspot.dynamics.mode_assembly import all_modes
 from sweetspot.dynamics.modes import Modes
 from sweetspot.motion.swing import Hands
 
@@ -69,6 +71,33 @@ def test_kernel_is_the_readable_version(modes: Modes, place: float, closing: flo
         scale = np.abs(expected).max()
         # at release, an instant that the two find as nearly; quick modes move that much farther meanwhile
         assert getattr(many, name)[0] == pytest.approx(expected, rel=0, abs=4 * near * scale), name
+
+
+@settings(max_examples=30)
+@given(modes=BATS, place=st.floats(0.0, BAT.length), closing=st.floats(0.0, 110.0))
+def test_quick_hit_is_the_readable_version(modes: Modes, place: float, closing: float) -> None:
+    one = hit(modes, ball=BALL, position=place, closing_speed=closing)
+    assert_alike(quick_hit(modes, ball=BALL, position=place, closing_speed=closing), one)
+
+
+def assert_alike(quick: Impact, one: Impact) -> None:
+    assert (quick.outcome, quick.touches) == (one.outcome, one.touches)
+    assert astuple(quick.energy) == pytest.approx(astuple(one.energy), rel=0, abs=1e-9 * max(1.0, one.energy.incoming))
+    for name in (*NUMBERS, "displacement", "velocity", "times", "force", "compression", "impulse"):
+        there, expected = (np.array(getattr(each, name), dtype=float) for each in (quick, one))
+        scale = np.abs(expected).max(initial=0.0)
+        assert there == pytest.approx(expected, rel=0, abs=1e-9 * scale, nan_ok=True), name
+    assert (quick.unrecovered is None) == (one.unrecovered is None)
+    if quick.unrecovered is not None and one.unrecovered is not None:
+        assert_alike(quick.unrecovered, one.unrecovered)
+
+
+def test_quick_hit_touches_twice_as_the_readable_version() -> None:
+    hands = Hands(position=0.1524, mass=0.35, stiffness=20e3, damping=100.0)
+    modes = gripped(all_modes(beam_model(BAT), BALL), hands)
+    one = hit(modes, ball=BALL, position=0.35, closing_speed=30.0)
+    assert one.touches == 2
+    assert_alike(quick_hit(modes, ball=BALL, position=0.35, closing_speed=30.0), one)
 
 
 def crowd(count: int) -> dict[str, Any]:

@@ -29,7 +29,8 @@ more. A ball that is hit again presses along its loading curve, as a new one, un
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -105,18 +106,33 @@ def hit(
     if not closing_speed > 0:
         return _no_contact(modes, position, closing_speed)
     place = (position, lateral, closing_speed)
-    impact = _collision(modes, ball, place, step, law or Hysteretic(ball))
-    if law is not None or impact.touches < 2:
+    if law is not None:
+        return _collision(modes, ball, place, step, law, _kicks)
+    return collisions_of(modes, ball, place, step, _kicks)
+
+
+def collisions_of(modes: Modes, ball: Ball, place: tuple[float, float, float], step: float, kicks: Kicks) -> Impact:
+    """Return the collision by the ball's own law; where it is touched twice, with that of one that has not recovered.
+
+    Parameters
+    ----------
+    place : position and lateral place, m, and closing speed, m/s, > 0.
+    kicks : how a contact is followed.
+    """
+    impact = _collision(modes, ball, place, step, Hysteretic(ball), kicks)
+    if impact.touches < 2:
         return impact
-    return replace(impact, unrecovered=_collision(modes, ball, place, step, Hysteretic(ball, recovers=False)))
+    return replace(impact, unrecovered=_collision(modes, ball, place, step, Hysteretic(ball, recovers=False), kicks))
 
 
-def _collision(modes: Modes, ball: Ball, place: tuple[float, float, float], step: float, law: ContactLaw) -> Impact:
-    """Return the collision at a place: position and lateral place, m, and closing speed, m/s."""
+def _collision(
+    modes: Modes, ball: Ball, place: tuple[float, float, float], step: float, law: ContactLaw, kicks: Kicks
+) -> Impact:
+    """Return the collision at a place; see `collisions_of`."""
     position, lateral, closing_speed = place
     struck = _struck(modes, position, lateral, closing_speed)
     first_kick = first_kick_after_touch(ball.exponent)
-    done = _integrated(modes, ball, struck, closing_speed, step, law)
+    done = _integrated(modes, ball, struck, closing_speed, step, law, kicks)
     translation, rotation, bending, hoop, face = map(float, bat_energy(modes, done.displacement, done.velocity))
     separated = done.outcome is Outcome.SEPARATED
     displacement, velocity = moved(modes, done.displacement, done.velocity, -done.late)
@@ -168,7 +184,7 @@ class _Contact:
     impulses: list[float]
 
 
-class _Motion(NamedTuple):
+class Motion(NamedTuple):
     """Ball and bat between two kicks, seen from the undisturbed bat: m and m/s.
 
     ``bat`` holds the modes' displacements, sqrt(kg) m, and behind them their velocities, sqrt(kg) m/s; ``work`` is what
@@ -180,70 +196,116 @@ class _Motion(NamedTuple):
     bat: Array
     work: float = 0.0
 
-    def kicked(self, struck: _Struck, impulse: float, mass: float, *, speed: float) -> _Motion:
+    def kicked(self, struck: Struck, impulse: float, mass: float, *, speed: float) -> Motion:
         """Return the motion after an impulse in N s between ball and bat, whose struck place had a speed in m/s."""
         given = impulse * (speed + impulse * struck.lightness / 2)
         bat = self.bat + impulse * struck.kick
-        return _Motion(self.ball_position, self.ball_speed - impulse / mass, bat, self.work + given)
+        return Motion(self.ball_position, self.ball_speed - impulse / mass, bat, self.work + given)
+
+
+@dataclass
+class Course:
+    """How a collision has gone so far.
+
+    Parameters
+    ----------
+    approaches : at the kicks of this contact, m, with 0 at touch before them.
+    compressions, forces, impulses : at all kicks, m, N and N s, with 0 at first touch before them.
+    peak : the greatest approach of this contact, m.
+    turned_at : the compression in m from which the ball springs back; None while it is pressed on.
+    greatest, hardest : the greatest compression, m, and force, N, where the ball turned.
+    missing : N s that the kicks have left out, for the next one.
+    """
+
+    approaches: list[float] = field(default_factory=lambda: [0.0])
+    compressions: list[float] = field(default_factory=lambda: [0.0])
+    forces: list[float] = field(default_factory=lambda: [0.0])
+    impulses: list[float] = field(default_factory=lambda: [0.0])
+    peak: float = 0.0
+    turned_at: float | None = None
+    greatest: float = 0.0
+    hardest: float = 0.0
+    missing: float = 0.0
+
+
+Kicks = Callable[["Course", "Motion", "Struck", "Flow", ContactLaw, int], tuple[float, "Motion"]]
+"""kicks(course, motion, struck, flow, law, limit): see `_kicks`."""
 
 
 def _integrated(
-    modes: Modes, ball: Ball, struck: _Struck, closing_speed: float, step: float, law: ContactLaw
+    modes: Modes, ball: Ball, struck: Struck, closing_speed: float, step: float, law: ContactLaw, kicks: Kicks
 ) -> _Contact:
     """Step ball and modes from first touch until the ball is gone for good, or to the time limit."""
-    first_kick = first_kick_after_touch(ball.exponent)
+    first_kick, limit = first_kick_after_touch(ball.exponent), round(TIME_LIMIT / step)
     struck = struck.in_steps(modes, ball, step)
-    flow = _Flow(modes, step)
-    motion = _Motion(closing_speed * step * first_kick, closing_speed, np.zeros(2 * len(modes)))
-    peak, greatest, hardest, missing = 0.0, 0.0, 0.0, 0.0
-    turned_at: float | None = None
-    approaches, compressions, forces, impulses = [0.0], [0.0], [0.0], [0.0]
+    flow, course = Flow(modes, step, ball.mass), Course()
+    motion = Motion(closing_speed * step * first_kick, closing_speed, np.zeros(2 * len(modes)))
     outcome, release, late = Outcome.STILL_IN_CONTACT, math.nan, 0.0
-    while len(forces) <= round(TIME_LIMIT / step):
-        place, speed = (struck.seen @ motion.bat).tolist()
-        approach = motion.ball_position - place
-        if approach <= 0:
-            outcome = Outcome.SEPARATED
-            before = approaches[-2] if len(approaches) > 1 else 0.0
-            late = (1 - crossing(before, approaches[-1], approach)) * step
-            release = (len(forces) - 1 + first_kick) * step - late
-            again = flow.overtaken(motion, struck, kicks=round(TIME_LIMIT / step) - len(forces))
-            if again is None:
-                break
-            apart, motion = again
-            outcome, late = Outcome.STILL_IN_CONTACT, 0.0
-            if not isinstance(law, Hysteretic) or law.recovers:
-                peak, turned_at = 0.0, None
-            for history in (compressions, forces, impulses):
-                history.extend([0.0] * apart)
-            approaches = [0.0]
-            continue
-        rate = motion.ball_speed - speed
-        if turned_at is None and _past_the_top(approaches, approach):
-            shift, height, bend = _top(approaches, approach)
-            peak = max(peak, approach, height)
-            turned_at, force, before = struck.pressed(law, peak, 0.0, None)
-            stiffening = struck.softened(law.force_and_slope(turned_at, 0.0, turned_at)[1]) - struck.softened(before)
-            missing = impulse_of_the_turn(shift, bend, stiffening, step)
-            greatest, hardest = max(greatest, turned_at), max(hardest, force)
-        elif approach >= peak:
-            peak, turned_at = approach, None
-        expected = 2 * forces[-1] - forces[-2] if len(forces) > 1 else 0.0
-        compression, force, _ = struck.pressed(law, approach, rate, turned_at, expected)
-        impulse, missing = force * step + missing, 0.0
-        approaches.append(approach)
-        compressions.append(compression)
-        forces.append(force)
-        impulses.append(impulse)
-        motion = flow.drifted(motion.kicked(struck, impulse, ball.mass, speed=speed))
+    while len(course.forces) <= limit:
+        approach, motion = kicks(course, motion, struck, flow, law, limit)
+        if approach > 0:
+            break
+        outcome, approaches = Outcome.SEPARATED, course.approaches
+        before = approaches[-2] if len(approaches) > 1 else 0.0
+        late = (1 - crossing(before, approaches[-1], approach)) * step
+        release = (len(course.forces) - 1 + first_kick) * step - late
+        again = flow.overtaken(motion, struck, kicks=limit - len(course.forces))
+        if again is None:
+            break
+        apart, motion = again
+        outcome, late = Outcome.STILL_IN_CONTACT, 0.0
+        if not isinstance(law, Hysteretic) or law.recovers:
+            course.peak, course.turned_at = 0.0, None
+        for history in (course.compressions, course.forces, course.impulses):
+            history.extend([0.0] * apart)
+        course.approaches = [0.0]
     displacement, velocity = motion.bat.reshape(2, -1)
     return _Contact(
-        outcome, release, late, motion.ball_speed, displacement, velocity,
-        greatest or max(compressions), hardest, motion.work - flow.energy(motion), forces, compressions, impulses,
+        outcome, release, late, motion.ball_speed, displacement, velocity, course.greatest or max(course.compressions),
+        course.hardest, motion.work - flow.energy(motion), course.forces, course.compressions, course.impulses,
     )  # fmt: skip
 
 
-class _Struck(NamedTuple):
+def _kicks(
+    course: Course, motion: Motion, struck: Struck, flow: Flow, law: ContactLaw, limit: int
+) -> tuple[float, Motion]:
+    """Follow one contact: kick by kick until ball and bat are apart, or to so many kicks.
+
+    Returns
+    -------
+    tuple
+        the last approach in m, not above zero where they are apart, and the motion then.
+    """
+    step, approach = flow.step, math.inf
+    approaches, forces = course.approaches, course.forces
+    while len(forces) <= limit:
+        place, speed = (struck.seen @ motion.bat).tolist()
+        approach = motion.ball_position - place
+        if approach <= 0:
+            break
+        rate = motion.ball_speed - speed
+        if course.turned_at is None and _past_the_top(approaches, approach):
+            shift, height, bend = _top(approaches, approach)
+            course.peak = max(course.peak, approach, height)
+            course.turned_at, force, before = struck.pressed(law, course.peak, 0.0, None)
+            after = law.force_and_slope(course.turned_at, 0.0, course.turned_at)[1]
+            stiffening = struck.softened(after) - struck.softened(before)
+            course.missing = impulse_of_the_turn(shift, bend, stiffening, step)
+            course.greatest, course.hardest = max(course.greatest, course.turned_at), max(course.hardest, force)
+        elif approach >= course.peak:
+            course.peak, course.turned_at = approach, None
+        expected = 2 * forces[-1] - forces[-2] if len(forces) > 1 else 0.0
+        compression, force, _ = struck.pressed(law, approach, rate, course.turned_at, expected)
+        impulse, course.missing = force * step + course.missing, 0.0
+        approaches.append(approach)
+        course.compressions.append(compression)
+        forces.append(force)
+        course.impulses.append(impulse)
+        motion = flow.drifted(motion.kicked(struck, impulse, flow.ball_mass, speed=speed))
+    return approach, motion
+
+
+class Struck(NamedTuple):
     """The place that is hit.
 
     Parameters
@@ -267,7 +329,7 @@ class _Struck(NamedTuple):
             law, approach=approach, compliance=self.compliance, rate=rate, turned_at=turned_at, force=force
         )
 
-    def in_steps(self, modes: Modes, ball: Ball, step: float) -> _Struck:
+    def in_steps(self, modes: Modes, ball: Ball, step: float) -> Struck:
         """Return the place as kicks see it, a step in s apart."""
         omega = modes.angular_frequency
         shape, give = with_quick_modes_as_springs(self.kick[len(modes) :], np.asarray(self.compliance), omega, step)
@@ -279,25 +341,25 @@ class _Struck(NamedTuple):
         return slope / (1 + self.compliance * slope)
 
 
-def _struck(modes: Modes, position: float, lateral: float, closing_speed: float) -> _Struck:
+def _struck(modes: Modes, position: float, lateral: float, closing_speed: float) -> Struck:
     shape = modes.shape_at(position, lateral, closing_speed=closing_speed)
     return _place(shape, float(modes.compliance_at(position, closing_speed=closing_speed)))
 
 
-def _place(shape: Array, compliance: float) -> _Struck:
+def _place(shape: Array, compliance: float) -> Struck:
     still = np.zeros(len(shape))
     seen = np.array([[*shape, *still], [*still, *shape]])
-    return _Struck(seen, np.concatenate([still, shape]), float(shape @ shape), compliance)
+    return Struck(seen, np.concatenate([still, shape]), float(shape @ shape), compliance)
 
 
-class _Flow:
+class Flow:
     """Ball and bat between kicks: the ball flies straight on, the modes move freely, exactly.
 
     All that is linear in the bat's motion, so one matrix does it: dampers for half a step on both sides of the drift.
     """
 
-    def __init__(self, modes: Modes, step: float) -> None:
-        self.modes, self.step = modes, step
+    def __init__(self, modes: Modes, step: float, ball_mass: float) -> None:
+        self.modes, self.step, self.ball_mass = modes, step, ball_mass
         drift = modal_propagator_of(modes, step)
         whole = np.block([[np.diag(drift[:, row, column]) for column in (0, 1)] for row in (0, 1)])
         size, dampers = len(modes), modes.dashpots
@@ -306,17 +368,17 @@ class _Flow:
         self.matrix = half @ whole @ half if len(dampers) else whole
         self.stiffness = modes.angular_frequency**2
 
-    def drifted(self, motion: _Motion) -> _Motion:
+    def drifted(self, motion: Motion) -> Motion:
         """Return the motion one step later."""
         place = motion.ball_position + motion.ball_speed * self.step
-        return _Motion(place, motion.ball_speed, self.matrix @ motion.bat, motion.work)
+        return Motion(place, motion.ball_speed, self.matrix @ motion.bat, motion.work)
 
-    def energy(self, motion: _Motion) -> float:
+    def energy(self, motion: Motion) -> float:
         """Return the energy of the bat's motion, J."""
         displacement, velocity = motion.bat.reshape(2, -1)
         return float(velocity @ velocity + displacement @ (self.stiffness * displacement)) / 2
 
-    def overtaken(self, motion: _Motion, struck: _Struck, *, kicks: int) -> tuple[int, _Motion] | None:
+    def overtaken(self, motion: Motion, struck: Struck, *, kicks: int) -> tuple[int, Motion] | None:
         """Return after how many kicks the bat catches up with a ball that has just left it, and the motion then.
 
         None: it never does, or not within ``kicks``. Without its vibrations the struck place moves evenly; the ball is

@@ -9,8 +9,8 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, exit_speed_of
 from sweetspot.analysis.drop_test import bounce
 from sweetspot.collision.closed_form import collision_efficiency, exit_speed
-from sweetspot.collision.coupled import hit
 from sweetspot.collision.oblique_contact import Rubbing, decompose, oblique
+from sweetspot.collision.one_hit import quick_hit
 from sweetspot.dynamics.block import Block, Support
 from sweetspot.dynamics.rigid import centre_of_percussion, effective_mass, hand_impulse_ratio
 from sweetspot.paper import formulas as paper
@@ -50,7 +50,7 @@ def _entry(analysis: Analysis, choices: Choices) -> Iterator[Row]:
     normal, along = decompose(speed, angle)
     place = analysis.best.position
     closing = normal + analysis.conditions.swing.speed_at(place)
-    best = hit(analysis.modes, ball=ball, position=place, closing_speed=closing)
+    best = quick_hit(analysis.modes, ball=ball, position=place, closing_speed=closing)
     degrees = f"alpha = {math.degrees(angle):.3g}°"
     mean = float(best.force.max()) / 2
     yield Row(

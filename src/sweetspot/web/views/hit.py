@@ -10,6 +10,7 @@ from pydantic import Field
 
 from sweetspot.analysis.bat_analysis import TYPICAL_HAND, check_conditions, exit_speed_of, hit_at
 from sweetspot.collision.impact import Impact
+from sweetspot.collision.one_hit import quick_hit
 from sweetspot.collision.time_history import TimeHistory, arrival_time, history_of, impulse_given
 from sweetspot.dynamics.hands import gripped
 from sweetspot.dynamics.hoop import HARMONICS, ring_felt
@@ -64,7 +65,8 @@ def _answer(state: HitFilmState) -> dict[str, Any]:
     if state.held:
         hands = conditions.hands
         modes = gripped(modes, Hands(position=hands.position, spacing=hands.spacing, **TYPICAL_HAND))
-    impact = hit_at(place, modes=modes, conditions=conditions)
+    closing = conditions.pitch.speed + conditions.swing.speed_at(place)
+    impact = quick_hit(modes, ball=conditions.ball, position=place, closing_speed=closing)
     struck = modes.shape_at(place, closing_speed=impact.closing_speed)
     scene = history_of(impact, modes=modes, ball=conditions.ball, duration=state.duration_ms * 1e-3)
     return {

@@ -1,0 +1,161 @@
+"""One hit with its whole history, as `coupled.hit` has it, whose contact is followed by compiled code.
+
+That takes a twentieth of the time where compiled code is loaded anyway; loading it takes longer than one hit.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from sweetspot.collision.contact_law import NEARLY, NEWTON_STEPS, ContactLaw, Hysteretic, unloading_power
+from sweetspot.collision.coupled import STEP, Course, Flow, Motion, Struck, collisions_of, hit
+from sweetspot.collision.impact import Impact
+from sweetspot.collision.kernel import numbers_of
+from sweetspot.collision.kernel_arrays import BallNumbers
+from sweetspot.collision.time_step import contact_step, impulse_of_the_turn
+from sweetspot.dynamics.modes import Modes
+from sweetspot.equipment.ball import Ball
+from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.kernel_cache import compiled
+from sweetspot.numerics.parabola import vertex
+from sweetspot.units import check_place
+
+# numbers that change from kick to kick; the compression from which the ball springs back is nan while it is pressed on
+BALL_POSITION, BALL_SPEED, WORK, PEAK, TURNED_AT, GREATEST, HARDEST, MISSING, BEFORE, EARLIER, APPROACH = range(11)
+# rows of the history, kick by kick
+APPROACHES, COMPRESSIONS, FORCES, IMPULSES = range(4)
+
+# the readable functions that the loop calls (vertex, impulse_of_the_turn, unloading_power) are compiled in `compiled`,
+# which `kernel` brings
+
+
+def quick_hit(modes: Modes, *, ball: Ball, position: float, closing_speed: float) -> Impact:
+    """Return one collision of a ball with a bat, by the ball's own law and on the bat's line; see `coupled.hit`.
+
+    Parameters
+    ----------
+    position : m from the knob end.
+    closing_speed : m/s.
+    """
+    if not closing_speed > 0:
+        return hit(modes, ball=ball, position=position, closing_speed=closing_speed)
+    check_place(position, "position")
+    step = contact_step(modes, ball, longest=STEP)
+    return collisions_of(modes, ball, (position, 0.0, closing_speed), step, _kicks)
+
+
+def _kicks(
+    course: Course, motion: Motion, struck: Struck, flow: Flow, law: ContactLaw, limit: int
+) -> tuple[float, Motion]:
+    """Follow one contact; see `coupled.Kicks`."""
+    assert isinstance(law, Hysteretic)
+    done = len(course.forces)
+    history = np.zeros((4, limit + 1))
+    history[FORCES, :done] = course.forces
+    state = np.zeros(11)
+    state[BALL_POSITION], state[BALL_SPEED], state[WORK] = motion.ball_position, motion.ball_speed, motion.work
+    state[PEAK], state[GREATEST], state[HARDEST] = course.peak, course.greatest, course.hardest
+    state[TURNED_AT] = math.nan if course.turned_at is None else course.turned_at
+    bat = motion.bat.copy()
+    shape = struck.kick[len(flow.modes) :].copy()
+    place = (struck.lightness, struck.compliance)
+    count = _followed(bat, flow.matrix, shape, place, numbers_of(law.ball), flow.step, state, history, done)
+    for row, values in (
+        (APPROACHES, course.approaches), (COMPRESSIONS, course.compressions), (FORCES, course.forces),
+        (IMPULSES, course.impulses),
+    ):  # fmt: skip
+        values.extend(history[row, done:count].tolist())
+    course.peak, course.greatest, course.hardest = (float(state[one]) for one in (PEAK, GREATEST, HARDEST))
+    course.turned_at = None if math.isnan(state[TURNED_AT]) else float(state[TURNED_AT])
+    course.missing = float(state[MISSING])
+    place_of_ball, speed_of_ball, work = (float(state[one]) for one in (BALL_POSITION, BALL_SPEED, WORK))
+    return float(state[APPROACH]), Motion(place_of_ball, speed_of_ball, bat, work)
+
+
+@compiled(nogil=True, error_model="numpy")
+def _followed(
+    bat: Array,
+    matrix: Array,
+    shape: Array,
+    place: tuple[float, float],
+    ball: BallNumbers,
+    step: float,
+    state: Array,
+    history: Array,
+    kick: int,
+) -> int:
+    """Kick and drift until ball and bat are apart, or the history is full; return the number of kicks then.
+
+    As `coupled._kicks`: what changes is in ``bat``, ``state`` and ``history``.
+    """
+    modes = len(shape)
+    lightness, compliance = place
+    drifted = np.empty(2 * modes)
+    first = kick
+    while kick < history.shape[1]:
+        surface, speed = 0.0, 0.0
+        for i in range(modes):
+            surface += shape[i] * bat[i]
+            speed += shape[i] * bat[modes + i]
+        approach = state[BALL_POSITION] - surface
+        state[APPROACH] = approach
+        if approach <= 0:
+            break
+        before, earlier, third = state[BEFORE], state[EARLIER], kick - first > 1
+        falling = approach < before or (third and 3 * approach - 4 * before + earlier < 0)
+        if math.isnan(state[TURNED_AT]) and falling:
+            shift, height, bend = 0.5, before, 0.0
+            if third:
+                shift, height = vertex(earlier, before, approach)
+                bend = earlier - 2 * before + approach
+            peak = max(state[PEAK], approach, height)
+            turned_at, force = _pressed(ball, peak, compliance, math.nan, 0.0)
+            loading = ball.exponent * force / turned_at
+            unloading = unloading_power(ball, turned_at, force) * force / turned_at
+            stiffening = unloading / (1 + compliance * unloading) - loading / (1 + compliance * loading)
+            state[PEAK], state[TURNED_AT] = peak, turned_at
+            state[MISSING] = impulse_of_the_turn(shift, bend, stiffening, step)
+            state[GREATEST], state[HARDEST] = max(state[GREATEST], turned_at), max(state[HARDEST], force)
+        elif approach >= state[PEAK]:
+            state[PEAK], state[TURNED_AT] = approach, math.nan
+        expected = 2 * history[FORCES, kick - 1] - history[FORCES, kick - 2] if kick > 1 else 0.0
+        compression, force = _pressed(ball, approach, compliance, state[TURNED_AT], expected)
+        impulse = force * step + state[MISSING]
+        state[MISSING], state[EARLIER], state[BEFORE] = 0.0, before, approach
+        history[APPROACHES, kick], history[COMPRESSIONS, kick] = approach, compression
+        history[FORCES, kick], history[IMPULSES, kick] = force, impulse
+        kick += 1
+        state[WORK] += impulse * (speed + impulse * lightness / 2)
+        state[BALL_SPEED] -= impulse / ball.mass
+        state[BALL_POSITION] += state[BALL_SPEED] * step
+        for i in range(modes):
+            bat[modes + i] += impulse * shape[i]
+        for row in range(2 * modes):
+            total = 0.0
+            for column in range(2 * modes):
+                total += matrix[row, column] * bat[column]
+            drifted[row] = total
+        bat[:] = drifted
+    return kick
+
+
+@compiled(error_model="numpy")
+def _pressed(
+    ball: BallNumbers, approach: float, compliance: float, turned_at: float, force: float
+) -> tuple[float, float]:
+    """Return compression and force; see `contact_law.pressed_in_series` and `Hysteretic`."""
+    largest, reference, power = ball.stiffness, 1.0, ball.exponent
+    if not math.isnan(turned_at):
+        largest, reference = ball.stiffness * turned_at**ball.exponent, turned_at
+        power = unloading_power(ball, turned_at, largest)
+    compression = max(approach - compliance * force, approach / 4)
+    for _ in range(NEWTON_STEPS if compliance > 0 else 0):
+        force = largest * (compression / reference) ** power
+        slope = power * force / compression
+        change = (approach - compression - compliance * force) / (1 + compliance * slope)
+        compression = max(compression + change, compression / 4)
+        if abs(change) < NEARLY * compression:
+            break
+    return compression, largest * (compression / reference) ** power
