@@ -42,14 +42,15 @@ class SweetSpots:
 
 def sweet_spots(scan: Scan, *, body: RigidBody, modes: Modes, conditions: Conditions) -> SweetSpots:
     """Return every definition's answer for one bat and swing."""
+    held = held_exit_speed(scan)
     return SweetSpots(
         center_of_percussion=centre_of_percussion(body, pivot=conditions.hands.position),
         node_1=barrel_node(modes, harmonic=1),
         node_2=barrel_node(modes, harmonic=2),
         max_collision_efficiency=max_collision_efficiency(scan, body=body),
-        max_exit_speed=max_exit_speed(scan),
+        max_exit_speed=_top(scan.position, held),
         min_sting=min_sting(scan, body=body),
-        zone=sweet_zone(scan),
+        zone=_zone(scan, held, ZONE_LOSS, ZONE_STING),
     )
 
 
@@ -131,12 +132,16 @@ def sweet_zone(scan: Scan, *, loss: float = ZONE_LOSS, sting: float = ZONE_STING
     loss : m/s that the exit speed may lie below its best.
     sting : part of the scan's mean sting that must not be reached.
     """
-    held = held_exit_speed(scan)
+    return _zone(scan, held_exit_speed(scan), loss, sting)
+
+
+def _zone(scan: Scan, held: Array, loss: float, sting: float) -> tuple[float, float] | None:
+    """Return the sweet zone by the exit speeds that count; see `sweet_zone`."""
     least = np.nanmax(held) - loss
     fast = np.flatnonzero(held >= least)
     start, stop = scan.position[max(fast[0] - 1, 0)], scan.position[min(fast[-1] + 1, len(held) - 1)]
     places = np.linspace(scan.position[0], scan.position[-1], 20 * len(held))
-    places = places[(places >= start) & (places <= stop)]
+    places = places[np.searchsorted(places, start) : np.searchsorted(places, stop, side="right")]
     speed = np.interp(places, scan.position, held)
     felt = np.interp(places, scan.position, scan.sting)
     good = (speed >= least) & (felt < sting * np.nanmean(scan.sting))

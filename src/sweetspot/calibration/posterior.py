@@ -32,6 +32,8 @@ SHOT_STEP = 0.3
 """Of a spread, in the differences of what shots say."""
 STEP = 0.02
 """Of a spread, in the differences."""
+ARRIVED = 1e-3
+"""Of a spread; after a smaller one of Gauss's and Newton's steps comes the last one, by differences to both sides."""
 HARDLY = 0.02
 """Part of a source's own variance that the others must leave it, for it to be able to contradict them."""
 
@@ -197,15 +199,11 @@ def calibrate(line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequen
     InputError
         when nothing was measured, or no bat comes near the measurements.
     """
-    from scipy.optimize import least_squares
-
     if not measurements:
         raise InputError("nothing was measured; give at least a weight, a balance point, a pendulum's period or a tap")
     spreads = np.array([one.spread for one in unknowns])
     quick = all(one.kind in OF_BODY for one in measurements)
     misses = _once(_misses(line, unknowns, measurements))
-
-    steps = STEP * np.eye(len(unknowns))
 
     def at_all(places: Array) -> Array:
         bodies = deviated_bodies(line, unknowns, places * spreads) if quick else None
@@ -215,29 +213,67 @@ def calibrate(line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequen
         values, errors = np.array([(one.value.value, one.error) for one in measurements]).T
         return np.hstack([(said - values) / errors, places])
 
-    def forward(x: Array) -> Array:
-        return np.asarray((at_all(x + steps) - misses(x)).T / STEP)
-
     try:
-        fit = least_squares(
-            misses, np.zeros(len(unknowns)), jac=forward, bounds=(-FARTHEST, FARTHEST), xtol=1e-4, ftol=1e-6
-        )
+        most_likely = _least_squares(at_all, len(unknowns))
     except (InputError, np.linalg.LinAlgError) as error:
         raise InputError(f"nothing of this kind comes near what was measured: {error}") from None
-    slopes = (at_all(fit.x + steps) - at_all(fit.x - steps)).T / (2 * STEP)
+    steps = STEP * np.eye(len(unknowns))
+    after, before = np.split(at_all(np.vstack([most_likely + steps, most_likely - steps])), 2)
+    slopes = (after - before).T / (2 * STEP)
+    nearer = most_likely + np.linalg.lstsq(slopes, -misses(most_likely))[0]
+    if np.all(np.abs(nearer) < FARTHEST):
+        most_likely = nearer
     covariance = np.linalg.inv(slopes.T @ slopes)
-    off = misses(fit.x)
+    off = misses(most_likely)
     left = 1 - np.einsum("ij,jk,ik->i", slopes, covariance, slopes)
     pulls = np.where(left > HARDLY, off / np.sqrt(np.maximum(left, HARDLY)), 0.0)
-    best = deviated(line, unknowns, fit.x * spreads)
+    best = deviated(line, unknowns, most_likely * spreads)
     return Posterior(
         prior=line,
         line=best,
         unknowns=tuple(unknowns),
         measurements=tuple(measurements),
-        deviations=fit.x * spreads,
+        deviations=most_likely * spreads,
         covariance=np.asarray(covariance * np.outer(spreads, spreads), dtype=np.float64),
-        predictions=_said(line, unknowns, fit.x * spreads, measurements),
+        predictions=_said(line, unknowns, most_likely * spreads, measurements),
         pulls=pulls,
         gains=spreads[:, None] * (covariance @ slopes.T),
     )
+
+
+def _least_squares(at_all: Callable[[Array], Array], count: int) -> Array:
+    """Return the unknowns, in their spreads, whose misses have the least sum of squares, shape (count,).
+
+    What scale, pendulum and tap say is nearly linear in them, so that a few of Gauss's and Newton's steps arrive. Where
+    they lead too far or do not shrink fast, the measurements contradict each other, and scipy looks within bounds.
+
+    Parameters
+    ----------
+    at_all : from many places, shape (n, count), to the misses at each.
+    """
+    steps = np.vstack([np.zeros(count), STEP * np.eye(count)])
+
+    def with_slopes(x: Array) -> tuple[Array, Array]:
+        each = at_all(x + steps)
+        return each[0], np.asarray((each[1:] - each[0]).T / STEP)
+
+    x, former = np.zeros(count), np.inf
+    while True:
+        off, slopes = with_slopes(x)
+        change = np.linalg.lstsq(slopes, -off)[0]
+        x, largest = x + change, float(np.abs(change).max())
+        if largest < ARRIVED and np.all(np.abs(x) < FARTHEST):
+            return x
+        if largest > former / 2 or np.any(np.abs(x) > FARTHEST):
+            break
+        former = largest
+    from scipy.optimize import least_squares
+
+    def misses(x: Array) -> Array:
+        return np.asarray(at_all(x[None])[0])
+
+    def slopes_at(x: Array) -> Array:
+        return with_slopes(x)[1]
+
+    fit = least_squares(misses, np.zeros(count), jac=slopes_at, bounds=(-FARTHEST, FARTHEST), xtol=1e-4, ftol=1e-6)
+    return np.asarray(fit.x)

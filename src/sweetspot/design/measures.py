@@ -37,7 +37,8 @@ if TYPE_CHECKING:
 
 SWING_TIME = 0.15
 """s from the start of a swing to contact, with the present bat (assumed; only differences of bats are asked for)."""
-HALVINGS = 45
+HALVINGS, CLOSE = 45, 1e-13
+"""Most steps to an end of the zone, and m that the last of them may be long."""
 
 
 @dataclass(frozen=True)
@@ -300,7 +301,7 @@ def _zone(curve: Array, least: Array) -> Array:
     """Return the length over which every curve over `FROM_TIP` lies above a speed, m, shape (n,).
 
     Between the places the curves are piecewise cubics that never overshoot, so that each crosses the speed at most once
-    there; where, is halved in on, and the width changes without steps.
+    there; where, Newton's steps find, or halvings where those lead astray, and the width changes without steps.
     """
     from scipy.interpolate import PchipInterpolator
 
@@ -309,11 +310,16 @@ def _zone(curve: Array, least: Array) -> Array:
     first, last = above[:, :-1] > 0, above[:, 1:] > 0
     rows, cells = np.nonzero(first != last)
     third, second, slope, start = cubic[:, cells, rows]
-    low, high = np.zeros(len(rows)), np.diff(FROM_TIP)[cells]
+    low, high, place = np.zeros(len(rows)), np.diff(FROM_TIP)[cells], np.diff(FROM_TIP)[cells] / 2
     for _ in range(HALVINGS):
-        middle = (low + high) / 2
-        same = (((third * middle + second) * middle + slope) * middle + start > least[rows]) == first[rows, cells]
-        low, high = np.where(same, middle, low), np.where(same, high, middle)
+        above_least = ((third * place + second) * place + slope) * place + start - least[rows]
+        same = (above_least > 0) == first[rows, cells]
+        low, high = np.where(same, place, low), np.where(same, high, place)
+        steepness = (3 * third * place + 2 * second) * place + slope
+        newton = place - above_least / np.where(steepness == 0, np.inf, steepness)
+        former, place = place, np.where((newton >= low) & (newton <= high), newton, (low + high) / 2)
+        if np.all(np.abs(place - former) < CLOSE):
+            break
     inside = np.diff(FROM_TIP) * (first & last)
-    inside[rows, cells] = np.where(first[rows, cells], low, np.diff(FROM_TIP)[cells] - low)
+    inside[rows, cells] = np.where(first[rows, cells], place, np.diff(FROM_TIP)[cells] - place)
     return np.asarray(inside.sum(axis=1))

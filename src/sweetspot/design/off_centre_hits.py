@@ -24,11 +24,12 @@ from sweetspot.units import DEGREE
 ATTACK, TILT, DESCENT = 9 * DEGREE, 35 * DEGREE, 6 * DEGREE
 """Usual attack angle and tilt of the swing and descent of the pitch; the part kept hardly depends on them (assumed)."""
 SINES = np.linspace(0.0, 0.97, 33)
-WIDTHS = np.linspace(0.0, 0.4, 801)
-"""m; places thicker than that keep what the thickest keeps."""
+WIDTHS = np.linspace(0.0, 0.15, 301)
+"""m; places thicker than that keep what the thickest keeps. No barrel is; a flat face keeps everything at any width."""
 REACH = 2.0
 """Standard deviations of the offset that are looked at; nobody counts the rest as contacts."""
-NODES = 24
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
+"""Of the mean over offsets on one side of the axis."""
 
 
 def off_centre(bat: Bat, ball: Ball, batter: Batter) -> tuple[Array, Array]:
@@ -72,15 +73,15 @@ def kept_at_widths(sine: Array, kept: Array, *, batter: Batter, ball: Ball) -> A
     """
     from scipy.interpolate import PchipInterpolator
 
-    part, count = PchipInterpolator(sine, kept), np.polynomial.legendre.leggauss(NODES)
+    part = PchipInterpolator(sine, kept)
     farthest = sine[-1] * (ball.radius + WIDTHS / 2) if sine[-1] < 1 else np.full(len(WIDTHS), np.inf)
     ends = batter.offset + batter.offset_spread * np.array([-REACH, REACH])
     averages = np.zeros(len(WIDTHS))
     for low, high in ((ends[0], min(0.0, ends[1])), (max(0.0, ends[0]), ends[1])):
         first, last = np.clip(low, -farthest, farthest), np.clip(high, -farthest, farthest)
         half = np.maximum(last - first, 0.0) / 2
-        offset = ((first + last) / 2)[:, None] + half[:, None] * count[0]
+        offset = ((first + last) / 2)[:, None] + half[:, None] * NODES
         density = np.exp(-(((offset - batter.offset) / batter.offset_spread) ** 2) / 2)
         angle = np.abs(offset) / (ball.radius + WIDTHS / 2)[:, None]
-        averages += half * ((part(angle) * density) @ count[1])
+        averages += half * ((part(angle) * density) @ WEIGHTS)
     return np.asarray(averages / (batter.offset_spread * math.sqrt(2 * math.pi) * math.erf(REACH / math.sqrt(2))))

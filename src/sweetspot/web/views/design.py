@@ -9,8 +9,6 @@ from pathlib import Path
 from shlex import quote
 from typing import Any, TypeVar
 
-import numpy as np
-
 from sweetspot.analysis.certification.rules import check_rules, title
 from sweetspot.catalog.files.write import bat_toml, legible
 from sweetspot.design.answer import Designed, findings_of
@@ -104,8 +102,7 @@ def _made(request: Asked, numbers: Array, *, own: bool) -> tuple[Bat, Measured]:
     """Return the bat of some numbers and what it is; while nothing was changed, the present bat to the last digit."""
     space, now = request.bench.space, request.now
     if not own:
-        sizes = space.shapes(np.atleast_2d(numbers))
-        return _present(request), Measured({**sizes, **now.values}, now.curve, now.worth)
+        return _present(request), Measured({**request.sizes, **now.values}, now.curve, now.worth)
     measured = request.bench.measured(numbers)
     bat = space.made(numbers, f"{space.present.name}, designed")
     assert isinstance(bat, Bat)

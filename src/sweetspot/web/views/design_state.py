@@ -22,6 +22,7 @@ from sweetspot.design.limits import Limit
 from sweetspot.design.locks import locked
 from sweetspot.design.measures import Bench, Measured, bench_of
 from sweetspot.design.usual_limits import kept_limits, space_of, usual_league
+from sweetspot.design.variables import Space
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import INCH, MPH
@@ -88,12 +89,14 @@ class Asked:
     ----------
     key : of the present bat.
     now : the present bat, measured.
+    sizes : what the outline by handles says of it, by measure.
     left_out : what of the present bat the design does not have, in words.
     """
 
     bench: Bench
     key: str
     now: Measured
+    sizes: Mapping[str, Array]
     left_out: tuple[str, ...]
 
 
@@ -108,7 +111,7 @@ def _asked(state: DesignState, durable: bool) -> Asked:
     bat, left_out = _plain(described(state))
     conditions = conditions_of(state, bat)
     with about("bat"):
-        space = space_of(bat, deepest_cup=state.deepest_cup_in * INCH)
+        space, sizes = _space(bat, state.deepest_cup_in * INCH)
     with about("contact_in"):
         weight = normal_contact(state.contact_in * INCH, state.contact_spread_in * INCH)
     batter = Batter(
@@ -120,7 +123,14 @@ def _asked(state: DesignState, durable: bool) -> Asked:
     with about("bat"):
         bench = bench_of(space, batter, conditions, durable=durable)
     key = hashlib.blake2b(bat.model_dump_json().encode(), digest_size=9).hexdigest()
-    return Asked(bench, key, present_measured(bench), left_out)
+    return Asked(bench, key, present_measured(bench), sizes, left_out)
+
+
+@lru_cache(maxsize=32)
+def _space(bat: Bat, deepest_cup: float) -> tuple[Space, Mapping[str, Array]]:
+    """Return what a bat can become, and what the outline says that it begins with."""
+    space = space_of(bat, deepest_cup=deepest_cup)
+    return space, space.shapes(space.start[None])
 
 
 def _plain(bat: Bat) -> tuple[Bat, tuple[str, ...]]:
