@@ -133,7 +133,7 @@ def test_what_is_missing_constant_or_few_is_said(tmp_path: Path) -> None:
     rows = [f"70,{speed},," for speed in (90, 95, 91, 88)]
     notes = " ".join(read(written(tmp_path, "bat_speed_mph,exit_speed_mph,launch_angle_deg,note", *rows)).notes)
     assert "Only 4 swings are usable" in notes
-    assert "Bat speed is the same in every row (70.0 mph)" in notes
+    assert "Bat speed is 31.3 m/s (70.0 mph) in every row" in notes
     assert "Launch angle is empty" in notes
     assert "Attack angle is missing" in notes
 

@@ -17,9 +17,11 @@ from sweetspot.catalog.bats import is_file
 from sweetspot.catalog.files.bat import read_toml
 from sweetspot.catalog.files.write import bat_table
 from sweetspot.catalog.files.write_implement import implement_table
+from sweetspot.dynamics.beam import GRADIENT_LIMIT
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.golf_club import GolfClub
+from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
 
@@ -101,16 +103,28 @@ def material_values(posterior: Posterior) -> dict[str, Value]:
 
 
 def calibrated_bat(posterior: Posterior, damping: Measured | None) -> Bat:
-    """Return the most likely bat: its outline, material, weight, balance and moment of inertia are the fitted ones."""
-    bat = posterior.line.bat
+    """Return the most likely bat: its outline, material, weight, balance and moment of inertia are the fitted ones.
+
+    Raises
+    ------
+    InputError
+        where its density would have to change along it more than any bat's does.
+    """
+    bat, gradient = posterior.line.bat, posterior.line.density_gradient
     assert isinstance(bat, Bat)  # only bats are calibrated
+    if abs(gradient) > GRADIENT_LIMIT:
+        raise InputError(
+            f"{bat.name}: what was measured takes a density that {'grows' if gradient > 0 else 'falls'} by "
+            f"{abs(gradient):.0%} from the middle to the tip; allowed is up to {GRADIENT_LIMIT:.0%}. Check whether the "
+            "measurements are this bat's: weight, balance point and outline"
+        )
     body = rigid_body(posterior.line)
     material = bat.material.of_density(bat.material.density * posterior.line.density_factor)
     if damping is not None:
         material = material.replaced(damping_ratio=damping.value)
     return bat.replaced(
         name=f"{bat.name}, calibrated", material=material, mass=body.mass, balance_point=body.balance_point,
-        moi=body.moi(AXIS), moi_axis=AXIS, density_gradient=posterior.line.density_gradient, calibrated=True,
+        moi=body.moi(AXIS), moi_axis=AXIS, density_gradient=gradient, calibrated=True,
     )  # fmt: skip
 
 

@@ -8,9 +8,10 @@ import sys
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext, suppress
+from itertools import pairwise
 from typing import Any
 
-from sweetspot.errors import SweetspotError, UnusualWarning
+from sweetspot.errors import InputError, SweetspotError, UnusualWarning
 from sweetspot.units.usual import insisting
 
 EXIT_BAD_INPUT = 2
@@ -43,13 +44,13 @@ def main(arguments: list[str] | None = None) -> None:
     try:
         beating = nullcontext() if given[:1] == [SERVER] else heartbeat()
         with held_output(), insisting(FORCE in given), _warnings_told(FORCE in given), beating:
-            words = [word for one in given if one != FORCE for word in SHORT.get(one, (one,))]
+            words = _understood([one for one in given if one != FORCE])
             ASKED.set(tuple(given))
             if not words or words[0].startswith("-"):
                 load_all()
             result = app(words, exit_on_error=False, print_error=False, result_action="return_value")
     except (SweetspotError, CycloptsError, OutputError) as error:
-        _complain(_one_line(error))
+        _complain(_one_line(error, given))
         sys.exit(EXIT_BAD_INPUT)
     except OSError as error:  # what no command foresaw: a disk full of a run's own temporary files
         where = f"{error.filename}: " if error.filename else ""
@@ -62,6 +63,13 @@ def main(arguments: list[str] | None = None) -> None:
         _complain(str(stopped) or "interrupted; nothing was written")
         sys.exit(EXIT_INTERRUPTED)
     sys.exit(result if isinstance(result, int) else 0)
+
+
+def _understood(given: list[str]) -> list[str]:
+    """Return a command's words with those that other programs have taught people in our own."""
+    if any(pair == ("--out", "-") for pair in pairwise(given)):
+        raise InputError("--out takes a name; without it the answer goes to standard output")
+    return [word for one in given for word in SHORT.get(one, (one,))]
 
 
 @contextmanager
@@ -86,8 +94,8 @@ def _complain(text: str) -> None:
         sys.stderr.write(f"sweetspot: {text}\n")
 
 
-def _one_line(error: Exception) -> str:
-    from cyclopts.exceptions import UnusedCliTokensError
+def _one_line(error: Exception, given: list[str]) -> str:
+    from cyclopts.exceptions import UnknownOptionError, UnusedCliTokensError
 
     if isinstance(error, UnusedCliTokensError):
         left = " ".join(map(str, error.unused_tokens or ()))
@@ -99,6 +107,9 @@ def _one_line(error: Exception) -> str:
             f"{left!r} is more than {command} takes; a name with blanks is written in quotes, and options begin with "
             f"--: see sweetspot {command} --help{several}"
         )
+    short = next((one for one in given if SHORT.get(one, ("",))[0] == "--format"), "")
+    if isinstance(error, UnknownOptionError) and error.token.keyword == "--format" and short:
+        return f"{' '.join(error.command_chain or ())} has no {short}: its answer has one form"
     told = " ".join(str(error).split())
     negative = told.endswith("requires an argument.") and any(
         word[:1] == "-" and word[1:2].isdigit() for word in getattr(error, "root_input_tokens", None) or ()

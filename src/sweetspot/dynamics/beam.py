@@ -33,6 +33,8 @@ LIGHTEST_GRIP = -0.4
 """Least relative change of density at the knob end (assumed: a knob and handle smaller than drawn)."""
 CALIBRATED_BEYOND = 2.0
 """Factor by which a calibrated implement's density may lie beyond its material's (assumed: walls are not as drawn)."""
+HALVINGS = 20
+"""Of the way from a drawing to what was measured, until the nearest that can be is told: beyond any digit shown."""
 GRIP_POWER = 6
 """Mass at the grip falls as (1 - x / L)^6: to a third where the upper hand begins, and most of it is in the knob."""
 
@@ -171,10 +173,12 @@ def _fitted(bat: Implement, known: DensityRange) -> BeamModel:
     others = _mass_of_others(plain)
     line = replace(plain, density_factor=(bat.mass - others) / (moments(plain)[0] - others))
     _check_density(line, known)
-    if bat.balance_point is not None or bat.moi is not None:
-        line = _corrected(line)
-        _check_density(line, known)
-    return line
+    if bat.balance_point is None and bat.moi is None:
+        return line
+    corrected = _corrected(line)
+    if not _within(corrected, known):
+        raise InputError(_what_it_takes(line, corrected, known))
+    return corrected
 
 
 def _mass_of_others(line: BeamModel) -> float:
@@ -239,19 +243,55 @@ def _unplaced(line: BeamModel, measured: Array) -> tuple[float, float]:
 
 def _check_density(line: BeamModel, known: DensityRange) -> None:
     """Refuse a mass that the outline has only at a density that its material cannot have."""
+    if _within(line, known):
+        return
+    others, bat, (usual, low, high) = _mass_of_others(line), line.bat, _allowed(line.bat, known)
+    own = ((bat.mass or 0.0) - others) / (line.density_factor * usual)
+    raise InputError(
+        f"{bat.name} weighs {shown_mass(bat.mass or 0.0)}, which this outline has {_only_at(line, known)}, so that the "
+        f"nearest it can weigh is {shown_mass(others + own * low)} to {shown_mass(others + own * high)}. "
+        "Check the weight, the diameters and the material"
+    )
+
+
+def _allowed(bat: Implement, known: DensityRange) -> DensityRange:
+    """Return the densities that an implement's own material can have."""
     usual, low, high = known
-    if line.bat.calibrated:
-        low, high = low / CALIBRATED_BEYOND, high * CALIBRATED_BEYOND
-    density, slack = line.density_factor * usual, 1e-9 * usual
-    if not low - slack <= density <= high + slack:
-        others, bat = _mass_of_others(line), line.bat
-        own = ((bat.mass or 0.0) - others) / density
-        raise InputError(
-            f"{bat.name} weighs {shown_mass(bat.mass or 0.0)}, which this outline has only at a density of "
-            f"{shown_density(density)}; {bat.made_of} can be {shown_density(low)} to {shown_density(high)}, and the "
-            f"nearest that the bat can weigh is {shown_mass(others + own * low)} to {shown_mass(others + own * high)}. "
-            "Check the weight, the diameters and the material"
-        )
+    return DensityRange(usual, low / CALIBRATED_BEYOND, high * CALIBRATED_BEYOND) if bat.calibrated else known
+
+
+def _within(line: BeamModel, known: DensityRange) -> bool:
+    usual, low, high = _allowed(line.bat, known)
+    slack = 1e-9 * usual
+    return low - slack <= line.density_factor * usual <= high + slack
+
+
+def _only_at(line: BeamModel, known: DensityRange) -> str:
+    """Return at which density alone the material would do, and which it can have."""
+    usual, low, high = _allowed(line.bat, known)
+    density = line.density_factor * usual
+    at = f"only at a density of {shown_density(density)}" if density > 0 else "at no density"
+    return f"{at}; {line.bat.made_of} can be {shown_density(low)} to {shown_density(high)}"
+
+
+def _what_it_takes(drawn: BeamModel, corrected: BeamModel, known: DensityRange) -> str:
+    """Return why a balance point and moi are refused that leave the material a density which it cannot have."""
+    bat, measured = drawn.bat, np.array([drawn.bat.balance_point or np.nan, drawn.bat.moi or np.nan])
+    part = corrected.density_factor / drawn.density_factor
+    amounts = corrected.density_gradient * part - drawn.density_gradient, corrected.grip_excess * part
+    nearest, here, beyond = drawn, 0.0, 1.0  # parts of the way from the drawing to what was measured
+    for _ in range(HALVINGS):
+        part = (here + beyond) / 2
+        tried = _shifted(drawn, part * amounts[0], part * amounts[1])
+        if _within(tried, known):
+            nearest, here = tried, part
+        else:
+            beyond = part
+    return (
+        f"{bat.name}: at {shown_mass(bat.mass or 0.0)} the outline gives {_told(drawn, _balance_and_moi(drawn))}, but "
+        f"{_told(drawn, measured)} was measured, which it has {_only_at(corrected, known)}, so that the nearest that "
+        f"can be is {_told(drawn, _balance_and_moi(nearest))}. Check the profile or the measurement"
+    )
 
 
 def _what_can_be(drawn: BeamModel, closest: BeamModel, measured: Array, scatter: Array) -> str:
@@ -260,14 +300,18 @@ def _what_can_be(drawn: BeamModel, closest: BeamModel, measured: Array, scatter:
     within = 0.98 * scatter  # so that the values still serve when they are rounded
     possible = _balance_and_moi(closest) + np.clip(measured - _balance_and_moi(closest), -within, within)
 
-    def told(values: Array) -> str:
-        moi = f"{values[1]:.4g} kg m^2 ({values[1] / OUNCE_INCH_SQUARED:.5g} oz in^2)"
-        texts = (f"balance point {shown(values[0])}", f"moi {moi} about {shown(bat.moi_axis)}")
-        return " and ".join(text for text, value in zip(texts, measured, strict=True) if not np.isnan(value))
-
     return (
-        f"{bat.name}: at {shown_mass(bat.mass or 0.0)} the outline gives {told(_balance_and_moi(drawn))}, but "
-        f"{told(measured)} was measured. With density that changes by {100 * GRADIENT_LIMIT:.0f} % towards the tip, "
-        f"and at the grip by {-100 * LIGHTEST_GRIP:.0f} % less or {shown_mass(HEAVIEST_GRIP)} more, the nearest that "
-        f"can be is {told(possible)}. Check the profile or the measurement"
+        f"{bat.name}: at {shown_mass(bat.mass or 0.0)} the outline gives {_told(drawn, _balance_and_moi(drawn))}, but "
+        f"{_told(drawn, measured)} was measured. With density that changes by {100 * GRADIENT_LIMIT:.0f} % "
+        f"towards the tip, and at the grip by {-100 * LIGHTEST_GRIP:.0f} % less or {shown_mass(HEAVIEST_GRIP)} more, "
+        f"the nearest that can be is {_told(drawn, possible)}. Check the profile or the measurement"
     )
+
+
+def _told(line: BeamModel, values: Array) -> str:
+    """Return in words a balance point and moi, as far as they were measured."""
+    bat = line.bat
+    moi = f"{values[1]:.4g} kg m^2 ({values[1] / OUNCE_INCH_SQUARED:.5g} oz in^2)"
+    texts = (f"balance point {shown(values[0])}", f"moi {moi} about {shown(bat.moi_axis)}")
+    measured = (bat.balance_point, bat.moi)
+    return " and ".join(text for text, value in zip(texts, measured, strict=True) if value is not None)

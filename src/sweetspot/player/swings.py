@@ -21,7 +21,7 @@ from sweetspot.player.columns import (
 )
 from sweetspot.player.player_swing import PlayerSwing, check_speeds, fault_of, full_swings
 from sweetspot.player.swing_table import Lines, SwingTable, open_swings
-from sweetspot.units import INCH, MPH
+from sweetspot.units import shown, shown_speed
 
 PLATE_OVER_RELEASE = 0.920
 """Speed of a pitch at the plate over that at release, 0.920 +- 0.007 over 2507 pitches [statcast]."""
@@ -259,7 +259,7 @@ def _notes(swings: list[PlayerSwing], columns: Columns, pitch_speed: float | Non
             )
             notes.append(f"{words[0]} is {'empty' if there else 'missing'}: {words[1]}.")
         elif len(values) >= 3 and max(values) == min(values) and (quantity, pitch_speed) != ("pitch_speed", values[0]):
-            notes.append(f"{words[0]} is the same in every row ({_told(quantity, values[0])}): {words[2]}.")
+            notes.append(f"{words[0]} is {_told(quantity, values[0])} in every row: {words[2]}.")
         elif len(values) < count and quantity in ("bat_speed", "exit_speed"):
             notes.append(f"{words[0]} is there for {len(values)} of {count} swings.")
     lone = sum(one.launch_angle is not None and one.attack_angle is None for one in swings)
@@ -275,8 +275,8 @@ def _notes(swings: list[PlayerSwing], columns: Columns, pitch_speed: float | Non
 
 def _told(quantity: str, value: float) -> str:
     if quantity == "position":
-        return f"{value / INCH:.1f} in from the tip"
-    return f"{math.degrees(value):.1f} degrees" if quantity.endswith("angle") else f"{value / MPH:.1f} mph"
+        return f"{shown(value)} from the tip"
+    return f"{math.degrees(value):.1f} degrees" if quantity.endswith("angle") else shown_speed(value)
 
 
 WORDS = {

@@ -36,7 +36,27 @@ class Linked:
     note: Words = ""
 
 
-Cell = Words | Slot | Marked | Linked | float | None
+@dataclass(frozen=True)
+class Cited:
+    """A work of the bibliography: a terminal names it by its key, a page by who wrote it and when.
+
+    Parameters
+    ----------
+    year : of the edition that is meant; "": not known.
+    note : behind it, such as how it was read.
+    """
+
+    key: str
+    year: str = ""
+    note: str = ""
+
+    @property
+    def words(self) -> str:
+        """The key, with year and note."""
+        return ", ".join(part for part in (f"{self.key} {self.year}".strip(), self.note) if part)
+
+
+Cell = Words | Slot | Marked | Linked | Cited | float | None
 """Of a table: words, a number with its own scale, a number in the column's scale, or nothing."""
 
 
@@ -69,7 +89,7 @@ class Column:
             return NOTHING
         if isinstance(cell, (Slot, Sentence)):
             return cell.read(reader)
-        if isinstance(cell, (Marked, Linked)):
+        if isinstance(cell, (Marked, Linked, Cited)):
             return read(cell.words, reader)
         if isinstance(cell, str):
             return cell

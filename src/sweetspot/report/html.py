@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from functools import cache
 from io import StringIO
@@ -10,10 +11,10 @@ from typing import Any
 from xml.etree import ElementTree
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
 from sweetspot import __version__
-from sweetspot.references import cite, reference
+from sweetspot.references import cite, keys, reference
 from sweetspot.report import document as parts
 from sweetspot.report.quantities import Reader, with_minus_signs
 from sweetspot.report.sentences import read
@@ -21,6 +22,8 @@ from sweetspot.report.sentences import read
 HERE = Path(__file__).parent
 TEMPLATES = HERE / "templates"
 SVG = "http://www.w3.org/2000/svg"
+CODE = re.compile("`([^`]+)`")
+KEY = re.compile(r"\[([a-z]\w+)\]")
 XLINK = "{http://www.w3.org/1999/xlink}href"
 
 
@@ -62,8 +65,25 @@ def _rendered(
         kind_of=lambda block: type(block).__name__,
         shown=lambda column, cell: with_minus_signs(column.shown(cell, reader)),
         head=lambda column: column.head(reader),
-        drawn=drawn, sheet=sheet, cite=cite, reference=reference, version=__version__, style=_style(style), **more,
+        drawn=drawn, sheet=sheet, told=_told, author=_author, cite=cite, reference=reference,
+        version=__version__, style=_style(style), **more,
     )  # fmt: skip
+
+
+def _told(words: str) -> Markup:
+    """Return words whose `code` is set as such, and whose [keys] tell their work to who points at them."""
+
+    def known(found: re.Match[str]) -> str:
+        key = found[1]
+        return f'[<span title="{escape(cite(key))}">{key}</span>]' if key in keys() else found[0]
+
+    return Markup(KEY.sub(known, CODE.sub(r"<code>\1</code>", str(escape(words)))))
+
+
+def _author(cited: parts.Cited) -> str:
+    """Return who wrote a work and when; its title where nobody is named."""
+    work = reference(cited.key)
+    return f"{work.authors} ({cited.year})" if work.authors and cited.year else work.authors or cite(cited.key)
 
 
 @cache

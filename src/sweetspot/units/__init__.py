@@ -11,7 +11,18 @@ from sweetspot.units.sizes import (
     POUND_FORCE,
     RPM,
 )
-from sweetspot.units.text import NUMBER, SI, Kind, grouped, parse, parse_position, shown, shown_density, shown_mass
+from sweetspot.units.text import (
+    NUMBER,
+    SI,
+    Kind,
+    grouped,
+    parse,
+    parse_position,
+    shown,
+    shown_density,
+    shown_mass,
+    shown_speed,
+)
 from sweetspot.units.usual import (
     USUAL,
     check_angle,
@@ -50,4 +61,5 @@ __all__ = [
     "shown",
     "shown_density",
     "shown_mass",
+    "shown_speed",
 ]

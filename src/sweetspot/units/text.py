@@ -13,7 +13,7 @@ from functools import cache
 from typing import Any, Literal
 
 from sweetspot.errors import InputError
-from sweetspot.units.sizes import FOOT, INCH, OUNCE
+from sweetspot.units.sizes import FOOT, INCH, MPH, OUNCE
 from sweetspot.units.usual import check_usual, example_of
 from sweetspot.units.usual_units import written
 from sweetspot.units.wind import in_words
@@ -121,6 +121,15 @@ def shown_mass(mass: float) -> str:
     '0.8788 kg (31 oz)'
     """
     return f"{mass:.4g} kg ({mass / OUNCE:.4g} oz)"
+
+
+def shown_speed(speed: float) -> str:
+    """Return a speed in m/s as people on both sides of the ocean read it.
+
+    >>> shown_speed(40.2336)
+    '40.2 m/s (90.0 mph)'
+    """
+    return f"{speed:.1f} m/s ({speed / MPH:.1f} mph)"
 
 
 def shown_density(density: float) -> str:

@@ -20,7 +20,7 @@ from sweetspot.report.quantity_table import quantity_data, words_in_both_systems
 from sweetspot.web.bats import bat_from_text
 from sweetspot.web.errors import about
 from sweetspot.web.one_system import in_one_system
-from sweetspot.web.schemas import BatFacts, BatText, Choice, Described, Meaning
+from sweetspot.web.schemas import BatFacts, BatText, Choice, Described, Meaning, Tool
 from sweetspot.web.wizard import Wanted, described_by
 from sweetspot.web.wizard_form import Form, forms
 
@@ -34,7 +34,7 @@ def catalogue_routes(api: APIRouter) -> None:
         return list(_bats())
 
     @api.get("/implements", tags=["catalogue"])
-    def implements() -> list[Choice]:
+    def implements() -> list[Tool]:
         """Return everything in the catalogue that one hits a ball with, sport by sport."""
         return list(_implements())
 
@@ -112,10 +112,10 @@ def _bats() -> tuple[BatFacts, ...]:
 
 
 @cache
-def _implements() -> tuple[Choice, ...]:
+def _implements() -> tuple[Tool, ...]:
     tools = [(catalog.sport(tool.sport).name, key, tool.name) for key in catalog.implement_names()
              for tool in [catalog.implement(key)]]  # fmt: skip
-    return tuple(Choice(key=key, name=f"{sport}: {name}") for sport, key, name in sorted(tools, key=_by_name))
+    return tuple(Tool(key=key, name=name, sport=sport) for sport, key, name in sorted(tools, key=_by_name))
 
 
 def _by_name(implement: tuple[str, str, str]) -> tuple[str, str]:

@@ -55,6 +55,12 @@ class Choice(BaseModel):
     name: str
 
 
+class Tool(Choice):
+    """Something that one hits a ball with, and in which sport."""
+
+    sport: str
+
+
 class Meaning(BaseModel):
     """What a word means: the names under which it stands, the explanation in either system, and who says so."""
 

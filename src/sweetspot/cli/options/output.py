@@ -20,7 +20,8 @@ class AnswerOptions:
         Format, Parameter(help="table for people, json or csv for programs (SI); --json and --csv do too.")
     ] = "table"
     units: Annotated[
-        Literal["us", "si"] | None, Parameter(help="Units that people are told in; default: those of the sport.")
+        Literal["us", "si"] | None,
+        Parameter(help="Units that people are told in; default: those of the sport, without one SI."),
     ] = None
 
     def into(self, folder: Path | None) -> OutputOptions:

@@ -10,6 +10,8 @@ if TYPE_CHECKING:
     from sweetspot.units import Kind
 
 MOST_VALUES = 100
+DIGITS = 14
+"""Of a value between: enough for any unit, too few for the last bits of a binary number."""
 
 
 def spread(text: str, kind: Kind, what: str) -> tuple[float, ...]:
@@ -28,4 +30,5 @@ def spread(text: str, kind: Kind, what: str) -> tuple[float, ...]:
         raise InputError(f"{what} asks for {count!r} values; allowed is 1 to {MOST_VALUES}")
     low, high = (parse(end, kind, what) for end in (first, last))
     steps = max(int(count) - 1, 1)
-    return tuple(low + (high - low) * step / steps for step in range(int(count)))
+    # people write few digits: what binary numbers add behind them is not theirs
+    return tuple(float(f"{low + (high - low) * step / steps:.{DIGITS}g}") for step in range(int(count)))

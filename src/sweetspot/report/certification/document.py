@@ -19,7 +19,7 @@ from sweetspot.report.bat.json import bat_json
 from sweetspot.report.certification.limits_shown import limit_shown, value_shown
 from sweetspot.report.certification.numbers import check_json, measured_json, simulated_json, wall_json
 from sweetspot.report.certification.tested_bat import TestedBat
-from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Marked, Paragraph, Picture, Table
+from sweetspot.report.document import Block, Bullets, Cell, Cited, Column, Document, Marked, Paragraph, Picture, Table
 from sweetspot.report.json_shapes import as_columns, cleaned
 from sweetspot.report.quantities import Reader
 from sweetspot.report.sentences import Sentence, Slot, Span, Words, joined, say, with_doubt
@@ -239,7 +239,6 @@ def _rules(tested: TestedBat) -> Table:
     rows: list[list[Cell]] = []
     for league, check in tested.checks:
         rule = check.rule
-        reading = "" if rule.reading == "primary" else f", {rule.reading}"
         of = RULED.get(rule.quantity, "")
         value = value_shown(rule.quantity, check.value, of=of)
         if rule.quantity == "moi" and check.value is not None:
@@ -248,7 +247,7 @@ def _rules(tested: TestedBat) -> Table:
             league.key, title(rule), Marked(check.verdict.value, MARKS.get(check.verdict, "")),
             value, limit_shown(check),
             value_shown(rule.quantity, check.margin, sign=True, of=f"-{of}" if rule.least is None and of else of),
-            f"{rule.source} {rule.year or ''}".strip() + reading,
+            Cited(rule.source, str(rule.year or ""), "" if rule.reading == "primary" else rule.reading),
         ])  # fmt: skip
     name = "certified rules" if len(rows) < MANY else "certified rules many"
     return Table("Rules", [*columns, Column("source")], rows, name=name)

@@ -20,6 +20,7 @@ from sweetspot.report.design.sizes import drawing, sizes_table, tolerance_paragr
 from sweetspot.report.design.words import (
     breaking_words,
     effort_words,
+    label_of,
     moved_words,
     rules_words,
     tool_of,
@@ -102,10 +103,11 @@ def _subtitle(design: Designed) -> str:
 def _assumed(design: Designed) -> Words:
     batter = design.bench.batter
     return say(
-        "Contacts {place} from the tip on average; {pitch} pitch, {bat} of {tool} speed with the present {tool}. "
+        "Contacts {place} from the tip on average; {pitch} {incoming}, {bat} of {tool} speed with the present {tool}. "
         "The same places from the tip and the same effort with every {tool}. The model's ball, {wood} and swing; "
         "nothing was made.",
-        tool=tool_of(design), wood="wood" if design.gain.shipment else "material",
+        tool=tool_of(design), incoming=sport(design.bench.space.present.sport).words.incoming,
+        wood="wood" if design.gain.shipment else "material",
         place=Slot(batter.mean_contact, "place"), pitch=Slot(batter.pitch_speed, "speed", 0),
         bat=Slot(batter.bat_speed, "speed", 0),
     )  # fmt: skip
@@ -125,7 +127,7 @@ def _beside(design: Designed) -> Table:
         now = design.now.values.get(name)
         before: Cell = None if now is None else Slot(float(now[0]), measure.scale)
         change: Cell = None if now is None else Slot(value - float(now[0]), _changes(measure.scale), sign=True)
-        rows.append([measure.label, before, Slot(value, measure.scale), change])
+        rows.append([label_of(design, name), before, Slot(value, measure.scale), change])
     if design.bent is not None:
         strains = [bending.strain for bending in design.bent]
         rows.append([
@@ -150,7 +152,9 @@ def _front(design: Designed) -> Table:
     ]
     columns = [Column(tool_of(design))] + [Column(_short(name), MEASURES[name].scale) for name in shown]
     return Table(
-        f"The front: {count} {tool_of(design)}s, none better in everything (--pick N tells about another)",
+        f"The front: {count} {tool_of(design)}s, none better in everything (--pick N tells about another)"
+        if count > 1
+        else f"The front: one {tool_of(design)}, better in everything than the others",
         columns,
         rows,
     )

@@ -11,6 +11,7 @@ from sweetspot.design.answer import Designed
 from sweetspot.design.contacts import FROM_TIP
 from sweetspot.design.gain import SHIPMENT, TOWARDS_END, TURNED_ALIKE
 from sweetspot.design.gain import Verdict as GainVerdict
+from sweetspot.design.measures import MEASURES
 from sweetspot.design.variables import DENSITY_SPREAD, MODULUS_SPREAD
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.report.sentences import Sentence, Slot, joined, say
@@ -26,6 +27,11 @@ FURTHER = 0.05
 def tool_of(design: Designed) -> str:
     """Return what people of the sport call what is designed."""
     return sport(design.bench.space.present.sport).words.implement
+
+
+def label_of(design: Designed, measure: str) -> str:
+    """Return what a measure is called in the sport of what is designed."""
+    return f"{tool_of(design)} speed" if measure == "bat_speed" else MEASURES[measure].label
 
 
 def moved_words(design: Designed) -> Sentence:

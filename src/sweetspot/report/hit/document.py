@@ -25,6 +25,8 @@ from sweetspot.report.sport_words import in_words, reader_of, weight, words_of
 Rows = list[tuple[Cell, Cell]]
 FEW_JOULES, FEW_NEWTONS = 20.0, 5e3
 """Below these a number is shown with more digits."""
+TOLD = 1e-3
+"""A part of the energy below which what a sum misses is rounding."""
 
 
 @dataclass(frozen=True)
@@ -149,7 +151,9 @@ def _energy_rows(impact: Impact, words: Words, at: str = "") -> Rows:
         part = Slot(joules / energy.incoming if energy.incoming else 0.0, "share", 1, of=f"{at}energy_share.{field}")
         size = say("{joules}, {part}", joules=Slot(joules, "energy", digits, of=f"{at}energy_j.{field}"), part=part)
         rows.append((in_words(f"energy: {name}", words), size))
-    return [*rows, ("energy: what the sum misses", f"{energy.imbalance:+.1e} of it")]
+    missed = abs(energy.imbalance)
+    told = say("less than {part}", part=Slot(TOLD, "share", 1)) if missed < TOLD else Slot(missed, "share", 1)
+    return [*rows, ("energy: what the sum misses", told)]
 
 
 def _damage_blocks(damage: Damage | None, words: Words) -> list[Block]:

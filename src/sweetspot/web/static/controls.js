@@ -4,7 +4,7 @@
 //   slider(app, "pitch_speed_mph", { label: "Pitch speed", step: 0.5 })   a range and a number field
 //   slider(app, "ball_cor", { label: "Ball COR", step: 0.005, empty: 0.55 })   may be empty (null): shows 0.55 until moved;
 //                                                      empty may be a function, asked again after every answer; so may
-//                                                      label, asked again after a change of units
+//                                                      label
 //   choice(app, "ball", { label: "Ball", options: [["baseball", "Baseball"]] })
 //   toggle(app, "fixed", { label: "Held fast" })
 //   group("Swing", [slider(...), ...], { open: true })   controls under a heading that folds
@@ -16,7 +16,7 @@ import { fromShown, toShown, unitOf } from "./units.js";
 
 /** @import { App, State } from "./main.js" */
 /** @typedef {string | (() => string)} Words */
-/** @typedef {string[][]} Options pairs of a value and what it is called */
+/** @typedef {string[][]} Options a value, what it is called and, where they are many, under which heading it stands */
 /**
  * What a control needs of the app; scoped() of parts.js gives the same for one bat of a list.
  * @typedef {Pick<App, "schema" | "units" | "setState" | "commit" | "control"> & Partial<Pick<App, "state" | "bounds" | "lists" | "answer">>} Desk
@@ -47,10 +47,10 @@ export function slider(app, field, { label, step, empty = null, note = "", onInp
 
   function scale() {
     bounds = limits();
-    const now = `${app.units} ${bounds.least} ${bounds.most}`;
+    const words = typeof label === "function" ? label() : label;
+    const now = `${app.units} ${bounds.least} ${bounds.most} ${words}`;
     if (scaled === now) return;
     scaled = now;
-    const words = typeof label === "function" ? label() : label;
     name.textContent = words;
     for (const one of [range, number]) {
       const fine = stepShown();
@@ -128,7 +128,15 @@ export function choice(app, field, { label, options, note = "", follows = false,
   select.id = id;
   select.setAttribute("aria-describedby", `${id}-fault`);
   const fill = (/** @type {Options} */ list) => {
-    select.replaceChildren(...list.map(([value, words]) => new Option(words, value)));
+    select.replaceChildren();
+    for (const [value, words, kind] of list) {
+      let place = /** @type {HTMLElement} */ (select);
+      if (kind) {
+        const last = select.lastElementChild;
+        place = last instanceof HTMLOptGroupElement && last.label === kind ? last : select.appendChild(Object.assign(document.createElement("optgroup"), { label: kind }));
+      }
+      place.append(new Option(words, value));
+    }
     if (app.state) control.sync(app.state);
   };
   partOf(box, ".entry", HTMLElement).append(select);

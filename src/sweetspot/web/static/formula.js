@@ -2,6 +2,8 @@
 //   mathOf("{ F | I } = { J_C − m x l | J_C + m l^2 }")   fractions in braces, _ below, ^ above
 // Names of several letters (cos, kg) stand upright; a plain text for those whose reader knows no MathML is alttext.
 
+const FLAT = 0.12; // em: an index that stands less below its letter stands on the line
+const DEEP = /[gjpqy]/, DEPTH = 0.2; // em: letters that reach below their own line, and by how much
 const SPACE = "http://www.w3.org/1998/Math/MathML";
 
 /** @param {string} source */
@@ -10,13 +12,35 @@ export function mathOf(source, { block = true } = {}) {
   math.setAttribute("display", block ? "block" : "inline");
   math.setAttribute("alttext", source.replaceAll("{ ", "(").replaceAll(" | ", ") / (").replaceAll(" }", ")"));
   math.append(rowOf(source.split(" ").filter(Boolean)));
+  if (!lowerScripts(math)) requestAnimationFrame(() => lowerScripts(math));
   return math;
+}
+
+/** @type {Map<string, boolean>} */
+const flat = new Map(); // by a letter with its index: whether that stands on the line
+
+// Without a font for formulas browsers set small indices on the line, as if they were factors: what says so is how
+// low an index stands where it is shown. Whether all are known.
+/** @param {Element} math */
+function lowerScripts(math) {
+  const scripts = [...math.querySelectorAll("msub, msubsup")];
+  for (const script of scripts) {
+    const words = script.textContent ?? "";
+    if (!flat.has(words) && math.isConnected) {
+      const [base, below] = [...script.children].map((part) => part.getBoundingClientRect().bottom);
+      const least = FLAT + (DEEP.test(script.children[1].textContent ?? "") ? DEPTH : 0);
+      flat.set(words, below - base < least * parseFloat(getComputedStyle(script).fontSize));
+    }
+    script.classList.toggle("flat", flat.get(words) ?? false);
+  }
+  return scripts.every(({ textContent }) => flat.has(textContent ?? ""));
 }
 
 /** @param {string[]} words */
 function rowOf(words) {
   const row = element("mrow");
   for (let i = 0; i < words.length; i += 1) {
+    if (i && (words[i - 1] === "," || (isFactor(words[i - 1], "}") && isFactor(words[i], "{")))) row.append(spaced());
     if (words[i] !== "{") {
       row.append(term(words[i]));
       continue;
@@ -26,6 +50,19 @@ function rowOf(words) {
     i = end;
   }
   return row;
+}
+
+// Factors stand a little apart, so that "sin α T" is no word.
+/**
+ * @param {string} word
+ * @param {string} brace  that of a fraction's end which stands on this side
+ */
+const isFactor = (word, brace) => word === brace || (/^[\p{L}\d]/u.test(word) && !UNITS.includes(word));
+
+function spaced() {
+  const made = element("mspace");
+  made.setAttribute("width", "0.2em");
+  return made;
 }
 
 // The bar or brace that belongs to the brace at `start`.

@@ -169,6 +169,7 @@ export function scoped(app, list, index, bounds) {
     control(control) {
       app.control({
         field: `${list}.${index}.${control.field}`,
+        follows: control.follows,
         sync: (state) => state[list][index] && control.sync({ ...defaults, ...state[list][index] }),
         fault: (message) => control.fault?.(message),
       });

@@ -14,6 +14,7 @@ export function fillBar(app) {
     bar.append(item);
   }
   bar.addEventListener("click", (event) => follow(event, app));
+  new ResizeObserver(() => bar.querySelectorAll("[aria-current]").forEach(centre)).observe(bar); // a phone that is turned
 }
 
 /** @param {App} app */
@@ -40,7 +41,7 @@ function follow(event, app) {
 }
 
 // Bring a link into the middle of a bar that is too narrow for all of them; the page itself stays where it is.
-/** @param {HTMLElement} link */
+/** @param {Element} link */
 function centre(link) {
   const bar = link.closest("nav");
   if (!bar) return;

@@ -111,6 +111,9 @@ def recipe(state: ExplorerState) -> dict[str, str]:
             f"impact = hit_at(bat.length - {state.impact_from_tip_in!r} * INCH, modes=result.modes, "
             "conditions=conditions)\n"
         )
+    else:
+        told = f"# of a ball met in the middle; the page's is met {abs(state.offset_in):.12g} in off the bat's axis\n"
+        command, python = told + command, told + python
     return {"command": command, "python": python, "toml": bat_text(state)}
 
 

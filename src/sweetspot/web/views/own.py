@@ -42,7 +42,8 @@ def answer(state: OwnState) -> dict[str, Any]:
     own = described(state)
     bat_of(state)
     posterior = posterior_of(state)
-    fitted = own if posterior is None else calibrated_bat(posterior, damping_of(state))
+    with about("weighed_oz" if state.balanced_in is None else "balanced_in"):
+        fitted = own if posterior is None else calibrated_bat(posterior, damping_of(state))
     body, described_body = rigid_body(beam_model(fitted)), rigid_body(beam_model(own))
     words = [] if posterior is None else contradictions(posterior)
     known = {} if posterior is None else properties(posterior)

@@ -24,12 +24,14 @@ from sweetspot.player.posterior import Posterior, fit_player
 from sweetspot.player.swings import MOST_SWINGS, Swings, evenly, read_swings
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.player.document import player_document
+from sweetspot.report.quantities import SYSTEMS
 from sweetspot.units import INCH, MPH
 from sweetspot.web.bat_bounds import bounds
 from sweetspot.web.bats import described, listed_bat
 from sweetspot.web.documents import told
 from sweetspot.web.drawings import outline
 from sweetspot.web.errors import FieldError, about
+from sweetspot.web.one_system import in_one_system
 from sweetspot.web.recipes import bat_name, bat_text
 from sweetspot.web.states import BatState
 from sweetspot.web.view import View
@@ -56,6 +58,8 @@ def answer(state: PlayerState) -> dict[str, Any]:
     """Return the swings as they were read: speeds of bat and ball, rows that could not be used and why."""
     swings = _swings(state)
     good = swings.swings
+    bad = [f"row {one.row}: {one.reason}" for one in swings.bad_rows[:20]]
+    notes = [*swings.notes, *bad]
     own = described(state)
     return {
         "bat": {
@@ -66,9 +70,9 @@ def answer(state: PlayerState) -> dict[str, Any]:
         "example": state.swings_csv is None,
         "bat_speed_m_s": [one.bat_speed for one in good],
         "exit_speed_m_s": [one.exit_speed for one in good],
-        "bad_rows": [{"row": one.row, "reason": one.reason} for one in swings.bad_rows[:20]],
         "count": len(good),
-        "notes": list(swings.notes),
+        "notes": {system: [in_one_system(one)[system] for one in notes] for system in SYSTEMS},
+        "bad_rows": len(swings.bad_rows),
         "csv": _example() if state.swings_csv is None else None,
     }
 

@@ -64,7 +64,7 @@ export const view = {
     this.sure = new HowSure(app, { but: ["league"] });
     this.sureRules = new HowSure(app, { aside: "rules_sure", but: SWUNG, title: "How sure each bat's test is, and what that comes from" });
     const section = (/** @type {string} */ title, /** @type {(Node | string)[]} */ ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
-    const legend = make("p", { className: "note", textContent: "Dot: the ball leaves fastest there. Bar below the bat, and shaded stretch of the first one's in the curves: the sweet zone. Pale stretches around a curve: what is not known of that bat's speed." });
+    const legend = make("p", { className: "note", textContent: "Dot: the ball leaves fastest there. Bar below the bat, and shaded stretch of the first one's in the curves: the sweet zone. Pale stretches around a curve: what is not known of that bat's speed. Black dot: a weight fixed to the bat." });
     const main = make("div", { className: "stack" },
       section("Verdict", this.words, this.change.element),
       section("The bats and where they hit", this.rows.element, legend, this.chart.element, this.bats, this.assumed, this.sure.element),
@@ -136,15 +136,16 @@ export const view = {
   /** @param {Answer[]} bats */
   tableOfBats(bats) {
     const show = this.app.text.bind(this.app);
-    const range = (/** @type {string} */ name, /** @type {{ value: number, low: number, high: number }} */ { value, low, high }) => ({
-      text: show(name, value), note: low < high ? `${show(name, low).split(" ")[0]} to ${show(name, high)}` : "",
-    });
+    const range = (/** @type {string} */ name, /** @type {{ value: number, low: number, high: number }} */ { value, low, high }, sign = "") => {
+      const signed = (/** @type {number} */ one) => show(name, one).replace(/^(?=\d)/, sign);
+      return { text: signed(value), note: low < high ? `${signed(low).split(" ")[0]} to ${signed(high)}` : "" };
+    };
     return tableOf("The bats and what they do in play; small: the interval", [
       "Bat", "Weight", "Balance", "Swing weight", "Bat speed", "Exit speed", "Change", "Breaks even at", "BBCOR in play",
     ], bats.map((one, i) => [
       one.label, show("mass_kg", one.bat.mass_kg), show("balance_point_m", one.bat.balance_point_m, 1),
       show("moi_6in_kg_m2", one.bat.moi_6in_kg_m2), range("bat_speed_m_s", one.bat_speed_m_s),
-      range("exit_speed_m_s", one.exit_speed_m_s), i ? range("speed_change", one.change_m_s) : "reference",
+      range("exit_speed_m_s", one.exit_speed_m_s), i ? range("speed_change", one.change_m_s, "+") : "reference",
       i ? show("bat_speed_m_s", one.break_even_bat_speed_m_s) : "reference", one.max_bbcor.toFixed(3),
     ]));
   },

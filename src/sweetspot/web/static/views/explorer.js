@@ -11,15 +11,20 @@ import { PARTS } from "../ledger.js";
 import { factList, make, paragraphs, write } from "../parts.js";
 import { INCH } from "../units.js";
 import { Zoom } from "../zoom.js";
+/** @import { Curve, Panel } from "../chart.js" */
 /** @import { Fact } from "../parts.js" */
 /** @import { Answer, App, State, View } from "../main.js" */
 
 const BARREL = 18 * INCH; // shown until somebody zooms
 const ELSEWHERE = ["impact_from_tip_in", "offset_in"]; // what the map and the report do not depend on
+/** @type {Curve[]} */
+const SPEEDS = [
+  { key: "exit_speed_m_s", label: "real bat", color: "red", width: 2.4 },
+  { key: "rigid_exit_speed_m_s", label: "rigid bat", color: "muted", dash: [5, 4], width: 1.6 },
+];
+/** @type {Panel[]} */
 const PANELS = [
-  { title: "Exit speed", kind: "exit_speed_m_s", height: 130, lines: [
-    { key: "exit_speed_m_s", label: "real bat", color: "red", width: 2.4 },
-    { key: "rigid_exit_speed_m_s", label: "rigid bat", color: "muted", dash: [5, 4], width: 1.6 }] },
+  { title: "Exit speed", kind: "exit_speed_m_s", height: 130, lines: SPEEDS },
   { title: "Where the energy goes", kind: "share", height: 110, stacked: true, lines: [] },
   { title: "Collision efficiency q", kind: "ratio", height: 70, lines: [{ key: "collision_efficiency", color: "orange" }] },
   { title: "BBCOR in play", kind: "ratio", height: 70, lines: [{ key: "bbcor", color: "blue" }] },
@@ -136,6 +141,7 @@ export const view = {
     Object.assign(this, { answer, state });
     const { bat, energy_shares: shares } = answer;
     this.zoom.set([0, bat.length_m], [bat.length_m - Math.min(BARREL, bat.length_m), bat.length_m]);
+    PANELS[0].lines = state.offset_in === 0 ? SPEEDS : SPEEDS.slice(0, 1); // off the axis there is no rigid one
     PANELS[1].lines = PARTS.filter(([key]) => shares[key]).map(([key, name, color]) => ({ key, label: name, name, color }));
     this.paint();
     this.facts.fill(answer);

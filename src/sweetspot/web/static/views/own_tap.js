@@ -9,7 +9,7 @@ import { upload, whereTo } from "../upload.js";
 /** @import { Answer, App, State } from "../main.js" */
 
 const LARGEST = 60e6; // bytes of a sound
-const PANELS = [{ title: "What rings, dB below the loudest", kind: "level_db", height: 150, empty: [-60, 0], lines: [{ key: "level", label: "the first good tap", color: "blue", width: 1.4 }] }];
+const PANELS = [{ title: "What rings, dB below the loudest", kind: "count", height: 150, empty: [-60, 0], lines: [{ key: "level", label: "the first good tap", color: "blue", width: 1.4 }] }];
 const ROOM = "room’s?: a tone that the room may have added, or the same mode in another plane. Such a tone holds less energy than another within 10 % of it, or less than a thousandth of the greatest.";
 /** @type {{ recordings: string[], found: any }} */
 const kept = { recordings: [], found: null }; // as long as the page is open

@@ -69,9 +69,9 @@ export const view = {
     this.bench.update(answer);
     const { count, bad_rows: bad, example, notes } = answer;
     const many = (/** @type {number} */ number, /** @type {string} */ words) => `${number} ${words}${number === 1 ? "" : "s"}`;
-    this.words.textContent = `${many(count, "swing")}${example ? " of a made-up player; bring your own table to read yours" : ""}${bad.length ? `; ${many(bad.length, "row")} could not be used` : ""}.`;
+    this.words.textContent = `${many(count, "swing")}${example ? " of a made-up player; bring your own table to read yours" : ""}${bad ? `; ${many(bad, "row")} could not be used` : ""}.`;
     this.app.announce(this.words.textContent);
-    this.bad.replaceChildren(...[...notes, ...bad.map((/** @type {{ row: number, reason: string }} */ { row, reason }) => `row ${row}: ${reason}`)].map((words) => make("li", { textContent: words })));
+    this.bad.replaceChildren(...notes[this.app.units].map((/** @type {string} */ words) => make("li", { textContent: words })));
     this.points.label(`Exit speed against bat speed of ${many(count, "swing")}.`);
     this.points.draw();
     this.numbers.redraw();

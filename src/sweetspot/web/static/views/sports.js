@@ -38,7 +38,7 @@ export const view = {
 
   mount(root, app) {
     Object.assign(this, { app, answer: null });
-    const tools = app.lists("implements").then(({ implements: all }) => all.map(({ key, name }) => [key, name]));
+    const tools = app.lists("implements").then(({ implements: all }) => all.map(({ key, name, sport }) => [key, name, sport]));
     const usual = (/** @type {string} */ name) => () => app.answer?.[name] ?? null;
     const side = make("div", { className: "side" },
       group("What one hits with", [choice(app, "implement", { label: "Implement", options: tools,
@@ -46,21 +46,21 @@ export const view = {
         take: (implement) => implement !== OWN && app.setState({ ...app.defaults, implement }) }),
       button("Describe yours by questions\u00a0…", () => describeOwn(app)), this.ownFile(app)]),
       group("Stroke", [
-        slider(app, "swing_mph", { label: "Speed of the implement", step: 1, empty: usual("swing_mph") }),
-        slider(app, "incoming_mph", { label: "Speed of the ball before", step: 1, empty: usual("incoming_mph") }),
+        slider(app, "swing_mph", { label: () => `Speed of the ${this.ownWords().implement}`, step: 1, empty: usual("swing_mph") }),
+        slider(app, "incoming_mph", { label: () => `Speed of the ${this.ownWords().ball} before`, step: 1, empty: usual("incoming_mph") }),
       ]),
       group("Where they meet", [
-        slider(app, "met_from_tip_in", { label: "From the tip", step: 0.1, empty: () => this.fromTip() }),
+        slider(app, "met_from_tip_in", { label: () => `From the ${this.ownWords().tip}`, step: 0.1, empty: () => this.fromTip() }),
         slider(app, "aside_in", { label: "Across the face", step: 0.05 }),
       ]));
     this.words = make("p", { className: "verdict", id: "verdict" });
     this.facts = factList(FACTS, app);
-    const axis = { kind: "position_m", from: () => this.answer?.tool.length_m ?? 0.7, label: "from the tip" };
-    this.map = new HeatMap(app, { label: "", title: "Ball speed over the face", height: 240,
+    const axis = this.axis = { kind: "position_m", from: () => this.answer?.tool.length_m ?? 0.7, label: "" };
+    this.map = new HeatMap(app, { label: "", title: "", height: 240,
       x: axis, y: { kind: "lateral_m", label: "across" }, z: { kind: "exit_speed_m_s" }, onPick: (x, y, { last }) => this.pick(x, y, last) });
     this.map.element.classList.add("pinned");
-    this.chart = new Chart(app, { label: "Speed of the ball, efficiency and vibration, from the tip", axis, onPick: (x, { last }) => this.pick(x, null, last), panels: [
-      { title: "Speed of the ball", kind: "exit_speed_m_s", height: 140, lines: [{ key: "exit_speed_m_s", label: "real", color: "red", width: 2.4 },
+    this.chart = new Chart(app, { label: "Speed, efficiency and vibration", axis, onPick: (x, { last }) => this.pick(x, null, last), panels: [
+      { title: "", kind: "exit_speed_m_s", height: 140, lines: [{ key: "exit_speed_m_s", label: "real", color: "red", width: 2.4 },
         { key: "rigid_exit_speed_m_s", label: "rigid", color: "muted", dash: [5, 4], width: 1.6 }] },
       { title: "Efficiency", kind: "ratio", height: 80, lines: [{ key: "collision_efficiency", color: "orange" }] },
       { title: "Vibration at the handle", kind: "sting", height: 80, zero: true, lines: [{ key: "sting_m_s", color: "purple" }] }] });
@@ -87,6 +87,9 @@ export const view = {
     return make("div", { className: "control" }, make("label", { htmlFor: chosen.id, textContent: "Your own (file, TOML)" }), chosen, fault);
   },
 
+  // What its people call things; before the first answer, what everybody does.
+  ownWords() { return this.app.answer?.words ?? { implement: "implement", ball: "ball", tip: "tip" }; },
+
   fromTip() {
     const { answer } = this.app;
     return answer ? (answer.tool.length_m - answer.hit.position_m) / INCH : null;
@@ -109,10 +112,13 @@ export const view = {
 
   update(answer) {
     this.answer = answer;
-    const { tool, hit, scan, sweet_spots: spots, words, sport } = answer;
+    const { tool, hit, scan, sweet_spots: spots, words } = answer;
+    this.axis.label = `from the ${words.tip}`;
+    this.chart.panels[0].title = `Speed of the ${words.ball}`;
+    this.map.title = `Speed of the ${words.ball} over the face`;
     const show = this.app.text.bind(this.app);
     const length = tool.length_m;
-    this.words.textContent = `${tool.name.startsWith(sport) ? "" : `${sport}, `}${tool.name}: hits best ${show("from_m", length - spots.max_exit_speed_m, 1)} from the ${words.tip}. ` +
+    this.words.textContent = `${tool.name} hits best ${show("from_m", length - spots.max_exit_speed_m, 1)} from the ${words.tip}. ` +
       `Here, ${show("from_m", length - hit.position_m, 1)} from it${hit.lateral_m ? ` and ${show("from_m", Math.abs(hit.lateral_m), 1)} off the line` : ""}, the ${words.ball} leaves at ${show("exit_speed_m_s", hit.exit_speed_m_s)}.` +
       hit.touched_again[this.app.units].map((/** @type {string} */ doubt) => ` ${doubt}`).join("");
     this.app.announce(this.words.textContent);
@@ -132,7 +138,7 @@ export const view = {
     const zone = spots.zone_m;
     this.chart.draw({ x: scan.position_m, lines: scan, range: [scan.position_m[0], scan.position_m.at(-1)], cursor: hit.position_m,
       bands: zone ? [{ from: zone[0], to: zone[1] }] : [], marks: [{ at: spots.max_exit_speed_m, color: "red", label: "fastest" }] });
-    this.chart.label(`Speed of the ball, efficiency and vibration along the ${words.implement}. ${this.words.textContent}`);
+    this.chart.label(`Speed of the ${words.ball}, efficiency and vibration along the ${words.implement}. ${this.words.textContent}`);
   },
 
   // The map comes apart: the last one stands there until then.
@@ -145,7 +151,7 @@ export const view = {
       return;
     }
     this.map.draw({ x: face.position_m, y: face.lateral_m, z: face.exit_speed_m_s, cross: [hit.position_m, hit.lateral_m] });
-    this.map.label(`How fast the ball leaves from every place of the face. ${this.words.textContent}`);
+    this.map.label(`How fast the ${this.ownWords().ball} leaves from every place of the face. ${this.words.textContent}`);
   },
 
   unmount() { Object.assign(this, { answer: null, face: null, sentences: null, shown: null }); },
