@@ -172,16 +172,22 @@ def tidy(text: pl.Expr) -> pl.Expr:
 
 def _possible(rows: pl.DataFrame) -> tuple[pl.DataFrame, pl.Expr]:
     """Return rows without what cannot be, and how many measurements of each that were."""
-    wrong = {name: ~pl.col(name).is_between(*ends) for name, ends in POSSIBLE.items() if name in rows.columns}
-    if "map_x" in wrong and "map_y" in wrong:
+    names = [name for name in POSSIBLE if name in rows.columns]
+    if not names:
+        return rows, pl.lit(0, pl.UInt32)
+    found = rows.select(*(pl.col(name).min() for name in names),
+                        *(pl.col(name).max().alias(f"{name} most") for name in names)).row(0, named=True)  # fmt: skip
+    beyond = [name for name in names if found[name] is not None
+              and not POSSIBLE[name][0] <= found[name] <= found[f"{name} most"] <= POSSIBLE[name][1]]  # fmt: skip
+    wrong = {name: ~pl.col(name).is_between(*POSSIBLE[name]) for name in beyond}
+    on_map = [found.get(name) for name in ("map_x", "map_y")]
+    if all(least is not None and least <= 0 for least in on_map):
         nowhere = (pl.col("map_x") == 0) & (pl.col("map_y") == 0)
-        wrong |= {name: wrong[name] | nowhere for name in ("map_x", "map_y")}
+        wrong |= {name: wrong.get(name, pl.lit(value=False)) | nowhere for name in ("map_x", "map_y")}
     if not wrong:
         return rows, pl.lit(0, pl.UInt32)
     flags = rows.select(condition.fill_null(value=False).alias(name) for name, condition in wrong.items())
-    hit = [column.name for column in flags.get_columns() if column.any()]
-    if not hit:
-        return rows, pl.lit(0, pl.UInt32)
+    hit = flags.columns
     kept = rows.with_columns(pl.when(~flags[name]).then(pl.col(name)).alias(name) for name in hit)
     return kept, pl.lit(flags.select(pl.sum_horizontal(hit).cast(pl.UInt32)).to_series())
 
