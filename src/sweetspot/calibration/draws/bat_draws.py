@@ -212,11 +212,12 @@ def _drawn_implements(
 
 def _alike(shapes: Sequence[Array]) -> list[Array]:
     """Return shapes of modes with the signs of the first's, whose modes they are; shape (bats, places, n) each."""
-    first = shapes[0]
-    return [
-        shape if shape is first else shape * np.where(np.sum(shape * first, axis=(0, 1)) < 0, -1.0, 1.0)
-        for shape in shapes
-    ]
+    first, alike = shapes[0], list(shapes)
+    for number, shape in enumerate(shapes):
+        against = np.einsum("bpn,bpn->n", shape, first) < 0
+        if np.any(against):
+            alike[number] = np.where(against, -shape, shape)
+    return alike
 
 
 def _surface(line: BeamModel, law: PatchLaw) -> Surface:
