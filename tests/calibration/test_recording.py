@@ -32,6 +32,41 @@ def test_of_several_channels_the_loudest(tmp_path: Path) -> None:
     np.testing.assert_allclose(read_recording(tmp_path / "stereo.wav").samples, loud, atol=1e-7)
 
 
+@pytest.mark.parametrize(("ending", "coding"), [("m4a", "aac"), ("mp4", "alac"), ("webm", "libopus")])
+def test_a_phone_s_recording_is_read(ending: str, coding: str, tmp_path: Path) -> None:
+    """A tone after a quarter of a second, written as phones and browsers do: begin, frequency and level stay."""
+    import av
+
+    tapped = np.concatenate([np.zeros(12000), tone(440, 48000).samples])
+    with av.open(str(tmp_path / f"tap.{ending}"), "w") as container:
+        stream = container.add_stream(coding, rate=48000, layout="stereo")
+        assert isinstance(stream, av.AudioStream)
+        shape = av.AudioResampler(format=stream.format.name, layout="stereo", rate=48000, frame_size=stream.frame_size)
+        frame = av.AudioFrame.from_ndarray(np.stack([0.1 * tapped, tapped]).astype(np.float32), "fltp", "stereo")
+        frame.sample_rate, frame.pts = 48000, 0
+        for part in (*shape.resample(frame), *shape.resample(None)):
+            container.mux(stream.encode(part))
+        container.mux(stream.encode(None))
+    sound = read_recording(tmp_path / f"tap.{ending}")
+    assert (sound.rate, sound.lossy) == (48000, True)
+    assert sound.duration == pytest.approx(0.75, abs=0.05)
+    assert np.abs(sound.samples[:11000]).max() < 0.02
+    np.testing.assert_allclose(sound.samples[13000:35000], tapped[13000:35000], atol=0.03)
+
+
+def test_a_film_without_sound_is_refused(tmp_path: Path) -> None:
+    import av
+
+    with av.open(str(tmp_path / "film.mp4"), "w") as container:
+        stream = container.add_stream("mpeg4", rate=25)
+        assert isinstance(stream, av.VideoStream)
+        stream.width = stream.height = 16
+        container.mux(stream.encode(av.VideoFrame(16, 16, "yuv420p")))
+        container.mux(stream.encode(None))
+    with pytest.raises(InputError, match="holds no sound"):
+        read_recording(tmp_path / "film.mp4")
+
+
 @pytest.mark.parametrize("rate", [11025.0, 48000.0, 384000.0])
 def test_the_band_passes_and_the_rest_does_not(rate: float) -> None:
     inside = in_band(tone(1000, rate), BAT_BAND)
@@ -63,13 +98,13 @@ def test_bad_files_are_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="cannot be read as a sound"):
         read_recording(text)
     phone = text.rename(tmp_path / "tap.m4a")
-    with pytest.raises(InputError, match=r"not recognised; this kind is not read here: convert it, as by ffmpeg -i"):
+    with pytest.raises(InputError, match=r"cannot be read as a sound: .*; record anew, or convert it to WAV"):
         read_recording(phone)
     for name, samples, rate, message in (
         ("silent.wav", np.zeros(8000), 8000, "silent"),
         ("empty.wav", np.zeros(0), 8000, "no sound"),
         ("slow.wav", np.ones(100), 1000, "samples per second"),
-        ("long.wav", np.ones(700), 1, "lasts 700 s; allowed is up to 600 s. Cut out the taps"),
+        ("long.wav", np.ones(700), 1, "lasts longer than 600 s, the most that is allowed. Cut out the taps"),
     ):
         soundfile.write(tmp_path / name, samples, rate)
         with pytest.raises(InputError, match=message):

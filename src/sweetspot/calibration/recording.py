@@ -23,8 +23,10 @@ SLOWEST_RATE = 2000.0
 """Hz; below, even the first mode of a bat is lost."""
 OVERSAMPLING = 2.56
 """Samples kept per period of the band's upper end."""
+SOUND_FILES = (".wav", ".flac", ".ogg", ".mp3", ".aiff")
+"""Endings of recordings that soundfile reads."""
 OF_PHONES = (".m4a", ".aac", ".mp4", ".mov", ".3gp", ".amr", ".wma", ".webm")
-"""Endings of recordings for which the library has no decoder."""
+"""Endings of those that it has no decoder for."""
 AT_REST = 0.05
 """s whose mean a recording began with: an offset of the microphone is no blow."""
 LOSSY = ("VORBIS", "OPUS", "MPEG", "GSM", "NMS_ADPCM", "G72")
@@ -73,35 +75,15 @@ class Recording:
 
 
 def read_recording(path: Path) -> Recording:
-    """Return a sound file (WAV, FLAC, OGG, MP3, AIFF); of several channels the loudest.
+    """Return a sound file (WAV, FLAC, OGG, MP3, AIFF, a phone's M4A, AAC, 3GP); of several channels the loudest.
 
     Raises
     ------
     InputError
         when the file is missing, is no sound, is empty, too long, or sampled too slowly.
     """
-    import soundfile
-
-    check_ordinary(path, most=LARGEST, advice="record WAV, FLAC, OGG or MP3, and cut out the taps")
-    try:
-        with soundfile.SoundFile(path) as sound:
-            if sound.frames > LONGEST * sound.samplerate:
-                raise InputError(
-                    f"{path} lasts {sound.frames / sound.samplerate:.0f} s; allowed is up to {LONGEST:g} s. "
-                    "Cut out the taps"
-                )
-            if sound.frames * sound.channels > MOST_SAMPLES:
-                raise InputError(f"{path} has {sound.channels} channels of {sound.frames} samples; keep one of them")
-            channels, rate = sound.read(dtype="float64", always_2d=True), float(sound.samplerate)
-            lossy = sound.subtype.startswith(LOSSY)
-    except (soundfile.SoundFileError, OSError, RuntimeError) as error:
-        reason = str(error).rpartition(": ")[2].rstrip(".")
-        advice = (
-            f"this kind is not read here: convert it, as by ffmpeg -i {path.name} {path.stem}.wav"
-            if path.suffix.lower() in OF_PHONES
-            else "record WAV, FLAC, OGG or MP3"
-        )
-        raise InputError(f"{path} cannot be read as a sound: {reason}; {advice}") from None
+    check_ordinary(path, most=LARGEST, advice="record WAV, FLAC, OGG, MP3 or M4A, and cut out the taps")
+    channels, rate, lossy = _of_phone(path) if path.suffix.lower() in OF_PHONES else _of_sound_file(path)
     if rate < SLOWEST_RATE:
         raise InputError(f"{path} has {rate:g} samples per second; allowed is {SLOWEST_RATE:g} or more")
     if not len(channels) or not np.isfinite(channels).all():
@@ -111,6 +93,53 @@ def read_recording(path: Path) -> Recording:
     if not np.ptp(samples):
         raise InputError(f"{path} is silent; check the microphone")
     return Recording(path.name, samples, rate, lossy)
+
+
+def _of_sound_file(path: Path) -> tuple[Array, float, bool]:
+    """Return the samples, shape (samples, channels), their rate, and whether the coding loses something."""
+    import soundfile
+
+    try:
+        with soundfile.SoundFile(path) as sound:
+            _check_length(path, sound.frames, rate=sound.samplerate, channels=sound.channels)
+            channels = sound.read(dtype="float64", always_2d=True)
+            return channels, float(sound.samplerate), sound.subtype.startswith(LOSSY)
+    except (soundfile.SoundFileError, OSError, RuntimeError) as error:
+        reason = str(error).rpartition(": ")[2].rstrip(".")
+        raise InputError(f"{path} cannot be read as a sound: {reason}; record WAV, FLAC, OGG, MP3 or M4A") from None
+
+
+def _of_phone(path: Path) -> tuple[Array, float, bool]:
+    """Return the same of a file as phones write them."""
+    import av
+
+    try:
+        with av.open(str(path)) as container:
+            if not container.streams.audio:
+                raise InputError(f"{path} holds no sound; record at least one tap")
+            stream = container.streams.audio[0]
+            floats = av.AudioResampler(format="fltp")  # the same samples, one row a channel
+            blocks: list[Array] = []
+            heard = 0
+            for frame in container.decode(stream):
+                for block in floats.resample(frame):
+                    blocks.append(block.to_ndarray().astype(np.float64))
+                    heard += blocks[-1].shape[1]
+                    _check_length(path, heard, rate=stream.rate, channels=len(blocks[-1]))
+            channels = np.concatenate(blocks, axis=1).T if blocks else np.empty((0, 1))
+            return channels, float(stream.rate), True
+    except (av.FFmpegError, OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else str(error)
+        raise InputError(
+            f"{path} cannot be read as a sound: {reason}; record anew, or convert it to WAV, FLAC, OGG or MP3"
+        ) from None
+
+
+def _check_length(path: Path, frames: int, *, rate: int, channels: int) -> None:
+    if frames > LONGEST * rate:
+        raise InputError(f"{path} lasts longer than {LONGEST:g} s, the most that is allowed. Cut out the taps")
+    if frames * channels > MOST_SAMPLES:
+        raise InputError(f"{path} has {channels} channels of {frames} samples or more; keep one of them")
 
 
 def in_band(recording: Recording, band: Band) -> Recording:

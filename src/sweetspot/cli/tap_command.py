@@ -76,7 +76,7 @@ DEFAULT_TAPPED, DEFAULT_LISTENING, DEFAULT_SYNTHESIS = TappedOptions(), Listenin
 
 
 def tap(
-    recordings: Annotated[list[Path] | None, Parameter(help="Sound files of taps: WAV, FLAC, OGG or MP3.")] = None,
+    recordings: Annotated[list[Path] | None, Parameter(help="Sound files of taps: WAV, FLAC, OGG, MP3, M4A.")] = None,
     /,
     *,
     tapped: TappedOptions = DEFAULT_TAPPED,

@@ -19,6 +19,7 @@ from fastapi import APIRouter, Request
 from fastapi.responses import FileResponse
 from pydantic import BaseModel, ConfigDict, Field
 
+from sweetspot.calibration.recording import OF_PHONES, SOUND_FILES
 from sweetspot.errors import InputError
 from sweetspot.web.errors import FieldError
 from sweetspot.web.limits import LARGEST_PIECE
@@ -30,7 +31,7 @@ FORGOTTEN = 3600.0
 """s after which a file that nobody used is thrown away."""
 SPARE = 500_000_000
 """Bytes of the disk that are never filled."""
-ENDINGS = (".csv", ".tsv", ".gz", ".parquet", ".wav", ".flac", ".ogg", ".mp3", ".aiff", ".txt")
+ENDINGS = (".csv", ".tsv", ".gz", ".parquet", ".txt", *SOUND_FILES, *OF_PHONES)
 UploadKey = Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{16}$")]
 TAKEN_AWAY = "tables"
 """Folder, among what is made of files, of what people may take away."""

@@ -7,7 +7,7 @@ from typing import Any
 from sweetspot.calibration.calibrated_file import Value, material_values, properties
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import MeasuredKind, Measurement, predicted
-from sweetspot.calibration.posterior import CONTRADICTION, Posterior, suspects
+from sweetspot.calibration.posterior import CONTRADICTION, Posterior, right_mode, suspects
 from sweetspot.catalog.materials import keys_by_name, material
 from sweetspot.catalog.sports import sport
 from sweetspot.dynamics.beam import beam_model
@@ -62,8 +62,11 @@ def calibration_document(posterior: Posterior, damping: Measured | None) -> Docu
         level=Slot(LEVEL, "share"),
     )
     blocks: list[Block] = [Paragraph(words, "warning") for words in findings]
-    blocks += [_values(posterior, damping), _unknowns(posterior), _measured(posterior)]
-    blocks += [Paragraph(words) for words in (budget_words(posterior), *density_words(posterior))]
+    if findings:  # what contradicts itself says nothing of a bat
+        blocks.append(_measured(posterior))
+    else:
+        blocks += [_values(posterior, damping), _unknowns(posterior), _measured(posterior)]
+        blocks += [Paragraph(words) for words in (budget_words(posterior), *density_words(posterior))]
     blocks.append(Paragraph(sigma, "note"))
     own = posterior.line.bat
     return Document(
@@ -149,14 +152,17 @@ def contradictions(posterior: Posterior) -> list[Sentence]:
     if not posterior.contradictions:
         return []
     name, pull = next(iter(posterior.contradictions.items()))
+    alone = suspects(posterior)
+    by = (
+        say(": {name} lies {pull} sigma from what all the others say together",
+            name=source_words(name, posterior.line.bat), pull=f"{abs(pull):.1f}")
+        if name in alone or not alone
+        else say(", by {pull} sigma", pull=f"{abs(pull):.1f}")
+    )  # fmt: skip
     words = [
-        say(
-            "The measurements contradict each other: {name} lies {pull} sigma from what all the others say together; "
-            "allowed is {most}.",
-            name=source_words(name, posterior.line.bat), pull=f"{abs(pull):.1f}", most=f"{CONTRADICTION:g}",
-        )
+        say("The measurements contradict each other{by}; allowed is {most}.", by=by, most=f"{CONTRADICTION:g}")
     ]  # fmt: skip
-    for suspect, without in suspects(posterior).items():
+    for suspect, without in alone.items():
         one = next(one for one in posterior.measurements if one.name == suspect)
         should = float(predicted(without.line, [one], livelier=without.livelier)[0])
         words.append(
@@ -166,6 +172,9 @@ def contradictions(posterior: Posterior) -> list[Sentence]:
                 given=Slot(one.value.value, *SCALE_OF[one.kind]),
             )
         )  # fmt: skip
+        mode = right_mode(one, without) if one.mode and isinstance(posterior.line.bat, Bat) else None
+        if mode:
+            words.append(say("As {mode} it would agree with all others.", mode=str(mode)))
     if len(words) == 1:
         words.append(
             say(

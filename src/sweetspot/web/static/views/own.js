@@ -7,12 +7,12 @@ import { download } from "../download.js";
 import { Lights, stateOf } from "../lights.js";
 import { make, paragraphs, tableOf, withDoubt, write } from "../parts.js";
 import { takeDrops } from "../upload.js";
-import { TapPlace } from "./own_tap.js";
+import { SOUNDS, TapPlace } from "./own_tap.js";
 /** @import { Answer, App, View } from "../main.js" */
 
 /** @type {Record<string, number>} */
 const DIGITS = { mass: 2, density: 0, share: 2 };
-const SOUND = /\.(wav|flac|ogg|mp3|aiff)$/i;
+const SOUND = new RegExp(`(${SOUNDS.join("|").replaceAll(".", "\\.")})$`, "i");
 
 /** @type {View} */
 export const view = {

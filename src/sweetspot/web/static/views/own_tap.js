@@ -8,6 +8,7 @@ import { make, tableOf } from "../parts.js";
 import { upload, whereTo } from "../upload.js";
 /** @import { Answer, App, State } from "../main.js" */
 
+export const SOUNDS = [".wav", ".flac", ".ogg", ".mp3", ".aiff", ".m4a", ".aac", ".mp4", ".mov", ".3gp", ".amr", ".wma", ".webm"];
 const LARGEST = 60e6; // bytes of a sound
 const PANELS = [{ title: "What rings, dB below the loudest", kind: "count", height: 150, empty: [-60, 0], lines: [{ key: "level", label: "the first good tap", color: "blue", width: 1.4 }] }];
 const ROOM = "room’s?: a tone that the room may have added, or the same mode in another plane. Such a tone holds less energy than another within 10 % of it, or less than a thousandth of the greatest.";
@@ -29,7 +30,7 @@ export class TapPlace {
     app.signal.addEventListener("abort", () => this.ear.stop());
     this.listen = button("Listen", () => this.toggle(), { primary: true });
     this.level = make("meter", { min: 0, max: 1, high: 0.98, value: 0, ariaLabel: "Loudness" });
-    this.file = make("input", { type: "file", id: "tap-file", accept: ".wav,.flac,.ogg,.mp3,.aiff,audio/*", multiple: true });
+    this.file = make("input", { type: "file", id: "tap-file", accept: `${SOUNDS.join(",")},audio/*`, multiple: true });
     this.file.addEventListener("change", () => {
       this.add([...(this.file.files ?? [])]);
       this.file.value = "";
