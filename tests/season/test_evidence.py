@@ -74,6 +74,25 @@ def test_intervals_of_the_place_hold_as_often_as_they_say(balls: pl.DataFrame) -
         assert 0.88 < most < 0.93, name
 
 
+def test_intervals_of_small_tables_hold_too(answered: Callable[[pl.DataFrame], Season]) -> None:
+    """Four clubs of eight batters: what a few hundred balls leave open of the relation is in the interval."""
+    told = []
+    for seed in (1, 2, 3, 4):
+        club = made_season(catalog.bat(BAT), MadeSeason(players=8, balls=60), seed=seed)
+        told.append(answered(club).balls().filter(pl.col("contact_outcome") == "ok").collect())
+    place = pl.col("true_from_tip_in")
+    held = [
+        number(
+            pl.concat(told)
+            .select(place.is_between(f"from_tip_low{level}_in", f"from_tip_high{level}_in").mean())
+            .item()
+        )
+        for level in (50, 90)
+    ]
+    assert held[0] == pytest.approx(0.5, abs=0.05)
+    assert held[1] == pytest.approx(0.9, abs=0.03)  # 0.84 where learned weights count as known
+
+
 def test_offsets_hold_as_often_as_they_say(balls: pl.DataFrame) -> None:
     off = (balls["offset_in"] - balls["true_offset_in"]) / balls["offset_spread_in"]
     assert abs(number(off.median())) < 0.1

@@ -83,7 +83,8 @@ def _told(words: str) -> Markup:
 def _author(cited: parts.Cited) -> str:
     """Return who wrote a work and when; its title where nobody is named."""
     work = reference(cited.key)
-    return f"{work.authors} ({cited.year})" if work.authors and cited.year else work.authors or cite(cited.key)
+    named = work.fields.get("shortauthor") or work.authors or work.fields.get("shorttitle") or cite(cited.key)
+    return f"{named} ({cited.year})" if cited.year else named
 
 
 @cache

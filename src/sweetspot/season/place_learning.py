@@ -24,6 +24,7 @@ from sweetspot.season.place_relation import (
     USUAL_SPREAD,
     Circumstances,
     PlaceRelation,
+    variance_of,
     with_usual,
 )
 from sweetspot.season.swing_speeds import SwingSpeeds
@@ -102,9 +103,8 @@ def learn_places(
     seen = sample.place[known.placed] if known.placed.any() else sample.place
     everywhere = seen @ now.weights
     spread = np.sqrt(np.mean(np.exp(2 * sample.spread @ now.spread_weights)))
-    errors = spread * np.sqrt(np.diag(np.linalg.pinv(sample.place.T @ sample.place)))
     return replace(
-        now, bat_speeds=bat_speeds, weight_errors=errors, evidence=evidence, balls=int(good.sum()),
+        now, bat_speeds=bat_speeds, evidence=evidence, balls=int(good.sum()),
         marginal=(float(everywhere.mean()), float(np.hypot(spread, everywhere.std()))),
     )  # fmt: skip
 
@@ -137,7 +137,7 @@ def _climbed(now: PlaceRelation, sample: Sample) -> tuple[PlaceRelation, float]:
         before, now = now, third if _apart(third, leapt) <= _apart(first, now) else second
         if _apart(now, before) < NEAR:
             break
-    return now, float(moments[:, EVIDENCE].sum())
+    return _with_covariances(now, sample, moments), float(moments[:, EVIDENCE].sum())
 
 
 def _leapt(first: Array, second: Array, third: Array) -> Array:
@@ -165,21 +165,59 @@ def _maximised(now: PlaceRelation, sample: Sample, moments: Array) -> PlaceRelat
     """Return the weights that fit best where the balls are thought to have been met."""
     inverse = np.exp(-2 * sample.spread @ now.spread_weights)
     weights = _solved(sample.place, inverse, moments[:, MIDDLE], PLACE_WIDTHS)
-    square = (moments[:, SCATTER] + (moments[:, MIDDLE] - sample.place @ weights) ** 2) * inverse
+    square = _squares_of_places(now, weights, sample, moments)
     spreads = now.spread_weights + _scored(
         sample.spread, np.ones_like(square), square - 1, now.spread_weights, SPREAD_WIDTHS
     )
     own = np.exp(2 * sample.noise @ now.noise_weights)
     heavy = 1 / (sample.error**2 + own)
-    out, share, product, square = sample.measured, moments[:, SHARE], moments[:, PRODUCT], moments[:, SQUARE]
+    product, square = moments[:, PRODUCT], moments[:, SQUARE]
     levels = _solved(sample.level, heavy * square, product / np.maximum(square, 1e-12) - 1, LEVEL_WIDTHS)
-    grown = 1 + sample.level @ levels
-    missed = share * out**2 - 2 * grown * product + grown**2 * square
-    part = own * heavy  # of the variance that is noise
-    step = _scored(sample.noise, part**2 * share, part * (heavy * missed - share), now.noise_weights, NOISE_WIDTHS)
+    part, off = _noise_scores(now, levels, sample, moments)
+    step = _scored(sample.noise, part**2 * moments[:, SHARE], off, now.noise_weights, NOISE_WIDTHS)
     noises = now.noise_weights + np.clip(step, -0.5, 0.5)
     noises[0] = np.clip(noises[0], *NOISES)
     return PlaceRelation(weights, spreads, levels, noises)
+
+
+def _squares_of_places(now: PlaceRelation, weights: Array, sample: Sample, moments: Array) -> Array:
+    """Return the squared distances of balls from their mean place that are expected, over what they should be."""
+    square = moments[:, SCATTER] + (moments[:, MIDDLE] - sample.place @ weights) ** 2
+    doubt = variance_of(sample.place, _place_covariance(now, sample, moments))  # balls pull the mean towards themselves
+    return np.asarray((square + doubt) * np.exp(-2 * sample.spread @ now.spread_weights))
+
+
+def _noise_scores(now: PlaceRelation, levels: Array, sample: Sample, moments: Array) -> tuple[Array, Array]:
+    """Return which part of each variance is noise, and the score of the noise's logarithm."""
+    out, share, product, square = sample.measured, moments[:, SHARE], moments[:, PRODUCT], moments[:, SQUARE]
+    own = np.exp(2 * sample.noise @ now.noise_weights)
+    heavy = 1 / (sample.error**2 + own)
+    grown = 1 + sample.level @ levels
+    part = own * heavy
+    return part, part * (heavy * (share * out**2 - 2 * grown * product + grown**2 * square) - share)
+
+
+def _place_covariance(now: PlaceRelation, sample: Sample, moments: Array) -> Array:
+    """Return the covariance of the place's weights: a ball tells less, the less its place is known [louis1982]."""
+    inverse = np.exp(-2 * sample.spread @ now.spread_weights)
+    return _covariance(sample.place, inverse * np.maximum(1 - moments[:, SCATTER] * inverse, 0.0), PLACE_WIDTHS)
+
+
+def _with_covariances(now: PlaceRelation, sample: Sample, moments: Array) -> PlaceRelation:
+    """Return the relation with its weights' covariances, of the logarithms' weights by the squares of their scores."""
+    off = _squares_of_places(now, now.weights, sample, moments) - 1
+    _, off_noise = _noise_scores(now, now.level_weights, sample, moments)
+    return replace(
+        now,
+        covariance=_place_covariance(now, sample, moments),
+        spread_covariance=_covariance(sample.spread, off**2, SPREAD_WIDTHS),
+        noise_covariance=_covariance(sample.noise, off_noise**2, NOISE_WIDTHS),
+    )
+
+
+def _covariance(terms: Array, told: Array, widths: Array) -> Array:
+    """Return the covariance of weights of which each ball tells something, and which are known to some widths."""
+    return np.asarray(np.linalg.inv(_products(terms, told) + np.diag(1 / widths**2)), dtype=np.float64)
 
 
 def _solved(terms: Array, weight: Array, wanted: Array, widths: Array) -> Array:

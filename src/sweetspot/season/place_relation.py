@@ -126,7 +126,8 @@ class PlaceRelation:
     bat_speeds : how bat speeds of the table are spread.
     marginal : mean and standard deviation of all places, for balls whose pitch has no place, m.
     balls : how many it was learnt from; 0: nothing, the usual numbers stand.
-    weight_errors : standard errors of the weights, as if the places themselves had been seen.
+    covariance : of `weights`, m^2, shape (terms, terms).
+    spread_covariance, noise_covariance : of `spread_weights` and of `noise_weights`, shape (terms, terms).
     evidence : logarithm of the likelihood of the balls it was learnt from.
     ranks : which part of the balls it was learnt from are hit less hard than the model says for every twentieth; what
         the model's shape misses.
@@ -139,7 +140,9 @@ class PlaceRelation:
     bat_speeds: SwingSpeeds = USUAL_SPEEDS
     marginal: tuple[float, float] = (USUAL_PLACE, USUAL_SPREAD)
     balls: int = 0
-    weight_errors: Array = field(default_factory=lambda: np.zeros(len(PLACE)))
+    covariance: Array = field(default_factory=lambda: np.zeros((len(PLACE), len(PLACE))))
+    spread_covariance: Array = field(default_factory=lambda: np.zeros((len(SPREAD), len(SPREAD))))
+    noise_covariance: Array = field(default_factory=lambda: np.zeros((len(NOISE), len(NOISE))))
     evidence: float = 0.0
     ranks: tuple[float, ...] = ()
 
@@ -160,8 +163,10 @@ class PlaceRelation:
 
     def prior(self, known: Circumstances) -> Array:
         """Return mean and standard deviation of the place of each ball, m from the tip, shape (n, 2)."""
-        mean = np.where(known.placed, known.terms(PLACE) @ self.weights, self.marginal[0])
-        spread = np.where(known.placed, np.exp(known.terms(SPREAD) @ self.spread_weights), self.marginal[1])
+        place = known.terms(PLACE)
+        mean = np.where(known.placed, place @ self.weights, self.marginal[0])
+        own = scatter_of(known.terms(SPREAD), self.spread_weights, self.spread_covariance) ** 2
+        spread = np.where(known.placed, np.sqrt(own + variance_of(place, self.covariance)), self.marginal[1])
         return np.stack([mean, spread], axis=-1)
 
     def level_of(self, known: Circumstances, turned: Array) -> Array:
@@ -175,13 +180,24 @@ class PlaceRelation:
 
     def noise_of(self, known: Circumstances, turned: Array) -> Array:
         """Return the noise of balls, m/s."""
-        return np.asarray(np.exp(known.terms(NOISE, turned) @ self.noise_weights))
+        return scatter_of(known.terms(NOISE, turned), self.noise_weights, self.noise_covariance)
 
     def ranked(self, rank: Array) -> Array:
         """Return ranks of exit speeds as the table's own balls have them, from those of the model."""
         if not self.ranks:
             return rank
         return np.where(np.isnan(rank), np.nan, np.interp(rank, self.ranks, np.linspace(0, 1, len(self.ranks))))
+
+
+def variance_of(terms: Array, covariance: Array) -> Array:
+    """Return the variance of each ball's sum by the doubt about its weights, shape (n,)."""
+    rows = np.ascontiguousarray(terms.T)
+    return np.asarray(np.einsum("jn,jn->n", np.einsum("ij,in->jn", covariance, rows), rows))
+
+
+def scatter_of(terms: Array, weights: Array, covariance: Array) -> Array:
+    """Return the root mean square of a scatter whose logarithm is a sum with doubtful weights, shape (n,)."""
+    return np.asarray(np.exp(terms @ weights + variance_of(terms, covariance)))
 
 
 def with_usual(first: float, names: tuple[str, ...]) -> Array:
