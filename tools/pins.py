@@ -6,6 +6,7 @@ asked, which is said and is no failure.
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 import sys
@@ -23,6 +24,8 @@ SYSTEMS = {
     "Windows": "x86_64-pc-windows-msvc",
 }
 """Macs with an Intel processor are left out, as README says: llvmlite has no wheel for them any more."""
+MACOS = {"MACOSX_DEPLOYMENT_TARGET": "14.0"}
+"""Of 2023: the wheels of av for Apple silicon want it, and Apple mends no older one."""
 UNANSWERED = 2
 """uv's exit code where it could not ask."""
 
@@ -38,7 +41,7 @@ def fault(pins: Path, python: str, system: str) -> str | None:
         str(UV), "pip", "compile", "-q", "--only-binary", ":all:", "--no-header", "--no-annotate",
         "--python-version", python, "--python-platform", SYSTEMS[system], str(pins),
     ]  # fmt: skip
-    answer = subprocess.run(words, capture_output=True, text=True, check=False, cwd=ROOT)
+    answer = subprocess.run(words, capture_output=True, text=True, check=False, cwd=ROOT, env=os.environ | MACOS)
     if answer.returncode == UNANSWERED:
         return None
     if answer.returncode:
