@@ -77,6 +77,11 @@ def test_measurements_that_contradict(tell: Tell) -> None:
         document, READERS, [number for number in others if number == pytest.approx(float(told[1]), abs=5e-5)]
     )
     assert not document.data["consistent"] and "contradict each other" in text
+    assert "comes from: " not in text and "known from" not in text  # nothing is told of a bat
+
+
+def test_shares_of_the_doubt_add_up(tell: Tell) -> None:
+    text = text_of(tell("calibrate", "r161-ash", *WEIGHED), US)
     shares = [float(one) for one in re.findall(r"(\d+) %(?=[,.])", text.split("comes from: ")[1].split(".")[0] + ".")]
     assert shares == sorted(shares, reverse=True) and 90 < sum(shares) < 101
 
