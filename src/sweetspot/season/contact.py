@@ -6,7 +6,7 @@ axis; which side of the best place it was, only the pitch's place tells. Errors 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -310,8 +310,3 @@ def measures(balls: Balls, contacts: Contacts) -> dict[str, Array]:
             "blast": np.where(known, blast, np.nan),
             "kept_vertically": np.minimum(contacts.results[:, kernel.KEPT] / contacts.ceiling, 1.0),
         }
-
-
-def names_of(others: Sequence[OtherBat]) -> list[str]:
-    """Return the names of bats."""
-    return [other.name for other in others]

@@ -163,53 +163,57 @@ def _with_numbers(numbers: Array) -> PlaceRelation:
 
 def _maximised(now: PlaceRelation, sample: Sample, moments: Array) -> PlaceRelation:
     """Return the weights that fit best where the balls are thought to have been met."""
-    inverse = np.exp(-2 * sample.spread @ now.spread_weights)
+    inverse, own, heavy = _scatters(now, sample)
     weights = _solved(sample.place, inverse, moments[:, MIDDLE], PLACE_WIDTHS)
-    square = _squares_of_places(now, weights, sample, moments)
+    square = _squares_of_places(weights, inverse, _place_covariance(inverse, sample, moments), sample, moments)
     spreads = now.spread_weights + _scored(
         sample.spread, np.ones_like(square), square - 1, now.spread_weights, SPREAD_WIDTHS
     )
-    own = np.exp(2 * sample.noise @ now.noise_weights)
-    heavy = 1 / (sample.error**2 + own)
     product, square = moments[:, PRODUCT], moments[:, SQUARE]
     levels = _solved(sample.level, heavy * square, product / np.maximum(square, 1e-12) - 1, LEVEL_WIDTHS)
-    part, off = _noise_scores(now, levels, sample, moments)
+    part = own * heavy  # of the variance that is noise
+    off = _noise_scores(levels, part, heavy, sample, moments)
     step = _scored(sample.noise, part**2 * moments[:, SHARE], off, now.noise_weights, NOISE_WIDTHS)
     noises = now.noise_weights + np.clip(step, -0.5, 0.5)
     noises[0] = np.clip(noises[0], *NOISES)
     return PlaceRelation(weights, spreads, levels, noises)
 
 
-def _squares_of_places(now: PlaceRelation, weights: Array, sample: Sample, moments: Array) -> Array:
+def _scatters(now: PlaceRelation, sample: Sample) -> tuple[Array, Array, Array]:
+    """Return of each ball 1 / tau^2, the square of its own noise, and 1 over that with the measuring error's."""
+    own = np.exp(2 * sample.noise @ now.noise_weights)
+    return np.exp(-2 * sample.spread @ now.spread_weights), own, 1 / (sample.error**2 + own)
+
+
+def _squares_of_places(weights: Array, inverse: Array, covariance: Array, sample: Sample, moments: Array) -> Array:
     """Return the squared distances of balls from their mean place that are expected, over what they should be."""
     square = moments[:, SCATTER] + (moments[:, MIDDLE] - sample.place @ weights) ** 2
-    doubt = variance_of(sample.place, _place_covariance(now, sample, moments))  # balls pull the mean towards themselves
-    return np.asarray((square + doubt) * np.exp(-2 * sample.spread @ now.spread_weights))
+    doubt = variance_of(sample.place, covariance)  # balls pull the mean towards themselves
+    return np.asarray((square + doubt) * inverse)
 
 
-def _noise_scores(now: PlaceRelation, levels: Array, sample: Sample, moments: Array) -> tuple[Array, Array]:
-    """Return which part of each variance is noise, and the score of the noise's logarithm."""
+def _noise_scores(levels: Array, part: Array, heavy: Array, sample: Sample, moments: Array) -> Array:
+    """Return the score of each ball for the logarithm of its noise, which is a part of its variance."""
     out, share, product, square = sample.measured, moments[:, SHARE], moments[:, PRODUCT], moments[:, SQUARE]
-    own = np.exp(2 * sample.noise @ now.noise_weights)
-    heavy = 1 / (sample.error**2 + own)
     grown = 1 + sample.level @ levels
-    part = own * heavy
-    return part, part * (heavy * (share * out**2 - 2 * grown * product + grown**2 * square) - share)
+    missed = share * out**2 - 2 * grown * product + grown**2 * square
+    return np.asarray(part * (heavy * missed - share))
 
 
-def _place_covariance(now: PlaceRelation, sample: Sample, moments: Array) -> Array:
+def _place_covariance(inverse: Array, sample: Sample, moments: Array) -> Array:
     """Return the covariance of the place's weights: a ball tells less, the less its place is known [louis1982]."""
-    inverse = np.exp(-2 * sample.spread @ now.spread_weights)
     return _covariance(sample.place, inverse * np.maximum(1 - moments[:, SCATTER] * inverse, 0.0), PLACE_WIDTHS)
 
 
 def _with_covariances(now: PlaceRelation, sample: Sample, moments: Array) -> PlaceRelation:
     """Return the relation with its weights' covariances, of the logarithms' weights by the squares of their scores."""
-    off = _squares_of_places(now, now.weights, sample, moments) - 1
-    _, off_noise = _noise_scores(now, now.level_weights, sample, moments)
+    inverse, own, heavy = _scatters(now, sample)
+    of_place = _place_covariance(inverse, sample, moments)
+    off = _squares_of_places(now.weights, inverse, of_place, sample, moments) - 1
+    off_noise = _noise_scores(now.level_weights, own * heavy, heavy, sample, moments)
     return replace(
         now,
-        covariance=_place_covariance(now, sample, moments),
+        covariance=of_place,
         spread_covariance=_covariance(sample.spread, off**2, SPREAD_WIDTHS),
         noise_covariance=_covariance(sample.noise, off_noise**2, NOISE_WIDTHS),
     )

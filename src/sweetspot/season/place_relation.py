@@ -10,8 +10,7 @@ how much faster than usual a full swing was read: those were on average not quit
 up with what was read. A ball that is only grazed scatters by more than one met squarely, up and down by different
 amounts, and so does one met by a bat that goes up or down unusually; of balls turned by more than `GRAZED` the level
 is another too, for the bat's table is least right there, and from there on both change at a rate of their own. All
-weights are what makes the measured exit
-speeds most likely, the places summed over (expectation and maximisation).
+weights are what makes the measured exit speeds most likely, the places summed over (expectation and maximisation).
 """
 
 from __future__ import annotations

@@ -123,16 +123,10 @@ def _best_bat(table: pl.DataFrame, others: list[str]) -> pl.Series:
     return pl.Series("best_bat", names)
 
 
-def above_expected(counted: pl.LazyFrame) -> pl.LazyFrame:
-    """Return the counted balls with ``squared_up_above``: the league's flag less what balls of that bat speed have.
+def above_expected_parts(counted: pl.LazyFrame, parts: Sequence[pl.LazyFrame]) -> list[pl.LazyFrame]:
+    """Return parts of the counted balls with ``squared_up_above``: the league's flag less what such bat speeds have.
 
     The expectation is the parabola in bat speed through all balls of the season.
-    """
-    return above_expected_parts(counted, [counted])[0]
-
-
-def above_expected_parts(counted: pl.LazyFrame, parts: Sequence[pl.LazyFrame]) -> list[pl.LazyFrame]:
-    """Return parts of the counted balls as `above_expected` does, against the balls of all.
 
     Parameters
     ----------
