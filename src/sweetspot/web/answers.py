@@ -5,10 +5,8 @@ from __future__ import annotations
 import asyncio
 import logging
 import os
-import threading
 from collections.abc import Callable
-from concurrent.futures import Future, ThreadPoolExecutor
-from contextlib import suppress
+from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache, partial
 from typing import Any
 
@@ -16,7 +14,7 @@ import pydantic_core
 from pydantic import ValidationError
 
 from sweetspot.web.catalogue import load_lists
-from sweetspot.web.crowd import Crowd, GoneError
+from sweetspot.web.crowd import Crowd
 from sweetspot.web.errors import FieldError, fault
 from sweetspot.web.first_answers import kept_answer, work_out
 from sweetspot.web.states import ViewState
@@ -47,8 +45,8 @@ class Answers:
         self.prepared = False
         self._closed = False
         self._pool = ThreadPoolExecutor(WORKERS, thread_name_prefix="answer")
-        self._under_way, self._counting = 0, threading.Lock()
-        self._crowd = Crowd(answer_json, tuple((name, view.state()) for name, view in VIEWS.items() if view.anywhere))
+        first = tuple((name, view.state()) for name, view in VIEWS.items() if view.anywhere)
+        self._crowd = Crowd(answer_json, first, self._pool)
 
     async def json(self, name: str, state: ViewState, aside: str = "") -> bytes:
         """Return a view's answer, or one of its asides, as JSON text.
@@ -64,24 +62,10 @@ class Answers:
         try:
             async with asyncio.timeout(TIME_LIMIT if self.prepared else None):
                 if self.prepared and not aside and VIEWS[name].anywhere:
-                    taken = self._crowd.taken((name, state), waiting=self._under_way)
-                    if taken is not None:
-                        with suppress(GoneError):
-                            return await asyncio.wrap_future(taken)
-                return await asyncio.wrap_future(self._asked(name, state, aside))
+                    return await asyncio.wrap_future(self._crowd.ask((name, state)))
+                return await asyncio.wrap_future(self._pool.submit(answer_json, name, state, aside))
         except TimeoutError:
             raise TooSlowError from None
-
-    def _asked(self, name: str, state: ViewState, aside: str) -> Future[bytes]:
-        """Return the answer to come of a thread of this process."""
-        future = self._pool.submit(answer_json, name, state, aside)
-        self._count(1)
-        future.add_done_callback(lambda _: self._count(-1))
-        return future
-
-    def _count(self, more: int) -> None:
-        with self._counting:
-            self._under_way += more
 
     def prepare(self) -> None:
         """Load the catalogue's lists and every kernel, or compile it, and keep the first answers; ends when closed."""

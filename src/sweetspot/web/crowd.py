@@ -14,9 +14,11 @@ import os
 import signal
 import threading
 import time
+from collections import deque
 from collections.abc import Callable
-from concurrent.futures import Future, InvalidStateError
+from concurrent.futures import Executor, Future, InvalidStateError
 from contextlib import suppress
+from dataclasses import dataclass, field
 from multiprocessing.connection import Connection
 from typing import Any
 
@@ -28,6 +30,8 @@ MOST = min(3, (os.cpu_count() or 1) - 1)
 """Further processes; each holds about 200 MB."""
 MANY, LASTING = 8, 1.0
 """Answers under way at once that make a crowd, and s that it lasts before another process begins."""
+AHEAD = 2
+"""Questions that another process holds at once: one that it answers, and the next, so that it need not wait for us."""
 UNASKED = 300.0
 """s without a question after which a process ends."""
 
@@ -36,35 +40,43 @@ Answer = Callable[[str, ViewState], bytes]
 Question = tuple[str, ViewState]
 
 
-class GoneError(Exception):
-    """The process that was asked has ended."""
+@dataclass(frozen=True)
+class Asked:
+    """A question that waits, and where its answer goes."""
+
+    question: Question
+    answer: Future[bytes] = field(default_factory=Future[bytes])
 
 
 class Crowd:
-    """The further processes of a server.
+    """All questions in one row: whoever is free takes the next one, a thread of this process or another process.
 
     Parameters
     ----------
-    answer, first : what they do, and the questions that load all that it needs.
-    most : processes; none where there is one processor.
+    answer, first : what the other processes do, and the questions that load all that it needs.
+    here : answers in this process.
+    most : other processes; none where there is one processor.
     """
 
-    def __init__(self, answer: Answer, first: tuple[Question, ...], *, most: int = MOST) -> None:
-        self._answer, self._first, self._most = answer, first, most
+    def __init__(self, answer: Answer, first: tuple[Question, ...], here: Executor, *, most: int = MOST) -> None:
+        self._answer, self._first, self._here, self._most = answer, first, here, most
+        self._row: deque[Asked] = deque()
         self._reliefs: list[Relief] = []
+        self._under_way, self._counting = 0, threading.Lock()
         self._since: float | None = None
 
-    def taken(self, question: Question, *, waiting: int) -> Future[bytes] | None:
-        """Return the answer to come where another process is less busy than this one; None: answer it here.
-
-        Parameters
-        ----------
-        waiting : answers under way in this process.
-        """
+    def ask(self, question: Question) -> Future[bytes]:
+        """Return the answer to come."""
+        asked = Asked(question)
+        self._count(1)
+        asked.answer.add_done_callback(lambda _: self._count(-1))
+        self._stand(asked)
         self._reliefs = [one for one in self._reliefs if one.alive]
-        self._look(waiting, question[0])
-        least = min((one for one in self._reliefs if one.ready), key=lambda one: one.waiting, default=None)
-        return least.ask(question) if least is not None and least.waiting < waiting else None
+        self._look(question[0])
+        if self._under_way > 1:
+            for relief in self._reliefs:
+                relief.fill()
+        return asked.answer
 
     def close(self) -> None:
         """End them all."""
@@ -72,26 +84,67 @@ class Crowd:
         for one in self._reliefs:
             one.end()
 
-    def _look(self, waiting: int, view: str) -> None:
+    def _stand(self, asked: Asked) -> None:
+        """Put a question into the row; a thread here takes it unless another process has taken it before."""
+        self._row.append(asked)
+        with suppress(RuntimeError):  # closed: nobody waits for it any more
+            self._here.submit(self._take)
+
+    def _take(self) -> None:
+        """Answer the next question, if one is left."""
+        asked = next_in(self._row)
+        if asked is None:
+            return
+        try:
+            outcome: bytes | Exception = self._answer(*asked.question)
+        except Exception as error:
+            outcome = error
+        _settled(asked.answer, outcome)
+
+    def _count(self, more: int) -> None:
+        with self._counting:
+            self._under_way += more
+
+    def _look(self, view: str) -> None:
         """Begin another process where a crowd lasts and none is being begun; it loads first what this view needs."""
-        if waiting < MANY:
+        if self._under_way < MANY:
             self._since = None
             return
         now = time.monotonic()
         self._since = now if self._since is None else self._since
         if now - self._since >= LASTING and len(self._reliefs) < self._most and all(one.ready for one in self._reliefs):
             first = sorted(self._first, key=lambda one: one[0] != view)
-            self._reliefs.append(Relief(self._answer, tuple(first)))
+            self._reliefs.append(Relief(self._answer, tuple(first), self._row, self._stand))
             self._since = None
 
 
-class Relief:
-    """One further process; its answers come one after the other."""
+def next_in(row: deque[Asked]) -> Asked | None:
+    """Take the next question for whose answer anybody still waits, if one is left."""
+    while row:
+        with suppress(IndexError):  # another thread was quicker
+            asked = row.popleft()
+            if not asked.answer.cancelled():
+                return asked
+    return None
 
-    def __init__(self, answer: Answer, first: tuple[Question, ...]) -> None:
+
+class Relief:
+    """One further process; its answers come one after the other.
+
+    Parameters
+    ----------
+    answer, first : see `Crowd`.
+    row : whose questions it takes.
+    again : puts a question back into the row that it took and did not answer before it ended.
+    """
+
+    def __init__(
+        self, answer: Answer, first: tuple[Question, ...], row: deque[Asked], again: Callable[[Asked], None]
+    ) -> None:
         self.ready, self.alive = False, True
+        self._row, self._again = row, again
         self._numbers = itertools.count()
-        self._asked: dict[int, Future[bytes]] = {}
+        self._asked: dict[int, Asked] = {}
         self._line, its = multiprocessing.Pipe()
         self._sending = threading.Lock()
         self._process = multiprocessing.get_context("spawn").Process(
@@ -100,22 +153,16 @@ class Relief:
         self._begun = threading.Thread(target=self._begin, args=(its,), daemon=True, name="relief")
         self._begun.start()
 
-    @property
-    def waiting(self) -> int:
-        """Questions that it has not answered yet."""
-        return len(self._asked)
-
-    def ask(self, question: Question) -> Future[bytes]:
-        """Return the answer to come; `GoneError` where the process ends before."""
-        number, future = next(self._numbers), Future[bytes]()
-        self._asked[number] = future
-        try:
-            with self._sending:
-                self._line.send((number, question))
-        except (OSError, ValueError):
-            self._asked.pop(number, None)
-            _settled(future, GoneError())
-        return future
+    def fill(self) -> None:
+        """Give it questions of the row while it has room for them."""
+        with self._sending:
+            while self.ready and len(self._asked) < AHEAD and (asked := next_in(self._row)):
+                number = next(self._numbers)
+                self._asked[number] = asked
+                try:
+                    self._line.send((number, asked.question))
+                except (OSError, ValueError):
+                    self._return(number)
 
     def end(self) -> None:
         """End the process."""
@@ -137,22 +184,23 @@ class Relief:
         finally:
             self.ready = self.alive = False
             for number in list(self._asked):
-                self._take(number, "gone", None)
+                self._return(number)
             self._line.close()
 
     def _take(self, number: int, kind: str, content: Any) -> None:
+        asked = self._asked.pop(number, None)
         if kind == "ready":
             self.ready = True
-            return
-        future = self._asked.pop(number, None)
-        if future is None:
-            return
-        if kind == "answer":
-            _settled(future, content)
-        elif kind == "refused":
-            _settled(future, FieldError(*content))
-        else:
-            _settled(future, GoneError() if kind == "gone" else RuntimeError(content))
+        elif asked is not None:
+            failed = FieldError(*content) if kind == "refused" else RuntimeError(content)
+            _settled(asked.answer, content if kind == "answer" else failed)
+        self.fill()
+
+    def _return(self, number: int) -> None:
+        """Put a question back into the row: the process has ended."""
+        asked = self._asked.pop(number, None)
+        if asked is not None:
+            self._again(asked)
 
 
 def _settled(future: Future[bytes], outcome: bytes | Exception) -> None:
