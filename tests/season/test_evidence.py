@@ -314,8 +314,10 @@ def test_held_out_exit_speeds_hold_in_every_band(tmp_path: Path) -> None:
         learnt = analyse_season(paths[:1], setting=season_setting(), folder=tmp_path / f"{first}-a").setting
         assert learnt.contact is not None and learnt.contact.relation.balls > 5000
         told.append(analyse_season(paths[1:], setting=learnt, folder=tmp_path / f"{first}-b").balls())
-    columns = ("bat_speed", "exit_speed_rank", "offset_in", "attack_angle", "launch_angle")
+    columns = ("bat_speed", "exit_speed_rank", "offset_in", "attack_angle", "launch_angle", "plate_x", "is_stand_left")
     balls = pl.concat([one.select(columns) for one in told]).drop_nulls().collect()
+    outside = pl.when(pl.col("is_stand_left") == 1).then(-pl.col("plate_x")).otherwise(pl.col("plate_x"))
+    balls = balls.with_columns(outside=outside)
 
     def held(name: str, low: float, high: float, balls: pl.DataFrame = balls) -> tuple[float, float]:
         ranks = balls.filter((pl.col(name) >= low) & (pl.col(name) < high))["exit_speed_rank"]
@@ -337,6 +339,12 @@ def test_held_out_exit_speeds_hold_in_every_band(tmp_path: Path) -> None:
         half, most = held("attack_angle", low, high)
         assert 0.46 < half < 0.54, (low, half)  # of 617 balls in the first: +- 0.02
         assert 0.87 < most < 0.93, (low, most)
+    for low, high in ((-1.0, -0.6), (-0.6, 0.6), (0.6, 1), (1, 3)):
+        half, most = held("outside", low, high)
+        assert 0.45 < half < 0.56, (low, half)  # of 654 balls in the last: +- 0.02
+        assert 0.87 < most < 0.93, (low, most)
+    half, most = held("outside", -3, -1)  # a bat's table that ends 14 in from the tip has 0.82 here
+    assert 0.46 < half < 0.64 and 0.86 < most < 0.96  # of 346 balls: +- 0.027 and 0.016
     half, most = held("bat_speed", 40, 55)
     assert 0.42 < half < 0.58 and 0.86 < most < 0.95  # of 156 balls: +- 0.04 and 0.024
     topped = balls.filter((pl.col("attack_angle") < 0) & (pl.col("launch_angle") < -30))

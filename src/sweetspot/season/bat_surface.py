@@ -37,10 +37,11 @@ SPEED_FROM_TIP = 6 * INCH
 AXES = (
     np.linspace(35.0, 75.0, 5),
     np.linspace(-0.2, 0.2, 9),
-    np.linspace(0.0, 14.0, 57) * INCH,
+    np.linspace(0.0, 18.0, 73) * INCH,
     np.radians(np.linspace(-69.0, 69.0, 93)),
 )
-"""Nodes before any is halved: closing speed (m/s), spin factor, m from the tip, rad of the line of centres."""
+"""Nodes before any is halved: closing speed (m/s), spin factor, m from the tip, rad of the line of centres. Balls that
+jam a batter are met 14 in from the tip and more: there a hit is worth half of the best one."""
 RATIOS, SLANTS, SPEEDS = (
     np.linspace(0.0, 2.4, 13),
     np.radians([-15.0, 0.0, 15.0, 30.0]),
@@ -214,12 +215,12 @@ def surface_errors(surface: BatSurface, model: ReducedBat[Bat], ball: Ball, *, s
     """Return what 95 of 100 hits at random miss the kernel's exit speed (m/s) and angle (rad) by.
 
     Hits are as balls in play are: 45 to 85 mph of bat speed, pitches of 0.8 to 1.6 times that from -10 to 35 degrees
-    above the bat's path with up to 2500 rpm, met 1 to 12 in from the tip, leaving the bat's path by up to 50 degrees.
+    above the bat's path with up to 2500 rpm, met 1 to 16 in from the tip, leaving the bat's path by up to 50 degrees.
     """
     rng = np.random.default_rng(seed)
     speed, ratio = rng.uniform(45 * MPH, 85 * MPH, TRIED), rng.uniform(0.8, 1.6, TRIED)
     slant, spin = np.radians(rng.uniform(-10, 35, TRIED)), RPM * rng.uniform(-2500, 2500, TRIED)
-    place = rng.uniform(1 * INCH, 12 * INCH, TRIED)
+    place = rng.uniform(1 * INCH, 16 * INCH, TRIED)
     offset = rng.uniform(-0.8, 0.8, TRIED) * np.interp(place, surface.axes[2], surface.reach)
     ahead, up = -ratio * speed * np.cos(slant), -ratio * speed * np.sin(slant)
     there = speed * np.interp(place, surface.axes[2], surface.arm)

@@ -9,7 +9,7 @@ import numpy as np
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import ENDS
 from sweetspot.numerics.kernel_cache import compiled
-from sweetspot.season.place_kernel import weigh
+from sweetspot.season.place_kernel import FARTHEST, weigh
 from sweetspot.season.surface_kernel import Axes, hit_towards, part_of, velocity_after
 
 STRIDE = 4
@@ -42,6 +42,8 @@ OFFSET, OFFSET_SPREAD, TIP_SIDE, RANK, KEPT, EXPECTED, EVIDENCE, SENSITIVE, MEAN
     18,
 )
 DRAWN = 19
+BESIDE = 0.05
+"""m beyond the best place that is looked up at least; a ball's places end `FARTHEST` from where it is thought met."""
 ROWS = 20
 
 
@@ -159,12 +161,17 @@ def fill_posteriors(
         posterior the drawn place lies above.
     level, noise : (n,), exit speeds are 1 + level times the table's, and scatter by noise m/s beside measuring errors.
     results : (n, ROWS).
-    weights : (n, places), the posterior; or (1, places) where it is not wanted.
+    weights : (n, places) of zeros, for the posterior; or (1, places) where it is not wanted.
     """
-    count = len(arm)
-    fast, above, part, work = np.empty(count), np.empty(count), np.empty(count), np.empty((4, count))
+    longest, step = len(arm), axes[2][1] - axes[2][0]
+    every_fast, every_above, every_part, work = (
+        np.empty(longest), np.empty(longest), np.empty(longest), np.empty((4, longest))
+    )  # fmt: skip
     for i in range(len(measured)):
         results[i] = math.nan
+        farthest = max(prior[i, 0] + FARTHEST * prior[i, 1], best[i, 0] + BESIDE)
+        count = min(STRIDE * (int(farthest / (STRIDE * step)) + 1) + 1, longest)
+        fast, above, part, places = every_fast[:count], every_above[:count], every_part[:count], axes[2][:count]
         sensitive, per_turn = predict(axes, after, reach, arm, asked[i], fast, above)
         if math.isnan(per_turn):
             continue
@@ -172,15 +179,15 @@ def fill_posteriors(
         for place in range(count):
             top = max(top, fast[place]) if math.isfinite(fast[place]) else top
         spread = math.sqrt(_spread(asked[i], top * (1 + level[i]), sensitive, errors) ** 2 + noise[i] ** 2)
-        total, before, rank, mean = weigh(axes[2], fast, measured[i], spread, prior[i, 0], prior[i, 1], level[i], part,
+        total, before, rank, mean = weigh(places, fast, measured[i], spread, prior[i, 0], prior[i, 1], level[i], part,
                                           work)  # fmt: skip
         if not (total > 0 and before > 0):
             continue
         for place in range(count):
             part[place] /= total
         if len(weights) > 1:
-            weights[i] = part
-        _summarise(axes[2], part, above, best[i, 0], best[i, 1], results[i])
+            weights[i, :count] = part
+        _summarise(places, part, above, best[i, 0], best[i, 1], results[i])
         turning = per_turn * asked[i, 5]
         results[i, OFFSET_SPREAD] = math.sqrt(results[i, OFFSET_SPREAD] + turning * turning)
         results[i, RANK], results[i, EXPECTED] = rank / before, (1 + level[i]) * mean / before

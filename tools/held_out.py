@@ -1,0 +1,112 @@
+"""Exit speeds foretold of balls that nothing was learned from: ``python -m tools.held_out``.
+
+A table of tracked swings is cut into two halves, one after the other. Where balls are met is learned from one half and
+told of the other. Printed is how often exit speed falls into its intervals of 50 and 90 %, by everything that swing,
+pitch and ball are known by, and how likely the balls are that were not learned from; ``--places-to 14`` does the same
+with places along the bat that end so many inches from the tip.
+"""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import polars as pl
+from numpy.typing import NDArray
+
+from sweetspot.numerics.arrays import Array
+from sweetspot.season import contact_kernel as kernel
+from sweetspot.season.balls import Balls, balls_of
+from sweetspot.season.bat_surface import BatSurface
+from sweetspot.season.contact import ContactSetting, contacts, learnt, taken
+from sweetspot.season.headings import headings_of
+from sweetspot.season.rows import USED, rows_of
+from sweetspot.season.season_table import season_setting
+from sweetspot.season.swings import in_plane
+from sweetspot.units import DEGREE, FOOT, INCH, MPH
+from tests.real_data import FOLDER
+
+TABLE = FOLDER / "cmu36sure2026_battedballs_battracking.csv.gz"
+BANDS: tuple[tuple[str, str, tuple[float, ...]], ...] = (
+    ("bat speed, mph", "bat speed", (40, 55, 66, 70, 74, 78, 82, 100)),
+    ("attack angle, degrees", "attack", (-90, -8, -2, 4, 10, 16, 22, 90)),
+    ("pitch outside by ft", "outside", (-4, -1.2, -1, -0.6, 0.6, 1, 4)),
+    ("pitch above the ground by ft", "height", (-2, 1.5, 2, 2.5, 3, 3.5, 6)),
+    ("tilt, degrees", "tilt", (0, 20, 25, 30, 35, 40, 45, 90)),
+    ("turned up by degrees", "turned", (-180, -72, -60, -30, 30, 60, 72, 180)),
+    ("ball's centre above the axis by in", "offset", (-4, -1.8, -1.4, -1, 1, 1.4, 1.8, 4)),
+    ("launch angle, degrees", "launch angle", (-90, -30, -10, 0, 10, 20, 30, 40, 50, 90)),
+    ("left-handed", "left", (0, 0.5, 1.5)),
+)
+
+
+def balls_in(path: Path) -> Balls:
+    """Return the balls of a table that are used and have a bat speed."""
+    frame = pl.read_csv(path)
+    rows = rows_of(frame, headings_of(frame.columns))
+    return balls_of(rows.filter((pl.col("reason") == USED) & pl.col("bat_speed").is_not_null()))
+
+
+def shortened(surface: BatSurface, end: float) -> BatSurface:
+    """Return a bat's table without the places further from the tip than an end, m."""
+    count = int(np.sum(surface.axes[2] <= end + 1e-9))
+    axes = (*surface.axes[:2], surface.axes[2][:count], surface.axes[3])
+    return replace(surface, axes=axes, after=np.ascontiguousarray(surface.after[:, :, :count]),
+                   reach=surface.reach[:count], arm=surface.arm[:count])  # fmt: skip
+
+
+def told(balls: Balls, setting: ContactSetting, first: NDArray[np.bool_]) -> Array:
+    """Return rows of `contact_kernel` of all balls, each by what was learned from the half that it is not in."""
+    results = np.full((len(balls), kernel.ROWS), np.nan)
+    for half in (first, ~first):
+        relation = learnt(taken(balls, half), np.zeros(int(half.sum()), np.int64), setting)
+        bats = np.zeros(int((~half).sum()), np.int64)
+        results[~half] = contacts(taken(balls, ~half), bats, replace(setting, relation=relation)).results
+    return results
+
+
+def held(rank: Array) -> str:
+    """Return number, intervals of 50 and 90 % and mean rank, as a row of a table."""
+    inside = [100 * float(np.mean((rank > end) & (rank < 1 - end))) for end in (0.25, 0.05)]
+    return f"{len(rank)} | {inside[0]:.1f} | {inside[1]:.1f} | {rank.mean():.2f} |"
+
+
+def main() -> None:
+    """Print the table."""
+    options = argparse.ArgumentParser(description=__doc__)
+    options.add_argument("--places-to", type=float, default=None, help="in from the tip")
+    given = options.parse_args()
+    setting = season_setting().contact
+    assert setting is not None
+    if given.places_to is not None:
+        setting = replace(setting, surfaces=(shortened(setting.surfaces[0], given.places_to * INCH),))
+    balls = balls_in(TABLE)
+    first = np.arange(len(balls)) < len(balls) // 2
+    results = told(balls, setting, first)
+    rank = results[:, kernel.RANK]
+    known = np.isfinite(rank)
+    plane = in_plane(balls, setting.surfaces[0], setting.errors, ball=setting.ball)
+    values = {
+        "bat speed": balls.bat_speed / MPH, "attack": balls.attack_angle / DEGREE, "outside": balls.outside / FOOT,
+        "height": balls.plate_height / FOOT, "tilt": balls.tilt / DEGREE, "turned": plane.turned / DEGREE,
+        "offset": results[:, kernel.OFFSET] / INCH, "launch angle": balls.launch_angle / DEGREE,
+        "left": balls.left.astype(float),
+    }  # fmt: skip
+    print("| | balls | 50 % | 90 % | mean rank |\n|---|---|---|---|---|")
+    for words, name, edges in BANDS:
+        for low, high in pairwise(edges):
+            mine = known & (values[name] >= low) & (values[name] < high)
+            print(f"| {words}: {low:g} to {high:g} | {held(rank[mine])}")
+    topped = known & (values["attack"] < 0) & (values["launch angle"] < -30)
+    print(f"| topped below -30 degrees by a bat that goes down | {held(rank[topped])}")
+    for words, mine in (("first half", first), ("second half", ~first), ("all", known)):
+        print(f"| {words} | {held(rank[known & mine])}")
+    likely = [float(np.nansum(results[half, kernel.EVIDENCE])) for half in (first, ~first)]
+    print("\nlogarithm of the likelihood of the halves: " + ", ".join(f"{value:.1f}" for value in likely))
+
+
+if __name__ == "__main__":
+    main()
