@@ -226,8 +226,81 @@ def test_days_as_people_write_them(table: Write, form: str) -> None:
     assert found.days[0] == (date(2024, 4, 1), date(2024, 8, 25)) and warned(found, "unreadable") == 0
 
 
+@pytest.mark.parametrize("form", ["%d/%m/%Y", "%d-%m-%Y", "%d/%m/%Y 19:05", "%d/%m/%y"])
+@pytest.mark.parametrize("name", ["table.csv", "table.parquet"])
+def test_dates_that_begin_with_the_day(table: Write, form: str, name: str) -> None:
+    """One day beyond the 12th says how all of a table are written, those that could be either way among them."""
+    days = pl.col("game_date").str.to_date().cast(pl.Datetime).dt.strftime(form)
+    found = look(table(name, made_up().with_columns(game_date=days)))
+    assert found.days[0] == (date(2024, 4, 1), date(2024, 8, 25)) and warned(found, "unreadable") == 0
+
+
+@pytest.mark.parametrize(("days", "words"), [(["05/06/2024"] * 60, "may begin with month or day"),
+                                             (["25/06/2024", "06/25/2024"] * 30, "the day in others")])  # fmt: skip
+def test_dates_that_do_not_tell_are_month_first_and_named(table: Write, days: list[str], words: str) -> None:
+    found = look(table(frame=made_up().with_columns(game_date=pl.Series(days))))
+    notes = [one.detail for one in found.warnings if one.name == "headings"]
+    assert len(notes) == 1 and words in notes[0]
+    assert found.days[0] is not None and found.days[0][0].month in (5, 6)
+
+
+def test_lines_above_the_headings_are_left_out(tmp_path: Path) -> None:
+    """As Rapsodo and Blast write them: who it was, then an empty line, then headings in their own units."""
+    path = tmp_path / "hits.csv"
+    path.write_text(
+        '"Player ID:",7\n"Player Name:","Doe, Jo"\n\nNo,Date,HitID,ExitVelocity,LaunchAngle,ExitDirection,Spin\n'
+        '1,07/25/2024,1,90.5,12,-3,2000\n2,07/25/2024,2,-,-,-,-\n', "utf-8",
+    )  # fmt: skip
+    found = look(path)
+    assert found.tables[0].headings.system == "Rapsodo" and found.counts[0][USED] == 1
+    assert found.counts[0]["untracked"] == 1 and found.days[0] == (date(2024, 7, 25), date(2024, 7, 25))
+    notes = [one.detail for one in found.warnings if one.name == "headings"]
+    assert notes == ["3 lines above the headings are left out: Player ID:, 7; Player Name:, Doe, Jo; "]
+
+
+def test_hittrax_s_own_headings(tmp_path: Path) -> None:
+    """Of a public report; bats that were not measured stand there as 0."""
+    path = tmp_path / "report.csv"
+    path.write_text(
+        " AB,Date, Time Stamp, Pitch, Strike Zone, P. Type, Velo, LA, Dist, Res, Type, Horiz. Angle, BV, User, Batting"
+        "\n1, 11/26/2018 16:08:24.883, 0:0:0.000,60, , N/A,52.9,21,116, 4-3, GB,4,0,Jo Doe,Left\n", "utf-8",
+    )  # fmt: skip
+    found = look(path)
+    rows = rows_of(found.tables[0].part(0, 1), found.tables[0].headings)
+    assert rows.select("batter_name", "left", "day").row(0) == ("Jo Doe", True, date(2018, 11, 26))
+    assert rows["bat_speed"].to_list() == [None] and rows["launch_direction"][0] == pytest.approx(np.radians(4))
+
+
+@pytest.mark.parametrize(
+    ("headings", "words"),
+    [
+        ("last_name,player_id,avg_hit_speed,max_hit_speed", "avg_hit_speed is a leaderboard's"),
+        ("player_id,launch_speed,launch_angle,batted_ball_events", "batted_ball_events is a leaderboard's"),
+        ("Date,Equipment,Bat Speed (mph),Attack Angle (deg)", "swings alone (Bat Speed (mph))"),
+    ],
+)
+def test_tables_of_something_else_are_refused_in_a_line(tmp_path: Path, headings: str, words: str) -> None:
+    path = tmp_path / "other.csv"
+    path.write_text(f"{headings}\n1,2,3,4\n", "utf-8")
+    reason = look(path).faults[0][1]
+    assert words in reason and "\n" not in reason
+
+
+@pytest.mark.parametrize(("name", "words"), [("t.xlsx", "save the sheet as CSV"), ("t.csv.zip", "unpack it")])
+def test_files_that_hold_tables_and_are_not_read(tmp_path: Path, name: str, words: str) -> None:
+    (tmp_path / name).write_bytes(b"PK\x03\x04\n\r\x00")
+    (tmp_path / "t.csv").write_bytes(b"PK\x03\x04\r\n\r\x00\r\x01")  # under another name
+    reasons = [reason for _, reason in look(tmp_path / name, tmp_path / "t.csv").faults]
+    assert words in reasons[0] and "is no text in UTF-8" in reasons[1]
+
+
+def test_the_same_game_in_two_files_counts_once(table: Write) -> None:
+    found = look(table(), table("again.parquet"))
+    assert [one[USED] for one in found.counts] == [60, 0] and found.counts[1]["duplicate"] == 60
+
+
 def test_a_day_that_cannot_be_read_is_told(table: Write) -> None:
-    days = pl.Series(["25/04/2024", "soon"] + ["2024-04-02"] * 58)
+    days = pl.Series(["45/04/2024", "soon"] + ["2024-04-02"] * 58)
     assert warned(look(table(frame=made_up().with_columns(game_date=days))), "unreadable") == 2
 
 

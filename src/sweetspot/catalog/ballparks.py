@@ -43,6 +43,8 @@ def park(name: str, year: int | None = None) -> Park:
     ('Little League field', 200)
     >>> park("OAK").name, park("TB").name, park("TB", 2025).name
     ('Oakland Coliseum', 'Tropicana Field', 'George M. Steinbrenner Field')
+    >>> park("OAK", 2024).name, park("OAK", 2025).name
+    ('Oakland Coliseum', 'Sutter Health Park')
     """
     wanted = canonical(name)
     own = next((key for key, one in read_table(FIELDS).items() if wanted in {key, *map(canonical, one["also"])}), None)
@@ -56,6 +58,14 @@ def park(name: str, year: int | None = None) -> Park:
     ]
     if left:
         return _park(left[0])
+    moved = [
+        entry["moved_to"]
+        for entry in read_table(FORMER).values()
+        if year is not None and "moved_to" in entry and year > entry["until"]
+        if wanted in {canonical(word) for word in (entry["team"], entry["also"][0])}
+    ]
+    if moved:
+        return _park(read_table(FILE)[moved[0]])
     known = _keys()
     begun = {key for word, key in known.items() if word == wanted or word.startswith(f"{wanted}-")}
     if wanted not in known and len(begun) != 1:

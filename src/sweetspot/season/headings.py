@@ -22,8 +22,14 @@ SYSTEMS = {
     "club": ("club feed", {"bataxialoffset"}),
     "trackman": ("Trackman", {"exitspeed", "angle"}),
     "hittrax": ("HitTrax", {"velo", "la"}),
+    "rapsodo": ("Rapsodo", {"exitvelocity", "launchangle"}),
 }
 """Systems whose names mean their own units, with the headings that give them away; the first that fits counts."""
+BOARDS = {
+    "avg_hit_speed", "exit_velocity_avg", "swings_competitive", "batted_ball_events", "avg_bat_speed",
+    "avg_best_speed", "barrels_per_bbe_percent",
+}  # fmt: skip
+"""Headings of the league's leaderboards, which have a row for each player."""
 ALSO = {"club": ("trackman",)}
 """Whose names a system's tables use beside their own."""
 SPEEDS = {
@@ -45,6 +51,8 @@ UNITS: Mapping[str, Mapping[str, float]] = {
     "text": {},
 }
 """Endings of a heading that are units of a kind, and their size in SI."""
+DAY_FIRST = "day first"
+"""What stands for the unit of a table's dates where they begin with the day."""
 FAHRENHEIT_ZERO = -160 / 9
 """degC at 0 degF."""
 COPY = re.compile(r"_duplicated_\d+$")
@@ -146,6 +154,16 @@ def headings_of(names: Sequence[str], *, given: Mapping[str, str] | None = None,
             notes.append(f"{name} gives {column.quantity} too; {columns[column.quantity].heading} is used")
     if any(name.startswith("\ufeff") for name in names):
         notes.append("the first heading begins with a byte order mark, which is left out")
+    if "exit_speed" not in said and (board := [name for name in names if short[name] in BOARDS]):
+        raise InputError(
+            f"{file_name}: column {board[0]} is a leaderboard's, with a row for each player; give a row for each ball, "
+            "as the search for pitches exports them"
+        )
+    if "exit_speed" not in columns and "bat_speed" in columns:
+        raise InputError(
+            f"{file_name}: swings alone ({columns['bat_speed'].heading}) and no column for exit speed; add what was "
+            "measured of the balls, for example as exit_speed_mph and launch_angle_deg"
+        )
     if "exit_speed" not in columns:
         raise InputError(
             f"{file_name}: no column for exit speed; launch_speed (Statcast), ExitSpeed (Trackman) or exit_speed_mph "
@@ -154,6 +172,23 @@ def headings_of(names: Sequence[str], *, given: Mapping[str, str] | None = None,
     taken = {column.heading for column in columns.values()}
     passed = tuple(name for name in names if name not in taken)
     return Headings(SYSTEMS[key][0] if key else "plain", columns, passed, tuple(notes))
+
+
+def names_balls(names: Sequence[str]) -> bool:
+    """Return whether some words are headings of balls or swings, not what stands above them or beside.
+
+    >>> names_balls(["HitID", "ExitVelocity"]), names_balls(["Player Name:", "Exit Velocity, Some"])
+    (True, False)
+    """
+    for name in map(simplified, names):
+        for quantity in ESSENTIAL:
+            for source in quantities()[quantity].values():
+                aliases = source.get("names", ()) if isinstance(source, dict) else source
+                for known in () if isinstance(source, str) else aliases:
+                    rest = name.removeprefix(known).strip("_")
+                    if name == known or (name.startswith(f"{known}_") and rest in KNOWN_UNITS):
+                        return True
+    return False
 
 
 def _closest(names: list[str]) -> str:

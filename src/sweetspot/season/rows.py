@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
 
 import numpy as np
 import polars as pl
 from numpy.typing import NDArray
 
-from sweetspot.season.headings import UNITS, Headings, TableColumn
+from sweetspot.season.headings import DAY_FIRST, UNITS, Headings, TableColumn
 from sweetspot.units import FOOT, MPH
 
 USED = "used"
@@ -42,7 +43,11 @@ POSSIBLE: Mapping[str, tuple[float, float]] = {
 """SI, what a measurement can be at all; beyond it stands for something missing (0, -9999) or a slip, and is missing.
 Exit speed and launch angle decide by themselves whether a row counts."""
 DATES = ("%Y-%m-%d", "%m/%d/%Y", "%m/%d/%y", "%Y/%m/%d", "%d.%m.%Y", "%Y%m%d", "%m-%d-%Y", "%d-%b-%Y")
+SWAPPED = {"%m/%d/%Y": "%d/%m/%Y", "%m/%d/%y": "%d/%m/%y", "%m-%d-%Y": "%d-%m-%Y"}
+"""What dates that begin with the day are read as."""
 WORDED_DATES = ("%b %d, %Y", "%B %d, %Y", "%d %b %Y", "%d %B %Y")
+CLOCK = r",?\s+\d{1,2}:\d{2}.*$"
+"""A time of the day behind a date in words."""
 FIRST_YEAR = 1900
 """Before which 04/02/24 is no date of the year 24."""
 IN_PLAY = "in ?play|hit_into_play"
@@ -229,7 +234,7 @@ def _said(headings: Headings) -> dict[str, tuple[str, Callable[[pl.Expr], pl.Exp
             lambda text: text.str.to_lowercase().is_in(["1", "true", "l", "left", "yes"]),
         )
     if headings.has("date"):
-        conversions["day"] = ("date", _day)
+        conversions["day"] = ("date", partial(_day, day_first=headings.columns["date"].unit == DAY_FIRST))
     if headings.has("description"):
         conversions["in play"] = ("description", lambda text: text.str.to_lowercase().str.contains(IN_PLAY))
         conversions["fouled"] = ("description", _fouled)
@@ -261,10 +266,12 @@ def _fouled(text: pl.Expr) -> pl.Expr:
     return what.str.contains(FOUL) & ~what.str.contains(TIP)
 
 
-def _day(text: pl.Expr) -> pl.Expr:
+def _day(text: pl.Expr, *, day_first: bool) -> pl.Expr:
     first = text.str.split(" ").list.first().str.split("T").list.first()
-    days = (*(first.str.to_date(form, strict=False) for form in DATES),
-            *(text.str.to_date(form, strict=False) for form in WORDED_DATES))  # fmt: skip
+    words = text.str.replace(CLOCK, "")
+    forms = [SWAPPED.get(form, form) for form in DATES] if day_first else DATES
+    days = (*(first.str.to_date(form, strict=False) for form in forms),
+            *(words.str.to_date(form, strict=False) for form in WORDED_DATES))  # fmt: skip
     return pl.coalesce(*(pl.when(day.dt.year() >= FIRST_YEAR).then(day) for day in days))
 
 

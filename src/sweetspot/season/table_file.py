@@ -6,13 +6,13 @@ import csv
 import gzip
 import zlib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import polars as pl
 
 from sweetspot.errors import InputError, first_line
-from sweetspot.season.headings import Headings, headings_of
+from sweetspot.season.headings import DAY_FIRST, Headings, headings_of, names_balls
 from sweetspot.units import grouped
 
 CSV_ENDINGS = (".csv", ".tsv", ".txt", ".csv.gz", ".tsv.gz", ".txt.gz")
@@ -23,6 +23,16 @@ TAIL = 1 << 20
 """Bytes of the end of a file in which its last line is looked for."""
 BOMB, MOST_PACKED = 50_000_000, 100
 """Bytes from which on a packed table is none when it unpacks to more than so many times its size (exports: 5 to 20)."""
+MOST_ABOVE = 16
+"""Lines that may stand above the headings: who was measured, and when."""
+OTHERS = {
+    ".xlsx": "save the sheet as CSV", ".xls": "save the sheet as CSV", ".zip": "unpack it", ".bz2": "unpack it",
+    ".xz": "unpack it", ".zst": "unpack it", ".7z": "unpack it",
+}  # fmt: skip
+"""Endings of files that hold tables and are not read, and what to do."""
+SLASHED = r"^\s*(\d{1,2})[/-](\d{1,2})[/-]\d{2,4}\b"
+PEEK = 1000
+"""Rows in which a date is looked for that may begin with the day."""
 CUTS = (25_000, 40_000)
 """Rows at which public exports end."""
 
@@ -90,7 +100,8 @@ def open_table(path: Path, *, staging: Path, given: Mapping[str, str] | None = N
     if name.endswith(PARQUET_ENDINGS):
         return _parquet(path, given)
     if not name.endswith(CSV_ENDINGS):
-        raise InputError(f"{path} has no ending that is understood; allowed: {', '.join((*CSV_ENDINGS, '.parquet'))}")
+        do = next((f"{words}, or give" for ending, words in OTHERS.items() if name.endswith(ending)), "allowed:")
+        raise InputError(f"{path} has no ending that is understood; {do} {', '.join((*CSV_ENDINGS, '.parquet'))}")
     return _csv(path, staging, given)
 
 
@@ -113,9 +124,9 @@ def text_columns(path: Path, quantities: Sequence[str], *, given: Mapping[str, s
         if path.name.lower().endswith(PARQUET_ENDINGS):
             frame = pl.scan_parquet(path)
         else:
-            first, _ = _ends(path)
-            frame = pl.scan_csv(path, separator=_separator(first), infer_schema=False, truncate_ragged_lines=True,
-                                encoding="utf8-lossy", null_values=MISSING)  # fmt: skip
+            above, _ = _ends(path)
+            frame = pl.scan_csv(path, separator=_separator(above[-1]), infer_schema=False, truncate_ragged_lines=True,
+                                encoding="utf8-lossy", null_values=MISSING, skip_lines=len(above) - 1)  # fmt: skip
         headings = headings_of(frame.collect_schema().names(), given=given, file_name=str(path))
     except (pl.exceptions.PolarsError, OSError, EOFError, zlib.error) as error:
         raise InputError(f"{path} cannot be read as a table: {first_line(error)}") from None
@@ -142,11 +153,13 @@ def _parquet(path: Path, given: Mapping[str, str] | None) -> TableFile:
         held = schema[column.heading]
         if held.is_nested() or isinstance(held, pl.Duration | pl.Object):
             raise InputError(f"{path}: column {column.heading} holds {held}; write one number or one word a row")
-    return TableFile(path, path, headings, rows, torn=False, notes=headings.notes)
+    headings, notes = _with_days(headings, frame)
+    return TableFile(path, path, headings, rows, torn=False, notes=(*headings.notes, *notes))
 
 
 def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFile:
-    first, last = _ends(path)
+    above, last = _ends(path)
+    first = above[-1]
     separator = _separator(first)
     names = _cells(first, separator)
     if not first.strip() or all(_is_number(name) for name in names):
@@ -155,7 +168,7 @@ def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFil
     staging.mkdir(parents=True, exist_ok=True)
     target = staging / f"{path.name}.parquet"
     try:
-        scanned = _scanned(path, separator, given)
+        scanned = _scanned(path, separator, given, above=len(above) - 1)
         headings = headings_of(scanned[1], given=given, file_name=str(path))
         waiting = target.with_suffix(".part")
         told = scanned[0].filter(~pl.all_horizontal(pl.all().is_null()))  # a blank line is no ball
@@ -169,6 +182,11 @@ def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFil
     texts = [column.heading for column in headings.columns.values() if column.kind != "text"]
     held = pl.scan_parquet(target).select(pl.col(texts).is_null().all()).collect().row(0, named=True)
     torn = bool(last.strip()) and len(_cells(last, separator)) < len(names)
+    headings, day_notes = _with_days(headings, pl.scan_parquet(target))
+    notes += day_notes
+    if len(above) > 1:
+        said = "; ".join(", ".join(filter(None, map(str.strip, _cells(line, _separator(line))))) for line in above[:-1])
+        notes.append(f"{len(above) - 1} lines above the headings are left out: {said[:120]}")
     if separator != ",":
         notes.append(f"columns are separated by {separator!r}")
     if len(set(names)) < len(names):
@@ -178,25 +196,55 @@ def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFil
                      empty=tuple(name for name, nothing in held.items() if nothing))  # fmt: skip
 
 
-def _scanned(path: Path, separator: str, given: Mapping[str, str] | None) -> tuple[pl.LazyFrame, list[str]]:
+def _with_days(headings: Headings, frame: pl.LazyFrame) -> tuple[Headings, list[str]]:
+    """Return headings that know whether dates begin with the day, and what to say of dates that do not tell.
+
+    One order holds for a whole table: 25/04/2024 anywhere in it says that 05/04/2024 is in April too.
+    """
+    column = headings.columns.get("date")
+    if column is None or frame.collect_schema()[column.heading] != pl.String:
+        return headings, []
+    text = pl.col(column.heading)
+    if not frame.head(PEEK).select(text.str.contains(SLASHED).any()).collect().item():
+        return headings, []
+    numbers = [text.str.extract(SLASHED, group).cast(pl.Int32) for group in (1, 2)]
+    ahead, behind = frame.select(text).unique().select(first=numbers[0].max(), second=numbers[1].max()).collect().row(0)
+    if ahead > 12 >= behind:
+        columns = {**headings.columns, "date": replace(column, unit=DAY_FIRST)}
+        return replace(headings, columns=columns), []
+    if behind > 12 >= ahead:
+        return headings, []
+    what = "may begin with month or day" if behind <= 12 else "begin with the month in some rows and the day in others"
+    return headings, [f"dates in {column.heading} {what}; they are read as month, day, year"]
+
+
+def _scanned(
+    path: Path, separator: str, given: Mapping[str, str] | None, *, above: int
+) -> tuple[pl.LazyFrame, list[str]]:
     """Return the rows and their headings; a column with anything but numbers in it stays text."""
     frame = pl.scan_csv(
         path, separator=separator, infer_schema_length=None, truncate_ragged_lines=True, encoding="utf8-lossy",
-        null_values=MISSING, decimal_comma=separator == ";",
+        null_values=MISSING, decimal_comma=separator == ";", skip_lines=above,
     )  # fmt: skip
     names = frame.collect_schema().names()
     headings_of(names, given=given, file_name=str(path))  # refuses before anything is copied
     return frame, names
 
 
-def _ends(path: Path) -> tuple[str, str]:
-    """Return the first and the last line of a file that may be packed."""
+def _ends(path: Path) -> tuple[list[str], str]:
+    """Return the lines down to the headings, and the last line, of a file that may be packed.
+
+    Headings stand in the first line, or in the first one that names balls or swings where others stand above.
+    """
     try:
         with gzip.open(path) if path.name.lower().endswith(".gz") else path.open("rb") as file:
-            first = file.readline(TAIL)
-            if len(first) == TAIL:
+            lines = [file.readline(TAIL)]
+            if len(lines[0]) == TAIL:
                 raise InputError(f"{path} begins with a line of more than {TAIL / 1e6:.0f} MB; give a table")
-            tail, unpacked = b"", 0
+            while len(lines) <= MOST_ABOVE and not _names_balls(lines[-1]) and (line := file.readline(TAIL)):
+                lines.append(line)
+            first = b"".join(lines)
+            tail, unpacked = lines[-1], 0
             if not path.name.lower().endswith(".gz"):
                 file.seek(max(file.tell(), path.stat().st_size - TAIL))
             while block := file.read(TAIL):
@@ -207,8 +255,21 @@ def _ends(path: Path) -> tuple[str, str]:
         raise InputError(f"{path} is damaged: {error}; get it anew") from None
     if b"\0" in first or b"\0" in tail:
         raise InputError(f"{path} is no text in UTF-8; save it as CSV, or give Parquet")
-    lines = tail.splitlines()
-    return first.decode("utf-8-sig", "replace"), lines[-1].decode("utf-8", "replace") if lines else ""
+    above = lines if _names_balls(lines[-1]) else lines[:1]
+    last = tail.splitlines()
+    return [_text(line) for line in above], _text(last[-1]) if last else ""
+
+
+def _text(line: bytes) -> str:
+    return line.decode("utf-8-sig", "replace")
+
+
+def _names_balls(line: bytes) -> bool:
+    text = _text(line)
+    try:
+        return names_balls(_cells(text, _separator(text)))
+    except csv.Error:  # no text at all
+        return False
 
 
 def _separator(line: str) -> str:
