@@ -29,7 +29,7 @@ def pendulum(
     from sweetspot.dynamics import rigid
     from sweetspot.report.document import Cell, Column, Document, Table
     from sweetspot.report.sentences import Slot, say
-    from sweetspot.units import OUNCE_INCH_SQUARED, insisted, parse
+    from sweetspot.units import OUNCE_INCH_SQUARED, parse
 
     if (period is None) == (moi is None):
         raise InputError("give either --period or --moi, and only one of them")
@@ -44,27 +44,8 @@ def pendulum(
         assert period is not None  # one of the two was given
         seconds = parse(period, "time", "--period")
         inertia = rigid.moi_from_pendulum(seconds, mass=weight, balance_point=balance, pivot=axis)
-    least = weight * (balance - axis) ** 2
-    if inertia <= least and not insisted():
-        raise InputError(
-            f"--{'moi' if period is None else 'period'} was given as {moi if period is None else period}; that is a "
-            f"moment of {inertia / OUNCE_INCH_SQUARED:.0f} oz in^2, less than this weight has when all of it sits at "
-            f"its balance point, {least / OUNCE_INCH_SQUARED:.0f} oz in^2. A period is there and back: check that, the "
-            "weight and the balance point, or add --force if it is meant"
-        )
-    gyration = max(inertia - least, 0.0) ** 0.5 / weight**0.5
-    if not USUAL_GYRATIONS[0] <= gyration <= USUAL_GYRATIONS[1] and not insisted():
-        raise InputError(
-            f"what was given makes a radius of gyration of {100 * gyration:.1f} cm about the balance point; usual is "
-            f"{100 * USUAL_GYRATIONS[0]:g} to {100 * USUAL_GYRATIONS[1]:g} cm. Check the units, or add --force if it "
-            "is meant"
-        )
-    if gyration > WIDEST * balance and not insisted():
-        raise InputError(
-            f"--balance-point was given as {balance_point}; with the rest that spreads the weight by "
-            f"{100 * gyration:.1f} cm about a balance point {100 * balance:.1f} cm from the end, as no implement does. "
-            "Check the units, or add --force if it is meant"
-        )
+    given = f"--moi was given as {moi}" if period is None else f"--period was given as {period}"
+    _check_body(inertia, weight, balance, axis, given=given, balance_given=balance_point)
     percussion = axis + inertia / (weight * (balance - axis))
     about = say("moment of inertia about {pivot}", pivot=Slot(axis, "place", round=True))
     rows: list[tuple[Cell, Cell]] = [
@@ -81,3 +62,29 @@ def pendulum(
         data=data, rows={name: [value] for name, value in data.items()},
     )  # fmt: skip
     return present(document, output)
+
+
+def _check_body(inertia: float, weight: float, balance: float, axis: float, *, given: str, balance_given: str) -> None:
+    """Raise `InputError` where no implement is like that: a moment of inertia in kg m^2 about an axis, kg and m."""
+    from sweetspot.units import OUNCE_INCH_SQUARED, insisted
+
+    least = weight * (balance - axis) ** 2
+    if inertia <= least and not insisted():
+        raise InputError(
+            f"{given}; that is a moment of {inertia / OUNCE_INCH_SQUARED:.0f} oz in^2, less than this weight has when "
+            f"all of it sits at its balance point, {least / OUNCE_INCH_SQUARED:.0f} oz in^2. A period is there and "
+            "back: check that, the weight and the balance point, or add --force if it is meant"
+        )
+    gyration = max(inertia - least, 0.0) ** 0.5 / weight**0.5
+    if not USUAL_GYRATIONS[0] <= gyration <= USUAL_GYRATIONS[1] and not insisted():
+        raise InputError(
+            f"what was given makes a radius of gyration of {100 * gyration:.1f} cm about the balance point; usual is "
+            f"{100 * USUAL_GYRATIONS[0]:g} to {100 * USUAL_GYRATIONS[1]:g} cm. Check the units, or add --force if it "
+            "is meant"
+        )
+    if gyration > WIDEST * balance and not insisted():
+        raise InputError(
+            f"--balance-point was given as {balance_given}; with the rest that spreads the weight by "
+            f"{100 * gyration:.1f} cm about a balance point {100 * balance:.1f} cm from the end, as no implement does. "
+            "Check the units, or add --force if it is meant"
+        )

@@ -15,8 +15,12 @@ from sweetspot.cli.options.written_errors import error_behind, without_error
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
+    from sweetspot.calibration.draws.drawn_plays import PlayAsked
+    from sweetspot.calibration.draws.sources import Sources
+    from sweetspot.flight.conditions import FlightConditions
     from sweetspot.motion.ball_motion import BallMotion
     from sweetspot.motion.swing_path import SwingPath
+    from sweetspot.report.document import Document
 
 
 @Parameter(name="*", allow_leading_hyphen=True)
@@ -85,7 +89,6 @@ def play(
     from sweetspot.analysis.bat_analysis import check_conditions
     from sweetspot.analysis.full_play import play as follow
     from sweetspot.cli.hit_command import check_beyond_hands
-    from sweetspot.cli.options.pitching import pitched
     from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.options.weather import park_of, through
     from sweetspot.cli.output import patience, present
@@ -104,16 +107,9 @@ def play(
     check_beyond_hands(position, conditions.hands.position, meeting.at)
     under, park = parse(without_error(meeting.offset), "length", "--offset"), park_of(air)
     off_place, off_ball = error_behind(meeting.at, "length", "--at"), error_behind(meeting.offset, "length", "--offset")
-    if arrival.pitch is not None and swing.pitch_speed is not None:
-        raise InputError("--pitch and --pitch-speed were both given; say --release-speed for a named pitch")
-    if arrival.pitch is None and arrival.release_speed is not None:
-        raise InputError("--release-speed is of a pitch that is thrown; name it with --pitch, or give --pitch-speed")
     swung = path_of(path)
     flying = replace(through(air, swing.ball or catalog.sport(described.sport).balls[0]), ball=conditions.ball)
-    if arrival.pitch is None:
-        pitch = arriving(arrival, conditions.pitch.speed)
-    else:
-        pitch = pitched(arrival.pitch, arrival.release_speed, flying).plate
+    pitch = _pitch_at_plate(arrival, swing, conditions.pitch.speed, flying)
     with patience():
         played = follow(
             model,
@@ -129,19 +125,42 @@ def play(
     )  # fmt: skip
     document = play_document(result)
     if meeting.uncertainty and played.flight is not None:
-        from sweetspot.calibration.draws.drawn_plays import PlayAsked, drag_source, drawn_play, meeting_sources
-        from sweetspot.catalog.aerodynamic_laws import drag_spread
-        from sweetspot.report.uncertainty.uncertainty_section import uncertain
+        from sweetspot.calibration.draws.drawn_plays import PlayAsked
 
         thrown = conditions.replaced(pitch=conditions.pitch.replaced(speed=pitch.speed))
         asked = PlayAsked(model, thrown, flying, swung, pitch, Contact(position, under))
-        sources = sources_for(bat, described, conditions, swing)
-        for one in (drag_source(drag_spread(flying.aerodynamics)), *meeting_sources(off_place, off_ball)):
-            sources = sources.with_source(one)
-        with patience():
-            answers = drawn_play(asked, sources)
-        document = uncertain(document, answers, main="flight.carry_m", named="carry", where=sources.described)
+        document = _with_intervals(document, asked, sources_for(bat, described, conditions, swing), off_place, off_ball)
     return present(document, output)
+
+
+def _pitch_at_plate(arrival: ArrivalOptions, swing: SwingOptions, speed: float, flying: FlightConditions) -> BallMotion:
+    """Return the pitch as it arrives: thrown by its name, or with a speed in m/s and the options' angles and spins."""
+    from sweetspot.cli.options.pitching import pitched
+
+    if arrival.pitch is not None and swing.pitch_speed is not None:
+        raise InputError("--pitch and --pitch-speed were both given; say --release-speed for a named pitch")
+    if arrival.pitch is None and arrival.release_speed is not None:
+        raise InputError("--release-speed is of a pitch that is thrown; name it with --pitch, or give --pitch-speed")
+    if arrival.pitch is None:
+        return arriving(arrival, speed)
+    return pitched(arrival.pitch, arrival.release_speed, flying).plate
+
+
+def _with_intervals(
+    document: Document, asked: PlayAsked, known: Sources, off_place: float, off_ball: float
+) -> Document:
+    """Return the document with what ball, bat, drag and the errors of where they meet, in m, leave open."""
+    from sweetspot.calibration.draws.drawn_plays import drag_source, drawn_play, meeting_sources
+    from sweetspot.catalog.aerodynamic_laws import drag_spread
+    from sweetspot.cli.output import patience
+    from sweetspot.report.uncertainty.uncertainty_section import uncertain
+
+    sources = known
+    for one in (drag_source(drag_spread(asked.flying.aerodynamics)), *meeting_sources(off_place, off_ball)):
+        sources = sources.with_source(one)
+    with patience():
+        answers = drawn_play(asked, sources)
+    return uncertain(document, answers, main="flight.carry_m", named="carry", where=sources.described)
 
 
 def path_of(options: PathOptions) -> SwingPath:

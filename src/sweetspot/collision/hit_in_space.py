@@ -13,12 +13,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sweetspot.collision.coupled import hit
-from sweetspot.collision.impact import Impact, Outcome
+from sweetspot.collision.impact import Impact, Impacts, Outcome
 from sweetspot.collision.kernel import hits_with_motion
 from sweetspot.collision.oblique_contact import (
     USUAL_FRICTION,
     ContactFrame,
     Friction,
+    Launch,
     bat_give,
     contact_frame,
     launch,
@@ -153,19 +154,10 @@ def strike(
     impact = hit(reduced.modes, ball=ball, position=position, closing_speed=closing)
     if impact.outcome is not Outcome.SEPARATED:
         return Strike(impact.outcome, bat_speed)
-    impulse = ball.mass * closing * (1 + impact.collision_efficiency)
     surface = bat_velocity + turning_surface(frame, axes, angular_speed=swing.angular_speed, radius=radius)
-    done = launch(
-        frame,
-        ball=ball,
-        pitch=pitch,
-        surface_velocity=surface,
-        normal_impulse=impulse,
-        give=bat_give(
-            reduced.modes, reduced.body, position=position, radius=radius, velocity=impact.velocity,
-            normal_impulse=impulse,
-        ),
-        friction=friction,
+    done = _leaving(
+        frame, reduced, ball=ball, pitch=pitch, surface_velocity=surface, place=(position, radius), closing=closing,
+        normal=impact, friction=friction,
     )  # fmt: skip
     past, given = pitch.velocity - surface, done.impulses
     return Strike(
@@ -219,9 +211,7 @@ def strikes(
     speed, place, above = np.broadcast_arrays(
         *(np.asarray(values, float).ravel() for values in (swings.bat_speed, contact.position, contact.offset))
     )
-    if np.any((place < 0) | (place > reduced.bat.length)):
-        worst = float(place[np.argmax(np.abs(place - reduced.bat.length / 2))])
-        raise InputError(f"position {worst:.4g} m is not on the bat; allowed is 0 to {reduced.bat.length:.4g} m")
+    _check_positions(reduced.bat, place)
     velocity, spin = (
         np.broadcast_to(np.asarray(values, float), (len(speed), 3)) for values in (pitches.velocity, pitches.spin)
     )
@@ -232,18 +222,17 @@ def strikes(
     bat_velocity = speed[:, None] * axes.forward
     closing = np.where(missed, 0.0, np.sum((bat_velocity - velocity) * frame.normal, axis=-1))
     done = hits_with_motion(reduced.modes, ball=ball, position=place, closing_speed=closing, threads=threads)
-    impulse = ball.mass * closing * (1 + done.collision_efficiency)
     frame = ContactFrame(*(np.broadcast_to(axis, (len(speed), 3)) for axis in frame))
     turning = np.divide(speed, place - swings.pivot, out=np.zeros(len(speed)), where=place > swings.pivot)
-    left = launch(
+    left = _leaving(
         frame,
+        reduced,
         ball=ball,
         pitch=BallMotions(velocity=velocity, spin=spin),
         surface_velocity=bat_velocity + turning_surface(frame, axes, angular_speed=turning, radius=radius),
-        normal_impulse=impulse,
-        give=bat_give(
-            reduced.modes, reduced.body, position=place, radius=radius, velocity=done.velocity, normal_impulse=impulse
-        ),
+        place=(place, radius),
+        closing=closing,
+        normal=done,
         friction=friction,
     )
     return Strikes(
@@ -258,3 +247,40 @@ def strikes(
         velocity=left.velocity,
         spin=left.spin,
     )
+
+
+def _check_positions(bat: Bat, place: Array) -> None:
+    if np.any((place < 0) | (place > bat.length)):
+        worst = float(place[np.argmax(np.abs(place - bat.length / 2))])
+        raise InputError(f"position {worst:.4g} m is not on the bat; allowed is 0 to {bat.length:.4g} m")
+
+
+def _leaving(
+    frame: ContactFrame,
+    reduced: ReducedBat[Bat],
+    *,
+    ball: Ball,
+    pitch: BallMotion | BallMotions,
+    surface_velocity: Array,
+    place: tuple[ArrayLike, ArrayLike],
+    closing: ArrayLike,
+    normal: Impact | Impacts,
+    friction: Friction,
+) -> Launch:
+    """Return how balls leave, of one hit or of many, from the part along the line of centres.
+
+    Parameters
+    ----------
+    place : m from the knob end, and the bat's radius there.
+    closing : m/s along the line of centres.
+    normal : that part of the hit, with the modes' motion as it leaves the bat.
+    """
+    position, radius = place
+    impulse = ball.mass * np.asarray(closing) * (1 + np.asarray(normal.collision_efficiency))
+    give = bat_give(
+        reduced.modes, reduced.body, position=position, radius=radius, velocity=normal.velocity, normal_impulse=impulse
+    )
+    return launch(
+        frame, ball=ball, pitch=pitch, surface_velocity=surface_velocity, normal_impulse=impulse, give=give,
+        friction=friction,
+    )  # fmt: skip

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sweetspot.collision.contact_law import unloading_exponent
 from sweetspot.collision.impact import Impact, bat_energy
@@ -105,34 +106,21 @@ def history_of(
         )
     contact = replayed(impact, modes)
     chosen = np.unique(np.linspace(0, len(contact.times) - 1, contact_frames).round().astype(int))
-    begin = float(contact.times[-1])
-    free = free_motion(
-        modes,
-        displacement=contact.displacement[-1],
-        velocity=contact.velocity[-1],
-        step=abs(duration - begin) / free_frames,
-        count=free_frames if duration > begin else 0,
-    )
-    bat = Motion(
-        times=np.concatenate([contact.times[chosen], begin + free.times]),
-        displacement=np.concatenate([contact.displacement[chosen], free.displacement]),
-        velocity=np.concatenate([contact.velocity[chosen], free.velocity]),
-        damping=np.concatenate([contact.damping[chosen], contact.damping[-1] + free.damping]),
-    )
+    bat, later = _ringing_on(contact, chosen, modes, duration=duration, frames=free_frames)
     force, compression = np.append(impact.force, 0.0), np.append(impact.compression, 0.0)
     speed, travel = _ball_motion(impact, ball, contact.times)
     stored, heat = _inside_ball(ball, force, compression)
 
     def whole(during: Array, after: Array | float) -> Array:
         """Join the chosen moments of contact to what comes after."""
-        return np.concatenate([during[chosen], np.broadcast_to(after, len(free.times))])
+        return np.concatenate([during[chosen], np.broadcast_to(after, len(later))])
 
     translation, rotation, bending, hoop, face = bat_energy(modes, bat.displacement, bat.velocity)
     give = float(modes.compliance_at(impact.position, closing_speed=impact.closing_speed))
     return TimeHistory(
         impact=impact,
         times=bat.times,
-        travel=whole(travel, travel[-1] + speed[-1] * free.times),
+        travel=whole(travel, travel[-1] + speed[-1] * later),
         force=whole(force, 0.0),
         compression=whole(compression, 0.0),
         displacement=bat.displacement,
@@ -173,6 +161,27 @@ def impulse_given(impact: Impact, time: float) -> float:
     """Return the part of the whole impulse that the ball has given by ``time`` s after first touch, 0 to 1."""
     given = np.cumsum(impact.impulse)
     return float(np.interp(time, impact.times, given) / given[-1])
+
+
+def _ringing_on(
+    contact: Motion, chosen: NDArray[np.int64], modes: Modes, *, duration: float, frames: int
+) -> tuple[Motion, Array]:
+    """Return the bat's motion at chosen moments of contact and freely on; and the free ones, s after release."""
+    begin = float(contact.times[-1])
+    free = free_motion(
+        modes,
+        displacement=contact.displacement[-1],
+        velocity=contact.velocity[-1],
+        step=abs(duration - begin) / frames,
+        count=frames if duration > begin else 0,
+    )
+    motion = Motion(
+        times=np.concatenate([contact.times[chosen], begin + free.times]),
+        displacement=np.concatenate([contact.displacement[chosen], free.displacement]),
+        velocity=np.concatenate([contact.velocity[chosen], free.velocity]),
+        damping=np.concatenate([contact.damping[chosen], contact.damping[-1] + free.damping]),
+    )
+    return motion, free.times
 
 
 def _ball_motion(impact: Impact, ball: Ball, times: Array) -> tuple[Array, Array]:

@@ -7,6 +7,7 @@ across the field; the launch direction has to be solved for.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Literal
 
 import numpy as np
@@ -91,7 +92,16 @@ def launched_to(
         miss = result.bearing - wanted
         return np.arctan2(np.sin(miss), np.cos(miss)), result
 
-    spray = np.array(wanted, float)
+    return _where_nothing_is_missed(flown, np.array(wanted, float))
+
+
+def _where_nothing_is_missed(flown: Callable[[Array], tuple[Array, Flights]], spray: Array) -> tuple[Array, Flights]:
+    """Return the directions, from some to begin with, that miss by no more than `CLOSE`, else NaN; and their flights.
+
+    Parameters
+    ----------
+    flown : of launch directions in rad, shape (n,), by how much the landings miss, rad, and the flights.
+    """
     miss, result = flown(spray)
     slope = np.ones_like(spray)
     for _ in range(ROUNDS):

@@ -145,24 +145,9 @@ def advise(
     asked = expectation(posterior, goal=goal, pitch_speed=pitch, carries=carries, seed=posterior.seed)
     own = model.bats[0]
     now = asked.of(own)
-    tried, faults = candidates(own.bat, others, swung=[table.bat for table in model.bats[1:]])
-    options, by_key = [], {f"bat:{own.bat.name}": now}
-    for number, candidate in enumerate(tried, start=1):
-        try:
-            table = contact_table(candidate.bat, ball=model.ball, axis=model.law.axis, like=own)
-        except SweetspotError as error:
-            faults = (*faults, f"{candidate.label}: {error}")
-            continue
-        gained = asked.of(table)
-        by_key[candidate.key] = gained
-        options.append(
-            Option(
-                candidate, interval(asked.bat_speed(table)), interval(gained), interval(gained - now),
-                float(np.mean(gained > now)),
-            )
-        )  # fmt: skip
-        if progress is not None:
-            progress(number, len(tried))
+    tried, not_read = candidates(own.bat, others, swung=[table.bat for table in model.bats[1:]])
+    options, with_key, not_met = _tried(asked, tried, now, progress)
+    by_key = {f"bat:{own.bat.name}": now, **with_key}
     named = {key.removeprefix("bat:"): gained for key, gained in by_key.items() if key.startswith("bat:")}
     pairs, seldom = bat_pairs(swung_bats(model), named, goal_is_speed=goal.name == "exit-speed")
     place, place_gain, curve = _best_place(asked, PLACES, "position", now)
@@ -173,7 +158,7 @@ def advise(
         pitch_speed=pitch,
         now=interval(now),
         options=tuple(sorted(options, key=lambda option: -option.change.value)),
-        faults=faults,
+        faults=(*not_read, *not_met),
         pairs=pairs,
         seldom=seldom,
         end_loaded=interval(by_key["end-loaded"] - by_key["knob-loaded"]),
@@ -184,6 +169,31 @@ def advise(
         height_gain=height_gain,
         worth={key: Worth(key, change, interval(asked.of(own, change) - now)) for key, change in _changes().items()},
     )
+
+
+def _tried(
+    asked: Expectation, bats: Sequence[Candidate], now: Array, progress: Callable[[int, int], None] | None
+) -> tuple[list[Option], dict[str, Array], list[str]]:
+    """Return what is expected with each bat: as options, by key over the draws; and what was wrong with the others."""
+    own, model = asked.model.bats[0], asked.model
+    options, by_key, faults = [], {}, []
+    for number, candidate in enumerate(bats, start=1):
+        try:
+            table = contact_table(candidate.bat, ball=model.ball, axis=model.law.axis, like=own)
+        except SweetspotError as error:
+            faults.append(f"{candidate.label}: {error}")
+            continue
+        gained = asked.of(table)
+        by_key[candidate.key] = gained
+        options.append(
+            Option(
+                candidate, interval(asked.bat_speed(table)), interval(gained), interval(gained - now),
+                float(np.mean(gained > now)),
+            )
+        )  # fmt: skip
+        if progress is not None:
+            progress(number, len(bats))
+    return options, by_key, faults
 
 
 def _changes() -> dict[str, Change]:

@@ -26,7 +26,14 @@ from sweetspot.web.wizard_form import Form, forms
 
 
 def catalogue_routes(api: APIRouter) -> None:
-    """Add the routes that list what can be chosen."""
+    """Add the routes that list what can be chosen, and those that ask about a bat of one's own."""
+    _implement_lists(api)
+    _other_lists(api)
+    _own_routes(api)
+
+
+def _implement_lists(api: APIRouter) -> None:
+    """Add the routes that list bats and other implements, balls and materials."""
 
     @api.get("/bats", tags=["catalogue"])
     def bats() -> list[BatFacts]:
@@ -47,6 +54,10 @@ def catalogue_routes(api: APIRouter) -> None:
     def materials() -> list[str]:
         """Return the names of the catalogue's materials."""
         return catalog.material_names()
+
+
+def _other_lists(api: APIRouter) -> None:
+    """Add the routes that list rules, fields, pitches, quantities and words."""
 
     @api.get("/leagues", tags=["catalogue"])
     def leagues() -> list[Choice]:
@@ -80,6 +91,10 @@ def catalogue_routes(api: APIRouter) -> None:
             Meaning(names=list(one.names), words=words_in_both_systems(one.words), source=one.cited)
             for one in all_terms()
         ]
+
+
+def _own_routes(api: APIRouter) -> None:
+    """Add the routes that ask about an implement of one's own."""
 
     @api.get("/questions", tags=["catalogue"])
     def questions() -> list[Form]:

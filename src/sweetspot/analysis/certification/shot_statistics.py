@@ -186,17 +186,7 @@ def measure(
     if any(given) and not all(given):
         raise InputError("only some of the shots have a ball_cor; give it for all of them or for none")
     hits = [_hit(shot, body=body, ball=ball, standard=standard) for shot in shots]
-    for hit in hits:
-        if max(hit.bbcor, hit.normalised) >= 1:
-            raise InputError(
-                f"row {hit.shot.row} gives a BBCOR of {hit.normalised:.3g}; allowed is below 1, where ball and bat "
-                "part as fast as they met. Check the speeds, the ball's restitution and the bat's moment of inertia"
-            )
-        if not is_usual(hit.normalised, "bbcor"):
-            raise InputError(
-                f"row {hit.shot.row} gives a BBCOR of {hit.normalised:.3g}; usual is {USUAL['bbcor'].low:g} to "
-                f"{USUAL['bbcor'].high:g}, and {USUAL['bbcor'].hint}, or add --force if it is meant"
-            )
+    _check_bbcor(hits)
     groups = _places(hits)
     best = _best(groups)
     values = [hit.normalised for hit in best]
@@ -268,6 +258,21 @@ def _hit(shot: Shot, *, body: RigidBody, ball: Ball, standard: float) -> Hit:
     restitution = restitution_from_efficiency(efficiency, recoil=_recoil(shot, body, ball))
     factor = 1.0 if shot.ball_cor is None else standard / shot.ball_cor
     return Hit(shot, efficiency, restitution, restitution * factor)
+
+
+def _check_bbcor(hits: list[Hit]) -> None:
+    """Raise `InputError` where a row gives a ball-bat restitution that cannot be, or that is not usual."""
+    for hit in hits:
+        if max(hit.bbcor, hit.normalised) >= 1:
+            raise InputError(
+                f"row {hit.shot.row} gives a BBCOR of {hit.normalised:.3g}; allowed is below 1, where ball and bat "
+                "part as fast as they met. Check the speeds, the ball's restitution and the bat's moment of inertia"
+            )
+        if not is_usual(hit.normalised, "bbcor"):
+            raise InputError(
+                f"row {hit.shot.row} gives a BBCOR of {hit.normalised:.3g}; usual is {USUAL['bbcor'].low:g} to "
+                f"{USUAL['bbcor'].high:g}, and {USUAL['bbcor'].hint}, or add --force if it is meant"
+            )
 
 
 def _normalised_efficiency(hit: Hit, body: RigidBody, ball: Ball) -> float:

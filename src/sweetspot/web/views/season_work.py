@@ -16,6 +16,7 @@ import pydantic_core
 
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
+from sweetspot.numerics.whole_files import written_whole
 from sweetspot.web.documents import told
 from sweetspot.web.jobs import Say
 from sweetspot.web.uploads import TAKEN_AWAY
@@ -78,8 +79,8 @@ def made_up(bat: Bat, folder: Path) -> Path:
 
     path = folder / "made-up season.parquet"
     if not path.exists():
-        made_season(bat, MadeSeason(*MADE_UP)).write_parquet(path.with_suffix(".part"))
-        path.with_suffix(".part").replace(path)
+        with written_whole(path) as file:
+            made_season(bat, MadeSeason(*MADE_UP)).write_parquet(file)
     return path
 
 
