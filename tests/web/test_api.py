@@ -71,6 +71,26 @@ def test_recipes_give_the_same_numbers(
     assert names["result"].scan.sting == pytest.approx(found["scan"]["sting_m_s"], rel=1e-9)
 
 
+@pytest.mark.parametrize("state", [{"offset_in": 0.5}, {"offset_in": -0.6, "bat": "youth-30", "bore_diameter_in": 0.5}])
+def test_the_lines_of_a_ball_met_off_the_axis_give_that_hit(
+    client: httpx.Client,
+    state: dict[str, Any],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    run_json: Callable[..., Any],
+) -> None:
+    found = client.post("/api/v1/explorer", json=state).json()["hit"]
+    lines = client.post("/api/v1/explorer/recipe", json=state).json()
+    monkeypatch.chdir(tmp_path)
+    Path("bat.toml").write_text(lines["toml"], encoding="utf-8")
+    played = run_json(*shlex.split(lines["command"].splitlines()[-1])[1:])
+    for name in ("exit_speed_m_s", "launch_angle_rad", "backspin_rad_s"):
+        assert played[name] == pytest.approx(found[name], rel=2e-4)
+    names: dict[str, Any] = {}
+    exec(lines["python"], names)
+    assert names["struck"].launched.speed == pytest.approx(found["exit_speed_m_s"], rel=2e-4)
+
+
 def test_a_ball_met_off_the_axis_is_lifted_and_slower(client: httpx.Client) -> None:
     middle, above, over = (
         client.post("/api/v1/explorer", json={"offset_in": inches}).json()["hit"] for inches in (0, 0.7, 2.5)

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Browser, Page, expect
 
 from sweetspot.web.views import VIEWS
 
@@ -60,6 +60,40 @@ def test_the_pointer_reads_values_and_the_wheel_zooms_once_pressed(
         0, abs=0.05
     )  # the tip
     assert float(rows.first.locator("th").inner_text()) == pytest.approx(24.4, abs=0.1)  # where hits begin
+
+
+def test_fingers_zoom_and_scroll_without_moving_the_ball(
+    browser: Browser,
+    server: str,
+    settled: Callable[[Page], None],
+    repainted: Callable[[Page, Callable[[], None]], None],
+) -> None:
+    context = browser.new_context(viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
+    context.add_init_script("localStorage.setItem('guided', 'yes')")
+    page = context.new_page()
+    page.goto(f"{server}/explorer")
+    settled(page)
+    box = page.locator("#view canvas").first.bounding_box()
+    assert box is not None
+    x, y = box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"]
+    line = context.new_cdp_session(page)
+
+    def touched(*steps: list[tuple[float, float]]) -> None:
+        for kind, places in zip(
+            ("touchStart", *["touchMove"] * (len(steps) - 1), "touchEnd"), (*steps, []), strict=True
+        ):
+            line.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [
+                {"x": x + across, "y": y + up, "id": number} for number, (across, up) in enumerate(places)
+            ]})  # fmt: skip
+
+    repainted(page, lambda: touched(*([(-apart, 0.0), (apart, 0.0)] for apart in (30.0, 60.0, 90.0))))
+    touched(*([(0.0, -15.0 * step)] for step in range(8)))
+    settled(page)
+    assert page.url == f"{server}/explorer"
+    repainted(page, lambda: touched(*([(-8.0 * step, 0.0)] for step in range(8))))
+    settled(page)
+    assert "impact_from_tip_in" in page.url
+    context.close()
 
 
 def test_a_picture_says_what_it_is_when_it_travels_alone(page: Page, server: str, answered: Answered) -> None:

@@ -66,7 +66,7 @@ def test_a_tap_on_a_node_leaves_its_motion_alone(still: Page, server: str, answe
     drawn = answered(still)
     assert float(row(still, "Bending 1")[4].removesuffix(" %")) > 50
     before = picture(still)
-    node = still.evaluate("document.querySelector('#verdict').textContent.match(/still ([0-9.]+) in/)[1]")
+    node = still.evaluate("document.querySelector('#verdict').textContent.match(/still ([0-9.]+)\\s+in/)[1]")
     still.get_by_label("Where, from the tip, in").fill(node)
     still.keyboard.press("Enter")
     answered(still, drawn)
@@ -97,7 +97,7 @@ def test_a_hollow_bat_has_hoop_motions_and_a_solid_one_has_not(still: Page, serv
     still.get_by_role("button", name="more, which are hardly woken").click()
     still.get_by_label("Hoop 2.2", exact=True).check()
     answered(still, drawn)
-    assert "2 waves around it and 2 half waves along it" in still.inner_text("#verdict")
+    expect(still.locator("#verdict")).to_contain_text("2 waves around it and 2 half waves along it")
 
 
 def test_hands_damp(still: Page, server: str, answered: Answered) -> None:
@@ -135,7 +135,7 @@ def test_units_and_exports(still: Page, server: str, answered: Answered, tmp_pat
     still.goto(f"{server}/modes")
     answered(still)
     still.locator("input[name=units][value=si]").check()
-    assert "It stands still 17.1 cm" in still.inner_text("#verdict")
+    expect(still.locator("#verdict")).to_contain_text("It stands still 17.1 cm")
     still.click("#export")
     with still.expect_download() as waited:
         still.click("dialog [data-format=csv]")

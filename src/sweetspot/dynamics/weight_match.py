@@ -141,7 +141,7 @@ def with_wall_factor(bat: Bat, factor: float) -> Bat:
     shell = _hollow(bat)
     if not factor > 0:
         raise InputError(f"wall factor is {factor:g}; allowed is a number above zero")
-    return _made_with(bat, shell.scaled(factor), f"{bat.name}, wall x {factor:.3g}")
+    return _made_with(bat, shell.scaled(factor), f"{bat.name}, wall × {factor:.3g}")
 
 
 def barrel_start(bat: Bat) -> float:
@@ -164,7 +164,7 @@ def with_barrel_wall(bat: Bat, factor: float) -> Bat:
     if sleeve is not None:
         sleeve = sleeve.replaced(wall=tuple((place, factor * size) for place, size in sleeve.wall))
     return bat.replaced(
-        name=f"{bat.name}, barrel wall x {factor:.3g}", shell=shell.replaced(wall=wall, inner_wall=sleeve),
+        name=f"{bat.name}, barrel wall × {factor:.3g}", shell=shell.replaced(wall=wall, inner_wall=sleeve),
         mass=None, balance_point=None, moi=None, original=None, remark="",
     )  # fmt: skip
 

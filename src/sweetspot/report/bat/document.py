@@ -181,9 +181,10 @@ def _details(analysis: Analysis[Implement]) -> list[Block]:
 def _touched_again(analysis: Analysis[Implement]) -> list[Block]:
     """Return what is not known of hits in the table that touch the ball more than once."""
     scan, length = analysis.scan, analysis.bat.length
-    from_tip = length - scan.position[scan.touches > 1]
-    shown = from_tip[from_tip <= stations(analysis)[-1]]
-    return [Paragraph(doubt, "note") for doubt in touched_again_between(shown, words_of(analysis.bat))]
+    from_tip = length - scan.position
+    shown = from_tip <= stations(analysis)[-1]
+    doubts = touched_again_between(from_tip[shown], scan.touches[shown], words_of(analysis.bat))
+    return [Paragraph(doubt, "note") for doubt in doubts]
 
 
 def _mass(bat: Implement, body: RigidBody, *, told: bool = False) -> list[Block]:

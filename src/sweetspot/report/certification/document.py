@@ -234,7 +234,8 @@ def _estimate(name: Words, estimate: Estimate, scale: str = "ratio", digits: int
 
 def _rules(tested: TestedBat) -> Table:
     bat, body = tested.bat, tested.body
-    columns = [Column(name) for name in ("league", "rule", "verdict")]
+    alone = _only_league(tested.checks)
+    columns = [Column(name) for name in ("league", "rule", "verdict") if name != "league" or alone is None]
     columns += [Column(name, right=True) for name in ("value", "limit", "margin")]
     rows: list[list[Cell]] = []
     for league, check in tested.checks:
@@ -244,13 +245,20 @@ def _rules(tested: TestedBat) -> Table:
         if rule.quantity == "moi" and check.value is not None:
             value = with_doubt(check.value, moi_doubt(bat, body, CLAMP), "moi", of=of)
         rows.append([
-            league.key, title(rule), Marked(check.verdict.value, MARKS.get(check.verdict, "")),
-            value, limit_shown(check),
+            *([league.key] if alone is None else []), title(rule),
+            Marked(check.verdict.value, MARKS.get(check.verdict, "")), value, limit_shown(check),
             value_shown(rule.quantity, check.margin, sign=True, of=f"-{of}" if rule.least is None and of else of),
             Cited(rule.source, str(rule.year or ""), "" if rule.reading == "primary" else rule.reading),
         ])  # fmt: skip
     name = "certified rules" if len(rows) < MANY else "certified rules many"
-    return Table("Rules", [*columns, Column("source")], rows, name=name)
+    heading = "Rules" if alone is None else f"Rules of {alone}"
+    return Table(heading, [*columns, Column("source")], rows, name=name)
+
+
+def _only_league(checks: Sequence[tuple[League, Check]]) -> str | None:
+    """Return the league's name, if all rules are of one."""
+    names = {league.name for league, _ in checks}
+    return names.pop() if len(names) == 1 else None
 
 
 def _listed(lines: Sequence[str]) -> list[Block]:
@@ -259,8 +267,9 @@ def _listed(lines: Sequence[str]) -> list[Block]:
 
 def _reasons(checks: Sequence[tuple[League, Check]]) -> list[str]:
     """Return why a rule is not a plain pass or fail."""
+    alone = _only_league(checks)
     return [
-        f"{league.key}, {title(check.rule)}: {check.verdict.value}: {check.reason}."
+        f"{title(check.rule)}{'' if alone else f' ({league.name})'}: {check.verdict.value}: {check.reason}."
         for league, check in checks
         if check.reason
     ]

@@ -10,7 +10,7 @@ from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.sport import Words
 from sweetspot.numerics.arrays import Array
-from sweetspot.report.sentences import Sentence, Slot, Span, UnitName
+from sweetspot.report.sentences import Sentence, Slot, Span, UnitName, joined
 from sweetspot.report.sport_words import in_words
 
 AGAIN = (
@@ -42,17 +42,23 @@ def touched_again_at(
     return touched_again(again, words)
 
 
-def touched_again_between(from_tip: Array, words: Words) -> list[Sentence]:
-    """Return the same for hits along a bat.
+def touched_again_between(from_tip: Array, touches: Array, words: Words) -> list[Sentence]:
+    """Return the same for hits along a bat, stretch by stretch.
 
     Parameters
     ----------
-    from_tip : m, where balls are touched more than once, shape (n,).
+    from_tip : m, of neighbours along the bat, shape (n,).
+    touches : how often the ball is touched there, shape (n,).
     """
-    if len(from_tip) == 0:
+    places = np.flatnonzero(touches > 1)
+    if len(places) == 0:
         return []
+    stretches = [from_tip[one] for one in np.split(places, np.flatnonzero(np.diff(places) > 1) + 1)]
+    spans = (
+        Sentence((Span(float(one.min()), float(one.max()), "place", unit=False),))
+        for one in sorted(stretches, key=np.min)
+    )
     where = in_words(
-        "Hit {places} {unit} from the {tip}, the", words, unit=UnitName("place"),
-        places=Span(float(np.min(from_tip)), float(np.max(from_tip)), "place", unit=False),
+        "Hit {places} {unit} from the {tip}, the", words, unit=UnitName("place"), places=joined(spans, " and "),
     )  # fmt: skip
     return [in_words(AGAIN, words, where=where, otherwise="")]

@@ -40,7 +40,7 @@ def comparison_with_doubt(
     answers = drawn_comparison(comparison, sources, count=count)
     compared = comparison.compared
     own = zip(names_of_bats(comparison), sources, strict=True)
-    where = {name: one.bat_where for name, one in own} | sources[0].described
+    where = {name: one.bat_where for name, one in own} | {one.name: one.where for one in sources[0].others}
     where[LAW] = "spread of its exponent in the catalogue"
     last = len(compared) - 1
     main, named = (

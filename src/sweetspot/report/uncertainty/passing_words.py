@@ -45,7 +45,7 @@ def with_chances(document: Document, tested: TestedBat, answers: DrawnAnswers | 
 def _chance_words(league: League, check: Check, chance: float) -> Sentence:
     return say(
         "How sure: it keeps the limit on {title} ({league}) with a probability of {chance}.",
-        title=title(check.rule), league=league.key, chance=chance_words(chance),
+        title=title(check.rule), league=league.name, chance=chance_words(chance),
     )  # fmt: skip
 
 

@@ -137,9 +137,7 @@ export function paintBat(context, bat, { left, scale, middle }, colors, warm = n
   context.stroke();
   for (const weight of bat.weights) {
     context.fillStyle = colors.ink;
-    context.beginPath();
-    context.arc(left + weight.position_m * scale, middle, 4, 0, 2 * Math.PI);
-    context.fill();
+    context.fillRect(left + weight.position_m * scale - 4, middle - 4, 8, 8);
   }
 }
 

@@ -294,7 +294,7 @@ export class Chart {
     if (!this.data) return null;
     const { units } = this.app;
     const [least, most] = this.range;
-    const lines = this.panels.flatMap((panel) => panel.lines.map((line) => ({ panel, line, values: shownValues(panel, this.data.lines[line.key], units) })));
+    const lines = this.panels.flatMap((panel) => panel.lines.filter((line) => !line.silent).map((line) => ({ panel, line, values: shownValues(panel, this.data.lines[line.key], units) })));
     const head = [unitOf(this.axis.kind, units), this.axis.label].filter(Boolean).join(" ");
     const columns = lines.map(({ panel, line }) => [panel.title, line.name ?? line.label ?? "", unitOf(panel.kind, units)].filter(Boolean).join(", "));
     const rows = Array.from({ length: ROWS }, (_, i) => least + (i / (ROWS - 1)) * (most - least)).map((x) => [

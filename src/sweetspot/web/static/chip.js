@@ -25,7 +25,7 @@ export class Chip {
     this.names = new Map(); // promises, by catalogue name or text
     this.name = make("strong");
     this.changes = make("small");
-    this.open = make("button", { type: "button", id: "bench-chip" }, this.name, this.changes);
+    this.open = make("button", { type: "button", id: "bench-chip" }, make("span", {}, this.name, " ", this.changes));
     this.open.setAttribute("aria-haspopup", "dialog");
     this.element = make("div", { className: "bench-chip" }, this.open);
     this.open.addEventListener("click", () => this.menu());

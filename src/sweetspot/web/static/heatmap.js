@@ -24,6 +24,7 @@ import { fromShown, grouped, kindOf, toShown, unitOf } from "./units.js";
 /** @import { Span, Zoom } from "./zoom.js" */
 
 const HEAD = 22, FOOT = 34;
+const NARROW = 48; // pixels that a column of the map's table needs
 const CROSS = /** @type {[string, number][]} */ ([["white", 5], ["black", 2]]); // as dark on every colour of the map, whatever the theme
 /** @param {number[]} values @returns {Span} */
 const ends = (values) => [values[0], values[values.length - 1]];
@@ -85,12 +86,14 @@ export class HeatMap {
     if (!this.data) return null;
     const { units } = this.app;
     const words = (/** @type {Axis} */ axis, /** @type {number} */ value) => grouped(shownPlace(axis, value, units).toFixed(kindOf(axis.kind)[units].digits)).replace("-", "−");
+    const named = (/** @type {Axis} */ axis) => `${axis.label} (${unitOf(axis.kind, units)})`;
     const places = (/** @type {number[]} */ values, /** @type {number} */ count) => evenly([...values.keys()], count);
     const { x, y, z } = this.data;
-    const columns = places(x, 9).map((column) => /** @type {[number, string]} */ ([column, `${words(this.x, x[column])} ${unitOf(this.x.kind, units)}`]));
+    const columns = places(x, 9).map((column) => /** @type {[number, string]} */ ([column, words(this.x, x[column])]));
     return {
       caption: [this.title, unitOf(this.z.kind, units)].filter(Boolean).join(", "),
-      columns: [`${this.y.label} (${unitOf(this.y.kind, units)}) ↓, ${this.x.label} →`, ...columns.map(([, name]) => name)],
+      columns: [`${named(this.y)} ↓, ${named(this.x)} →`, ...columns.map(([, name]) => name)],
+      column: NARROW,
       rows: places(y, 12).reverse().map((row) => [words(this.y, y[row]), ...columns.map(([column]) => {
         const value = z[row][column];
         return value === null ? "–" : grouped(toShown(this.z.kind, value, units).toFixed(kindOf(this.z.kind)[units].digits));

@@ -13,7 +13,7 @@ export class Numbers {
   /**
    * @param {App} app
    * @param {string} words
-   * @param {() => { caption: string, columns: string[], rows: string[][] } | null} tabled
+   * @param {() => { caption: string, columns: string[], rows: string[][], column?: number } | null} tabled  column: pixels that one needs
    */
   constructor(app, words, tabled) {
     this.app = app;
@@ -30,7 +30,7 @@ export class Numbers {
   fill() {
     this.empty();
     const found = this.element.open ? this.tabled() : null;
-    if (found) this.element.append(tableOf(found.caption, found.columns, found.rows.filter((row) => row.slice(1).some((cell) => cell !== NOTHING))));
+    if (found) this.element.append(tableOf(found.caption, found.columns, found.rows.filter((row) => row.slice(1).some((cell) => cell !== NOTHING)), found));
   }
 
   empty() { this.element.querySelector(".scroll")?.remove(); }

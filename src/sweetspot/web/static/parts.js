@@ -63,7 +63,7 @@ export function tableOf(caption, columns, rows, { column } = {}) {
   const cell = (/** @type {"th" | "td"} */ tag, /** @type {Cell} */ given, /** @type {boolean} */ number) => {
     const { text, note = "", className = "" } = typeof given === "object" && given !== null ? given : { text: given };
     const made = make(tag, { textContent: printed(text ?? "–"), className: [number ? "number" : "", className].filter(Boolean).join(" ") });
-    if (note) made.append(make("small", { textContent: note }));
+    if (note) made.append(make("small", { textContent: unbroken(note) }));
     return made;
   };
   const head = make("tr", {}, ...columns.map((words, i) => (words === "" ? make("td") : Object.assign(cell("th", words, i > 0), { scope: "col" }))));
@@ -82,10 +82,20 @@ const printed = (/** @type {string} */ text) => unbroken(text.replace(/(^|[\s(])
 /**
  * @param {Element} place
  * @param {string} words
+ * @returns whether they are other words than before
  */
 export function write(place, words) {
-  if (place.textContent !== words) place.textContent = words;
+  if (place.textContent === words) return false;
+  place.textContent = words;
+  return true;
 }
+
+// A sentence where another stands; no line breaks a number from its unit.
+/**
+ * @param {Element} place
+ * @param {string} words
+ */
+export function tell(place, words) { return write(place, unbroken(words)); }
 
 /**
  * @param {HTMLElement} place

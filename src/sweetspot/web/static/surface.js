@@ -31,9 +31,17 @@ export class Surface {
     this.context = /** @type {CanvasRenderingContext2D} */ (this.element.getContext("2d")); // which every browser has
     /** @type {Map<number, number>} */
     this.fingers = new Map(); // that touch it, by their number: where
+    this.alone = true; // whether the last of them came to no other
     new ResizeObserver(() => this.fit() && this.draw()).observe(this.element);
     this.element.addEventListener("pointerdown", () => (this.pressed = true)); // from now on the wheel is the picture's
     this.element.addEventListener("pointerleave", () => (this.pressed = false));
+    this.element.addEventListener("pointerdown", (event) => {
+      if (event.pointerType === "touch") this.fingers.set(event.pointerId, event.offsetX);
+      this.alone = this.fingers.size < 2;
+    });
+    for (const gone of ["pointerup", "pointercancel", "pointerleave"]) {
+      this.element.addEventListener(gone, (event) => event instanceof PointerEvent && this.fingers.delete(event.pointerId));
+    }
   }
 
   // What the picture shows, for people who do not see it.
@@ -117,7 +125,8 @@ export class Surface {
     return { name, width: this.width, height: this.tall, paint: (context, width, height) => this.paint(context, width, height) };
   }
 
-  // Call onMove({x, y, first, last}) in the canvas' own coordinates while a pointer drags.
+  // Call onMove({x, y, first, last}) in the canvas' own coordinates while a pointer drags. What a finger does is known
+  // once it moves or is lifted: where the page is scrolled, or a second finger comes, nothing was dragged.
   /** @param {(at: { x: number, y: number, first: boolean, last: boolean }) => unknown} onMove false: this is no drag */
   drags(onMove) {
     const place = (/** @type {PointerEvent} */ event) => {
@@ -126,13 +135,33 @@ export class Surface {
     };
     this.element.addEventListener("pointerdown", (event) => {
       if (event.button !== 0 || this.fingers.size > 1) return;
-      if (onMove({ ...place(event), first: true, last: false }) === false) return;
+      const start = place(event);
+      const begin = () => onMove({ ...start, first: true, last: false }) !== false;
+      let begun = event.pointerType !== "touch";
+      if (begun && !begin()) return;
       this.element.setPointerCapture(event.pointerId);
-      const move = (/** @type {PointerEvent} */ moved) => !(this.fingers.size > 1) && onMove({ ...place(moved), first: false, last: false });
-      const end = (/** @type {PointerEvent} */ ended) => {
+      const stop = () => {
         this.element.removeEventListener("pointermove", move);
         this.element.removeEventListener("pointerup", end);
         this.element.removeEventListener("pointercancel", end);
+      };
+      const move = (/** @type {PointerEvent} */ moved) => {
+        if (this.fingers.size > 1) {
+          if (!begun) stop();
+          return;
+        }
+        const now = place(moved);
+        if (!begun && Math.abs(now.x - start.x) < Math.abs(now.y - start.y)) return; // up or down scrolls the page (theme.css)
+        if (!begun && !begin()) {
+          stop();
+          return;
+        }
+        begun = true;
+        onMove({ ...now, first: false, last: false });
+      };
+      const end = (/** @type {PointerEvent} */ ended) => {
+        stop();
+        if (!begun && (ended.type === "pointercancel" || !this.alone || !begin())) return;
         onMove({ ...place(ended), first: false, last: true });
       };
       this.element.addEventListener("pointermove", move);
@@ -157,17 +186,12 @@ export class Surface {
       const [one, other] = [...this.fingers.values()];
       return { x: (one + other) / 2, apart: Math.max(20, Math.abs(one - other)) };
     };
-    this.element.addEventListener("pointerdown", (event) => event.pointerType === "touch" && this.fingers.set(event.pointerId, event.offsetX));
     this.element.addEventListener("pointermove", (event) => {
       if (!this.fingers.has(event.pointerId)) return;
       const before = this.fingers.size === 2 ? far() : null;
       this.fingers.set(event.pointerId, event.offsetX);
       if (before) onPinch({ x: before.x, factor: far().apart / before.apart });
     });
-    const end = (/** @type {PointerEvent} */ event) => this.fingers.delete(event.pointerId);
-    this.element.addEventListener("pointerup", end);
-    this.element.addEventListener("pointercancel", end);
-    this.element.addEventListener("pointerleave", end);
   }
 }
 

@@ -7,7 +7,7 @@
 const COLUMN = 76; // pixels that a column needs at least
 const LONG = 14; // letters of a row's name from which on it needs the room of two columns
 const BRACKETS = /\([^()]{1,24}\)/g; // an interval, which no line breaks
-const BEFORE_UNIT = /(?<=\d) (?=[a-zµ°²%/]{1,4}\d?[²³]?(?:[\s,;:.)]|$))/gi;
+const BEFORE_UNIT = /(?<=\d) (?!(?:and|as|at|by|for|from|half|is|of|on|or|per|that|the|to|with)\b)(?=[a-zµ°²%/]{1,4}\d?[²³]?(?:[\s,;:.)]|$))/gi;
 const INSIDE_UNIT = /(?<=\d[ \u00a0](?:oz|kg|N)) (?=(?:in²|cm²|m²|s)(?![a-z]))/g;
 const LEAST = 5.4; // rem that a cell of such a row has at least
 const SENTENCE = 24; // letters from which on a cell of a row that stands apart has a line of its own

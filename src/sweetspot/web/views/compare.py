@@ -170,7 +170,7 @@ def _bats(state: CompareState, ball: Ball) -> tuple[list[ReducedBat], list[str]]
             raise FieldError("what_if", f"{first.bat.name} is solid and has no wall; choose a hollow bat as bat 1")
         thickness = state.wall_factor * state.wall_times
         other = _made(_changed(state, wall_factor=thickness), ball, "wall_times")
-        return [first, other], ["wall as it is", f"wall x {state.wall_times:.3g}"]
+        return [first, other], ["wall as it is", f"wall × {state.wall_times:.3g}"]
     bats = [first, *(_other(bat, ball, number) for number, bat in enumerate(state.others, start=2))]
     return bats, _distinct([one.bat.name for one in bats])
 

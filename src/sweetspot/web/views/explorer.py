@@ -99,21 +99,35 @@ def sure(state: ExplorerState) -> dict[str, Any]:
 
 
 def recipe(state: ExplorerState) -> dict[str, str]:
-    """Return the lines that give the curves and, for a ball met in the middle, the hit."""
+    """Return the lines that give the hit, and the curves of a ball met in the middle."""
     bat, options = bat_name(state), swing_options(state)
-    command = f"sweetspot report {bat}{options}"
+    command, place = f"sweetspot report {bat}{options}", f"--at {state.impact_from_tip_in:.12g}in-from-tip"
     python = (
         conditions_lines(state) + "result = analyse(bat, conditions)\nresult.scan.exit_speed  # m/s along the bat\n"
     )
     if state.offset_in == 0:
-        command += f"\nsweetspot hit {bat} --at {state.impact_from_tip_in:.12g}in-from-tip{options}"
+        command += f"\nsweetspot hit {bat} {place}{options}"
         python += (
             f"impact = hit_at(bat.length - {state.impact_from_tip_in!r} * INCH, modes=result.modes, "
             "conditions=conditions)\n"
         )
     else:
-        told = f"# of a ball met in the middle; the page's is met {abs(state.offset_in):.12g} in off the bat's axis\n"
-        command, python = told + command, told + python
+        told = "# all along the bat, of a ball met in the middle:\n"
+        off = f"# of the ball met {abs(state.offset_in):.12g} in off the bat's axis:\n"
+        level = "--attack-angle 0deg --tilt 0deg --approach-angle 0deg --pitch-backspin 0rpm"
+        command = (
+            f"{told}{command}\n{off}sweetspot play {bat} {place} --offset={state.offset_in:.12g}in {level}{options}"
+        )
+        python = f"{told}{python}{off}" + (
+            "from sweetspot import BallMotion, Contact, SwingPath, strike\n"
+            "from sweetspot.dynamics.reduction import reduced_bat\n\n"
+            f"met = Contact(bat.length - {state.impact_from_tip_in!r} * INCH, {state.offset_in!r} * INCH)\n"
+            "level = BallMotion(position=(0.0, 0.0, 0.0), velocity=(0.0, -conditions.pitch.speed, 0.0),\n"
+            "                   spin=(0.0, 0.0, 0.0))\n"
+            "struck = strike(reduced_bat(bat, ball=conditions.ball), ball=conditions.ball,\n"
+            "                swing=conditions.swing, path=SwingPath(), pitch=level, contact=met)\n"
+            "struck.launched  # m/s and rad\n"
+        )
     return {"command": command, "python": python, "toml": bat_text(state)}
 
 

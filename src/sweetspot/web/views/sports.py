@@ -25,7 +25,7 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions, Pitch
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.bat.words import answer as words_about
-from sweetspot.report.hit.second_touch import touched_again_at
+from sweetspot.report.hit.second_touch import touched_again_at, touched_again_between
 from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH, MPH
 from sweetspot.web.bats import implement_from_text
@@ -79,6 +79,9 @@ def answer(state: SportsState) -> dict[str, Any]:
         },
         "scan": {name: np.round(values, 6) for name, values in curves.items()},
         "hit": _hit(state, analysis),
+        "touched_again": in_both_systems(
+            touched_again_between(tool.length - along.position, along.touches, words_of(tool))
+        ),
     }
 
 

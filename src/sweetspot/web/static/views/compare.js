@@ -4,7 +4,7 @@ import { Chart, between } from "../chart.js";
 import { Bench, ballGroup, swingGroup, usualChoice } from "../bench.js";
 import { choice, group, slider } from "../controls.js";
 import { HowSure } from "../howsure.js";
-import { make, paragraphs, tableOf, write } from "../parts.js";
+import { make, paragraphs, tableOf, tell } from "../parts.js";
 import { INCH } from "../units.js";
 import { ChangePicture, LINES, RowsPicture } from "./compare_pictures.js";
 import { Slots } from "./compare_slots.js";
@@ -64,7 +64,7 @@ export const view = {
     this.sure = new HowSure(app, { but: ["league"] });
     this.sureRules = new HowSure(app, { aside: "rules_sure", but: SWUNG, title: "How sure each bat's test is, and what that comes from" });
     const section = (/** @type {string} */ title, /** @type {(Node | string)[]} */ ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
-    const legend = make("p", { className: "note", textContent: "Dot: the ball leaves fastest there. Bar below the bat, and shaded stretch of the first one's in the curves: the sweet zone. Pale stretches around a curve: what is not known of that bat's speed. Black dot: a weight fixed to the bat." });
+    const legend = make("p", { className: "note", textContent: "Dot: the ball leaves fastest there. Bar below the bat, and shaded stretch of the first one's in the curves: the sweet zone. Pale stretches around a curve: what is not known of that bat's speed. Square: a weight fixed to the bat." });
     const main = make("div", { className: "stack" },
       section("Verdict", this.words, this.change.element),
       section("The bats and where they hit", this.rows.element, legend, this.chart.element, this.bats, this.assumed, this.sure.element),
@@ -79,7 +79,7 @@ export const view = {
     this.slots.update(answer, state);
     const words = this.app.units === "si" ? answer.si : answer;
     paragraphs(this.words, words.verdict);
-    write(this.assumed, words.assumptions);
+    tell(this.assumed, words.assumptions);
     this.app.announce(words.verdict[0]);
     this.rows.draw(bats, this.longest);
     this.change.draw(bats);

@@ -6,7 +6,7 @@ import { Chart } from "../chart.js";
 import { button, choice, group, reveal, slider, toggle } from "../controls.js";
 import { download } from "../download.js";
 import { Lights, stateOf } from "../lights.js";
-import { make, paragraphs, tableOf, withDoubt, write } from "../parts.js";
+import { make, paragraphs, tableOf, tell, withDoubt, write } from "../parts.js";
 import { Front, WANTS } from "./design_front.js";
 /** @import { Answer, App, Control, State, Step, View } from "../main.js" */
 
@@ -289,7 +289,7 @@ export const view = {
     const gained = answer.own ? `Over these contacts the ball leaves ${change}${doubt}${seen}.` : "This is the present bat still: pull a round handle, or let the search find better.";
     const words = `${gained} ` +
       `${app.text("mass_kg", design.mass_kg)}, balance ${app.text("balance_point_m", design.balance_point_m, 1)} from the knob, swing weight ${withDoubt("moi_kg_m2", design.moi_6in_kg_m2, design.moi_6in_half_kg_m2, app)}.`;
-    write(this.words, words);
+    tell(this.words, words);
     app.announce(words);
     this.picture.label(`The bat that is shaped, its handles, and dashed the present one. ${this.words.textContent} The bat's numbers change it by keyboard.`);
     this.chart.label(`Exit speed along the bat and what it gains on the present one. ${this.words.textContent}`);

@@ -8,7 +8,7 @@ import { gripsOf } from "../grips.js";
 import { HeatMap } from "../heatmap.js";
 import { HowSure } from "../howsure.js";
 import { PARTS } from "../ledger.js";
-import { factList, make, paragraphs, write } from "../parts.js";
+import { factList, make, paragraphs, tell } from "../parts.js";
 import { INCH } from "../units.js";
 import { Zoom } from "../zoom.js";
 /** @import { Curve, Panel } from "../chart.js" */
@@ -207,10 +207,10 @@ export const view = {
     const back = hit.launch_angle_rad !== null && Math.abs(hit.launch_angle_rad) > Math.PI / 2 ? ", fouled back" : "";
     const words = `${bat.name} hits fastest ${show("from_m", bat.length_m - spots.max_exit_speed_m, 1)} from the tip: ` +
       `${show("exit_speed_m_s", best)}. Here, ${show("from_m", bat.length_m - hit.position_m, 1)} from the tip: ${here}${back}.`;
-    write(this.words, words);
+    tell(this.words, words);
     const parts = PARTS.filter(([key]) => shares[key]).map(([key, name]) => ({ name, part: between(scan.position_m, shares[key], hit.position_m) ?? 0 })).filter(({ part }) => part > 0.004);
     const energy = parts.length ? ` Of the energy of the meeting: ${parts.map(({ part, name }) => `${name} ${show("share", part, 0)}`).join(", ")}.` : "";
-    write(this.why, [...why[this.app.units], ...hit.touched_again[this.app.units]].join(" ") + energy);
+    tell(this.why, [...why[this.app.units], ...hit.touched_again[this.app.units]].join(" ") + energy);
     this.app.announce(words);
     this.picture.label(`Ball along the bat. ${words}`);
     this.chart.label(`Curves along the bat. ${words} ${this.why.textContent}`);

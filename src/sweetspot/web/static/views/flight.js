@@ -4,7 +4,7 @@ import { Bench, ballGroup, swingGroup } from "../bench.js";
 import { button, choice, group, slider, toggle } from "../controls.js";
 import { HeatMap } from "../heatmap.js";
 import { HowSure } from "../howsure.js";
-import { factList, make, tableOf } from "../parts.js";
+import { factList, make, tableOf, tell } from "../parts.js";
 import { MPH, toShown } from "../units.js";
 import { FieldPicture, SidePicture } from "./flight_pictures.js";
 /** @import { Fact } from "../parts.js" */
@@ -80,7 +80,7 @@ export const view = {
     return group("Park and weather", [
       choice(app, "park", { label: "Park", options: parks, follows: true, shown: (state) => state.park ?? app.answer?.usual_park, take: (park) => app.setState({ park, elevation_ft: null }) }),
       slider(app, "wind_speed_mph", { label: "Wind", step: 0.5 }),
-      slider(app, "wind_direction_deg", { label: "Wind blows to: 0 out, ±180 in", step: 5 }),
+      slider(app, "wind_direction_deg", { label: "Wind blows to: 0 out, ±180 home", step: 5 }),
       slider(app, "temperature_degf", { label: "Temperature", step: 1 }),
       slider(app, "relative_humidity", { label: "Humidity of the air", step: 0.01 }),
       slider(app, "pressure_inhg", { label: "Pressure at sea level", step: 0.02 }),
@@ -159,7 +159,7 @@ export const view = {
     this.bench.update(answer);
     this.showElevation(answer, state);
     const words = answer.missed ? "The bat misses the ball, or the ball does not come off it. Move the ball nearer to the bat's axis." : this.headline(answer);
-    this.words.textContent = words;
+    tell(this.words, words);
     this.app.announce(words);
     this.pictures.hidden = this.list.hidden = answer.missed;
     if (answer.missed) {

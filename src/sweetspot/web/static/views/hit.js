@@ -7,7 +7,7 @@ import { Film, LEAD } from "../film.js";
 import { paintEnd, paintSide, sideHeight } from "../filmscene.js";
 import { HowSure } from "../howsure.js";
 import { Ledger } from "../ledger.js";
-import { factList, write } from "../parts.js";
+import { factList, tell } from "../parts.js";
 import { Surface } from "../surface.js";
 import { Transport } from "../transport.js";
 /** @import { Answer, View } from "../main.js" */
@@ -178,8 +178,7 @@ export const view = {
       : `The wave reaches the top hand ${time(hands.arrival_s)} after first touch, when the ball has had ${this.app.text("given_pct", 100 * hands.impulse_given, 0)} of its push. ` +
         back + (2 * hands.arrival_s > hit.contact_time_s ? "too late." : "while ball and bat still push each other.");
     const words = [`${bat.name}: the push is over ${time(hit.contact_time_s)} after first touch.`, wave, ...hit.touched_again[this.app.units]].join(" ");
-    if (this.words.textContent !== words) this.app.announce(words);
-    write(this.words, words);
+    if (tell(this.words, words)) this.app.announce(words);
     this.side.label(`Ball and bat from the side, ${this.state.exaggeration} times its motion. ${words}`);
     this.chart.label(`Force on the ball, at most ${this.app.text("force_n", hit.peak_force_n)}, and speed of the bat under the top hand, in time.`);
     this.end.label("Barrel and ball from the end, where the ball meets it.");

@@ -3,7 +3,7 @@
 import { Bench } from "../bench.js";
 import { button, group, slider, toggle } from "../controls.js";
 import { Stage, paintMotion } from "../modescene.js";
-import { make, partOf } from "../parts.js";
+import { make, partOf, tell } from "../parts.js";
 import { Surface } from "../surface.js";
 import { strike } from "../tapsound.js";
 import { INCH } from "../units.js";
@@ -208,7 +208,7 @@ export const view = {
       hand: `${nameOf(motion)}, ${hertz}: hands and bat against each other, on the hands' flesh.`,
     };
     const words = told[motion.family] ?? `${nameOf(motion)}, ${hertz}.`;
-    this.words.textContent = `${words} ${where}${tap}`;
+    tell(this.words, `${words} ${where}${tap}`);
     this.speed.textContent = motion.frequency_hz ? `slowed down ${Math.round((motion.frequency_hz * PERIOD) / 1000)} times, drawn larger than life` : "drawn larger than life";
     this.stage.label(`${answer.bat.name}. ${this.words.textContent}`);
     if (this.stage.element.ariaLabel !== this.spoken) app.announce(this.words.textContent);

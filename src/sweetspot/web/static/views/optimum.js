@@ -4,7 +4,7 @@ import { Bench, ballGroup, swingGroup, usualChoice } from "../bench.js";
 import { group, slider } from "../controls.js";
 import { DocumentPlace } from "../document.js";
 import { HeatMap } from "../heatmap.js";
-import { make } from "../parts.js";
+import { make, tell } from "../parts.js";
 import { MPH } from "../units.js";
 /** @import { View } from "../main.js" */
 
@@ -50,7 +50,7 @@ export const view = {
     this.bench.update(answer);
     const { launch, map } = answer;
     const show = this.app.text.bind(this.app);
-    this.words.textContent = `A ball at ${show("v_m_s", launch.exit_speed_m_s)} carries farthest at ${show("a_rad", launch.launch_angle_rad)}: ${show("distance", launch.carry_m)}.`;
+    tell(this.words, `A ball at ${show("v_m_s", launch.exit_speed_m_s)} carries farthest at ${show("a_rad", launch.launch_angle_rad)}: ${show("distance", launch.carry_m)}.`);
     this.app.announce(this.words.textContent);
     this.map.draw({ x: map.exit_speed_m_s, y: map.launch_angle_rad, z: map.carry_m, cross: [launch.exit_speed_m_s, launch.launch_angle_rad] });
     this.map.label(`How far balls carry, by exit speed and launch angle. ${this.words.textContent}`);

@@ -5,7 +5,7 @@ import { Bench, unchanged } from "../bench.js";
 import { button, choice, group, slider } from "../controls.js";
 import { download } from "../download.js";
 import { Lights, stateOf } from "../lights.js";
-import { make, paragraphs, tableOf, withDoubt, write } from "../parts.js";
+import { make, paragraphs, tableOf, tell, withDoubt } from "../parts.js";
 import { takeDrops } from "../upload.js";
 import { SOUNDS, TapPlace } from "./own_tap.js";
 /** @import { Answer, App, View } from "../main.js" */
@@ -135,7 +135,7 @@ export const view = {
     if (unknowns.length) {
       const share = (/** @type {Answer} */ part) => app.text("share", part, 1);
       const box = tableOf("What was not known: 90 % intervals before and now", ["", "before", "now", "off the description", "what is left comes from"], unknowns.map((/** @type {Answer} */ one) => [
-        one.label, `±\u00a0${share(one.before)}`, `±\u00a0${share(one.after)}`, share(one.off), one.budget.slice(0, 2).map((/** @type {{ name: string, share: number }} */ { name, share: part }) => `${name} ${share(part)}`).join(", ")]));
+        one.label, `±\u00a0${share(one.before)}`, `±\u00a0${share(one.after)}`, share(one.off), one.budget.slice(0, 2).map((/** @type {{ name: string, share: number }} */ { name, share: part }) => `${name}: ${share(part)}`).join(", ")]));
       box.querySelectorAll("tbody tr").forEach((row, i) => {
         const left = make("span");
         left.style.width = `${100 * Math.min(1, unknowns[i].after / unknowns[i].before)}%`;
@@ -164,7 +164,7 @@ export const view = {
     const swing = withDoubt("moi_kg_m2", fitted.moi_6in_kg_m2, moi?.half ?? fitted.moi_6in_half_kg_m2, app);
     const state = contradictions.us.length ? "The measurements contradict each other. " : measurements.length ? "The measurements agree. " : "As described, not measured: ";
     const words = `${state}${app.text("mass_kg", fitted.mass_kg)}, balance ${app.text("balance_point_m", fitted.balance_point_m, 1)} from the knob, swing weight ${swing}.`;
-    write(this.words, words);
+    tell(this.words, words);
     app.announce(words);
     this.picture.label(`The bat and its balance point. ${words}`);
   },

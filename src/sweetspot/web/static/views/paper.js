@@ -3,7 +3,7 @@
 import { Bench, ballGroup, swingGroup } from "../bench.js";
 import { button, group } from "../controls.js";
 import { mathOf, typeset } from "../formula.js";
-import { inReadersUnit, make, tableOf, write } from "../parts.js";
+import { inReadersUnit, make, tableOf, tell } from "../parts.js";
 import { PICTURES } from "./paper_pictures.js";
 import { STEPS } from "./paper_steps.js";
 /** @import { Answer, View } from "../main.js" */
@@ -77,7 +77,7 @@ export const view = {
     if (this.shown !== step.key) this.show(step);
     this.live.replaceChildren(...step.live(answer, state, this.app).map((source) => formulaRow("now", source, "")));
     const truth = step.truth(answer, state, this.app);
-    write(this.truth, truth);
+    tell(this.truth, truth);
     this.app.announce(truth);
     this.drawing.draw(answer, state);
     this.app.afterwards(this.rows, () => {

@@ -3,7 +3,7 @@
 import { Bench } from "../bench.js";
 import { button, choice, group } from "../controls.js";
 import { DocumentPlace } from "../document.js";
-import { factList, make } from "../parts.js";
+import { factList, make, tell } from "../parts.js";
 import { Filter, Players } from "./season_players.js";
 import { BarrelMap, Ceilings, FieldMap } from "./season_pictures.js";
 import { Reading } from "./season_reading.js";
@@ -57,7 +57,7 @@ export const view = {
     this.which = group("Which balls", [this.players.element, ...this.filters.map((/** @type {{ element: HTMLElement }} */ { element }) => element), button("All balls again", () => app.setState(EVERYBODY))]);
     root.append(make("div", { className: "side" },
       group("Tables", [this.reading.chooser]), this.which,
-      group("Fence on the field", [choice(app, "fence", { label: "Park", options: app.lists("parks").then(({ parks }) => [["", "The park chosen above, else Fenway Park"], ...parks.map(({ key, name }) => [key, name])]), take: (key) => app.setState({ fence: key || null }) })], { open: false }),
+      group("Fence on the field", [choice(app, "fence", { label: "Park", options: app.lists("parks").then(({ parks }) => [["", "As above, else Fenway Park"], ...parks.map(({ key, name }) => [key, name])]), take: (key) => app.setState({ fence: key || null }) })], { open: false }),
       this.bench.element),
     make("div", { className: "stack" }, make("section", { className: "picture" }, this.words, this.reading.element), this.told[0], this.told[1], this.player, ...this.told.slice(2)));
   },
@@ -134,7 +134,7 @@ export const view = {
     const { means } = found;
     const whose = app.state.batter === null ? "" : ` of ${this.players.nameOf(app.state.batter)}`;
     const bats = typeof means.squared_up === "number" ? `, ${app.text("share", means.squared_up)} squared up against ${answer.season.same_bat ? answer.bat.name : "the bat they were read with"}, met ${app.text("offset", means.from_best)} from its best place on average` : "";
-    this.words.textContent = `${grouped(means.balls)} ${means.balls === 1 ? "ball" : "balls"} in play${whose}: ${app.text("speed", means.exit_speed)} of exit speed${bats}.`;
+    tell(this.words, `${grouped(means.balls)} ${means.balls === 1 ? "ball" : "balls"} in play${whose}: ${app.text("speed", means.exit_speed)} of exit speed${bats}.`);
     app.announce(this.words.textContent);
   },
 

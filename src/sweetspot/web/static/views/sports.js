@@ -5,7 +5,7 @@ import { textOf } from "../batfile.js";
 import { describeOwn } from "../bench.js";
 import { button, choice, group, slider } from "../controls.js";
 import { HeatMap } from "../heatmap.js";
-import { factList, make, paragraphs, partOf } from "../parts.js";
+import { factList, make, paragraphs, partOf, tell } from "../parts.js";
 import { INCH } from "../units.js";
 import { takeDrops } from "../upload.js";
 /** @import { Fact } from "../parts.js" */
@@ -54,6 +54,7 @@ export const view = {
         slider(app, "aside_in", { label: "Across the face", step: 0.05 }),
       ]));
     this.words = make("p", { className: "verdict", id: "verdict" });
+    this.again = make("p", { className: "note" });
     this.facts = factList(FACTS, app);
     const axis = this.axis = { kind: "position_m", from: () => this.answer?.tool.length_m ?? 0.7, label: "" };
     this.map = new HeatMap(app, { label: "", title: "", height: 240,
@@ -66,7 +67,7 @@ export const view = {
       { title: "Vibration at the handle", kind: "sting", height: 80, zero: true, lines: [{ key: "sting_m_s", color: "purple" }] }] });
     this.report = make("div", { className: "words" });
     root.append(side, make("div", { className: "stack" },
-      make("section", { className: "picture" }, this.words, this.map.element, this.map.numbers.element, this.facts.element, this.chart.element),
+      make("section", { className: "picture" }, this.words, this.map.element, this.again, this.map.numbers.element, this.facts.element, this.chart.element),
       make("section", { className: "picture" }, make("h2", { textContent: "Where it hits best, and why" }), this.report)));
   },
 
@@ -118,10 +119,11 @@ export const view = {
     this.map.title = `Speed of the ${words.ball} over the face`;
     const show = this.app.text.bind(this.app);
     const length = tool.length_m;
-    this.words.textContent = `${tool.name} hits best ${show("from_m", length - spots.max_exit_speed_m, 1)} from the ${words.tip}. ` +
+    tell(this.words, `${tool.name} hits best ${show("from_m", length - spots.max_exit_speed_m, 1)} from the ${words.tip}. ` +
       `Here, ${show("from_m", length - hit.position_m, 1)} from it${hit.lateral_m ? ` and ${show("from_m", Math.abs(hit.lateral_m), 1)} off the line` : ""}, the ${words.ball} leaves at ${show("exit_speed_m_s", hit.exit_speed_m_s)}.` +
-      hit.touched_again[this.app.units].map((/** @type {string} */ doubt) => ` ${doubt}`).join("");
-    this.app.announce(this.words.textContent);
+      hit.touched_again[this.app.units].map((/** @type {string} */ doubt) => ` ${doubt}`).join(""));
+    tell(this.again, hit.touched_again[this.app.units].length ? "" : answer.touched_again[this.app.units].join(" "));
+    this.app.announce(this.words.textContent ?? "");
     this.facts.fill(answer);
     const shown = this.app.state.implement_toml ?? answer.implement;
     if (shown !== this.shown) Object.assign(this, { face: null, sentences: null, shown });
