@@ -13,6 +13,15 @@ import { fitted, unbroken } from "./tables.js";
 
 /** @typedef {{ html: Record<System, string> }} Told */
 
+// What a table is of: the document's first heading, and its own caption or the heading that it stands under.
+/** @param {Element} box */
+function titleOf(box) {
+  const headings = [...(box.closest(".sweetspot")?.querySelectorAll("h2") ?? [])];
+  const above = headings.filter((one) => one.compareDocumentPosition(box) & Node.DOCUMENT_POSITION_FOLLOWING).at(-1);
+  const own = box.querySelector("caption")?.textContent || above?.textContent || "Table";
+  return [...new Set([headings[0]?.textContent, own])].filter(Boolean).join(": ");
+}
+
 export class DocumentPlace {
   /**
    * @param {App} app
@@ -44,9 +53,13 @@ export class DocumentPlace {
     this.element.innerHTML = html;
     const texts = document.createTreeWalker(this.element, NodeFilter.SHOW_TEXT);
     for (let node = texts.nextNode(); node; node = texts.nextNode()) node.textContent = unbroken(node.textContent ?? "");
+    // several documents may stand on one page: none has names that another has, or a title that says nothing
+    for (const one of this.element.querySelectorAll("h2")) if (!one.textContent) one.remove();
+    for (const section of this.element.querySelectorAll("section")) section.removeAttribute("aria-labelledby");
+    for (const one of this.element.querySelectorAll("[id]")) one.removeAttribute("id");
     for (const box of this.element.querySelectorAll(".scroll")) {
       box.setAttribute("role", "region");
-      box.setAttribute("aria-label", box.querySelector("caption")?.textContent ?? "Table");
+      box.setAttribute("aria-label", titleOf(box));
       fitted(box);
     }
   }
