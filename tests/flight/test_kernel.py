@@ -61,7 +61,7 @@ def asked(changes: dict[str, object]) -> Flights:
 @pytest.mark.parametrize("law", ["baseball", "golf", "tennis", "table-tennis"])
 def test_like_the_readable_flight(wind: Wind, law: str) -> None:
     """The same arithmetic in another order: only rounding apart."""
-    hits, rules = random_hits(12), catalog.aerodynamics(law)
+    hits, rules = random_hits(5), catalog.aerodynamics(law)
     ball = BALL if law == "baseball" else catalog.ball(law)
     found = many(hits, wind=wind, aerodynamics=rules, ball=ball, step=0.1, path_points=4)
     for row, motion in enumerate(hits):
