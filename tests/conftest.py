@@ -32,6 +32,7 @@ FEWER_DOTS = 4
 files.DOTS_PER_INCH //= FEWER_DOTS  # they take long, and one test asks how many there are
 sys.dont_write_bytecode = False  # nor the next run
 FLAGS = ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"]
+FLAGS += ["--in-process-gpu", "--enable-features=NetworkServiceInProcess2"]  # two processes fewer to talk to
 
 gc.set_threshold(UNTIDIED, *gc.get_threshold()[1:])  # as the command line does
 output.BEAT = output.PATIENCE = 1e6  # s: on a busy machine a command says that it takes long, which no test looks for
