@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.polynomial import Polynomial
 from numpy.typing import ArrayLike
 
 from sweetspot.errors import InputError
@@ -16,6 +17,7 @@ from sweetspot.flight.kernel import flights
 from sweetspot.flight.park import Park, fence_at
 from sweetspot.motion.ball_motion import BallMotions, launched
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.parabola import top
 from sweetspot.units import DEGREE, FOOT, MPH
 
 LAUNCH_ANGLES = (5 * DEGREE, 60 * DEGREE)
@@ -26,6 +28,9 @@ ANGLES = np.arange(16.0, 56.1, 1.0) * DEGREE
 DIRECTIONS = np.arange(-45.0, 45.1, 0.5) * DEGREE
 """The flights and directions that a park is searched with."""
 PATH_POINTS = 161
+ROUGHLY, AROUND = 15, np.arange(-2.0, 2.1, 1.0) * DEGREE
+"""Angles that the best one is looked for among, and those about it through whose carries a polynomial goes: its top is
+within 1e-7 of the carry."""
 REFINED = 3 * DEGREE
 """Half width of the last search."""
 
@@ -61,19 +66,24 @@ def best_launch(
     >>> 28 < math.degrees(best.launch_angle) < 29  # 100 mph, 2200 rpm
     True
     """
-    from scipy.optimize import minimize_scalar
 
-    def shortfall(angle: float) -> float:
-        ball_left = launched(
-            speed=exit_speed, launch_angle=angle, spray=spray, backspin=backspin, sidespin=sidespin,
-            position=CONTACT,
-        )  # fmt: skip
-        return -float(flights(ball_left, conditions).carry[0])
+    def carries(angles: Array) -> Array:
+        balls_left = launched(
+            speed=exit_speed, launch_angle=angles, spray=spray, backspin=backspin, sidespin=sidespin, position=CONTACT
+        )
+        return flights(balls_left, conditions).carry
 
     if not (math.isfinite(exit_speed) and exit_speed > 0):
         raise InputError(f"exit_speed is {exit_speed:g} m/s; allowed is a number above zero")
-    minimum = minimize_scalar(shortfall, bounds=LAUNCH_ANGLES, method="bounded", options={"xatol": 1e-5})
-    return BestLaunch(float(minimum.x), -float(minimum.fun))
+    lowest, highest = LAUNCH_ANGLES
+    rough = np.linspace(lowest, highest, ROUGHLY)
+    index, shift, _ = top(carries(rough))
+    about = float(rough[index] + shift * (rough[1] - rough[0]))
+    near = min(max(about, lowest + AROUND[-1]), highest - AROUND[-1]) + AROUND
+    curve = Polynomial.fit(near, carries(near), len(near) - 1)
+    turns = [float(at.real) for at in curve.deriv().roots() if at.imag == 0 and near[0] < at.real < near[-1]]
+    carry, angle = max((float(curve(at)), at) for at in (float(near[0]), *turns, float(near[-1])))
+    return BestLaunch(angle, carry)
 
 
 @dataclass(frozen=True)
