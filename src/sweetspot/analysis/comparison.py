@@ -160,10 +160,12 @@ def compare_reduced(
     for reduced, label in zip(reductions, names, strict=True):
         bat, reference = reduced.bat, first.bat
         ratios = Interval(1.0, 1.0, 1.0) if law is None else speed_ratios(law, bat, reduced.body, reference, first.body)
-        swung = [
-            swung_conditions(bat, reference=reference, conditions=conditions, ratio=None if law is None else ratio)
-            for ratio in (ratios.value, ratios.low, ratios.high)
-        ]
+        every = [None if law is None else ratio for ratio in (ratios.value, ratios.low, ratios.high)]
+        of_ratio = {
+            ratio: swung_conditions(bat, reference=reference, conditions=conditions, ratio=ratio)
+            for ratio in set(every)  # the reference's are one
+        }
+        swung = [of_ratio[ratio] for ratio in every]
         rows.append(_compared(label, analyse_reduced(reduced, swung[0]), swung, rows[0] if rows else None))
     return Comparison(tuple(rows), law)
 

@@ -109,8 +109,11 @@ def _hits(
     step = contact_step(modes, ball, longest=STEP) if step is None else step
     check_step(step)
     check_place(position, "position")
-    given = (np.asarray(values, float) for values in (position, lateral, closing_speed))
-    places, across, speeds = (values.ravel() for values in np.broadcast_arrays(*given))
+    given = [np.asarray(values, float) for values in (position, lateral, closing_speed)]
+    shape = np.broadcast(*given).shape
+    places, across, speeds = (
+        (values if values.shape == shape else np.broadcast_to(values, shape)).ravel() for values in given
+    )
     speeds = np.array(speeds)  # numpy warns of asking a broadcast array whether it may be written to
     count, size = len(speeds), len(modes)
     outcome = np.empty(count, np.int64)
@@ -131,8 +134,8 @@ def _hits(
         solve(lanes, speed, bat, numbers, steps, output)
         outcome[part], results[:, part] = output.outcome, output.results
         if keep_motion:
-            displacement, velocity = output.motion
-            motion[:, part] = moved(modes, displacement, velocity, -np.nan_to_num(output.results[LATE]))
+            (displacement, velocity), late = output.motion, output.results[LATE]
+            motion[:, part] = moved(modes, displacement, velocity, -np.where(np.isnan(late), 0.0, late))
 
     in_parts(work, count, size=CHUNK, threads=threads)
     return Impacts(outcome, *results[:LATE], *motion)

@@ -113,7 +113,9 @@ class Modes(ShownInNotebooks):
         along = np.asarray(self.shapes(places))
         if self.surface is None:
             return along
-        across = np.broadcast_to(np.asarray(lateral, float), places.shape)
+        across = np.asarray(lateral, float)
+        if across.shape != places.shape:
+            across = np.broadcast_to(across, places.shape)
         speed = None if closing_speed is None else np.asarray(closing_speed, float)
         return along + self.surface.basis(places, across, speed) @ self.surface.weights
 

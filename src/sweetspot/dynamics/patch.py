@@ -84,13 +84,17 @@ class PatchLaw:
         ----------
         closing_speed : m/s, shape (...); None: that of ``reference``.
         """
-        radius = self.reference if closing_speed is None else self.radius_at(closing_speed)
-        return self.weights_of(np.asarray(radius))
+        return self._nominal if closing_speed is None else self.weights_of(self.radius_at(closing_speed))
 
     def weights_of(self, radius: Array) -> Array:
         """Return Lagrange's weights for radii in m of shape (...), shape (..., radii)."""
         apart = radius[..., None] ** 2 - self._squares
         return np.asarray(apart[..., OTHERS].prod(axis=-1) / self._between)
+
+    @cached_property
+    def _nominal(self) -> Array:
+        """The weights for ``reference``."""
+        return self.weights_of(np.asarray(self.reference))
 
     @cached_property
     def _squares(self) -> Array:
@@ -149,10 +153,10 @@ class ByPatch:
             sums = np.matmul(by_place, row.reshape((*row.shape[:2], -1))).swapaxes(0, 1)
             return np.broadcast_to(sums, (*position.shape, sums.shape[-1])).reshape((*position.shape, *row.shape[2:]))
         values = np.asarray(self.tables(position))
-        weights = np.broadcast_to(weights, (*np.shape(position), len(self.law.radii)))
-        return np.asarray(np.einsum("...k,...km->...m", weights, values.reshape((*weights.shape, -1)))).reshape(
-            (*np.shape(position), *values.shape[np.ndim(position) + 1 :])
-        )
+        places = np.shape(position)
+        by_radius = values.reshape((*places, len(RATIOS), -1))
+        sums = np.asarray(np.einsum("...k,...km->...m", weights, by_radius))
+        return sums.reshape((*places, *values.shape[len(places) + 1 :]))
 
     def nominal(self) -> Piecewise:
         """Return the polynomials at `PATCH_SPEED`."""

@@ -95,7 +95,7 @@ class Validated(BaseModel, metaclass=_Readable):  # noqa: PLW1641  # pydantic ha
         """Return whether the other is of the same kind with the same fields, whatever either has worked out since."""
         if not isinstance(other, Validated) or type(other) is not type(self):
             return NotImplemented
-        return all(getattr(self, name) == getattr(other, name) for name in type(self).model_fields)
+        return self is other or all(getattr(self, name) == getattr(other, name) for name in type(self).model_fields)
 
     def __dir__(self) -> list[str]:
         """Return the names of fields and methods, for help and for completion in notebooks."""

@@ -50,7 +50,7 @@ def top(values: Array) -> tuple[int, float, float]:
         index = int(np.nanargmax(values))
     if index in (0, len(values) - 1):
         return index, 0.0, float(values[index])
-    shift, height = vertex(*(float(value) for value in values[index - 1 : index + 2]))
+    shift, height = vertex(*values[index - 1 : index + 2].tolist())
     return index, shift, height
 
 

@@ -69,8 +69,8 @@ class Usual(NamedTuple):
 
 def usual(bat: Bat) -> Usual:
     """Return what is usual in a bat's sport, as on the command line."""
-    hit, its = standard_conditions(bat), catalog.sport(bat.sport)
-    pitch, speed = round(hit.pitch.speed / MPH, 6), round(hit.swing.bat_speed / MPH, 6)
+    its = catalog.sport(bat.sport)
+    pitch, speed = (round(one.value / MPH, 6) for one in (its.stroke.ball_speed, its.stroke.swing_speed))
     return Usual(pitch, speed, its.balls[0], its.pitches[0], its.swing_law, its.rules, (*its.fields, PARK)[0])
 
 
