@@ -15,7 +15,7 @@ from sweetspot.calibration.hum import hum_taken_out
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.naming import UNIFORM, ModeName, NamedTone, named, uniform_bar
 from sweetspot.calibration.recording import BAT_BAND, Recording, in_band, read_recording
-from sweetspot.calibration.ring import REPEATABILITY, Tone
+from sweetspot.calibration.ring import REPEATABILITY, Tone, tones_of
 from sweetspot.calibration.sinusoids import Fit, Sinusoid, fit_sinusoids
 from sweetspot.calibration.synthetic import synthesised, tap_sound
 from sweetspot.calibration.tap_analysis import tap_test
@@ -32,7 +32,7 @@ from sweetspot.calibration.tap_faults import (
     pitch_of,
     step_of,
 )
-from sweetspot.calibration.taps import find_taps
+from sweetspot.calibration.taps import Tap, find_taps
 from sweetspot.calibration.written import parse_measured
 from sweetspot.cli.tap_command import modes_to_name
 from sweetspot.dynamics.bending import bending_modes
@@ -237,6 +237,48 @@ def test_a_plate_that_nobody_described_has_no_names() -> None:
     tones = tap_test([plate]).tones
     assert [one.name for one in tones] == [None] * 5
     assert [one.tone.frequency.value for one in tones] == pytest.approx([96, 171, 243, 355, 611], rel=1e-3)
+
+
+def test_of_a_plate_with_too_many_tones_those_below_1_khz_are_told() -> None:
+    """A stiff plate's modes lie evenly apart in frequency: here 60 Hz, far more below 5 kHz than a fit holds."""
+    rate, generator = 16000.0, np.random.default_rng(5)
+    true = 150 + 60 * np.arange(75) + generator.uniform(-20, 20, 75)
+    time, ringing = np.arange(int(1.2 * rate)) / rate, np.zeros(int(1.2 * rate))
+    for frequency, phase in zip(true, generator.uniform(0, 6, 75), strict=True):
+        ringing += np.exp(-2 * np.pi * 0.006 * frequency * time) * np.sin(2 * np.pi * frequency * time + phase)
+    ringing *= 0.3 / np.abs(ringing).max()
+    noise = 1e-3 * generator.standard_normal(len(time) + 4000)
+    plate = Recording("plate", np.concatenate([np.zeros(4000), ringing]) + noise, rate)
+    (tap,) = find_taps(plate, band=BAT_BAND)
+    assert (tap.fault, tap.heard_to) == (None, 1000)
+    found = [one.tone.frequency.value for one in tap_test([plate]).tones]
+    assert found == pytest.approx(true[true < 1000], rel=1e-3)
+
+
+def test_a_tap_heard_to_1_khz_says_nothing_of_what_is_above() -> None:
+    def tap(*tones: float, heard_to: float | None) -> Tap:
+        parts = tuple(Sinusoid(Measured(tone, 0.1), Measured(0.005, 1e-4), 0.1) for tone in tones)
+        return Tap("plate", 0.0, None, Fit(parts, 0.1, np.zeros(8), np.zeros(8), 16000.0), heard_to)
+
+    taps = [tap(200.0, 2500.0, heard_to=None), *[tap(200.0, heard_to=1000.0) for _ in range(3)]]
+    assert [round(one.frequency.value) for one in tones_of(taps)] == [200, 2500]
+    assert [round(one.frequency.value) for one in tones_of([replace(one, heard_to=None) for one in taps])] == [200]
+
+
+def test_a_bar_s_own_faint_tones_name_its_modes_and_not_the_room_s_loud_ones() -> None:
+    """As in a wide band of a recorded steel bar: what is high and loud is hardly a tone."""
+
+    def tone(frequency: float, ratio: float, level: float, *, own: bool) -> Tone:
+        return Tone(Measured(frequency, 0.002 * frequency), Measured(ratio, 0.1 * ratio), level, 1, own)
+
+    tones = [
+        tone(1279.0, 3e-5, 0.06, own=True), tone(3523.0, 3e-5, 0.01, own=True), tone(6840.0, 1e-3, 0.13, own=False),
+        tone(6880.0, 1e-4, 0.36, own=False), tone(7020.0, 1e-3, 0.2, own=True), tone(10950.0, 1e-3, 0.12, own=True),
+        tone(11310.0, 1e-3, 0.15, own=False), tone(15318.0, 2e-4, 0.12, own=False), tone(15351.0, 4e-4, 0.9, own=True),
+        tone(16660.0, 6e-4, 0.3, own=False), tone(16720.0, 1.5e-3, 1.0, own=False),
+    ]  # fmt: skip
+    names = [one.name and one.name.harmonic for one in named(tones, [uniform_bar(980.0)])]
+    assert names[:3] == [1, 2, None]
 
 
 def test_a_clipped_tap(sound: Recording) -> None:

@@ -30,7 +30,7 @@ SILENT = 0.15
 UNHEARD, UNEXPLAINED = 6.0, 3.0
 """What a mode without a tone and a loud tone without a mode cost, in units of chi squared."""
 LOUD = 0.1
-"""Level of a tone that wants to be explained."""
+"""Level of a tone that wants to be explained, unless the room may have added it."""
 UNIFORM = (1.0, 2.7565, 5.4039, 8.9330, 13.3443)
 """Frequencies of a slender uniform free bar over its first: squares of 4.7300, 7.8532, ... (cos x cosh x = 1)."""
 BAR_SPREAD = 0.6
@@ -134,6 +134,11 @@ def named(tones: Sequence[Tone], families: Sequence[Expected]) -> tuple[NamedTon
     return tuple(result)
 
 
+def wants_a_mode(tone: Tone) -> bool:
+    """Say whether a tone must have a mode: it is loud, and surely the body's and not the room's."""
+    return tone.level > LOUD and tone.own
+
+
 Assignment = dict[int, tuple[Expected, int]]
 
 
@@ -145,7 +150,7 @@ def _least(
     ``top`` is the highest frequency in Hz that the families before could explain.
     """
     if not families:
-        loud = (tones[index] for index in free if tones[index].level > LOUD)
+        loud = (tones[index] for index in free if wants_a_mode(tones[index]))
         return UNEXPLAINED * sum(tone.frequency.value < top for tone in loud), {}
     family, rest = families[0], families[1:]
     scales = {
@@ -169,14 +174,14 @@ def _least(
 
 
 def _pairs(tones: Sequence[Tone], free: frozenset[int], family: Expected, scale: float, reach: float) -> dict[int, int]:
-    """Return {tone: mode}: for every mode the nearest free tone within ``reach``, of equally near ones the loudest."""
+    """Return {tone: mode}: for every mode the nearest free tone within ``reach``, of two as near the stronger."""
     pairs: dict[int, int] = {}
     for mode, frequency in enumerate(family.frequency):
         off = {index: abs(math.log(tones[index].frequency.value / frequency) - scale) for index in free - set(pairs)}
         near = [index for index, miss in off.items() if miss < reach * family.ratio_spread]
         if near:
             worth = {
-                index: math.log(tones[index].level) - (off[index] / family.ratio_spread) ** 2 / 2 for index in near
+                index: math.log(tones[index].strength) - (off[index] / family.ratio_spread) ** 2 / 2 for index in near
             }
             pairs[max(near, key=lambda index: worth[index])] = mode
     return pairs

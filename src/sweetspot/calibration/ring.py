@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -9,7 +10,7 @@ from typing import NamedTuple
 from sweetspot.calibration.echoes import stands_out
 from sweetspot.calibration.measured import Measured, pooled
 from sweetspot.calibration.sinusoids import Sinusoid
-from sweetspot.calibration.taps import Tap
+from sweetspot.calibration.taps import WINDOW, Tap
 from sweetspot.errors import InputError
 
 REPEATABILITY = 0.0015
@@ -46,6 +47,12 @@ class Tone:
         """Q = 1 / (2 zeta): how often it swings before it has lost most of its energy."""
         return 0.5 / max(self.damping_ratio.value, 1e-9)
 
+    @property
+    def strength(self) -> float:
+        """Root of its energy in a tap's window, in any unit: what dies away at once is loud and holds little."""
+        decay = 2 * math.pi * self.frequency.value * self.damping_ratio.value
+        return self.level / math.sqrt(max(decay, 1 / WINDOW))
+
 
 class _Heard(NamedTuple):
     """A tone as one tap has it: the tap's number, its level there, and whether it stands out there."""
@@ -64,14 +71,14 @@ def tones_of(taps: Sequence[Tap]) -> tuple[Tone, ...]:
     InputError
         when no tap is good; the message says what is wrong with each.
     """
-    fits = [tap.fit for tap in taps if tap.good and tap.fit is not None]
-    if not fits:
+    used = [(tap.fit, tap.heard_to or math.inf) for tap in taps if tap.good and tap.fit is not None]
+    if not used:
         faults = "; ".join(f"{tap.recording} at {tap.start:.2f} s {tap.fault}" for tap in taps)
         raise InputError(f"no tap can be used: {faults or 'there is none'}")
     heard = sorted(
         (_Heard(one, number, one.amplitude / max(other.amplitude for other in fit.sinusoids),
                 stands_out(one, fit.sinusoids))
-         for number, fit in enumerate(fits) for one in fit.sinusoids),
+         for number, (fit, _) in enumerate(used) for one in fit.sinusoids),
         key=lambda entry: entry.tone.frequency.value,
     )  # fmt: skip
     groups: list[list[_Heard]] = []
@@ -81,8 +88,11 @@ def tones_of(taps: Sequence[Tap]) -> tuple[Tone, ...]:
             groups[-1].append(entry)
         else:
             groups.append([entry])
-    often = [group for group in groups if len(group) >= OFTEN * len(fits)]
-    return tuple(_tone(group) for group in often)
+    return tuple(
+        _tone(group)
+        for group in groups
+        if len(group) >= OFTEN * sum(heard_to > group[0].tone.frequency.value for _, heard_to in used)
+    )
 
 
 def _tone(group: list[_Heard]) -> Tone:

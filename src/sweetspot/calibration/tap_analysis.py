@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sweetspot.calibration.bar import Bar, BarModulus, bar_modulus
-from sweetspot.calibration.naming import LOUD, Expected, NamedTone, any_bat, expected_of, named, uniform_bar
+from sweetspot.calibration.naming import Expected, NamedTone, any_bat, expected_of, named, uniform_bar, wants_a_mode
 from sweetspot.calibration.recording import BAT_BAND, Band, Recording
 from sweetspot.calibration.ring import tones_of
 from sweetspot.calibration.tap_faults import HELD
@@ -109,7 +109,7 @@ def _like_a_bat(tones: tuple[NamedTone, ...]) -> tuple[NamedTone, ...]:
     brace or a pipe that nobody described has tones, but no names.
     """
     heard = {one.name.harmonic: one.tone.frequency.value for one in tones if one.name}
-    others = [one.tone for one in tones if one.name is None and one.tone.level > LOUD]
+    others = [one.tone for one in tones if one.name is None and wants_a_mode(one.tone)]
     if {1, 2} <= set(heard) and not any(tone.frequency.value < heard[2] for tone in others):
         return tones
     return tuple(NamedTone(one.tone, None, None) for one in tones)

@@ -38,6 +38,8 @@ LARGEST_MISFIT = 0.8
 MOST_DRIVEN = 0.3
 """rms of what is neither a damped sinusoid nor the background over that of the sound (assumed). After the blow nothing
 drives what was tapped: all that it says is damped sinusoids that began together. A voice or a creak is driven on."""
+CROWDED = "more tones than can be told apart"
+"""What driven sound may be instead, in the words of its fault; with fewer tones it can be told."""
 MOST_CANCELLED = 5.0
 """Energy of a fit's sinusoids, each alone, over that of the sound (assumed). Tones of a body lie apart and hardly
 cancel each other: two planes that begin against each other reach 4; a tone that glides needs many that cancel."""
@@ -128,7 +130,7 @@ def _no_free_body(fit: Fit, background: float) -> str | None:
     if driven > MOST_DRIVEN:
         return (
             f"no ring: {100 * driven:.0f} % of it is neither dying tones nor the noise before it; a voice, a clap, "
-            "something that rattles, a room that echoes, or more tones than can be told apart: try --band 60Hz:1kHz"
+            f"something that rattles, a room that echoes, or {CROWDED}: try --band 60Hz:500Hz"
         )
     if cancelled(fit) > MOST_CANCELLED:
         return "no ring: its tones glide instead of keeping their pitch; a whistle or a voice"

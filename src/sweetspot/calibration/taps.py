@@ -14,7 +14,7 @@ from sweetspot.calibration.echoes import in_their_room
 from sweetspot.calibration.hum import hum_taken_out, without_hum
 from sweetspot.calibration.recording import Band, Recording, in_band
 from sweetspot.calibration.sinusoids import Fit, Sinusoid, fit_sinusoids
-from sweetspot.calibration.tap_faults import HELD, SETTLE, blows, fault_of_fit, fault_of_sound, step_of
+from sweetspot.calibration.tap_faults import CROWDED, HELD, SETTLE, blows, fault_of_fit, fault_of_sound, step_of
 from sweetspot.numerics.arrays import Array
 
 FRAME = 0.002
@@ -32,6 +32,8 @@ BEFORE = (0.3, 0.004)
 """s before a tap between which hum is looked for that was not steady enough to be taken out."""
 HUMLESS, CLEARER = 400.0, 6.0
 """Hz from which on taps are looked for where they stand out by this many dB more: mains and steps are below."""
+FEWER_TONES = 1000.0
+"""Hz up to which a tap is heard once more whose tones are more than a fit can hold."""
 LOSSY = 0.03
 """Amplitude over the loudest tone's of the faintest tone that counts in a lossy format (assumed; made-up taps as OGG
 and MP3 get tones of 0.01 to 0.08 that nothing made)."""
@@ -50,12 +52,14 @@ class Tap:
     start : s from the beginning of the recording.
     fault : why it is not used; None: it is.
     fit : of its ringing; None where it was rejected before.
+    heard_to : Hz up to which it was heard, where that is less than the band; above it has more tones than a fit.
     """
 
     recording: str
     start: float
     fault: str | None
     fit: Fit | None
+    heard_to: float | None = None
 
     @property
     def good(self) -> bool:
@@ -74,10 +78,15 @@ def find_taps(recording: Recording, *, band: Band, held: float = HELD) -> tuple[
     clear = hum_taken_out(recording)
     sound = in_band(clear, band)
     starts = _starts(_where_taps_stand_out(clear, sound, band))
-    ends = [*starts[1:], sound.duration]
-    background = 10 ** (_levels(sound)[1] / 10)
-    spans = zip(starts, ends, strict=True)
-    taps = [_tap(recording, sound, span, band, background=background, held=held) for span in spans]
+    spans = list(pairwise([*starts, sound.duration]))
+    taps = [_tap(recording, sound, span, band, held=held) for span in spans]
+    crowded = [index for index, tap in enumerate(taps) if tap.fault and CROWDED in tap.fault]
+    if crowded and 2 * band.low < FEWER_TONES < band.high:
+        lower = Band(band.low, FEWER_TONES)
+        low_sound = in_band(clear, lower)
+        for index in crowded:
+            again = _tap(recording, low_sound, spans[index], lower, held=held)
+            taps[index] = replace(again, heard_to=FEWER_TONES) if again.good else taps[index]
     for index, (before, after) in enumerate(pairwise(starts)):
         if after - before < APART:
             fault = f"doubled: two taps {1e3 * (after - before):.0f} ms apart; let it ring between taps"
@@ -132,10 +141,9 @@ def _starts(sound: Recording) -> list[float]:
     return [index * frame / sound.rate for index in merged] or [0.0]
 
 
-def _tap(
-    recording: Recording, sound: Recording, span: tuple[float, float], band: Band, *, background: float, held: float
-) -> Tap:
+def _tap(recording: Recording, sound: Recording, span: tuple[float, float], band: Band, *, held: float) -> Tap:
     start, end = span
+    background = float(10 ** (_levels(sound)[1] / 10))
     raw = recording.samples[int(start * recording.rate) : int(min(end, start + WINDOW) * recording.rate)]
     whole = sound.samples[int(start * sound.rate) : int(min(end, start + WINDOW) * sound.rate)]
     step = step_of(raw)

@@ -32,6 +32,7 @@ def misses(outline: PhotoOutline) -> Array:
         {"angle": 90, "ground": GREEN, "slope": 0.3},
         {"angle": 37, "wood": WALNUT, "shadow": 0.5},
         {"angle": -64, "ground": GREY, "shadow": 0.3, "slope": 0.2},
+        {"angle": 180, "shadow": 0.6, "slope": 0.3},
         {"angle": 150, "ground": BLUE, "noise": 0.03},
         {"angle": 3, "ground": (0.08, 0.08, 0.08), "ruler": 0.3},
     ],

@@ -7,6 +7,7 @@ from typing import Any
 from sweetspot.calibration.bar import BarModulus
 from sweetspot.calibration.naming import NamedTone
 from sweetspot.calibration.tap_analysis import TapTest
+from sweetspot.calibration.taps import Tap
 from sweetspot.numerics.confidence import LEVEL
 from sweetspot.report.calibration.intervals import measured_json, measured_words
 from sweetspot.report.document import Block, Cell, Column, Document, Paragraph, Picture, Table
@@ -25,6 +26,7 @@ def tap_document(test: TapTest, title: str) -> Document:
     """Return a tap test as an answer: the taps that were not used and why, the tones, the bar."""
     blocks: list[Block] = [Paragraph(f"{len(test.good)} of {len(test.taps)} taps used.")]
     blocks += [Paragraph(_fault(test, number), "warning") for number, tap in enumerate(test.taps) if not tap.good]
+    blocks += [Paragraph(_heard_to(tap, tap.heard_to), "note") for tap in test.good if tap.heard_to]
     if lossy := [one.name for one in test.recordings if one.lossy]:
         blocks.append(
             Paragraph(
@@ -54,6 +56,13 @@ def _fault(test: TapTest, number: int) -> Sentence:
     return say(
         "{name}, {start}: {fault}", name=tap.recording, start=Slot(tap.start, "time", 2), fault=tap.fault or NOTHING
     )
+
+
+def _heard_to(tap: Tap, top: float) -> Sentence:
+    return say(
+        "{name}, {start}: heard below {top} only; above it has more tones than can be told apart.",
+        name=tap.recording, start=Slot(tap.start, "time", 2), top=Slot(top, "frequency", 0),
+    )  # fmt: skip
 
 
 def _tones(test: TapTest) -> Table:
@@ -107,7 +116,13 @@ def _data(test: TapTest) -> dict[str, Any]:
         {
             "interval_level": LEVEL,
             "taps": [
-                {"recording": tap.recording, "time_s": tap.start, "used": tap.good, "fault": tap.fault}
+                {
+                    "recording": tap.recording,
+                    "time_s": tap.start,
+                    "used": tap.good,
+                    "fault": tap.fault,
+                    "heard_to_hz": tap.heard_to,
+                }
                 for tap in test.taps
             ],
             "tones": [_tone_data(one) for one in test.tones],

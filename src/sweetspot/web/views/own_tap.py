@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
@@ -97,7 +98,7 @@ def _recording(key: str) -> _Sound:
         read = read_recording(path)
     except InputError as error:
         raise FieldError("recordings", str(error).replace(str(path), name)) from None
-    return _Sound(key, Recording(name, read.samples, read.rate))
+    return _Sound(key, replace(read, name=name))
 
 
 @lru_cache(maxsize=128)

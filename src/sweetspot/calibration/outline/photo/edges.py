@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sweetspot.calibration.outline.photo.silhouette import Shape
 from sweetspot.numerics.arrays import Array
@@ -15,6 +16,8 @@ BEYOND = 1.5
 """Of the greatest half width, that is looked at to either side."""
 NEAR_IN, NEAR_OUT = (1.5, 3.5), (2.5, 6.0)
 """Pixels from an edge between which the colours of bat and ground are taken."""
+ALONG = 20.0
+"""Pixels along the bat over which the ground beside it is taken together."""
 REFINED = 3.0
 """Pixels by which the colours may move an edge."""
 WINDOW = 0.01
@@ -47,7 +50,7 @@ class Edges:
     end: Array
 
 
-def find_edges(pixels: Array, difference: Array, bat: Shape) -> Edges:
+def find_edges(pixels: Array, difference: Array, bat: Shape, *, shadows: bool) -> Edges:
     """Return the edges of a bat whose shape is known coarsely.
 
     Parameters
@@ -55,12 +58,13 @@ def find_edges(pixels: Array, difference: Array, bat: Shape) -> Edges:
     pixels : colours, shape (rows, columns, 3).
     difference : from the ground without shadows, shape (rows, columns).
     bat : its coarse shape.
+    shadows : whether there may be any; a ground that a program painted has none.
     """
     start, end = bat.start.astype(float), bat.end.astype(float)
     left = right = np.zeros(0)
     for _ in range(ROUNDS):  # the axis is first known from a coarse picture
         start, end = sharp_ends(pixels, difference, start, end, bat.width.max())
-        left, right = _flanks(pixels, difference, start, end, bat)
+        left, right = _flanks(pixels, difference, start, end, bat, shadows=shadows)
         count = len(left)
         inner = slice(count // 20, -count // 20)
         middle = (left + right) / 2
@@ -110,7 +114,7 @@ def sharp_ends(pixels: Array, difference: Array, start: Array, end: Array, width
         outside = np.median(values[reach > 0.4 * width])
         coarse = _crossing(reach, values, (inside + outside) / 2, int(np.argmin(np.abs(reach))))
         colours = _sampled(pixels, places).mean(axis=1)
-        ends.append(point + outward * _refined(reach, colours[None], np.array([coarse]))[0])
+        ends.append(point + outward * _refined(reach, colours[None], np.array([coarse]), shadows=False)[0])
     return ends[0], ends[1]
 
 
@@ -124,7 +128,9 @@ def _crossing(reach: Array, values: Array, level: float, near: int) -> float:
     return float(reach[index] + part * (reach[index + 1] - reach[index]))
 
 
-def _flanks(pixels: Array, difference: Array, start: Array, end: Array, bat: Shape) -> tuple[Array, Array]:
+def _flanks(
+    pixels: Array, difference: Array, start: Array, end: Array, bat: Shape, *, shadows: bool
+) -> tuple[Array, Array]:
     """Return the places of both edges across the axis, one pair per pixel of length."""
     import scipy.ndimage
 
@@ -137,12 +143,13 @@ def _flanks(pixels: Array, difference: Array, start: Array, end: Array, bat: Sha
     colours = scipy.ndimage.gaussian_filter1d(_sampled(pixels, points), 0.5 / STEP, axis=1)
     widths = np.interp(place, np.linspace(0, len(place), len(bat.width)), bat.width)
     edges = [
-        _one_flank(side * reach[::side], signal[:, ::side], colours[:, ::side], widths / 2) * side for side in (-1, 1)
+        side * _one_flank(side * reach[::side], signal[:, ::side], colours[:, ::side], widths / 2, shadows=shadows)
+        for side in (-1, 1)
     ]
     return edges[0], edges[1]
 
 
-def _one_flank(reach: Array, signal: Array, colours: Array, expected: Array) -> Array:
+def _one_flank(reach: Array, signal: Array, colours: Array, expected: Array, *, shadows: bool) -> Array:
     """Return where the bat ends on the side to which ``reach`` grows, one place per row."""
     inside = np.abs(reach) < 0.3 * expected[:, None]
     counts = np.maximum(inside.sum(axis=1), 1)
@@ -152,26 +159,43 @@ def _one_flank(reach: Array, signal: Array, colours: Array, expected: Array) -> 
     places = np.empty(len(signal))
     for row, (values, half) in enumerate(zip(signal, expected, strict=True)):
         places[row] = _crossing(reach, values, level[row], int(np.argmin(np.abs(reach - half))))
-    return _refined(reach, colours, places)
+    return _refined(reach, colours, places, shadows=shadows)
 
 
-def _refined(reach: Array, colours: Array, edge: Array) -> Array:
-    """Return edges moved out to where the colour differs from the ground beside it half as much as the bat's does."""
+def _refined(reach: Array, colours: Array, edge: Array, *, shadows: bool) -> Array:
+    """Return edges moved to where the colour is half way from the ground's to the bat's.
+
+    With shadows, what the ground would be at the edge is extended from beside it: the shadow at a bat's foot grows
+    towards it, and how changes slowly along the bat.
+    """
+    import scipy.ndimage
+
     distance = reach[None, :] - edge[:, None]
     near_in = (-distance > NEAR_IN[0]) & (-distance < NEAR_IN[1])
     near_out = (distance > NEAR_OUT[0]) & (distance < NEAR_OUT[1])
-    level_in, level_out = (
-        np.einsum("ij,ijk->ik", near, colours) / np.maximum(near.sum(axis=1), 1)[:, None]
-        for near in (near_in, near_out)
-    )
-    apart = np.sqrt(np.sum((level_in - level_out) ** 2, axis=1))
-    part = np.sqrt(np.sum((colours - level_out[:, None, :]) ** 2, axis=2)) / np.maximum(apart, 1e-6)[:, None]
+    level_in, _ = _level_and_slope(distance, colours, near_in)
+    level_out, slope = _level_and_slope(distance, colours, near_out)
+    ground = np.broadcast_to(level_out[:, None, :], colours.shape)
+    if shadows:
+        level_out, slope = (scipy.ndimage.gaussian_filter1d(one, ALONG, axis=0) for one in (level_out, slope))
+        outward = np.maximum(distance, 0.0) - sum(NEAR_OUT) / 2
+        ground = level_out[:, None, :] + slope[:, None, :] * outward[..., None]
+    apart = np.sqrt(np.sum((level_in[:, None, :] - ground) ** 2, axis=2))
+    part = np.sqrt(np.sum((colours - ground) ** 2, axis=2)) / np.maximum(apart, 1e-6)
     falls = (part[:, :-1] >= 0.5) & (part[:, 1:] < 0.5) & (np.abs(distance[:, :-1]) < REFINED)
     last = falls.shape[1] - 1 - np.argmax(falls[:, ::-1], axis=1)
     row = np.arange(len(edge))
     here, there = part[row, last], part[row, last + 1]
     moved = reach[last] + (here - 0.5) / np.where(here > there, here - there, 1.0) * STEP
     return np.asarray(np.where(falls.any(axis=1), moved, edge))
+
+
+def _level_and_slope(distance: Array, colours: Array, near: NDArray[np.bool_]) -> tuple[Array, Array]:
+    """Return the mean of the colours near each edge and how they change with the distance, shape (n, channels) each."""
+    count = np.maximum(near.sum(axis=1), 1)[:, None]
+    off = (distance - (distance * near).sum(axis=1)[:, None] / count) * near
+    slope = np.einsum("ij,ijk->ik", off, colours) / np.maximum((off**2).sum(axis=1), 1e-9)[:, None]
+    return np.einsum("ij,ijk->ik", near, colours) / count, slope
 
 
 def _smooth(edge: Array, window: int) -> Array:

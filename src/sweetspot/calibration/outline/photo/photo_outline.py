@@ -80,8 +80,8 @@ def read_photo(
     with_shadows, without = differences(picture)
     shapes = [*find_shapes(without), *find_shapes(with_shadows)]
     bat = find_bat(shapes, picture.name)
-    colours = picture.colours if picture.opacity is None else picture.opacity[..., None]
-    edges = find_edges(colours, without, bat)
+    colours = picture.colours
+    edges = find_edges(colours, without, bat, shadows=not picture.painted)
     if length is not None:
         scale, scale_error = length / edges.length, LENGTH_ERROR / length
     else:

@@ -56,11 +56,18 @@ class Picture:
         return self.pixels.shape[0], self.pixels.shape[1]
 
     @property
-    def colours(self) -> Array:
-        """What a pixel that the bat half covers is half of: light, or the file's own colours on a painted ground."""
+    def painted(self) -> bool:
+        """Whether a program took the ground out or painted it: it has one colour, and nothing casts a shadow on it."""
         border = np.concatenate([self.pixels[[0, -1]].reshape(-1, 3), self.pixels[:, [0, -1]].reshape(-1, 3)])
-        painted = np.mean(np.abs(border - np.median(border, axis=0)).max(axis=1) < PAINTED) > MOSTLY
-        return self.pixels if painted else self.linear
+        alike = np.mean(np.abs(border - np.median(border, axis=0)).max(axis=1) < PAINTED) > MOSTLY
+        return self.opacity is not None or bool(alike)
+
+    @property
+    def colours(self) -> Array:
+        """What a pixel that the bat half covers is half of: light; opacity, or a file's own colours, where painted."""
+        if self.opacity is not None:
+            return self.opacity[..., None]
+        return self.pixels if self.painted else self.linear
 
     @property
     def linear(self) -> Array:
