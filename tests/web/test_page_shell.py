@@ -81,6 +81,17 @@ def test_light_and_dark(page: Page, server: str, answered: Answered) -> None:
     assert page.evaluate(ground) != light  # remembered
 
 
+def test_paper_is_white(page: Page, server: str, answered: Answered) -> None:
+    page.goto(f"{server}/modes")
+    answered(page)
+    page.get_by_role("button", name="Dark", exact=True).click()
+    colours = []
+    for event in ("resize", "beforeprint", "afterprint"):
+        page.evaluate(f"dispatchEvent(new Event('{event}'))")
+        colours.append(page.evaluate("getComputedStyle(document.body).color"))
+    assert colours[0] == colours[2] != colours[1]
+
+
 def test_the_first_visit_is_guided(browser: Browser, server: str, answered: Answered) -> None:
     context = browser.new_context()
     page = context.new_page()

@@ -49,6 +49,16 @@ export function themeButton(onChange) {
     label();
     onChange();
   });
+  addEventListener("beforeprint", () => { // paper is white
+    const { theme } = root.dataset;
+    root.dataset.theme = "light";
+    onChange();
+    addEventListener("afterprint", () => {
+      if (theme) root.dataset.theme = theme;
+      else delete root.dataset.theme;
+      onChange();
+    }, { once: true });
+  });
   label();
   return button;
 }
