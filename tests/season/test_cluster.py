@@ -18,8 +18,8 @@ from distributed.utils import get_mp_context
 
 from sweetspot.season.cluster import run_on_cluster
 from sweetspot.season.plan import Plan, do_task, is_done
-from sweetspot.season.season_table import Season, analyse_season, run_here, season_setting
-from tests.season.conftest import files_of
+from sweetspot.season.season_table import Season, analyse_season, run_here, season_columns, season_setting
+from tests.season.conftest import files_of, made_up
 
 USUAL_PORT = 8787
 """Of Dask's status."""
@@ -121,3 +121,12 @@ def test_answers_do_not_depend_on_how_rows_are_cut(
     )
     parts = compute(tmp_path / "parts").balls().collect()
     assert whole.equals(parts)
+
+
+def test_a_ball_by_itself_is_tried_with_another_bat_as_among_others() -> None:
+    setting, rows = season_setting(others=("mlb-a",)), made_up(40, seed=5)
+    among = season_columns(rows, setting=setting).collect()
+    by_itself = pl.concat(season_columns(rows[number], setting=setting).collect() for number in range(10))
+    compared = among.head(len(by_itself))
+    assert len(by_itself) > 5 and by_itself.equals(compared)
+    assert by_itself["exit_speed_with_mlb_a_mph"].is_not_null().sum() > 5

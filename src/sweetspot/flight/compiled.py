@@ -231,7 +231,7 @@ def solve(
                 busy -= flight_of[lane] < 0
 
 
-@compiled()
+@compiled(forceinline=True)
 def _start(
     lane: int, following: int, start: Array, per_density: float, edge: float, lanes: Array, flight_of: IntArray,
     filled: IntArray, output: Output,
@@ -262,7 +262,7 @@ def _start(
     return following + 1
 
 
-@compiled()
+@compiled(forceinline=True)
 def _leaves(i: int, start: Array, drawing: bool, output: Output) -> bool:
     """Return whether a flight takes place; write down how it ends where it does not, or at once."""
     outcome, results, paths = output
@@ -290,7 +290,7 @@ def _leaves(i: int, start: Array, drawing: bool, output: Output) -> bool:
     return False
 
 
-@compiled(error_model="numpy")
+@compiled(forceinline=True, error_model="numpy")
 def _event(
     lane: int, edge: float, law: FlightLaw, power: float | None, profile: float | None, lanes: Array,
     flight_of: IntArray, filled: IntArray, output: Output,

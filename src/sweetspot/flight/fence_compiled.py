@@ -221,7 +221,7 @@ def _seen_from_home(
     return begin, last
 
 
-@compiled(error_model="numpy")
+@compiled(forceinline=True, error_model="numpy")
 def _beyond(seen: Array, point: int, weights: Array, fences: Array, park: int) -> tuple[float, float]:
     """Return how far beyond a fence a path is at a step, m, and its direction from home plate."""
     far, way = 0.0, 0.0
@@ -231,7 +231,7 @@ def _beyond(seen: Array, point: int, weights: Array, fences: Array, park: int) -
     return far - _at(fences, 0, park, way), way
 
 
-@compiled(error_model="numpy")
+@compiled(forceinline=True, error_model="numpy")
 def _over(
     seen: Array, lost: Array, begin: int, end: int, weights: Array, fences: Array, park: int, hint: int
 ) -> tuple[float, float, int]:  # fmt: skip
@@ -281,7 +281,7 @@ def _over(
     return height, seen[point, HIGHER, MIDDLE] / outwards * shorter - lower, point
 
 
-@compiled(error_model="numpy")
+@compiled(forceinline=True, error_model="numpy")
 def _step_of(seen: Array, weights: Array, park: int, point: int, what: int) -> tuple[float, float, float, float]:
     """Return what is known of a path at both ends of a step, and what it gains in a step there."""
     first, last, rise, fall = 0.0, 0.0, 0.0, 0.0
@@ -294,7 +294,7 @@ def _step_of(seen: Array, weights: Array, park: int, point: int, what: int) -> t
     return first, last, rise, fall
 
 
-@compiled(error_model="numpy")
+@compiled(forceinline=True, error_model="numpy")
 def _within(step: tuple[float, float, float, float], part: float) -> float:
     """Return what is known of a path within a step, on the cubic through its ends."""
     first, last, rise, fall = step
@@ -305,7 +305,7 @@ def _within(step: tuple[float, float, float, float], part: float) -> float:
     )  # fmt: skip
 
 
-@compiled(error_model="numpy")
+@compiled(forceinline=True, error_model="numpy")
 def _at(fences: Array, what: int, park: int, direction: float) -> float:
     """Return distance (0) or height (1) of a park's fence in a direction; beyond a foul line that of the line."""
     place = min(max((direction + FOUL) / TABLE_STEP, 0.0), fences.shape[2] - 1.0)

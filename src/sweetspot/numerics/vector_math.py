@@ -87,3 +87,22 @@ def exp(value: float) -> float:
     top = 1 / 479001600 + rest * (1 / 6227020800)
     total = (low + fourth * middle) + (fourth * fourth) * (high + fourth * top)
     return total * float_of((bits_of(shifted) - MAGIC_BITS + 1023) << 52)
+
+
+@compiled(inline="always")
+def sine_and_cosine(angle: float) -> tuple[float, float]:
+    """Return sine and cosine of an angle up to 1.3 rad either way; error about 1e-16.
+
+    Taylor's series to angle^19 and angle^18.
+    """
+    square = angle * angle
+    fourth = square * square
+    eighth = fourth * fourth
+    low = (1.0 - square * (1 / 6)) + fourth * (1 / 120 - square * (1 / 5040))
+    high = (1 / 362880 - square * (1 / 39916800)) + fourth * (1 / 6227020800 - square * (1 / 1307674368000))
+    top = 1 / 355687428096000 - square * (1 / 121645100408832000)
+    sine = angle * (low + eighth * (high + eighth * top))
+    low = (1.0 - square * (1 / 2)) + fourth * (1 / 24 - square * (1 / 720))
+    high = (1 / 40320 - square * (1 / 3628800)) + fourth * (1 / 479001600 - square * (1 / 87178291200))
+    top = 1 / 20922789888000 - square * (1 / 6402373705728000)
+    return sine, low + eighth * (high + eighth * top)

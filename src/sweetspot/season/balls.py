@@ -81,11 +81,11 @@ def balls_of(rows: pl.DataFrame, *, pitches: bool = True) -> Balls:
     ----------
     pitches : whether how they were pitched is wanted; flights do not ask.
     """
+    numbers = [name for name, kind in rows.schema.items() if kind.is_numeric()]
+    known = rows.select(pl.col(numbers).cast(pl.Float64).fill_null(np.nan)).to_dict()
 
     def column(name: str) -> Array:
-        if name not in rows.columns:
-            return np.full(len(rows), np.nan)
-        return rows[name].cast(pl.Float64).fill_null(np.nan).to_numpy()
+        return known[name].to_numpy() if name in known else np.full(len(rows), np.nan)
 
     left = rows["left"].fill_null(value=False).to_numpy()
     season = rows["season"].fill_null(0).cast(pl.Int64).to_numpy()

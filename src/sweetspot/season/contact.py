@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,7 +33,8 @@ SQUARED_UP = 0.80
 """Of the greatest exit speed, from which the league calls a ball squared up [statcast]."""
 BLAST = 164.0
 """Percent of the league's greatest exit speed and mph of bat speed together, from which it is a blast [statcast]."""
-CHUNK = 4096
+CHUNK = 8192
+"""Balls that are worked on together: what is made of them on the way stays in a core's own memory."""
 RANKS = 21
 """Quantiles of exit speeds at which the model's shape is corrected."""
 LEARNT_FROM = 10_000
@@ -119,11 +121,10 @@ def contacts(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -
     results = np.full((count, kernel.ROWS), np.nan)
     others = {other.name: (np.full(count, np.nan), np.full(count, np.nan), np.full(count, np.nan))
               for other in setting.others}  # fmt: skip
-    for number, surface in enumerate(setting.surfaces):
-        mine = np.flatnonzero(bat_of == number)
-        if not len(mine):
-            continue
-        some = taken(balls, mine)
+
+    def work(number: int, everyone: NDArray[np.int64], part: slice) -> None:
+        mine = everyone[part]
+        surface, some = setting.surfaces[number], taken(balls, mine)
         plane = in_plane(some, surface, setting.errors, ball=setting.ball)
         ceiling[mine], best[mine] = ceilings(plane, surface)
         solved = plane.outcome == 0
@@ -139,6 +140,10 @@ def contacts(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -
             )
             for held, values in zip(others[other.name], answer, strict=True):
                 held[mine] = values
+
+    for number in range(len(setting.surfaces)):
+        everyone = np.flatnonzero(bat_of == number)
+        in_parts(partial(work, number, everyone), len(everyone), size=CHUNK, threads=setting.threads)
     league = LEAGUE_BAT * balls.bat_speed + LEAGUE_PITCH * balls.plate_speed
     return Contacts(outcome, ceiling, league, best, chance, improbable, results, others)
 
@@ -216,25 +221,18 @@ def _posteriors(
     rows = np.flatnonzero(solved)
     asked = np.ascontiguousarray(asked_of(plane)[rows])
     posteriors = np.full((len(rows), kernel.ROWS), np.nan)
-    weights = np.zeros((len(rows) if setting.others else 1, len(surface.arm)))
+    weights = np.zeros((len(rows) if setting.others else 0, len(surface.arm)))
     relation = setting.relation
     aims = np.stack([best, _chances_of(balls)], axis=-1)[rows]
     swing = known.some(rows), turn_term(plane.turned)[rows]
-    noise, level = relation.noise_of(*swing), relation.level_of(*swing)
-    measured, before = plane.exit_speed[rows], prior[rows]
-
-    def work(part: slice) -> None:
-        kernel.fill_posteriors(
-            surface.axes, surface.after, surface.reach, surface.arm, asked[part], measured[part],
-            before[part], aims[part], _error_array(setting.errors), level[part], noise[part],
-            posteriors[part], weights[part] if setting.others else weights,
-        )  # fmt: skip
-
-    in_parts(work, len(rows), size=CHUNK, threads=setting.threads)
+    kernel.fill_posteriors(
+        surface.axes, surface.after, surface.reach, surface.arm, asked, plane.exit_speed[rows], prior[rows], aims,
+        _error_array(setting.errors), relation.level_of(*swing), relation.noise_of(*swing), posteriors, weights,
+    )  # fmt: skip
     results = np.full((len(balls), kernel.ROWS), np.nan)
     posteriors[:, kernel.RANK] = relation.ranked(posteriors[:, kernel.RANK])
     results[rows] = posteriors
-    everything = np.zeros((len(balls) if setting.others else 1, len(surface.arm)))
+    everything = np.zeros((len(balls) if setting.others else 0, len(surface.arm)))
     if setting.others:
         everything[rows] = weights
     return results, everything

@@ -161,7 +161,7 @@ def fill_posteriors(
         posterior the drawn place lies above.
     level, noise : (n,), exit speeds are 1 + level times the table's, and scatter by noise m/s beside measuring errors.
     results : (n, ROWS).
-    weights : (n, places) of zeros, for the posterior; or (1, places) where it is not wanted.
+    weights : (n, places) of zeros, for the posterior; or (0, places) where it is not wanted.
     """
     longest, step = len(arm), axes[2][1] - axes[2][0]
     every_fast, every_above, every_part, work = (
@@ -185,7 +185,7 @@ def fill_posteriors(
             continue
         for place in range(count):
             part[place] /= total
-        if len(weights) > 1:
+        if len(weights):
             weights[i, :count] = part
         _summarise(places, part, above, best[i, 0], best[i, 1], results[i])
         turning = per_turn * asked[i, 5]

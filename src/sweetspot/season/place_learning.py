@@ -24,6 +24,7 @@ from sweetspot.season.place_relation import (
     USUAL_SPREAD,
     Circumstances,
     PlaceRelation,
+    summed,
     variance_of,
     with_usual,
 )
@@ -61,7 +62,7 @@ class Sample:
     places : m from the tip, even, shape (k,).
     predicted : m/s, exit speed at every place, shape (n, k); NaN where none.
     measured, error : m/s, exit speeds and their measuring errors, shape (n,).
-    place, spread, level, noise : what the relation's sums are over, shape (n, terms).
+    place, spread, level, noise : what the relation's sums are over, shape (terms, n).
     """
 
     places: Array
@@ -96,13 +97,12 @@ def learn_places(
     usual = with_usual(1.0, PLACE)
     sample = Sample(
         places, np.ascontiguousarray(predicted[good]), measured[good], error[good],
-        np.where(known.placed[:, None], known.terms(PLACE), usual), known.terms(SPREAD), known.terms(LEVEL, turned),
+        np.where(known.placed, known.terms(PLACE), usual[:, None]), known.terms(SPREAD), known.terms(LEVEL, turned),
         known.terms(NOISE, turned),
     )  # fmt: skip
     now, evidence = _climbed(START, sample)
-    seen = sample.place[known.placed] if known.placed.any() else sample.place
-    everywhere = seen @ now.weights
-    spread = np.sqrt(np.mean(np.exp(2 * sample.spread @ now.spread_weights)))
+    everywhere = summed(sample.place, now.weights)[known.placed if known.placed.any() else slice(None)]
+    spread = np.sqrt(np.mean(np.exp(2 * summed(sample.spread, now.spread_weights))))
     return replace(
         now, bat_speeds=bat_speeds, evidence=evidence, balls=int(good.sum()),
         marginal=(float(everywhere.mean()), float(np.hypot(spread, everywhere.std()))),
@@ -118,9 +118,11 @@ def _climbed(now: PlaceRelation, sample: Sample) -> tuple[PlaceRelation, float]:
     moments = np.zeros((len(sample.measured), 6))
 
     def stepped(now: PlaceRelation) -> PlaceRelation:
-        prior = np.stack([sample.place @ now.weights, np.exp(sample.spread @ now.spread_weights)], axis=-1)
-        scatter = np.hypot(sample.error, np.exp(sample.noise @ now.noise_weights))
-        level = sample.level @ now.level_weights
+        prior = np.stack(
+            [summed(sample.place, now.weights), np.exp(summed(sample.spread, now.spread_weights))], axis=-1
+        )
+        scatter = np.hypot(sample.error, np.exp(summed(sample.noise, now.noise_weights)))
+        level = summed(sample.level, now.level_weights)
 
         def work(part: slice) -> None:
             expect(sample.places, sample.predicted[part], sample.measured[part], scatter[part], prior[part],
@@ -181,13 +183,13 @@ def _maximised(now: PlaceRelation, sample: Sample, moments: Array) -> PlaceRelat
 
 def _scatters(now: PlaceRelation, sample: Sample) -> tuple[Array, Array, Array]:
     """Return of each ball 1 / tau^2, the square of its own noise, and 1 over that with the measuring error's."""
-    own = np.exp(2 * sample.noise @ now.noise_weights)
-    return np.exp(-2 * sample.spread @ now.spread_weights), own, 1 / (sample.error**2 + own)
+    own = np.exp(2 * summed(sample.noise, now.noise_weights))
+    return np.exp(-2 * summed(sample.spread, now.spread_weights)), own, 1 / (sample.error**2 + own)
 
 
 def _squares_of_places(weights: Array, inverse: Array, covariance: Array, sample: Sample, moments: Array) -> Array:
     """Return the squared distances of balls from their mean place that are expected, over what they should be."""
-    square = moments[:, SCATTER] + (moments[:, MIDDLE] - sample.place @ weights) ** 2
+    square = moments[:, SCATTER] + (moments[:, MIDDLE] - summed(sample.place, weights)) ** 2
     doubt = variance_of(sample.place, covariance)  # balls pull the mean towards themselves
     return np.asarray((square + doubt) * inverse)
 
@@ -195,7 +197,7 @@ def _squares_of_places(weights: Array, inverse: Array, covariance: Array, sample
 def _noise_scores(levels: Array, part: Array, heavy: Array, sample: Sample, moments: Array) -> Array:
     """Return the score of each ball for the logarithm of its noise, which is a part of its variance."""
     out, share, product, square = sample.measured, moments[:, SHARE], moments[:, PRODUCT], moments[:, SQUARE]
-    grown = 1 + sample.level @ levels
+    grown = 1 + summed(sample.level, levels)
     missed = share * out**2 - 2 * grown * product + grown**2 * square
     return np.asarray(part * (heavy * missed - share))
 
@@ -244,15 +246,10 @@ def _scored(terms: Array, share: Array, off: Array, now: Array, widths: Array) -
 
 
 def _products(terms: Array, weight: Array) -> Array:
-    """Return the weighted sums over balls of all products of two terms.
-
-    Not by BLAS, here and in `_along`: its threads wait for each other in a loop, which for such narrow tables costs
-    many times the sums where other programs run, and how it adds up hangs on how many there are.
-    """
-    rows = np.ascontiguousarray(terms.T)
-    return np.asarray(np.einsum("jn,kn->jk", rows * weight, rows))
+    """Return the weighted sums over balls of all products of two terms; see `summed`."""
+    return np.asarray(np.einsum("jn,kn->jk", terms * weight, terms))
 
 
 def _along(terms: Array, values: Array) -> Array:
     """Return the sums over balls of each term times a value."""
-    return np.asarray(np.einsum("jn,n->j", np.ascontiguousarray(terms.T), values))
+    return np.asarray(np.einsum("jn,n->j", terms, values))

@@ -71,7 +71,7 @@ class Circumstances(NamedTuple):
         return self._replace(**{name: values[rows] for name, values in self._asdict().items()})
 
     def terms(self, names: tuple[str, ...], turned: Array | None = None) -> Array:
-        """Return what a sum is over, shape (n, names).
+        """Return what a sum is over, shape (names, n).
 
         Parameters
         ----------
@@ -81,9 +81,8 @@ class Circumstances(NamedTuple):
         if turned is not None:
             known |= {"turned": turned, "turned either way": np.abs(turned)}
             known |= dict(zip(FAR, (np.maximum(way * turned - GRAZED, 0.0) for way in (1, -1)), strict=True))
-        columns = [known[name] if name in known else np.prod([known[one] for one in name.split()], axis=0)
-                   for name in names]  # fmt: skip
-        return np.stack(columns, axis=-1)
+        return np.stack([known[name] if name in known else np.prod([known[one] for one in name.split()], axis=0)
+                         for name in names])  # fmt: skip
 
 
 def circumstances(balls: Balls, bat_speeds: SwingSpeeds) -> Circumstances:
@@ -163,7 +162,7 @@ class PlaceRelation:
     def prior(self, known: Circumstances) -> Array:
         """Return mean and standard deviation of the place of each ball, m from the tip, shape (n, 2)."""
         place = known.terms(PLACE)
-        mean = np.where(known.placed, place @ self.weights, self.marginal[0])
+        mean = np.where(known.placed, summed(place, self.weights), self.marginal[0])
         own = scatter_of(known.terms(SPREAD), self.spread_weights, self.spread_covariance) ** 2
         spread = np.where(known.placed, np.sqrt(own + variance_of(place, self.covariance)), self.marginal[1])
         return np.stack([mean, spread], axis=-1)
@@ -175,7 +174,7 @@ class PlaceRelation:
         ----------
         turned : of the balls, from `turn_term`.
         """
-        return np.asarray(known.terms(LEVEL, turned) @ self.level_weights)
+        return summed(known.terms(LEVEL, turned), self.level_weights)
 
     def noise_of(self, known: Circumstances, turned: Array) -> Array:
         """Return the noise of balls, m/s."""
@@ -188,15 +187,28 @@ class PlaceRelation:
         return np.where(np.isnan(rank), np.nan, np.interp(rank, self.ranks, np.linspace(0, 1, len(self.ranks))))
 
 
+def summed(terms: Array, weights: Array) -> Array:
+    """Return each ball's sum of terms times weights, shape (n,).
+
+    Not by BLAS, here and wherever terms of balls are added up: its threads wait for each other in a loop, which for
+    such narrow tables costs many times the sums where other programs run, and how it adds up hangs on how many there
+    are.
+
+    Parameters
+    ----------
+    terms : shape (terms, n).
+    """
+    return np.asarray(np.einsum("j,jn->n", weights, terms))
+
+
 def variance_of(terms: Array, covariance: Array) -> Array:
     """Return the variance of each ball's sum by the doubt about its weights, shape (n,)."""
-    rows = np.ascontiguousarray(terms.T)
-    return np.asarray(np.einsum("jn,jn->n", np.einsum("ij,in->jn", covariance, rows), rows))
+    return np.asarray(np.einsum("jn,jn->n", np.einsum("ij,in->jn", covariance, terms), terms))
 
 
 def scatter_of(terms: Array, weights: Array, covariance: Array) -> Array:
     """Return the root mean square of a scatter whose logarithm is a sum with doubtful weights, shape (n,)."""
-    return np.asarray(np.exp(terms @ weights + variance_of(terms, covariance)))
+    return np.asarray(np.exp(summed(terms, weights) + variance_of(terms, covariance)))
 
 
 def with_usual(first: float, names: tuple[str, ...]) -> Array:

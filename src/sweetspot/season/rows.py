@@ -89,14 +89,14 @@ def rows_of(frame: pl.DataFrame, headings: Headings, *, first: int = 0) -> pl.Da
         also ``left`` (batter's side), ``day``, ``season``, ``unreadable`` (how many measurements of the row were
         written so that no number could be read, and whether its date was) and ``beyond`` (how many cannot be).
     """
-    columns = headings.columns
+    columns, kinds = headings.columns, frame.schema
     words = {name: _Texts(frame[column.heading]) for name, column in columns.items() if column.kind == "text"}
     selected = frame.select(
-        *(_number(frame, column).alias(name) for name, column in columns.items() if column.kind != "text"),
+        *(_number(kinds, column).alias(name) for name, column in columns.items() if column.kind != "text"),
         *(
-            _lost(frame, column).alias(f"lost {name}")
+            _lost(kinds, column).alias(f"lost {name}")
             for name, column in columns.items()
-            if column.kind != "text" and not frame.schema[column.heading].is_numeric()
+            if column.kind != "text" and not kinds[column.heading].is_numeric()
         ),
     ).with_columns(*(text.column.alias(name) for name, text in words.items()))
     lost = [name for name in selected.columns if name.startswith("lost ")]
@@ -204,23 +204,23 @@ def _undated(headings: Headings) -> pl.Expr:
     return (pl.col("date").is_not_null() & pl.col("day").is_null()).cast(pl.Int32)
 
 
-def _number(frame: pl.DataFrame, column: TableColumn) -> pl.Expr:
-    value = _as_float(frame, column)
+def _number(kinds: pl.Schema, column: TableColumn) -> pl.Expr:
+    value = _as_float(kinds, column)
     return pl.when(value.is_finite()).then(column.zero + column.factor * value)
 
 
-def _as_float(frame: pl.DataFrame, column: TableColumn) -> pl.Expr:
+def _as_float(kinds: pl.Schema, column: TableColumn) -> pl.Expr:
     held = pl.col(column.heading)
-    if frame.schema[column.heading].is_numeric():
+    if kinds[column.heading].is_numeric():
         return held.cast(pl.Float64)
     text = held.cast(pl.String).str.strip_chars().str.replace(r"^(-?\d+),(\d+)$", "$1.$2")
     return text.cast(pl.Float64, strict=False)
 
 
-def _lost(frame: pl.DataFrame, column: TableColumn) -> pl.Expr:
+def _lost(kinds: pl.Schema, column: TableColumn) -> pl.Expr:
     text = pl.col(column.heading).cast(pl.String).str.strip_chars()
     written = text.is_not_null() & (text != "")
-    return (written & _as_float(frame, column).is_null()).cast(pl.Int32)
+    return (written & _as_float(kinds, column).is_null()).cast(pl.Int32)
 
 
 def _said(headings: Headings) -> dict[str, tuple[str, Callable[[pl.Expr], pl.Expr]]]:

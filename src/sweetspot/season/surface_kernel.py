@@ -8,6 +8,7 @@ import numpy as np
 
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.kernel_cache import compiled
+from sweetspot.numerics.vector_math import sine_and_cosine
 
 Axes = tuple[Array, Array, Array, Array]
 TURNS = 12
@@ -16,7 +17,7 @@ CLOSE = 1e-5
 """rad by which the direction may miss."""
 
 
-@compiled(nogil=True, error_model="numpy")
+@compiled(forceinline=True, error_model="numpy")
 def part_of(nodes: Array, value: float) -> tuple[int, float]:
     """Return the node below a value of an even axis and how far on to the next it is; the straight line goes on."""
     at = (value - nodes[0]) / (nodes[1] - nodes[0])
@@ -24,7 +25,7 @@ def part_of(nodes: Array, value: float) -> tuple[int, float]:
     return low, at - low
 
 
-@compiled(nogil=True, error_model="numpy", fastmath={"contract", "nsz"})
+@compiled(forceinline=True, error_model="numpy", fastmath={"contract", "nsz"})
 def velocity_after(
     after: Array, place: int, speed: tuple[int, float], spin: tuple[int, float], at: float
 ) -> tuple[float, float, float, float]:  # fmt: skip
@@ -51,7 +52,7 @@ def velocity_after(
     return back + part * (back_2 - back), up + part * (up_2 - up), back_2 - back, up_2 - up
 
 
-@compiled(nogil=True, error_model="numpy", fastmath={"contract", "nsz"})
+@compiled(forceinline=True, error_model="numpy", fastmath={"contract", "nsz"})
 def hit_towards(
     axes: Axes, after: Array, reach: float, place: int, there: float, ahead: float, up: float, tangent: float,
     cos: float, sin: float, guess: float,
@@ -87,8 +88,8 @@ def hit_towards(
         miss = high * cos - out * sin
         if abs(miss) < CLOSE * abs(size):
             step = axes[3][1] - axes[3][0]
-            angle = axes[3][0] + at * step
-            offset = reach * (way * math.sin(angle) + across * math.cos(angle))
+            sine, cosine = sine_and_cosine(axes[3][0] + at * step)
+            offset = reach * (way * sine + across * cosine)
             return (size, offset, at) if size > 0 else (math.nan, math.nan, at)
         d_out = closing * (way * d_back - across * d_lift)
         d_high = closing * (across * d_back + way * d_lift)
@@ -102,8 +103,8 @@ def hit_towards(
         inside = at - (before - miss / slope)
         if low <= at <= low + 1 and inside == 0.0:  # between two nodes all is a straight line: this step is exact
             size += (d_out * cos + d_high * sin) * (at - before)
-            angle = axes[3][0] + at * (axes[3][1] - axes[3][0])
-            offset = reach * (way * math.sin(angle) + across * math.cos(angle))
+            sine, cosine = sine_and_cosine(axes[3][0] + at * (axes[3][1] - axes[3][0]))
+            offset = reach * (way * sine + across * cosine)
             return (size, offset, at) if size > 0 else (math.nan, math.nan, at)
         if at == before:
             return math.nan, math.nan, guess

@@ -117,9 +117,9 @@ class TableLook:
             return
         speed, angle = pl.col("exit_speed") / (0.1 * MPH), pl.col("launch_angle") / (0.1 * DEGREE)
         pairs = used.select("row", speed=speed.round(), angle=angle.round()).drop_nulls()
-        often = pairs.group_by("speed", "angle").len().sort("len", "speed", "angle", descending=True)
-        often = often.filter(pl.col("len") >= max(AGAIN, AGAIN_PART * len(used)))
+        often = pairs.group_by("speed", "angle").len().filter(pl.col("len") >= max(AGAIN, AGAIN_PART * len(used)))
         if len(often):
+            often = often.sort("len", "speed", "angle", descending=True)
             shown = "; ".join(
                 f"{speed / 10:.1f} mph at {angle / 10:.1f} degrees" for speed, angle, _ in often.head(3).rows()
             )

@@ -20,7 +20,7 @@ PART = 65_536
 def parts(
     table: TableFile, *, quantities: Sequence[str], step: int, starts: Sequence[int]
 ) -> Iterator[pl.DataFrame]:  # fmt: skip
-    """Yield some of a table's rows as `rows_of` gives them, a part at a time; as good as drawn, and always the same.
+    """Yield some of a table's rows as `rows_of` gives them, a part or so at a time; as good as drawn, always the same.
 
     Parameters
     ----------
@@ -31,13 +31,17 @@ def parts(
     headings = table.headings.only("exit_speed", *quantities)
     together = all(after - before == PART for before, after in pairwise(starts))
     read = partial(TableReader([table], part_rows=PART).part, 0) if together else table.part
-    for start in starts:
-        frame = read(start, PART, headings=[column.heading for column in headings.columns.values()])
-        number = np.arange(start, start + len(frame), dtype=np.uint32)
-        number = number[number.astype(np.uint64) * np.uint64(7919) % np.uint64(step) == 0]
+    for first in range(0, len(starts), step):  # few rows of each part: what they mean is made out together
+        frames, numbers = [], []
+        for start in starts[first : first + step]:
+            frame = read(start, PART, headings=[column.heading for column in headings.columns.values()])
+            number = np.arange(start, start + len(frame), dtype=np.uint32)
+            number = number[number.astype(np.uint64) * np.uint64(7919) % np.uint64(step) == 0]
+            frames.append(frame[number.astype(np.int64) - start])
+            numbers.append(number)
+        number = np.concatenate(numbers)
         if len(number):
-            rows = rows_of(frame[number.astype(np.int64) - start], headings)
-            yield rows.with_columns(pl.Series("row", number))
+            yield rows_of(pl.concat(frames), headings).with_columns(pl.Series("row", number))
 
 
 def part_of(asked: tuple[TableReader, TableFile, int, Sequence[str]]) -> pl.DataFrame:
