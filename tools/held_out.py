@@ -3,7 +3,9 @@
 A table of tracked swings is cut into two halves, one after the other. Where balls are met is learned from one half and
 told of the other. Printed is how often exit speed falls into its intervals of 50 and 90 %, by everything that swing,
 pitch and ball are known by, and how likely the balls are that were not learned from; ``--places-to 14`` does the same
-with places along the bat that end so many inches from the tip.
+with places along the bat that end so many inches from the tip. ``--learn-from 150`` learns from so many balls of a
+half, drawn anew three times, and prints all balls of the other half together; ``--usual`` prints the weights learned
+from the whole table, which `place_relation` has as the usual ones.
 """
 
 from __future__ import annotations
@@ -23,6 +25,7 @@ from sweetspot.season.balls import Balls, balls_of
 from sweetspot.season.bat_surface import BatSurface
 from sweetspot.season.contact import ContactSetting, contacts, learnt, taken
 from sweetspot.season.headings import headings_of
+from sweetspot.season.place_relation import LEVEL, NOISE, PLACE, SPREAD
 from sweetspot.season.rows import USED, rows_of
 from sweetspot.season.season_table import season_setting
 from sweetspot.season.swings import in_plane
@@ -68,6 +71,28 @@ def told(balls: Balls, setting: ContactSetting, first: NDArray[np.bool_]) -> Arr
     return results
 
 
+def told_by_few(balls: Balls, setting: ContactSetting, first: NDArray[np.bool_], count: int) -> tuple[Array, float]:
+    """Return ranks of balls by what was learned from a few of the other half, and their mean evidence."""
+    rng, results = np.random.default_rng(1), []
+    for half in (first, ~first) * 3:
+        chosen = rng.choice(np.flatnonzero(half), count, replace=False)
+        relation = learnt(taken(balls, chosen), np.zeros(count, np.int64), setting)
+        bats = np.zeros(int((~half).sum()), np.int64)
+        results.append(contacts(taken(balls, ~half), bats, replace(setting, relation=relation)).results)
+    every = np.concatenate(results)
+    known = np.isfinite(every[:, kernel.RANK])
+    return every[known, kernel.RANK], float(every[known, kernel.EVIDENCE].mean())
+
+
+def print_usual(balls: Balls, setting: ContactSetting) -> None:
+    """Print weights learned from all balls, those of the place in inches."""
+    relation = learnt(balls, np.zeros(len(balls), np.int64), setting)
+    for names, weights in ((PLACE, relation.weights / INCH), (SPREAD, relation.spread_weights),
+                           (LEVEL, relation.level_weights), (NOISE, relation.noise_weights)):  # fmt: skip
+        print(", ".join(f"{name} {weight:.3f}" for name, weight in zip(names, weights, strict=True)))
+    print("all places, in: " + ", ".join(f"{one / INCH:.2f}" for one in relation.marginal))
+
+
 def held(rank: Array) -> str:
     """Return number, intervals of 50 and 90 % and mean rank, as a row of a table."""
     inside = [100 * float(np.mean((rank > end) & (rank < 1 - end))) for end in (0.25, 0.05)]
@@ -78,6 +103,8 @@ def main() -> None:
     """Print the table."""
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--places-to", type=float, default=None, help="in from the tip")
+    options.add_argument("--learn-from", type=int, default=None, help="balls")
+    options.add_argument("--usual", action="store_true")
     given = options.parse_args()
     setting = season_setting().contact
     assert setting is not None
@@ -85,6 +112,13 @@ def main() -> None:
         setting = replace(setting, surfaces=(shortened(setting.surfaces[0], given.places_to * INCH),))
     balls = balls_in(TABLE)
     first = np.arange(len(balls)) < len(balls) // 2
+    if given.usual:
+        print_usual(balls, setting)
+        return
+    if given.learn_from is not None:
+        ranks, likely = told_by_few(balls, setting, first, given.learn_from)
+        print(f"| learned from {given.learn_from} | {held(ranks)} logarithm of the likelihood of a ball {likely:.3f}")
+        return
     results = told(balls, setting, first)
     rank = results[:, kernel.RANK]
     known = np.isfinite(rank)

@@ -37,6 +37,8 @@ CHUNK = 8192
 """Balls that are worked on together: what is made of them on the way stays in a core's own memory."""
 RANKS = 21
 """Quantiles of exit speeds at which the model's shape is corrected."""
+RANKED_FROM = 2000
+"""Balls from which on that is done; the ranks of fewer scatter by more than they are off."""
 LEARNT_FROM = 10_000
 """Balls that the relation of places is learnt from, at most."""
 
@@ -192,7 +194,7 @@ def learnt(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -> 
         predicted=np.concatenate(tables), measured=np.concatenate(outs), error=np.concatenate(widths),
         turned=turn_term(np.concatenate(turns)),
     )  # fmt: skip
-    if not relation.balls:
+    if relation.balls < RANKED_FROM:
         return relation
     bare = replace(setting, relation=relation, others=())
     rank = contacts(used, bat_of[everyone], bare).results[:, kernel.RANK]

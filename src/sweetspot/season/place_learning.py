@@ -16,41 +16,46 @@ from sweetspot.numerics.threads import in_parts
 from sweetspot.season.place_kernel import EVIDENCE, MIDDLE, PRODUCT, SCATTER, SHARE, SQUARE, expect
 from sweetspot.season.place_relation import (
     LEVEL,
+    LEVEL_WIDTHS,
     NOISE,
+    NOISE_WIDTHS,
     PLACE,
+    PLACE_WIDTHS,
     SPREAD,
+    SPREAD_WIDTHS,
     UNLEARNT,
-    USUAL_PLACE,
-    USUAL_SPREAD,
+    USUAL_LEVELS,
+    USUAL_NOISES,
+    USUAL_SPREADS,
+    USUAL_WEIGHTS,
     Circumstances,
     PlaceRelation,
     summed,
     variance_of,
-    with_usual,
 )
 from sweetspot.season.swing_speeds import SwingSpeeds
 from sweetspot.units import INCH, MPH
 
-PLACE_WIDTHS = np.array([1e3, *[1 * INCH] * (len(PLACE) - 1)])
-SPREAD_WIDTHS = np.array([1e3, *[0.5] * (len(SPREAD) - 1)])
-LEVEL_WIDTHS = np.array([0.02, 0.01, 0.02, 0.05, 0.05])
-NOISE_WIDTHS = np.array([10.0, *[0.5] * (len(NOISE) - 5), *[2.0] * 4])
-"""Standard deviations of the weights known beforehand, so that small tables do not run away: of the place in m, of the
-level as a part (restitution of balls, and bats that are not as described), of the others as logarithms."""
 NOISES = math.log(0.05 * MPH), math.log(40 * MPH)
 """Least and greatest noise of usual swings, as the logarithm of m/s."""
 ROUNDS = 50
 """Most leaps; a dozen are usual."""
-SIZES = np.array([*[USUAL_SPREAD] * len(PLACE), *[1.0] * len(SPREAD), *LEVEL_WIDTHS, *[1.0] * len(NOISE)])
+SIZES = np.array([*[1.8 * INCH] * len(PLACE), *[1.0] * len(SPREAD), *LEVEL_WIDTHS, *[1.0] * len(NOISE)])
 """By which the relation's weights are measured in saying how far a step went."""
 NEAR = 1e-3
 """In these, steps that change nothing: 0.05 mm, 2e-5 of level, a thousandth of the noise."""
 CHUNK = 2500
 """Balls per task handed to a thread."""
-ENOUGH = 200
+ENOUGH = 50
 """Balls below which nothing is learnt and the usual numbers stand."""
-START = replace(UNLEARNT, weights=np.array([USUAL_PLACE, -2 * INCH, *np.zeros(len(PLACE) - 2)]))
-"""Where learning begins: outside pitches nearer the tip."""
+
+
+START = replace(
+    UNLEARNT, weights=np.array([6.5 * INCH, -2 * INCH, *np.zeros(len(PLACE) - 2)]),
+    spread_weights=np.array([math.log(1.8 * INCH), *np.zeros(len(SPREAD) - 1)]),
+)  # fmt: skip
+"""Where learning begins: about the middle of the barrel. Where pitches do not tell, the side that a table's balls are
+met on has two answers."""
 
 
 @dataclass(frozen=True)
@@ -92,9 +97,9 @@ def learn_places(
     """
     good = np.asarray(np.isfinite(predicted).any(axis=1)) & np.isfinite(error)
     if good.sum() < ENOUGH:
-        return UNLEARNT
+        return replace(UNLEARNT, bat_speeds=bat_speeds)
     known, turned = known.some(good), turned[good]
-    usual = with_usual(1.0, PLACE)
+    usual = np.array([1.0, *np.zeros(len(PLACE) - 1)])
     sample = Sample(
         places, np.ascontiguousarray(predicted[good]), measured[good], error[good],
         np.where(known.placed, known.terms(PLACE), usual[:, None]), known.terms(SPREAD), known.terms(LEVEL, turned),
@@ -166,16 +171,17 @@ def _with_numbers(numbers: Array) -> PlaceRelation:
 def _maximised(now: PlaceRelation, sample: Sample, moments: Array) -> PlaceRelation:
     """Return the weights that fit best where the balls are thought to have been met."""
     inverse, own, heavy = _scatters(now, sample)
-    weights = _solved(sample.place, inverse, moments[:, MIDDLE], PLACE_WIDTHS)
+    weights = _solved(sample.place, inverse, moments[:, MIDDLE], USUAL_WEIGHTS, PLACE_WIDTHS)
     square = _squares_of_places(weights, inverse, _place_covariance(inverse, sample, moments), sample, moments)
     spreads = now.spread_weights + _scored(
-        sample.spread, np.ones_like(square), square - 1, now.spread_weights, SPREAD_WIDTHS
+        sample.spread, np.ones_like(square), square - 1, now.spread_weights - USUAL_SPREADS, SPREAD_WIDTHS
     )
     product, square = moments[:, PRODUCT], moments[:, SQUARE]
-    levels = _solved(sample.level, heavy * square, product / np.maximum(square, 1e-12) - 1, LEVEL_WIDTHS)
+    levels = _solved(sample.level, heavy * square, product / np.maximum(square, 1e-12) - 1, USUAL_LEVELS,
+                     LEVEL_WIDTHS)  # fmt: skip
     part = own * heavy  # of the variance that is noise
     off = _noise_scores(levels, part, heavy, sample, moments)
-    step = _scored(sample.noise, part**2 * moments[:, SHARE], off, now.noise_weights, NOISE_WIDTHS)
+    step = _scored(sample.noise, part**2 * moments[:, SHARE], off, now.noise_weights - USUAL_NOISES, NOISE_WIDTHS)
     noises = now.noise_weights + np.clip(step, -0.5, 0.5)
     noises[0] = np.clip(noises[0], *NOISES)
     return PlaceRelation(weights, spreads, levels, noises)
@@ -226,22 +232,22 @@ def _covariance(terms: Array, told: Array, widths: Array) -> Array:
     return np.asarray(np.linalg.inv(_products(terms, told) + np.diag(1 / widths**2)), dtype=np.float64)
 
 
-def _solved(terms: Array, weight: Array, wanted: Array, widths: Array) -> Array:
-    """Return weights by least squares, those known beforehand to be about 0 with some widths."""
-    return np.asarray(
-        np.linalg.solve(_products(terms, weight) + np.diag(1 / widths**2), _along(terms, weight * wanted))
-    )
+def _solved(terms: Array, weight: Array, wanted: Array, usual: Array, widths: Array) -> Array:
+    """Return weights by least squares, known beforehand to be about the usual ones with some widths."""
+    heavy = _products(terms, weight) + np.diag(1 / widths**2)
+    return np.asarray(np.linalg.solve(heavy, _along(terms, weight * wanted) + usual / widths**2))
 
 
-def _scored(terms: Array, share: Array, off: Array, now: Array, widths: Array) -> Array:
+def _scored(terms: Array, share: Array, off: Array, beside: Array, widths: Array) -> Array:
     """Return the step of weights of a logarithm of a scatter towards the likeliest (scoring).
 
     Parameters
     ----------
     share : part of each variance that hangs on the weights, squared.
     off : squares over what they should be, less 1, times that part.
+    beside : by what the weights differ from the usual ones now.
     """
-    slope = _along(terms, off) - now / widths**2
+    slope = _along(terms, off) - beside / widths**2
     return np.asarray(np.linalg.solve(2 * _products(terms, share) + np.diag(1 / widths**2), slope))
 
 

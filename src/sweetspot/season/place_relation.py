@@ -35,8 +35,24 @@ LEVEL = ("one", "faster", "turned", *FAR)
 NOISE = ("one", *SIX, "attack attack", "turned", "turned either way", *FAR)
 """What each quantity is a sum over; `FAR` is how much further than `GRAZED` a ball was turned up or down, other two
 words are products. See `Circumstances` for their units."""
-USUAL_PLACE, USUAL_SPREAD = 6.5 * INCH, 1.8 * INCH
-"""Before a table is read: middle of the stretch where hits are squared up [statcast], and scatter of contact."""
+USUAL_WEIGHTS = np.array([
+    6.06, -3.02, 1.42, 0.15, 0.39, -0.71, 0.25, 0.27, -0.63, -0.25, 0.40, 0.41, -0.15, -0.08, -0.15, -0.21, -0.07,
+    -0.07,
+]) * INCH  # fmt: skip
+USUAL_SPREADS = np.array([-3.18, -0.43, 0.05, 0.04, 0.07, -0.01, -0.03])
+USUAL_LEVELS = np.array([0.004, -0.019, 0.004, 0.053, -0.114])
+USUAL_NOISES = np.array([-1.05, -0.07, -0.06, 0.04, 0.03, -0.07, 0.05, 0.08, -0.41, 1.63, -0.56, -2.10])
+USUAL_MARGINAL = 5.57 * INCH, 2.74 * INCH
+"""Before a table is read: weights learned from 20,188 tracked balls of the league [sure2026] with the usual ash bat,
+over `PLACE`, `SPREAD`, `LEVEL` and `NOISE`, and mean and standard deviation of all places
+(``python -m tools.held_out --usual`` prints them)."""
+PLACE_WIDTHS = np.array([0.7, 1.0, *[0.3] * 5, *[0.15] * (len(PLACE) - 7)]) * INCH
+SPREAD_WIDTHS = np.array([0.25, *[0.1] * (len(SPREAD) - 1)])
+LEVEL_WIDTHS = np.array([0.02, 0.01, 0.02, 0.05, 0.05])
+NOISE_WIDTHS = np.array([0.3, *[0.1] * (len(NOISE) - 5), *[0.2] * 4])
+"""By what a table's weights may differ from those, standard deviations: players of a league that is as reliable as the
+real one differ by 0.5 in of place (`made_up.LIKE_THE_LEAGUE`), tables of other leagues by more; the rest is judgement.
+Of the level as a part (restitution of balls, and bats that are not as described), of scatters as logarithms."""
 TURNED = 0.7
 """rad by which a ball leaves the bat's path that is hit about 1.4 in over or under the axis."""
 GRAZED, MOST_TURNED = 1.2, 2.2
@@ -136,7 +152,7 @@ class PlaceRelation:
     level_weights: Array
     noise_weights: Array
     bat_speeds: SwingSpeeds = USUAL_SPEEDS
-    marginal: tuple[float, float] = (USUAL_PLACE, USUAL_SPREAD)
+    marginal: tuple[float, float] = USUAL_MARGINAL
     balls: int = 0
     covariance: Array = field(default_factory=lambda: np.zeros((len(PLACE), len(PLACE))))
     spread_covariance: Array = field(default_factory=lambda: np.zeros((len(SPREAD), len(SPREAD))))
@@ -211,13 +227,8 @@ def scatter_of(terms: Array, weights: Array, covariance: Array) -> Array:
     return np.asarray(np.exp(summed(terms, weights) + variance_of(terms, covariance)))
 
 
-def with_usual(first: float, names: tuple[str, ...]) -> Array:
-    """Return weights that are 0 but for the first."""
-    return np.array([first, *np.zeros(len(names) - 1)])
-
-
 UNLEARNT = PlaceRelation(
-    with_usual(USUAL_PLACE, PLACE), with_usual(float(np.log(USUAL_SPREAD)), SPREAD), with_usual(0.0, LEVEL),
-    with_usual(float(np.log(1.0 * MPH)), NOISE),
+    USUAL_WEIGHTS, USUAL_SPREADS, USUAL_LEVELS, USUAL_NOISES, covariance=np.diag(PLACE_WIDTHS**2),
+    spread_covariance=np.diag(SPREAD_WIDTHS**2), noise_covariance=np.diag(NOISE_WIDTHS**2),
 )  # fmt: skip
-"""What stands where a table is too small to learn from."""
+"""What stands where a table is too small to learn from: the league's numbers, and how far others may be from them."""
