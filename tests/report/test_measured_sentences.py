@@ -77,7 +77,10 @@ def test_measurements_that_contradict(tell: Tell) -> None:
         document, READERS, [number for number in others if number == pytest.approx(float(told[1]), abs=5e-5)]
     )
     assert not document.data["consistent"] and "contradict each other" in text
-    assert "comes from: " not in text and "known from" not in text  # nothing is told of a bat
+    assert not any(one in text for one in ("comes from: ", "known from", "the fitted bat"))  # nothing is told of a bat
+    assert not any(document.data[name] for name in ("bat", "unknowns", "budget"))
+    measured = document.data["measurements"]
+    assert {value for one in measured for key, value in one.items() if key.startswith("fitted")} == {None}
 
 
 def test_shares_of_the_doubt_add_up(tell: Tell) -> None:

@@ -55,6 +55,10 @@ def test_a_contradiction_is_named_and_keeps_the_file_back_until_it_is_left_out(c
         "balance point lies" in answer["contradictions"]["us"][0]
         and "in and not 23.05 in" in answer["contradictions"]["us"][1]
     )
+    assert not answer["values"] and not answer["unknowns"] and not answer["budget"]["us"]  # nothing is told of a bat
+    assert {one["fitted"] for one in answer["measurements"]} == {None}
+    described = asked(client)
+    assert answer["fitted"] == described["fitted"] and answer["rules"] == described["rules"]
     refused = client.post("/api/v1/own/file", json=wrong)
     assert refused.status_code == 422 and "contradict" in refused.text
     without = asked(client, **wrong, left_out=["balance point"])

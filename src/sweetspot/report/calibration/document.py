@@ -136,13 +136,16 @@ def _percent(value: Measured) -> Sentence:
 
 
 def _measured(posterior: Posterior) -> Table:
-    rows = [
-        (one.name, measured_words(one.value, SCALE_OF[one.kind][0]), Slot(fitted, *SCALE_OF[one.kind]), f"{pull:+.1f}")
+    """Return the measurements and how far they lie off; what a fitted bat says to them only where they allow one."""
+    agree = not posterior.contradictions
+    rows: list[tuple[Cell, ...]] = [
+        (one.name, measured_words(one.value, SCALE_OF[one.kind][0]),
+         *([Slot(fitted, *SCALE_OF[one.kind])] if agree else []), f"{pull:+.1f}")
         for one, fitted, pull in _rows(posterior)
-    ]
+    ]  # fmt: skip
     columns = [
-        Column("measured"), Column("value", right=True), Column(_kind(posterior, "fitted"), right=True),
-        Column("off by sigma", right=True),
+        Column("measured"), Column("value", right=True),
+        *([Column(_kind(posterior, "fitted"), right=True)] if agree else []), Column("off by sigma", right=True),
     ]  # fmt: skip
     return Table("The measurements", columns, rows)
 
@@ -255,13 +258,14 @@ def source_words(name: str, implement: Implement) -> str:
 
 
 def _data(posterior: Posterior, damping: Measured | None) -> dict[str, Any]:
-    """Return everything that `sweetspot calibrate` knows, SI."""
-    values: dict[str, Value] = {**properties(posterior), **material_values(posterior)}
+    """Return everything that `sweetspot calibrate` knows, SI; nothing of a bat that measurements contradict."""
+    agree = not posterior.contradictions
+    values: dict[str, Value] = {**properties(posterior), **material_values(posterior)} if agree else {}
     units = {name: SCALES[scale].ending for name, (_, scale) in VALUES.items()}
     return cleaned(
         {
             "interval_level": LEVEL,
-            "consistent": not posterior.contradictions,
+            "consistent": agree,
             "contradictions": posterior.contradictions,
             "findings": [str(words) for words in contradictions(posterior)],
             "bat": {
@@ -272,14 +276,17 @@ def _data(posterior: Posterior, damping: Measured | None) -> dict[str, Any]:
                 {"name": one.name, "before_error": one.spread,
                  **measured_json(posterior.deviation(one.name), "deviation", "")}
                 for one in posterior.unknowns
+                if agree
             ],
-            "measurements": [_measurement_data(*row) for row in _rows(posterior)],
-            "budget": {one.name: posterior.budget(one.name) for one in posterior.unknowns},
+            "measurements": [
+                _measurement_data(one, fitted if agree else None, pull) for one, fitted, pull in _rows(posterior)
+            ],
+            "budget": {one.name: posterior.budget(one.name) for one in posterior.unknowns if agree},
         }
     )  # fmt: skip
 
 
-def _measurement_data(one: Measurement, fitted: float, pull: float) -> dict[str, Any]:
+def _measurement_data(one: Measurement, fitted: float | None, pull: float) -> dict[str, Any]:
     ending = SCALES[SCALE_OF[one.kind][0]].ending
     return {
         "name": one.name, **measured_json(one.value, "measured", ending), f"fitted{ending}": fitted,

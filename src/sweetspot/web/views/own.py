@@ -38,16 +38,20 @@ LEAST_SHARE = 0.02
 
 
 def answer(state: OwnState) -> dict[str, Any]:
-    """Return the bat that the measurements allow: values with intervals, residuals, contradictions and rules."""
+    """Return the bat that the measurements allow: values with intervals, residuals, contradictions and rules.
+
+    While measurements contradict each other, nothing is told of a fitted bat: it is the one that was described.
+    """
     own = described(state)
     bat_of(state)
     posterior = posterior_of(state)
+    told = None if posterior is None or posterior.contradictions else posterior
     with about("weighed_oz" if state.balanced_in is None else "balanced_in"):
-        fitted = own if posterior is None else calibrated_bat(posterior, damping_of(state))
+        fitted = own if told is None else calibrated_bat(told, damping_of(state))
     body, described_body = rigid_body(beam_model(fitted)), rigid_body(beam_model(own))
     words = [] if posterior is None else contradictions(posterior)
-    known = {} if posterior is None else properties(posterior)
-    budget = [] if posterior is None else [budget_words(posterior)]
+    known = {} if told is None else properties(told)
+    budget = [] if told is None else [budget_words(told)]
     return {
         "bat": {
             **bat_json(own.name, own.length, described_body), **outline(own),
@@ -57,8 +61,8 @@ def answer(state: OwnState) -> dict[str, Any]:
         | {"moi_6in_half_kg_m2": REACH * moi_doubt(fitted, body, STANDARD_AXIS)},
         "guesses": _guesses(described_body),
         "expected": expected_tones(state),
-        "values": [] if posterior is None else _values(known, posterior, damping_of(state)),
-        "unknowns": [] if posterior is None else _unknowns(posterior),
+        "values": [] if told is None else _values(known, told, damping_of(state)),
+        "unknowns": [] if told is None else _unknowns(told),
         "measurements": _residuals(state, posterior),
         "contradictions": in_both_systems(words),
         "budget": in_both_systems(budget),
@@ -106,18 +110,19 @@ def _source(name: str) -> str:
 
 
 def _residuals(state: OwnState, posterior: Posterior | None) -> list[dict[str, Any]]:
-    """Return every measurement beside what the fitted bat says to it, and how far it lies from all others."""
+    """Return every measurement beside what the fitted bat, if there is one, says to it, and how far it lies off."""
     bat, _ = bat_of(state)
     pulls = {} if posterior is None else dict(zip(posterior.sources, posterior.pulls.tolist(), strict=True))
+    line = beam_of(bat) if posterior is None else posterior.line
+    agree = posterior is None or not posterior.contradictions
     rows = []
     for one in measurements_of(state):
         counts = one.name in pulls
-        line = beam_of(bat) if posterior is None else posterior.line
         scale, digits = SCALE_OF[one.kind]
         rows.append({
             "name": one.name, "scale": scale, "digits": digits, "value": one.value.value,
-            "half": REACH * one.value.error, "fitted": float(predicted(line, [one])[0]), "counts": counts,
-            "sigma": pulls.get(one.name),
+            "half": REACH * one.value.error, "counts": counts,
+            "fitted": float(predicted(line, [one])[0]) if agree else None, "sigma": pulls.get(one.name),
         })  # fmt: skip
     return rows
 

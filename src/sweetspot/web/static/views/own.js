@@ -24,7 +24,7 @@ export const view = {
   ],
 
   mount(root, app) {
-    Object.assign(this, { app, answer: null });
+    Object.assign(this, { app, answer: null, measuredAs: this.measuredAs ?? null }); // stays while other views are open
     this.bench = new Bench(app);
     this.picture = new BatView(app, { label: "The bat" });
     this.picture.element.classList.add("pinned");
@@ -34,13 +34,14 @@ export const view = {
     this.against.setAttribute("role", "alert");
     this.values = make("div", { className: "measured" });
     this.residuals = make("div", { className: "measured" });
+    this.moved = make("p", { className: "note", hidden: true, id: "moved" });
     this.doubt = make("div", { className: "words" });
     this.rules = new Lights("Rules");
     this.said = make("p", { className: "note" });
     this.said.setAttribute("role", "status");
     const section = (/** @type {string} */ title, /** @type {(Node | string)[]} */ ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
     root.append(this.side(app), make("div", { className: "stack" },
-      make("section", { className: "picture" }, this.words, this.picture.element, this.against, this.residuals, this.tools(app), this.said),
+      make("section", { className: "picture" }, this.words, this.picture.element, this.against, this.moved, this.residuals, this.tools(app), this.said),
       section("Tap it", this.tap.element), section("How sure", this.values, this.doubt, this.rules.element)));
     takeDrops(root, SOUND, app.signal, (sounds) => this.tap.add(sounds));
   },
@@ -97,12 +98,22 @@ export const view = {
     this.against.hidden = off.length === 0;
     paragraphs(this.against, off.map((/** @type {string} */ words) => words.replace(/, or --leave-out '[^']*'/, ", or leave it out")));
     this.measurements(answer.measurements);
+    this.otherBat(answer);
     app.afterwards(this.values, () => {
       this.sure(answer);
       this.light(answer.rules);
     });
     for (const one of this.bringers) one.disabled = !answer.values.length || off.length > 0;
     this.say(answer);
+  },
+
+  // Measurements are of the bat in hand, whatever it is described by; when that changes, it is said and they can go.
+  /** @param {Answer} given */
+  otherBat({ bat, measurements }) {
+    this.measuredAs = measurements.length ? this.measuredAs ?? bat.name : null;
+    const other = this.measuredAs !== null && this.measuredAs !== bat.name;
+    this.moved.textContent = other ? `Measured while the bat was described as ${this.measuredAs}; it all counts for ${bat.name} now. If that is another bat, press Nothing measured.` : "";
+    this.moved.hidden = !other;
   },
 
   /** @param {Answer[]} rows */
@@ -114,8 +125,10 @@ export const view = {
       return;
     }
     const show = (/** @type {Answer} */ one, /** @type {number} */ value) => app.text(one.scale, value, one.digits);
-    const box = tableOf("What was measured, and what the bat that fits all of it says", ["Measured", "value (90 %)", "the fitted bat", "off by", ""], rows.map((one) => [
-      one.name, `${show(one, one.value)} ± ${show(one, one.half)}`, show(one, one.fitted),
+    const agree = rows.every(({ fitted }) => fitted !== null);
+    const [title, heads] = agree ? ["What was measured, and what the bat that fits all of it says", ["the fitted bat"]] : ["What was measured; no bat fits all of it", []];
+    const box = tableOf(title, ["Measured", "value (90 %)", ...heads, "off by", ""], rows.map((one) => [
+      one.name, `${show(one, one.value)} ± ${show(one, one.half)}`, ...(agree ? [show(one, one.fitted)] : []),
       one.counts ? { text: `${one.sigma >= 0 ? "+" : "−"}${Math.abs(one.sigma).toFixed(1)} sigma`, className: Math.abs(one.sigma) > 3 ? "bad" : "" } : "left out", ""]));
     box.querySelectorAll("tbody tr").forEach((row, i) => {
       const { name, counts } = rows[i];
@@ -128,10 +141,11 @@ export const view = {
 
   // What is known now, and beside it how the intervals have shrunk.
   /** @param {Answer} given */
-  sure({ values, unknowns, budget }) {
+  sure({ values, unknowns, budget, contradictions }) {
     const { app } = this;
     const told = values.length ? [tableOf("The bat, with 90 % intervals", ["", "value", "known from"], values.map((/** @type {{ label: string, scale: string, value: number, half: number, known_from: string }} */ { label, scale, value, half, known_from: from }) => (
-      [label, `${app.text(scale, value, DIGITS[scale])} ± ${app.text(scale, half, DIGITS[scale])}`, from])))] : [make("p", { className: "note", textContent: "What the catalogue knows of such wood or metal is all that is known so far." })];
+      [label, `${app.text(scale, value, DIGITS[scale])} ± ${app.text(scale, half, DIGITS[scale])}`, from])))] : [make("p", { className: "note", textContent: contradictions.us.length ? "Nothing is told of the bat while its measurements contradict each other; the rules below are held against it as described."
+      : "What the catalogue knows of such wood or metal is all that is known so far." })];
     if (unknowns.length) {
       const share = (/** @type {Answer} */ part) => app.text("share", part, 1);
       const box = tableOf("What was not known: 90 % intervals before and now", ["", "before", "now", "off the description", "what is left comes from"], unknowns.map((/** @type {Answer} */ one) => [
@@ -162,7 +176,7 @@ export const view = {
     const { app } = this;
     const moi = values.find((/** @type {{ name: string }} */ { name }) => name === "moi");
     const swing = withDoubt("moi_kg_m2", fitted.moi_6in_kg_m2, moi?.half ?? fitted.moi_6in_half_kg_m2, app);
-    const state = contradictions.us.length ? "The measurements contradict each other. " : measurements.length ? "The measurements agree. " : "As described, not measured: ";
+    const state = contradictions.us.length ? "The measurements contradict each other. As described: " : measurements.length ? "The measurements agree. " : "As described, not measured: ";
     const words = `${state}${app.text("mass_kg", fitted.mass_kg)}, balance ${app.text("balance_point_m", fitted.balance_point_m, 1)} from the knob, swing weight ${swing}.`;
     tell(this.words, words);
     app.announce(words);
