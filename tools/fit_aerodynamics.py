@@ -54,8 +54,8 @@ KRPM = 1000 * RPM
 BOOTSTRAPS = 40
 STEPS = {"roof": 0.004, "open": 0.004, "backspin": 40.0, "opposite": 4.0, "hook": 10.0, "slice": 10.0}
 ROUNDS = 6
-COVERED = 4.5 / 30
-"""Part of games under a closed roof: of thirty parks one has a fixed one, seven one that is taken as half closed."""
+COVERED = float(np.mean([park.covered for park in catalog.parks()]))
+"""Part of games under a closed roof."""
 
 
 @dataclass(frozen=True)
@@ -347,23 +347,19 @@ def fit_scatter(hits: Hits, level: Level) -> None:
     even = np.array([int(game) % 2 == 0 for game in hits.game])
     known = np.abs(hits.bearing) < FAIR
     halves = (("all games", known), ("even games", known & even), ("odd games", known & ~even))
-    groups = {
-        f"{where}, {name}": rows & half
-        for where, rows in (("roof", hits.roof), ("open", ~hits.roof))
-        for name, half in halves
-    }
-    best = dict.fromkeys(groups, (np.inf, 0.0, 0.0))
+    sides = ("roof", hits.roof), ("open", ~hits.roof)
+    best = {(where, name): (np.inf, 0.0, 0.0) for where, _ in sides for name, _ in halves}
     for spread in (0.045, 0.055, 0.065, 0.075, 0.085):
-        for shift in np.arange(-0.04, 0.06, 0.005):
-            scatter = Scatter(roof=spread, open=spread, roof_shift=float(shift), open_shift=float(shift))
-            missed = (chances(hits, level, scatter) - hits.home_run) ** 2
-            best = {
-                name: min(best[name], (float(missed[rows].mean()), spread, float(shift)))
-                for name, rows in groups.items()
-            }
-    for name, (score, spread, shift) in best.items():
+        for shift in np.arange(-0.04, 0.06, 0.005).tolist():
+            for where, rows in sides:
+                scatter = replace(USUAL, **{where: spread, f"{where}_shift": shift})
+                missed = (chances(hits, level, scatter) - hits.home_run) ** 2
+                for name, half in halves:
+                    best[where, name] = min(best[where, name], (float(missed[rows & half].mean()), spread, shift))
+    for (where, name), (score, spread, shift) in best.items():
         print(
-            f"home runs, {name}: Brier {score:.4f} by scatter {spread:.3f}, shift {shift:+.3f} of the drag coefficient"
+            f"home runs, {where}, {name}: Brier {score:.4f} by scatter {spread:.3f}, shift {shift:+.3f} "
+            "of the drag coefficient"
         )
 
 

@@ -41,7 +41,7 @@ def test_every_fact_has_a_source_a_kind_and_a_year(key: str) -> None:
     assert set(fence) - SPREAD_KEYS == FENCE_KEYS
     assert 2015 <= fence["year"] <= 2026 and fence["kind"] == "measured"
     found = all_records(entry, key)
-    assert {record.name for record in found} == {f"{key}.roof", f"{key}.elevation"}
+    assert {record.name for record in found} == {f"{key}.covered", f"{key}.elevation"}
     assert {fence["source"], *(record.source for record in found)} <= set(references.keys())
     assert all(record.kind == "specified" and record.where for record in found)
 
@@ -101,7 +101,7 @@ def test_fences_of_parks_that_were_left_are_those_of_the_source(key: str) -> Non
     entry, park = FORMER[key], catalog.park(key)
     source = [row for row in rows("mlb_fences_1deg_distance_height.csv.gz") if row["venue_name_short"] == park.name]
     assert len(source) == 91 and entry["from"] <= entry["until"] and entry["fence"]["source"] == "jso8910_fences"
-    assert {entry[fact]["source"] for fact in ("roof", "elevation")} <= set(references.keys())
+    assert {entry[fact]["source"] for fact in ("covered", "elevation")} <= set(references.keys())
     far, high = fence_at(park, np.radians([float(row["angle"]) for row in source]))
     assert np.abs(far / FOOT - column(source, "fence_distance")).max() <= 2.5
     assert np.abs(high / FOOT - column(source, "fence_height")).max() <= 0.65
@@ -189,7 +189,7 @@ def test_elevation_roof_and_posted_lines() -> None:
     for row in here:
         park = catalog.park(row["team_name"])
         assert park.elevation == pytest.approx(float(row["elevation"]) * FOOT)
-        assert park.roof == {0.0: "open", 1.0: "fixed"}.get(float(row["roof"]), "retractable")
+        assert park.covered == float(row["roof"])
         for side, column_name in ((-1, "left_field"), (1, "right_field")):
             assert abs(park.distance_at(side * math.pi / 4) / FOOT - float(row[column_name])) <= 6.0
 

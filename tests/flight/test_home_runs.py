@@ -130,3 +130,13 @@ def test_balls_hit_alike_come_down_apart() -> None:
     through = FlightConditions(ball=BALL, aerodynamics=LAW, air=AIR)
     assert carry_spread(hit, through) / FOOT == pytest.approx(13.5, abs=3)
     assert carry_spread(hit, through, drag_scatter=0.0, spin_scatter=0.0) == 0.0
+
+
+def test_a_roof_that_moves_counts_by_its_own_games() -> None:
+    """Definition: half a fixed roof in the games it is closed; none and a fixed one are the ends."""
+    usual = Scatter()
+    shift = {park.name: usual.of(park)[0] for park in PARKS}
+    assert shift["Fenway Park"] == usual.open_shift and shift["Tropicana Field"] == usual.roof_shift
+    span = usual.open_shift - usual.roof_shift
+    for name, share in (("T-Mobile Park", 0.16), ("Rogers Centre", 0.37), ("Daikin Park", 0.99)):
+        assert shift[name] == pytest.approx(usual.open_shift - share / 2 * span)

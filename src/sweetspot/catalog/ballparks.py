@@ -124,7 +124,7 @@ def _field(key: str) -> Park:
         middle * math.cos(turn) + math.sqrt((centre - middle) ** 2 - (middle * math.sin(turn)) ** 2) for turn in turns
     ]
     return Park(
-        name=field["name"], team=field["league"], city="", elevation=0.0, roof="open",
+        name=field["name"], team=field["league"], city="", elevation=0.0,
         fence=tuple((turn, distance, high) for turn, distance in zip(turns, far, strict=True)),
     )  # fmt: skip
 
@@ -144,6 +144,6 @@ def _park(entry: dict[str, Any]) -> Park:
         team=entry["team"],
         city=entry["city"],
         elevation=elevation,
-        roof=unwrapped(entry["roof"]),
+        covered=unwrapped(entry["covered"]),
         fence=tuple((float(direction), float(far), float(high)) for direction, far, high in vertices),
     )

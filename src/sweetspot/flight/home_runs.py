@@ -37,18 +37,20 @@ class Scatter:
 
     Parameters
     ----------
-    roof, open : standard deviation under a fixed roof and in the open; a roof that moves lies in between.
+    roof, open : standard deviation under a roof that never opens and in the open.
     roof_shift, open_shift : what balls near the fence have more of there than the law says; see docs/theory/flight.md.
+    closed : how much of a fixed roof is a closed one that moves; see docs/theory/parks.md.
     """
 
     roof: float = 0.055
     open: float = 0.065
     roof_shift: float = -0.020
     open_shift: float = 0.030
+    closed: float = 0.5
 
     def of(self, park: Park) -> tuple[float, float]:
         """Return shift and standard deviation in a park."""
-        covered = {"open": 0.0, "retractable": 0.5, "fixed": 1.0}[park.roof]
+        covered = park.covered * (self.closed if park.roof == "retractable" else 1.0)
         return (
             covered * self.roof_shift + (1 - covered) * self.open_shift,
             covered * self.roof + (1 - covered) * self.open,

@@ -12,7 +12,7 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
-from pydantic import model_validator
+from pydantic import Field, model_validator
 
 from sweetspot.equipment.base import Validated
 from sweetspot.errors import InputError
@@ -36,7 +36,7 @@ class Park(Validated):
     name : what people call it.
     team, city : whose it is and where.
     elevation : m above sea level.
-    roof : "open" (none), "retractable" or "fixed".
+    covered : share of games under a closed roof, 0 (none) to 1 (a fixed one).
     fence : (direction, distance, height) of its vertices, rad, m, m, from the left foul line to the right one.
 
     Raises
@@ -53,7 +53,7 @@ class Park(Validated):
     team: str = ""
     city: str = ""
     elevation: float = 0.0
-    roof: Roof = "open"
+    covered: float = Field(default=0.0, ge=0.0, le=1.0)
     fence: tuple[tuple[float, float, float], ...]
 
     @model_validator(mode="after")
@@ -75,6 +75,11 @@ class Park(Validated):
                     f"{NEAREST_FENCE:g} to {FARTHEST_FENCE:g} m away and no negative height"
                 )
         return self
+
+    @property
+    def roof(self) -> Roof:
+        """Return what there is of a roof, "open" where there is none."""
+        return "open" if self.covered == 0 else "fixed" if self.covered == 1 else "retractable"
 
     def distance_at(self, direction: float) -> float:
         """Return how far the fence is in m; raises `InputError` for a direction in foul territory."""
