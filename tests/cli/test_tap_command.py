@@ -34,7 +34,7 @@ def test_there_and_back(run_json: Callable[..., Any], sound: str, tmp_path: Path
     assert json.loads((out / "tap.json").read_text()) == found
 
 
-@pytest.mark.parametrize("sizes", ["500mm x 40mm x 10mm", "50 \u00d7 4.0 \u00d7 1.0 cm"])
+@pytest.mark.parametrize("sizes", ["500mm x 40mm x 10mm", "50 \u00d7 4.0 \u00d7 1.0 cm", "500mm,40mm,10mm"])
 def test_a_bar_of_sizes(run: Run, sound: str, sizes: str) -> None:
     """The sound of a bat taken for a bar's still goes the whole way; its first tone counts as the bar's."""
     code, out, _ = run("tap", sound, "--bar", sizes, "--mass", "0.14kg±1g", "--units", "si")
@@ -42,6 +42,14 @@ def test_a_bar_of_sizes(run: Run, sound: str, sizes: str) -> None:
     assert "3 of 3 taps used" in out
     assert "700 ± " in out  # kg/m^3: 0.14 kg / (0.5 x 0.04 x 0.01) m^3
     assert "What the doubt about E comes from: thickness" in out
+    assert "1.000in" in out  # how a finer size is written
+
+
+def test_the_sound_of_something_else_is_hardly_this_bat(run: Run, sound: str) -> None:
+    """A youth bat rings nowhere near the two lowest modes of a golf club."""
+    code, out, _ = run("tap", sound, "--bat", "golf-driver")
+    assert code == 0 and "Neither of the two lowest" in " ".join(out.split())
+    assert "Neither of" not in run("tap", sound, "--bat", "youth-30")[1]
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sweetspot.calibration.bar import Bar, BarModulus, bar_modulus
-from sweetspot.calibration.naming import Expected, NamedTone, any_bat, expected_of, named, uniform_bar, wants_a_mode
+from sweetspot.calibration.naming import (
+    SILENT,
+    Expected,
+    NamedTone,
+    any_bat,
+    expected_of,
+    named,
+    uniform_bar,
+    wants_a_mode,
+)
 from sweetspot.calibration.recording import BAT_BAND, Band, Recording
 from sweetspot.calibration.ring import tones_of
 from sweetspot.calibration.tap_faults import HELD
@@ -16,6 +25,8 @@ from sweetspot.errors import InputError
 
 FAMILIES: tuple[Family, ...] = ("bending", "hoop")
 """Those that a microphone hears."""
+LOWEST = 2
+"""Bending modes of which a free bat rings at least one wherever it is tapped."""
 
 
 @dataclass(frozen=True)
@@ -41,6 +52,26 @@ class TapTest:
     def good(self) -> tuple[Tap, ...]:
         """The taps that were used."""
         return tuple(tap for tap in self.taps if tap.good)
+
+    @property
+    def unheard(self) -> tuple[float, ...]:
+        """Hz of the two lowest bending modes as described; nothing where one was heard, or none was to be expected.
+
+        Both are to be expected where the tap moves both and other tones have names.
+        """
+        names = {one.name for one in self.tones if one.name}
+        lowest = [
+            (name, float(frequency), part)
+            for one in self.expected
+            for name, frequency, part in zip(one.names, one.frequency, one.excitation, strict=True)
+            if name.family == "bending" and name.harmonic <= LOWEST
+        ]
+        known = len(lowest) == LOWEST and all(part > SILENT for _, _, part in lowest)
+        return (
+            tuple(frequency for _, frequency, _ in lowest)
+            if known and self.bar is None and names and not names & {name for name, _, _ in lowest}
+            else ()
+        )
 
 
 def tap_test(

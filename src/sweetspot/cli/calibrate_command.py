@@ -153,6 +153,7 @@ def _tapped(own: Implement, recordings: list[Path], at: list[str]) -> tuple[list
     from sweetspot.calibration.recording import read_recording
     from sweetspot.calibration.tap_analysis import tap_test
     from sweetspot.cli.tap_command import modes_to_name, tap_places, usual_band, usual_held
+    from sweetspot.report.tap.document import unlike_words
 
     if not recordings:
         if at:
@@ -161,6 +162,8 @@ def _tapped(own: Implement, recordings: list[Path], at: list[str]) -> tuple[list
     sounds = [read_recording(path) for path in recordings]
     modes = modes_to_name(own)
     test = tap_test(sounds, modes=modes, positions=tap_places(own, at), band=usual_band(modes), held=usual_held(modes))
+    if test.unheard:
+        raise InputError(f"{unlike_words(test)} Give the bat that was tapped, or name tones yourself with --tone")
     bending = [one.tone.damping_ratio for one in test.tones if one.name and one.name.family == "bending"]
     if not bending:
         raise InputError(

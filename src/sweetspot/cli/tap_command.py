@@ -187,6 +187,8 @@ def _bar(sizes: str | None, mass: str | None) -> Bar | None:
     if sizes is None or mass is None:
         raise InputError("a bar needs both --bar and --mass; give its sizes and its weight")
     parts = re.split(r"\s*[x\u00d7*]\s*|,\s+", sizes.strip().lower())
+    if len(parts) == 1:  # commas without spaces: not of decimals
+        parts = parts[0].split(",")
     if len(parts) != 3:
         raise InputError(f"--bar was given as {sizes!r}; write length x width x thickness: 114.36mm x 25.44mm x 3.12mm")
     unit = re.sub(r"^[^a-z]*", "", parts[2])  # said once, it counts for all three

@@ -66,7 +66,10 @@ def calibration_document(posterior: Posterior, damping: Measured | None) -> Docu
         blocks.append(_measured(posterior))
     else:
         blocks += [_values(posterior, damping), _unknowns(posterior), _measured(posterior)]
-        blocks += [Paragraph(words) for words in (budget_words(posterior), *density_words(posterior))]
+        blocks += [
+            Paragraph(words)
+            for words in (budget_words(posterior), *density_words(posterior), *supposed_words(posterior))
+        ]
     blocks.append(Paragraph(sigma, "note"))
     own = posterior.line.bat
     return Document(
@@ -186,7 +189,7 @@ def contradictions(posterior: Posterior) -> list[Sentence]:
                 bat=sport(posterior.line.bat.sport).words.implement,
             )
         )
-    return words
+    return [*words, *supposed_words(posterior)]
 
 
 def _rows(posterior: Posterior) -> list[tuple[Measurement, float, float]]:
@@ -218,6 +221,20 @@ def budget_words(posterior: Posterior) -> Sentence:
         gain = posterior.gains[0][names.index("expected handle")] / posterior.unknowns[index].spread
         words.append(say("A handle 1 % thinner than drawn would raise E by {gain} %.", gain=f"{abs(gain):.1f}"))
     return joined(words)
+
+
+def supposed_words(posterior: Posterior) -> list[Sentence]:
+    """Return in words that a turned bat is taken as solid; measurements on its outside do not show what is within."""
+    own = posterior.line.bat
+    if not isinstance(own, Bat) or own.material.family != "wood" or own.shell is not None:
+        return []
+    return [
+        say(
+            "Supposed is a bat of {material}, solid but for what the drawing says. A corked, bamboo, laminated or "
+            "composite one may agree all the same and hits otherwise: describe it as what it is.",
+            material=own.made_of,
+        )
+    ]  # fmt: skip
 
 
 def density_words(posterior: Posterior) -> list[Sentence]:

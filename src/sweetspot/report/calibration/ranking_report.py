@@ -40,13 +40,18 @@ def ranking_document(ranking: Ranking, *, model: Implement) -> Document:
         Column("E off" if wooden else "stiffness off", "share", digits=1, sign=True),
         Column("differs in"),
     ]  # fmt: skip
-    blocks: list[Block] = [Paragraph(ranking_words(ranking, of_bats=wooden))]
+    blocks: list[Block] = []
     for one in ranking.bats:
         off = ", ".join(
             f"{source_words(name, model)} lies {abs(pull):.1f} sigma off" for name, pull in one.contradictions.items()
         )
         if off:
-            blocks.append(Paragraph(f"{one.name}: {off}; measure again, or check the drawing.", "warning"))
+            blocks.append(
+                Paragraph(
+                    f"{one.name}: {off}; its place here means nothing. Measure again, or check the drawing.", "warning"
+                )
+            )
+    blocks.append(Paragraph(ranking_words(ranking, of_bats=wooden)))
     blocks.append(Table(f"The {words.implement}s", columns, rows))
     blocks.append(
         Paragraph(

@@ -16,6 +16,10 @@ from sweetspot.report.quantities import NOTHING
 from sweetspot.report.sentences import Sentence, Slot, joined, say
 
 LEAST_SHARE = 0.005
+SIZES = ("length", "width", "thickness", "mass")
+"""Of a bar, whose error is what people write."""
+COARSE = 0.05
+"""One sigma over E from which on a hint how to give finer sizes helps: metals differ by more, woods' means do not."""
 ROOMS = (
     "room's?: a tone that the room may have added, or the same mode in another plane; another within 10 % holds more "
     "energy, or it holds less than a thousandth of the greatest."
@@ -35,9 +39,11 @@ def tap_document(test: TapTest, title: str) -> Document:
                 "warning",
             )
         )
+    if test.unheard:
+        blocks.append(Paragraph(unlike_words(test), "warning"))
     blocks.append(_tones(test))
     if test.bar is not None:
-        blocks += [_bar(test.bar), Paragraph(_budget(test.bar))]
+        blocks += [_bar(test.bar), Paragraph(_budget(test.bar)), *(Paragraph(words) for words in _finer(test.bar))]
     level = say(
         "Plus or minus: {level} intervals. Level: loudness over the loudest tone's.", level=Slot(LEVEL, "share")
     )
@@ -102,6 +108,28 @@ def _budget(bar: BarModulus) -> Sentence:
     told = (say("{name} {share}", name=name, share=Slot(share, "share")) for name, share in ranked
             if share >= LEAST_SHARE)  # fmt: skip
     return say("What the doubt about E comes from: {shares}.", shares=joined(told, ", "))
+
+
+def _finer(bar: BarModulus) -> list[Sentence]:
+    """Return in words how a finer size is given; nothing where the tones leave most of the doubt."""
+    source = max(bar.budget, key=lambda name: bar.budget[name])
+    if source not in SIZES or bar.modulus.relative < COARSE:
+        return []
+    return [
+        say(
+            "Most of it is the {source}. Without ± a size counts to one unit of its last digit, 1in as 1in ± 1in: "
+            "measure it more finely and write so, 1.000in or 1in±0.001in.", source=source,
+        )
+    ]  # fmt: skip
+
+
+def unlike_words(test: TapTest) -> Sentence:
+    """Return in words that what rang is hardly what was described."""
+    return say(
+        "Neither of the two lowest bending modes, described at {first} and {second}, was heard: what rang is hardly "
+        "this, or the band leaves them out. The names of the other tones may be chance.",
+        first=Slot(test.unheard[0], "frequency", 0).bare, second=Slot(test.unheard[1], "frequency", 0),
+    )  # fmt: skip
 
 
 def _drawn(test: TapTest, title: str) -> Any:
