@@ -165,8 +165,13 @@ def _bats(season: Season) -> str:
     return names[0] if len(names) == 1 else f"{len(names)} bats"
 
 
+def _nearer_the_tip(relation: PlaceRelation) -> float:
+    """Return by how much nearer the tip a pitch is met that is a foot further outside, m."""
+    return -float(relation.weights[1]) * FOOT / 0.3
+
+
 def _relation(relation: PlaceRelation) -> Sentence:
-    towards_tip = -relation.weights[1] * FOOT / 0.3
+    towards_tip = _nearer_the_tip(relation)
     return say(
         "Learnt from {balls} swings: the ball is met {mean} from the tip on average, scattering by {spread} about what "
         "the pitch's place says; a pitch {further} further outside is met {slope} {way} the tip; exit speeds are "
@@ -290,7 +295,7 @@ def season_json(report: SeasonReport) -> dict[str, Any]:
         "warnings": [{"name": one.name, "file": str(survey.tables[one.table].path), "rows": one.count,
                       "first_rows": one.rows, "detail": one.detail} for one in survey.warnings],
         "untracked": None if report.untracked is None else asdict(report.untracked),
-        "places": None if contact is None else asdict(contact.relation),
+        "places": None if contact is None else _places(contact.relation),
         "surfaces": [] if contact is None else [
             {"bat": surface.bat.name, "speed_error_m_s": surface.speed_error, "angle_error_rad": surface.angle_error}
             for surface in (*contact.surfaces, *(other.surface for other in contact.others))
@@ -301,6 +306,11 @@ def season_json(report: SeasonReport) -> dict[str, Any]:
                     for key, one in report.standings.items()},
         "cannot_tell": list(CANNOT),
     })  # fmt: skip
+
+
+def _places(relation: PlaceRelation) -> dict[str, Any]:
+    outside = {"outside_m": FOOT, "nearer_the_tip_m": _nearer_the_tip(relation)}
+    return asdict(relation) | {"spread_m": relation.spread, "noise_m_s": relation.noise, "a_pitch_outside": outside}
 
 
 def _drawn(report: SeasonReport, reading: Reader) -> Any:
