@@ -53,20 +53,20 @@ def test_a_question_is_answered_under_its_number(server: str, client: httpx.Clie
 def test_the_latest_question_wins(server: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """A burst is not answered one by one: what was overtaken while it waited is left out."""
     last, taken, all_taken = 60, socket._Conversation._take, threading.Event()
-    answer_json = answers.answer_json
+    answer = answers.Answers.json
 
     async def take(self: socket._Conversation, text: str | None) -> None:
         await taken(self, text)
         if f'"id": {last},' in str(text):
             all_taken.set()
 
-    def answered(*question: Any) -> bytes:
-        all_taken.wait(LATE)
-        return answer_json(*question)
+    async def answered(self: answers.Answers, *question: Any) -> bytes:
+        await asyncio.to_thread(all_taken.wait, LATE)
+        return await answer(self, *question)
 
     monkeypatch.setattr(socket._Conversation, "_take", take)
     with talking(server) as line:
-        monkeypatch.setattr(answers, "answer_json", answered)
+        monkeypatch.setattr(answers.Answers, "json", answered)
         for number in range(1, last + 1):
             state = {"pitch_speed_mph": 50 + number / 2}
             line.send(json.dumps({"id": number, "view": "explorer", "state": state}))
