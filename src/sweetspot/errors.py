@@ -24,6 +24,10 @@ class InputError(SweetspotError, ValueError):
     """
 
 
+class UnwritableError(SweetspotError):
+    """What was computed cannot be kept: a disk is full, or a folder takes nothing. Nothing given is at fault."""
+
+
 class UnusualWarning(UserWarning):
     """What was given can be computed and is like nothing in its sport; probably a unit is wrong."""
 

@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+from datetime import date
+from pathlib import Path
+
+import polars as pl
 import pytest
+from polars.testing import assert_frame_equal
 
 from sweetspot.errors import InputError
 from sweetspot.season.headings import headings_of, quantities
+from sweetspot.season.season_table import analyse_season, season_columns, season_setting
+from tests.season.conftest import made_up
 
 STATCAST_36 = [
     "game_date",
@@ -127,3 +134,56 @@ def test_a_person_may_say_what_a_column_is() -> None:
 def test_every_quantity_has_a_name_that_people_may_use() -> None:
     for name, entry in quantities().items():
         assert entry["kind"] and ("plain" in entry or "statcast" in entry), name
+
+
+def trackman() -> pl.DataFrame:
+    """Return a table by Trackman's names; its dates begin with the month."""
+    made = made_up()
+    return made.select(
+        PitchNo="pitch_number", Date=pl.col("game_date").str.to_date().dt.strftime("%m/%d/%Y"), GameID="game_pk",
+        BatterId="batter", BatterSide=pl.col("stand").replace({"L": "Left", "R": "Right"}), PitchCall=pl.lit("InPlay"),
+        ExitSpeed="launch_speed", Angle="launch_angle", Direction=pl.col("hc_x") - 125.0, RelSpeed="release_speed",
+        PlateLocSide="plate_x", PlateLocHeight="plate_z", BatSpeed="bat_speed",
+    )  # fmt: skip
+
+
+def by_hand() -> pl.DataFrame:
+    """Return a table whose headings carry their units; its dates begin with the day."""
+    return made_up().select(
+        "stand", pl.col("game_date").str.to_date().dt.strftime("%d/%m/%Y").alias("Date"), "home_team", "batter",
+        (pl.col("launch_speed") * 1.609344).round(1).alias("Exit Velocity [km/h]"),
+        pl.col("launch_angle").alias("Launch Angle (deg)"), pl.col("hc_y").alias("hc_y"), pl.col("hc_x"),
+        (pl.col("bat_speed") * 0.44704).round(2).alias("bat_speed_m_s"),
+    )  # fmt: skip
+
+
+DAY_FIRST = pl.col("game_date").str.to_date().dt.strftime("%d/%m/%Y")
+TABLES = {
+    "Statcast": (made_up(), "game_date"),
+    "Trackman": (trackman(), "Date"),
+    "plain, with units": (by_hand(), "Date"),
+    "days first": (made_up(year=2026).with_columns(game_date=DAY_FIRST), "game_date"),
+    "days first, as categories": (
+        made_up(year=2026).with_columns(game_date=DAY_FIRST.cast(pl.Categorical)), "game_date"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("which", TABLES)
+@pytest.mark.parametrize("name", ["table.csv", "table.parquet"])
+def test_a_frame_is_understood_as_the_same_table_in_a_file(which: str, name: str, tmp_path: Path) -> None:
+    """What a ball is told hangs on its day: the park of that year, the plate's edge that its place is given at."""
+    frame, dates = TABLES[which]
+    path = tmp_path / name
+    frame.write_csv(path) if name.endswith("csv") else frame.write_parquet(path)
+    season = analyse_season([path], folder=tmp_path / "out")
+    filed = season.balls().collect().drop("table", "table_row")
+    for given in (frame, frame.lazy()):
+        framed = season_columns(given, setting=season.setting).collect()
+        assert_frame_equal(framed, filed.cast({dates: framed.schema[dates]}), check_dtypes=False)
+    assert season.survey.days[0] is not None and season.survey.days[0][1].month == date(2024, 8, 1).month
+
+
+def test_a_frame_that_holds_lists_is_refused_as_a_file_is() -> None:
+    nested = made_up().with_columns(launch_speed=pl.concat_list("launch_speed"))
+    with pytest.raises(InputError, match="column launch_speed holds List"):
+        season_columns(nested, setting=season_setting(contact=False))

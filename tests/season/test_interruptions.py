@@ -175,6 +175,22 @@ def test_a_full_disk_keeps_what_is_done(
     assert files_of(tmp_path) == whole
 
 
+def test_no_room_for_the_copy_of_a_csv_file_is_not_the_file_s_fault(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Said in one line, whichever of several tables it is; nothing of the copies is left to fill the disk."""
+    tables, out = [tmp_path / "small.csv", tmp_path / "large.csv"], tmp_path / "out"
+    made_up(30).write_csv(tables[0])
+    made_up(3000).write_csv(tables[1])
+    with full_disk(100_000):
+        assert season(*tables, "--out", out) == 2
+    said = capsys.readouterr().err.splitlines()
+    assert len(said) == 1 and said[0].startswith(f"sweetspot: {tables[1]} is copied to {out}"), said
+    assert "cannot be written: file too large; make room" in said[0]
+    assert not list(out.iterdir())
+    assert season(*tables, "--out", out) == 0
+
+
 def test_a_disk_that_is_really_full_keeps_what_is_done(
     months: list[Path], whole: dict[str, str], tmp_path: Path
 ) -> None:

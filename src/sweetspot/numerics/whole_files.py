@@ -8,6 +8,7 @@ from one under way; a process number would tell neither of another machine nor o
 from __future__ import annotations
 
 import os
+import re
 import secrets
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -44,6 +45,17 @@ def written_whole(path: Path) -> Iterator[BinaryIO]:
     finally:
         with suppress(OSError):
             waiting.unlink(missing_ok=True)
+
+
+def refusal(error: BaseException) -> tuple[int, str] | None:
+    """Return number and words of what the system refused, also where another library tells of it; else None.
+
+    >>> refusal(ValueError("underlying IO error: No space left on device (os error 28)"))
+    (28, 'no space left on device')
+    """
+    told = re.search(r"\(os error (\d+)\)", str(error))
+    number = int(told[1]) if told else getattr(error, "errno", None)
+    return None if number is None else (number, os.strerror(number).lower())
 
 
 def _opened(path: Path) -> tuple[Path, BinaryIO]:

@@ -9,8 +9,6 @@ from __future__ import annotations
 
 import hashlib
 import json
-import os
-import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -21,7 +19,7 @@ import polars as pl
 from numpy.typing import NDArray
 
 from sweetspot.errors import InputError
-from sweetspot.numerics.whole_files import sweep, written_whole
+from sweetspot.numerics.whole_files import refusal, sweep, written_whole
 from sweetspot.season.answers import SeasonSetting, answer_columns, answers_of
 from sweetspot.season.counted import counted_rows
 from sweetspot.season.duplicates import with_duplicates
@@ -163,9 +161,8 @@ def _write(frame: pl.DataFrame, path: Path, plan: Plan) -> None:
                 file, compression="lz4", metadata={MARK: json.dumps({"plan": plan.fingerprint, "rows": len(frame)})}
             )
     except (pl.exceptions.PolarsError, OSError) as error:
-        told = re.search(r"\(os error (\d+)\)", str(error))
-        reason = os.strerror(int(told[1])) if told else getattr(error, "strerror", None) or str(error)
-        reason = reason.lower()
+        refused = refusal(error)
+        reason = refused[1] if refused else str(error).lower()
         raise InputError(f"{path} cannot be written: {reason}; make room, and go on with --resume") from None
 
 

@@ -29,12 +29,12 @@ from sweetspot.season.bat_surface import surface_of
 from sweetspot.season.contact import LEARNT_FROM, ContactSetting, OtherBat, learnt
 from sweetspot.season.duplicates import with_duplicates
 from sweetspot.season.flight_columns import FlightSetting
-from sweetspot.season.headings import headings_of
 from sweetspot.season.output_columns import System
 from sweetspot.season.place_relation import PlaceRelation
 from sweetspot.season.plan import BALLS, COUNTED, LEDGER, Plan, do_task, plan_fingerprint, reader_of, serial, sweep_plan
 from sweetspot.season.rows import DATED, REASONED, REASONS, SIDED, USED, rows_of
 from sweetspot.season.survey import Survey, survey_tables
+from sweetspot.season.table_file import frame_headings
 from sweetspot.season.table_parts import PART, parts
 
 Progress = Callable[[int, int], None]
@@ -166,18 +166,16 @@ def analyse_season(
     ------
     InputError
         when none of the tables can be read, or none holds a ball in play.
+    UnwritableError
+        when there is no room for the copy of a CSV file.
     """
     staging = folder / ".tables"
-    survey = survey_tables([Path(path) for path in paths], staging=staging, given=given)
-    if not survey.tables:
-        raise InputError(survey.faults[0][1] if survey.faults else "no table was given; give CSV or Parquet files")
-    if not any(counts[USED] for counts in survey.counts):
-        why = (f"{sum(one[reason] for one in survey.counts)} {reason} ({words})" for reason, words in REASONS.items())
-        raise InputError(
-            f"{survey.tables[0].path}: none of {survey.rows} rows is a ball in play with an exit speed: "
-            f"{'; '.join(one for one in why if not one.startswith('0 '))}{_unread(survey)}. Look at its columns with "
-            "--show-columns"
-        )
+    try:
+        survey = survey_tables([Path(path) for path in paths], staging=staging, given=given)
+        _require_balls(survey)
+    except BaseException:
+        shutil.rmtree(staging, ignore_errors=True)
+        raise
     chosen = setting or season_setting()
     swung = any(table.headings.has("bat_speed") for table in survey.tables)
     if chosen.contact is not None and swung and not chosen.contact.relation.balls:
@@ -193,6 +191,19 @@ def analyse_season(
     sweep_plan(plan)  # of workers that were killed, too
     shutil.rmtree(staging, ignore_errors=True)
     return Season(survey, chosen, folder)
+
+
+def _require_balls(survey: Survey) -> None:
+    """Refuse tables of which none can be read, or none holds a ball in play."""
+    if not survey.tables:
+        raise InputError(survey.faults[0][1] if survey.faults else "no table was given; give CSV or Parquet files")
+    if not any(counts[USED] for counts in survey.counts):
+        why = (f"{sum(one[reason] for one in survey.counts)} {reason} ({words})" for reason, words in REASONS.items())
+        raise InputError(
+            f"{survey.tables[0].path}: none of {survey.rows} rows is a ball in play with an exit speed: "
+            f"{'; '.join(one for one in why if not one.startswith('0 '))}{_unread(survey)}. Look at its columns with "
+            "--show-columns"
+        )
 
 
 def _unread(survey: Survey) -> str:
@@ -280,7 +291,8 @@ def season_columns(
 
     Parameters
     ----------
-    frame : Statcast, Trackman or any other names that are understood.
+    frame : Statcast, Trackman or any other names that are understood. Of a lazy one dates that may begin with the day
+        are looked at before anything else is read.
     setting : how; None: the usual.
     given : heading by quantity where a heading is not understood.
 
@@ -292,8 +304,7 @@ def season_columns(
     """
     chosen = setting or season_setting()
     lazy = frame.lazy()
-    names = lazy.collect_schema().names()
-    headings = headings_of(names, given=given)
+    headings = frame_headings(lazy, given=given)
 
     def answered(part: pl.DataFrame) -> pl.DataFrame:
         rows = rows_of(part, headings)

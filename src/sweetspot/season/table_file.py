@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import errno
 import gzip
 import zlib
 from collections.abc import Mapping, Sequence
@@ -11,7 +12,8 @@ from pathlib import Path
 
 import polars as pl
 
-from sweetspot.errors import InputError, first_line
+from sweetspot.errors import InputError, UnwritableError, first_line
+from sweetspot.numerics.whole_files import refusal, written_whole
 from sweetspot.season.headings import DAY_FIRST, Headings, headings_of, names_balls
 from sweetspot.units import grouped
 
@@ -33,6 +35,8 @@ OTHERS = {
 SLASHED = r"^\s*(\d{1,2})[/-](\d{1,2})[/-]\d{2,4}\b"
 PEEK = 1000
 """Rows in which a date is looked for that may begin with the day."""
+FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EACCES, errno.EPERM}
+"""What a system says that takes no file, or no more of it."""
 CUTS = (25_000, 40_000)
 """Rows at which public exports end."""
 
@@ -91,6 +95,8 @@ def open_table(path: Path, *, staging: Path, given: Mapping[str, str] | None = N
     ------
     InputError
         when the file cannot be read, is empty or no table, or lacks what is needed.
+    UnwritableError
+        when there is no room for the copy of a CSV file; no other table would find any.
     """
     name = path.name.lower()
     if not path.is_file():
@@ -103,6 +109,29 @@ def open_table(path: Path, *, staging: Path, given: Mapping[str, str] | None = N
         do = next((f"{words}, or give" for ending, words in OTHERS.items() if name.endswith(ending)), "allowed:")
         raise InputError(f"{path} has no ending that is understood; {do} {', '.join((*CSV_ENDINGS, '.parquet'))}")
     return _csv(path, staging, given)
+
+
+def frame_headings(frame: pl.LazyFrame, *, given: Mapping[str, str] | None = None, name: str = "table") -> Headings:
+    """Return what the columns of a frame mean, just as those of a file; of its rows only dates are looked at.
+
+    Parameters
+    ----------
+    given : heading by quantity, as `headings_of` takes it.
+    name : for messages.
+
+    Raises
+    ------
+    InputError
+        when `headings_of` refuses the names, or a column holds several things a row.
+    """
+    schema = frame.collect_schema()
+    headings = headings_of(schema.names(), given=given, file_name=name)
+    for column in headings.columns.values():
+        held = schema[column.heading]
+        if held.is_nested() or isinstance(held, pl.Duration | pl.Object):
+            raise InputError(f"{name}: column {column.heading} holds {held}; write one number or one word a row")
+    headings, notes = _with_days(headings, frame)
+    return replace(headings, notes=(*headings.notes, *notes))
 
 
 def text_columns(path: Path, quantities: Sequence[str], *, given: Mapping[str, str] | None = None) -> pl.LazyFrame:
@@ -137,8 +166,6 @@ def text_columns(path: Path, quantities: Sequence[str], *, given: Mapping[str, s
 def _parquet(path: Path, given: Mapping[str, str] | None) -> TableFile:
     try:
         frame = pl.scan_parquet(path)
-        schema = frame.collect_schema()
-        names = schema.names()
         rows = int(frame.select(pl.len()).collect().item())
         if rows > path.stat().st_size:
             raise InputError(
@@ -146,15 +173,10 @@ def _parquet(path: Path, given: Mapping[str, str] | None) -> TableFile:
             )
     except (pl.exceptions.PolarsError, OSError) as error:
         raise InputError(f"{path} is no whole Parquet file: {first_line(error)}; write or copy it anew") from None
-    headings = headings_of(names, given=given, file_name=str(path))
+    headings = frame_headings(frame, given=given, name=str(path))
     if not rows:
         raise InputError(f"{path} has column names and no row; give one row per ball")
-    for column in headings.columns.values():
-        held = schema[column.heading]
-        if held.is_nested() or isinstance(held, pl.Duration | pl.Object):
-            raise InputError(f"{path}: column {column.heading} holds {held}; write one number or one word a row")
-    headings, notes = _with_days(headings, frame)
-    return TableFile(path, path, headings, rows, torn=False, notes=(*headings.notes, *notes))
+    return TableFile(path, path, headings, rows, torn=False, notes=headings.notes)
 
 
 def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFile:
@@ -170,12 +192,17 @@ def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFil
     try:
         scanned = _scanned(path, separator, given, above=len(above) - 1)
         headings = headings_of(scanned[1], given=given, file_name=str(path))
-        waiting = target.with_suffix(".part")
         told = scanned[0].filter(~pl.all_horizontal(pl.all().is_null()))  # a blank line is no ball
-        told.sink_parquet(waiting, row_group_size=32_768)
-        waiting.replace(target)
+        with written_whole(target) as file:
+            told.sink_parquet(file, row_group_size=32_768)
         rows = int(pl.scan_parquet(target).select(pl.len()).collect().item())
     except (pl.exceptions.PolarsError, OSError, EOFError, zlib.error) as error:
+        refused = refusal(error)
+        if refused is not None and refused[0] in FULL:
+            raise UnwritableError(
+                f"{path} is copied to {staging} to be read, and that cannot be written: {refused[1]}; "
+                "make room there, choose another place, or give Parquet, which is read as it is"
+            ) from None
         raise InputError(f"{path} cannot be read as a table: {first_line(error)}") from None
     if not rows:
         raise InputError(f"{path} has column names and no row; give one row per ball")
@@ -202,9 +229,9 @@ def _with_days(headings: Headings, frame: pl.LazyFrame) -> tuple[Headings, list[
     One order holds for a whole table: 25/04/2024 anywhere in it says that 05/04/2024 is in April too.
     """
     column = headings.columns.get("date")
-    if column is None or frame.collect_schema()[column.heading] != pl.String:
+    if column is None or frame.collect_schema()[column.heading] not in (pl.String, pl.Categorical, pl.Enum):
         return headings, []
-    text = pl.col(column.heading)
+    text = pl.col(column.heading).cast(pl.String)
     if not frame.head(PEEK).select(text.str.contains(SLASHED).any()).collect().item():
         return headings, []
     numbers = [text.str.extract(SLASHED, group).cast(pl.Int32) for group in (1, 2)]
