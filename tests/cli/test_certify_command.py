@@ -73,6 +73,14 @@ def test_a_limit_that_holds_no_more_is_said_to(run: Run) -> None:
     assert code == 0 and "since 1 January 2018 bats must keep the USABat standard" in " ".join(out.split())
 
 
+def test_the_first_sentence_is_no_surer_than_the_test(run: Run) -> None:
+    """The alloy bat's BBCOR is below the limit, but the ball's patch leaves more than it; ash is far enough off."""
+    unsure = "Not sure: BBCOR; what is not known reaches across the limit."
+    assert unsure in " ".join(run("certify", "college-alloy")[1].split())
+    assert "Not sure" not in run("certify", "r161-ash")[1]
+    assert "allowed at most 0.5000 (close)" in " ".join(run("compare", "r161-ash", "college-alloy")[1].split())
+
+
 def test_where_nothing_can_be_decided_nothing_is_passed(run: Run) -> None:
     code, out, _ = run("certify", "slow-pitch", "--league", "asa")
     assert code == 1 and "No rule could be decided" in out

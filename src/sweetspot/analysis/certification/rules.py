@@ -150,6 +150,11 @@ class Check:
     margin: float | None
     reason: str
 
+    @property
+    def close(self) -> bool:
+        """Whether a rule is decided although what is not known of the value reaches across its limit."""
+        return self.verdict in (Verdict.PASS, Verdict.FAIL) and bool(self.reason)
+
 
 def check_rules(league: League, *, bat: Implement, findings: Mapping[str, Finding]) -> list[Check]:
     """Return every rule of a league held against a bat and what is known about it."""

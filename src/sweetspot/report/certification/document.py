@@ -114,18 +114,25 @@ def _headline(tested: TestedBat) -> Sentence:
             value=value_shown(check.rule.quantity, check.value), limit=limit_shown(check))
         for league, check in tested.failed
     ]  # fmt: skip
+    close = _close([check for _, check in (tested.failed or tested.checks)])
     if broken:
-        return say("{bat} fails: {rules}.", bat=tested.bat.name, rules=joined(broken, "; "))
+        return say("{bat} fails: {rules}." + close, bat=tested.bat.name, rules=joined(broken, "; "))
     kept = sum(check.verdict is Verdict.PASS for _, check in tested.checks)
     open_ones = [title(check.rule) for _, check in tested.checks if check.verdict is Verdict.NOT_DECIDABLE]
     if not kept:
         return say("No rule could be decided for {bat}, so nothing is passed.", bat=tested.bat.name)
     if not open_ones:
-        return say("{bat} keeps every rule.", bat=tested.bat.name)
+        return say("{bat} keeps every rule." + close, bat=tested.bat.name)
     return say(
-        "{bat} keeps every rule that can be decided here, {kept} of {all}. Not decidable: {open}.", bat=tested.bat.name,
-        kept=kept, all=kept + len(open_ones), open=joined(open_ones, "; "),
+        "{bat} keeps every rule that can be decided here, {kept} of {all}." + close + " Not decidable: {open}.",
+        bat=tested.bat.name, kept=kept, all=kept + len(open_ones), open=joined(open_ones, "; "),
     )  # fmt: skip
+
+
+def _close(checks: Sequence[Check]) -> str:
+    """Return which verdicts are not sure: the first sentence must not look surer than they are."""
+    names = dict.fromkeys(title(check.rule) for check in checks if check.close)
+    return f" Not sure: {' and '.join(names)}; what is not known reaches across the limit." if names else ""
 
 
 def _superseded(checks: Sequence[tuple[League, Check]]) -> list[str]:

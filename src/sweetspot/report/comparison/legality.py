@@ -52,13 +52,17 @@ def reason(tested: TestedBat) -> Sentence:
     if tested.failed:
         return joined([_broken(league.name, check) for league, check in tested.failed], "; ")
     lively = [
-        say("{rule} of the test {value}, allowed {limit}", rule=title(check.rule),
-            value=value_shown(check.rule.quantity, check.value), limit=limit_shown(check))
+        say("{rule} of the test {value}, allowed {limit}{close}", rule=title(check.rule),
+            value=value_shown(check.rule.quantity, check.value), limit=limit_shown(check), close=_close(check))
         for _, check in tested.checks
         if check.verdict is Verdict.PASS and check.rule.quantity in ("bbcor", "bpf", "besr")
     ]  # fmt: skip
     left = [title(check.rule) for _, check in tested.checks if check.verdict is Verdict.NOT_DECIDABLE]
     return joined([*lively, *([say("open: {rules}", rules=", ".join(left))] if left else [])], "; ")
+
+
+def _close(check: Check) -> str:
+    return " (close)" if check.close else ""
 
 
 def _broken(league: str, check: Check) -> Sentence:
@@ -68,7 +72,7 @@ def _broken(league: str, check: Check) -> Sentence:
     return say(
         "{rule} of {league} {value}, allowed {limit}{close}", rule=title(check.rule), league=league,
         value=value_shown(check.rule.quantity, check.value), limit=limit_shown(check),
-        close=" (close)" if check.reason.startswith("close") else "",
+        close=_close(check),
     )  # fmt: skip
 
 
