@@ -119,3 +119,5 @@ def test_a_comparison_s_words_have_the_signs_of_its_changes() -> None:
             assert one.change.low > 0
         if "a loss" in sentence:
             assert one.change.high < 0
+        # the swing law's interval alone decides nothing, unless bats and ball are what they are said to be
+        assert sentence.endswith((": the sign is not sure.", " if bats and ball are just as described."))

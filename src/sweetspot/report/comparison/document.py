@@ -58,7 +58,8 @@ def comparison_document(
     reference = comparison.reference.analysis
     its = sport(reference.bat.sport)
     reading, tool, number = reader(None, its.words), its.words.implement, len(comparison.compared)
-    words = verdict(comparison) + (cork_verdict(comparison) if corking else [])
+    by_law = interval_is == INTERVAL_MEANS
+    words = verdict(comparison, by_law=by_law) + (cork_verdict(comparison, by_law=by_law) if corking else [])
     picture = Picture(
         "curves", lambda reading: _drawn(comparison, reaches, reading),
         label=f"Outlines, exit speed along each {tool}, and the difference from the first one.",
@@ -66,7 +67,7 @@ def comparison_document(
         sheet=lambda reading: _drawn_sheet(comparison, reaches, reading),
     )  # fmt: skip
     notes: list[Words] = [
-        assumptions(comparison, by_law=interval_is == INTERVAL_MEANS),
+        assumptions(comparison, by_law=by_law),
         *([BBCOR_OF_PLAY.format(where=WITH_RULES if tested else WITHOUT)] if isinstance(reference.bat, Bat) else []),
     ]
     return Document(

@@ -22,19 +22,35 @@ NOTHING = 0.05 * MPH
 INTERVAL_MEANS = "90 % of the spread of the swing law's exponent, and nothing else"
 
 
-def verdict(comparison: Comparison[Implement]) -> list[Sentence]:
-    """Return one sentence for every bat after the first."""
-    return [_sentence(one, comparison.reference, index) for index, one in enumerate(comparison.compared) if index]
+def verdict(comparison: Comparison[Implement], *, by_law: bool = True) -> list[Sentence]:
+    """Return one sentence for every bat after the first.
+
+    Parameters
+    ----------
+    by_law : whether the intervals are those of the swing law's exponent alone; what they say then holds only if
+        nothing else is in doubt, which every sentence says itself.
+    """
+    given = _if_as_described(comparison) if by_law else ""
+    return [
+        _sentence(one, comparison.reference, index, given=given)
+        for index, one in enumerate(comparison.compared)
+        if index
+    ]
 
 
-def cork_verdict(comparison: Comparison[Implement]) -> list[Sentence]:
+def cork_verdict(comparison: Comparison[Implement], *, by_law: bool = True) -> list[Sentence]:
     """Return the answer to "does corking help?" for a comparison labelled unmodified, drilled, cork, ...
 
     The published drop of q and break-even speed stand beside the predicted ones; nothing is fitted to them.
+
+    Parameters
+    ----------
+    by_law : see `verdict`.
     """
     first = comparison.reference
     corked = next(compared for compared in comparison.compared if compared.label == "cork")
-    return [_answer(first, corked, comparison), _beside_published(first, corked), _papers_argument(first, corked)]
+    answer = _answer(first, corked, comparison, by_law=by_law)
+    return [answer, _beside_published(first, corked), _papers_argument(first, corked)]
 
 
 def wall_verdict(comparison: Comparison) -> list[Sentence]:
@@ -100,7 +116,13 @@ def _change(speed: float, *, sign: bool = False) -> Slot:
     return Slot(speed, "speed_change", sign=sign)
 
 
-def _sentence(compared: Compared[Implement], first: Compared[Implement], index: int) -> Sentence:
+def _if_as_described(comparison: Comparison[Implement]) -> str:
+    """Return what must be so for a gain by the swing law alone to be one."""
+    words = sport(comparison.reference.analysis.bat.sport).words
+    return f" if {words.implement}s and {words.ball} are just as described"
+
+
+def _sentence(compared: Compared[Implement], first: Compared[Implement], index: int, *, given: str) -> Sentence:
     faster = compared.bat_speed.value - first.bat_speed.value
     change = compared.change
     swung = say("")
@@ -114,14 +136,18 @@ def _sentence(compared: Compared[Implement], first: Compared[Implement], index: 
     text += say("{speed} {way}", speed=_change(abs(change.value)), way="faster" if change.value > 0 else "slower")
     if change.low < change.high:
         text += say(" ({ends})", ends=_ends(change.low, change.high))
-    return text + (": a gain." if change.low > 0 else ": a loss." if change.high < 0 else ": the sign is not sure.")
+    if change.low <= 0 <= change.high:
+        return text + ": the sign is not sure."
+    return text + say(": a {gain}{given}.", gain="gain" if change.low > 0 else "loss", given=given)
 
 
 def _ends(low: float, high: float) -> Sentence:
     return say("{low} to {high}", low=_change(low, sign=True).bare, high=_change(high, sign=True).bare)
 
 
-def _answer(first: Compared[Implement], corked: Compared[Implement], comparison: Comparison[Implement]) -> Sentence:
+def _answer(
+    first: Compared[Implement], corked: Compared[Implement], comparison: Comparison[Implement], *, by_law: bool
+) -> Sentence:
     change = corked.change
     lighter = Slot(first.analysis.body.mass - corked.analysis.body.mass, "mass")
     text = say("Does corking help? The corked bat is {mass} lighter", mass=lighter)
@@ -134,12 +160,14 @@ def _answer(first: Compared[Implement], corked: Compared[Implement], comparison:
         swung += say(" ({ends})", ends=_ends(gained.low, gained.high))
     swung += "."
     net = say("Net change of the exit speed: {change}.", change=within(change, "speed_change", sign=True))
+    given = f",{_if_as_described(comparison)}" if by_law else ""
     if change.high < 0:
-        end = "No, the ball leaves slower. What remains is a quicker, later swing, which is not computed here."
+        end = f"No{given}: the ball leaves slower. What remains is a quicker, later swing, which is not computed here."
     elif change.low > 0:
-        end = "Here it does, by this law."
+        end = f"Here it does{given}."
     else:
-        end = "Whether it helps cannot be told within the spread of what players do."
+        unknown = "the spread of what players do" if by_law else "what is not known"
+        end = f"Whether it helps cannot be told within {unknown}."
     return joined([text + swung, _needed(first, corked), net, end])
 
 
