@@ -127,13 +127,15 @@ def test_a_table_without_room_keeps_words_whole_and_bars_true(page: Page, server
             return range.getClientRects().length;
           });
           const apart = box.querySelector("table").matches(".apart");
-          return { bars, lines, apart, over: box.scrollWidth - box.clientWidth };
+          const unit = tableOf("Blows", ["place (in)", "Impulse, N s"], [["1.0", "7.12"]]).querySelectorAll("th")[1].textContent;
+          return { bars, lines, apart, over: box.scrollWidth - box.clientWidth, unit };
         }"""
     )
     (long, room), (short, _) = widths["bars"]
     assert widths["apart"] and widths["over"] <= 0
     assert long == pytest.approx(2 * short, rel=0.02) and long <= room
     assert widths["lines"] == [1, 1, 1, 1]
+    assert widths["unit"] == "Impulse, N\u00a0s", "no line breaks a unit of two words"
 
 
 @pytest.mark.parametrize("width", [1280, 390])

@@ -55,6 +55,12 @@ def test_a_table_is_read_chosen_from_taken_away_and_read_with_another_bat(
         page.locator("summary", has_text=words).click()
     for table in page.locator(".numbers:visible").all():
         expect(table.locator("tbody td").first).to_be_visible()
+    mapped = page.get_by_role("img", name=re.compile(r"^Where on the barrel \d+ balls"))
+    said = re.search(r"barrel (\d+) balls", mapped.get_attribute("aria-label") or "")
+    cells = page.get_by_role("region", name=re.compile("^Where on the barrel")).locator("tbody td").all_inner_texts()
+    assert said is not None and sum(int(cell) for cell in cells if cell.isdigit()) == int(said[1]), (
+        "every ball is there"
+    )
     whole = page.locator("#verdict").inner_text()
     month = page.locator("#season-month")
     month.select_option(index=1)

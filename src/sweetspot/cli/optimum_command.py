@@ -253,7 +253,10 @@ def _launches(sent: SentOptions, ball: str, weather: AirOptions) -> list[AskedLa
 def _parks(
     backspin: str, ball: str, weather: AirOptions, everywhere: bool
 ) -> list[tuple[EasiestHomeRun, FlightConditions]]:
-    """Return the slowest home run of every park that was asked for, and what was flown through there."""
+    """Return the slowest home run of every park that was asked for, and what was flown through there.
+
+    The park that is easiest to leave is the first.
+    """
     from sweetspot import catalog
     from sweetspot.analysis.optimum import easiest_home_run, own_air
     from sweetspot.cli.options.weather import park_of, through
@@ -273,4 +276,4 @@ def _parks(
         own = everywhere and weather.elevation is None
         here = flying.in_air(own_air(flying.one_air, park)) if own else flying
         rows.append((easiest_home_run(park, here, backspin=spin), here))
-    return rows
+    return sorted(rows, key=lambda row: row[0].exit_speed)

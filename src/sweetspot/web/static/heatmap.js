@@ -81,22 +81,26 @@ export class HeatMap {
   /** @param {string} name */
   figure(name) { return this.surface.figure(name); }
 
-  // A row for each of some values upwards, a column for each of some across.
+  // A row for each of some values upwards, a column for each of some across; of counts all are there, added up.
   tabled() {
     if (!this.data) return null;
     const { units } = this.app;
     const words = (/** @type {Axis} */ axis, /** @type {number} */ value) => grouped(shownPlace(axis, value, units).toFixed(kindOf(axis.kind)[units].digits)).replace("-", "−");
     const named = (/** @type {Axis} */ axis) => `${axis.label} (${unitOf(axis.kind, units)})`;
-    const places = (/** @type {number[]} */ values, /** @type {number} */ count) => evenly([...values.keys()], count);
     const { x, y, z } = this.data;
-    const columns = places(x, 9).map((column) => /** @type {[number, string]} */ ([column, words(this.x, x[column])]));
+    const counted = this.z.kind === "count";
+    const boxes = (/** @type {Axis} */ axis, /** @type {number[]} */ values, /** @type {number} */ count) => counted
+      ? runs(values.length, count).map((run) => ({ run, name: (axis.from ? edgesOf(values, run).reverse() : edgesOf(values, run)).map((edge) => words(axis, edge)).join(" to ") }))
+      : evenly([...values.keys()], count).map((one) => ({ run: [one], name: words(axis, values[one]) }));
+    const columns = boxes(this.x, x, counted ? 6 : 9);
     return {
       caption: [this.title, unitOf(this.z.kind, units)].filter(Boolean).join(", "),
-      columns: [`${named(this.y)} ↓, ${named(this.x)} →`, ...columns.map(([, name]) => name)],
+      columns: [`${named(this.y)} ↓, ${named(this.x)} →`, ...columns.map(({ name }) => name)],
       column: NARROW,
-      rows: places(y, 12).reverse().map((row) => [words(this.y, y[row]), ...columns.map(([column]) => {
-        const value = z[row][column];
-        return value === null ? "–" : grouped(toShown(this.z.kind, value, units).toFixed(kindOf(this.z.kind)[units].digits));
+      rows: boxes(this.y, y, 12).reverse().map((row) => [row.name, ...columns.map((column) => {
+        const values = row.run.flatMap((j) => column.run.map((i) => z[j][i])).filter((value) => value !== null);
+        const value = values.reduce((sum, one) => sum + one, 0);
+        return values.length ? grouped(toShown(this.z.kind, value, units).toFixed(kindOf(this.z.kind)[units].digits)) : "–";
       })]),
     };
   }
@@ -266,6 +270,26 @@ export class HeatMap {
     Object.assign(context, { textAlign: "left", textBaseline: "top" });
     context.fillText(`↑ ${[unitOf(this.y.kind, units), this.y.label].filter(Boolean).join(" ")}`, LEFT, HEAD + this.tall + 19);
   }
+}
+
+// The places of a list in about so many runs, each as long as the others but the last.
+/**
+ * @param {number} length
+ * @param {number} count
+ */
+function runs(length, count) {
+  const long = Math.ceil(length / count);
+  return Array.from({ length: Math.ceil(length / long) }, (_, k) => Array.from({ length: Math.min(long, length - k * long) }, (_, i) => k * long + i));
+}
+
+// Where a run of even boxes begins and ends, of which the values are the middles.
+/**
+ * @param {number[]} values
+ * @param {number[]} run
+ */
+function edgesOf(values, run) {
+  const half = (values[1] - values[0]) / 2;
+  return [values[run[0]] - half, values[run[run.length - 1]] + half];
 }
 
 // The pieces of the line z = level in a grid: [[x, y], [x, y]] each.

@@ -4,11 +4,14 @@
 //
 // A table is shown so while it would have to be scrolled sideways, or its columns would be narrower than words are.
 
+import { TWO_WORDS } from "./units.js";
+
 const COLUMN = 76; // pixels that a column needs at least
 const LONG = 14; // letters of a row's name from which on it needs the room of two columns
 const BRACKETS = /\([^()]{1,24}\)/g; // an interval, which no line breaks
 const BEFORE_UNIT = /(?<=\d) (?!(?:and|as|at|by|for|from|half|is|of|on|or|per|that|the|to|with)\b)(?=[a-zµ°²%/]{1,4}\d?[²³]?(?:[\s,;:.)]|$))/gi;
 const INSIDE_UNIT = /(?<=\d[ \u00a0](?:oz|kg|N)) (?=(?:in²|cm²|m²|s)(?![a-z]))/g;
+const UNIT_OF_HEAD = new RegExp(`(?<=[ (])(?:${TWO_WORDS.join("|")})(?![\\w²])`, "g");
 const LEAST = 5.4; // rem that a cell of such a row has at least
 const SENTENCE = 24; // letters from which on a cell of a row that stands apart has a line of its own
 const [LETTER, AROUND] = [0.6, 0.8]; // rem that a letter takes at most, and that stand around a cell's words
@@ -33,6 +36,7 @@ const watched = new ResizeObserver((rulers) => {
 export function fitted(box, { column = COLUMN } = {}) {
   const heads = [...box.querySelectorAll("thead tr > *")];
   const rows = [...box.querySelectorAll("tbody tr")];
+  for (const { firstChild: words } of heads) if (words instanceof Text) words.data = words.data.replace(UNIT_OF_HEAD, (unit) => unit.replaceAll(" ", "\u00a0"));
   for (const row of rows) [...row.children].forEach((cell, i) => cell instanceof HTMLElement && fit(cell, i, heads[i]?.firstChild?.textContent ?? ""));
   const widest = Math.max(0, ...rows.flatMap((row) => [...row.children].slice(1).map(longestOf)));
   box.querySelector("table")?.style.setProperty("--cell", `${Math.max(LEAST, LETTER * widest + AROUND)}rem`);

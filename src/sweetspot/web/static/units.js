@@ -10,6 +10,9 @@ export const [INCH, OUNCE, MPH] = ["length", "mass", "speed"].map((scale) => 1 /
 const NAMED = { seconds: "time", sting: "vibration" };
 const ENDINGS = Object.entries(endings).sort(([one], [other]) => other.length - one.length);
 
+// Units of two words, which no line breaks: "oz in²", "N s".
+export const TWO_WORDS = [...new Set(Object.values(scales).flatMap(({ us, si }) => [us.unit, si.unit]).filter((unit) => unit.includes(" ")))];
+
 /** @typedef {"us" | "si"} System */
 
 // How a name like pitch_speed_mph, or a scale of the table like distance, is shown.

@@ -94,14 +94,15 @@ def parks(state: OptimumState) -> dict[str, Any]:
 @lru_cache(maxsize=32)
 def _easiest(ball: str, backspin_rpm: float, parks: tuple[Park, ...]) -> tuple[EasiestHomeRun, ...]:
     law = catalog.aerodynamics_of_ball(ball)
-    return tuple(
+    found = [
         easiest_home_run(
             park,
             FlightConditions(ball=catalog.ball(ball), aerodynamics=law, air=Air(elevation=park.elevation)),
             backspin=backspin_rpm * RPM,
         )
         for park in parks
-    )
+    ]
+    return tuple(sorted(found, key=lambda one: one.exit_speed))
 
 
 def _through(state: OptimumState) -> FlightConditions:
