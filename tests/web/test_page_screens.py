@@ -127,7 +127,8 @@ def test_a_table_without_room_keeps_words_whole_and_bars_true(page: Page, server
             return range.getClientRects().length;
           });
           const apart = box.querySelector("table").matches(".apart");
-          const unit = tableOf("Blows", ["place (in)", "Impulse, N s"], [["1.0", "7.12"]]).querySelectorAll("th")[1].textContent;
+          const headed = tableOf("Blows", ["place (in)", "Impulse, N s"], [["1.0", "7.12"]]);
+          const unit = headed.querySelectorAll("th")[1].textContent;
           return { bars, lines, apart, over: box.scrollWidth - box.clientWidth, unit };
         }"""
     )
