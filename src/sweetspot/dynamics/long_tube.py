@@ -68,11 +68,11 @@ def _breathing(law: Array, waves: Array, middle: Array, outer: Array, radii: Arr
     middle, outer : radii of the wall's middle and of the outside, m, shape (places, 1).
     radii : of the patches, m, shape (radii,); the answer has shape (radii, places, waves).
     """
-    strain = np.zeros((*waves.shape, 6, 2))  # of (U sin kx, W cos kx); there is no twist
-    strain[..., 0, 0] = waves
-    strain[..., 1, 1], strain[..., 3, 1] = 1 / middle, waves**2
+    strain = np.zeros((len(waves), 6, 2, waves.shape[1]))  # of (U sin kx, W cos kx); there is no twist
+    strain[:, 0, 0] = waves
+    strain[:, 1, 1], strain[:, 3, 1] = 1 / middle, waves**2
     outwards = transform(radii[:, None, None] * np.hypot(1 / outer, waves))
-    return _work(2 * law, strain, middle, np.stack([np.zeros_like(outwards), outwards], axis=-1))
+    return _work(2 * law, strain, middle, np.stack([np.zeros_like(outwards), outwards]))
 
 
 def _shifting(law: Array, waves: Array, middle: Array, outer: Array, radii: Array) -> Array:
@@ -83,18 +83,30 @@ def _shifting(law: Array, waves: Array, middle: Array, outer: Array, radii: Arra
     drown it.
     """
     turn = waves * middle
-    strain = np.zeros((*waves.shape, 6, 3))
-    strain[..., 0, 0], strain[..., 0, 1], strain[..., 0, 2] = waves, -waves * turn, 1 / middle
-    strain[..., 1, 1], strain[..., 2, 0] = 1 / middle, -1 / middle
-    strain[..., 3, 2], strain[..., 4, 1] = 1 / middle**2, 1 / middle**2
-    strain[..., 5, 0], strain[..., 5, 1] = 1 / (2 * middle**2), -2 * waves / middle
+    strain = np.zeros((len(waves), 6, 3, waves.shape[1]))
+    strain[:, 0, 0], strain[:, 0, 1], strain[:, 0, 2] = waves, -waves * turn, 1 / middle
+    strain[:, 1, 1], strain[:, 2, 0] = 1 / middle, -1 / middle
+    strain[:, 3, 2], strain[:, 4, 1] = 1 / middle**2, 1 / middle**2
+    strain[:, 5, 0], strain[:, 5, 1] = 1 / (2 * middle**2), -2 * waves / middle
     before, after = (transform(radii[:, None, None] * np.hypot(m / outer, waves)) for m in (0, 2))
     around = (after - before) / 2 * outer / middle
-    return _work(law, strain, middle, np.stack([np.zeros_like(before), around, before / turn**2], axis=-1))
+    return _work(law, strain, middle, np.stack([np.zeros_like(before), around, before / turn**2]))
 
 
 def _work(law: Array, strain: Array, middle: Array, push: Array) -> Array:
-    """Return p^T K^-1 p of a ring of wall: pushes of shape (radii, places, waves, unknowns)."""
-    stiffness = strain.swapaxes(-1, -2) @ law[:, None] @ strain * np.pi * middle[..., None, None]
-    moved = np.linalg.solve(stiffness, np.moveaxis(push, 0, -1))
-    return np.asarray(np.einsum("rpwi,pwir->rpw", push, moved))
+    """Return p^T K^-1 p of a ring of wall, one unknown after the other eliminated.
+
+    Parameters
+    ----------
+    strain : by unknown, shape (places, 6, unknowns, waves).
+    push : by unknown, shape (unknowns, radii, places, waves).
+    """
+    stress = (law @ strain.reshape(*law.shape[:2], -1)).reshape(strain.shape)
+    stiffness = np.einsum("piuw,pivw->uvpw", strain, stress) * np.pi * middle
+    work = np.zeros(push.shape[1:])
+    while len(push):
+        share = stiffness[1:, 0] / stiffness[0, 0]
+        work += push[0] ** 2 / stiffness[0, 0]
+        push = push[1:] - share[:, None] * push[0]
+        stiffness = stiffness[1:, 1:] - share[:, None] * stiffness[0, 1:]
+    return work

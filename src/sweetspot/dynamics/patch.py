@@ -173,5 +173,5 @@ def transform(phase: Array) -> Array:
     True
     """
     safe = np.maximum(phase, 1e-2)
-    exact = 3 * (np.sin(safe) - safe * np.cos(safe)) / safe**3
+    exact = 3 * (np.sin(safe) - safe * np.cos(safe)) / (safe * safe * safe)
     return np.asarray(np.where(phase < 1e-2, 1 - phase**2 / 10, exact))

@@ -12,6 +12,7 @@ from sweetspot.numerics.kernel_cache import compiled
 
 UNKNOWNS, STEP = 12, 8
 """Unknowns of an element, and how many of them are not the next one's: its matrix fits into a band."""
+SHARED = UNKNOWNS - STEP
 SIDE_BY_SIDE = 8
 """Pushes solved for at once."""
 
@@ -58,7 +59,7 @@ def solved_walls(stiffness: Array, inertia: Array, held: IntArray, pushes: Pushe
         False where a matrix is not positive definite or the modes do not converge.
     """
     squares, felt, give = solved
-    size = STEP * stiffness.shape[1] + UNKNOWNS - STEP
+    size = STEP * stiffness.shape[1] + SHARED
     followed, modes = squares.shape
     none = np.zeros((0, size + WIDTH))
     vectors = np.zeros((modes, size + WIDTH))
@@ -97,18 +98,21 @@ def _pushed(
     size: int, factor: tuple[Array, Array], held: IntArray, pushes: Pushes, h: int, vectors: Array, felt: Array,
     give: Array,
 ) -> None:  # fmt: skip
-    """Fill in what harmonic ``h`` feels of every push and how far it gives way: p^T K^-1 p = |L^-1 p|^2."""
-    diagonal, below = factor
-    block = np.empty((size + WIDTH, SIDE_BY_SIDE))
+    """Fill in what harmonic ``h`` feels of every push and how far it gives way: p^T K^-1 p = |L^-1 p|^2.
+
+    L^-1 p goes on from the last element that is pushed to the tip; what is left there is four unknowns' work.
+    """
+    block = np.zeros((size + WIDTH, SIDE_BY_SIDE))
+    sums = np.empty(SIDE_BY_SIDE)
+    beyond = _beyond(size, factor, block, sums)
     for start in range(0, len(pushes.element), SIDE_BY_SIDE):
         count = min(SIDE_BY_SIDE, len(pushes.element) - start)
-        block[:] = 0.0
         first, last = size, 0
         for b in range(count):
             for s in range(pushes.element.shape[1]):
                 base = STEP * pushes.element[start + b, s]
                 around, outwards = pushes.around[h, start + b, s], pushes.outwards[h, start + b, s]
-                first, last = min(first, base), max(last, base + UNKNOWNS)
+                first, last = min(first, base), max(last, base + STEP)
                 plane, outward = pushes.plane[start + b, s], pushes.outward[start + b, s]
                 for row, value in ((1, plane[0]), (6, plane[1]), (7, plane[2]), (9, plane[3])):
                     block[base + row, b] += around * value
@@ -117,19 +121,62 @@ def _pushed(
         for row in held:
             block[row] = 0.0
         for m in range(len(vectors)):
-            for b in range(count):
+            sums[:] = 0.0
+            for row in range(first, last + SHARED):
+                for b in range(SIDE_BY_SIDE):
+                    sums[b] += block[row, b] * vectors[m, row]
+            felt[h, start : start + count, m] = sums[:count]
+        _eliminated(factor, block, first, last, sums)
+        left = block[last : last + SHARED]
+        for i in range(SHARED):
+            for j in range(SHARED):
+                for b in range(SIDE_BY_SIDE):
+                    sums[b] += beyond[last // STEP, i, j] * left[i, b] * left[j, b]
+        give[h, start : start + count] = sums[:count]
+        block[first : last + SHARED] = 0.0
+
+
+@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+def _eliminated(factor: tuple[Array, Array], block: Array, first: int, last: int, sums: Array) -> None:
+    """Solve L x = b in so many rows for several b side by side, and fill in each one's |x|^2 there."""
+    diagonal, below = factor
+    sums[:] = 0.0
+    for j in range(first, last):
+        for b in range(SIDE_BY_SIDE):
+            value = block[j, b] * diagonal[j]
+            block[j, b] = value
+            sums[b] += value * value
+        for k in range(WIDTH):
+            part = below[j, k]
+            for b in range(SIDE_BY_SIDE):
+                block[j + 1 + k, b] -= part * block[j, b]
+
+
+@compiled(nogil=True, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+def _beyond(size: int, factor: tuple[Array, Array], block: Array, sums: Array) -> Array:
+    """Return the compliance of the wall from every element's begin to the tip, of the four unknowns that begin it.
+
+    Parameters
+    ----------
+    block, sums : as `_pushed` has them; the block is left as it is found, zero.
+    """
+    count = size // STEP
+    compliance = np.zeros((count + 2, SHARED, SHARED))
+    for back in range(count + 1):
+        number = count - back
+        first = STEP * number
+        last = min(first + STEP, size)
+        for i in range(SHARED):
+            block[first + i, i] = 1.0
+        _eliminated(factor, block, first, last, sums)
+        for i in range(SHARED):
+            for j in range(SHARED):
                 total = 0.0
                 for row in range(first, last):
-                    total += block[row, b] * vectors[m, row]
-                felt[h, start + b, m] = total
-        sums = np.zeros(SIDE_BY_SIDE)
-        for j in range(first, size):
-            for b in range(SIDE_BY_SIDE):
-                value = block[j, b] * diagonal[j]
-                block[j, b] = value
-                sums[b] += value * value
-            for k in range(WIDTH):
-                part = below[j, k]
-                for b in range(SIDE_BY_SIDE):
-                    block[j + 1 + k, b] -= part * block[j, b]
-        give[h, start : start + count] = sums[:count]
+                    total += block[row, i] * block[row, j]
+                for k in range(SHARED):
+                    for m in range(SHARED):
+                        total += block[last + k, i] * compliance[number + 1, k, m] * block[last + m, j]
+                compliance[number, i, j] = total
+        block[first : last + SHARED] = 0.0
+    return compliance

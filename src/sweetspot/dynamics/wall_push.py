@@ -33,19 +33,24 @@ def wall_pushes(shell: ShellElements, places: Array, radii: Array) -> Pushes:
     size = np.diff(shell.edges)[element]
     t = (point - shell.edges[element]) / size
     orders = np.unique(np.concatenate([shell.harmonics - 1, shell.harmonics + 1]))
-    span = radii[:, None] * np.sqrt(1 - NODES**2)
+    span = radii[:, None] * np.sqrt(1 - NODES[len(NODES) // 2 :] ** 2)  # as wide before the patch's middle as after it
     waves = orders[:, None, None, None] / outer[:, None]
-    across = WEIGHTS * radii[:, None, None] * _across(waves, span[:, None, :], radii[:, None, None])
+    weights = WEIGHTS[len(NODES) // 2 :] * radii[:, None, None]
+    across = weights * _across(waves, span[:, None, :], radii[:, None, None])
     before, after = (across[np.searchsorted(orders, shell.harmonics + side)] for side in (-1, 1))
     around, n = (after - before) / 2, shell.harmonics[:, None, None, None]
     outwards = (before + after) / 2 + around * n * lift
     points, forces = (-1, len(NODES)), (len(shell.harmonics), -1, len(NODES))
+
+    def mirrored(force: Array) -> Array:
+        return np.concatenate([force[..., ::-1], force], axis=-1).reshape(forces)
+
     return Pushes(
         element.reshape(points),
         plane_functions(t).reshape(*points, 4),
         outward_functions(t, size).reshape(*points, 4),
-        (around * (1 + lift)).reshape(forces),
-        outwards.reshape(forces),
+        mirrored(around * (1 + lift)),
+        mirrored(outwards),
     )
 
 
