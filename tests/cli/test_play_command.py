@@ -60,6 +60,35 @@ def test_a_park_judges_the_flight(run: Run) -> None:
     assert "Fenway Park" in out and "carries" in out
 
 
+def test_a_play_is_as_sure_of_its_end_as_the_flight_alone(run_json: Callable[..., Any], run: Run) -> None:
+    """A ball that just clears the fence is no sure home run; `fly` with the same launch says the same chance."""
+    played = run_json("play", "--park", "fenway")
+    options = {
+        "exit-speed": f"{played['exit_speed_m_s']}m/s", "launch-angle": f"{played['launch_angle_rad']}rad",
+        "spray": f"{played['spray_rad']}rad",
+    } | {spin: f"{played[f'{spin}_rad_s']}rad/s" for spin in ("backspin", "sidespin", "gyrospin")}  # fmt: skip
+    given = (f"--{name}={text}" for name, text in options.items())
+    flown = run_json("fly", "--park", "fenway", *given)
+    assert played["fence"]["outcome"] == "home run" and 0 < played["fence"]["clearance_m"] < 1
+    assert played["home_run_chance"] == pytest.approx(flown["home_run_chance"], abs=0.01)  # of thirty airs together
+    assert 0.1 < played["home_run_chance"] < 0.9
+    assert played["carry_spread_m"] == pytest.approx(flown["carry_spread_m"], rel=1e-6)
+    chance = round(100 * played["home_run_chance"])
+    assert f"Of a hundred like it {chance} are home runs." in " ".join(run("play", "--park", "fenway")[1].split())
+    softball = run_json("play", "slow-pitch", "--park", "slow-pitch")  # nobody measured how those scatter
+    assert softball["fence"] and "home_run_chance" not in softball and "carry_spread_m" not in softball
+
+
+def test_the_roof_counts_in_the_chance(run_json: Callable[..., Any]) -> None:
+    """Under a roof that never opens the mean ball flies by the law in still air, and the scatter knows of the roof."""
+    asked = "--offset=0.9in", "--bats=left"
+    roofed, fly = run_json("play", "--park", "tropicana", *asked), run_json
+    options = [f"--{name}={roofed[f'{name}_rad_s']}rad/s" for name in ("backspin", "sidespin", "gyrospin")]
+    options += [f"--exit-speed={roofed['exit_speed_m_s']}m/s", f"--launch-angle={roofed['launch_angle_rad']}rad"]
+    flown = fly("fly", "--park", "tropicana", f"--spray={roofed['spray_rad']}rad", *options)
+    assert roofed["home_run_chance"] == pytest.approx(flown["home_run_chance"], abs=0.01)  # of thirty airs together
+
+
 def test_a_named_pitch_is_thrown(run_json: Callable[..., Any], run: Run) -> None:
     """A curve arrives slower than a fastball, so it leaves slower too; topspin adds to what the bat gives."""
     fast, curve = (run_json("play", "--pitch", name) for name in ("fastball", "curve"))

@@ -94,9 +94,8 @@ def play(
     from sweetspot.cli.output import patience, present
     from sweetspot.collision.hit_in_space import Contact
     from sweetspot.dynamics.reduction import reduced_bat
-    from sweetspot.flight.fence import landing
     from sweetspot.report.play.document import play_document
-    from sweetspot.report.play.played_pitch import PlayedPitch
+    from sweetspot.report.play.played_pitch import PlayedPitch, with_ending
     from sweetspot.units import parse, parse_position
 
     described = catalog.load_bat(bat)
@@ -108,7 +107,8 @@ def play(
     under, park = parse(without_error(meeting.offset), "length", "--offset"), park_of(air)
     off_place, off_ball = error_behind(meeting.at, "length", "--at"), error_behind(meeting.offset, "length", "--offset")
     swung = path_of(path)
-    flying = replace(through(air, swing.ball or catalog.sport(described.sport).balls[0]), ball=conditions.ball)
+    ball = swing.ball or catalog.sport(described.sport).balls[0]
+    flying = replace(through(air, ball), ball=conditions.ball)
     pitch = _pitch_at_plate(arrival, swing, conditions.pitch.speed, flying)
     with patience():
         played = follow(
@@ -121,8 +121,9 @@ def play(
         )
     result = PlayedPitch(
         play=played, bat=described, ball=conditions.ball, position=position, offset=under, path=swung, pitch=pitch,
-        park=park, landing=None if park is None or played.flight is None else landing(played.flight.positions, park),
     )  # fmt: skip
+    law = catalog.aerodynamics_of_ball(ball)
+    result = with_ending(result, flying, outdoors=law, park=park)
     document = play_document(result)
     if meeting.uncertainty and played.flight is not None:
         from sweetspot.calibration.draws.drawn_plays import PlayAsked

@@ -2,7 +2,8 @@
 
 Two balls hit alike do not fly alike. Balls differ in drag, spin about the usual line, and no park's weather is known to
 the breeze. All that is told as one scatter of the drag coefficient, as wide as what tracked carries scatter by
-(`tools/fit_aerodynamics.py` prints it), so a ball that would clear a fence by nothing has a chance of one half.
+(`tools/fit_aerodynamics.py` prints it), so a ball that would clear a fence by nothing has a chance of about one half:
+a little less in the open, a little more under a roof (`Scatter`).
 """
 
 from __future__ import annotations
@@ -55,6 +56,10 @@ class Scatter:
             covered * self.roof_shift + (1 - covered) * self.open_shift,
             covered * self.roof + (1 - covered) * self.open,
         )
+
+    def drag(self, park: Park | None) -> float:
+        """Return the standard deviation in a park, or in the open where none is named."""
+        return self.open if park is None else self.of(park)[1]
 
 
 USUAL = Scatter()

@@ -22,6 +22,7 @@ from sweetspot.flight.trajectory import Flight, FlightOutcome, fly
 from sweetspot.report.document import Document, Paragraph, Picture
 from sweetspot.report.flight.court import court_json, court_words
 from sweetspot.report.flight.words import (
+    alike_words,
     direction_words,
     flight_json,
     flight_words,
@@ -92,9 +93,8 @@ def batted_flight(
     spread = 0.0
     if landed:
         measured = hit.backspin is not None  # then it is no other than it is
-        drag = SCATTER.open if park is None else SCATTER.of(park)[1]
         known = {"spin_scatter": 0.0} if measured else {}
-        spread = carry_spread(hit.motion, conditions, drag_scatter=drag, **known)
+        spread = carry_spread(hit.motion, conditions, drag_scatter=SCATTER.drag(park), **known)
     flown = BattedFlight(hit, flight, ball, sport, spread=spread)
     if park is None or flight.outcome is not FlightOutcome.LANDED:
         return flown
@@ -181,13 +181,7 @@ def _words(flown: BattedFlight) -> Sentence:
         return joined([*sentences, court_words(flown.flight, flown.sport, ball=flown.ball, from_plate=at_plate)])
     sentences += [flight_words(flown.flight, at=""), _bend(flown.flight, windy=bool(flown.hit.wind_speed))]
     if flown.spread:
-        sentences.append(
-            say(
-                "{what} differ: two in three hit like it come down within {spread} of that.",
-                what="Balls, spin and weather" if flown.hit.backspin is None else "Balls and weather",
-                spread=Slot(flown.spread, "distance", digits=0),
-            )
-        )
+        sentences.append(alike_words(flown.spread, spin_known=flown.hit.backspin is not None))
     if flown.park is not None and flown.landing is not None:
         sentences.append(landing_words(flown.landing, flown.park))
         sentences.append(

@@ -97,6 +97,20 @@ def landing_words(landing: Landing, park: Park) -> Sentence:
     )  # fmt: skip
 
 
+def alike_words(spread: float, *, spin_known: bool) -> Sentence:
+    """Return by how much the carries of balls hit alike differ.
+
+    Parameters
+    ----------
+    spread : m, standard deviation.
+    """
+    return say(
+        "{what} differ: two in three hit like it come down within {spread} of that.",
+        what="Balls and weather" if spin_known else "Balls, spin and weather",
+        spread=Slot(spread, "distance", digits=0),
+    )
+
+
 def launch_words(ball: BallMotion, *, ballpark: bool = True) -> Sentence:
     """Return how a ball leaves: "at 105.8 mph, 24.8° up and 11.7° to right field, with 3249 rpm of backspin ...".
 

@@ -8,6 +8,7 @@ from sweetspot.catalog.sports import sport
 from sweetspot.report.bat.assumed_values import soft_note
 from sweetspot.report.document import Document, Paragraph, Picture
 from sweetspot.report.flight.words import (
+    alike_words,
     flight_json,
     flight_words,
     landing_json,
@@ -47,6 +48,8 @@ def play_json(played: PlayedPitch) -> dict[str, Any]:
     """Return a play with a unit in every name; what a miss does not have is None."""
     struck, ball, impact = played.play.strike, played.play.strike.launched, played.play.strike.impact
     again = {} if impact is None or impact.unrecovered is None else {"unrecovered_gain_m_s": impact.unrecovered_gain}
+    alike = {"carry_spread_m": played.spread} if played.spread else {}
+    alike |= {} if played.chance is None else {"home_run_chance": played.chance}
     return again | cleaned(
         {
             "bat": played.bat.name,
@@ -71,6 +74,7 @@ def play_json(played: PlayedPitch) -> dict[str, Any]:
             "flight": played.play.flight and flight_json(played.play.flight),
             "fence": landing_json(played.landing, played.park) if played.landing and played.park else None,
         }
+        | alike
     )
 
 
@@ -96,8 +100,12 @@ def play_words(played: PlayedPitch) -> Sentence:
         "" if struck.gripped else "It slides on the bat all through the contact: friction cannot turn it further.",
         flight_words(played.play.flight),
     ]
+    if played.spread:
+        sentences.append(alike_words(played.spread, spin_known=True))
     if played.landing is not None and played.park is not None:
         sentences.append(landing_words(played.landing, played.park))
+    if played.chance is not None:
+        sentences.append(say("Of a hundred like it {chance} are home runs.", chance=round(100 * played.chance)))
     return joined(sentences)
 
 
