@@ -87,10 +87,10 @@ class CarryErrors:
 
 
 def _between(nodes: Array, values: Array) -> tuple[NDArray[np.intp], Array]:
-    """Return the node before each value and the part of the way to the next; beyond the ends the nearest counts."""
-    inside = np.clip(np.nan_to_num(values), nodes[0], nodes[-1])
-    before = np.clip(np.searchsorted(nodes, inside, side="right") - 1, 0, len(nodes) - 2)
-    return before, (inside - nodes[before]) / (nodes[before + 1] - nodes[before])
+    """Return the even node before each value and the part of the way to the next; beyond the ends the nearest."""
+    at = np.clip((np.nan_to_num(values) - nodes[0]) / (nodes[1] - nodes[0]), 0, len(nodes) - 1)
+    before = np.minimum(at.astype(np.intp), len(nodes) - 2)
+    return before, at - before
 
 
 def drag_alone(by_drag: Array, *, per_drag: Array, home_run: float) -> Array:

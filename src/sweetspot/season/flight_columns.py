@@ -27,7 +27,7 @@ from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.home_runs import USUAL, home_run_chances
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.motion.ball_motion import BallMotions
-from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.season.balls import Balls
 from sweetspot.season.fields import Fields, nearest_fences, thirty_parks
 from sweetspot.season.launch_table import Expected, expected_of
@@ -45,6 +45,8 @@ again; below it the table's is right to 1.5 ft in 35 ft for 99 of 100 balls."""
 THINNER, SURE = 1.02, 5.0
 """A ball that, in thinner air and with its drag so many standard deviations off, still comes down before every fence on
 its way is no home run anywhere; so chances below about 1e-7 are taken as none."""
+Rows = IntArray | slice
+"""Which balls of all."""
 GLOVE = 5 * FOOT
 """m above the ground, where caught balls end."""
 
@@ -152,7 +154,7 @@ def _launched(
     given = np.isfinite(told)
     known = given | np.isfinite(wanted)
     spray = np.where(given, told, expected.direction)
-    flown = _flown(balls, spray, density, setting, np.ones(len(balls), bool), setting.aerodynamics)
+    flown = _flown(balls, spray, density, setting, slice(None), setting.aerodynamics)
     open_rows = np.flatnonzero(known & ~given & flown.landed)
     miss = np.zeros(len(balls))
     miss[open_rows] = _wrapped(flown.bearing[open_rows] - wanted[open_rows])
@@ -165,9 +167,7 @@ def _launched(
             break
         step = np.clip(-miss[open_rows] * turn, -0.5, 0.5)
         spray[open_rows] += step
-        mask = np.zeros(len(balls), bool)
-        mask[open_rows] = True
-        again = _flown(balls, spray, density, setting, mask, setting.aerodynamics)
+        again = _flown(balls, spray, density, setting, open_rows, setting.aerodynamics)
         flown = _replaced(flown, open_rows, again)
         before = miss[open_rows]
         miss[open_rows] = _wrapped(again.bearing - wanted[open_rows])
@@ -185,21 +185,21 @@ def _per_drag(
 ) -> Array:  # fmt: skip
     """Return by how much carries grow with the logarithm of drag, m; 0 of balls that were hit down."""
     per_drag = np.where(balls.launch_angle > 0, expected.carry_per_drag, 0.0)
-    steep = flown.landed & (balls.launch_angle > STEEP)
-    if steep.any():
+    steep = np.flatnonzero(flown.landed & (balls.launch_angle > STEEP))
+    if len(steep):
         again = _flown(balls, spray, density, setting, steep, braked(setting.aerodynamics))
         per_drag[steep] = (again.carry - flown.carry[steep]) / np.log1p(MORE_DRAG)
     return np.where(flown.landed, per_drag, np.nan)
 
 
 def _flown(
-    balls: Balls, spray: Array, density: Array, setting: FlightSetting, rows: np.ndarray, law: Aerodynamics
+    balls: Balls, spray: Array, density: Array, setting: FlightSetting, rows: Rows, law: Aerodynamics
 ) -> Flights:
     conditions = FlightConditions(ball=setting.ball, aerodynamics=law, air=density[rows])
     return flights(_launch(balls, spray, rows), conditions, threads=setting.threads)
 
 
-def _launch(balls: Balls, spray: Array, rows: np.ndarray) -> BallMotions:
+def _launch(balls: Balls, spray: Array, rows: Rows) -> BallMotions:
     up, aside = balls.launch_angle[rows], spray[rows]
     return usual_launch(balls.exit_speed[rows], up, aside, left=balls.left[rows])
 
@@ -227,11 +227,9 @@ def _chances(
         mine = np.flatnonzero((reach > near) & (balls.season == season))
         if not len(mine):
             continue
-        mask = np.zeros(len(balls), bool)
-        mask[mine] = True
         conditions = FlightConditions(ball=setting.ball, aerodynamics=setting.aerodynamics, air=setting.air)
         chances = home_run_chances(
-            _launch(balls, spray, mask), conditions, parks=(*thirty, *extra), threads=setting.threads
+            _launch(balls, spray, mine), conditions, parks=(*thirty, *extra), threads=setting.threads
         )
         everywhere[mine] = chances.chance[:, : len(thirty)].sum(axis=1)
         count[mine] = (chances.clearance[:, : len(thirty)] > 0).sum(axis=1)
@@ -242,4 +240,4 @@ def _chances(
 
 
 def _wrapped(angle: Array) -> Array:
-    return np.arctan2(np.sin(angle), np.cos(angle))
+    return angle - 2 * np.pi * np.rint(angle / (2 * np.pi))

@@ -27,7 +27,7 @@ from sweetspot.season.rows import USED, rows_of
 from sweetspot.season.table_file import TableFile
 from sweetspot.season.table_reader import TableReader
 
-TASK_ROWS = 32_768
+TASK_ROWS = 65_536
 """Rows of a task; the answers of a row do not depend on it, what is held in memory at a time does."""
 ONLY_KEYS = {"at_bat", "pitch", "pitch_id", "player_name"}
 """Quantities that tell pitches apart, and are asked for no more."""
@@ -157,9 +157,10 @@ def do_task(plan: Plan, task: Task, reader: TableReader | None = None) -> int:
 def _write(frame: pl.DataFrame, path: Path, plan: Plan) -> None:
     try:
         with written_whole(path) as file:
+            mark = {MARK: json.dumps({"plan": plan.fingerprint, "rows": len(frame)})}
             frame.write_parquet(
-                file, compression="lz4", metadata={MARK: json.dumps({"plan": plan.fingerprint, "rows": len(frame)})}
-            )
+                file, compression="uncompressed", metadata=mark
+            )  # packed is a fifth smaller, and slower
     except (pl.exceptions.PolarsError, OSError) as error:
         refused = refusal(error)
         reason = refused[1] if refused else str(error).lower()

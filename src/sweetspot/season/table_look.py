@@ -26,6 +26,8 @@ LOOKED_AT = (*POSSIBLE, "home_team", "game_kind", *REASONED, *SIDED, *DATED)
 AGAIN, AGAIN_PART = 5, 0.005
 """Balls of a part of a table that have the very same exit speed and angle, at least, and their part of it: tracked ones
 of a season stand a hundred times less often in the densest place."""
+PAIRED = 10_000
+"""Exit speed in tenths of a mph times this, and the launch angle in tenths of a degree, -900 to 900, are one number."""
 SHOWN = 20
 """Rows named with a warning."""
 FEW = 50
@@ -34,6 +36,8 @@ LONGEST_GAP = 5
 """Days without a game inside a table before it is said; an all-star break has four."""
 ENOUGH_TO_DOUBT = 30
 """Balls of a part of a table from which columns are doubted."""
+DOUBTFUL = ("exit_speed", "bat_speed", "launch_angle", "map_x", "map_y")
+"""Quantities whose columns are doubted."""
 DOUBTED = 4096
 """Balls of a part that are looked at for that, evenly drawn."""
 LEVEL, FAIR = math.radians(1.6), math.radians(50)
@@ -107,7 +111,8 @@ class TableLook:
             for club, year, count in used.group_by("home_team", "season").len().iter_rows():
                 if club is not None and home_park(club, year) is None:
                     self.lost[club] = self.lost.get(club, 0) + count
-        self._doubt(used, used.gather_every(max(1, len(used) // DOUBTED)))
+        doubted = used.select(name for name in DOUBTFUL if headings.has(name))
+        self._doubt(used, doubted.gather_every(max(1, len(used) // DOUBTED)))
         if headings.has("event"):
             self.endings |= set(used["event"].drop_nulls().unique())
 
@@ -116,14 +121,19 @@ class TableLook:
         if not self.table.headings.has("launch_angle"):
             return
         speed, angle = pl.col("exit_speed") / (0.1 * MPH), pl.col("launch_angle") / (0.1 * DEGREE)
-        pairs = used.select("row", speed=speed.round(), angle=angle.round()).drop_nulls()
-        often = pairs.group_by("speed", "angle").len().filter(pl.col("len") >= max(AGAIN, AGAIN_PART * len(used)))
-        if len(often):
-            often = often.sort("len", "speed", "angle", descending=True)
+        pair = (speed.round() * PAIRED + angle.round()).cast(pl.Int32)  # sorted as one number, many times as fast
+        pairs = used.select("row", pair=pair).drop_nulls()
+        found, times = np.unique(pairs["pair"].to_numpy(), return_counts=True)
+        often = times >= max(AGAIN, AGAIN_PART * len(used))
+        if often.any():
+            found, times = found[often], times[often]
+            most = found[np.lexsort((found, times))[::-1][:3]]
+            speeds = np.rint(most / PAIRED)
             shown = "; ".join(
-                f"{speed / 10:.1f} mph at {angle / 10:.1f} degrees" for speed, angle, _ in often.head(3).rows()
+                f"{speed / 10:.1f} mph at {angle / 10:.1f} degrees"
+                for speed, angle in zip(speeds, most - PAIRED * speeds, strict=True)
             )
-            self._note("placeholders", pairs.join(often, on=["speed", "angle"], how="semi"), detail=shown)
+            self._note("placeholders", pairs, pl.col("pair").is_in(found.tolist()), detail=shown)
 
     def _doubt(self, used: pl.DataFrame, some: pl.DataFrame) -> None:
         """Note columns that seem to stand in each other's place, or in another unit, by some of the balls."""
