@@ -93,6 +93,23 @@ def test_fingers_zoom_and_scroll_without_moving_the_ball(
     repainted(page, lambda: touched(*([(-8.0 * step, 0.0)] for step in range(8))))
     settled(page)
     assert "impact_from_tip_in" in page.url
+    page.goto(f"{server}/explorer?bore_diameter_in=1&bore_depth_in=6")
+    settled(page)
+    hole = page.evaluate("""async () => {
+      const { view: { picture } } = await import("/static/views/explorer.js");
+      const { left, top } = picture.element.getBoundingClientRect();
+      const { grips: [{ at, aside }] } = picture.data;
+      const { left: knob, scale, middle } = picture.place(picture.surface.width);
+      return [left + knob + scale * at, top + middle + scale * aside];
+    }""")
+    x, y = hole[0] + 5, hole[1] + 5  # a finger beside it holds it too, and the hole does not jump to the finger
+    touched(*([(-10.0 * step, 0.0)] for step in range(6)))
+    settled(page)
+    assert "bore_depth_in=6&" not in page.url and "bore_diameter_in=1&" in f"{page.url}&"
+    x -= 50
+    touched(*([(0.0, 2.0 * step)] for step in range(6)))
+    settled(page)
+    assert page.evaluate("scrollY") == 0 and "bore_diameter_in=1&" not in f"{page.url}&"
     context.close()
 
 

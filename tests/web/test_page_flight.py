@@ -88,6 +88,28 @@ def test_dragging_on_the_field_turns_the_ball(
     expect(opened).to_have_url(re.compile(r"spray_deg=(4\d|50)"))  # the plate is drawn a few pixels above the corner
 
 
+def test_the_ball_comes_down_where_the_hand_lets_it_go(
+    page: Page, server: str, settled: Callable[[Page], None]
+) -> None:
+    """Within half: carry is not quite the 0.6th power of speed. Moved twenty times before an answer, it must not add up."""
+    page.goto(f"{server}/flight?spray_deg=0")
+    settled(page)
+    landed = """async () => {
+      const { view: { field, answer } } = await import("/static/views/flight.js");
+      field.element.scrollIntoView({ block: "center" });
+      const { left, top } = field.element.getBoundingClientRect();
+      return [left + field.landed[0], top + field.landed[1], field.scale, answer.flight.carry_m];
+    }"""
+    x, y, scale, carry = page.evaluate(landed)
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x, y - 30, steps=20)
+    page.mouse.up()
+    settled(page)
+    gone = page.evaluate(landed)[3] - carry
+    assert gone == pytest.approx(30 / scale, rel=0.5) and gone < 0.1 * carry
+
+
 def test_another_park_brings_its_elevation(opened: Page, answered: Answered) -> None:
     before, count = number(opened, "Carry"), answered(opened)
     opened.get_by_label("Park", exact=True).select_option("coors-field")

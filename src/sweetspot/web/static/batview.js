@@ -44,6 +44,7 @@ export class BatView {
     this.data = null;
     this.held = null;
     this.grip = null;
+    this.slip = [0, 0]; // m from the hand to what it holds, along and from the axis
     this.surface = new Surface(app, { label, height: (width) => this.tall(width), paint: (context, width) => this.paint(context, width) });
     this.element = this.surface.element;
     if (zoom) zoom.listen(this.surface, (x) => this.along(x));
@@ -85,17 +86,29 @@ export class BatView {
     this.surface.drags(({ x, y, first, last }) => {
       if (!this.data) return false;
       const { left, scale, middle } = this.place(this.surface.width);
-      if (first) {
-        this.held = this.drawing ? this.stationAt(x, y) : null;
-        this.grip = this.held === null ? this.gripAt(x, y) : null;
-      }
-      const along = (x - left) / scale;
-      const aside = Math.abs(y - middle) / scale;
-      if (this.held !== null) this.dragStation(this.held, along, 2 * aside, last);
-      else if (this.grip) this.onGrip?.(this.grip.take(along, aside), { last });
+      const [along, aside] = [(x - left) / scale, Math.abs(y - middle) / scale];
+      if (first) this.take(x, y, along, aside);
+      const [at, out] = [along + this.slip[0], Math.max(0, aside + this.slip[1])];
+      if (this.held !== null) this.dragStation(this.held, at, 2 * out, last);
+      else if (this.grip) this.onGrip?.(this.grip.take(at, out), { last });
       else this.onBall?.(Math.min(this.data.bat.length_m, Math.max(0, along)), { last });
       return true;
-    });
+    }, ({ x, y }) => Boolean(this.data && ((this.drawing && this.stationAt(x, y) !== null) || this.gripAt(x, y))));
+  }
+
+  // What is pressed, and how far beside its middle: it stays so far from the hand, and nothing jumps.
+  /**
+   * @param {number} x
+   * @param {number} y
+   * @param {number} along
+   * @param {number} aside
+   */
+  take(x, y, along, aside) {
+    this.held = this.drawing ? this.stationAt(x, y) : null;
+    this.grip = this.held === null ? this.gripAt(x, y) : null;
+    const station = this.held === null ? null : this.data?.bat.stations[this.held];
+    const taken = station ? { at: station.position_m, aside: station.diameter_m / 2 } : this.grip;
+    this.slip = taken ? [taken.at - along, taken.aside - aside] : [0, 0];
   }
 
   // What is made with the hand: the end of a hole, a cup, a weight, the top hand; see grips.js.

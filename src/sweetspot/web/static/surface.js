@@ -125,19 +125,26 @@ export class Surface {
     return { name, width: this.width, height: this.tall, paint: (context, width, height) => this.paint(context, width, height) };
   }
 
-  // Call onMove({x, y, first, last}) in the canvas' own coordinates while a pointer drags. What a finger does is known
-  // once it moves or is lifted: where the page is scrolled, or a second finger comes, nothing was dragged.
-  /** @param {(at: { x: number, y: number, first: boolean, last: boolean }) => unknown} onMove false: this is no drag */
-  drags(onMove) {
-    const place = (/** @type {PointerEvent} */ event) => {
-      const box = this.element.getBoundingClientRect();
-      return { x: event.clientX - box.left, y: event.clientY - box.top };
-    };
+  // Call onMove({x, y, first, last}) in the canvas' own coordinates while a pointer drags: as it lay when it was pressed,
+  // for what is dragged may change the room that words above it take. What a finger does is known once it moves or is
+  // lifted: where the page is scrolled, or a second finger comes, nothing was dragged. A finger on what `holds` says is
+  // held drags it at once, whichever way it goes.
+  /**
+   * @param {(at: { x: number, y: number, first: boolean, last: boolean }) => unknown} onMove  false: this is no drag
+   * @param {(at: { x: number, y: number }) => boolean} [holds]
+   */
+  drags(onMove, holds = () => false) {
+    const placed = (/** @type {{ clientX: number, clientY: number }} */ { clientX, clientY }, box = this.element.getBoundingClientRect()) => ({ x: clientX - box.left, y: clientY - box.top });
+    this.element.addEventListener("touchstart", (event) => {
+      if (event.touches.length === 1 && holds(placed(event.touches[0]))) event.preventDefault(); // the page is not scrolled
+    }, { passive: false });
     this.element.addEventListener("pointerdown", (event) => {
       if (event.button !== 0 || this.fingers.size > 1) return;
+      const box = this.element.getBoundingClientRect();
+      const place = (/** @type {PointerEvent} */ moved) => placed(moved, box);
       const start = place(event);
       const begin = () => onMove({ ...start, first: true, last: false }) !== false;
-      let begun = event.pointerType !== "touch";
+      let begun = event.pointerType !== "touch" || holds(start);
       if (begun && !begin()) return;
       this.element.setPointerCapture(event.pointerId);
       const stop = () => {

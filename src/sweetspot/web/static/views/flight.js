@@ -99,7 +99,7 @@ export const view = {
     if (state.start !== "ball" || !answer || answer.missed) return false;
     const within = (/** @type {string} */ field, /** @type {number} */ value, /** @type {number} */ step) => Math.min(schema[field].maximum, Math.max(schema[field].minimum, Math.round(value / step) * step));
     const turned = state.direction === "landing" ? direction : direction - (answer.flight.landing_direction_rad - answer.launch.spray_rad);
-    const harder = state.exit_speed_mph * (Math.max(20, distance) / Math.max(20, answer.flight.carry_m)) ** 0.6;
+    const harder = (answer.launch.exit_speed_m_s / MPH) * (Math.max(20, distance) / Math.max(20, answer.flight.carry_m)) ** 0.6;
     this.app.setState({ spray_deg: within("spray_deg", (turned * 180) / Math.PI, 0.5), exit_speed_mph: within("exit_speed_mph", harder, 0.5) }, { commit: last });
     return true;
   },

@@ -180,19 +180,31 @@ export class FieldPicture {
     /** @type {Point | null} */
     this.plate = null; // where home plate is painted
     this.scale = 1; // pixels per m
+    /** @type {number | null} */
+    this.steady = null; // that scale while the ball is dragged, else it would flee from the hand
     /** @type {Point} */
     this.vane = [0, 0]; // where the wind's arrow is painted
+    /** @type {Point} */
+    this.landed = [-99, -99]; // where the ball comes down
     this.surface = new Surface(app, { height: (width) => 0.98 * width, paint: (...all) => this.paint(...all) });
     this.element = this.surface.element;
     this.element.style.cursor = "grab";
     this.surface.drags(({ x, y, first, last }) => {
       if (!this.plate) return false;
-      if (first) this.winding = Math.hypot(x - this.vane[0], y - this.vane[1]) < 34;
+      if (first) this.winding = this.onVane(x, y);
       if (this.winding) return onWind(this.windFrom(x, y), { last });
       const [right, out] = [(x - this.plate[0]) / this.scale, (this.plate[1] - y) / this.scale];
-      return onLand({ distance: Math.hypot(right, out), direction: Math.atan2(right, out) }, { last });
-    });
+      const drag = onLand({ distance: Math.hypot(right, out), direction: Math.atan2(right, out) }, { last });
+      this.steady = drag && !last ? this.scale : null;
+      return drag;
+    }, ({ x, y }) => this.onVane(x, y) || Math.hypot(x - this.landed[0], y - this.landed[1]) < 24);
   }
+
+  /**
+   * @param {number} x
+   * @param {number} y
+   */
+  onVane(x, y) { return Math.hypot(x - this.vane[0], y - this.vane[1]) < 34; }
 
   // The arrow's length is the wind's speed, as it is painted.
   /**
@@ -240,7 +252,7 @@ export class FieldPicture {
     const { park, path, flight, end } = this.data;
     const reach = 1.05 * Math.max(...park.out_m, ...path.out_m, 60);
     const wide = 1.05 * Math.max(...park.right_m.map(Math.abs), ...path.right_m.map(Math.abs));
-    const scale = Math.min((height - 30) / (reach + 6), width / (2 * wide));
+    const scale = this.steady ?? Math.min((height - 30) / (reach + 6), width / (2 * wide));
     /** @type {(right: number, out: number) => Point} */
     const at = (right, out) => [width / 2 + right * scale, height - 14 - (out + 4) * scale];
     /** @type {Point[]} */
@@ -258,7 +270,8 @@ export class FieldPicture {
     for (const other of this.fences ?? []) line(context, other.right_m.map((/** @type {number} */ right, /** @type {number} */ i) => at(right, other.out_m[i])), { color: colors.line, width: 0.7 });
     this.paintFence(context, fence, park.height_m);
     line(context, path.right_m.map((/** @type {number} */ right, /** @type {number} */ i) => at(right, path.out_m[i])), { color: colors.red, width: 2.6 });
-    dot(context, at(path.right_m.at(-1), path.out_m.at(-1)), 6, colors.red);
+    this.landed = at(path.right_m.at(-1), path.out_m.at(-1));
+    dot(context, this.landed, 6, colors.red);
     if (this.moment !== null) {
       const here = placeAt(path, this.moment);
       dot(context, at(here.right_m, here.out_m), 5 + here.up_m / 8, colors.ink);
@@ -268,7 +281,7 @@ export class FieldPicture {
       dot(context, place, 3.5, colors.ink);
     }
     Object.assign(context, { font: `600 12px ${FONT}`, textAlign: "center", textBaseline: "middle" });
-    const [x, y] = at(path.right_m.at(-1), path.out_m.at(-1));
+    const [x, y] = this.landed;
     haloText(context, this.app.text("distance", flight.carry_m), Math.min(width - 30, Math.max(30, x)), Math.max(10, y - 13), colors.ink, colors.panel);
     this.paintDistances(context, fence, park);
     this.paintWind(context);
