@@ -91,7 +91,7 @@ def test_dragging_on_the_field_turns_the_ball(
 def test_the_ball_comes_down_where_the_hand_lets_it_go(
     page: Page, server: str, settled: Callable[[Page], None]
 ) -> None:
-    """Within half: carry is not quite the 0.6th power of speed. Moved twenty times before an answer, it must not add up."""
+    """Within half: carry is not quite the 0.6th power of speed. Twenty moves before an answer must not add up."""
     page.goto(f"{server}/flight?spray_deg=0")
     settled(page)
     landed = """async () => {
