@@ -80,6 +80,42 @@ def test_one_bad_file_is_listed_and_the_exit_code_is_1(tmp_path: Path, capsys: p
     assert "30 balls in play" in shown.out and f"not read: {empty} is empty" in shown.err
 
 
+def test_its_own_tables_are_left_out_a_second_time(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    made_up(30).write_csv(tmp_path / "balls.csv")
+    asked = ("--flight-only", "--out", tmp_path)
+    assert run(tmp_path / "balls.csv", *asked) == 0
+    first, _ = (tmp_path / "players.csv").read_bytes(), capsys.readouterr()
+    tables = sorted(tmp_path.glob("*.csv"))
+    assert len(tables) > len(GROUPS)
+    assert run(*tables, tmp_path / "parks.parquet", *asked) == 0
+    shown = capsys.readouterr()
+    assert "30 rows in one file" in shown.out and "parks.csv" in shown.err and "parks.parquet" in shown.err
+    assert "left out, as season wrote them itself" in shown.err and (tmp_path / "players.csv").read_bytes() == first
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("clubs.csv", "is where season writes a table of its own"),  # and of somebody else's
+        ("players.csv", "is a table that season itself wrote"),
+        ("balls/0000-0000000000.parquet", "is one of the answers in"),
+    ],
+)
+def test_what_a_season_would_replace_is_no_input(
+    name: str, words: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out, table = tmp_path / "out", tmp_path / "table.csv"
+    made_up(30).write_csv(table)
+    assert run(table, "--flight-only", "--out", out) == 0
+    capsys.readouterr()
+    if name == "clubs.csv":
+        table.replace(out / name)
+    held = (out / name).read_bytes()
+    assert run(out / name, "--flight-only", "--out", out) == 2
+    said = [line for line in capsys.readouterr().err.splitlines() if line]
+    assert len(said) == 1 and words in said[0] and (out / name).read_bytes() == held
+
+
 def test_a_page_for_one_player(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     table, out = tmp_path / "table.csv", tmp_path / "out"
     made_up(300).write_csv(table)

@@ -118,6 +118,7 @@ def season(
 ) -> int:
     """Tell every ball in play of tables of any size: where on the bat it was hit, how far it carries, who did what."""
     from sweetspot.season.batters import require_batter
+    from sweetspot.season.own_tables import tables_of_balls
     from sweetspot.season.season_table import temporary_folder
 
     given = columns.given()
@@ -125,6 +126,10 @@ def season(
         return _show_columns(files, given)
     if output.out is None and work.needs_folder:
         raise InputError(work.needs_folder)
+    files, own = tables_of_balls(files, out=output.out)
+    if own:
+        shown = ", ".join(path.name for path in own)
+        print(f"sweetspot: left out, as season wrote them itself: {shown}", file=sys.stderr)
     names = bats.named()
     if player is not None:
         require_batter(files, player, given=given)

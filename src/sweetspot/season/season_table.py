@@ -165,10 +165,13 @@ def analyse_season(
     Raises
     ------
     InputError
-        when none of the tables can be read, or none holds a ball in play.
+        when none of the tables can be read, none holds a ball in play, or one is among the answers to be replaced.
     UnwritableError
         when there is no room for the copy of a CSV file.
     """
+    replaced = [(folder / name).resolve() for name in (BALLS, LEDGER, COUNTED)]
+    if among := [path for path in paths if Path(path).resolve().parent in replaced]:
+        raise InputError(f"{among[0]} is one of the answers in {folder}, which are replaced; write to another folder")
     staging = folder / ".tables"
     try:
         survey = survey_tables([Path(path) for path in paths], staging=staging, given=given)

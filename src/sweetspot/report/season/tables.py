@@ -12,7 +12,8 @@ from sweetspot.report.file_set import write_all
 from sweetspot.report.quantities import SCALES
 from sweetspot.report.season.document import SeasonReport
 from sweetspot.season.counted import WITH
-from sweetspot.season.standings import GROUPS, MEASURES, Standing
+from sweetspot.season.own_tables import table_stem
+from sweetspot.season.standings import MEASURES, Standing
 
 PARTS = ("", "_mean", "_spread", "_low50", "_high50", "_low90", "_high90")
 EV20 = "ev20"
@@ -29,7 +30,7 @@ def write_tables(report: SeasonReport, folder: Path) -> list[str]:
     contents: dict[Path, bytes] = {}
     for key, one in report.standings.items():
         table = with_units(one, system=report.season.setting.system)
-        stem = GROUPS[key].replace(" ", "_")
+        stem = table_stem(key)
         texts = [column.name for column in table if column.dtype == pl.String]
         shown = table.with_columns(pl.col(texts).map_elements(harmless, return_dtype=pl.String))
         contents[folder / f"{stem}.csv"] = shown.write_csv().encode()
