@@ -75,3 +75,19 @@ def test_the_microphone_freezes_on_a_tap(browser: Browser, server: str, taps: Pa
         expect(page.get_by_role("button", name="Listen", exact=True)).to_be_visible()
     finally:
         listening.close()
+
+
+def test_a_microphone_that_is_not_allowed_is_told(browser: Browser, server: str, answered: Answered) -> None:
+    """A browser that nobody answers refuses the microphone that it has."""
+    flags = ["--no-sandbox", "--use-fake-device-for-media-stream"]
+    refusing = browser.browser_type.launch(executable_path=browsers.for_tests(), args=flags)
+    try:
+        page = refusing.new_page()
+        page.add_init_script("localStorage.setItem('guided', 'yes')")
+        page.goto(f"{server}/own")
+        answered(page)
+        page.get_by_role("button", name="Listen", exact=True).click()
+        expect(page.get_by_text("The microphone was not allowed; allow it beside the address")).to_be_visible()
+        expect(page.get_by_role("button", name="Listen", exact=True)).to_be_enabled()
+    finally:
+        refusing.close()

@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from typing import Any
 from urllib.parse import quote
 
+import pytest
 from playwright.sync_api import Browser, Page, Route, expect
 
 from sweetspot import catalog
@@ -217,14 +218,24 @@ def test_links_that_others_open(page: Page, server: str, answered: Answered) -> 
     text = bat_toml(catalog.bat("youth-30").replaced(name="Somebody's own"))
     page.goto(f"{server}/explorer?pitch_speed_mph=61&bat_toml={quote(text)}")
     answered(page)
+    page.get_by_role("radio", name="SI").check()
     long = page.url
     page.locator("#share").click()
     short = page.get_by_label("Link to this picture").input_value()
     assert len(short) < len(long) / 2
+    page.evaluate(
+        "Object.defineProperty(navigator, 'clipboard', { value: undefined })"
+    )  # as at an address of a network
+    page.get_by_role("button", name="Copy to embed").click()
+    expect(page.locator("dialog [role=status]")).to_contain_text("did not let it be copied")
+    embedded = page.get_by_label("Link to this picture").input_value()
+    assert "/embed/explorer?" in embedded and "units=si" in embedded
+    page.evaluate("localStorage.setItem('units', 'us')")  # another reader's
     page.goto(short)
     answered(page)
     expect(page.locator("#bench-chip")).to_contain_text("Somebody's own")
-    assert field(page, "pitch_speed_mph").input_value() == "61"
+    expect(page.locator("#verdict")).to_contain_text(" m/s")
+    assert float(field(page, "pitch_speed_mph").input_value()) == pytest.approx(61 * 0.44704, abs=0.06)
     response = page.goto(f"{server}/embed/explorer?pitch_speed_mph=61")
     answered(page)
     assert response is not None

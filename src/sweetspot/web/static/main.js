@@ -105,8 +105,9 @@ export class App {
     /** @type {Map<string, Entry>} */
     this.views = new Map(facts.views.map((/** @type {{ name: string, title: string, schema: Record<string, any> }} */ { name, title, schema }) => [
       name, { name, title, schema: fieldsOf(schema), bat: Object.keys(schema.$defs?.BatState?.properties ?? {}) }]));
+    const units = new URLSearchParams(location.search).get("units") ?? localStorage.getItem("units"); // a shared picture has its own
     /** @type {System} */
-    this.units = localStorage.getItem("units") === "si" ? "si" : "us";
+    this.units = units === "si" ? "si" : "us";
     this.calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
     /** @type {Map<string, Control>} */
     this.controls = new Map();

@@ -17,7 +17,7 @@ export function shareButton(app) {
 /** @param {App} app */
 async function open(app) {
   const { name, state, defaults } = app;
-  const here = (/** @type {string} */ address) => location.origin + address;
+  const here = (/** @type {string} */ address) => `${location.origin}${address}${address.includes("?") ? "&" : "?"}units=${app.units}`;
   const long = here(addressOf(name, state, defaults));
   const short = here(await shortAddressOf(name, state, defaults));
   const embedded = here(addressOf(name, state, defaults, true));
@@ -32,8 +32,14 @@ async function open(app) {
       said.textContent = "There is nothing of that kind for this view.";
       return;
     }
-    await navigator.clipboard.writeText(found);
-    said.textContent = `${words}: copied.`;
+    try {
+      await navigator.clipboard.writeText(found);
+      said.textContent = `${words}: copied.`;
+    } catch { // not allowed, or no secure address
+      said.textContent = "The browser did not let it be copied; it stands above.";
+      shown.value = found;
+      shown.select();
+    }
   });
   const lines = (/** @type {string} */ key) => async () => {
     try {
