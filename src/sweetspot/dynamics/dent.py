@@ -17,18 +17,18 @@ All wood is taken as alike across the grain. What fills a hole is left out: it i
 from __future__ import annotations
 
 from functools import cache, lru_cache
-from itertools import pairwise
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
 
 from sweetspot.dynamics.beam import BeamModel
+from sweetspot.dynamics.dent_kernel import MOTIONS, surface_compliance
 from sweetspot.dynamics.patch import ByPatch, PatchLaw, transform
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.laminate_theory import DEFAULT_POISSON
 from sweetspot.equipment.material import Material
-from sweetspot.numerics.arrays import Array, IntArray
+from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.piecewise import cubic_spline
 
 ACROSS_POISSON = 0.4
@@ -41,6 +41,8 @@ SLOWEST, FASTEST = 0.12, 14.0
 PATCHES = np.linspace(0.45, 1.25, 9)
 """a / R between which the dent is interpolated; smaller and larger patches are taken as the nearest of them."""
 ELEMENTS, DEGREE = 5, 4
+POWERS = (0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)
+"""Of n and k that parts of the stiffness go with."""
 FINE = leggauss(64)
 PLACES = 81
 KEPT = 8192
@@ -56,7 +58,7 @@ def dent_compliance(line: BeamModel, *, law: PatchLaw) -> ByPatch:
     law : how the ball's patch goes with the closing speed.
     """
     places = np.linspace(0.0, line.bat.length, PLACES)
-    tables = np.stack([_along(line, places, radius) for radius in law.radii], axis=1)
+    tables = _along(line, places, law.radii)
     return ByPatch(law, cubic_spline(places, tables))
 
 
@@ -79,16 +81,16 @@ def blade_dent(line: BeamModel, *, law: PatchLaw) -> ByPatch:
     return ByPatch(law, cubic_spline(places, tables))
 
 
-def _along(line: BeamModel, places: Array, patch: float) -> Array:
-    """Return the dent in m/N at places under a patch of one radius, m."""
+def _along(line: BeamModel, places: Array, patches: Array) -> Array:
+    """Return the dent in m/N at places under patches of some radii, m; shape (places, radii)."""
     bat = line.bat
     assert isinstance(bat, Bat) and bat.shell is None
-    radius = np.asarray(bat.diameter_at(places)) / 2
-    compliance = round_compliance(bat.material, patch / radius, void=0.0) / radius
+    radius = np.asarray(bat.diameter_at(places))[:, None] / 2
+    compliance = round_compliance(bat.material, patches / radius, void=0.0) / radius
     for bore in bat.bores:
-        within = (places > bat.length - bore.depth) & (places <= bat.length - bore.plug)
+        within = ((places > bat.length - bore.depth) & (places <= bat.length - bore.plug))[:, None]
         void = round(bore.diameter / 2 / float(radius[within].max(initial=bore.diameter)), 2)
-        hollow = round_compliance(bat.material, patch / radius, void=void) / radius
+        hollow = round_compliance(bat.material, patches / radius, void=void) / radius
         compliance = np.where(within, np.maximum(compliance, hollow), compliance)
     return compliance
 
@@ -144,59 +146,45 @@ def _stiffness(along: float, across: float, shear: float, poisson: float, across
 
 
 def _surface_compliance(stiffness: Array, waves: Array, void: float) -> Array:
-    """Return outward and sideways motion of the surface per unit of traction, shape (harmonics, waves, 2, 2).
+    """Return outward by outward, either by the other, and sideways by sideways traction, shape (3, harmonics, waves).
 
     The motion is u_r = W cos(n theta) cos(k z), u_theta = V sin(n theta) cos(k z), u_z = U cos(n theta) sin(k z).
-    From the axis outwards every element's motion is eliminated, so that what stays is the stiffness of the surface.
     """
-    parts = _radial_parts(stiffness, void)  # of K = sum over powers n^i k^j
-    powers = np.stack([np.arange(HARMONICS)[:, None] ** i * waves**j for i, j in parts], axis=-1)
-    every = np.stack(list(parts.values()))
-    within = np.zeros((HARMONICS, len(waves), 3, 3))  # what the elements farther in add at the node that they end with
-    for number in range(ELEMENTS):
-        at = np.concatenate([_unknowns(number * DEGREE + node) for node in range(DEGREE + 1)])
-        block = np.tensordot(powers, every[:, at[:, None], at], axes=1)
-        block[..., :3, :3] += within
-        inner, between = block[..., :-3, :-3], block[..., :-3, -3:]
-        within = -between.swapaxes(-1, -2) @ np.linalg.solve(inner, between)
-    surface = block[..., -3:, -3:] + within
-    motion = np.linalg.inv(surface)[..., :2, :2]
-    motion[0, :, [0, 1, 1], [1, 0, 1]] = 0.0  # harmonic 0 turns the body about its axis: no ball does that
-    return np.asarray(motion)
+    numbers = np.arange(float(HARMONICS))[:, None]
+    factors = np.stack([numbers**i * waves**j for i, j in POWERS], axis=-1).reshape(-1, len(POWERS))
+    compliance = np.empty((3, HARMONICS, len(waves)))
+    surface_compliance(_radial_parts(stiffness, void), factors, compliance.reshape(3, -1))
+    compliance[1:, 0] = 0.0  # harmonic 0 turns the body about its axis: no ball does that
+    return compliance
 
 
-def _unknowns(node: int) -> IntArray:
-    """Return where W, V and U of a node stand."""
-    return node + (ELEMENTS * DEGREE + 1) * np.arange(3)
+def _radial_parts(stiffness: Array, void: float) -> Array:
+    """Return the parts of elements' stiffness that go with n^i k^j of `POWERS`, shape (powers, elements, n, n).
 
-
-def _radial_parts(stiffness: Array, void: float) -> dict[tuple[int, int], Array]:
-    """Return the parts of the stiffness matrix that go with n^i k^j; unknowns are W, V and U along the radius."""
-    size = ELEMENTS * DEGREE + 1
+    Unknowns are U, V and W of every node, from the axis outwards.
+    """
     fine = void + (1 - void) * (1 - (1 - np.linspace(0, 1, ELEMENTS + 1)) ** 2)
     gauss, weights = leggauss(DEGREE + 3)
     own = -np.cos(np.pi * np.arange(DEGREE + 1) / DEGREE)
     powers = np.linalg.inv(np.vander(own, increasing=True))
     values = (np.vander(gauss, DEGREE + 1, increasing=True) @ powers).T
     slopes = (np.vander(gauss, DEGREE, increasing=True) * np.arange(1, DEGREE + 1) @ powers[1:]).T
-    parts = {(i, j): np.zeros((3 * size, 3 * size)) for i in range(3) for j in range(3) if i + j <= 2}
-    w, v, u = (slice(i * (DEGREE + 1), (i + 1) * (DEGREE + 1)) for i in range(3))
-    for number, (left, right) in enumerate(pairwise(fine)):
-        radius = (left + right) / 2 + (right - left) / 2 * gauss
-        slope, over = 2 / (right - left) * slopes, values / radius
-        strains = np.zeros((3, 6, 3 * (DEGREE + 1), len(gauss)))  # without n or k, with n, with k
-        strains[0, 0, w], strains[0, 1, w], strains[0, 3, v], strains[0, 4, u] = slope, over, slope - over, slope
-        strains[1, 1, v], strains[1, 3, w], strains[1, 5, u] = over, -over, -over
-        strains[2, 2, u], strains[2, 4, w], strains[2, 5, v] = values, -values, -values
-        area = weights * (right - left) / 2 * radius
-        at = np.concatenate([number * DEGREE + np.arange(DEGREE + 1) + i * size for i in range(3)])
-        for first, (i, j) in enumerate([(0, 0), (1, 0), (0, 1)]):
-            for second, (k, m) in enumerate([(0, 0), (1, 0), (0, 1)]):
-                stress = np.tensordot(stiffness, strains[second], axes=1)
-                parts[i + k, j + m][np.ix_(at, at)] += np.tensordot(
-                    strains[first] * area, stress, axes=([0, 2], [0, 2])
-                )
-    return parts
+    half = np.diff(fine)[:, None, None] / 2
+    radius = fine[:-1, None, None] + half * (gauss + 1)
+    slope, over = slopes / half, values / radius
+    strains = np.zeros((3, ELEMENTS, 6, 3 * (DEGREE + 1), len(gauss)))  # without n or k, with n, with k
+    u, v, w = (slice(motion, None, MOTIONS) for motion in range(MOTIONS))
+    strains[0, :, 0, w], strains[0, :, 1, w] = slope, over
+    strains[0, :, 3, v], strains[0, :, 4, u] = slope - over, slope
+    strains[1, :, 1, v], strains[1, :, 3, w], strains[1, :, 5, u] = over, -over, -over
+    strains[2, :, 2, u], strains[2, :, 4, w], strains[2, :, 5, v] = values, -values, -values
+    area = weights * half * radius
+    stress = np.einsum("ab,kebug->keaug", stiffness, strains) * area[:, :, None]
+    between = np.einsum("keaug,meavg->kmeuv", strains, stress)
+    return np.stack([
+        between[0, 0], between[0, 1] + between[1, 0], between[0, 2] + between[2, 0],
+        between[1, 1], between[1, 2] + between[2, 1], between[2, 2],
+    ])  # fmt: skip
 
 
 def _work(give: Array, waves: Array, patch: float) -> Array:
@@ -206,8 +194,7 @@ def _work(give: Array, waves: Array, patch: float) -> Array:
     before, after = pressure[:-2], pressure[2:]
     outward, sideways = before + after, after - before
     outward[0] /= 2
-    push = np.stack([outward, sideways], axis=-1)
-    work = np.pi * np.einsum("nki,nkij,nkj->nk", push, give, push)
+    work = np.pi * (outward**2 * give[0] + 2 * outward * sideways * give[1] + sideways**2 * give[2])
     work[0] *= 2
     return np.asarray(work)
 
