@@ -148,6 +148,21 @@ def test_an_unknown_player_is_refused_before_anything_is_computed(
     require_batter([other, table], "600002")  # and with another table that knows no batters
 
 
+def test_bats_of_batters_who_are_not_in_the_tables(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """All of them: nothing is computed with bats that are nobody's. Some: they are named, and the others count."""
+    table, bats = tmp_path / "table.csv", tmp_path / "bats.csv"
+    made_up(30).write_csv(table)
+    bats.write_text("batter,bat\nNobody,mlb-a\n600009,r161-ash\n", "utf-8")
+    assert run(table, "--bats", bats) == 2
+    said = capsys.readouterr().err.strip()
+    assert said.count("\n") == 0 and "no batter of the table of bats is in the tables: 'Nobody', '600009'" in said
+    bats.write_text("batter,bat\n600000.0,mlb-a\n600009,r161-ash\n", "utf-8")
+    assert run(table, "--bats", bats, "--out", tmp_path / "out") == 0
+    assert f"'600009' of {bats} is no batter of the tables" in capsys.readouterr().err
+    told = pl.read_parquet(tmp_path / "out" / "balls").group_by("batter").agg(pl.col("bat").unique()).sort("batter")
+    assert told["bat"].to_list() == [["mlb-a"], *[["unknown"]] * 5]
+
+
 def test_one_is_not_several() -> None:
     row = {"batter": "7", "name": None, "balls": 1, "ev20": 40.0, "home_runs_expected": 0.2, "home_runs": 0,
            "doubters": 1, "mostly_gone": 1, "no_doubters": 2}  # fmt: skip

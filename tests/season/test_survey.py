@@ -14,6 +14,7 @@ import pytest
 from sweetspot.errors import InputError
 from sweetspot.season import duplicates
 from sweetspot.season.balls import balls_of
+from sweetspot.season.batters import require_batter
 from sweetspot.season.rows import USED, rows_of
 from sweetspot.season.season_table import analyse_season, season_setting
 from sweetspot.season.survey import Survey, survey_tables
@@ -169,6 +170,103 @@ def test_european_tables(tmp_path: Path) -> None:
     assert rows["exit_speed"][0] == pytest.approx(160.5 / 3.6)
 
 
+SPANISH = "game_date,Batter,exit_speed_mph,launch_angle_deg\n" + "".join(
+    f"2024-04-{1 + number:02d},Ronald Acuña Jr.,{90 + number}.5,{number - 5}\n" for number in range(20)
+)
+EUROPEAN = SPANISH.replace(",", ";").replace(".5", ",5")
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [
+        ("plain.csv", SPANISH.encode()), ("mark.csv", SPANISH.encode("utf-8-sig")),
+        ("windows.csv", SPANISH.encode("cp1252")), ("windows.csv.gz", gzip.compress(SPANISH.encode("cp1252"))),
+        ("unicode_text.txt", SPANISH.replace(",", "\t").encode("utf-16")),
+        ("big_endian.csv", b"\xfe\xff" + SPANISH.encode("utf-16-be")),
+        ("packed.csv.gz", gzip.compress(SPANISH.encode("utf-16"))),
+        ("old_mac.csv", SPANISH.replace("\n", "\r").encode()),
+        ("european.csv", EUROPEAN.encode("cp1252")), ("not_packed.csv.gz", SPANISH.encode()),
+        ("european.txt", EUROPEAN.replace(";", "\t").replace("\n", "\r\n").encode()),
+        ("quoted.csv", "".join(",".join(f'"{cell}"' for cell in line.split(",")) + "\n"
+                               for line in SPANISH.splitlines()).encode()),
+    ],
+    ids=lambda value: value if isinstance(value, str) else "",
+)  # fmt: skip
+def test_text_as_spreadsheets_save_it(tmp_path: Path, name: str, content: bytes) -> None:
+    """Whatever the encoding, numbers and accents are the same; where it was guessed, a note says so."""
+    path = tmp_path / name
+    path.write_bytes(content)
+    found = look(path)
+    rows = rows_of(found.tables[0].part(0, 20), found.tables[0].headings)
+    assert set(rows["batter"]) == {"Ronald Acuña Jr."} and found.days[0] == (date(2024, 4, 1), date(2024, 4, 20))
+    np.testing.assert_allclose(rows["exit_speed"], (90.5 + np.arange(20)) * 0.44704)
+    np.testing.assert_allclose(rows["launch_angle"], np.radians(np.arange(20) - 5.0), atol=1e-12)
+    notes = " ".join(warning.detail for warning in found.warnings)
+    assert ("Windows-1252" in notes) == (name in ("windows.csv", "windows.csv.gz", "european.csv"))
+    require_batter([path], "Ronald Acuña Jr.")
+
+
+def test_numbers_with_units_thousands_and_other_minus_signs(tmp_path: Path) -> None:
+    path = tmp_path / "typed.csv"
+    path.write_text(
+        "game_date,exit_speed_km_h,launch_angle_deg,hit_spin_rpm,distance_cm\n"
+        '45384,160.5 km/h,\N{MINUS SIGN}20°,"2,345","12,034.5"\n'
+        "45385.79,150 KM/H,10 deg,2.210,9000\n", "utf-8")  # fmt: skip
+    found = look(path)
+    rows = rows_of(found.tables[0].part(0, 2), found.tables[0].headings)
+    np.testing.assert_allclose(rows["exit_speed"] * 3.6, [160.5, 150])
+    np.testing.assert_allclose(np.degrees(rows["launch_angle"]), [-20, 10])
+    np.testing.assert_allclose(rows["distance"], [120.345, 90])
+    np.testing.assert_allclose(rows["spin_rate"] * 30 / np.pi, [2345, 2210])
+    assert rows["day"].to_list() == [date(2024, 4, 2), date(2024, 4, 3)]  # as spreadsheets count days
+    assert warned(found, "unreadable") == 0
+
+
+def test_a_number_with_another_unit_is_unreadable(tmp_path: Path) -> None:
+    path = tmp_path / "other.csv"
+    path.write_text("exit_speed_mph,launch_angle_deg\n160 km/h,20\n98 mph,12\n", "utf-8")
+    found = look(path)
+    assert found.counts[0][USED] == 1 and warned(found, "unreadable") == 1
+
+
+@pytest.mark.parametrize("more", ["Total,,,,9000.5,12,,\n", ",Average,,,90.5,12,,\n", "{head}\n", ",,,,mph,deg,,\n"])
+def test_lines_beside_the_balls_are_left_out_and_told(tmp_path: Path, more: str) -> None:
+    """Totals and means below them, the headings again, and a second line of headings with the units."""
+    names = ("game_date", "batter", "stand", "home_team", "launch_speed", "launch_angle", "hc_x", "hc_y")
+    path = tmp_path / "table.csv"
+    made_up().select(names).write_csv(path)
+    head, *balls = path.read_text("utf-8").splitlines(keepends=True)
+    path.write_text("".join([head, *balls[:30], more.format(head=head.strip()), *balls[30:]]), "utf-8")
+    found = look(path)
+    assert found.rows == found.counts[0][USED] == 60
+    assert any("1 lines that repeat the headings" in warning.detail for warning in found.warnings)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("exit_speed_mph,launch_angle_deg\n95,10\n100,5,20,5\n", "line 3 has 4 cells under 2 headings"),
+        ("exit_speed_mph,launch_angle_deg\n1,95,10\n2,100,20\n", "line 2 has 3 cells under 2 headings"),
+        ("", "is packed; let its name end in .csv.gz"),
+    ],
+)
+def test_columns_that_may_be_shifted_are_refused(tmp_path: Path, text: str, words: str) -> None:
+    """A decimal comma without quotes, row numbers without a heading: nobody must guess which number is which."""
+    path = tmp_path / "table.csv"
+    path.write_bytes(text.encode() or gzip.compress(SPANISH.encode()))
+    assert words in look(path).faults[0][1]
+    path.write_text("exit_speed_mph,launch_angle_deg\n95,10\n100,20,,\n", "utf-8")  # nothing in them
+    assert look(path).counts[0][USED] == 2
+
+
+def test_very_many_columns(tmp_path: Path) -> None:
+    """Of twice as many columns twice the work; blank lines looked for in all of them took minutes."""
+    path, wide = tmp_path / "wide.csv", [f"c{number}" for number in range(3000)]
+    path.write_text(",".join(["launch_speed", *wide]) + "\n" + ",".join(["95"] * 3001) + "\n\n", "utf-8")
+    found = look(path)
+    assert found.rows == 1 and len(found.tables[0].headings.passed) == 3000
+
+
 def test_one_bad_file_never_stops_the_others(table: Write, tmp_path: Path) -> None:
     empty, header, other = tmp_path / "empty.csv", tmp_path / "header.csv", tmp_path / "other.csv"
     empty.touch()
@@ -291,7 +389,7 @@ def test_files_that_hold_tables_and_are_not_read(tmp_path: Path, name: str, word
     (tmp_path / name).write_bytes(b"PK\x03\x04\n\r\x00")
     (tmp_path / "t.csv").write_bytes(b"PK\x03\x04\r\n\r\x00\r\x01")  # under another name
     reasons = [reason for _, reason in look(tmp_path / name, tmp_path / "t.csv").faults]
-    assert words in reasons[0] and "is no text in UTF-8" in reasons[1]
+    assert words in reasons[0] and "is a spreadsheet or an archive; save the sheet as CSV" in reasons[1]
 
 
 def test_the_same_game_in_two_files_counts_once(table: Write) -> None:
@@ -325,8 +423,8 @@ def test_lists_and_words_with_units_are_told(table: Write, tmp_path: Path) -> No
     nested = made_up().with_columns(launch_speed=pl.concat_list("launch_speed"))
     assert "column launch_speed holds List" in look(table("nested.parquet", nested)).faults[0][1]
     path = tmp_path / "units.csv"
-    path.write_text("exit_speed_mph,launch_angle_deg\n98 mph,20\n97 mph,12\n", "utf-8")
-    with pytest.raises(InputError, match="2 rows hold words, or numbers with their unit"):
+    path.write_text("exit_speed_mph,launch_angle_deg\n98 km/h,20\n97 km/h,12\n", "utf-8")
+    with pytest.raises(InputError, match="2 rows hold words, or numbers with another unit"):
         analyse_season([path], setting=season_setting(contact=False), folder=tmp_path / "out")
 
 

@@ -117,7 +117,7 @@ def season(
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
     """Tell every ball in play of tables of any size: where on the bat it was hit, how far it carries, who did what."""
-    from sweetspot.season.batters import require_batter
+    from sweetspot.season.batters import require_batter, strangers
     from sweetspot.season.own_tables import tables_of_balls
     from sweetspot.season.season_table import temporary_folder
 
@@ -131,6 +131,9 @@ def season(
         shown = ", ".join(path.name for path in own)
         print(f"sweetspot: left out, as season wrote them itself: {shown}", file=sys.stderr)
     names = bats.named()
+    if batters := [who for who in names or () if who]:
+        for batter in strangers(files, batters, given=given):
+            print(f"sweetspot: {batter!r} of {bats.bats} is no batter of the tables", file=sys.stderr)
     if player is not None:
         require_batter(files, player, given=given)
 

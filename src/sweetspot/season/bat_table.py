@@ -40,6 +40,9 @@ def read_bats(path: Path) -> dict[str, str]:
         if len(row) <= max(who, what) or not row[what].strip():
             raise InputError(f"{path}, line {number}: no bat is given; give a name of the catalogue or a file")
         batter, bat = row[who].strip(), row[what].strip()
+        batter = (
+            batter.removesuffix(".0") if batter.removesuffix(".0").isdigit() else batter
+        )  # as spreadsheets write it
         if bats.get(batter, bat) != bat:
             raise InputError(f"{path}, line {number}: {batter or 'all others'} has two bats, {bats[batter]} and {bat}")
         try:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import polars as pl
 
@@ -12,6 +14,8 @@ from sweetspot.season.rows import tidy
 from sweetspot.season.table_file import text_columns
 
 BATTER, NAME = "batter", "batter_name"
+MOST_LISTED = 5
+"""Batters that are named in a message."""
 
 
 def require_batter(paths: Sequence[Path], batter: str, *, given: Mapping[str, str] | None = None) -> None:
@@ -28,23 +32,58 @@ def require_batter(paths: Sequence[Path], batter: str, *, given: Mapping[str, st
     InputError
         for such a player, with the nearest ones, and where tables have no column of batters.
     """
-    tables = []
-    for path in paths:
-        try:
-            tables.append(text_columns(path, (BATTER, NAME), given=given))
-        except InputError:
-            continue
-    if not tables:
-        return
-    try:
-        found = {name: _values([table for table in tables if name in table.collect_schema()], name)
-                 for name in (BATTER, NAME)}  # fmt: skip
-    except (pl.exceptions.PolarsError, OSError):  # a damaged table, which is told of when it is read
+    found = _batters(paths, given)
+    if found is None:
         return
     if not found[BATTER]:
         raise InputError("no table has a column of batters, so there is no player to tell of")
     if batter not in found[BATTER] and batter not in found[NAME]:
         raise unknown_batter(batter, found[BATTER] if batter.isdigit() else found[NAME] or found[BATTER])
+
+
+def strangers(paths: Sequence[Path], batters: Sequence[str], *, given: Mapping[str, str] | None = None) -> list[str]:
+    """Return those of some batters, numbers or names, that no table has.
+
+    Parameters
+    ----------
+    paths, given : as `require_batter` takes them.
+
+    Raises
+    ------
+    InputError
+        when the tables have none of them: then their bats are nobody's.
+    """
+    found = _batters(paths, given)
+    if found is None:
+        return []
+    known = {*found[BATTER], *found[NAME]}
+    missing = [batter for batter in batters if batter not in known]
+    if missing and len(missing) == len(batters):
+        some = found[BATTER] if missing[0].isdigit() else found[NAME] or found[BATTER]
+        raise InputError(f"no batter of the table of bats is in the tables: {_listed(missing)}. "
+                         f"{nearest_names(missing[0], some)}")  # fmt: skip
+    return missing
+
+
+def _listed(names: Sequence[str]) -> str:
+    return ", ".join(map(repr, names[:MOST_LISTED])) + (f" and {len(names) - MOST_LISTED} more"
+                                                        if len(names) > MOST_LISTED else "")  # fmt: skip
+
+
+def _batters(paths: Sequence[Path], given: Mapping[str, str] | None) -> dict[str, list[str]] | None:
+    """Return numbers and names of the batters of some tables; None where none can be read, or one only in part."""
+    with TemporaryDirectory(prefix="sweetspot-batters-") as folder:
+        tables = []
+        for number, path in enumerate(paths):
+            with suppress(InputError):
+                tables.append(text_columns(path, (BATTER, NAME), staging=Path(folder) / str(number), given=given))
+        if not tables:
+            return None
+        try:
+            return {name: _values([table for table in tables if name in table.collect_schema()], name)
+                    for name in (BATTER, NAME)}  # fmt: skip
+        except (pl.exceptions.PolarsError, OSError):  # a damaged table, which is told of when it is read
+            return None
 
 
 def unknown_batter(batter: str, known: Sequence[str]) -> InputError:

@@ -7,7 +7,9 @@ the ledger under the first reason that holds.
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from datetime import date
 from functools import partial
 
 import numpy as np
@@ -48,6 +50,11 @@ SWAPPED = {"%m/%d/%Y": "%d/%m/%Y", "%m/%d/%y": "%d/%m/%y", "%m-%d-%Y": "%d-%m-%Y
 WORDED_DATES = ("%b %d, %Y", "%B %d, %Y", "%d %b %Y", "%d %B %Y")
 CLOCK = r",?\s+\d{1,2}:\d{2}.*$"
 """A time of the day behind a date in words."""
+SERIAL, SERIAL_ZERO = r"^([3-6]\d{4})(?:\.\d+)?$", date(1899, 12, 30)
+"""A day as spreadsheets count them, from 1982 to 2091."""
+POINTED = r"^-?\d{1,3}(?:\.\d{3})+,\d+$"
+THOUSANDS = r"^-?\d{1,3}(?:,\d{3})+\.\d*$|^-?\d{1,3}(?:,\d{3}){2,}$"
+"""Numbers with thousands set off, 1.234,5 and 1,234.5; 2,345 alone may be a decimal comma."""
 FIRST_YEAR = 1900
 """Before which 04/02/24 is no date of the year 24."""
 IN_PLAY = "in ?play|hit_into_play"
@@ -213,8 +220,21 @@ def _as_float(kinds: pl.Schema, column: TableColumn) -> pl.Expr:
     held = pl.col(column.heading)
     if kinds[column.heading].is_numeric():
         return held.cast(pl.Float64)
-    text = held.cast(pl.String).str.strip_chars().str.replace(r"^(-?\d+),(\d+)$", "$1.$2")
-    return text.cast(pl.Float64, strict=False)
+    return _bare(held.cast(pl.String).str.strip_chars(), column).cast(pl.Float64, strict=False)
+
+
+def _bare(text: pl.Expr, column: TableColumn) -> pl.Expr:
+    """Return numbers as people write them in the form that computers read: no unit, no thousands, a decimal point."""
+    sizes = UNITS[column.kind]
+    same = [re.escape(unit).replace("_", "[ _/]?") for unit, size in sizes.items() if size == sizes.get(column.unit)]
+    if same:
+        text = text.str.replace(rf"(?i)\s*(?:{'|'.join(same)})\.?$", "")
+    text = text.str.replace("\u2212", "-", literal=True)
+    text = pl.when(text.str.contains(POINTED)).then(text.str.replace_all(".", "", literal=True)).otherwise(text)
+    text = pl.when(text.str.contains(THOUSANDS)).then(text.str.replace_all(",", "", literal=True)).otherwise(text)
+    if column.kind == "spin":  # nobody counts 2.345 turns a minute
+        text = text.str.replace(r"^(\d{1,3})[.,](\d{3})$", "$1$2")
+    return text.str.replace(r"^(-?\d+),(\d+)$", "$1.$2")
 
 
 def _lost(kinds: pl.Schema, column: TableColumn) -> pl.Expr:
@@ -270,7 +290,8 @@ def _day(text: pl.Expr, *, day_first: bool) -> pl.Expr:
     first = text.str.split(" ").list.first().str.split("T").list.first()
     words = text.str.replace(CLOCK, "")
     forms = [SWAPPED.get(form, form) for form in DATES] if day_first else DATES
-    days = (*(first.str.to_date(form, strict=False) for form in forms),
+    serial = pl.lit(SERIAL_ZERO) + pl.duration(days=first.str.extract(SERIAL).cast(pl.Int32))
+    days = (serial, *(first.str.to_date(form, strict=False) for form in forms),
             *(words.str.to_date(form, strict=False) for form in WORDED_DATES))  # fmt: skip
     return pl.coalesce(*(pl.when(day.dt.year() >= FIRST_YEAR).then(day) for day in days))
 

@@ -212,7 +212,7 @@ def _require_balls(survey: Survey) -> None:
 def _unread(survey: Survey) -> str:
     """Return in how many rows something stands that is no number where one should be, in words."""
     count = sum(warning.count for warning in survey.warnings if warning.name == "unreadable")
-    return f"; {count} rows hold words, or numbers with their unit, where a bare number should be" if count else ""
+    return f"; {count} rows hold words, or numbers with another unit, where a number should be" if count else ""
 
 
 def run_here(plan: Plan, progress: Progress | None = None, *, workers: int | None = None) -> None:

@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
+import codecs
 import csv
 import errno
 import gzip
+import io
 import zlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from itertools import chain
 from pathlib import Path
+from typing import IO
 
 import polars as pl
 
 from sweetspot.errors import InputError, UnwritableError, first_line
 from sweetspot.numerics.whole_files import refusal, written_whole
-from sweetspot.season.headings import DAY_FIRST, Headings, headings_of, names_balls
+from sweetspot.season.headings import DAY_FIRST, KNOWN_UNITS, Headings, headings_of, names_balls
 from sweetspot.units import grouped
 
 CSV_ENDINGS = (".csv", ".tsv", ".txt", ".csv.gz", ".tsv.gz", ".txt.gz")
@@ -27,6 +32,16 @@ BOMB, MOST_PACKED = 50_000_000, 100
 """Bytes from which on a packed table is none when it unpacks to more than so many times its size (exports: 5 to 20)."""
 MOST_ABOVE = 16
 """Lines that may stand above the headings: who was measured, and when."""
+SUMMARIES = {"total", "totals", "grand total", "average", "averages", "avg", "mean", "median"}
+"""Words in the first column, or in place of a day or batter, of lines that spreadsheets put below the balls."""
+DISGUISED = {
+    b"\x1f\x8b": "is packed; let its name end in .csv.gz", b"PAR1": "is Parquet; let its name end in .parquet",
+    b"PK\x03\x04": "is a spreadsheet or an archive; save the sheet as CSV",
+}  # fmt: skip
+"""First bytes of files that are no text, whatever their names say."""
+WIDE = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
+ENCODINGS = {"utf-16": "UTF-16", "cp1252": "Windows-1252, for it is not UTF-8"}
+"""Encodings beside UTF-8 that are read, and how that is said."""
 OTHERS = {
     ".xlsx": "save the sheet as CSV", ".xls": "save the sheet as CSV", ".zip": "unpack it", ".bz2": "unpack it",
     ".xz": "unpack it", ".zst": "unpack it", ".7z": "unpack it",
@@ -134,7 +149,9 @@ def frame_headings(frame: pl.LazyFrame, *, given: Mapping[str, str] | None = Non
     return replace(headings, notes=(*headings.notes, *notes))
 
 
-def text_columns(path: Path, quantities: Sequence[str], *, given: Mapping[str, str] | None = None) -> pl.LazyFrame:
+def text_columns(
+    path: Path, quantities: Sequence[str], *, staging: Path, given: Mapping[str, str] | None = None
+) -> pl.LazyFrame:
     """Return some columns of a table as they are written, those that it has, called by their quantity.
 
     Nothing else of the table is read; a damaged one may fail only when the columns are collected.
@@ -142,6 +159,7 @@ def text_columns(path: Path, quantities: Sequence[str], *, given: Mapping[str, s
     Parameters
     ----------
     quantities : that are wanted.
+    staging : folder for a copy of a CSV file that is not in UTF-8; it must be there until the columns are collected.
     given : heading by quantity, as `headings_of` takes it.
 
     Raises
@@ -153,8 +171,9 @@ def text_columns(path: Path, quantities: Sequence[str], *, given: Mapping[str, s
         if path.name.lower().endswith(PARQUET_ENDINGS):
             frame = pl.scan_parquet(path)
         else:
-            above, _ = _ends(path)
-            frame = pl.scan_csv(path, separator=_separator(above[-1]), infer_schema=False, truncate_ragged_lines=True,
+            source, ends = _plain(path, staging)
+            above = ends.above
+            frame = pl.scan_csv(source, separator=_separator(above[-1]), infer_schema=False, truncate_ragged_lines=True,
                                 encoding="utf8-lossy", null_values=MISSING, skip_lines=len(above) - 1)  # fmt: skip
         headings = headings_of(frame.collect_schema().names(), given=given, file_name=str(path))
     except (pl.exceptions.PolarsError, OSError, EOFError, zlib.error) as error:
@@ -180,30 +199,34 @@ def _parquet(path: Path, given: Mapping[str, str] | None) -> TableFile:
 
 
 def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFile:
-    above, last = _ends(path)
+    staging.mkdir(parents=True, exist_ok=True)
+    with _copying(path, staging):
+        source, ends = _plain(path, staging)
+    above, last = ends.above, ends.last
     first = above[-1]
     separator = _separator(first)
     names = _cells(first, separator)
     if not first.strip() or all(_is_number(name) for name in names):
         raise InputError(f"{path} does not begin with a line of column names; give one, for example launch_speed")
     notes = []
-    staging.mkdir(parents=True, exist_ok=True)
     target = staging / f"{path.name}.parquet"
-    try:
-        scanned = _scanned(path, separator, given, above=len(above) - 1)
-        headings = headings_of(scanned[1], given=given, file_name=str(path))
-        told = scanned[0].filter(~pl.all_horizontal(pl.all().is_null()))  # a blank line is no ball
-        with written_whole(target) as file:
-            told.sink_parquet(file, row_group_size=32_768)
+    with _copying(path, staging):
+        headings = headings_of(_scanned(source, ends).collect_schema().names(), given=given, file_name=str(path))
+        try:
+            told = _lines(_scanned(source, ends), headings)
+            _copied(told, target)
+        except pl.exceptions.ComputeError as error:
+            if "more fields" not in str(error):
+                raise
+            _require_no_more_cells(source, ends, named=path)
+            told = _lines(_scanned(source, ends, cut=True), headings)
+            _copied(told, target)
+        beside = _beside(headings, told.collect_schema())
+        lines = pl.scan_parquet(target).filter(beside).select(pl.len()).collect().item()
+        if lines:
+            _copied(told.filter(~beside), target)
+            notes.append(f"{lines} lines that repeat the headings, give units, or a total or mean, are left out")
         rows = int(pl.scan_parquet(target).select(pl.len()).collect().item())
-    except (pl.exceptions.PolarsError, OSError, EOFError, zlib.error) as error:
-        refused = refusal(error)
-        if refused is not None and refused[0] in FULL:
-            raise UnwritableError(
-                f"{path} is copied to {staging} to be read, and that cannot be written: {refused[1]}; "
-                "make room there, choose another place, or give Parquet, which is read as it is"
-            ) from None
-        raise InputError(f"{path} cannot be read as a table: {first_line(error)}") from None
     if not rows:
         raise InputError(f"{path} has column names and no row; give one row per ball")
     texts = [column.heading for column in headings.columns.values() if column.kind != "text"]
@@ -214,6 +237,8 @@ def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFil
     if len(above) > 1:
         said = "; ".join(", ".join(filter(None, map(str.strip, _cells(line, _separator(line))))) for line in above[:-1])
         notes.append(f"{len(above) - 1} lines above the headings are left out: {said[:120]}")
+    if ends.encoding in ENCODINGS:
+        notes.append(f"the text is read as {ENCODINGS[ends.encoding]}; look at names, or save it as CSV UTF-8")
     if separator != ",":
         notes.append(f"columns are separated by {separator!r}")
     if len(set(names)) < len(names):
@@ -221,6 +246,37 @@ def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFil
         notes.append(f"{', '.join(twice)} stands twice in the headings; the first one is used")
     return TableFile(path, target, headings, rows, torn=torn, notes=(*headings.notes, *notes),
                      empty=tuple(name for name, nothing in held.items() if nothing))  # fmt: skip
+
+
+@contextmanager
+def _copying(path: Path, staging: Path) -> Iterator[None]:
+    """Say in a line of our own what is wrong with a CSV file, or with the folder that it is copied to."""
+    try:
+        yield
+    except (pl.exceptions.PolarsError, OSError, EOFError, zlib.error) as error:
+        refused = refusal(error)
+        if refused is not None and refused[0] in FULL:
+            raise UnwritableError(
+                f"{path} is copied to {staging} to be read, and that cannot be written: {refused[1]}; "
+                "make room there, choose another place, or give Parquet, which is read as it is"
+            ) from None
+        raise InputError(f"{path} cannot be read as a table: {first_line(error)}") from None
+
+
+def _copied(rows: pl.LazyFrame, target: Path) -> None:
+    with written_whole(target) as file:
+        rows.sink_parquet(file, row_group_size=32_768)
+
+
+def _beside(headings: Headings, schema: pl.Schema) -> pl.Expr:
+    """Return whether a line is no ball but repeats the headings, gives their units, or sums up the others."""
+    speed = headings.columns["exit_speed"].heading
+    who = [headings.columns[name].heading for name in ("date", "batter", "batter_name") if headings.has(name)]
+    words = {name: pl.col(name).str.strip_chars(" ()[]").str.to_lowercase()
+             for name in (speed, schema.names()[0], *who) if schema[name] == pl.String}  # fmt: skip
+    sums = [words[name].is_in(SUMMARIES) for name in words if name != speed]
+    again = [words[speed].is_in([speed.strip().lower(), *KNOWN_UNITS, "km/h", "m/s"])] if speed in words else []
+    return pl.any_horizontal(*sums, *again, pl.lit(value=False)).fill_null(value=False)
 
 
 def _with_days(headings: Headings, frame: pl.LazyFrame) -> tuple[Headings, list[str]]:
@@ -245,46 +301,123 @@ def _with_days(headings: Headings, frame: pl.LazyFrame) -> tuple[Headings, list[
     return headings, [f"dates in {column.heading} {what}; they are read as month, day, year"]
 
 
-def _scanned(
-    path: Path, separator: str, given: Mapping[str, str] | None, *, above: int
-) -> tuple[pl.LazyFrame, list[str]]:
-    """Return the rows and their headings; a column with anything but numbers in it stays text."""
-    frame = pl.scan_csv(
-        path, separator=separator, infer_schema_length=None, truncate_ragged_lines=True, encoding="utf8-lossy",
-        null_values=MISSING, decimal_comma=separator == ";", skip_lines=above,
+def _scanned(source: Path, ends: _Ends, *, cut: bool = False) -> pl.LazyFrame:
+    """Return the rows; a column with anything but numbers in it stays text.
+
+    Parameters
+    ----------
+    cut : whether cells beyond the headings are left out; otherwise they are an error.
+    """
+    separator = _separator(ends.above[-1])
+    return pl.scan_csv(
+        source, separator=separator, infer_schema_length=None, truncate_ragged_lines=cut, encoding="utf8-lossy",
+        null_values=MISSING, decimal_comma=separator == ";", skip_lines=len(ends.above) - 1,
     )  # fmt: skip
-    names = frame.collect_schema().names()
-    headings_of(names, given=given, file_name=str(path))  # refuses before anything is copied
-    return frame, names
 
 
-def _ends(path: Path) -> tuple[list[str], str]:
+def _lines(rows: pl.LazyFrame, headings: Headings) -> pl.LazyFrame:
+    """Return the rows without those that hold nothing that is understood: a blank line is no ball."""
+    known = [column.heading for column in headings.columns.values()]
+    return rows.filter(~pl.all_horizontal(pl.col(known).is_null()))
+
+
+def _require_no_more_cells(source: Path, ends: _Ends, *, named: Path) -> None:
+    """Refuse a file in a line of which more cells hold something than there are headings.
+
+    Parameters
+    ----------
+    named : the file that people know, for messages.
+    """
+    separator, above = _separator(ends.above[-1]), len(ends.above) - 1
+    with _opened(source) as file, io.TextIOWrapper(file, "utf-8-sig", errors="replace", newline="") as text:
+        for _ in range(above):
+            text.readline()
+        rows = csv.reader(text, delimiter=separator)
+        width = len(next(rows))
+        for cells in rows:
+            if any(cell.strip() for cell in cells[width:]):
+                raise InputError(
+                    f"{named}: line {above + rows.line_num} has {len(cells)} cells under {width} headings; give each "
+                    f"a heading, and put numbers and texts that hold a {separator!r} into quotes"
+                )
+
+
+@dataclass(frozen=True)
+class _Ends:
+    """Lines of a text down to its headings, its last line, its encoding, and whether lines end as everybody's do."""
+
+    above: list[str]
+    last: str
+    encoding: str
+    lines: bool
+
+
+def _plain(path: Path, staging: Path) -> tuple[Path, _Ends]:
+    """Return a file in UTF-8 with the same text, the very file or a copy, and its ends with the file's own encoding."""
+    ends = _ends(path)
+    if ends.encoding == "utf-8" and ends.lines:
+        return path, ends
+    copy = staging / f"{path.name}.utf-8"
+    with (
+        _opened(path) as file, io.TextIOWrapper(file, ends.encoding, errors="replace") as text,
+        written_whole(copy) as plain,
+    ):  # fmt: skip
+        while block := text.read(TAIL):
+            plain.write(block.encode())
+    return copy, replace(_ends(copy), encoding=ends.encoding)
+
+
+def _opened(path: Path) -> IO[bytes]:
+    with path.open("rb") as file:
+        packed = file.read(2) == b"\x1f\x8b"
+    return gzip.open(path) if packed and path.name.lower().endswith(".gz") else path.open("rb")  # type: ignore[return-value]
+
+
+def _ends(path: Path) -> _Ends:
     """Return the lines down to the headings, and the last line, of a file that may be packed.
 
     Headings stand in the first line, or in the first one that names balls or swings where others stand above.
     """
+    encoding, told = "utf-8", codecs.getincrementaldecoder("utf-8")()
     try:
-        with gzip.open(path) if path.name.lower().endswith(".gz") else path.open("rb") as file:
+        with _opened(path) as file:
             lines = [file.readline(TAIL)]
-            if len(lines[0]) == TAIL:
+            wide = lines[0].startswith(WIDE)
+            if len(lines[0]) == TAIL and b"\r" not in lines[0]:
                 raise InputError(f"{path} begins with a line of more than {TAIL / 1e6:.0f} MB; give a table")
             while len(lines) <= MOST_ABOVE and not _names_balls(lines[-1]) and (line := file.readline(TAIL)):
                 lines.append(line)
             first = b"".join(lines)
             tail, unpacked = lines[-1], 0
-            if not path.name.lower().endswith(".gz"):
-                file.seek(max(file.tell(), path.stat().st_size - TAIL))
-            while block := file.read(TAIL):
+            for block in chain([first], iter(lambda: file.read(TAIL), b"")):
+                if not wide and encoding == "utf-8":
+                    encoding = "utf-8" if _goes_on(told, block) else "cp1252"
+                if block is first:
+                    continue
                 tail, unpacked = (tail + block)[-TAIL:], unpacked + len(block)
-                if unpacked > max(BOMB, MOST_PACKED * path.stat().st_size):
+                if path.name.lower().endswith(".gz") and unpacked > max(BOMB, MOST_PACKED * path.stat().st_size):
                     raise InputError(f"{path} unpacks to more than {MOST_PACKED} times its size; give a table")
     except (OSError, EOFError, zlib.error) as error:
         raise InputError(f"{path} is damaged: {error}; get it anew") from None
-    if b"\0" in first or b"\0" in tail:
-        raise InputError(f"{path} is no text in UTF-8; save it as CSV, or give Parquet")
+    disguise = next((words for start, words in DISGUISED.items() if first.startswith(start)), None)
+    if disguise is not None:
+        raise InputError(f"{path} {disguise}")
+    if not wide and (b"\0" in first or b"\0" in tail):
+        raise InputError(f"{path} is no text in UTF-8; save it as CSV UTF-8, or give Parquet")
     above = lines if _names_balls(lines[-1]) else lines[:1]
     last = tail.splitlines()
-    return [_text(line) for line in above], _text(last[-1]) if last else ""
+    old = b"\r" in first.replace(b"\r\n", b"")
+    return _Ends(
+        [_text(line) for line in above], _text(last[-1]) if last else "", "utf-16" if wide else encoding, not old
+    )
+
+
+def _goes_on(decoder: codecs.IncrementalDecoder, block: bytes) -> bool:
+    try:
+        decoder.decode(block)
+    except UnicodeDecodeError:
+        return False
+    return True
 
 
 def _text(line: bytes) -> str:
