@@ -1,6 +1,6 @@
 """A running server, programs that talk to it, and a real browser that looks at it.
 
-``server`` is the address of one server for the whole run; ``page`` is a fresh browser page on it (no view opened yet:
+``server`` is the address of one server for the whole run; ``page`` is a tab as good as new (no view opened yet:
 ``page.goto(f"{server}/modes")``, then ``answered(page)``, which waits for the drawn answer and counts them,
 ``settled(page)``, which waits for all that a view asks for, ``narrow(page)``, which makes it a phone's, or
 ``until(page, "script")``; the page's content policy forbids ``page.wait_for_function``). None waits for a time: the
@@ -20,7 +20,7 @@ from typing import Any
 
 import httpx
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Page, expect
+from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, ViewportSize, expect
 from playwright.sync_api import Error as PlaywrightError
 
 from sweetspot.web import answers, jobs, protocols
@@ -31,6 +31,7 @@ PATIENCE = 600_000 if os.environ.get("CI") == "true" else 60_000
 LATE = 600.0
 """s after which something never comes: no machine is that late."""
 expect.set_options(timeout=PATIENCE)
+SIZE: ViewportSize = {"width": 1280, "height": 900}
 LOOK = """new Promise((done, failed) => {{
   const look = () => {{
     try {{
@@ -91,24 +92,45 @@ def client(server: str) -> Iterator[httpx.Client]:
 @pytest.fixture(scope="session")
 def visitor(browser: Browser, server: str) -> Iterator[BrowserContext]:
     """One visitor's browser, 1280 by 900, who has been here before; leaves before the server stops."""
-    context = browser.new_context(viewport={"width": 1280, "height": 900})
+    context = browser.new_context(viewport=SIZE)
     context.set_default_timeout(PATIENCE)
     context.add_init_script("localStorage.setItem('guided', 'yes')")
     yield context
     context.close()
 
 
+@pytest.fixture(scope="session")
+def tabs() -> list[Page]:
+    """Tabs that tests left as new, for the next ones: a new tab's first view costs twice the processor."""
+    return []
+
+
 @pytest.fixture
-def page(visitor: BrowserContext) -> Iterator[Page]:
-    """A fresh page that remembers nothing; what it complains about fails the test."""
-    opened = visitor.new_page()
+def page(visitor: BrowserContext, tabs: list[Page], server: str) -> Iterator[Page]:
+    """A page that remembers nothing; what it complains about fails the test."""
+    opened = tabs.pop() if tabs else visitor.new_page()
     complaints: list[str] = []
-    opened.on("pageerror", lambda error: complaints.append(str(error)))
-    opened.on("console", lambda said: complaints.append(said.text) if said.type == "error" else None)
+
+    def fail(error: PlaywrightError) -> None:
+        complaints.append(str(error))
+
+    def hear(said: ConsoleMessage) -> None:
+        if said.type == "error":
+            complaints.append(said.text)
+
+    opened.on("pageerror", fail)
+    opened.on("console", hear)
     yield opened
     if opened.url.startswith("http"):
         opened.evaluate("localStorage.clear()")
-    opened.close()
+    opened.remove_listener("pageerror", fail)
+    opened.remove_listener("console", hear)
+    opened.unroute_all()
+    opened.goto(f"{server}/static/icon.svg")  # a site that is left ends its process
+    opened.mouse.move(0, 0)
+    opened.set_viewport_size(SIZE)
+    opened.emulate_media(media="null", color_scheme="null", reduced_motion="null", forced_colors="null")
+    tabs.append(opened)
     # lost connections and refusals, which tests ask for
     expected = ("WebSocket", "ERR_CONNECTION", "status of 4")
     surprises = [words for words in complaints if not any(part in words for part in expected)]
