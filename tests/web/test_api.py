@@ -21,6 +21,8 @@ from sweetspot.units import INCH, MPH
 from sweetspot.web.limits import LARGEST_BODY
 from sweetspot.web.views import VIEWS
 
+Followed = Callable[[dict[str, Any]], tuple[list[Any], dict[str, Any]]]
+
 
 @pytest.mark.parametrize("name", VIEWS)
 def test_every_view_answers_with_its_first_picture(client: httpx.Client, name: str) -> None:
@@ -42,6 +44,24 @@ def test_the_explorer_gives_the_librarys_numbers(client: httpx.Client) -> None:
     assert found["hit"]["exit_speed_m_s"] == pytest.approx(exit_speed_of(impact, conditions), rel=2e-4)
 
 
+@pytest.fixture
+def followed(
+    client: httpx.Client, run_json: Callable[..., Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> Followed:
+    """A function that does what the explorer's recipe says; returns the commands' answers and Python's names."""
+    monkeypatch.chdir(tmp_path)
+
+    def follow(state: dict[str, Any]) -> tuple[list[Any], dict[str, Any]]:
+        lines = client.post("/api/v1/explorer/recipe", json=state).json()
+        Path("bat.toml").write_text(lines["toml"], encoding="utf-8")
+        answers = [run_json(*shlex.split(line)[1:]) for line in lines["command"].splitlines() if line[0] != "#"]
+        names: dict[str, Any] = {}
+        exec(lines["python"], names)
+        return answers, names
+
+    return follow
+
+
 @pytest.mark.parametrize(
     "state",
     [
@@ -51,43 +71,23 @@ def test_the_explorer_gives_the_librarys_numbers(client: httpx.Client) -> None:
         {"bore_diameter_in": 1, "cup_diameter_in": 1.2, "weight_oz": 1, "impact_from_tip_in": 4.5},
     ],
 )
-def test_recipes_give_the_same_numbers(
-    client: httpx.Client,
-    state: dict[str, Any],
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    run_json: Callable[..., Any],
-) -> None:
+def test_recipes_give_the_same_numbers(client: httpx.Client, state: dict[str, Any], followed: Followed) -> None:
     found = client.post("/api/v1/explorer", json=state).json()
-    lines = client.post("/api/v1/explorer/recipe", json=state).json()
-    monkeypatch.chdir(tmp_path)
-    Path("bat.toml").write_text(lines["toml"], encoding="utf-8")
-    report, hit = (run_json(*shlex.split(line)[1:]) for line in lines["command"].splitlines())
+    (report, hit), names = followed(state)
     assert report["scan"]["exit_speed_m_s"] == pytest.approx(found["scan"]["exit_speed_m_s"], rel=1e-9)
     assert report["sweet_spots"]["min_sting_m"] == pytest.approx(found["sweet_spots"]["min_sting_m"], rel=1e-9)
     assert hit["exit_speed_m_s"] == pytest.approx(found["hit"]["exit_speed_m_s"], rel=2e-4)
-    names: dict[str, Any] = {}
-    exec(lines["python"], names)
     assert names["result"].scan.sting == pytest.approx(found["scan"]["sting_m_s"], rel=1e-9)
 
 
 @pytest.mark.parametrize("state", [{"offset_in": 0.5}, {"offset_in": -0.6, "bat": "youth-30", "bore_diameter_in": 0.5}])
 def test_the_lines_of_a_ball_met_off_the_axis_give_that_hit(
-    client: httpx.Client,
-    state: dict[str, Any],
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    run_json: Callable[..., Any],
+    client: httpx.Client, state: dict[str, Any], followed: Followed
 ) -> None:
     found = client.post("/api/v1/explorer", json=state).json()["hit"]
-    lines = client.post("/api/v1/explorer/recipe", json=state).json()
-    monkeypatch.chdir(tmp_path)
-    Path("bat.toml").write_text(lines["toml"], encoding="utf-8")
-    played = run_json(*shlex.split(lines["command"].splitlines()[-1])[1:])
+    (*_, played), names = followed(state)
     for name in ("exit_speed_m_s", "launch_angle_rad", "backspin_rad_s"):
         assert played[name] == pytest.approx(found[name], rel=2e-4)
-    names: dict[str, Any] = {}
-    exec(lines["python"], names)
     assert names["struck"].launched.speed == pytest.approx(found["exit_speed_m_s"], rel=2e-4)
 
 
