@@ -188,7 +188,7 @@ def test_a_long_table_says_how_far_it_is(run: Run) -> None:
         (["r161-ash", "youth-30", "--what-if", "cork"], "it takes one"),
         (["r161-ash", "--what-if", "cork", "--bore-diameter", "3in"], "make it narrower"),
         (["r161-ash", "--what-if", "cork", "--bore-diameter", "1"], "without a unit"),
-        (["r161-ash", "--plug", "1in"], "--plug belongs to a corked bat; add --what-if cork"),
+        (["r161-ash", "--plug", "2in"], "--plug belongs to a corked bat; add --what-if cork"),
         (["r161-ash", "--cell", "bbcor"], "--cell belongs to a what-if table; add --rows"),
         (["r161-ash", "--swing-law", "golf"], "not in the catalogue"),
         (["r161-ash", "--columns", "mass=30oz:31oz:2"], "and --rows, with or without --columns"),

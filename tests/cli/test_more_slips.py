@@ -17,7 +17,7 @@ Run = Callable[..., tuple[int, str, str]]
 FLIGHT = ("fly", "--exit-speed", "103mph", "--launch-angle", "28deg")
 SLIPS = [
     ((*FLIGHT, "--spray", "90deg"), "the spray is 90 deg, and what spin hits usually have is known for -60 to 60 deg"),
-    ((*FLIGHT, "--wind-direction", "40deg"), "--wind-direction was given without --wind-speed"),
+    ((*FLIGHT, "--wind-direction", "40deg"), "--wind-direction belongs to a wind; say how fast it blows"),
     ((*FLIGHT, "--wind-speed", "9mph", "--wind-direction", "400deg"), "usual is -360 to 360 deg"),
     (
         (*FLIGHT, "--wind-speed", "9mph", "--wind-direction", "sw"),
@@ -34,6 +34,12 @@ SLIPS = [
     (("report", "nosuch"), "`sweetspot bats` lists all"),
     (("fly", "--exit-speed", "100mph", "--height", "30ft"), "usual is 0 to 11 ft"),
     (("play", "r161-ash", "--height", "30ft"), "usual is 0 to 11 ft"),
+    ((*FLIGHT, "--wind-profile", "0.14", "--calm-below", "30ft"), "--wind-profile, --calm-below belong to a wind"),
+    ((*FLIGHT, "--cell", "hang-time"), "--cell belongs to a table; give a range"),
+    (("play", "--pitch", "curve", "--pitch-backspin", "900rpm"), "--pitch-backspin belongs to a pitch without a name"),
+    (("optimum", "--show", "launch", "--bat-speed", "60mph", "--pitch", "CU"), "--pitch, --bat-speed belong to the"),
+    (("optimum", "--show", "parks", "--exit-speed", "90mph"), "--exit-speed belongs to the best launch; leave --show"),
+    (("optimum", "--show", "swing", "--backspin", "900rpm"), "--backspin belongs to the best launch; leave --show"),
     (("calibrate", "r161-ash", "--tone", "bending-1:0Hz"), "allowed is a frequency of more than 0 Hz"),
 ]
 BASE = 'name = "x"\nlength = "33 in"\nmaterial = "aluminium 7xxx"\nprofile = [["0 in", "1 in"], ["33 in", "2.6 in"]]\n'

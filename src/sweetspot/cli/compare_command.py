@@ -9,6 +9,7 @@ from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
+from sweetspot.cli.options.unused import given, refuse_unused
 from sweetspot.cli.options.what_if_table import TableOptions
 from sweetspot.errors import InputError
 
@@ -53,9 +54,9 @@ class CorkingOptions:
         Literal["cork"] | None,
         Parameter(help="For one bat: compare it drilled, corked, and filled with rubber or foam."),
     ] = None
-    bore_diameter: Annotated[str | None, Parameter(help="Width of the hole of --what-if; default: 1in.")] = None
-    bore_depth: Annotated[str | None, Parameter(help="Depth of the hole of --what-if; default: 10in.")] = None
-    plug: Annotated[str | None, Parameter(help="Length of wood that closes a filled hole; default: 1in.")] = None
+    bore_diameter: Annotated[str, Parameter(help="Width of the hole of --what-if.")] = "1in"
+    bore_depth: Annotated[str, Parameter(help="Depth of the hole of --what-if.")] = "10in"
+    plug: Annotated[str, Parameter(help="Length of wood that closes a filled hole.")] = "1in"
 
     def corked(self, bat: Bat) -> list[Bat]:
         """Return the bat as it is and with each filling of the catalogue."""
@@ -65,18 +66,11 @@ class CorkingOptions:
         return list(
             corkings(
                 bat,
-                diameter=parse(self.bore_diameter or "1in", "length", "--bore-diameter"),
-                depth=parse(self.bore_depth or "10in", "length", "--bore-depth"),
-                plug=parse(self.plug or "1in", "length", "--plug"),
+                diameter=parse(self.bore_diameter, "length", "--bore-diameter"),
+                depth=parse(self.bore_depth, "length", "--bore-depth"),
+                plug=parse(self.plug, "length", "--plug"),
             )
         )
-
-    def check_used(self) -> None:
-        """Raise `InputError` where a hole is described that nothing would be done with."""
-        sizes = {"--bore-diameter": self.bore_diameter, "--bore-depth": self.bore_depth, "--plug": self.plug}
-        given = [name for name, value in sizes.items() if value is not None]
-        if given and self.what_if is None:
-            raise InputError(f"{', '.join(given)} belongs to a corked bat; add --what-if cork, or leave it out")
 
 
 DEFAULT_EFFORT, DEFAULT_CORKING, DEFAULT_TABLE = EffortOptions(), CorkingOptions(), TableOptions()
@@ -104,15 +98,15 @@ def compare(
 
     if not bats:
         raise InputError("no bat was given; name one or more, for example: sweetspot compare r161-ash youth-30")
-    corking.check_used()
+    if corking.what_if is None:
+        refuse_unused(given(corking, "bore_diameter", "bore_depth", "plug"), "a corked bat", "add --what-if cork")
     described, corked = [catalog.load_implement(name) for name in bats], corking.what_if is not None
     law = effort.law(described[0])
     if table.rows is not None or table.columns is not None:
         if len(bats) != 1 or corked or table.rows is None:
             raise InputError("a what-if table takes one bat and --rows, with or without --columns, and no --what-if")
         return present(table.document(_bat(described[0]), law, swing), output)
-    if table.cell is not None:
-        raise InputError("--cell belongs to a what-if table; add --rows, for example --rows mass=29oz:33oz:5")
+    refuse_unused(given(table, "cell"), "a what-if table", "add --rows, for example --rows mass=29oz:33oz:5")
     if corked:
         if len(bats) != 1:
             raise InputError(f"--what-if was given with {len(bats)} bats; it takes one")

@@ -10,6 +10,7 @@ from cyclopts import Parameter
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.ranges import spread
 from sweetspot.cli.options.uncertainty import Uncertainty
+from sweetspot.cli.options.unused import refuse_unused
 from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions, check_wind, park_of, pressure_of
 from sweetspot.cli.options.written_errors import error_of, without_error
 from sweetspot.errors import InputError
@@ -61,6 +62,7 @@ class LaunchOptions:
 
 
 DEFAULT_LAUNCH = LaunchOptions()
+CELL: Literal["carry"] = "carry"
 WITH_ERRORS = ("exit_speed", "launch_angle")
 """What may be written with an error, 100mph±1mph."""
 
@@ -72,7 +74,7 @@ def fly(
     cell: Annotated[
         Literal["carry", "hang-time", "apex", "landing-angle", "landing-speed"],
         Parameter(help="What the cells of a table show."),
-    ] = "carry",
+    ] = CELL,
     uncertainty: Uncertainty = False,
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
@@ -105,6 +107,8 @@ def fly(
         raise InputError(
             f"{named} were given as ranges; a table has rows and columns, so at most two options can be ranges"
         )
+    if not ranges and cell != CELL:
+        refuse_unused(["--cell"], "a table", "give a range, for example --launch-angle 10deg:40deg:7")
     if uncertainty and ranges:
         raise InputError("--uncertainty is told of one flight; leave it out, or leave out the ranges")
     document = _table(hit, ranges, cell, launch, air) if ranges else _single(hit, air, launch, sure=uncertainty)

@@ -10,6 +10,7 @@ from cyclopts import Parameter
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.swing import SwingOptions
 from sweetspot.cli.options.uncertainty import Uncertainty, sources_for
+from sweetspot.cli.options.unused import given, refuse_unused
 from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions
 from sweetspot.errors import InputError
 
@@ -105,6 +106,7 @@ def optimum(
     from sweetspot.report.optimum.document import optimum_document
     from sweetspot.units import parse
 
+    _check_shown(show, pitch, contact, sent)
     everywhere = air.park == ALL or (show == "parks" and air.park is None)
     weather = replace(air, park=None) if everywhere else air
     asked: tuple[str, ...] = ("swing", "launch", "parks") if show == "all" else (show,)
@@ -133,6 +135,17 @@ def optimum(
                 document, swung, launches or [], searched or [], through(weather, ball), sources=sources, backspin=spin
             )
     return present(document, output)
+
+
+def _check_shown(show: str, pitch: PitchOptions, contact: ContactOptions, sent: SentOptions) -> None:
+    """Refuse what belongs to a question that is left out."""
+    if show in ("launch", "parks"):
+        swung = given(contact, "bat_speed", "bat_speed_at", "pivot", "at", "attack_angle", "tilt")
+        refuse_unused([*given(pitch, "pitch", "release_speed"), *swung], "the best swing", "leave --show out")
+    if show in ("swing", "parks"):
+        refuse_unused(given(sent, "exit_speed"), "the best launch", "leave --show out")
+    if show == "swing":
+        refuse_unused(given(sent, "backspin"), "the best launch", "leave --show out")
 
 
 class _Swung(NamedTuple):

@@ -10,6 +10,7 @@ from cyclopts import Parameter
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
 from sweetspot.cli.options.uncertainty import Uncertainty, sources_for
+from sweetspot.cli.options.unused import given, refuse_unused
 from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions
 from sweetspot.cli.options.written_errors import error_behind, without_error
 from sweetspot.errors import InputError
@@ -144,6 +145,8 @@ def _pitch_at_plate(arrival: ArrivalOptions, swing: SwingOptions, speed: float, 
         raise InputError("--release-speed is of a pitch that is thrown; name it with --pitch, or give --pitch-speed")
     if arrival.pitch is None:
         return arriving(arrival, speed)
+    its_own = given(arrival, "approach_angle", "pitch_backspin", "pitch_sidespin", "height", "forward")
+    refuse_unused(its_own, "a pitch without a name", "give --pitch-speed in place of --pitch")
     return pitched(arrival.pitch, arrival.release_speed, flying).plate
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_ANSWER, AnswerOptions
+from sweetspot.cli.options.unused import given, refuse_unused
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
@@ -98,12 +99,11 @@ def tap(
     if synthesis.synthesise is not None:
         read = {"a recording": recordings, "--bat": tapped.bat, "--bar": tapped.bar, "--mass": tapped.mass,
                 "--band": listening.band, "--most-damping": listening.most_damping}  # fmt: skip
-        if given := [name for name, value in read.items() if value]:
-            raise InputError(f"--synthesise makes a sound and reads none; leave out {', '.join(given)}")
+        if unread := [name for name, value in read.items() if value]:
+            raise InputError(f"--synthesise makes a sound and reads none; leave out {', '.join(unread)}")
         return _synthesise(synthesis.synthesise, synthesis, tapped.at or [PLACE], out)
-    made = {"--listen-at": synthesis.listen_at, "--noise": synthesis.noise, "--seed": synthesis.seed}
-    if given := [name for name, value in made.items() if value is not None]:
-        raise InputError(f"{', '.join(given)} belongs to a sound that is made; add --synthesise BAT or leave it out")
+    made = given(synthesis, "listen_at", "noise", "seed")
+    refuse_unused(made, "a sound that is made", "add --synthesise BAT")
     if not recordings:
         raise InputError("no recording was given; name at least one sound file, or use --synthesise BAT")
     described = None if tapped.bat is None else catalog.load_implement(tapped.bat)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
-from sweetspot.errors import InputError
+from sweetspot.cli.options.unused import given, refuse_unused
 
 if TYPE_CHECKING:
     from sweetspot.flight.air import Air, Wind
@@ -92,9 +92,10 @@ def wind_of(options: AirOptions) -> Wind:
 
 
 def check_wind(options: AirOptions) -> None:
-    """Refuse a wind that has a direction and no speed."""
-    if options.wind_direction != DEFAULT_AIR.wind_direction and options.wind_speed == DEFAULT_AIR.wind_speed:
-        raise InputError("--wind-direction was given without --wind-speed; say how fast the wind blows, as in 10mph")
+    """Refuse a wind that is described and has no speed."""
+    if not given(options, "wind_speed"):
+        described = given(options, "wind_direction", "wind_profile", "calm_below")
+        refuse_unused(described, "a wind", "say how fast it blows, as in --wind-speed 10mph")
 
 
 def through(options: AirOptions, ball: str) -> FlightConditions:

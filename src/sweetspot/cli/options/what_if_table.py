@@ -38,11 +38,8 @@ class TableOptions:
         Parameter(help="What varies across, as bore-depth=0in:12in:7; without it every answer has a column."),
     ] = None
     cell: Annotated[
-        str | None,
-        Parameter(
-            help="What cells and picture show: exit-speed, bbcor, collision-efficiency, mass, ...; default: exit-speed."
-        ),
-    ] = None
+        str, Parameter(help="What cells and picture show: exit-speed, bbcor, collision-efficiency, mass, ...")
+    ] = "exit-speed"
 
     def document(self, bat: Bat, law: SwingLaw | None, swing: SwingOptions) -> Document:
         """Return the table of a bat."""
@@ -52,7 +49,7 @@ class TableOptions:
         from sweetspot.cli.output import patience, progress
         from sweetspot.report.comparison.two_way import two_way_document
 
-        answer = (self.cell or "exit-speed").replace("-", "_")
+        answer = self.cell.replace("-", "_")
         if answer not in Answers.__dataclass_fields__:
             allowed = ", ".join(name.replace("_", "-") for name in Answers.__dataclass_fields__)
             raise InputError(f"--cell was given as {self.cell}; allowed is one of {allowed}")
