@@ -8,7 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.ndimage import gaussian_filter
+from scipy.signal import savgol_filter
 
+from sweetspot.calibration.outline.photo.edges import smooth
 from sweetspot.calibration.outline.photo.photo_outline import PhotoOutline, read_photo
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
@@ -84,6 +86,32 @@ def test_the_stated_error_holds(tmp_path: Path) -> None:
     assert np.median(sigma) < 8e-4
 
 
+def test_a_staircase_is_smoothed_away_and_a_knob_is_not() -> None:
+    """Edges in whole pixels (0.29 rms) with a little noise: their middle is known better; what bends quickly stays."""
+    place = np.arange(1500.0)
+    taper = 40 - 18 / (1 + np.exp((place - 600) / 120))
+    inner = slice(60, -60)
+    noise = 0.2 * np.random.default_rng(1).standard_normal(len(place))
+    assert np.std((smooth(np.round(taper + noise)) - taper)[inner]) < 0.22
+    knob = taper + 15 * np.exp(-(((place - 1440) / 20) ** 2))
+    assert np.abs(smooth(knob) - knob).max() < 0.5
+    outlier = knob.copy()
+    outlier[[300, 301, 900]] += 8
+    assert np.abs(smooth(outlier) - smooth(knob)).max() < 0.05
+
+
+def test_an_unknown_camera_makes_diameters_less_sure(tmp_path: Path) -> None:
+    """From 1.5 m the bat's length looks 1 % longer than it is, and all diameters that much thinner."""
+    path = saved(tmp_path / "bat.png", rendered())
+    known, unknown = (read_photo(path, length=BAT.length, camera_distance=away) for away in (1e6, None))
+    at = 0.75 * BAT.length
+    sure, doubted = (np.interp(at, [x for x, _ in one.profile], one.diameter_error) for one in (known, unknown))
+    near = read_photo(path, length=BAT.length, camera_distance=1.5)
+    thinner = near.pixel / known.pixel - 1
+    assert thinner > 0.005
+    assert doubted**2 - sure**2 > (0.4 * thinner * BAT.diameter_at(at)) ** 2
+
+
 @pytest.mark.parametrize(
     ("how", "message"),
     [
@@ -115,19 +143,18 @@ def test_refusals(tmp_path: Path) -> None:
 def test_a_real_bat_beside_its_caliper() -> None:
     """A pixel is 0.58 mm. On the flare of the knob the places decide, and the stated intervals know it.
 
-    Counted from where a tape is hooked over the round tip, the worst is on the knob's shoulder, 0.7 mm wider each mm.
+    Counted from where a tape is hooked over the round tip all inches agree within about 1 mm; the worst are on the
+    knob's flare and shoulder, 0.25 and 0.7 mm wider each mm.
     """
     outline = read_photo(SHARED / "caliper_bat.jpg", length=34 * INCH)
     inch, caliper = np.loadtxt(SHARED / "caliper_bat.csv", delimiter=",", skiprows=1).T
     off = np.interp(34 * INCH - inch * INCH, *np.array(outline.profile).T) - 1e-3 * caliper
-    body = inch != 32
-    assert np.abs(off[body]).max() < 1e-3
+    assert np.abs(off[inch != 32]).max() < 0.9e-3
     sigma = np.interp(34 * INCH - inch * INCH, [place for place, _ in outline.profile], outline.diameter_error)
-    assert np.abs(off).max() < 1.6e-3
-    assert np.all(np.abs(off) < 2 * sigma)
-    assert np.mean(np.abs(off) < 1.645 * sigma) > 0.9
+    assert np.abs(off).max() < 1.5e-3
+    assert np.all(np.abs(off) < 1.645 * sigma)
     assert 1.5e-3 < outline.hooked < 3e-3
     taped = np.interp(34 * INCH - inch * INCH - outline.hooked, *np.array(outline.profile).T) - 1e-3 * caliper
-    assert np.abs(taped[inch < 33]).max() < 1e-3
-    assert np.abs(taped).max() < 1.2e-3
+    assert np.abs(taped[inch < 32]).max() < 0.7e-3
+    assert np.abs(taped).max() < 1.05e-3
     assert np.std(taped) < 0.9 * np.std(off)

@@ -8,9 +8,10 @@ import numpy as np
 
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.outline.measured_outline import Outline
-from sweetspot.calibration.outline.photo.photo_outline import PhotoOutline
+from sweetspot.calibration.outline.photo.photo_outline import HOOKED, PhotoOutline
 from sweetspot.dynamics.rigid import RigidBody
 from sweetspot.equipment.bat import Bat
+from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
 from sweetspot.report.calibration.intervals import measured_words
 from sweetspot.report.document import Block, Column, Document, Paragraph, Table
@@ -48,17 +49,27 @@ def photo_json(outline: PhotoOutline) -> dict[str, Any]:
 
 
 def _inches(outline: PhotoOutline) -> Table:
-    """Return the diameters at every inch from the tip, as a caliper would be held, with their intervals."""
+    """Return the diameters at every inch from the tip, as a caliper would be held, with their intervals.
+
+    Where a tape hooked over the tip would begin farther in, also those at every inch of such a tape.
+    """
     length = outline.profile[-1][0]
     from_tip = INCH * np.arange(1, int(length / INCH))
     places, diameters = np.array(outline.profile).T
-    errors = np.interp(length - from_tip, places, outline.diameter_error)
-    values = np.interp(length - from_tip, places, diameters)
+
+    def told(where: Array) -> list[str]:
+        values, errors = (np.interp(where, places, of) for of in (diameters, np.array(outline.diameter_error)))
+        return [
+            measured_words(Measured(float(value), float(error)), "compression")
+            for value, error in zip(values, errors, strict=True)
+        ]
+
     columns = [Column("from the tip", "length"), Column("diameter (90 %)", right=True)]
-    rows = [
-        (float(place), measured_words(Measured(float(value), float(error)), "compression"))
-        for place, value, error in zip(from_tip, values, errors, strict=True)
-    ]
+    cells = [told(length - from_tip)]
+    if outline.hooked > HOOKED:
+        columns.append(Column("by a hooked tape", right=True))
+        cells.append(told(length - outline.hooked - from_tip))
+    rows = [(float(place), *row) for place, *row in zip(from_tip, *cells, strict=True)]
     return Table("Every inch", columns, rows)
 
 

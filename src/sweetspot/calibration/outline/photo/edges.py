@@ -20,10 +20,14 @@ ALONG = 20.0
 """Pixels along the bat over which the ground beside it is taken together."""
 REFINED = 3.0
 """Pixels by which the colours may move an edge."""
-WINDOW = 0.01
-"""Of the length, over which edges are smoothed."""
+WINDOWS = (0.01, 0.02, 0.03)
+"""Of the length, over which edges are smoothed: the longest that agrees with the shorter ones."""
+AGREE = 1.5
+"""Usual distances between the shortest and the longest smoothing within which two agree."""
+FINEST = 0.05
+"""Pixels, a usual distance at least: edges are not known better."""
 OUTLIER = 4.0
-"""Median deviations from the running median beyond which an edge is not believed."""
+"""Usual distances from the running median, of the edge around it, beyond which an edge is not believed."""
 ROUNDS = 3
 
 
@@ -73,8 +77,7 @@ def find_edges(pixels: Array, difference: Array, bat: Shape, *, shadows: bool) -
         start, end = start + across * offset, end + across * (offset + slope * (count - 1))
         if abs(offset) + abs(slope * count) < 0.02:
             break
-    window = max(7, 2 * (int(WINDOW * len(left)) // 2) + 1)
-    smooth_left, smooth_right = _smooth(left, window), _smooth(right, window)
+    smooth_left, smooth_right = smooth(left), smooth(right)
     scatter = float(np.sqrt(np.median((left - smooth_left) ** 2 + (right - smooth_right) ** 2) / 2) * 1.4826)
     middle = (smooth_left + smooth_right)[inner] / 2
     straight = np.polyval(np.polyfit(np.arange(len(middle)), middle, 1), np.arange(len(middle)))
@@ -198,13 +201,30 @@ def _level_and_slope(distance: Array, colours: Array, near: NDArray[np.bool_]) -
     return np.einsum("ij,ijk->ik", near, colours) / count, slope
 
 
-def _smooth(edge: Array, window: int) -> Array:
-    """Return an edge without outliers, smoothed by running parabolas."""
+def smooth(edge: Array) -> Array:
+    """Return an edge without outliers, smoothed by running parabolas, each as long as the shape allows.
+
+    A cut-out picture's edge is a staircase whose steps are longer the less the edge leans; a long parabola follows the
+    bat and not the steps, a short one follows a knob. At every place the longest is taken that agrees with all shorter
+    ones, all around it, as usually along the edge (Lepski's choice).
+
+    Parameters
+    ----------
+    edge : pixels across the axis, shape (n,), one pixel apart.
+    """
     import scipy.ndimage
     import scipy.signal
 
-    running = scipy.ndimage.median_filter(edge, size=window, mode="nearest")
+    windows = [max(7, 2 * (int(part * len(edge)) // 2) + 1) for part in WINDOWS]
+    running = scipy.ndimage.median_filter(edge, size=windows[0], mode="nearest")
     off = np.abs(edge - running)
-    limit = OUTLIER * max(float(np.median(off)), 0.1)
-    kept = np.where(off > limit, running, edge)
-    return np.asarray(scipy.signal.savgol_filter(kept, window, 2, mode="interp"))
+    around = scipy.ndimage.percentile_filter(off, 80, size=4 * windows[0], mode="nearest") / 1.28  # one sigma there
+    kept = np.where(off > OUTLIER * np.maximum(around, 0.1), running, edge)
+    curves = [np.asarray(scipy.signal.savgol_filter(kept, window, 2, mode="interp")) for window in windows]
+    usual = float(np.quantile(np.abs(curves[0] - curves[-1]), 0.9)) / 1.645  # knob and tip are the tenth left out
+    smoothed, agreed = curves[0], np.ones(len(edge), bool)
+    for number, window in enumerate(windows[1:], start=1):
+        apart = np.max([np.abs(curves[number] - shorter) for shorter in curves[:number]], axis=0)
+        agreed &= scipy.ndimage.maximum_filter1d(apart, window // 4) < AGREE * max(usual, FINEST)
+        smoothed = np.where(agreed, curves[number], smoothed)
+    return smoothed

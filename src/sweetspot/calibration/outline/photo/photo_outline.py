@@ -132,7 +132,9 @@ def _measured(
             "mm farther in, and what a caliper reads at an inch of that tape belongs as much nearer the knob."
         )
     at = float(np.hypot(scale, 0.3 * excess.mean() if away else excess.mean()))
-    error = _errors(place, width, scale * float(np.hypot(PIXEL, edges.scatter / 4)), scale_error, at)
+    unseen = 0.0 if away else float(excess.sum()) / reach  # of the scale: the ends seem farther apart than they are
+    edge = scale * float(np.hypot(PIXEL, edges.scatter / 4))
+    error = _errors(place, width, edge, scale_error, at, 0.0 if length is None else unseen)
     return PhotoOutline(
         profile=profile, notes=tuple(notes), pixel=scale, edge_scatter=scale * edges.scatter,
         axis_bend=scale * edges.bend, diameter_error=tuple(np.interp([x for x, _ in profile], place, error).tolist()),
@@ -162,11 +164,12 @@ def _excess(picture: Picture, edges: Edges, scale: float, away: float) -> tuple[
     return tuple(max(out, 0.0) * height / (away - height) for out, height in zip(outs, heights, strict=True))  # type: ignore[return-value]
 
 
-def _errors(place: Array, width: Array, edge: float, scale_error: float, at: float) -> Array:
+def _errors(place: Array, width: Array, edge: float, scale_error: float, at: float, unseen: float) -> Array:
     """Return one sigma of the diameters, m: edges, scale, and what an error of the place makes where it is steep.
 
-    Places count from either end, and the scale moves those far from it.
+    Places count from either end, and the scale moves those far from it. By ``unseen`` the scale is off where the
+    camera's distance is not known; what that does to places is in ``at``.
     """
     off = np.hypot(at, scale_error * np.maximum(place, place[-1] - place))
     before, after = (np.interp(place + side * off, place, width) - width for side in (-1, 1))
-    return np.asarray(np.sqrt(2 * edge**2 + (scale_error * width) ** 2 + (before**2 + after**2) / 2))
+    return np.asarray(np.sqrt(2 * edge**2 + (scale_error**2 + unseen**2) * width**2 + (before**2 + after**2) / 2))
