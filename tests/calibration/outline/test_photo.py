@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.ndimage import gaussian_filter
-from scipy.signal import savgol_filter
 
 from sweetspot.calibration.outline.photo.edges import smooth
 from sweetspot.calibration.outline.photo.photo_outline import PhotoOutline, read_photo
