@@ -54,10 +54,10 @@ def _inches(outline: PhotoOutline) -> Table:
     Where a tape hooked over the tip would begin farther in, also those at every inch of such a tape.
     """
     length = outline.profile[-1][0]
-    from_tip = INCH * np.arange(1, int(length / INCH))
+    from_tip: Array = np.asarray(INCH * np.arange(1, int(length / INCH)), dtype=np.float64)
     places, diameters = np.array(outline.profile).T
 
-    def told(where: Array) -> list[str]:
+    def told(where: Array) -> list[Sentence]:
         values, errors = (np.interp(where, places, of) for of in (diameters, np.array(outline.diameter_error)))
         return [
             measured_words(Measured(float(value), float(error)), "compression")
