@@ -138,8 +138,8 @@ def main() -> None:
     print(f"| topped below -30 degrees by a bat that goes down | {held(rank[topped])}")
     for words, mine in (("first half", first), ("second half", ~first), ("all", known)):
         print(f"| {words} | {held(rank[known & mine])}")
-    likely = [float(np.nansum(results[half, kernel.EVIDENCE])) for half in (first, ~first)]
-    print("\nlogarithm of the likelihood of the halves: " + ", ".join(f"{value:.1f}" for value in likely))
+    sums = [float(np.nansum(results[half, kernel.EVIDENCE])) for half in (first, ~first)]
+    print("\nlogarithm of the likelihood of the halves: " + ", ".join(f"{value:.1f}" for value in sums))
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ the stated errors; so whatever `season_table` says of such a season can be held 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -38,6 +38,11 @@ LOWEST = 40 * MPH
 """m/s; slower balls in play are left out."""
 
 
+def normal_scatter(rng: np.random.Generator, count: int) -> Array:
+    """Return normal numbers, of mean 0 and variance 1."""
+    return rng.normal(0, 1, count)
+
+
 @dataclass(frozen=True)
 class MadeSeason:
     """How a season is made up.
@@ -57,6 +62,7 @@ class MadeSeason:
     noise : m/s that exit speeds scatter beside measuring errors.
     drag : all flights' drag over the law's.
     errors : of the measurements.
+    scatter : gives how contacts scatter along the bat, in `place_spread`.
     """
 
     players: int = 40
@@ -73,6 +79,7 @@ class MadeSeason:
     noise: float = 1.5 * MPH
     drag: float = 1.0
     errors: Errors = USUAL_ERRORS
+    scatter: Callable[[np.random.Generator, int], Array] = normal_scatter
 
 
 LIKE_THE_LEAGUE = MadeSeason(
@@ -107,7 +114,7 @@ def made_season(bat: Bat, made: MadeSeason | None = None, *, year: int = 2024, s
     tilt = steep_enough(np.clip(rng.normal(32, 5, count), 15, 50) * DEGREE, attack)
     outside, height = rng.normal(0.02, 0.17, count), np.clip(rng.normal(0.75, 0.16, count), 0.3, 1.2)
     pitch = rng.normal(83, 4, count) * MPH
-    place = how.place + own_place[who] + how.per_outside * outside + own_spread[who] * rng.normal(0, 1, count)
+    place = how.place + own_place[who] + how.per_outside * outside + own_spread[who] * how.scatter(rng, count)
     own_offset, own_level = _more_of_players(how, seed)
     offset = 0.15 * INCH + rng.normal(0, how.offset_spread, count) * own_offset[who]
     kept = (place > 0) & (place < 13.9 * INCH) & (speed > 45 * MPH)

@@ -1,0 +1,178 @@
+"""Intervals of seasons unlike what the model supposes: ``python -m tools.unlike_seasons``.
+
+A season is made up by the collision and flight kernels, then measured and written down in ways that the model does not
+suppose, each by itself and all together. Printed is how often intervals of 50 and 90 % hold places along the bat, exit
+speeds of the half of the balls that nothing was learned from, and players' means and rates, whose truth is what they
+do in hundreds of other balls.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+import polars as pl
+
+from sweetspot import catalog
+from sweetspot.numerics.arrays import Array
+from sweetspot.season import contact_kernel as kernel
+from sweetspot.season.balls import balls_of
+from sweetspot.season.headings import headings_of
+from sweetspot.season.made_up import MadeSeason, made_season, normal_scatter
+from sweetspot.season.rows import USED, rows_of
+from sweetspot.season.season_table import Season, analyse_season, season_setting
+from sweetspot.season.standings import standing
+from sweetspot.season.swings import USUAL_ERRORS, Errors
+from sweetspot.units import DEGREE, MPH
+from tools.held_out import told
+
+BAT = "r161-ash"
+Scatter = Callable[[np.random.Generator, int], Array]
+NO_ERRORS = Errors(exit_speed=0.0, bat_speed=0.0, launch_angle=0.0, attack_angle=0.0)
+TRACKED = ("bat_speed", "attack_angle", "attack_direction", "swing_path_tilt")
+MEANS, RATES = ("exit_speed", "bat_speed"), ("league_squared_up", "squared_up", "blast")
+TAIL = 3
+"""Degrees of freedom of heavy tails: of these the variance is just known."""
+APART = 0.9
+"""Standard deviations that each of two humps lies from the middle."""
+
+
+def heavy_scatter(rng: np.random.Generator, count: int) -> Array:
+    """Return numbers with heavy tails, of mean 0 and variance 1."""
+    return np.asarray(rng.standard_t(TAIL, count) / np.sqrt(TAIL / (TAIL - 2)))
+
+
+def two_humps(rng: np.random.Generator, count: int) -> Array:
+    """Return numbers that fall about two middles, of mean 0 and variance 1."""
+    side = rng.choice([-APART, APART], count)
+    return np.asarray(side + np.sqrt(1 - APART**2) * rng.normal(0, 1, count))
+
+
+@dataclass(frozen=True)
+class Unlike:
+    """How a season differs from what is supposed.
+
+    Parameters
+    ----------
+    scatter : of places along the bat about what is expected of them.
+    errors : of exit and bat speeds, in shape; their sizes are the stated ones.
+    together : correlation of the errors of exit and bat speed.
+    wrong_sides : part of the rows that say the wrong side of the plate.
+    untracked : part of the rows that know nothing of the bat.
+    """
+
+    scatter: Scatter = normal_scatter
+    errors: Scatter = normal_scatter
+    together: float = 0.0
+    wrong_sides: float = 0.0
+    untracked: float = 0.0
+
+
+UNLIKE: Mapping[str, Unlike] = {
+    "as supposed": Unlike(),
+    "2 % of the batters' sides wrong": Unlike(wrong_sides=0.02),
+    "half of the rows without bat tracking": Unlike(untracked=0.5),
+    "errors of exit and bat speed go together (0.7)": Unlike(together=0.7),
+    "errors with heavy tails": Unlike(errors=heavy_scatter),
+    "places with heavy tails": Unlike(scatter=heavy_scatter),
+    "places about two middles": Unlike(scatter=two_humps),
+    "all of it, places about two middles": Unlike(two_humps, heavy_scatter, 0.7, 0.02, 0.5),
+}
+
+
+def unlike_season(unlike: Unlike, *, players: int, balls: int, seed: int = 1) -> pl.DataFrame:
+    """Return a season as it is measured and written down."""
+    how = MadeSeason(players=players, balls=balls, errors=NO_ERRORS, scatter=unlike.scatter)
+    made, rng = made_season(catalog.bat(BAT), how, seed=seed), np.random.default_rng([seed, 7])
+    count = len(made)
+    first, second = unlike.errors(rng, count), unlike.errors(rng, count)
+    bat_speed = unlike.together * first + np.sqrt(1 - unlike.together**2) * second
+    wrong, nothing = rng.random(count) < unlike.wrong_sides, rng.random(count) < unlike.untracked
+    side = made["stand"].to_numpy()
+    measured = made.with_columns(
+        launch_speed=made["launch_speed"] + USUAL_ERRORS.exit_speed / MPH * first,
+        bat_speed=made["bat_speed"] + USUAL_ERRORS.bat_speed / MPH * bat_speed,
+        launch_angle=made["launch_angle"] + USUAL_ERRORS.launch_angle / DEGREE * unlike.errors(rng, count),
+        attack_angle=made["attack_angle"] + USUAL_ERRORS.attack_angle / DEGREE * unlike.errors(rng, count),
+        stand=pl.Series(np.where(wrong, np.where(side == "L", "R", "L"), side)),
+    )
+    return measured.with_columns(pl.when(~pl.Series(nothing)).then(pl.col(name)).alias(name) for name in TRACKED)
+
+
+def held(truth: pl.Series, table: pl.DataFrame, low: str, high: str) -> float:
+    """Return how many of a hundred truths lie between two columns."""
+    inside = ((truth >= table[low]) & (truth <= table[high])).mean()
+    return 100 * float(inside or 0.0)  # type: ignore[arg-type]
+
+
+def places_held(season: Season) -> list[float]:
+    """Return how often intervals of 50 and 90 % hold the places."""
+    balls = season.balls().filter(pl.col("contact_outcome") == "ok").collect()
+    return [held(balls["true_from_tip_in"], balls, f"from_tip_low{level}_in", f"from_tip_high{level}_in")
+            for level in (50, 90)]  # fmt: skip
+
+
+def speeds_held(frame: pl.DataFrame) -> list[float]:
+    """Return how often intervals hold exit speeds of balls, told by what was learned from the other half."""
+    rows = rows_of(frame, headings_of(frame.columns))
+    balls = balls_of(rows.filter((pl.col("reason") == USED) & pl.col("bat_speed").is_not_null()))
+    setting = season_setting(bats={"": BAT}).contact
+    assert setting is not None
+    rank = told(balls, setting, np.random.default_rng(1).random(len(balls)) < 0.5)[:, kernel.RANK]
+    rank = rank[np.isfinite(rank)]
+    return [100 * float(np.mean((rank > end) & (rank < 1 - end))) for end in (0.25, 0.05)]
+
+
+def players_held(season: Season, others: Season, measures: tuple[str, ...]) -> list[float]:
+    """Return how often intervals of players' means hold what the players do in other balls, over some measures."""
+    table = standing(season.counted(), key="batter")
+    assert table is not None
+    truth = others.counted().group_by("batter").agg(
+        pl.col(name).cast(pl.Float64).mean().alias(f"true {name}") for name in measures
+    ).collect()  # fmt: skip
+    both = table.table.join(truth, on="batter")
+    return [float(np.mean([held(both[f"true {name}"], both, f"{name}_low{level}", f"{name}_high{level}")
+                           for name in measures])) for level in (50, 90)]  # fmt: skip
+
+
+def row_of(unlike: Unlike, *, players: int, balls: int, truth: int, seeds: int) -> list[float]:
+    """Return coverage of places, exit speeds, players' means and rates, 50 and 90 % of each, over some seasons."""
+    rows = []
+    for seed in range(1, seeds + 1):
+        every = unlike_season(unlike, players=players, balls=balls + truth, seed=seed)
+        number = pl.int_range(pl.len()).over("batter")
+        mine, others = every.filter(number < balls), every.filter(number >= balls)
+        with TemporaryDirectory() as folder:
+            season, rest = (_season(frame, Path(folder) / name) for name, frame in (("own", mine), ("rest", others)))
+            rows.append([*places_held(season), *speeds_held(mine), *players_held(season, rest, MEANS),
+                         *players_held(season, rest, RATES)])  # fmt: skip
+    return [float(value) for value in np.mean(rows, axis=0)]
+
+
+def _season(frame: pl.DataFrame, folder: Path) -> Season:
+    folder.mkdir()
+    frame.write_parquet(folder / "season.parquet")
+    return analyse_season([folder / "season.parquet"], setting=season_setting(bats={"": BAT}), folder=folder / "out")
+
+
+def main() -> None:
+    """Print the table."""
+    options = argparse.ArgumentParser(description=__doc__)
+    options.add_argument("--players", type=int, default=60)
+    options.add_argument("--balls", type=int, default=100, help="of each player that answers are of")
+    options.add_argument("--truth", type=int, default=900, help="other balls of each, which are the truth of means")
+    options.add_argument("--seasons", type=int, default=2)
+    given = options.parse_args()
+    print("| | places, 50 % | 90 % | exit speeds, 50 % | 90 % | players' means, 50 % | 90 % | rates, 50 % | 90 % |")
+    print("|---|---|---|---|---|---|---|---|---|")
+    for name, unlike in UNLIKE.items():
+        row = row_of(unlike, players=given.players, balls=given.balls, truth=given.truth, seeds=given.seasons)
+        print(f"| {name} | {' | '.join(f'{value:.1f}' for value in row)} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
