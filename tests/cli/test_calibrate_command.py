@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.io import wavfile
 
 from sweetspot import catalog
 from sweetspot.calibration.calibrated_file import known_deviations
@@ -60,6 +61,33 @@ def test_what_was_not_measured_has_no_budget_and_a_club_has_head_and_grip(run: R
     assert "mass of the head" in club
     assert "knob" not in club
     assert "end cap" not in club
+
+
+def test_a_wooden_bat_is_supposed_solid_and_a_hollow_one_is_not(run: Run) -> None:
+    """Scale, string and tap do not see into a bat: a corked one fits another wood."""
+    solid = " ".join(run("calibrate", "r161-ash", *WEIGHED)[1].split())
+    assert "solid but for what the drawing says" in solid
+    assert "corked" in solid
+    hollow = " ".join(run("calibrate", "college-alloy", "--mass", "31oz±0.05oz")[1].split())
+    assert "The calibrated bat" in hollow
+    assert "solid but for" not in hollow
+
+
+def test_a_tap_of_something_else_is_refused(run: Run, tmp_path: Path) -> None:
+    """Two higher modes ring and neither of the two lowest: no modulus is made of that."""
+    sound, file = tmp_path / "other.wav", tmp_path / "mine.toml"
+    rings = bending_frequencies(beam_model(catalog.bat("r161-ash")), count=4)[2:]
+    time = np.arange(44100) / 44100 - 0.2
+    tones = sum(np.exp(-25 * time) * np.sin(2 * np.pi * one * time) for one in rings)
+    noise = np.random.default_rng(3).standard_normal(len(time))
+    wavfile.write(sound, 44100, (12000 * np.where(time > 0, tones, 0) + 3 * noise).astype(np.int16))
+    code, out, err = run(
+        "calibrate", "r161-ash", *WEIGHED, "--tap", str(sound), "--at", "1in-from-tip", "--out", str(file)
+    )
+    assert (code, out) == (2, "")
+    assert "hardly this" in err
+    assert "--tone" in err
+    assert not file.exists()
 
 
 def test_the_file_of_a_heavy_bat_has_the_density_that_is_told(run: Run, tmp_path: Path) -> None:

@@ -32,6 +32,25 @@ def test_two_bats(run: Run, run_json: Callable[..., Any], tmp_path: Path) -> Non
     assert "m/s" in out
 
 
+def test_a_bat_whose_measurements_contradict_each_other_is_told_first(
+    run: Run, run_json: Callable[..., Any], tmp_path: Path
+) -> None:
+    """A swing of 1.30 s is not that of a bat of this weight and balance; of bats that agree nothing is said."""
+    table = tmp_path / "bats.csv"
+    table.write_text(HEAD + ONE + OTHER.replace("1.4545", "1.3000"), encoding="utf-8")
+    _, out, _ = run("rank", str(table), "--like", "r161-ash")
+    words = " ".join(out.split())
+    warning = words.index("B: pendulum lies ")
+    assert words.index("its place here means nothing") < words.index("hits best")
+    assert "sigma off" in words[warning:]
+    assert "A: " not in words
+    pulls = {one["name"]: one["contradictions"] for one in run_json("rank", str(table), "--like", "r161-ash")["bats"]}
+    assert pulls["A"] == {}
+    assert max(abs(pull) for pull in pulls["B"].values()) > 3
+    table.write_text(HEAD + ONE + OTHER, encoding="utf-8")
+    assert "means nothing" not in " ".join(run("rank", str(table), "--like", "r161-ash")[1].split())
+
+
 @pytest.mark.parametrize(
     ("content", "message"), [(None, "no such file"), (HEAD + ONE, "two or more"), ("a,b\n1,2\n", "heading")]
 )
