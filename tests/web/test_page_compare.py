@@ -6,6 +6,7 @@ import json
 import re
 from collections.abc import Callable
 from pathlib import Path
+from urllib.parse import quote
 
 import pytest
 from playwright.sync_api import Page, expect
@@ -34,6 +35,14 @@ def test_the_first_picture_has_three_bats_and_a_verdict(opened: Page) -> None:
     expect(rows).to_have_count(3)
     expect(rows.nth(0)).to_contain_text("reference")
     expect(opened.get_by_role("img", name=re.compile("^Change of exit speed"))).to_be_visible()
+
+
+def test_a_bat_that_passes_only_as_far_as_is_known_is_not_simply_passed(page: Page, server: str) -> None:
+    page.goto(f"{server}/compare?others=" + quote(json.dumps([{"bat": "corked-r161"}])))
+    rule = page.get_by_role("region", name=re.compile("^Every rule")).get_by_role("row", name=re.compile("^BBCOR"))
+    expect(rule.locator("td").nth(0)).to_contain_text("✓ pass (0.495)")
+    expect(rule.locator("td").nth(1)).to_contain_text("✓ pass, but close (0.500)")
+    expect(rule.locator("td.good")).to_have_count(1)
 
 
 def test_bats_come_and_go(opened: Page, answered: Answered) -> None:

@@ -197,9 +197,10 @@ export const view = {
 
   /** @param {Answer} check */
   verdictOf(check) {
-    const [words, className] = VERDICTS[check.verdict];
+    const [words, colour] = VERDICTS[check.verdict];
+    const close = check.reason && colour !== "" && colour !== "muted"; // decided, though what is not known reaches across the limit
     const value = check.value === null || check.verdict === "does not apply" ? "" : ` (${this.amount(check.value, check.unit)})`;
-    return { text: words + value, className, note: check.reason };
+    return { text: `${words}${close ? ", but close" : ""}${value}`, className: close ? "" : colour, note: check.reason };
   },
 
   unmount() { this.certification = this.ruled = null; },

@@ -4,6 +4,7 @@ import { Bench, ballGroup, swingGroup } from "../bench.js";
 import { button, group } from "../controls.js";
 import { mathOf, typeset } from "../formula.js";
 import { inReadersUnit, make, tableOf, tell } from "../parts.js";
+import { unbroken } from "../tables.js";
 import { PICTURES } from "./paper_pictures.js";
 import { STEPS } from "./paper_steps.js";
 /** @import { Answer, View } from "../main.js" */
@@ -93,7 +94,7 @@ export const view = {
   show(step) {
     this.shown = step.key;
     this.title.textContent = step.question;
-    this.said.replaceChildren(...step.claim.map((text) => make("p", { textContent: text })));
+    this.said.replaceChildren(...step.claim.map((text) => make("p", { textContent: unbroken(text) })));
     this.formulas.replaceChildren(...step.formulas.map(([number, source, words]) => formulaRow(number, source, words)), this.live);
     this.slips.replaceChildren(make("summary", { textContent: "Misprints to know" }),
       make("ul", {}, ...step.slips.map((text) => make("li", { textContent: text }))));

@@ -170,7 +170,7 @@ export const STEPS = [
       const [, thickness] = rowsOf(answer, "z");
       return `The formula is exact for two springs in series: e = √W is ${number(Math.sqrt(wood.computed), 3)} for wood and ${number(Math.sqrt(metal.computed), 3)} for metal here. ` +
         `The full model gives ${number(wood.full_model, 3)} for this bat, and ${number(metal.full_model, 3)} for an aluminium bat whose wall takes a tenth of the energy: ` +
-        `one ${app.units === "us" ? app.text("wall_m", thickness.full_model / 1e3, 3) : `${number(thickness.full_model, 1)} mm`} thick. A metal bat does hit faster. The orange line joins aluminium bats with thicker (left) and thinner (right) walls.`;
+        `one ${app.units === "us" ? app.text("wall_m", thickness.full_model / 1e3, 3) : `${number(thickness.full_model, 1)} mm`} thick. A metal bat does hit faster. The dotted line joins aluminium bats with thicker (left) and thinner (right) walls.`;
     },
   },
   {
