@@ -42,6 +42,7 @@ def test_motions_are_listed_with_frequency_damping_and_the_tap(still: Page, serv
     assert decay.endswith(" ms") and share.endswith(" %") and felt.endswith(" m/s")
     assert row(still, "Push")[1] == "\N{EN DASH}"
     assert "It stands still 6.7" in still.inner_text("#verdict")
+    assert str(still.locator(".motions th").last.text_content()).endswith("1\u00a0N\u00a0s"), "no line breaks the unit"
 
 
 def test_choosing_a_motion_shows_it_and_goes_into_the_address(still: Page, server: str, answered: Answered) -> None:

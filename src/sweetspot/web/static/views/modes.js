@@ -5,6 +5,7 @@ import { button, group, slider, toggle } from "../controls.js";
 import { Stage, paintMotion } from "../modescene.js";
 import { make, partOf, tell } from "../parts.js";
 import { Surface } from "../surface.js";
+import { unbroken } from "../tables.js";
 import { strike } from "../tapsound.js";
 import { INCH } from "../units.js";
 /** @import { Answer, View } from "../main.js" */
@@ -169,7 +170,7 @@ export const view = {
     const table = Object.assign(document.createElement("table"), { className: "motions" });
     const caption = Object.assign(document.createElement("caption"), { className: "unseen", textContent: "Motions of the bat; choose one to see it" });
     const head = document.createElement("tr");
-    head.append(...heads.map((words, i) => Object.assign(document.createElement("th"), { textContent: words, scope: "col", className: i && i < 4 ? "number" : "" })));
+    head.append(...heads.map((words, i) => Object.assign(document.createElement("th"), { textContent: unbroken(words), scope: "col", className: i && i < 4 ? "number" : "" })));
     table.append(caption, head);
     this.cells = rows.map((row) => {
       const line = document.createElement("tr");
