@@ -150,6 +150,7 @@ export function choice(app, field, { label, options, note = "", follows = false,
     /** @param {State} state */
     sync(state) {
       const value = String(shown(state) ?? "");
+      if (select.value === value && select.selectedIndex >= 0) return; // options are many, and a hand moves on
       if (![...select.options].some((option) => option.value === value)) select.append(new Option(value, value));
       select.value = value;
     },
