@@ -11,6 +11,7 @@ import zlib
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import chain
 from pathlib import Path
 from typing import IO
@@ -20,6 +21,7 @@ import polars as pl
 from sweetspot.errors import InputError, UnwritableError, first_line
 from sweetspot.numerics.whole_files import refusal, written_whole
 from sweetspot.season.headings import DAY_FIRST, KNOWN_UNITS, Headings, headings_of, names_balls
+from sweetspot.season.parquet_footer import row_groups
 from sweetspot.units import grouped
 
 CSV_ENDINGS = (".csv", ".tsv", ".txt", ".csv.gz", ".tsv.gz", ".txt.gz")
@@ -83,6 +85,12 @@ class TableFile:
     def cut(self) -> bool:
         """Whether it has as many rows as public exports are cut at."""
         return self.rows > 0 and any(self.rows % size == 0 for size in CUTS)
+
+    @cached_property
+    def row_groups(self) -> tuple[int, ...]:
+        """Rows of the pieces of its data that are unpacked whole; one piece where the file does not tell."""
+        told = row_groups(self.data)
+        return told if sum(told) == self.rows else (self.rows,)
 
     def part(self, start: int, count: int, *, headings: Sequence[str] | None = None) -> pl.DataFrame:
         """Return some rows, columns as they are; an empty measurement is a number that is missing.

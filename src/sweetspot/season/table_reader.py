@@ -1,14 +1,17 @@
-"""Rows of tables handed out a part at a time, and read in longer stretches: a file is unpacked in its own large pieces.
+"""Rows of tables handed out a part at a time, and read in longer stretches: a file is unpacked in its own pieces.
 
-A piece of a Parquet file (a row group, its pages) is unpacked whole for every part of it that is asked for, so parts
-that are read one by one cost several times what the file does.
+A piece of a Parquet file (a row group) is unpacked whole for every part of it that is asked for, so a stretch is some
+whole pieces, each of which is read once.
 """
 
 from __future__ import annotations
 
 import threading
+from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
+from itertools import pairwise
 
 import polars as pl
 
@@ -26,7 +29,7 @@ class TableReader:
     Parameters
     ----------
     tables : to be read.
-    part_rows : rows of the parts that will be asked for; a stretch is a multiple of it.
+    part_rows : rows of the parts that will be asked for; a stretch of a longer row group is a multiple of it.
     """
 
     def __init__(self, tables: Sequence[TableFile], *, part_rows: int) -> None:
@@ -44,22 +47,38 @@ class TableReader:
         headings : of the columns that are wanted; None: all.
         """
         table = self._tables[number]
-        last = min(start + count, table.rows)
+        width = len([*table.headings.columns, *table.headings.passed] if headings is None else headings)
+        edges = _edges(table.row_groups, most=max(1, CELLS // max(width, 1) // self._part_rows) * self._part_rows)
+        first, last = bisect_right(edges, start) - 1, bisect_left(edges, min(start + count, table.rows))
         with self._reading:
-            held = next((one for one in self._held if one.has(number, start, last, headings)), None)
-            if held is None:
-                held = self._read(number, start, last, headings)
-                self._held = [*self._held, held][-HELD:]
-        part = held.rows.slice(start - held.start, count)
+            stretches = [self._stretch(number, *ends, headings) for ends in pairwise(edges[first : last + 1])]
+        pieces = [one.rows.slice(max(start - one.start, 0), start + count - max(start, one.start)) for one in stretches]
+        part = pl.concat(pieces)
         return part if headings is None else part.select(headings)
 
-    def _read(self, number: int, start: int, last: int, headings: Sequence[str] | None) -> _Stretch:
-        table = self._tables[number]
-        width = len(pl.scan_parquet(table.data).collect_schema() if headings is None else headings)
-        rows = max(1, CELLS // max(width, 1) // self._part_rows) * self._part_rows
-        begin = start // rows * rows
-        end = max(begin + rows, last)
-        return _Stretch(number, begin, headings is None, table.part(begin, end - begin, headings=headings))
+    def _stretch(self, number: int, start: int, end: int, headings: Sequence[str] | None) -> _Stretch:
+        held = next((one for one in self._held if one.has(number, start, end, headings)), None)
+        if held is None:
+            rows = self._tables[number].part(start, end - start, headings=headings)
+            held = _Stretch(number, start, headings is None, rows)
+            self._held = [*self._held, held][-HELD:]
+        return held
+
+
+@lru_cache(maxsize=64)
+def _edges(groups: tuple[int, ...], *, most: int) -> list[int]:
+    """Return where stretches begin and the last one ends: whole row groups, as many as fit; longer ones in pieces.
+
+    >>> _edges((100, 100, 100), most=220), _edges((500,), most=220)
+    ([0, 200, 300], [0, 220, 440, 500])
+    """
+    edges, end = [0], 0
+    for rows in groups:
+        if end > edges[-1] and end + rows - edges[-1] > most:
+            edges.append(end)
+        end += rows
+        edges += range(edges[-1] + most, end, most)
+    return [*edges, end]
 
 
 @dataclass(frozen=True)
@@ -71,7 +90,7 @@ class _Stretch:
     whole: bool
     rows: pl.DataFrame
 
-    def has(self, number: int, start: int, last: int, headings: Sequence[str] | None) -> bool:
-        if number != self.number or not self.start <= start <= last <= self.start + len(self.rows):
+    def has(self, number: int, start: int, end: int, headings: Sequence[str] | None) -> bool:
+        if (number, start, end) != (self.number, self.start, self.start + len(self.rows)):
             return False
         return self.whole or (headings is not None and set(headings) <= set(self.rows.columns))

@@ -1,0 +1,58 @@
+"""Tables read in stretches: the same rows whatever the pieces of the file, each piece once."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from unittest.mock import patch
+
+import polars as pl
+import pytest
+
+from sweetspot.season import table_reader
+from sweetspot.season.parquet_footer import row_groups
+from sweetspot.season.table_file import TableFile, open_table
+from sweetspot.season.table_reader import TableReader
+from tests.season.conftest import made_up
+
+
+@pytest.mark.parametrize("rows", [70, 100, 256, 400])
+def test_row_groups_are_those_that_were_written(rows: int, tmp_path: Path) -> None:
+    table = tmp_path / "table.parquet"
+    made_up(400).write_parquet(table, row_group_size=rows, statistics="full")
+    groups = row_groups(table)
+    assert groups == tuple(len(part) for part in made_up(400).iter_slices(rows))
+
+
+@pytest.mark.parametrize("torn", [0, 4, 8, 200])
+def test_no_footer_no_row_groups(torn: int, tmp_path: Path) -> None:
+    whole, table = tmp_path / "whole.parquet", tmp_path / "table.parquet"
+    made_up(30).write_parquet(whole)
+    held = whole.read_bytes()
+    size = int.from_bytes(held[-8:-4], "little")
+    table.write_bytes(
+        held[: -8 - size // 2] + (size // 2).to_bytes(4, "little") + b"PAR1" if torn == 200 else held[:torn]
+    )
+    assert row_groups(table) == ()
+
+
+@pytest.mark.parametrize("group", [70, 100, 256, 1000])
+@pytest.mark.parametrize("headings", [None, ["launch_speed", "events"]])
+def test_parts_are_the_rows_of_the_table_and_each_piece_is_read_once(
+    group: int, headings: list[str] | None, tmp_path: Path
+) -> None:
+    frame = made_up(1000)
+    frame.write_parquet(tmp_path / "table.parquet", row_group_size=group)
+    table = open_table(tmp_path / "table.parquet", staging=tmp_path)
+    wanted = frame if headings is None else frame.select(headings)
+    read: list[int] = []
+    whole = TableFile.part
+
+    def counted(self: TableFile, start: int, count: int, **asked: list[str] | None) -> pl.DataFrame:
+        read.append(count)
+        return whole(self, start, count, **asked)
+
+    with patch.object(TableFile, "part", counted), patch.object(table_reader, "CELLS", 128 * wanted.width):
+        reader = TableReader([table], part_rows=64)
+        for start in range(0, 1000, 64):
+            assert reader.part(0, start, 64, headings=headings).equals(wanted.slice(start, 64))
+    assert sum(read) == 1000 and max(read) <= 128
