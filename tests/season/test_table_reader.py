@@ -56,3 +56,14 @@ def test_parts_are_the_rows_of_the_table_and_each_piece_is_read_once(
         for start in range(0, 1000, 64):
             assert reader.part(0, start, 64, headings=headings).equals(wanted.slice(start, 64))
     assert sum(read) == 1000 and max(read) <= 128
+
+
+def test_a_part_over_stretches_that_were_read_for_other_columns(tmp_path: Path) -> None:
+    frame = made_up(1000)
+    frame.write_parquet(tmp_path / "table.parquet", row_group_size=100)
+    reader = TableReader([open_table(tmp_path / "table.parquet", staging=tmp_path)], part_rows=64)
+    with patch.object(table_reader, "CELLS", 1):
+        reader.part(0, 0, 64, headings=["launch_speed", "events", "launch_angle"])
+        for start, count in ((0, 150), (100, 250)):
+            part = reader.part(0, start, count, headings=["events", "launch_speed"])
+            assert part.equals(frame.select("events", "launch_speed").slice(start, count))

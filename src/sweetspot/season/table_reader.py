@@ -53,8 +53,9 @@ class TableReader:
         with self._reading:
             stretches = [self._stretch(number, *ends, headings) for ends in pairwise(edges[first : last + 1])]
         pieces = [one.rows.slice(max(start - one.start, 0), start + count - max(start, one.start)) for one in stretches]
-        part = pl.concat(pieces)
-        return part if headings is None else part.select(headings)
+        if headings is not None:  # a stretch may have been read for more of them
+            pieces = [piece.select(headings) for piece in pieces]
+        return pl.concat(pieces)
 
     def _stretch(self, number: int, start: int, end: int, headings: Sequence[str] | None) -> _Stretch:
         held = next((one for one in self._held if one.has(number, start, end, headings)), None)
