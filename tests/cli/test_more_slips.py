@@ -29,6 +29,8 @@ SLIPS = [
     (("pendulum", "--mass", "31oz", "--balance-point", "22cm", "--period", "1.45s"), "as no implement does"),
     (("hit", "r161-ash", "--at", "6in-from-barrel"), "places are written 27in, from the knob end, or 6in-from-tip"),
     (("hit", "r161-ash", "--at", "-3in"), "A negative number is written with =, as in --at=-3in"),
+    (("hit", "r161-ash"), "hit needs --at. Where the ball meets the bat: 27in, 6in-from-tip"),
+    (("play", "--bats"), "play needs --bats. Side the batter bats from. Choices: right, left."),
     (("parks", "koors"), "Did you mean coors"),
     (("show", "nosuch"), "example aluminium-7xxx, american-family-field"),
     (("report", "nosuch"), "`sweetspot bats` lists all"),

@@ -95,7 +95,7 @@ def _complain(text: str) -> None:
 
 
 def _one_line(error: Exception, given: list[str]) -> str:
-    from cyclopts.exceptions import UnknownOptionError, UnusedCliTokensError
+    from cyclopts.exceptions import MissingArgumentError, UnknownOptionError, UnusedCliTokensError
 
     if isinstance(error, UnusedCliTokensError):
         left = " ".join(map(str, error.unused_tokens or ()))
@@ -110,8 +110,11 @@ def _one_line(error: Exception, given: list[str]) -> str:
     short = next((one for one in given if SHORT.get(one, ("",))[0] == "--format"), "")
     if isinstance(error, UnknownOptionError) and error.token.keyword == "--format" and short:
         return f"{' '.join(error.command_chain or ())} has no {short}: its answer has one form"
-    told = " ".join(str(error).split())
-    negative = told.endswith("requires an argument.") and any(
-        word[:1] == "-" and word[1:2].isdigit() for word in getattr(error, "root_input_tokens", None) or ()
-    )
-    return f"{told} A negative number is written with =, as in --at=-3in." if negative else told
+    if isinstance(error, MissingArgumentError) and error.argument is not None:
+        choices = error.argument.get_choices()
+        told = f"{' '.join(error.command_chain or ())} needs {error.argument.name}. {error.argument.parameter.help}" + (
+            f" Choices: {', '.join(choices)}." if choices else ""
+        )
+        negative = any(word[:1] == "-" and word[1:2].isdigit() for word in error.root_input_tokens or ())
+        return f"{told} A negative number is written with =, as in --at=-3in." if negative else told
+    return " ".join(str(error).split())
