@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import unicodedata
 from collections.abc import Sequence
 from difflib import get_close_matches
@@ -194,7 +195,9 @@ def _fault(fault: ErrorDetails, known: Sequence[str]) -> str:
         case "greater_than" | "greater_than_equal" | "less_than" | "less_than_equal" if isinstance(
             fault["input"], (int, float)
         ):
-            given, text = f"{fault['input']:.4g}", _allowed(fault)
+            text = _allowed(fault)
+            if abs(fault["input"]) <= sys.float_info.max:  # beyond, a whole number has no short form
+                given = f"{fault['input']:.4g}"
             if parts[-1:] == ["mass"]:
                 given = shown_mass(fault["input"])
         case "tuple_type" if isinstance(fault["input"], str):

@@ -17,7 +17,7 @@ from sweetspot.equipment.face import Face, Outline
 from sweetspot.equipment.implement import OfMaterial
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.section import Section, poisson_of, shear_coefficient
-from sweetspot.equipment.shell import Stations, between, check_along
+from sweetspot.equipment.shell import Stations, between, check_along, check_order
 from sweetspot.numerics.arrays import Array
 
 LENGTH_RANGE = (0.5, 1.0)
@@ -66,6 +66,7 @@ class CricketBat(OfMaterial):
 
     @model_validator(mode="after")
     def _holds_together(self) -> CricketBat:
+        check_order(self.handle, "handle")  # its end is where the others begin
         for stations, what in ((self.handle, "handle"), (self.width, "width"), (self.spine, "spine"),
                                (self.edge, "edge")):  # fmt: skip
             start, end = (0.0, self.shoulder) if what == "handle" else (self.shoulder, self.length)
