@@ -84,3 +84,19 @@ def test_no_cap_and_no_wall_makes_any_weight() -> None:
         weighing(bat, 60 * OUNCE)
     with pytest.raises(InputError, match="solid"):
         weighing(catalog.bat("r161-ash"), 1.0)
+
+
+@pytest.mark.parametrize("ounces", [24, 27, 30, 36])
+def test_a_drawing_of_three_stations_is_met_too(ounces: float) -> None:
+    bat = bat_from_table(
+        {
+            "name": "coarse",
+            "length": "33 in",
+            "mass": f"{ounces} oz",
+            "material": "aluminium-7xxx",
+            "profile": [["0 in", "1 in"], ["18 in", "2.6 in"], ["33 in", "2.6 in"]],
+            "shell": {"wall": "2.4 mm", "end_cap_mass": "1 oz", "knob_mass": "1 oz"},
+        },
+        "coarse",
+    )
+    assert rigid_body(beam_model(bat)).mass == pytest.approx(ounces * OUNCE)

@@ -145,10 +145,11 @@ def with_wall_factor(bat: Bat, factor: float) -> Bat:
 
 
 def barrel_start(bat: Bat) -> float:
-    """Return where the barrel of a hollow bat begins, m from the knob end."""
+    """Return where the barrel of a hollow bat begins, m from the knob end: among the outer two thirds of the bat."""
     assert bat.profile is not None
-    greatest = max(size for _, size in bat.profile)
-    return next(place for place, size in bat.profile if place > bat.length / 3 and size >= BARREL_PART * greatest)
+    outer = [(place, size) for place, size in bat.profile if place > bat.length / 3]
+    greatest = max(size for _, size in outer)
+    return next(place for place, size in outer if size >= BARREL_PART * greatest)
 
 
 def with_barrel_wall(bat: Bat, factor: float) -> Bat:
@@ -261,8 +262,9 @@ def _handle_wall(bat: Bat, shell: Shell, size: float) -> Bat:
     """Return the bat with a handle's wall of ``size`` m; from where the taper begins it runs to the barrel's own."""
     assert bat.profile is not None
     start = barrel_start(bat)
-    handle = min(size for place, size in bat.profile if 0.1 * bat.length < place < start)
-    tapering = max(place for place, diameter in bat.profile if place < start and diameter <= 1.05 * handle)
+    places = (0.1 * bat.length, *(place for place, _ in bat.profile if 0.1 * bat.length < place < start))
+    sizes = [float(between(bat.profile, place)) for place in places]
+    tapering = max(place for place, diameter in zip(places, sizes, strict=True) if diameter <= 1.05 * min(sizes))
     kept = tuple((place, thick) for place, thick in shell.wall if place > tapering)
     if not any(place <= start for place, _ in kept):
         kept = ((start, float(between(shell.wall, start))), *kept)
