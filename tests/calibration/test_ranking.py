@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +19,9 @@ from sweetspot.calibration.ranking import Ranking, rank_bats
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.errors import InputError
+from sweetspot.report.calibration.ranking_report import ranking_words
+from sweetspot.report.quantities import US
+from sweetspot.report.sentences import read
 
 MODEL = catalog.bat("r161-ash")
 LINE, UNKNOWNS = described(MODEL), unknowns_of(MODEL)
@@ -46,8 +50,10 @@ def ranked(offs: dict[str, dict[str, float]], *, noise: bool = False) -> Ranking
 def test_a_stiffer_and_a_limper_bat_stand_at_the_ends() -> None:
     ranking = ranked({"usual": {}, "stiff": {"modulus": 0.35, "density": 0.05}, "limp": {"modulus": -0.35}})
     assert [one.name for one in ranking.bats][-1] == "limp"
+    assert ranking.bats[-1].contradictions  # with what is usual in ash; its measurements agree, so it is ranked
+    assert not ranking.unranked
     assert ranking.beyond_doubt
-    chances = {one.name: one.best_chance for one in ranking.bats}
+    chances = {one.name: one.best_chance or 0.0 for one in ranking.bats}
     assert sum(chances.values()) == pytest.approx(1)
     assert chances["limp"] < 0.05
     assert "modulus" in next(one for one in ranking.bats if one.name == "limp").differs
@@ -57,8 +63,23 @@ def test_a_stiffer_and_a_limper_bat_stand_at_the_ends() -> None:
 def test_bats_that_are_alike_are_not_told_apart() -> None:
     ranking = ranked({name: {} for name in "abcd"}, noise=True)
     assert not ranking.beyond_doubt
-    assert max(one.best_chance for one in ranking.bats) < 0.75
+    assert max(one.best_chance or 0.0 for one in ranking.bats) < 0.75
     assert ranking.scatter < ranking.wood
+
+
+def test_what_is_said_agrees_in_every_case() -> None:
+    """Where the order may be chance, no other reason is looked for; where it is not, neighbours may still be alike."""
+    apart = ranked({"usual": {}, "limp": {"modulus": -0.35}})
+    for scatter, not_known, wood, said, unsaid in (
+        (3.0, 1.0, 1.0, "neighbours in it may be alike", "may be chance"),
+        (3.0, 1.0, 1.0, "look for another reason", "what is not known"),
+        (1.2, 1.0, 0.5, "which what is not known of each may do by itself", "look for another reason"),
+        (1.2, 1.0, 0.5, "the order may be chance", "means something"),
+        (1.2, 0.5, 2.0, "no more than wood does by itself", "may be chance"),
+    ):
+        words = read(ranking_words(replace(apart, scatter=scatter, not_known=not_known, wood=wood), of_bats=True), US)
+        assert said in words
+        assert unsaid not in words.replace("that is not known", "")
 
 
 def test_one_bat_is_no_ranking() -> None:

@@ -46,17 +46,18 @@ class RankedBat:
     ----------
     name : what people call it.
     exit_speed : m/s at its best place, for this player and the mean ball; the ball's doubt is not in it.
-    best_chance : probability of being the best of all.
+    best_chance : probability of being the best of all ranked; None: it is not ranked.
     place : m from the knob end, where it hits best.
     properties : mass (kg), balance point (m), moment of inertia about 6 in (kg m^2) and modulus over the described one;
         of rackets, clubs and sticks the swing weight, and the square of the first frequency over the described one's.
     differs : properties that differ from the mean of all bats by more than twice what is not known of them.
-    contradictions : measurements of it that contradict the others, with how many sigma.
+    contradictions : measurements of it that contradict the others, and expectations of its kind that contradict these,
+        with how many sigma.
     """
 
     name: str
     exit_speed: Measured
-    best_chance: float
+    best_chance: float | None
     place: float
     properties: dict[str, Measured]
     differs: tuple[str, ...]
@@ -70,12 +71,14 @@ class Ranking:
     Parameters
     ----------
     bats : ranked.
+    unranked : whose measurements contradict each other: what follows from them means nothing, also for the others.
     scatter : standard deviation of their exit speeds, m/s.
     not_known : rms of what is not known of each, m/s.
     wood : standard deviation that bats of this outline in this wood would have, m/s.
     """
 
     bats: tuple[RankedBat, ...]
+    unranked: tuple[RankedBat, ...]
     scatter: float
     not_known: float
     wood: float
@@ -106,10 +109,18 @@ def rank_bats(
     Raises
     ------
     InputError
-        for fewer than two bats.
+        for fewer than two bats whose measurements agree.
     """
     if len(posteriors) < 2:
         raise InputError(f"{len(posteriors)} bat was given; a ranking needs two or more")
+    sound = [name for name, one in posteriors.items() if not _disagreeing(one)]
+    if len(sound) < 2:
+        off = "; ".join(
+            f"{name}: {which} lies {abs(pull):.1f} sigma off"
+            for name, one in posteriors.items()
+            for which, pull in _disagreeing(one).items()
+        )
+        raise InputError(f"a ranking needs two bats or more whose measurements agree ({off}); measure these again")
     first = next(iter(posteriors.values()))
     line, unknowns = first.prior, first.unknowns
     spreads = np.array([one.spread for one in unknowns])
@@ -119,31 +130,42 @@ def rank_bats(
     generator = np.random.default_rng(seed)
     of_ball = response.spreads[len(unknowns) :]
     ball = generator.standard_normal((DRAWS, len(of_ball))) * of_ball
-    speeds, centre, best = [], [], []
-    for posterior in posteriors.values():
+    speeds, centre, best = {}, {}, {}
+    for name, posterior in posteriors.items():
         own = generator.multivariate_normal(posterior.deviations, posterior.covariance, size=DRAWS, method="cholesky")
         curves = _exit_speeds(response, np.hstack([own, ball]), turning, conditions, law)
         still = _exit_speeds(response, np.hstack([own, 0 * ball]), turning, conditions, law)
-        speeds.append(curves.max(axis=1))
-        centre.append(still.max(axis=1))
-        best.append(float(places[int(np.argmax(still.mean(axis=0)))]))
-    chances = np.bincount(np.argmax(np.array(speeds), axis=0), minlength=len(speeds)) / DRAWS
+        speeds[name] = curves.max(axis=1)
+        centre[name] = still.max(axis=1)
+        best[name] = float(places[int(np.argmax(still.mean(axis=0)))])
+    won = np.argmax(np.array([speeds[name] for name in sound]), axis=0)
+    chances = dict(zip(sound, (np.bincount(won, minlength=len(sound)) / DRAWS).tolist(), strict=True))
     wood = generator.standard_normal((DRAWS, len(spreads))) * spreads
     by_nature = _exit_speeds(response, np.hstack([wood, 0 * ball]), turning, conditions, law).max(axis=1)
     properties = {name: _properties(posterior) for name, posterior in posteriors.items()}
-    ranked = [
+    of_sound = {name: properties[name] for name in sound}
+    told = [
         RankedBat(
-            name, Measured(float(drawn.mean()), float(drawn.std())), float(chance), place, properties[name],
-            _differing(properties, name), posterior.contradictions,
+            name, Measured(float(drawn.mean()), float(drawn.std())), chances.get(name), best[name], properties[name],
+            _differing(of_sound, name) if name in of_sound else (), posteriors[name].contradictions,
         )
-        for (name, posterior), drawn, chance, place in zip(posteriors.items(), centre, chances, best, strict=True)
+        for name, drawn in sorted(centre.items(), key=lambda one: -float(one[1].mean()))
     ]  # fmt: skip
+    ranked, unranked = (tuple(one for one in told if (one.name in sound) == sure) for sure in (True, False))
     values = np.array([one.exit_speed.value for one in ranked])
     errors = np.array([one.exit_speed.error for one in ranked])
     return Ranking(
-        tuple(sorted(ranked, key=lambda one: -one.exit_speed.value)),
-        float(values.std(ddof=1)), float(np.sqrt(np.mean(errors**2))), float(by_nature.std()),
-    )  # fmt: skip
+        ranked, unranked, float(values.std(ddof=1)), float(np.sqrt(np.mean(errors**2))), float(by_nature.std())
+    )
+
+
+def _disagreeing(posterior: Posterior) -> dict[str, float]:
+    """Return the measurements that contradict the others, with how many sigma.
+
+    A bat that is only unlike others of its kind, all measurements agreeing on it, is none of these.
+    """
+    given = {one.name for one in posterior.measurements}
+    return {name: pull for name, pull in posterior.contradictions.items() if name in given}
 
 
 def _places(implement: Implement) -> Array:

@@ -99,14 +99,15 @@ class Sources:
         ----------
         count : a power of two.
         """
+        import scipy.special
         import scipy.stats
 
         even = scipy.stats.qmc.Sobol(len(self.names), seed=seed).random(count)
-        return np.asarray(scipy.stats.norm.ppf(np.clip(even, 1e-9, 1 - 1e-9)))
+        return np.asarray(scipy.special.ndtri(np.clip(even, 1e-9, 1 - 1e-9)))
 
     def deviations(self, normal: Array) -> Array:
         """Return deviations from what was described for standard normal numbers, both of shape (count, n)."""
-        import scipy.stats
+        import scipy.special
 
         count = len(self.unknowns)
         values, vectors = np.linalg.eigh(self.covariance)
@@ -115,7 +116,7 @@ class Sources:
         for column, one in enumerate(self.others, start=count):
             if isinstance(one.spread, tuple):
                 low, high = one.spread
-                drawn[:, column] = low + (high - low) * scipy.stats.norm.cdf(normal[:, column])
+                drawn[:, column] = low + (high - low) * scipy.special.ndtr(normal[:, column])
             else:
                 drawn[:, column] = one.spread * normal[:, column]
         return drawn

@@ -27,9 +27,10 @@ def ranking_document(ranking: Ranking, *, model: Implement) -> Document:
         (
             one.name, one.exit_speed.value, half_width(one.exit_speed), one.best_chance, one.properties["mass"].value,
             one.properties["moi"].value, one.properties["modulus"].value - 1,
-            ", ".join(WORDS[name] for name in one.differs) or "nothing surely",
+            "not ranked" if one in ranking.unranked else ", ".join(WORDS[name] for name in one.differs)
+            or "nothing surely",
         )
-        for one in ranking.bats
+        for one in (*ranking.bats, *ranking.unranked)
     ]  # fmt: skip
     wooden = isinstance(model, Bat)
     words = sport(model.sport).words
@@ -41,16 +42,16 @@ def ranking_document(ranking: Ranking, *, model: Implement) -> Document:
         Column("differs in"),
     ]  # fmt: skip
     blocks: list[Block] = []
-    for one in ranking.bats:
+    for one in (*ranking.unranked, *(one for one in ranking.bats if one.contradictions)):
         off = ", ".join(
             f"{source_words(name, model)} lies {abs(pull):.1f} sigma off" for name, pull in one.contradictions.items()
         )
-        if off:
-            blocks.append(
-                Paragraph(
-                    f"{one.name}: {off}; its place here means nothing. Measure again, or check the drawing.", "warning"
-                )
-            )
+        then = (
+            "It is not ranked, and the words below leave it out. Measure it again, or check the drawing."
+            if one in ranking.unranked
+            else f"Its measurements agree on an unusual {words.implement}; its place holds if they are right."
+        )
+        blocks.append(Paragraph(f"{one.name}: {off}. {then}", "warning"))
     blocks.append(Paragraph(ranking_words(ranking, of_bats=wooden)))
     blocks.append(Table(f"The {words.implement}s", columns, rows))
     blocks.append(
@@ -71,7 +72,7 @@ def ranking_document(ranking: Ranking, *, model: Implement) -> Document:
     data = ranking_json(ranking, axis=None if wooden else model.moi_axis)
     flat = [{key: value for key, value in one.items() if not isinstance(value, (dict, list))} for one in data["bats"]]
     return Document(
-        name="rank", title=f"{len(ranking.bats)} {words.implement}s like {model.name}", blocks=blocks, data=data,
+        name="rank", title=f"{len(rows)} {words.implement}s like {model.name}", blocks=blocks, data=data,
         rows={key: [one[key] for one in flat] for key in flat[0]}, reader=reader(None, words),
     )  # fmt: skip
 
@@ -86,9 +87,9 @@ def ranking_words(ranking: Ranking, *, of_bats: bool) -> Sentence:
     first, last = ranking.bats[0], ranking.bats[-1]
     words = [
         say(
-            "{name} hits best: {speed}, with a chance of {chance} of being the best of {count}; {last} comes last, "
+            "{name} comes first: {speed}, with a chance of {chance} of being the best of {count}; {last} comes last, "
             "{apart} behind.", name=first.name, speed=Slot(first.exit_speed.value, "speed"),
-            chance=Slot(first.best_chance, "share"), count=len(ranking.bats), last=last.name,
+            chance=Slot(first.best_chance or 0.0, "share"), count=len(ranking.bats), last=last.name,
             apart=Slot(first.exit_speed.value - last.exit_speed.value, "speed_change"),
         )
     ]  # fmt: skip
@@ -97,7 +98,7 @@ def ranking_words(ranking: Ranking, *, of_bats: bool) -> Sentence:
              "wood": Slot(ranking.wood, "speed_change", 2)}  # fmt: skip
     verdict = (
         "They differ by {scatter} (one sigma), more than the {chance} that chance alone could make of the {doubt} "
-        "that is not known of each: the order means something."
+        "that is not known of each: the order as a whole means something, neighbours in it may be alike."
         if ranking.beyond_doubt
         else "They differ by {scatter} (one sigma), no more than the {chance} that chance alone could make of the "
         "{doubt} that is not known of each: the order may be chance."
@@ -117,6 +118,8 @@ def ranking_words(ranking: Ranking, *, of_bats: bool) -> Sentence:
 def _beside_wood(ranking: Ranking) -> str:
     if ranking.scatter <= ranking.wood:
         return "no more than wood does by itself"
+    if not ranking.beyond_doubt:
+        return "more, which what is not known of each may do by itself"
     much = ranking.scatter > 1.5 * ranking.wood
     return "much more: look for another reason" if much else "little more, which wood may do by itself"
 
@@ -136,7 +139,7 @@ def ranking_json(ranking: Ranking, *, axis: float | None = None) -> dict[str, An
             "by_chance_m_s": ranking.by_chance,
             "wood_m_s": ranking.wood,
             "beyond_doubt": ranking.beyond_doubt,
-            "bats": [_bat_json(one, axis) for one in ranking.bats],
+            "bats": [_bat_json(one, axis) for one in (*ranking.bats, *ranking.unranked)],
         }
     )
     return data

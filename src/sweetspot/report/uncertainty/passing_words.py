@@ -64,8 +64,9 @@ def _chances(tested: TestedBat, answers: DrawnAnswers | None) -> Iterator[tuple[
 
 def _by_shots(estimate: Estimate, least: float | None, most: float | None) -> float:
     """Return the probability that the mean lies within limits: Student's t of the mean over its standard error."""
-    import scipy.stats
+    import scipy.special
 
-    law = scipy.stats.t(max(estimate.count - 1, 1), loc=estimate.mean, scale=estimate.standard_error)
-    above = 1.0 if most is None else float(law.cdf(most))
-    return above - (0.0 if least is None else float(law.cdf(least)))
+    def below(limit: float) -> float:
+        return float(scipy.special.stdtr(max(estimate.count - 1, 1), (limit - estimate.mean) / estimate.standard_error))
+
+    return (1.0 if most is None else below(most)) - (0.0 if least is None else below(least))

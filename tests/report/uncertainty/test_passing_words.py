@@ -1,0 +1,17 @@
+"""How probably a bat keeps a limit by its own shots: Student's t against another program's."""
+
+from __future__ import annotations
+
+import pytest
+import scipy.stats
+
+from sweetspot.analysis.certification.shot_statistics import Estimate
+from sweetspot.report.uncertainty.passing_words import _by_shots
+
+
+@pytest.mark.parametrize(("least", "most"), [(None, 0.5), (0.45, None), (0.47, 0.5)])
+def test_the_mean_lies_within_limits_by_students_t(least: float | None, most: float | None) -> None:
+    estimate = Estimate(mean=0.49, standard_error=0.01, low=0.47, high=0.51, count=6)
+    law = scipy.stats.t(5, loc=0.49, scale=0.01)
+    expected = (1.0 if most is None else law.cdf(most)) - (0.0 if least is None else law.cdf(least))
+    assert _by_shots(estimate, least, most) == pytest.approx(expected, rel=1e-9)
