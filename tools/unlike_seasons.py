@@ -2,8 +2,8 @@
 
 A season is made up by the collision and flight kernels, then measured and written down in ways that the model does not
 suppose, each by itself and all together. Printed is how often intervals of 50 and 90 % hold places along the bat, exit
-speeds of the half of the balls that nothing was learned from, and players' means and rates, whose truth is what they
-do in hundreds of other balls.
+speeds of the half of the balls that nothing was learned from, and players' means and rates, told of each hundred of
+their balls by itself, whose truth is what they do in all the others.
 """
 
 from __future__ import annotations
@@ -23,9 +23,10 @@ from sweetspot.season import contact_kernel as kernel
 from sweetspot.season.balls import balls_of
 from sweetspot.season.headings import headings_of
 from sweetspot.season.made_up import MadeSeason, made_season, normal_scatter
+from sweetspot.season.pooling import pooled
 from sweetspot.season.rows import USED, rows_of
 from sweetspot.season.season_table import Season, analyse_season, season_setting
-from sweetspot.season.standings import standing
+from sweetspot.season.standings import BOUNDS
 from sweetspot.season.swings import USUAL_ERRORS, Errors
 from sweetspot.units import DEGREE, MPH
 from tools.held_out import told
@@ -127,16 +128,26 @@ def speeds_held(frame: pl.DataFrame) -> list[float]:
     return [100 * float(np.mean((rank > end) & (rank < 1 - end))) for end in (0.25, 0.05)]
 
 
-def players_held(season: Season, others: Season, measures: tuple[str, ...]) -> list[float]:
-    """Return how often intervals of players' means hold what the players do in other balls, over some measures."""
-    table = standing(season.counted(), key="batter")
-    assert table is not None
-    truth = others.counted().group_by("batter").agg(
-        pl.col(name).cast(pl.Float64).mean().alias(f"true {name}") for name in measures
-    ).collect()  # fmt: skip
-    both = table.table.join(truth, on="batter")
-    return [float(np.mean([held(both[f"true {name}"], both, f"{name}_low{level}", f"{name}_high{level}")
-                           for name in measures])) for level in (50, 90)]  # fmt: skip
+def players_held(season: Season, measures: tuple[str, ...], *, balls: int) -> list[float]:
+    """Return how often intervals of players' means hold what the players do in other balls, over some measures.
+
+    Every set of so many balls of each player is told of by itself, and held against all the others.
+
+    Parameters
+    ----------
+    balls : of each player, in a set.
+    """
+    counted = season.counted().select("batter", *(pl.col(name).cast(pl.Float64) for name in measures)).collect()
+    counted = counted.with_columns(part=pl.int_range(pl.len()).over("batter") // balls)
+    whole = counted.group_by("batter").agg(pl.len() // balls)["len"].to_list()
+    rows = []
+    for part in range(min(whole)):
+        mine, others = counted.filter(pl.col("part") == part), counted.filter(pl.col("part") != part)
+        truth = others.group_by("batter").agg(pl.col(name).mean().alias(f"true {name}") for name in measures)
+        for name in measures:
+            told = pooled(mine, key="batter", measure=name, bounds=BOUNDS.get(name))[0].join(truth, on="batter")
+            rows.append([held(told[f"true {name}"], told, f"low{level}", f"high{level}") for level in (50, 90)])
+    return [float(value) for value in np.mean(rows, axis=0)]
 
 
 def row_of(unlike: Unlike, *, players: int, balls: int, truth: int, seeds: int) -> list[float]:
@@ -144,12 +155,11 @@ def row_of(unlike: Unlike, *, players: int, balls: int, truth: int, seeds: int) 
     rows = []
     for seed in range(1, seeds + 1):
         every = unlike_season(unlike, players=players, balls=balls + truth, seed=seed)
-        number = pl.int_range(pl.len()).over("batter")
-        mine, others = every.filter(number < balls), every.filter(number >= balls)
+        mine = every.filter(pl.int_range(pl.len()).over("batter") < balls)
         with TemporaryDirectory() as folder:
-            season, rest = (_season(frame, Path(folder) / name) for name, frame in (("own", mine), ("rest", others)))
-            rows.append([*places_held(season), *speeds_held(mine), *players_held(season, rest, MEANS),
-                         *players_held(season, rest, RATES)])  # fmt: skip
+            season, whole = (_season(frame, Path(folder) / name) for name, frame in (("own", mine), ("all", every)))
+            rows.append([*places_held(season), *speeds_held(mine), *players_held(whole, MEANS, balls=balls),
+                         *players_held(whole, RATES, balls=balls)])  # fmt: skip
     return [float(value) for value in np.mean(rows, axis=0)]
 
 
@@ -164,7 +174,7 @@ def main() -> None:
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--players", type=int, default=60)
     options.add_argument("--balls", type=int, default=100, help="of each player that answers are of")
-    options.add_argument("--truth", type=int, default=900, help="other balls of each, which are the truth of means")
+    options.add_argument("--truth", type=int, default=900, help="more balls of each, told of and truth in turn")
     options.add_argument("--seasons", type=int, default=2)
     given = options.parse_args()
     print("| | places, 50 % | 90 % | exit speeds, 50 % | 90 % | players' means, 50 % | 90 % | rates, 50 % | 90 % |")

@@ -51,6 +51,37 @@ def test_intervals_hold_as_often_as_they_say(mean: float, part: float, bounds: t
     assert 0.84 < np.mean(nines) < 0.93
 
 
+@pytest.mark.parametrize(
+    ("groups", "balls", "mean", "between", "bounds"),
+    [(60, 100, 0.25, 0.033, SHARE), (300, 60, 0.05, 0.01, SHARE), (8, 60, 0.3, 0.06, SHARE), (60, 100, 5.0, 0.08, None),
+     (300, 3, 5.0, 0.3, None), (200, 30, 5.0, 0.06, POSITIVE)],
+)  # fmt: skip
+def test_intervals_hold_where_groups_differ_by_little(
+    groups: int, balls: int, mean: float, between: float, bounds: tuple[float, float] | None
+) -> None:
+    """By so little, R 0.1 to 0.4 for the most part, that how much they do is badly known; balls scatter by 1.
+
+    With a prior flat in tau these hold 82 to 87 %.
+    """
+    rng = np.random.default_rng(groups + balls)
+    halves, nines = [], []
+    for _ in range(max(40, 6000 // groups)):
+        if bounds == SHARE:
+            kappa = mean * (1 - mean) / between**2 - 1
+            truth = rng.beta(mean * kappa, (1 - mean) * kappa, groups)
+            means = rng.binomial(balls, truth) / balls
+            squares = balls * means * (1 - means)
+        else:
+            truth = rng.normal(mean, between, groups)
+            means = truth + rng.normal(0, 1, groups) / np.sqrt(balls)
+            squares = rng.chisquare(balls - 1, groups)
+        told, _ = pooled_groups(groups_of(np.full(groups, balls), means, squares), key="who", bounds=bounds)
+        halves.append(held(told, truth, 50))
+        nines.append(held(told, truth, 90))
+    assert 0.47 < np.mean(halves) < 0.56
+    assert 0.88 < np.mean(nines) < 0.935
+
+
 def test_probabilities_tell_more_than_yes_or_no() -> None:
     """Balls whose values scatter little are worth several trials: intervals are narrower, and hold as often."""
     rng = np.random.default_rng(5)
@@ -89,7 +120,7 @@ def test_what_is_never_negative_has_intervals_above_zero_that_hold(spread: float
         squares = np.array([np.sum((one - one.mean()) ** 2) for one in balls])
         told, _ = pooled_groups(groups_of(counts, means, squares), key="who", bounds=POSITIVE)
         assert (told["low90"] > 0).all() and (told["low90"] < told["low50"]).all()
-        assert (told["high90"] - told["pooled"] > told["pooled"] - told["low90"]).all()
+        assert (told["high90"] - told["high50"] > told["low50"] - told["low90"]).all()
         halves.append(held(told, truth, 50))
         nines.append(held(told, truth, 90))
         below.append(np.mean(truth < told["low90"].to_numpy()))

@@ -6,12 +6,14 @@ mu (1 - mu) - tau^2 over sigma^2, 1 for yes or no, more for a probability. Then 
 kappa (1 - mu) + N - s), for the one is the other's conjugate, and its mean is that of the one-way analysis of
 variance, mu + R (m - mu), for kappa = mu (1 - mu) / tau^2 - 1 gives R = N / (N + kappa).
 
-How much groups differ is itself badly known where rates are near 0 or 1, and one kappa taken for true makes intervals
-too narrow: where 300 groups of 3 to 120 balls have rates of 0.004 +- 0.002, such intervals of 90 % hold 70 % of them,
-and these 91 %. So kappa is summed over, by the likelihood of all groups and a flat prior of tau / sqrt(mu (1 - mu))
-[gelman2006]; the variance of mu comes on top, and the interval is that of the Beta distribution
-with the mean and variance of all this. Groups that are too few to be pooled, or of which no ball or every ball
-counts, have Jeffreys' intervals, Beta(s + 1/2, N - s + 1/2) [brown2001].
+How much groups differ is itself badly known, most of all where rates are near 0 or 1, and one kappa taken for true
+makes intervals too narrow. So kappa is summed over, by the likelihood of all groups. With it goes mu: of each kappa it
+is the groups' weighted mean, whose variance comes on top, and the likelihood is summed over it by Laplace's rule. The
+prior is flat in 1 / (1 + r), r = kappa times mu or 1 - mu, the smaller, as that of numbers of events is
+[christiansen1997]: flat in tau^2 (`likely_spreads`) while groups differ by less than the way to the nearer bound, and
+populations that crowd at a bound are as likely as others. The interval is that of the Beta distribution with the mean
+and variance of all this. Groups that are too few to be pooled, or of which no ball or every ball counts, have Jeffreys'
+intervals, Beta(s + 1/2, N - s + 1/2) [brown2001].
 """
 
 from __future__ import annotations
@@ -23,13 +25,14 @@ import numpy as np
 
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import ENDS
+from sweetspot.season.likely_spreads import spread_weights
 
 Bounds = tuple[float, float]
 """The least and the greatest value that there can be."""
 TAILS: Mapping[int, tuple[float, float]] = {50: (0.25, 0.75), 90: ENDS}
 """Parts of a distribution below the two ends of what holds so many percent."""
-SPREADS: Array = 0.99 * (np.arange(1, 41) / 40) ** 1.5
-"""tau over its greatest possible, sqrt(mu (1 - mu)), that are summed over: denser near zero, where it is mostly."""
+MOST = 0.99
+"""Greatest tau that is summed over, over its greatest possible, sqrt(mu (1 - mu))."""
 
 
 @dataclass(frozen=True)
@@ -65,7 +68,7 @@ def bounded_intervals(
     trials = counts * max(room / within if within > 0 else 1.0, 1.0)
     hits = trials * rates
     if scatter.pooled and 0 < mu < 1:  # else nothing tells how much groups differ
-        mean, variance = _summed(hits, trials, mu=mu)
+        mean, variance = _summed(hits, trials)
     else:
         mean = (hits + 0.5) / (trials + 1)
         variance = mean * (1 - mean) / (trials + 2)
@@ -77,25 +80,33 @@ def bounded_intervals(
     return span * np.sqrt(variance), ends
 
 
-def _summed(hits: Array, trials: Array, *, mu: float) -> tuple[Array, Array]:
+def _summed(hits: Array, trials: Array) -> tuple[Array, Array]:
     """Return mean and variance of each group's rate, summed over how much groups may differ.
 
     Parameters
     ----------
-    hits, trials : of each group, shape (g,); need not be whole.
-    mu : rate of all.
+    hits, trials : of each group, shape (g,); need not be whole; neither none nor all of them hits.
     """
     from scipy.special import gammaln
 
-    kappa = (1 / SPREADS**2 - 1)[:, None]
-    alpha, beta = kappa * mu, kappa * (1 - mu)
-    likely = gammaln(alpha + hits) - gammaln(alpha) + gammaln(beta + trials - hits) - gammaln(beta)
-    total = np.sum(likely + gammaln(kappa) - gammaln(kappa + trials), axis=1)
-    weight = np.exp(total - total.max()) * np.gradient(SPREADS)
-    weight /= weight.sum()
-    mean = (alpha + hits) / (kappa + trials)
-    unsure = 1 / np.sum(trials * (kappa + 1) / (kappa + trials), axis=1, keepdims=True)  # of mu, over mu (1 - mu)
-    scatter = mean * (1 - mean)
-    variance = scatter / (kappa + trials + 1) + (kappa / (kappa + trials)) ** 2 * unsure * scatter
-    middle = weight @ mean
-    return middle, weight @ (variance + (mean - middle) ** 2)
+    def population(spreads: Array) -> tuple[Array, Array, Array]:
+        """Return kappa, mu and its variance at some tau over the greatest possible, each of shape (k, 1)."""
+        kappa = (1 / spreads**2 - 1)[:, None]
+        weight = trials / (kappa + trials)
+        mu = np.sum(weight * hits / trials, axis=1, keepdims=True) / weight.sum(axis=1, keepdims=True)
+        return kappa, mu, mu * (1 - mu) / ((kappa + 1) * weight.sum(axis=1, keepdims=True))
+
+    def likelihood(spreads: Array) -> Array:
+        kappa, mu, unsure = population(spreads)
+        alpha, beta = kappa * mu, kappa * (1 - mu)
+        told = gammaln(alpha + hits) - gammaln(alpha) + gammaln(beta + trials - hits) - gammaln(beta)
+        total = np.sum(told + gammaln(kappa) - gammaln(kappa + trials), axis=1) + 0.5 * np.log(unsure[:, 0])
+        nearer = np.minimum(mu, 1 - mu)[:, 0]
+        return np.asarray(total + np.log(nearer / spreads**3) - 2 * np.log1p(kappa[:, 0] * nearer))
+
+    spreads, part = spread_weights(likelihood, most=MOST)
+    kappa, mu, unsure = population(spreads)
+    mean = (kappa * mu + hits) / (kappa + trials)
+    variance = mean * (1 - mean) / (kappa + trials + 1) + (kappa / (kappa + trials)) ** 2 * unsure
+    middle = part @ mean
+    return middle, part @ (variance + (mean - middle) ** 2)

@@ -5,10 +5,12 @@ from all groups (one-way analysis of variance). Then theta_j given n balls of me
 mu + R (m - mu) and the variance tau^2 (1 - R), R = tau^2 / (tau^2 + sigma^2 / n), which is the reliability at n balls:
 the correlation to be expected between two halves of n balls each.
 
-Of a few groups, or a few balls each, neither variance is known well. So the intervals sum over tau, by the likelihood
-of all groups and a flat prior [gelman2006], and are those of Student's distribution with as many degrees of freedom as
-sigma has. Fewer than `FEWEST_GROUPS` tell nothing of tau: nothing is pooled there, and reliability is missing. One ball
-a group tells nothing of sigma: then intervals are missing too, for any would be a guess.
+Neither variance is known well, of a few groups, or a few balls each, least of all. So the intervals sum over tau, by
+the likelihood of all groups (`likely_spreads`): each tau says what a group's mean is and how surely it is known, and an
+interval has the mean and variance of all of them [kass1989]. It is Student's, with as many degrees of freedom as sigma
+has. What is told of a group is still mu + R (m - mu), which the interval always holds. Fewer than `FEWEST_GROUPS` tell
+nothing of tau: nothing is pooled there, and reliability is missing. One ball a group tells nothing of sigma: then
+intervals are missing too, for any would be a guess.
 
 What has bounds, as a rate has 0 and 1, has intervals within them (`bounded_pooling`), and those also of one ball each,
 for yes or no says by itself how it scatters. What is only never negative, as a distance, has those of the gamma
@@ -26,13 +28,14 @@ import polars as pl
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
 from sweetspot.season.bounded_pooling import TAILS, Bounds, Scatter, bounded_intervals
+from sweetspot.season.likely_spreads import spread_weights
 
 HALF = 0.674490
 """Standard deviations to either side that hold half of a normal distribution."""
 REACHES = {50: HALF, 90: REACH}
 """Standard deviations to either side that hold so many percent of a normal distribution."""
-SPREADS: Array = 4 * (np.arange(61) / 60) ** 1.5
-"""tau over what groups' means scatter by, that are summed over: denser near zero, where few groups leave it unknown."""
+MOST = 6.0
+"""Greatest tau over what groups' means scatter by that is summed over."""
 BALLS, MEAN, SQUARES = "balls", "mean", "squares"
 """Columns of what is added up of groups."""
 FEWEST_GROUPS = 5
@@ -135,12 +138,13 @@ def pooled_groups(table: pl.DataFrame, *, key: str, bounds: Bounds | None = None
     trust = spread.reliability(counts)
     centre = means if np.isnan(spread.between) else spread.mean + trust * (means - spread.mean)
     if bounds is None or bounds == POSITIVE:
-        error = _errors(counts, means, centre, spread)
+        middle, error = _summed(counts, means, centre, spread)
         reaches = {percent: error * wider for percent, wider in _wider(spread).items()}
-        ends = _positive_ends(centre, reaches) if bounds == POSITIVE else {
-            percent: (centre - REACHES[percent] * reach, centre + REACHES[percent] * reach)
+        apart = _positive_ends(middle, reaches) if bounds == POSITIVE else {
+            percent: (middle - REACHES[percent] * reach, middle + REACHES[percent] * reach)
             for percent, reach in reaches.items()
         }  # fmt: skip
+        ends = {percent: (np.minimum(low, centre), np.maximum(high, centre)) for percent, (low, high) in apart.items()}
     else:
         within, between = (0.0 if np.isnan(part) else part for part in (spread.within, spread.between))
         scatter = Scatter(spread.mean, within, between, spread.groups >= FEWEST_GROUPS)
@@ -177,22 +181,29 @@ def _positive_ends(centre: Array, errors: dict[int, Array]) -> dict[int, tuple[A
     return ends
 
 
-def _errors(counts: Array, means: Array, centre: Array, spread: Spread) -> Array:
-    """Return the standard deviations of what is told of the groups, summed over tau; NaN where nothing tells them."""
+def _summed(counts: Array, means: Array, centre: Array, spread: Spread) -> tuple[Array, Array]:
+    """Return mean and standard deviation of each group's mean, summed over tau; NaN where nothing tells the latter."""
     noise = spread.within / counts
-    if np.isnan(spread.between):
-        return np.sqrt(noise)
-    size = np.std(means)
-    if not size > 0 or not spread.within > 0:
-        return np.sqrt(noise)
-    between = (size * SPREADS[:, None]) ** 2
-    weight = 1 / (between + noise)
-    total = weight.sum(axis=1)
-    mu = (weight @ means) / total
-    likely = 0.5 * np.sum(np.log(weight) - weight * (means - mu[:, None]) ** 2, axis=1) - 0.5 * np.log(total)
-    part = np.exp(likely - likely.max()) * np.gradient(SPREADS)
-    part /= part.sum()
+    size = float(np.std(means))
+    if np.isnan(spread.between) or not size > 0 or not spread.within > 0:
+        return centre, np.sqrt(noise)
+
+    def population(spreads: Array) -> tuple[Array, Array, Array, Array]:
+        """Return tau^2 and the groups' weights, shapes (k, 1) and (k, g), mu and its variance, (k,)."""
+        between = (size * spreads[:, None]) ** 2
+        weight = 1 / (between + noise)
+        total = weight.sum(axis=1)
+        return between, weight, (weight @ means) / total, 1 / total
+
+    def likelihood(spreads: Array) -> Array:
+        _, weight, mu, unsure = population(spreads)
+        told = 0.5 * np.sum(np.log(weight) - weight * (means - mu[:, None]) ** 2, axis=1) + 0.5 * np.log(unsure)
+        return np.asarray(told + np.log(spreads))
+
+    spreads, part = spread_weights(likelihood, most=MOST)
+    between, weight, mu, unsure = population(spreads)
     trust = between * weight
-    middle = mu[:, None] + trust * (means - mu[:, None])
-    variance = between * (1 - trust) + (1 - trust) ** 2 / total[:, None]
-    return np.asarray(np.sqrt(part @ (variance + (middle - centre) ** 2)))
+    middles = mu[:, None] + trust * (means - mu[:, None])
+    variance = between * (1 - trust) + (1 - trust) ** 2 * unsure[:, None]
+    middle = part @ middles
+    return middle, np.asarray(np.sqrt(part @ (variance + (middles - middle) ** 2)))
