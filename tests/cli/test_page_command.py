@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import gc
 import re
 import signal
 import socket
 import subprocess
 import sys
+import threading
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import httpx
@@ -69,3 +72,27 @@ def test_the_browser_is_opened_once_the_server_listens(run: Run, monkeypatch: An
     assert opened[0] is not None
     assert opened[0].startswith("http://127.0.0.1:")
     assert opened[1] is None
+
+
+def test_the_browser_starts_beside_the_server(monkeypatch: Any) -> None:
+    """Its first question waits on the socket that listens already."""
+    from sweetspot.web import run_server
+
+    opened: list[str] = []
+    asked = threading.Event()
+
+    def seen(address: str) -> None:
+        opened.append(address)
+        asked.set()
+
+    def built(*, names: Any) -> Any:
+        assert asked.wait(60)
+        return SimpleNamespace(run=lambda sockets: sockets[0].close())
+
+    monkeypatch.setattr("webbrowser.open", seen)
+    monkeypatch.setattr(run_server, "server_for", built)
+    listening = run_server.listening("127.0.0.1", 0)
+    run_server.serve(listening, open_page="http://127.0.0.1/")
+    assert opened == ["http://127.0.0.1/"]
+    assert listening.fileno() == -1
+    assert gc.isenabled()

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import asyncio
 import errno
+import threading
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
 
-from sweetspot.web import first_answers
+from sweetspot.web import answers, first_answers
+from sweetspot.web.views import VIEWS
 
 
 def test_without_another_process_this_one_does_the_work(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -22,3 +26,35 @@ def test_without_another_process_this_one_does_the_work(monkeypatch: pytest.Monk
     first_answers.prepare(lambda name, *_: name.encode(), words.append)
     assert kept == {question: question[0].encode() for question in first_answers.first_questions()}
     assert "in this process alone" in words[-1]
+
+
+def test_kernels_are_loaded_behind_the_first_picture(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A kept picture needs none of them, and would share the processor with all."""
+    begun = threading.Event()
+    monkeypatch.setattr(answers, "UNASKED", 600.0)
+    monkeypatch.setattr(answers, "kept_answer", lambda *_: b"{}")
+    monkeypatch.setattr(answers, "load_lists", begun.set)
+    monkeypatch.setattr(answers, "answer_json", lambda *_: b"{}")
+    monkeypatch.setattr(answers, "work_out", lambda *_: ())
+    found = answers.Answers()
+    with ThreadPoolExecutor(2) as pool:
+        preparing = pool.submit(found.prepare)
+        assert not begun.wait(0.2)
+        state = VIEWS["explorer"].state()
+        pool.submit(lambda: asyncio.run(found.json("explorer", state))).result()  # the browser has this thread's loop
+        preparing.result()
+    assert begun.is_set()
+    assert found.prepared
+    found.close()
+
+
+def test_without_kept_pictures_kernels_are_loaded_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(answers, "UNASKED", 1e6)
+    monkeypatch.setattr(answers, "kept_answer", lambda *_: None)
+    monkeypatch.setattr(answers, "load_lists", lambda: None)
+    monkeypatch.setattr(answers, "answer_json", lambda *_: b"{}")
+    monkeypatch.setattr(answers, "work_out", lambda *_: ())
+    found = answers.Answers()
+    found.prepare()
+    assert found.prepared
+    found.close()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import logging
 import os
+import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache, partial
@@ -25,6 +26,8 @@ TIME_LIMIT = 10.0
 KEPT = 512
 """Answers kept, about 25 kB each."""
 WORKERS = max(2, os.cpu_count() or 1)
+UNASKED = 2.0
+"""s that preparing waits for the first question where the first pictures are kept: they need none of what it loads."""
 
 
 class TooSlowError(FieldError):
@@ -44,6 +47,7 @@ class Answers:
     def __init__(self) -> None:
         self.prepared = False
         self._closed = False
+        self._asked = threading.Event()
         self._pool = ThreadPoolExecutor(WORKERS, thread_name_prefix="answer")
         first = tuple((name, view.state()) for name, view in VIEWS.items() if view.anywhere)
         self._crowd = Crowd(answer_json, first, self._pool)
@@ -57,6 +61,7 @@ class Answers:
             for bad input; `TooSlowError` after the limit.
         """
         kept = kept_answer(name, state, aside)
+        self._asked.set()
         if kept is not None:
             return kept
         try:
@@ -68,10 +73,15 @@ class Answers:
             raise TooSlowError from None
 
     def prepare(self) -> None:
-        """Load the catalogue's lists and every kernel, or compile it, and keep the first answers; ends when closed."""
+        """Load the catalogue's lists and every kernel, or compile it, and keep the first answers; ends when closed.
+
+        Where the first pictures are kept it begins behind the first question, or when none has come for a while.
+        """
         works: list[Callable[[], object]] = [load_lists]
         works += [partial(answer_json, name, view.state()) for name, view in VIEWS.items()]  # also where one is kept
         works += [partial(work_out, answer_json, (name,)) for name in VIEWS]
+        if all(kept_answer(name, view.state()) is not None for name, view in VIEWS.items()):
+            self._asked.wait(UNASKED)
         try:
             for work in works:
                 if self._closed:
@@ -85,6 +95,7 @@ class Answers:
     def close(self) -> None:
         """Stop taking work."""
         self._closed = True
+        self._asked.set()
         self._crowd.close()
         self._pool.shutdown(wait=False, cancel_futures=True)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import socket
 import threading
 import webbrowser
@@ -43,11 +44,13 @@ def serve(opened: socket.socket, *, names: Iterable[str] = (), open_page: str | 
     Parameters
     ----------
     names : host names, besides localhost and number addresses, under which browsers may ask.
-    open_page : address to open in a browser once the server answers; None: leave that to people.
+    open_page : address to open in a browser, which waits until the server answers; None: leave that to people.
     """
+    if open_page is not None:  # both take seconds, side by side: the socket listens already
+        threading.Thread(target=webbrowser.open, args=[open_page], daemon=True, name="browser").start()
+    gc.disable()  # what modules make stays: looking through it for waste takes a tenth of the start
     server = server_for(names=names)
-    if open_page is not None:
-        threading.Timer(0.5, webbrowser.open, [open_page]).start()
+    gc.enable()
     with suppress(KeyboardInterrupt):
         server.run(sockets=[opened])
 
