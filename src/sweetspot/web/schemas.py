@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, Literal
 
 from pydantic import BaseModel, Field
+from pydantic.json_schema import models_json_schema
 
 
 class Fault(BaseModel):
@@ -82,17 +83,15 @@ class BatFacts(BaseModel):
     sport: str
 
 
-REFUSALS: dict[int | str, dict[str, Any]] = {
-    code: {"model": Refusal, "description": words}
-    for code, words in {
-        400: "The message is not JSON.",
-        403: "Asked by a page of another server.",
-        413: "The message is too large.",
-        421: "The server is not called that.",
-        422: "A control has a value that does not work.",
-        429: "Too many requests; wait a second.",
-    }.items()
+REFUSALS = {
+    400: "The message is not JSON.",
+    403: "Asked by a page of another server.",
+    413: "The message is too large.",
+    421: "The server is not called that.",
+    422: "A control has a value that does not work.",
+    429: "Too many requests; wait a second.",
 }
+"""What every route may answer with a `Refusal`, and why."""
 UNFINISHED: dict[int | str, dict[str, Any]] = {
     503: {
         "model": Unfinished,
@@ -100,3 +99,18 @@ UNFINISHED: dict[int | str, dict[str, Any]] = {
         "headers": {"retry-after": {"description": "s", "schema": {"type": "integer"}}},
     }
 }
+
+
+def with_refusals(document: dict[str, Any]) -> dict[str, Any]:
+    """Return an OpenAPI document in which every route may refuse; routes that say it themselves each check it anew."""
+    place = "#/components/schemas/{model}"
+    body = {"application/json": {"schema": {"$ref": place.format(model=Refusal.__name__)}}}
+    refusals = {str(code): {"description": words, "content": body} for code, words in REFUSALS.items()}
+    for routes in document["paths"].values():
+        for route in routes.values():
+            route["responses"] |= refusals
+    schemas = document["components"]["schemas"]
+    schemas |= models_json_schema([(Refusal, "serialization")], ref_template=place)[1]["$defs"]
+    for name in ("HTTPValidationError", "ValidationError"):  # what the framework says of 422
+        schemas.pop(name, None)
+    return document

@@ -22,7 +22,7 @@ from sweetspot.web.errors import fault
 from sweetspot.web.files import File, shell, static_files
 from sweetspot.web.jobs import Jobs, LongWork, job_routes
 from sweetspot.web.limits import EMBEDDED_POLICY, Guard
-from sweetspot.web.schemas import REFUSALS, UNFINISHED
+from sweetspot.web.schemas import UNFINISHED, with_refusals
 from sweetspot.web.socket import Sockets
 from sweetspot.web.uploads import UPLOADS, upload_routes
 from sweetspot.web.view import View
@@ -49,6 +49,15 @@ _LOST = (
 )
 
 
+class _Application(FastAPI):
+    """An application whose description says what every route refuses, written when somebody asks for it."""
+
+    def openapi(self) -> dict[str, Any]:
+        if self.openapi_schema is None:
+            self.openapi_schema = with_refusals(super().openapi())
+        return self.openapi_schema
+
+
 def create_app(*, names: Iterable[str] = ()) -> FastAPI:
     """Return the application.
 
@@ -68,7 +77,7 @@ def create_app(*, names: Iterable[str] = ()) -> FastAPI:
         UPLOADS.close()
         preparing.join(LAST_WORK)  # cut off inside the compiler it would end the process with a fault of its own
 
-    app = FastAPI(
+    app = _Application(
         title="sweetspot",
         version=__version__,
         description="Every view of the page as one request: its controls in, its numbers out, SI with units in names.",
@@ -84,7 +93,7 @@ def create_app(*, names: Iterable[str] = ()) -> FastAPI:
     app.add_exception_handler(HTTPException, _refused)
     app.add_exception_handler(SweetspotError, _wrong)
     app.add_exception_handler(Exception, _broken)
-    api = APIRouter(prefix=API, responses=REFUSALS)
+    api = APIRouter(prefix=API)
     catalogue_routes(api)
     for view in VIEWS.values():
         _view_route(api, view, answers)
