@@ -12,10 +12,11 @@ import polars as pl
 import pytest
 
 from sweetspot.errors import InputError
+from sweetspot.report.season.document import season_document, season_report
 from sweetspot.season import duplicates
 from sweetspot.season.balls import balls_of
 from sweetspot.season.batters import require_batter
-from sweetspot.season.rows import USED, rows_of
+from sweetspot.season.rows import REASONS, USED, rows_of
 from sweetspot.season.season_table import analyse_season, season_setting
 from sweetspot.season.survey import Survey, survey_tables
 from sweetspot.season.untracked import untracked_bias
@@ -238,8 +239,50 @@ def test_lines_beside_the_balls_are_left_out_and_told(tmp_path: Path, more: str)
     head, *balls = path.read_text("utf-8").splitlines(keepends=True)
     path.write_text("".join([head, *balls[:30], more.format(head=head.strip()), *balls[30:]]), "utf-8")
     found = look(path)
-    assert found.rows == found.counts[0][USED] == 60
+    assert found.counts[0][USED] == 60 and found.counts[0]["beside"] == 1
+    assert found.rows == sum(found.counts[0].values()) == 61
     assert any("1 lines that repeat the headings" in warning.detail for warning in found.warnings)
+
+
+def test_every_line_of_a_file_stands_in_the_ledger(tmp_path: Path) -> None:
+    """Blank lines, lines of delimiters, lines with words where nothing is understood, and a mean at the end."""
+    path = tmp_path / "table.csv"
+    balls = "".join(f"{90 + number},12,a\n" for number in range(5))
+    path.write_text(
+        f"launch_speed,launch_angle,remarks\n{balls}\n,,\n,,no reading\nnan,--,\n95,20,b\nmph,deg,\n", "utf-8"
+    )
+    season = analyse_season([path], setting=season_setting(contact=False), folder=tmp_path / "out")
+    assert season.survey.counts[0] == {**dict.fromkeys(REASONS, 0), USED: 6, "nothing": 4, "beside": 1}
+    assert season.survey.rows == len(path.read_text("utf-8").splitlines()) - 1 == 11
+    data = season_document(season_report(season)).data
+    assert data["tables"][0]["rows"] == sum(data["tables"][0]["ledger"].values()) == 11
+
+
+@pytest.mark.parametrize("held", [True, False])
+@pytest.mark.parametrize(
+    "text", ["launch_speed,launch_angle\n,\n\n", "launch_speed,launch_angle\nnan,3\n", "a,b\n1,2\n"]
+)
+def test_tables_that_are_refused_leave_no_folder(tmp_path: Path, text: str, held: bool) -> None:
+    """One that was there stays; of a new one nothing, nor of those above it."""
+    path, out = tmp_path / "table.csv", tmp_path / "new" / "out"
+    path.write_text(text, "utf-8")
+    if held:
+        out.mkdir(parents=True)
+    with pytest.raises(InputError):
+        analyse_season([path], setting=season_setting(contact=False), folder=out)
+    assert (list(out.iterdir()) == []) if held else not out.parent.exists()
+
+
+def test_a_cluster_that_does_not_answer_leaves_no_folder(tmp_path: Path) -> None:
+    def refused(*_: object) -> None:
+        raise InputError("none answers there")
+
+    made_up().write_csv(tmp_path / "table.csv")
+    with pytest.raises(InputError, match="none answers"):
+        analyse_season(
+            [tmp_path / "table.csv"], setting=season_setting(contact=False), folder=tmp_path / "out", run=refused
+        )
+    assert [one.name for one in tmp_path.iterdir()] == ["table.csv"]
 
 
 @pytest.mark.parametrize(
@@ -264,7 +307,7 @@ def test_very_many_columns(tmp_path: Path) -> None:
     path, wide = tmp_path / "wide.csv", [f"c{number}" for number in range(3000)]
     path.write_text(",".join(["launch_speed", *wide]) + "\n" + ",".join(["95"] * 3001) + "\n\n", "utf-8")
     found = look(path)
-    assert found.rows == 1 and len(found.tables[0].headings.passed) == 3000
+    assert found.tables[0].rows == 1 and found.rows == 2 and len(found.tables[0].headings.passed) == 3000
 
 
 def test_one_bad_file_never_stops_the_others(table: Write, tmp_path: Path) -> None:
@@ -416,7 +459,8 @@ def test_blank_lines_are_no_balls(table: Write) -> None:
     path = table()
     path.write_text(path.read_text("utf-8") + "\n\n\n", "utf-8")
     found = look(path)
-    assert found.rows == found.counts[0][USED] == 60
+    assert found.tables[0].rows == found.counts[0][USED] == 60
+    assert found.rows == 63 and found.counts[0]["nothing"] == 3
 
 
 def test_lists_and_words_with_units_are_told(table: Write, tmp_path: Path) -> None:

@@ -199,7 +199,7 @@ def _show_columns(files: list[Path], given: dict[str, str]) -> int:
                 print(f"sweetspot: not read: {error}", file=sys.stderr)
                 bad = 1
                 continue
-            print(f"{path.name}: {table.headings.system}, {grouped(table.rows)} rows")
+            print(f"{path.name}: {table.headings.system}, {grouped(table.lines)} rows")
             for name, one in table.headings.columns.items():
                 print(f"  {name:<18}{one.heading}{f' [{one.unit}]' if one.unit else ''}")
             print(f"  passed through: {', '.join(table.headings.passed) or 'nothing'}")

@@ -34,7 +34,7 @@ from sweetspot.season.place_relation import PlaceRelation
 from sweetspot.season.plan import BALLS, COUNTED, LEDGER, Plan, do_task, plan_fingerprint, reader_of, serial, sweep_plan
 from sweetspot.season.rows import DATED, REASONED, REASONS, SIDED, USED, rows_of
 from sweetspot.season.survey import Survey, survey_tables
-from sweetspot.season.table_file import frame_headings
+from sweetspot.season.table_file import LEFT_OUT, frame_headings
 from sweetspot.season.table_parts import PART, parts
 
 Progress = Callable[[int, int], None]
@@ -70,7 +70,7 @@ class Season:
         return [pl.scan_parquet(file) for file in _files(self.folder / COUNTED)]
 
     def ledger(self) -> pl.LazyFrame:
-        """Return the reason of every row of every table."""
+        """Return the reason of every row of every table; lines that are no rows are counted in the survey alone."""
         return _scanned(self.folder / LEDGER)
 
 
@@ -173,11 +173,12 @@ def analyse_season(
     if among := [path for path in paths if Path(path).resolve().parent in replaced]:
         raise InputError(f"{among[0]} is one of the answers in {folder}, which are replaced; write to another folder")
     staging = folder / ".tables"
+    fresh = [place for place in (folder, *folder.parents) if not place.exists()]
     try:
         survey = survey_tables([Path(path) for path in paths], staging=staging, given=given)
         _require_balls(survey)
     except BaseException:
-        shutil.rmtree(staging, ignore_errors=True)
+        _withdraw(staging, fresh)
         raise
     chosen = setting or season_setting()
     swung = any(table.headings.has("bat_speed") for table in survey.tables)
@@ -190,10 +191,23 @@ def analyse_season(
     else:
         for name in (BALLS, LEDGER, COUNTED):
             shutil.rmtree(folder / name, ignore_errors=True)
-    (run or run_here)(plan, progress)
+    try:
+        (run or run_here)(plan, progress)
+    except InputError:
+        if not (folder / BALLS).exists():  # else there is something to resume
+            _withdraw(staging, fresh)
+        raise
     sweep_plan(plan)  # of workers that were killed, too
     shutil.rmtree(staging, ignore_errors=True)
     return Season(survey, chosen, folder)
+
+
+def _withdraw(staging: Path, fresh: Sequence[Path]) -> None:
+    """Remove the copies of tables, and folders that were made for them, innermost first, where nothing else is in."""
+    shutil.rmtree(staging, ignore_errors=True)
+    with suppress(OSError):
+        for place in fresh:
+            place.rmdir()
 
 
 def _require_balls(survey: Survey) -> None:
@@ -201,7 +215,8 @@ def _require_balls(survey: Survey) -> None:
     if not survey.tables:
         raise InputError(survey.faults[0][1] if survey.faults else "no table was given; give CSV or Parquet files")
     if not any(counts[USED] for counts in survey.counts):
-        why = (f"{sum(one[reason] for one in survey.counts)} {reason} ({words})" for reason, words in REASONS.items())
+        why = (f"{sum(one.get(reason, 0) for one in survey.counts)} {reason} ({words})"
+               for reason, words in {**REASONS, **LEFT_OUT}.items())  # fmt: skip
         raise InputError(
             f"{survey.tables[0].path}: none of {survey.rows} rows is a ball in play with an exit speed: "
             f"{'; '.join(one for one in why if not one.startswith('0 '))}{_unread(survey)}. Look at its columns with "

@@ -30,7 +30,7 @@ class Survey:
     ----------
     tables : those that can be read.
     faults : (file, reason) of those that cannot.
-    counts : rows by reason, of each table.
+    counts : rows by reason, of each table; of lines that are no rows, by why they are left out (`LEFT_OUT`).
     duplicates : rows of each table, from 0, that are another row's pitch.
     warnings : everything to beware of.
     days : first and last day of each table, None where no date is known.
@@ -47,8 +47,8 @@ class Survey:
 
     @property
     def rows(self) -> int:
-        """Rows of all tables together."""
-        return sum(table.rows for table in self.tables)
+        """Rows of all tables together, as they were given."""
+        return sum(table.lines for table in self.tables)
 
 
 def survey_tables(
@@ -86,7 +86,7 @@ def survey_tables(
             done += len(rows)
             if progress is not None:
                 progress(done, total)
-        counts.append(look.counts)
+        counts.append({**look.counts, **table.left_out})
         warnings += look.warnings()
         days.append((min(look.days), max(look.days)) if look.days else None)
     return Survey(tuple(tables), tuple(faults), tuple(counts), tuple(duplicates), tuple(warnings), tuple(days), endings)

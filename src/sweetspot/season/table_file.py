@@ -10,7 +10,7 @@ import io
 import zlib
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import chain
 from pathlib import Path
@@ -41,6 +41,12 @@ DISGUISED = {
     b"PK\x03\x04": "is a spreadsheet or an archive; save the sheet as CSV",
 }  # fmt: skip
 """First bytes of files that are no text, whatever their names say."""
+NOTHING, BESIDE = "nothing", "beside"
+LEFT_OUT = {
+    NOTHING: "blank lines, and such with nothing in any column that is understood",
+    BESIDE: "headings once more, units, totals and means",
+}
+"""Why a line of a CSV file is no row of its table."""
 WIDE = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 ENCODINGS = {"utf-16": "UTF-16", "cp1252": "Windows-1252, for it is not UTF-8"}
 """Encodings beside UTF-8 that are read, and how that is said."""
@@ -68,6 +74,7 @@ class TableFile:
     data : Parquet file that the rows are read from; the same, or a copy made of a CSV file.
     headings : what its columns mean.
     rows : how many.
+    left_out : lines below the headings that are no rows, by why (`LEFT_OUT`); none of Parquet.
     torn : whether its last line stops in the middle.
     notes : what was seen in reading it.
     empty : headings of measurements that hold nothing at all.
@@ -80,6 +87,12 @@ class TableFile:
     torn: bool
     notes: tuple[str, ...]
     empty: tuple[str, ...] = ()
+    left_out: Mapping[str, int] = field(default_factory=dict)
+
+    @property
+    def lines(self) -> int:
+        """How many rows it was given with: those that it has, and those left out."""
+        return self.rows + sum(self.left_out.values())
 
     @property
     def cut(self) -> bool:
@@ -217,24 +230,31 @@ def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFil
     if not first.strip() or all(_is_number(name) for name in names):
         raise InputError(f"{path} does not begin with a line of column names; give one, for example launch_speed")
     notes = []
-    target = staging / f"{path.name}.parquet"
+    copy, target = staging / f"{path.name}.lines", staging / f"{path.name}.parquet"
     with _copying(path, staging):
         headings = headings_of(_scanned(source, ends).collect_schema().names(), given=given, file_name=str(path))
+        told = _scanned(source, ends)
         try:
-            told = _lines(_scanned(source, ends), headings)
-            _copied(told, target)
+            _copied(told, copy)
         except pl.exceptions.ComputeError as error:
             if "more fields" not in str(error):
                 raise
             _require_no_more_cells(source, ends, named=path)
-            told = _lines(_scanned(source, ends, cut=True), headings)
-            _copied(told, target)
-        beside = _beside(headings, told.collect_schema())
-        lines = pl.scan_parquet(target).filter(beside).select(pl.len()).collect().item()
-        if lines:
-            _copied(told.filter(~beside), target)
-            notes.append(f"{lines} lines that repeat the headings, give units, or a total or mean, are left out")
-        rows = int(pl.scan_parquet(target).select(pl.len()).collect().item())
+            _copied(_scanned(source, ends, cut=True), copy)
+        told = pl.scan_parquet(copy)
+        why = _left_out(headings, told.collect_schema())
+        lines, *several = told.select(pl.len(), *(one.sum() for one in why.values())).collect().row(0)
+        left_out = {name: count for name, count in zip(why, several, strict=True) if count}
+        if left_out:
+            _copied(told.filter(~pl.any_horizontal(*why.values())), target)
+            copy.unlink()
+        else:
+            copy.replace(target)
+        if BESIDE in left_out:
+            notes.append(
+                f"{left_out[BESIDE]} lines that repeat the headings, give units, or a total or mean, are left out"
+            )
+        rows = lines - sum(left_out.values())
     if not rows:
         raise InputError(f"{path} has column names and no row; give one row per ball")
     texts = [column.heading for column in headings.columns.values() if column.kind != "text"]
@@ -253,7 +273,7 @@ def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFil
         twice = sorted({name for name in names if names.count(name) > 1})
         notes.append(f"{', '.join(twice)} stands twice in the headings; the first one is used")
     return TableFile(path, target, headings, rows, torn=torn, notes=(*headings.notes, *notes),
-                     empty=tuple(name for name, nothing in held.items() if nothing))  # fmt: skip
+                     empty=tuple(name for name, nothing in held.items() if nothing), left_out=left_out)  # fmt: skip
 
 
 @contextmanager
@@ -276,15 +296,17 @@ def _copied(rows: pl.LazyFrame, target: Path) -> None:
         rows.sink_parquet(file, row_group_size=32_768)
 
 
-def _beside(headings: Headings, schema: pl.Schema) -> pl.Expr:
-    """Return whether a line is no ball but repeats the headings, gives their units, or sums up the others."""
+def _left_out(headings: Headings, schema: pl.Schema) -> dict[str, pl.Expr]:
+    """Return whether a line is no row, by why: a blank one, or one that repeats headings, gives units, or sums up."""
+    nothing = pl.all_horizontal(pl.col([column.heading for column in headings.columns.values()]).is_null())
     speed = headings.columns["exit_speed"].heading
     who = [headings.columns[name].heading for name in ("date", "batter", "batter_name") if headings.has(name)]
     words = {name: pl.col(name).str.strip_chars(" ()[]").str.to_lowercase()
              for name in (speed, schema.names()[0], *who) if schema[name] == pl.String}  # fmt: skip
     sums = [words[name].is_in(SUMMARIES) for name in words if name != speed]
     again = [words[speed].is_in([speed.strip().lower(), *KNOWN_UNITS, "km/h", "m/s"])] if speed in words else []
-    return pl.any_horizontal(*sums, *again, pl.lit(value=False)).fill_null(value=False)
+    beside = pl.any_horizontal(*sums, *again, pl.lit(value=False)).fill_null(value=False)
+    return {NOTHING: nothing.alias(NOTHING), BESIDE: (~nothing & beside).alias(BESIDE)}
 
 
 def _with_days(headings: Headings, frame: pl.LazyFrame) -> tuple[Headings, list[str]]:
@@ -321,12 +343,6 @@ def _scanned(source: Path, ends: _Ends, *, cut: bool = False) -> pl.LazyFrame:
         source, separator=separator, infer_schema_length=None, truncate_ragged_lines=cut, encoding="utf8-lossy",
         null_values=MISSING, decimal_comma=separator == ";", skip_lines=len(ends.above) - 1,
     )  # fmt: skip
-
-
-def _lines(rows: pl.LazyFrame, headings: Headings) -> pl.LazyFrame:
-    """Return the rows without those that hold nothing that is understood: a blank line is no ball."""
-    known = [column.heading for column in headings.columns.values()]
-    return rows.filter(~pl.all_horizontal(pl.col(known).is_null()))
 
 
 def _require_no_more_cells(source: Path, ends: _Ends, *, named: Path) -> None:

@@ -23,6 +23,7 @@ from sweetspot.season.rows import REASONS, USED
 from sweetspot.season.season_drag import DragOfMonth, drag_by_month
 from sweetspot.season.season_table import Season
 from sweetspot.season.standings import MEASURES, Standing, above_expected_parts, all_standings
+from sweetspot.season.table_file import LEFT_OUT
 from sweetspot.season.table_warnings import WARNINGS
 from sweetspot.season.untracked import Untracked, untracked_bias
 from sweetspot.units import FOOT, grouped
@@ -200,13 +201,14 @@ def _means(counted: pl.LazyFrame) -> dict[str, float]:
 
 def _ledger(season: Season) -> Table:
     survey = season.survey
-    columns = [Column("table"), Column("rows", right=True), *(Column(reason, right=True) for reason in REASONS)]
+    reasons = [*(reason for reason in LEFT_OUT if any(reason in counts for counts in survey.counts)), *REASONS]
+    columns = [Column("table"), Column("rows", right=True), *(Column(reason, right=True) for reason in reasons)]
     rows: list[list[Cell]] = [
-        [table.path.name, grouped(table.rows), *(grouped(counts[reason]) for reason in REASONS)]
+        [table.path.name, grouped(table.lines), *(grouped(counts.get(reason, 0)) for reason in reasons)]
         for table, counts in zip(survey.tables, survey.counts, strict=True)
     ]
     if len(rows) > 1:
-        totals = [sum(counts[reason] for counts in survey.counts) for reason in REASONS]
+        totals = [sum(counts.get(reason, 0) for counts in survey.counts) for reason in reasons]
         rows.append(["all", grouped(survey.rows), *(grouped(total) for total in totals)])
     return Table("Ledger: every row, and why it counts or not", columns, rows)
 
@@ -283,7 +285,7 @@ def season_json(report: SeasonReport) -> dict[str, Any]:
     return cleaned({
         "tables": [
             {
-                "file": str(table.path), "system": table.headings.system, "rows": table.rows, "ledger": counts,
+                "file": str(table.path), "system": table.headings.system, "rows": table.lines, "ledger": counts,
                 "first_day": days and str(days[0]), "last_day": days and str(days[1]),
                 "columns": {name: {"heading": column.heading, "unit": column.unit}
                             for name, column in table.headings.columns.items()},
