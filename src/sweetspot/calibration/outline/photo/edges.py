@@ -20,6 +20,15 @@ ALONG = 20.0
 """Pixels along the bat over which the ground beside it is taken together."""
 REFINED = 3.0
 """Pixels by which the colours may move an edge."""
+LEVELS = (0.35, 0.65)
+"""Of the way from ground to bat, where an edge is looked for besides half way: how far apart these lie is how sure it
+is."""
+APART = 0.77
+"""Standard deviations of a blur between these two levels of a step: that of the normal distribution (exact)."""
+SHARP = NEAR_IN[0] / 1.28
+"""Pixels of blur up to which the band within the bat begins beyond nine tenths of the step; of more the bands widen."""
+WIDEST = 0.8
+"""Of the half width of a handle, where the inner band ends at most."""
 WINDOWS = (0.01, 0.02, 0.03)
 """Of the length, over which edges are smoothed: the longest that agrees with the shorter ones."""
 AGREE = 1.5
@@ -39,6 +48,7 @@ class Edges:
     ----------
     place : from the first end, shape (n,), one pixel apart.
     width : between the edges, smoothed, shape (n,).
+    unsettled : half of what the width changes between the `LEVELS` at which edges are taken, shape (n,).
     scatter : rms of the single edges about the smooth ones.
     bend : rms of the middle about a straight line.
     length : from end to end.
@@ -47,6 +57,7 @@ class Edges:
 
     place: Array
     width: Array
+    unsettled: Array
     scatter: float
     bend: float
     length: float
@@ -65,10 +76,10 @@ def find_edges(pixels: Array, difference: Array, bat: Shape, *, shadows: bool) -
     shadows : whether there may be any; a ground that a program painted has none.
     """
     start, end = bat.start.astype(float), bat.end.astype(float)
-    left = right = np.zeros(0)
+    left = right = unsettled = np.zeros(0)
     for _ in range(ROUNDS):  # the axis is first known from a coarse picture
         start, end = sharp_ends(pixels, difference, start, end, bat.width.max())
-        left, right = _flanks(pixels, difference, start, end, bat, shadows=shadows)
+        left, right, unsettled = _flanks(pixels, difference, start, end, bat, shadows=shadows)
         count = len(left)
         inner = slice(count // 20, -count // 20)
         middle = (left + right) / 2
@@ -83,7 +94,7 @@ def find_edges(pixels: Array, difference: Array, bat: Shape, *, shadows: bool) -
     straight = np.polyval(np.polyfit(np.arange(len(middle)), middle, 1), np.arange(len(middle)))
     return Edges(
         place=np.arange(len(left), dtype=np.float64) + 0.5,
-        width=np.maximum(smooth_right - smooth_left, 0.0), scatter=scatter,
+        width=np.maximum(smooth_right - smooth_left, 0.0), unsettled=unsettled, scatter=scatter,
         bend=float(np.std(middle - straight)), length=float(np.hypot(*(end - start))), start=start, end=end,
     )  # fmt: skip
 
@@ -117,7 +128,7 @@ def sharp_ends(pixels: Array, difference: Array, start: Array, end: Array, width
         outside = np.median(values[reach > 0.4 * width])
         coarse = _crossing(reach, values, (inside + outside) / 2, int(np.argmin(np.abs(reach))))
         colours = _sampled(pixels, places).mean(axis=1)
-        ends.append(point + outward * _refined(reach, colours[None], np.array([coarse]), shadows=False)[0])
+        ends.append(point + outward * _refined(reach, colours[None], np.array([coarse]), shadows=False)[0][0])
     return ends[0], ends[1]
 
 
@@ -133,8 +144,8 @@ def _crossing(reach: Array, values: Array, level: float, near: int) -> float:
 
 def _flanks(
     pixels: Array, difference: Array, start: Array, end: Array, bat: Shape, *, shadows: bool
-) -> tuple[Array, Array]:
-    """Return the places of both edges across the axis, one pair per pixel of length."""
+) -> tuple[Array, Array, Array]:
+    """Return the places of both edges across the axis, and how unsettled the width is, for every pixel of length."""
     import scipy.ndimage
 
     along, across = _directions(start, end)
@@ -145,15 +156,31 @@ def _flanks(
     signal = scipy.ndimage.gaussian_filter1d(_sampled(difference, points)[..., 0], 1.0 / STEP, axis=1)
     colours = scipy.ndimage.gaussian_filter1d(_sampled(pixels, points), 0.5 / STEP, axis=1)
     widths = np.interp(place, np.linspace(0, len(place), len(bat.width)), bat.width)
-    edges = [
-        side * _one_flank(side * reach[::side], signal[:, ::side], colours[:, ::side], widths / 2, shadows=shadows)
-        for side in (-1, 1)
-    ]
-    return edges[0], edges[1]
+    half = widths / 2
+    most = max(1.0, WIDEST * float(np.median(np.sort(half)[: len(half) // 2])) / NEAR_IN[1])
+    sides = [(side * reach[::side], signal[:, ::side], colours[:, ::side]) for side in (-1, 1)]
+    edges = [_coarse(outward, seen, half) for outward, seen, _ in sides]
+    moved, blurred = [np.zeros(0), np.zeros(0)], most
+    for _ in range(2):  # first with bands far from the edge; the blur that is seen so says how near they may be
+        refined = [
+            _refined(outward, own, edge, shadows=shadows, blurred=blurred)
+            for (outward, _, own), edge in zip(sides, edges, strict=True)
+        ]
+        moved = [apart for _, apart in refined]
+        blurred = min(max(1.0, _blur(moved)), most)
+        edges = [edge for edge, _ in refined] if blurred > 1.0 else edges
+    edges = [edge for edge, _ in refined]
+    apart = scipy.ndimage.median_filter(moved[0] + moved[1], size=2 * int(ALONG) + 1, mode="nearest")
+    return -edges[0], edges[1], apart / 2
 
 
-def _one_flank(reach: Array, signal: Array, colours: Array, expected: Array, *, shadows: bool) -> Array:
-    """Return where the bat ends on the side to which ``reach`` grows, one place per row."""
+def _blur(moved: list[Array]) -> float:
+    """Return how blurred edges are by what `LEVELS` lie apart in them, over `SHARP`; a shadow blurs but one."""
+    return min(float(np.median(one)) for one in moved) / APART / SHARP
+
+
+def _coarse(reach: Array, signal: Array, expected: Array) -> Array:
+    """Return where the bat ends about on the side to which ``reach`` grows, one place per row."""
     inside = np.abs(reach) < 0.3 * expected[:, None]
     counts = np.maximum(inside.sum(axis=1), 1)
     level_in = (signal * inside).sum(axis=1) / counts
@@ -162,18 +189,22 @@ def _one_flank(reach: Array, signal: Array, colours: Array, expected: Array, *, 
     places = np.empty(len(signal))
     for row, (values, half) in enumerate(zip(signal, expected, strict=True)):
         places[row] = _crossing(reach, values, level[row], int(np.argmin(np.abs(reach - half))))
-    return _refined(reach, colours, places, shadows=shadows)
+    return places
 
 
-def _refined(reach: Array, colours: Array, edge: Array, *, shadows: bool) -> Array:
-    """Return edges moved to where the colour is half way from the ground's to the bat's.
+def _refined(reach: Array, colours: Array, edge: Array, *, shadows: bool, blurred: float = 1.0) -> tuple[Array, Array]:
+    """Return edges moved to where the colour is half way from the ground's to the bat's, and what `LEVELS` lie apart.
 
     With shadows, what the ground would be at the edge is extended from beside it: the shadow at a bat's foot grows
     towards it, and how changes slowly along the bat.
+
+    Parameters
+    ----------
+    blurred : how many times the blur is that of a sharp picture.
     """
     import scipy.ndimage
 
-    distance = reach[None, :] - edge[:, None]
+    distance = (reach[None, :] - edge[:, None]) / blurred
     near_in = (-distance > NEAR_IN[0]) & (-distance < NEAR_IN[1])
     near_out = (distance > NEAR_OUT[0]) & (distance < NEAR_OUT[1])
     level_in, _ = _level_and_slope(distance, colours, near_in)
@@ -185,12 +216,20 @@ def _refined(reach: Array, colours: Array, edge: Array, *, shadows: bool) -> Arr
         ground = level_out[:, None, :] + slope[:, None, :] * outward[..., None]
     apart = np.sqrt(np.sum((level_in[:, None, :] - ground) ** 2, axis=2))
     part = np.sqrt(np.sum((colours - ground) ** 2, axis=2)) / np.maximum(apart, 1e-6)
-    falls = (part[:, :-1] >= 0.5) & (part[:, 1:] < 0.5) & (np.abs(distance[:, :-1]) < REFINED)
+    outer, middle, inner = (_last_fall(part, level, reach, distance) for level in (LEVELS[0], 0.5, LEVELS[1]))
+    placed = np.where(np.isnan(middle), edge, middle)
+    apart = np.where(np.isnan(outer + inner), 2 * REFINED * blurred, np.abs(outer - inner))
+    return placed, apart
+
+
+def _last_fall(part: Array, level: float, reach: Array, distance: Array) -> Array:
+    """Return where each row last falls below a level near its edge, nan where it does not."""
+    falls = (part[:, :-1] >= level) & (part[:, 1:] < level) & (np.abs(distance[:, :-1]) < REFINED)
     last = falls.shape[1] - 1 - np.argmax(falls[:, ::-1], axis=1)
-    row = np.arange(len(edge))
+    row = np.arange(len(part))
     here, there = part[row, last], part[row, last + 1]
-    moved = reach[last] + (here - 0.5) / np.where(here > there, here - there, 1.0) * STEP
-    return np.asarray(np.where(falls.any(axis=1), moved, edge))
+    place = reach[last] + (here - level) / np.where(here > there, here - there, 1.0) * STEP
+    return np.asarray(np.where(falls.any(axis=1), place, np.nan))
 
 
 def _level_and_slope(distance: Array, colours: Array, near: NDArray[np.bool_]) -> tuple[Array, Array]:

@@ -22,6 +22,11 @@ STATIONS = 120
 """At most, of a bat file."""
 PIXEL = 0.5
 """One sigma of an edge in pixels, common to all places: sharpening, bloom, the curve of the colours (assumed)."""
+TOO_UNSETTLED = 0.05
+"""Of what a bat's diameters differ by, that they may depend on the level at which edges are taken: a tenth of a
+handle, which is 40 % of its stiffness (assumed)."""
+WHOLE = 0.95
+"""Of a bat's length, that is to be seen where shadows do not count."""
 LENGTH_ERROR, RULER_ERROR = 1.5e-3, 1e-3
 """m, one sigma of a bat's length as people give it, and of a ruler's (assumed)."""
 END_HEIGHT = 0.7
@@ -78,10 +83,17 @@ def read_photo(
         raise InputError(f"--camera-distance was given as {camera_distance:g} m; allowed is {NEAREST:g} m or more")
     picture = read_picture(path)
     with_shadows, without = differences(picture)
-    shapes = [*find_shapes(without), *find_shapes(with_shadows)]
+    surely = list(find_shapes(without))
+    shapes = [*surely, *find_shapes(with_shadows)]
     bat = find_bat(shapes, picture.name)
+    if not any(one.like_a_bat and one.length > WHOLE * bat.length for one in surely):
+        raise InputError(
+            f"{picture.name} shows a bat no darker than a shadow on this ground, and of its colour: where it ends and "
+            "its own shadow begins cannot be told. Lay it on a lighter ground, or one of another colour"
+        )
     colours = picture.colours
     edges = find_edges(colours, without, bat, shadows=not picture.painted)
+    _check_seen(edges, picture.name)
     if length is not None:
         scale, scale_error = length / edges.length, LENGTH_ERROR / length
     else:
@@ -93,6 +105,23 @@ def read_photo(
     lens = None if picture.focal_length is None else picture.focal_length * scale
     away = camera_distance if camera_distance is not None else lens
     return _measured(picture, edges, scale, scale_error, length=length, away=away, on_ground=ruler is not None)
+
+
+def _check_seen(edges: Edges, name: str) -> None:
+    """Refuse edges that move with the level at which they are taken by much of what the bat's shape changes.
+
+    Raises
+    ------
+    InputError
+        when the bat is too like its ground, too blurred or too small.
+    """
+    unsettled, shape = float(np.median(edges.unsettled)), float(np.ptp(edges.width))
+    if unsettled > TOO_UNSETTLED * shape:
+        raise InputError(
+            f"{name} does not show where the bat ends: its width changes by {unsettled:.1f} pixels with the brightness "
+            f"at which its edges are taken, and from end to end by {shape:.0f}. Lay it on a ground of another colour, "
+            "in even light, and focus on it"
+        )
 
 
 def _measured(
@@ -112,12 +141,14 @@ def _measured(
     reach = scale * edges.length - before - after
     seen = scale * edges.place - before
     place, width = knob_first(seen, scale * edges.width)
+    unsettled = edges.unsettled
     if not np.array_equal(place, seen):  # the first end is the tip
-        place = (reach - seen)[::-1]
+        place, unsettled = (reach - seen)[::-1], unsettled[::-1]
     hooked = _hooked(place[-1] - place, width)
     inside = (place > 0) & (place < reach)
     place, width = place[inside], np.clip(width[inside], *DIAMETER_RANGE)
-    place, width = np.concatenate([[0], place, [reach]]), np.concatenate([width[:1], width, width[-1:]])
+    place = np.concatenate([[0], place, [reach]])
+    width, unsettled = (np.concatenate([one[:1], one, one[-1:]]) for one in (width, unsettled[inside]))
     tolerance = TOLERANCE
     while len(profile := simplified(place, width, tolerance)) > STATIONS:
         tolerance *= 1.25
@@ -133,7 +164,7 @@ def _measured(
         )
     at = float(np.hypot(scale, 0.3 * excess.mean() if away else excess.mean()))
     unseen = 0.0 if away else float(excess.sum()) / reach  # of the scale: the ends seem farther apart than they are
-    edge = scale * float(np.hypot(PIXEL, edges.scatter / 4))
+    edge = scale * np.hypot(np.sqrt(2) * edges.scatter / 4, np.maximum(np.sqrt(2) * PIXEL, unsettled))
     error = _errors(place, width, edge, scale_error, at, 0.0 if length is None else unseen)
     return PhotoOutline(
         profile=profile, notes=tuple(notes), pixel=scale, edge_scatter=scale * edges.scatter,
@@ -164,12 +195,12 @@ def _excess(picture: Picture, edges: Edges, scale: float, away: float) -> tuple[
     return tuple(max(out, 0.0) * height / (away - height) for out, height in zip(outs, heights, strict=True))  # type: ignore[return-value]
 
 
-def _errors(place: Array, width: Array, edge: float, scale_error: float, at: float, unseen: float) -> Array:
-    """Return one sigma of the diameters, m: edges, scale, and what an error of the place makes where it is steep.
+def _errors(place: Array, width: Array, edge: Array, scale_error: float, at: float, unseen: float) -> Array:
+    """Return one sigma of the diameters, m: both edges, scale, and what an error of the place makes where it is steep.
 
     Places count from either end, and the scale moves those far from it. By ``unseen`` the scale is off where the
     camera's distance is not known; what that does to places is in ``at``.
     """
     off = np.hypot(at, scale_error * np.maximum(place, place[-1] - place))
     before, after = (np.interp(place + side * off, place, width) - width for side in (-1, 1))
-    return np.asarray(np.sqrt(2 * edge**2 + (scale_error**2 + unseen**2) * width**2 + (before**2 + after**2) / 2))
+    return np.asarray(np.sqrt(edge**2 + (scale_error**2 + unseen**2) * width**2 + (before**2 + after**2) / 2))

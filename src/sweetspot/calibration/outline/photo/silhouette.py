@@ -55,6 +55,11 @@ class Shape:
         inner = self.width[INNER]
         return float(inner.max() / max(inner.min(), 1e-9))
 
+    @property
+    def like_a_bat(self) -> bool:
+        """Whether it is straight, alike on both sides and thick at one end."""
+        return self.evenness > BARREL_OVER_HANDLE and self.wander < SYMMETRIC
+
 
 def find_shapes(difference: Array) -> Iterator[Shape]:
     """Yield the slender things that differ from the ground, by several thresholds."""
@@ -126,7 +131,7 @@ def find_bat(shapes: list[Shape], name: str) -> Shape:
     InputError
         when nothing looks like a bat.
     """
-    bats = [one for one in shapes if one.evenness > BARREL_OVER_HANDLE and one.wander < SYMMETRIC]
+    bats = [one for one in shapes if one.like_a_bat]
     if not bats:
         raise InputError(
             f"{name} shows no bat; lay it alone on a plain ground of another colour, all of it in the picture, from "
