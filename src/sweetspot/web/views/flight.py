@@ -36,7 +36,6 @@ from sweetspot.web.views.flight_parks import carries, in_parks, outlines, park_j
 from sweetspot.web.views.flight_recipe import flight_lines
 from sweetspot.web.views.flight_state import FlightState
 
-"""Pa."""
 FORWARD = 2 * FOOT
 """m in front of the plate's tip where ball and bat meet."""
 SHOWN = 2

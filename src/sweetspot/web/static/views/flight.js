@@ -14,6 +14,7 @@ import { FieldPicture, SidePicture } from "./flight_pictures.js";
 const WORDS = { "home run": "home run", "off the wall": "off the wall", "in play": "in play", foul: "foul" };
 /** @type {Record<string, string>} */
 const CLASSES = { "home run": "good", foul: "muted" };
+const SURE = 0.05; // chances nearer to none or to one are told as one outcome
 const MAPPED = ["exit_speed_mph", "launch_angle_deg", "own_elevation"]; // what the map does not depend on, for a ball with its own numbers
 /** @type {Fact[]} */
 const FACTS = [
@@ -188,8 +189,8 @@ export const view = {
     this.map.label("How far the ball carries, by exit speed and launch angle, with this spin, direction and weather.");
   },
 
-  /** @param {{ end: Answer, park: Answer, flight: Answer, out_in: number, of: Answer }} given */
-  headline({ end, park, flight, out_in: count, of }) {
+  /** @param {{ end: Answer, park: Answer, flight: Answer, out_in: number, of: Answer, chance: number }} given */
+  headline({ end, park, flight, out_in: count, of, chance }) {
     const far = (/** @type {number} */ value) => this.app.text("distance", value);
     const over = Math.abs(end.clearance_m ?? 0);
     /** @type {Record<string, string>} */
@@ -200,8 +201,10 @@ export const view = {
       foul: "foul",
     };
     const what = outcomes[end.outcome];
-    const name = end.outcome === "home run" ? "Home run: " : end.outcome === "foul" ? "" : "In play: ";
-    return `${name}${what}. Out in ${count} of ${of} ${of === 1 ? "park" : "parks"}.`.replace(/^./, (letter) => letter.toUpperCase());
+    const unsure = chance > SURE && chance < 1 - SURE;
+    const named = end.outcome === "home run" ? (unsure ? "a home run: " : "Home run: ") : end.outcome === "foul" ? "" : unsure ? "in play: " : "In play: ";
+    const alike = unsure ? ` Of a hundred like it ${this.app.text("count", 100 * chance)} are home runs.` : "";
+    return `${unsure ? "Perhaps " : ""}${named}${what}.${alike} Out in ${count} of ${of} ${of === 1 ? "park" : "parks"}.`.replace(/^./, (letter) => letter.toUpperCase());
   },
 
   /** @param {{ launch: Answer, swing: Answer }} given */

@@ -128,7 +128,7 @@ export class SidePicture {
     }
     context.restore();
     line(context, [[across(distance), up(0)], [across(distance), up(top)]], { color: colors.green, width: 5 });
-    const roomy = across(distance) < width - 100;
+    const roomy = across(distance) < width - 100 && !(end.clearance_m > 0); // beyond a fence that it clears the ball comes down
     Object.assign(context, { font: `600 11px ${FONT}`, textAlign: roomy ? "left" : "right", textBaseline: "middle" });
     haloText(context, `fence ${this.app.text("distance", top)}`, across(distance) + (roomy ? 7 : -7), up(0) - 8, colors.ink, colors.panel);
     context.textAlign = "right";
