@@ -72,7 +72,8 @@ def test_explorer_and_hit_say_what_they_show(name: str, said: Said) -> None:
     ("asked", "begins", "holds"),
     [
         ({"exit_speed_mph": 110, "spray_deg": 0}, "Home run: ", "above its top"),
-        ({"exit_speed_mph": 98}, "Perhaps in play: ", "below its top"),
+        ({"exit_speed_mph": 105}, "Probably a home run: ", "above its top"),
+        ({"exit_speed_mph": 98}, "Probably in play: ", "below its top"),
         ({"exit_speed_mph": 70, "spray_deg": 20}, "In play: ", "from the plate"),
         ({"spray_deg": -58}, "Foul", ""),
         ({"launch_angle_deg": -8, "backspin_rpm": -700, "sidespin_rpm": 400}, "In play: ", "from the plate"),
@@ -87,7 +88,9 @@ def test_flight_says_directions_as_signs_have_them(asked: dict[str, Any], begins
     if "its top" in words:
         assert shown(abs(clearance), "distance") in words and ("above" in words) == (clearance > 0)
     unsure = 0.05 < found["chance"] < 0.95
-    assert unsure == words.startswith("Perhaps ")
+    assert unsure == words.startswith(("Probably ", "Perhaps "))
+    expected = (found["end"]["outcome"] == "home run") == (found["chance"] > 0.5)
+    assert not unsure or words.startswith("Probably ") == expected
     assert (f"Of a hundred like it {100 * found['chance']:.0f} are home runs." in words) == unsure
     assert f"Out in {found['out_in']} of {found['of']} park" in words
     launch, words = found["launch"], said("flight", "start", found)

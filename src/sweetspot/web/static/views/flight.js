@@ -202,9 +202,11 @@ export const view = {
     };
     const what = outcomes[end.outcome];
     const unsure = chance > SURE && chance < 1 - SURE;
-    const named = end.outcome === "home run" ? (unsure ? "a home run: " : "Home run: ") : end.outcome === "foul" ? "" : unsure ? "in play: " : "In play: ";
+    const out = end.outcome === "home run";
+    const named = end.outcome === "foul" ? "" : `${out ? "a home run" : "in play"}: `;
+    const doubt = unsure ? (out === chance > 0.5 ? "probably " : "perhaps ") : "";
     const alike = unsure ? ` Of a hundred like it ${this.app.text("count", 100 * chance)} are home runs.` : "";
-    return `${unsure ? "Perhaps " : ""}${named}${what}.${alike} Out in ${count} of ${of} ${of === 1 ? "park" : "parks"}.`.replace(/^./, (letter) => letter.toUpperCase());
+    return `${doubt}${doubt ? named : named.replace("a home", "home")}${what}.${alike} Out in ${count} of ${of} ${of === 1 ? "park" : "parks"}.`.replace(/^./, (letter) => letter.toUpperCase());
   },
 
   /** @param {{ launch: Answer, swing: Answer }} given */
