@@ -21,9 +21,9 @@ from numpy.typing import NDArray
 
 from sweetspot.numerics.arrays import Array
 from sweetspot.season import contact_kernel as kernel
-from sweetspot.season.balls import Balls, balls_of
+from sweetspot.season.balls import Balls, balls_of, taken
 from sweetspot.season.bat_surface import BatSurface
-from sweetspot.season.contact import ContactSetting, contacts, learnt, taken
+from sweetspot.season.contact import ContactSetting, contacts, learnt
 from sweetspot.season.headings import headings_of
 from sweetspot.season.place_relation import LEVEL, NOISE, PLACE, SPREAD
 from sweetspot.season.rows import USED, rows_of

@@ -78,6 +78,15 @@ def test_without_scatter_it_is_the_path_judged(wind: Wind) -> None:
     assert set(np.unique(found.chance[sure])) == {0.0, 1.0}
 
 
+def test_longer_steps_change_little() -> None:
+    """Convergence: steps of 0.4 s, as a season takes them, against 0.2 s; jumps of a fence's height stand apart."""
+    fine, coarse = asked(2000), asked(2000, step=0.4)
+    near = np.abs(np.nan_to_num(fine.clearance, nan=99.0)) < 10
+    off = np.abs(coarse.clearance - fine.clearance)[near]
+    assert near.sum() > 5000 and np.quantile(off, 0.99) < 0.01 * FOOT
+    assert np.quantile(np.abs(coarse.chance - fine.chance), 0.99) < 0.002
+
+
 def test_a_ball_level_with_the_top_is_a_coin() -> None:
     """Symmetry: clearance zero is a chance of one half, a spread above and below add to one."""
     found = asked(2000, scatter=Scatter(roof=0.06, open=0.06, roof_shift=0.0, open_shift=0.0))

@@ -16,10 +16,8 @@ from sweetspot.flight.compiled import FlightLaw, stepped
 from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.kernel_cache import compiled
 
-STEP = 0.2
-"""s, as in `kernel`."""
 MOST_POINTS = 60
-"""Steps of a path: 12 s, longer than any ball that comes near a fence is in the air."""
+"""Steps of a path: 12 s at 0.2 s each, longer than any ball that comes near a fence is in the air."""
 DEPTH = 12.0
 """m below the field down to which a path goes on, so that a ball that falls short says by how much."""
 NEAR = 8.0
@@ -50,7 +48,8 @@ FOUL, BEHIND = math.pi / 4, math.pi / 2
 @compiled(nogil=True, error_model="numpy")
 def chances(
     start: Array, densities: Array, weights: Array, fences: Array, nearest: float, drags: Array, scatters: Array,
-    per_density: float, law: FlightLaw, power: float | None, profile: float | None, chance: Array, margin: Array,
+    per_density: float, law: FlightLaw, power: float | None, profile: float | None, step: float, chance: Array,
+    margin: Array,
 ) -> None:  # fmt: skip
     """Fill the chance of a home run and the height over the fence of n balls in m parks.
 
@@ -62,19 +61,19 @@ def chances(
     nearest : m, no fence is nearer.
     drags, scatters : (m,), what each park adds to the drag coefficient, and standard deviation of the latter, as parts
         of it.
-    per_density, law, power, profile : as `compiled.solve` takes them.
+    per_density, law, power, profile, step : as `compiled.solve` takes them.
     chance, margin : (n, m).
     """
     balls = start.shape[1]
     lanes, paths = np.zeros(ROWS * LANES), np.empty((MOST_POINTS, 6, LANES))
-    seen, lost = np.empty((MOST_POINTS, 6, AIRS)), np.empty((MOST_POINTS, 2))
+    seen, lost = np.empty((MOST_POINTS, 6, AIRS)), np.empty((MOST_POINTS, 4))
     points, reach = np.empty(LANES, np.int64), np.empty(LANES)
     far = np.empty(balls, np.int64)
     count, farthest = 0, fences[0].max() + NEAR
     for first in range(0, balls, LANES):  # which balls come near a fence at all, in the thinnest air
         for lane in range(LANES):
             _set_out(lanes, lane, start, min(first + lane, balls - 1), per_density * densities[0], 1.0)
-        _fly(lanes, law, power, profile, nearest, paths, points, reach)
+        _fly(lanes, law, power, profile, step, nearest, paths, points, reach)
         for lane in range(min(LANES, balls - first)):
             if reach[lane] > nearest:
                 far[count] = first + lane
@@ -87,14 +86,14 @@ def chances(
             ball, path = far[min(first + lane // PATHS, count - 1)], lane % PATHS
             density = densities[path] if path < AIRS else densities[MIDDLE]
             _set_out(lanes, lane, start, ball, per_density * density, 1 + MORE_DRAG if path == AIRS else 1.0)
-        _fly(lanes, law, power, profile, farthest, paths, points, reach)
+        _fly(lanes, law, power, profile, step, farthest, paths, points, reach)
         for place in range(min(BALLS, count - first)):
             ball, lane = far[first + place], PATHS * place
             last = points[lane : lane + PATHS].min()
-            begin, end = _seen_from_home(paths, lane, last, nearest - NEAR, farthest, seen, lost)
+            begin, end = _seen_from_home(paths, lane, last, step, nearest - NEAR, farthest, seen, lost)
             hint = begin + 1
             for park in range(len(weights)):
-                height, fall, hint = _over(seen, lost, begin, end, weights, fences, park, hint)
+                height, fall, hint = _over(seen, lost, begin, end, step, weights, fences, park, hint)
                 height -= fall * drags[park] / MORE_DRAG
                 margin[ball, park] = height
                 spread = max(abs(fall) * scatters[park] / MORE_DRAG, 1e-9)
@@ -120,7 +119,7 @@ def _set_out(lanes: Array, lane: int, start: Array, ball: int, strength: float, 
 
 
 @compiled(error_model="numpy", fastmath={"contract", "nsz"})
-def _advance(lanes: Array, law: FlightLaw, power: float | None, profile: float | None) -> None:
+def _advance(lanes: Array, law: FlightLaw, power: float | None, profile: float | None, step: float) -> None:
     """Move every lane by one step."""
     for lane in range(LANES):
         more = lanes[BRAKED * LANES + lane]
@@ -136,7 +135,7 @@ def _advance(lanes: Array, law: FlightLaw, power: float | None, profile: float |
             lanes[lane], lanes[LANES + lane], lanes[2 * LANES + lane], lanes[3 * LANES + lane],
             lanes[4 * LANES + lane], lanes[5 * LANES + lane], lanes[6 * LANES + lane],
         )  # fmt: skip
-        after = stepped(state, STEP, spin, lanes[STRENGTH * LANES + lane], wind, braked, power, profile)
+        after = stepped(state, step, spin, lanes[STRENGTH * LANES + lane], wind, braked, power, profile)
         lanes[lane], lanes[LANES + lane], lanes[2 * LANES + lane] = after[0], after[1], after[2]
         lanes[3 * LANES + lane], lanes[4 * LANES + lane], lanes[5 * LANES + lane] = after[3], after[4], after[5]
         lanes[6 * LANES + lane] = after[6]
@@ -144,8 +143,8 @@ def _advance(lanes: Array, law: FlightLaw, power: float | None, profile: float |
 
 @compiled(error_model="numpy")
 def _fly(
-    lanes: Array, law: FlightLaw, power: float | None, profile: float | None, enough: float, paths: Array,
-    points: IntArray, reach: Array,
+    lanes: Array, law: FlightLaw, power: float | None, profile: float | None, step: float, enough: float,
+    paths: Array, points: IntArray, reach: Array,
 ) -> None:  # fmt: skip
     """Fill positions and velocities at every step, how many there are down to `DEPTH`, and the greatest distance.
 
@@ -173,12 +172,12 @@ def _fly(
                 flying += 1
         if flying == 0:
             return
-        _advance(lanes, law, power, profile)
+        _advance(lanes, law, power, profile, step)
 
 
 @compiled(error_model="numpy")
 def _seen_from_home(
-    paths: Array, lane: int, last: int, near: float, farthest: float, seen: Array, lost: Array
+    paths: Array, lane: int, last: int, step: float, near: float, farthest: float, seen: Array, lost: Array
 ) -> tuple[int, int]:  # fmt: skip
     """Fill what is known of a ball's paths from home plate; return the first and the last step but one that matter.
 
@@ -187,7 +186,7 @@ def _seen_from_home(
     lane : of its first path; the one with more drag follows the last air's.
     near, farthest : m; steps between these distances matter.
     seen : (points, 6, airs).
-    lost : (points, 2), what more drag takes of distance and height.
+    lost : (points, 4), what more drag takes of distance and height, and of what they gain in a step.
     """
     middle, braked = lane + MIDDLE, lane + AIRS
     begin = 0
@@ -208,14 +207,17 @@ def _seen_from_home(
                 seen[point, WAY, node] += aside * (1 - square * (1 / 3 - square * (1 / 5 - square * (1 / 7))))
             else:
                 seen[point, WAY, node] = math.atan2(x, y)
-            seen[point, FARTHER, node] = STEP * (x * right + y * out) / far
-            seen[point, TURNED, node] = STEP * (right * y - out * x) / (far * far)
-            seen[point, HIGHER, node] = STEP * up
+            seen[point, FARTHER, node] = step * (x * right + y * out) / far
+            seen[point, TURNED, node] = step * (right * y - out * x) / (far * far)
+            seen[point, HIGHER, node] = step * up
             least = min(least, far)
         x, y, z = paths[point, 0, middle], paths[point, 1, middle], paths[point, 2, middle]
+        over = step / max(math.sqrt(x * x + y * y), 1e-9)
+        right, out, up = paths[point, 3, middle], paths[point, 4, middle], paths[point, 5, middle]
         shorter = x * (paths[point, 0, braked] - x) + y * (paths[point, 1, braked] - y)
-        lost[point, 0] = shorter / max(math.sqrt(x * x + y * y), 1e-9)
-        lost[point, 1] = paths[point, 2, braked] - z
+        lost[point, 0], lost[point, 1] = over / step * shorter, paths[point, 2, braked] - z
+        lost[point, 2] = over * (x * (paths[point, 3, braked] - right) + y * (paths[point, 4, braked] - out))
+        lost[point, 3] = step * (paths[point, 5, braked] - up)
         if least > farthest:
             return begin, point + 1
     return begin, last
@@ -233,7 +235,7 @@ def _beyond(seen: Array, point: int, weights: Array, fences: Array, park: int) -
 
 @compiled(forceinline=True, error_model="numpy")
 def _over(
-    seen: Array, lost: Array, begin: int, end: int, weights: Array, fences: Array, park: int, hint: int
+    seen: Array, lost: Array, begin: int, end: int, step: float, weights: Array, fences: Array, park: int, hint: int
 ) -> tuple[float, float, int]:  # fmt: skip
     """Return how high over a fence's top a ball passes, m, and what it loses of that by `MORE_DRAG`; NaN where foul.
 
@@ -275,10 +277,11 @@ def _over(
     if abs(way) > FOUL:
         return math.nan, 0.0, point
     height = _within(_step_of(seen, weights, park, point, HIGH), part) - _at(fences, 1, park, way)
-    outwards = max(seen[point, FARTHER, MIDDLE], STEP)
-    shorter = (1 - part) * lost[point - 1, 0] + part * lost[point, 0]
-    lower = (1 - part) * lost[point - 1, 1] + part * lost[point, 1]
-    return height, seen[point, HIGHER, MIDDLE] / outwards * shorter - lower, point
+    outwards = (1 - part) * seen[point - 1, FARTHER, MIDDLE] + part * seen[point, FARTHER, MIDDLE]
+    climbing = (1 - part) * seen[point - 1, HIGHER, MIDDLE] + part * seen[point, HIGHER, MIDDLE]
+    shorter = _within((lost[point - 1, 0], lost[point, 0], lost[point - 1, 2], lost[point, 2]), part)
+    lower = _within((lost[point - 1, 1], lost[point, 1], lost[point - 1, 3], lost[point, 3]), part)
+    return height, climbing / max(outwards, step) * shorter - lower, point
 
 
 @compiled(forceinline=True, error_model="numpy")

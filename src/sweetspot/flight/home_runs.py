@@ -19,7 +19,7 @@ from sweetspot.flight.air import Air
 from sweetspot.flight.compiled import DENSITY
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence_compiled import FOUL, TABLE_STEP, chances
-from sweetspot.flight.kernel import drag_per_density, flight_law, flight_rows
+from sweetspot.flight.kernel import STEP, drag_per_density, flight_law, flight_rows
 from sweetspot.flight.park import Park, fence_at, nearest_fence
 from sweetspot.motion.ball_motion import BallMotion, BallMotions
 from sweetspot.numerics.arrays import Array
@@ -96,6 +96,7 @@ def home_run_chances(
     parks: Iterable[Park],
     own_elevation: bool = True,
     scatter: Scatter = USUAL,
+    step: float = STEP,
     threads: int | None = None,
 ) -> HomeRuns:
     """Return each ball's chance of a home run in each park.
@@ -107,6 +108,7 @@ def home_run_chances(
     motions : the balls as they leave the bat; shapes are broadcast together.
     conditions : as in `landings_everywhere`, or a wind for each ball; the wind does not know of shelter here.
     parks : with their own fences; ``own_elevation`` says whether each lies at its own elevation too.
+    step : s, as `flights` takes it; up to 0.5.
     threads : workers; None: one per core.
     """
     everywhere, air = tuple(parks), conditions.one_air
@@ -122,7 +124,7 @@ def home_run_chances(
     def work(part: slice) -> None:
         chances(
             np.ascontiguousarray(start[:, part]), nodes, weights, fences, nearest, shifts, scatters, per_density, law,
-            power, profile, chance[part], clearance[part],
+            power, profile, step, chance[part], clearance[part],
         )  # fmt: skip
 
     in_parts(work, len(chance), size=CHUNK, threads=threads)

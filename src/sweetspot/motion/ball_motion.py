@@ -219,4 +219,4 @@ def spin_axes(launch_angle: ArrayLike, spray: ArrayLike) -> Array:
     up, level = np.sin(launch_angle), np.cos(launch_angle)
     right, out = np.sin(spray), np.cos(spray)
     rows = ((out, -right, 0 * up), (-up * right, -up * out, level), (level * right, level * out, up))
-    return np.array([np.stack(np.broadcast_arrays(*row), axis=-1) for row in rows])
+    return np.moveaxis(np.array([np.broadcast_arrays(*row) for row in rows]), 1, -1)

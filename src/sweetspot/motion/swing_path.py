@@ -15,7 +15,7 @@ from pydantic import model_validator
 
 from sweetspot.equipment.base import Validated
 from sweetspot.errors import InputError
-from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.arrays import Array, vectors
 
 Side = Literal["right", "left"]
 STEEPEST = math.radians(80)
@@ -157,10 +157,10 @@ def path_axes(attack_angle: ArrayLike, attack_direction: ArrayLike, *, tilt: Arr
     cos_turn = np.minimum(np.cos(plane) / np.cos(attack), 1.0)
     sin_turn = np.sqrt(1 - cos_turn**2)
     rise, level = np.sin(attack), np.cos(attack)
-    right, out, nothing = np.sin(direction), np.cos(direction), np.zeros_like(direction)
-    forward = np.stack([level * right, level * out, rise], axis=-1)
-    above = np.stack([-rise * right, -rise * out, level], axis=-1)
+    right, out = np.sin(direction), np.cos(direction)
+    forward = vectors(level * right, level * out, rise)
+    above = vectors(-rise * right, -rise * out, level)
     hand = np.where(lefty, -1.0, 1.0)
-    aside = np.stack([hand * out, -hand * right, nothing], axis=-1)
+    aside = vectors(hand * out, -hand * right, 0.0)
     cos_turn, sin_turn = cos_turn[..., None], sin_turn[..., None]
     return PathAxes(forward, cos_turn * above + sin_turn * aside, cos_turn * aside - sin_turn * above)

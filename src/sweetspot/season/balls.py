@@ -16,7 +16,7 @@ from sweetspot.flight.bearing import bearing_of_place
 from sweetspot.flight.pitch.home_plate import PLATE, REFERENCE
 from sweetspot.flight.pitch.spin import spin_from_movement
 from sweetspot.flight.pitch.tracked import NineParameters, nine_parameters
-from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.arrays import Array, vectors
 from sweetspot.units import INCH
 
 PLATE_OVER_RELEASE = 0.920
@@ -74,6 +74,11 @@ class Balls:
         return len(self.exit_speed)
 
 
+def taken(balls: Balls, rows: NDArray[np.int64] | NDArray[np.bool_] | slice) -> Balls:
+    """Return some balls."""
+    return Balls(**{name: values[rows] for name, values in vars(balls).items()})
+
+
 def balls_of(rows: pl.DataFrame, *, pitches: bool = True) -> Balls:
     """Return the balls of rows from `rows_of`, those that are used or any others.
 
@@ -114,8 +119,8 @@ def _pitch(
     The nine parameters are flown to an explicit distance; without them the speed is 0.92 of that at release, and the
     place stays where the table has it.
     """
-    velocity = np.stack([column(f"velocity_{axis}") for axis in "xyz"], axis=-1)
-    push = np.stack([column(f"acceleration_{axis}") for axis in "xyz"], axis=-1)
+    velocity = vectors(*(column(f"velocity_{axis}") for axis in "xyz"))
+    push = vectors(*(column(f"acceleration_{axis}") for axis in "xyz"))
     side, height = column("plate_side"), column("plate_height")
     pitch = nine_parameters(velocity, acceleration=push, side=0.0, height=0.0)
     place, arriving = pitch.at(PLATE)

@@ -19,7 +19,7 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.threads import in_parts
 from sweetspot.season import contact_kernel as kernel
-from sweetspot.season.balls import Balls
+from sweetspot.season.balls import Balls, taken
 from sweetspot.season.bat_surface import SPEED_FROM_TIP, BatSurface
 from sweetspot.season.place_learning import learn_places
 from sweetspot.season.place_relation import UNLEARNT, Circumstances, PlaceRelation, circumstances, turn_term
@@ -120,7 +120,7 @@ def contacts(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -
     count = len(balls)
     outcome = np.full(count, OUTCOMES.index("no bat speed"), np.int64)
     ceiling, best, chance, improbable = np.full((4, count), np.nan)
-    results = np.full((count, kernel.ROWS), np.nan)
+    results = np.full((kernel.ROWS, count), np.nan).T  # columns are asked for one by one
     others = {other.name: (np.full(count, np.nan), np.full(count, np.nan), np.full(count, np.nan))
               for other in setting.others}  # fmt: skip
 
@@ -148,11 +148,6 @@ def contacts(balls: Balls, bat_of: NDArray[np.int64], setting: ContactSetting) -
         in_parts(partial(work, number, everyone), len(everyone), size=CHUNK, threads=setting.threads)
     league = LEAGUE_BAT * balls.bat_speed + LEAGUE_PITCH * balls.plate_speed
     return Contacts(outcome, ceiling, league, best, chance, improbable, results, others)
-
-
-def taken(balls: Balls, rows: NDArray[np.int64] | NDArray[np.bool_]) -> Balls:
-    """Return some balls."""
-    return Balls(**{name: values[rows] for name, values in vars(balls).items()})
 
 
 def asked_of(plane: InPlane) -> Array:

@@ -222,26 +222,25 @@ def _summarise(places: Array, part: Array, above: Array, best: float, draw: floa
         passed += part[place]
         part[place] = passed
     level, inside, reached = 0, 0.0, 0.0
-    edge = (best - places[0]) / step + 0.5
-    edge -= math.floor(edge)  # between two edges of cells, to either side, what is inside grows as a straight line
+    middle = (best - places[0]) / step + 0.5  # in cells from the lower edge of the first
+    edge = middle - math.floor(middle)  # between two edges, to either side, what is inside grows as a straight line
     near, far = min(edge, 1 - edge), max(edge, 1 - edge)
     for turn in range(2 * len(part)):
         before, start = inside, reached
-        reached = step * (turn // 2 + (far if turn % 2 else near))
-        inside = _below(places, part, best + reached) - _below(places, part, best - reached)
+        reached = turn // 2 + (far if turn % 2 else near)
+        inside = _below(part, middle + reached) - _below(part, middle - reached)
         while level < len(LEVELS) and inside >= LEVELS[level]:
-            result[DISTANCE + level] = reached - (reached - start) * (inside - LEVELS[level]) / max(
-                inside - before, 1e-12
+            result[DISTANCE + level] = step * (
+                reached - (reached - start) * (inside - LEVELS[level]) / max(inside - before, 1e-12)
             )
             level += 1
         if level == len(LEVELS):
             return
 
 
-@compiled(nogil=True, error_model="numpy")
-def _below(places: Array, passed: Array, end: float) -> float:
-    """Return how much of a distribution lies below ``end``, from the parts below the upper edges of even cells."""
-    at = (end - places[0]) / (places[1] - places[0]) + 0.5
+@compiled(forceinline=True, error_model="numpy")
+def _below(passed: Array, at: float) -> float:
+    """Return how much of a distribution lies below a place in cells, from the parts below the upper edges of cells."""
     if at <= 0:
         return 0.0
     if at >= len(passed):

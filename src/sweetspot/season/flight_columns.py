@@ -6,7 +6,8 @@ known is told by `carry_scatter`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from dataclasses import fields as dataclass_fields
 from functools import lru_cache
 
 import numpy as np
@@ -28,7 +29,8 @@ from sweetspot.flight.home_runs import USUAL, home_run_chances
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.numerics.arrays import Array, IntArray
-from sweetspot.season.balls import Balls
+from sweetspot.numerics.threads import in_parts
+from sweetspot.season.balls import Balls, taken
 from sweetspot.season.fields import Fields, nearest_fences, thirty_parks
 from sweetspot.season.launch_table import Expected, expected_of
 from sweetspot.season.swings import USUAL_ERRORS, Errors
@@ -47,6 +49,10 @@ THINNER, SURE = 1.02, 5.0
 its way is no home run anywhere; so chances below about 1e-7 are taken as none."""
 Rows = IntArray | slice
 """Which balls of all."""
+STEP = 0.4
+"""s of a flight's steps, twice those of single flights: 99 of 100 carries are within 0.02 ft, all within 0.15."""
+CHUNK = 32_768
+"""Balls that are flown together: what is made of them on the way stays in a core's own memory."""
 GLOVE = 5 * FOOT
 """m above the ground, where caught balls end."""
 
@@ -112,6 +118,20 @@ def flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, *, tempera
     fields : where they were hit.
     temperature : degC of every ball, NaN: the setting's.
     """
+    columns = FlightColumns(*np.empty((len(dataclass_fields(FlightColumns)), len(balls))))
+    alone = replace(setting, threads=1)
+
+    def work(part: slice) -> None:
+        here = replace(fields, index=fields.index[part])
+        own = _flown_balls(taken(balls, part), here, alone, temperature=temperature[part])
+        for name, values in vars(own).items():
+            getattr(columns, name)[part] = values
+
+    in_parts(work, len(balls), size=CHUNK, threads=setting.threads)
+    return columns
+
+
+def _flown_balls(balls: Balls, fields: Fields, setting: FlightSetting, *, temperature: Array) -> FlightColumns:
     density = fields.density(setting.air, temperature)
     expected = expected_of(
         balls, np.nan_to_num(balls.bearing), ball=setting.ball, aerodynamics=setting.aerodynamics, air=setting.air,
@@ -196,7 +216,7 @@ def _flown(
     balls: Balls, spray: Array, density: Array, setting: FlightSetting, rows: Rows, law: Aerodynamics
 ) -> Flights:
     conditions = FlightConditions(ball=setting.ball, aerodynamics=law, air=density[rows])
-    return flights(_launch(balls, spray, rows), conditions, threads=setting.threads)
+    return flights(_launch(balls, spray, rows), conditions, step=STEP, threads=setting.threads)
 
 
 def _launch(balls: Balls, spray: Array, rows: Rows) -> BallMotions:
@@ -229,7 +249,7 @@ def _chances(
             continue
         conditions = FlightConditions(ball=setting.ball, aerodynamics=setting.aerodynamics, air=setting.air)
         chances = home_run_chances(
-            _launch(balls, spray, mine), conditions, parks=(*thirty, *extra), threads=setting.threads
+            _launch(balls, spray, mine), conditions, parks=(*thirty, *extra), step=STEP, threads=setting.threads
         )
         everywhere[mine] = chances.chance[:, : len(thirty)].sum(axis=1)
         count[mine] = (chances.clearance[:, : len(thirty)] > 0).sum(axis=1)

@@ -9,32 +9,36 @@ from sweetspot.numerics.kernel_cache import compiled
 
 
 @compiled(nogil=True, error_model="numpy")
-def fill_between(axes: tuple[Array, Array, Array], table: Array, asked: Array, values: Array) -> None:
+def fill_between(
+    axes: tuple[Array, Array, Array], table: Array, asked: Array, part: Array, values: Array
+) -> None:  # fmt: skip
     """Fill what stands in a table between its nodes, in straight lines; beyond its ends the nearest counts.
 
     Parameters
     ----------
     axes : even nodes of the three axes.
-    table : shape (nodes of each axis, k).
+    table : shape (nodes of each axis, 2 k), k values in thin air and the same in thick.
     asked : (3, n); NaN counts as the first node.
-    values : (n, k).
+    part : (n,), how far on each ball's air is from the thin one to the thick.
+    values : (k, n).
     """
     first, second, third = axes
-    for i in range(len(values)):
+    kinds = len(values)
+    for i in range(len(part)):
         a, x = _place(first, asked[0, i])
         b, y = _place(second, asked[1, i])
         c, z = _place(third, asked[2, i])
-        for value in range(table.shape[3]):
-            total = 0.0
-            for corner in range(4):
-                p, q = corner >> 1, corner & 1
-                weight = (x if p else 1 - x) * (y if q else 1 - y)
-                low, high = table[a + p, b + q, c, value], table[a + p, b + q, c + 1, value]
-                total += weight * (low + z * (high - low))
-            values[i, value] = total
+        for kind in range(kinds):
+            values[kind, i] = 0.0
+        for corner in range(8):
+            p, q, r = corner >> 2, (corner >> 1) & 1, corner & 1
+            weight = (x if p else 1 - x) * (y if q else 1 - y) * (z if r else 1 - z)
+            node = table[a + p, b + q, c + r]
+            for kind in range(kinds):
+                values[kind, i] += weight * (node[kind] + part[i] * (node[kinds + kind] - node[kind]))
 
 
-@compiled(error_model="numpy")
+@compiled(forceinline=True, error_model="numpy")
 def _place(nodes: Array, value: float) -> tuple[int, float]:
     last = len(nodes) - 1.0
     at = (value - nodes[0]) / (nodes[1] - nodes[0])

@@ -27,8 +27,8 @@ SPRAYS: Array = np.arange(-110.0, 111.0, 5.0) * DEGREE
 BEARINGS: Array = np.arange(-90.0, 91.0, 5.0) * DEGREE
 THIN, THICK = 0.8, 1.0
 """Of the table's air: its densities; others lie on the straight line through the two."""
-BEND, TURN, PER_DRAG = 0, 1, 2
-"""Values in thin air; those in thick air follow."""
+KINDS = 3
+"""Values of the table in each air: bend, turn, and carry per drag."""
 
 
 @dataclass(frozen=True)
@@ -60,11 +60,9 @@ def expected_of(
     """
     side = np.where(balls.left, -1.0, 1.0)  # a left-handed batter's ball is a right-handed one's in a mirror
     asked = np.stack([balls.exit_speed, balls.launch_angle, side * bearing])
-    looked_up = np.empty((len(balls), 2 * (PER_DRAG + 1)))
-    fill_between((SPEEDS, ANGLES, BEARINGS), _table(ball, aerodynamics, air), asked, looked_up)
     thick = (density / air.density - THIN) / (THICK - THIN)
-    bend, turn, per_drag = ((1 - thick) * looked_up[:, value] + thick * looked_up[:, PER_DRAG + 1 + value]
-                            for value in (BEND, TURN, PER_DRAG))  # fmt: skip
+    bend, turn, per_drag = values = np.empty((KINDS, len(balls)))
+    fill_between((SPEEDS, ANGLES, BEARINGS), _table(ball, aerodynamics, air), asked, thick, values)
     return Expected(bearing + side * bend, turn, per_drag)
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from sweetspot.equipment.ball import Ball
 from sweetspot.flight.carry_scatter import TRACKED
 from sweetspot.motion.swing_path import path_axes, steep_enough
-from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.arrays import Array, vectors
 from sweetspot.season.balls import Balls
 from sweetspot.season.bat_surface import RATIOS, SLANTS, SPEEDS, BatSurface
 from sweetspot.units import DEGREE, MPH
@@ -100,8 +100,7 @@ def in_plane(balls: Balls, surface: BatSurface, errors: Errors, *, ball: Ball) -
     thrown = np.isfinite(balls.plate_speed)
     pitched = np.where(thrown, balls.plate_speed, USUAL_PITCH)
     level = pitched * np.cos(balls.descent)
-    pitch = np.stack([level * np.sin(balls.crossing), -level * np.cos(balls.crossing),
-                      -pitched * np.sin(balls.descent)], axis=-1)  # fmt: skip
+    pitch = vectors(level * np.sin(balls.crossing), -level * np.cos(balls.crossing), -pitched * np.sin(balls.descent))
     ahead, up, along = (np.sum(pitch * axis, axis=-1) for axis in axes)
     slid = surface.along[0] * along + surface.along[1] * balls.bat_speed
     fast = np.sqrt(np.maximum(balls.exit_speed**2 - slid**2, 1.0))
