@@ -6,11 +6,32 @@ import numpy as np
 import pytest
 from scipy.stats import norm
 
-from sweetspot.season.place_kernel import EVIDENCE, MIDDLE, SCATTER, WRONG, WRONG_RANGE, expect, weigh
+from sweetspot.season.place_kernel import (
+    EVIDENCE,
+    MIDDLE,
+    SCATTER,
+    WRONG,
+    WRONG_RANGE,
+    expect,
+    fill_products,
+    fill_variances,
+    weigh,
+)
 
 PLACES = np.linspace(0.0, 0.5, 57)
 FAST = np.where(PLACES < 0.45, 45 - 120 * (PLACES - 0.15) ** 2, np.nan)
 OUT, SPREAD, MEAN, WIDTH, LEVEL = 43.0, 0.9, 0.17, 0.045, 0.01
+
+
+def test_sums_over_terms_are_those_of_matrices() -> None:
+    """Agreement with numpy, over more balls than are worked on together."""
+    rng = np.random.default_rng(2)
+    terms, weight, root = rng.normal(size=(5, 1300)), rng.uniform(size=1300), rng.normal(size=(5, 5))
+    products, variances = np.empty((5, 5)), np.empty(1300)
+    fill_products(terms, weight, products)
+    assert products == pytest.approx(terms * weight @ terms.T, rel=1e-12)
+    fill_variances(root @ root.T, terms, variances)
+    assert variances == pytest.approx(np.diag(terms.T @ root @ root.T @ terms), rel=1e-12)
 
 
 def test_weights_of_places_are_bayes_rule_written_out() -> None:

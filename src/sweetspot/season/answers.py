@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import polars as pl
@@ -64,6 +65,22 @@ class Answers:
     contact: Contacts | None
     bat_of: NDArray[np.int64]
 
+    @cached_property
+    def carry_above(self) -> Array:
+        """Tracked distance less carry in m, of fly balls and line drives; caught balls end at a glove."""
+        flown, balls = self.flight, self.balls
+        fly = (balls.launch_angle >= FLY_BALLS[0]) & (balls.launch_angle <= FLY_BALLS[1])
+        fly &= (balls.exit_speed >= FLY_SPEED) & (balls.distance > 0)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            short = np.where(flown.home_run_parks > 0, 0.0, GLOVE / np.tan(flown.landing_angle))
+        return np.where(fly, balls.distance - (flown.carry - short), np.nan)
+
+    @cached_property
+    def home_run_kind(self) -> NDArray[np.int64]:
+        """Index into `HOME_RUN_KINDS`."""
+        parks = self.flight.home_run_parks
+        return (parks >= 1).astype(np.int64) + (parks >= MOSTLY_GONE) + (parks >= 30)
+
 
 def answers_of(rows: pl.DataFrame, setting: SeasonSetting) -> Answers:
     """Return all answers for rows that went through `rows_of`.
@@ -119,29 +136,16 @@ def answer_columns(answers: Answers, setting: SeasonSetting) -> list[pl.Series]:
 def _flight(answers: Answers) -> Iterator[tuple[OutputColumn, Array | Words]]:
     flown, balls = answers.flight, answers.balls
     here = np.isfinite(flown.launch_direction)
-    with np.errstate(invalid="ignore"):
-        parks = flown.home_run_parks
-        kind = np.select([parks >= 30, parks >= MOSTLY_GONE, parks >= 1], [3, 2, 1], 0)
     outcome = np.select([np.isnan(balls.launch_angle), ~np.isfinite(flown.carry), ~here], [1, 2, 3], 0)
     values: dict[str, Array | Words] = {
         "flight_outcome": Words(FLIGHT_OUTCOMES, outcome), "launch_direction": flown.launch_direction,
         "carry": flown.carry, "carry_spread": flown.carry_spread, "hang_time": flown.hang_time,
         "apex": flown.apex_height, "landing_angle": flown.landing_angle,
-        "carry_above": carry_above(answers), "home_run_here": flown.home_run_here,
-        "home_runs_in_30": flown.home_runs, "home_run_parks": parks,
-        "home_run_kind": Words(HOME_RUN_KINDS, kind),
+        "carry_above": answers.carry_above, "home_run_here": flown.home_run_here,
+        "home_runs_in_30": flown.home_runs, "home_run_parks": flown.home_run_parks,
+        "home_run_kind": Words(HOME_RUN_KINDS, answers.home_run_kind),
     }  # fmt: skip
     yield from ((column, values[column.name]) for column in FLIGHT)
-
-
-def carry_above(answers: Answers) -> Array:
-    """Return tracked distance less carry in m, of fly balls and line drives; caught balls end at a glove."""
-    flown, balls = answers.flight, answers.balls
-    fly = (balls.launch_angle >= FLY_BALLS[0]) & (balls.launch_angle <= FLY_BALLS[1]) & (balls.exit_speed >= FLY_SPEED)
-    fly &= balls.distance > 0
-    with np.errstate(invalid="ignore", divide="ignore"):
-        short = np.where(flown.home_run_parks > 0, 0.0, GLOVE / np.tan(flown.landing_angle))
-    return np.where(fly, balls.distance - (flown.carry - short), np.nan)
 
 
 def _contact(answers: Answers, setting: SeasonSetting) -> Iterator[tuple[OutputColumn, Array | Words]]:

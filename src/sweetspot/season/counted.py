@@ -7,9 +7,10 @@ import polars as pl
 
 from sweetspot.numerics.arrays import Array
 from sweetspot.season import contact_kernel as kernel
-from sweetspot.season.answers import Answers, carry_above
+from sweetspot.season.answers import Answers
 from sweetspot.season.contact import measures
 from sweetspot.season.headings import Headings
+from sweetspot.season.rows import by_number
 from sweetspot.units import INCH
 
 CENTRED, LINED_UP = 4 * INCH, 2 * INCH
@@ -35,12 +36,12 @@ def counted_rows(rows: pl.DataFrame, answers: Answers, headings: Headings) -> pl
     rows : that went through `rows_of` and are used.
     """
     balls, flown = answers.balls, answers.flight
-    kind = np.select([flown.home_run_parks >= 30, flown.home_run_parks >= 8, flown.home_run_parks >= 1], [3, 2, 1], 0)
     measured: dict[str, Array] = {
         "exit_speed": balls.exit_speed, "launch_angle": balls.launch_angle, "bat_speed": balls.bat_speed,
-        "direction": flown.launch_direction, "carry": flown.carry, "carry_above": carry_above(answers),
+        "direction": flown.launch_direction, "carry": flown.carry, "carry_above": answers.carry_above,
         "carry_per_drag": flown.carry_per_drag, "home_run_here": flown.home_run_here,
-        "home_runs_in_30": flown.home_runs, "home_run_kind": kind.astype(float), "bearing": balls.bearing,
+        "home_runs_in_30": flown.home_runs, "home_run_kind": answers.home_run_kind.astype(float),
+        "bearing": balls.bearing,
     }  # fmt: skip
     met = answers.contact
     if met is not None:
@@ -63,9 +64,11 @@ def counted_rows(rows: pl.DataFrame, answers: Answers, headings: Headings) -> pl
             gain = mean - balls.exit_speed
             measured[f"{WITH}{name}"] = np.where(np.abs(gain) < SAME_BAT, np.nan, gain)
     series = [pl.Series(name, values.astype(np.float32), nan_to_null=True) for name, values in measured.items()]
-    return rows.select(*groups(headings)).with_columns(
-        *series, park=_parks(answers)
-    )  # fmt: skip
+    when = {
+        "month": by_number(rows["day"], lambda day: day.dt.strftime("%Y-%m")),
+        "season": by_number(rows["season"], lambda year: year.cast(pl.String)),
+    }
+    return rows.with_columns(**when).select(*groups(headings)).with_columns(*series, park=_parks(answers))
 
 
 def timing(rows: pl.DataFrame, plate_speed: Array) -> Array:
@@ -88,7 +91,7 @@ def timing(rows: pl.DataFrame, plate_speed: Array) -> Array:
 
 
 def groups(headings: Headings) -> list[pl.Expr]:
-    """Return who and what a ball belongs to, each as text."""
+    """Return who and what a ball belongs to, each as text, of rows whose month and season are texts."""
     nothing = pl.lit(None, pl.String)
 
     def text(name: str) -> pl.Expr:
@@ -107,11 +110,11 @@ def groups(headings: Headings) -> list[pl.Expr]:
         text("batter").alias("batter"), text("batter_name").alias("batter_name"), text("pitcher").alias("pitcher"),
         text("pitcher_name").alias("pitcher_name"), batting.alias("team"), pitching.alias("fielding_team"),
         text("pitch_type").alias("pitch_type"), count.alias("count"),
-        pl.col("day").dt.strftime("%Y-%m").alias("month"), pl.col("season").cast(pl.String).alias("season"),
+        pl.col("month"), pl.col("season"),
         text("event").alias("event"), text("game").alias("game"),
     ]  # fmt: skip
 
 
 def _parks(answers: Answers) -> pl.Series:
-    names = np.array([*(park.name for park in answers.fields.parks), None], object)
-    return pl.Series("park", names[answers.fields.index].tolist(), dtype=pl.String)
+    names = pl.Series("park", [*(park.name for park in answers.fields.parks), None], dtype=pl.String)
+    return names.gather(answers.fields.index % len(names))

@@ -15,6 +15,7 @@ from sweetspot.errors import InputError
 from sweetspot.flight.air import Air
 from sweetspot.flight.park import FOUL_LINE, Park, fence_at
 from sweetspot.numerics.arrays import Array
+from sweetspot.season.rows import coded
 from sweetspot.units import DEGREE
 
 ELSEWHERE = ("S", "E", "A")
@@ -60,17 +61,23 @@ def fields_of(clubs: pl.Series | Sequence[str | None], seasons: NDArray[np.int64
     clubs : the home club's letters or name, None where not known.
     seasons : year, 0 where not known: the park of today.
     """
-    letters = pl.Series("club", clubs, dtype=pl.String)
-    pairs = pl.DataFrame([letters, pl.Series("year", seasons)]).with_row_index("ball")
+    number, known = coded(pl.Series("club", clubs, dtype=pl.String))
+    names = [*known, None]
+    club = number.fill_null(len(known)).to_numpy()
     fields: dict[Park, int] = {}
     unknown: dict[str, int] = {}
     places = np.full(len(seasons), -1, np.int64)
-    for (club, year), rows in pairs.group_by("club", "year", maintain_order=True):
-        here = home_park(str(club), int(str(year)) or None) if club else None
-        if here is None:
-            unknown[str(club or "no home team")] = unknown.get(str(club or "no home team"), 0) + len(rows)
-        else:
-            places[rows["ball"].to_numpy()] = fields.setdefault(here, len(fields))
+    for year in pl.Series(seasons).unique().sort():
+        mine = seasons == year
+        here = np.full(len(names), -1, np.int64)
+        for one in np.flatnonzero(np.bincount(club[mine], minlength=len(names))).tolist():
+            found = home_park(names[one], year or None) if names[one] else None
+            if found is None:
+                word = names[one] or "no home team"
+                unknown[word] = unknown.get(word, 0) + int((club[mine] == one).sum())
+            else:
+                here[one] = fields.setdefault(found, len(fields))
+        np.copyto(places, here[club], where=mine)
     return Fields(tuple(fields), places, unknown)
 
 

@@ -17,25 +17,26 @@ def fill_between(
     Parameters
     ----------
     axes : even nodes of the three axes.
-    table : shape (nodes of each axis, 2 k), k values in thin air and the same in thick.
+    table : shape (nodes of each axis, 6), three values in thin air and the same in thick.
     asked : (3, n); NaN counts as the first node.
     part : (n,), how far on each ball's air is from the thin one to the thick.
-    values : (k, n).
+    values : (3, n).
     """
     first, second, third = axes
-    kinds = len(values)
     for i in range(len(part)):
         a, x = _place(first, asked[0, i])
         b, y = _place(second, asked[1, i])
         c, z = _place(third, asked[2, i])
-        for kind in range(kinds):
-            values[kind, i] = 0.0
+        one, two, three = 0.0, 0.0, 0.0
+        thin, thick = 1 - part[i], part[i]
         for corner in range(8):
             p, q, r = corner >> 2, (corner >> 1) & 1, corner & 1
             weight = (x if p else 1 - x) * (y if q else 1 - y) * (z if r else 1 - z)
             node = table[a + p, b + q, c + r]
-            for kind in range(kinds):
-                values[kind, i] += weight * (node[kind] + part[i] * (node[kinds + kind] - node[kind]))
+            one += weight * (thin * node[0] + thick * node[3])
+            two += weight * (thin * node[1] + thick * node[4])
+            three += weight * (thin * node[2] + thick * node[5])
+        values[0, i], values[1, i], values[2, i] = one, two, three
 
 
 @compiled(forceinline=True, error_model="numpy")

@@ -27,8 +27,6 @@ SPRAYS: Array = np.arange(-110.0, 111.0, 5.0) * DEGREE
 BEARINGS: Array = np.arange(-90.0, 91.0, 5.0) * DEGREE
 THIN, THICK = 0.8, 1.0
 """Of the table's air: its densities; others lie on the straight line through the two."""
-KINDS = 3
-"""Values of the table in each air: bend, turn, and carry per drag."""
 
 
 @dataclass(frozen=True)
@@ -61,7 +59,7 @@ def expected_of(
     side = np.where(balls.left, -1.0, 1.0)  # a left-handed batter's ball is a right-handed one's in a mirror
     asked = np.stack([balls.exit_speed, balls.launch_angle, side * bearing])
     thick = (density / air.density - THIN) / (THICK - THIN)
-    bend, turn, per_drag = values = np.empty((KINDS, len(balls)))
+    bend, turn, per_drag = values = np.empty((3, len(balls)))
     fill_between((SPEEDS, ANGLES, BEARINGS), _table(ball, aerodynamics, air), asked, thick, values)
     return Expected(bearing + side * bend, turn, per_drag)
 

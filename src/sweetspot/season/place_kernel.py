@@ -14,6 +14,8 @@ WRONG, WRONG_RANGE = 0.01, 60.0
 """Part of the exit speeds taken as wrong readings, spread evenly over this many m/s, so that one cannot rule."""
 FARTHEST = 5.0
 """Standard deviations of the place before the exit speed is known, beyond which no place counts."""
+BLOCK = 512
+"""Balls whose sums are worked out together: their terms stay in a core's own memory."""
 ROOT_TWO_PI, HALF_ROOT = math.sqrt(2 * math.pi), math.sqrt(0.5)
 A1, A2, A3, A4, A5 = 0.254829592, -0.284496736, 1.421413741, -1.453152027, 1.061405429
 MIDDLE, SCATTER, SHARE, PRODUCT, SQUARE, EVIDENCE = range(6)
@@ -71,6 +73,52 @@ def weigh(
         rank += here * (tail if off < 0 else 1 - tail)
         sum_fast += here * work[0, k]
     return total, before, rank, sum_fast
+
+
+@compiled(nogil=True, error_model="numpy", fastmath={"contract", "nsz"})
+def fill_variances(covariance: Array, terms: Array, variances: Array) -> None:
+    """Fill the variance of each ball's sum of terms by the doubt about its weights, shape (n,).
+
+    Parameters
+    ----------
+    covariance : of the weights, shape (terms, terms), the same either way.
+    terms : shape (terms, n).
+    """
+    for first in range(0, len(variances), BLOCK):
+        sums = variances[first : first + BLOCK]
+        sums[:] = 0.0
+        for one in range(len(terms)):
+            mine = terms[one, first : first + BLOCK]
+            for other in range(one + 1):
+                its = terms[other, first : first + BLOCK]
+                weight = covariance[one, other] * (1.0 if other == one else 2.0)
+                for i in range(len(sums)):
+                    sums[i] += weight * mine[i] * its[i]
+
+
+@compiled(nogil=True, error_model="numpy", fastmath={"contract", "nsz", "reassoc"})
+def fill_products(terms: Array, weight: Array, result: Array) -> None:
+    """Fill the weighted sums over balls of all products of two terms, shape (terms, terms).
+
+    Parameters
+    ----------
+    terms : shape (terms, n).
+    weight : of each ball, shape (n,).
+    """
+    result[:] = 0.0
+    for first in range(0, len(weight), BLOCK):
+        heavy = weight[first : first + BLOCK]
+        for one in range(len(terms)):
+            mine = heavy * terms[one, first : first + BLOCK]
+            for other in range(one + 1):
+                its = terms[other, first : first + BLOCK]
+                total = 0.0
+                for i in range(len(mine)):
+                    total += mine[i] * its[i]
+                result[one, other] += total
+    for one in range(len(terms)):
+        for other in range(one):
+            result[other, one] = result[one, other]
 
 
 @compiled(nogil=True, error_model="numpy")

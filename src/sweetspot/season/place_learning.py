@@ -13,7 +13,7 @@ import numpy as np
 
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.threads import in_parts
-from sweetspot.season.place_kernel import EVIDENCE, MIDDLE, PRODUCT, SCATTER, SHARE, SQUARE, expect
+from sweetspot.season.place_kernel import EVIDENCE, MIDDLE, PRODUCT, SCATTER, SHARE, SQUARE, expect, fill_products
 from sweetspot.season.place_relation import (
     LEVEL,
     LEVEL_WIDTHS,
@@ -253,7 +253,9 @@ def _scored(terms: Array, share: Array, off: Array, beside: Array, widths: Array
 
 def _products(terms: Array, weight: Array) -> Array:
     """Return the weighted sums over balls of all products of two terms; see `summed`."""
-    return np.asarray(np.einsum("jn,kn->jk", terms * weight, terms))
+    products = np.empty((len(terms), len(terms)))
+    fill_products(np.ascontiguousarray(terms), weight, products)
+    return products
 
 
 def _along(terms: Array, values: Array) -> Array:

@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 
 from sweetspot.numerics.arrays import Array
 from sweetspot.season.balls import Balls
+from sweetspot.season.place_kernel import fill_variances
 from sweetspot.season.swing_speeds import USUAL_SPEEDS, SwingSpeeds
 from sweetspot.season.swings import ATTACK_SPREAD, USUAL_ATTACK, USUAL_TILT
 from sweetspot.units import DEGREE, INCH, MPH
@@ -219,7 +220,9 @@ def summed(terms: Array, weights: Array) -> Array:
 
 def variance_of(terms: Array, covariance: Array) -> Array:
     """Return the variance of each ball's sum by the doubt about its weights, shape (n,)."""
-    return np.asarray(np.einsum("jn,jn->n", np.einsum("ij,in->jn", covariance, terms), terms))
+    variances = np.empty(terms.shape[1])
+    fill_variances(covariance, np.ascontiguousarray(terms), variances)
+    return variances
 
 
 def scatter_of(terms: Array, weights: Array, covariance: Array) -> Array:

@@ -69,6 +69,8 @@ MISSING = {"left": pl.Boolean, "day": pl.Date}
 """What stands in every row even where a table does not tell it."""
 SELDOM = 2
 """Times that a text must stand in a column on average for it to pay to change every text once."""
+FAR = 1 << 31
+"""Whole numbers from which on each is changed by itself."""
 NUMBERS = [kind for kind in UNITS if kind != "text"]
 KEYS = (("pitch_id",), ("game", "at_bat", "pitch"))
 """What tells pitches apart, the first that a table has."""
@@ -134,13 +136,31 @@ def by_value(column: pl.Series, change: Callable[[pl.Expr], pl.Expr]) -> pl.Seri
     >>> by_value(pl.Series(["a", "b", None, "a"]), lambda text: text.str.to_uppercase()).to_list()
     ['A', 'B', None, 'A']
     """
-    codes, values = _coded(column)
+    codes, values = coded(column)
     if len(values) > len(column) // SELDOM:
         return pl.select(change(pl.lit(column))).to_series()
     return pl.select(change(pl.lit(values))).to_series().gather(codes)
 
 
-def _coded(column: pl.Series) -> tuple[pl.Series, pl.Series]:
+def by_number(column: pl.Series, change: Callable[[pl.Expr], pl.Expr]) -> pl.Series:
+    """Return what a column of whole numbers or days turns into; where they lie close together each is changed once.
+
+    Parameters
+    ----------
+    change : what becomes of a number or day.
+
+    >>> by_number(pl.Series([2024, None, 2026]), lambda number: number.cast(pl.String)).to_list()
+    ['2024', None, '2026']
+    """
+    number = column.to_physical()
+    least, most = number.min(), number.max()
+    if not (isinstance(least, int) and isinstance(most, int)) or most >= FAR or most - least > len(column) // SELDOM:
+        return pl.select(change(pl.lit(column))).to_series()
+    every = pl.Series(range(least, most + 1), dtype=number.dtype).cast(column.dtype)
+    return pl.select(change(pl.lit(every))).to_series().gather((number.cast(pl.Int64) - least).cast(pl.UInt32))
+
+
+def coded(column: pl.Series) -> tuple[pl.Series, pl.Series]:
     """Return which of its values stands in each row of a column of texts, and the values; in one pass over the rows."""
     known = pl.Categories.random()
     coded = column.cast(pl.Categorical(known))
@@ -157,11 +177,12 @@ class _Texts:
 
     def __init__(self, column: pl.Series) -> None:
         self.number: pl.Series | None = None
+        if column.dtype.is_integer():
+            self.column = by_number(column, lambda number: number.cast(pl.String))
+            return
         text = column.cast(pl.String)
         self.column = text
-        if column.dtype.is_integer():
-            return
-        codes, values = _coded(text)
+        codes, values = coded(text)
         if len(values) > len(text) // SELDOM:
             self.column = pl.select(tidy(pl.lit(text))).to_series()
             return
