@@ -9,8 +9,9 @@ import polars as pl
 import pytest
 
 from sweetspot.season import table_reader
-from sweetspot.season.parquet_footer import row_groups
+from sweetspot.season.parquet_footer import footer_of
 from sweetspot.season.table_file import TableFile, open_table
+from sweetspot.season.table_look import TableLook
 from sweetspot.season.table_reader import TableReader
 from tests.season.conftest import made_up
 
@@ -19,8 +20,29 @@ from tests.season.conftest import made_up
 def test_row_groups_are_those_that_were_written(rows: int, tmp_path: Path) -> None:
     table = tmp_path / "table.parquet"
     made_up(400).write_parquet(table, row_group_size=rows, statistics="full")
-    groups = row_groups(table)
+    groups = footer_of(table).row_groups
     assert groups == tuple(len(part) for part in made_up(400).iter_slices(rows))
+
+
+def test_ranges_are_those_of_the_columns(tmp_path: Path) -> None:
+    """Those told in every piece, and of no column that has nothing, or nothing finite, in one of them."""
+    nowhere, table = pl.int_range(pl.len()) < 150, tmp_path / "table.parquet"
+    frame = made_up(400).with_columns(
+        hc_x=pl.when(~nowhere).then("hc_x"),
+        hc_y=pl.when(pl.int_range(pl.len()) == 3).then(float("inf")).otherwise("hc_y"),
+    )
+    frame.write_parquet(table, row_group_size=100)
+    ranges = footer_of(table).ranges
+    assert {"launch_speed", "vx0", "plate_x"} < set(ranges) and not {"hc_x", "hc_y", "events"} & set(ranges)
+    assert all(ranges[name] == (frame[name].min(), frame[name].max()) for name in ranges)
+
+
+def test_a_first_look_reads_no_measurement_that_is_surely_possible(tmp_path: Path) -> None:
+    frame = made_up(400)
+    frame.with_columns(az=pl.lit(-32000.0)).write_parquet(tmp_path / "table.parquet", row_group_size=100)
+    wanted = TableLook(0, open_table(tmp_path / "table.parquet", staging=tmp_path)).wanted()
+    assert {"exit_speed", "bat_speed", "velocity_y", "acceleration_z"} < set(wanted)
+    assert not {"velocity_x", "acceleration_x", "plate_side"} & set(wanted)
 
 
 @pytest.mark.parametrize("torn", [0, 4, 8, 200])
@@ -32,7 +54,7 @@ def test_no_footer_no_row_groups(torn: int, tmp_path: Path) -> None:
     table.write_bytes(
         held[: -8 - size // 2] + (size // 2).to_bytes(4, "little") + b"PAR1" if torn == 200 else held[:torn]
     )
-    assert row_groups(table) == ()
+    assert footer_of(table) == ((), {})
 
 
 @pytest.mark.parametrize("group", [70, 100, 256, 1000])

@@ -1,23 +1,43 @@
-"""How many rows each piece of a Parquet file has: what is written of that in the file's footer.
+"""What a Parquet file's footer tells of its pieces: their rows, and between which numbers columns lie.
 
-The footer is a structure in Thrift's compact protocol; all but the pieces' rows is passed over.
+The footer is a structure in Thrift's compact protocol; everything else in it is passed over.
 """
 
 from __future__ import annotations
 
+import math
 import os
-from collections.abc import Iterator
+import struct
+from collections.abc import Iterator, Mapping
 from pathlib import Path
+from typing import NamedTuple
 
 MARK = b"PAR1"
-GROUPS, ROWS = 4, 3
-"""Fields: the file's row groups, and the rows of one of them."""
+GROUPS, CHUNKS, ROWS, ABOUT = 4, 1, 3, 3
+"""Fields: the file's row groups; the columns of one, its rows; and what is told of a column there."""
+FORM, PATH, STATISTICS, GREATEST, LEAST = 1, 3, 12, 5, 6
+"""Fields of the latter: how numbers are held, the heading, and statistics with the greatest and least value."""
+NUMBERS = {4: "<f", 5: "<d"}
+"""Forms of numbers with a point."""
 TRUE, FALSE, BYTE, DOUBLE, BINARY, LIST, SET, MAP, STRUCT = 1, 2, 3, 7, 8, 9, 10, 11, 12
 """Kinds of values; the others (4, 5 and 6) are whole numbers."""
 
 
-def row_groups(path: Path) -> tuple[int, ...]:
-    """Return the rows of each row group of a Parquet file, in order; nothing where its footer is not understood.
+class Footer(NamedTuple):
+    """What is told of the pieces of a file.
+
+    Parameters
+    ----------
+    row_groups : rows of each row group, in order.
+    ranges : least and greatest number of columns of numbers with a point, where every row group tells of them.
+    """
+
+    row_groups: tuple[int, ...]
+    ranges: Mapping[str, tuple[float, float]]
+
+
+def footer_of(path: Path) -> Footer:
+    """Return what the footer of a Parquet file tells; nothing where it is not understood.
 
     Parameters
     ----------
@@ -29,33 +49,79 @@ def row_groups(path: Path) -> tuple[int, ...]:
         end = file.read()
         size = int.from_bytes(end[:4], "little")
         if end[4:] != MARK or size > held - 8:
-            return ()
+            return Footer((), {})
         file.seek(held - 8 - size)
-        footer = _Footer(file.read(size))
+        reader = _Reader(file.read(size))
     try:
-        return tuple(footer.rows_of_groups())
-    except IndexError:  # it stops in the middle
-        return ()
+        return reader.footer()
+    except (IndexError, struct.error, UnicodeDecodeError):  # it stops in the middle, or is none
+        return Footer((), {})
 
 
-class _Footer:
+class _Reader:
     """Bytes in the compact protocol, read from the first on."""
 
     def __init__(self, held: bytes) -> None:
         self._held, self._at = held, 0
 
-    def rows_of_groups(self) -> Iterator[int]:
+    def footer(self) -> Footer:
+        rows: list[int] = []
+        ends: dict[str, list[tuple[float, float]]] = {}
+        for _ in self._each(GROUPS):
+            for field, kind in self._fields():
+                if field == ROWS:
+                    rows.append(self._signed())
+                elif field == CHUNKS:
+                    count, _ = self._list()
+                    for _ in range(count):
+                        for _ in self._only(ABOUT):
+                            name, least, most = self._column()
+                            if math.isfinite(least) and math.isfinite(most):
+                                ends.setdefault(name, []).append((least, most))
+                else:
+                    self._pass(kind)
+        return Footer(tuple(rows), {
+            name: (min(least for least, _ in all_), max(most for _, most in all_))
+            for name, all_ in ends.items() if len(all_) == len(rows)
+        })  # fmt: skip
+
+    def _column(self) -> tuple[str, float, float]:
+        """Return heading, least and greatest number of a column; NaN where they are not told."""
+        form, name = "", ""
+        ends = {LEAST: b"", GREATEST: b""}
         for field, kind in self._fields():
-            if field != GROUPS:
-                self._pass(kind)
-                continue
-            count, _ = self._list()
-            for _ in range(count):
+            if field == FORM:
+                form = NUMBERS.get(self._signed(), "")
+            elif field == PATH:
+                count, _ = self._list()
+                name = ".".join(self._binary().decode() for _ in range(count))
+            elif field == STATISTICS:
                 for inner, held in self._fields():
-                    if inner == ROWS:
-                        yield self._signed()
+                    if inner in ends:
+                        ends[inner] = self._binary()
                     else:
                         self._pass(held)
+            else:
+                self._pass(kind)
+        if not form or not all(ends.values()):
+            return name, math.nan, math.nan
+        least, most = (struct.unpack(form, ends[end])[0] for end in (LEAST, GREATEST))
+        return name, least, most
+
+    def _only(self, wanted: int) -> Iterator[None]:
+        """Pass over all fields of a structure but one, which is to be read when this yields."""
+        for field, kind in self._fields():
+            if field == wanted:
+                yield
+            else:
+                self._pass(kind)
+
+    def _each(self, wanted: int) -> Iterator[None]:
+        """Yield before each structure in a field that is a list of them."""
+        for _ in self._only(wanted):
+            count, _ = self._list()
+            for _ in range(count):
+                yield
 
     def _byte(self) -> int:
         self._at += 1
@@ -71,6 +137,11 @@ class _Footer:
     def _signed(self) -> int:
         number = self._number()
         return number >> 1 ^ -(number & 1)
+
+    def _binary(self) -> bytes:
+        size = self._number()
+        self._at += size
+        return self._held[self._at - size : self._at]
 
     def _fields(self) -> Iterator[tuple[int, int]]:
         """Yield number and kind of a structure's fields; each is to be read or passed over before the next."""

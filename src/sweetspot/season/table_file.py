@@ -21,7 +21,7 @@ import polars as pl
 from sweetspot.errors import InputError, UnwritableError, first_line
 from sweetspot.numerics.whole_files import refusal, written_whole
 from sweetspot.season.headings import DAY_FIRST, KNOWN_UNITS, Headings, headings_of, names_balls
-from sweetspot.season.parquet_footer import row_groups
+from sweetspot.season.parquet_footer import Footer, footer_of
 from sweetspot.units import grouped
 
 CSV_ENDINGS = (".csv", ".tsv", ".txt", ".csv.gz", ".tsv.gz", ".txt.gz")
@@ -102,8 +102,13 @@ class TableFile:
     @cached_property
     def row_groups(self) -> tuple[int, ...]:
         """Rows of the pieces of its data that are unpacked whole; one piece where the file does not tell."""
-        told = row_groups(self.data)
+        told = self.footer.row_groups
         return told if sum(told) == self.rows else (self.rows,)
+
+    @cached_property
+    def footer(self) -> Footer:
+        """What its data's footer tells."""
+        return footer_of(self.data)
 
     def part(self, start: int, count: int, *, headings: Sequence[str] | None = None) -> pl.DataFrame:
         """Return some rows, columns as they are; an empty measurement is a number that is missing.

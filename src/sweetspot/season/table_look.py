@@ -38,6 +38,8 @@ ENOUGH_TO_DOUBT = 30
 """Balls of a part of a table from which columns are doubted."""
 DOUBTFUL = ("exit_speed", "bat_speed", "launch_angle", "map_x", "map_y")
 """Quantities whose columns are doubted."""
+ASKED_ALWAYS = (*DOUBTFUL, "velocity_y", "release_speed", "plate_speed")
+"""Quantities of which a first look asks in which rows they are missing, or more."""
 DOUBTED = 4096
 """Balls of a part that are looked at for that, evenly drawn."""
 LEVEL, FAIR = math.radians(1.6), math.radians(50)
@@ -54,17 +56,19 @@ class TableLook:
         self.counts, self.rows = dict.fromkeys(REASONS, 0), 0
         self.days: set[date] = set()
         self.seen: dict[str, TableWarning] = {}
-        self.held: dict[str, int] = {}
         self.endings: set[str] = set()
         self.lost: dict[str, int] = {}
         held = pl.scan_parquet(table.data).collect_schema()
         columns = table.headings.columns.items()
+        self.sure = _surely_possible(table, held)
+        self.held = dict.fromkeys(self.sure, table.rows)
         self.texts = [name for name, one in columns if one.kind != "text" and not held[one.heading].is_numeric()]
 
     def wanted(self) -> list[str]:
         """Return the quantities to look at next: what is always looked at, and of what nothing was seen yet."""
         unseen = [name for name in self.table.headings.columns if not self.held.get(name)]
-        return list(dict.fromkeys((*LOOKED_AT, *self.texts, *unseen)))
+        looked_at = [name for name in LOOKED_AT if name not in self.sure]
+        return list(dict.fromkeys((*looked_at, *self.texts, *unseen)))
 
     def _note(self, name: str, rows: pl.DataFrame, condition: pl.Expr | None = None, detail: str = "") -> None:
         row = pl.col("row")
@@ -206,6 +210,21 @@ def _parts_off(headings: Headings) -> Iterator[str]:
         yield "no place of the pitch (plate_x, plate_z): the side of the bat that was met cannot be told"
     if not (here("batter") or here("batter_name")):
         yield "no batter: no table of players"
+
+
+def _surely_possible(table: TableFile, schema: pl.Schema) -> set[str]:
+    """Return measurements of which the file itself tells that all are possible and that there are some.
+
+    Of those a first look asks nothing further, and they are not read for it.
+    """
+    sure = set()
+    for name, column in table.headings.columns.items():
+        if name in POSSIBLE and name not in ASKED_ALWAYS and column.heading in table.footer.ranges:
+            least, most = POSSIBLE[name]
+            ends = sorted(column.zero + column.factor * end for end in table.footer.ranges[column.heading])
+            if least <= ends[0] <= ends[1] <= most and schema[column.heading].is_float():
+                sure.add(name)
+    return sure
 
 
 def _is_foul_tip(text: pl.Expr) -> pl.Expr:
