@@ -13,12 +13,13 @@ import pytest
 
 from sweetspot.errors import InputError
 from sweetspot.report.season.document import season_document, season_report
-from sweetspot.season import duplicates
+from sweetspot.season import duplicates, table_file
 from sweetspot.season.balls import balls_of
 from sweetspot.season.batters import require_batter
 from sweetspot.season.rows import REASONS, USED, rows_of
 from sweetspot.season.season_table import analyse_season, season_setting
 from sweetspot.season.survey import Survey, survey_tables
+from sweetspot.season.table_file import open_table
 from sweetspot.season.untracked import untracked_bias
 from tests.season.conftest import made_up
 
@@ -300,6 +301,24 @@ def test_columns_that_may_be_shifted_are_refused(tmp_path: Path, text: str, word
     assert words in look(path).faults[0][1]
     path.write_text("exit_speed_mph,launch_angle_deg\n95,10\n100,20,,\n", "utf-8")  # nothing in them
     assert look(path).counts[0][USED] == 2
+
+
+@pytest.mark.parametrize("late", ["", "95", "95.5", "1e3", "95 mph", "true", "99999999999999999999", "inf"])
+@pytest.mark.parametrize("early", ["", "90", "90.5", "word", "false"])
+def test_columns_are_what_all_lines_make_them(
+    early: str, late: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Types that the first lines suggest are given up where a later line knows better."""
+    path = tmp_path / "table.csv"
+    rows = [f"100,10,{early}"] * 6 + [f"100.5,10,{late}"] * 3
+    path.write_text("\n".join(["launch_speed,launch_angle,bat_speed", *rows]), "utf-8")
+    read = []
+    for lines in (4, 1000):
+        monkeypatch.setattr(table_file, "BEGUN", lines)
+        read.append(open_table(path, staging=tmp_path / str(lines)).part(0, 9))
+    assert read[0].equals(read[1], null_equal=True)
+    if late != "inf":  # no number by its look
+        assert read[0].schema == read[1].schema
 
 
 def test_very_many_columns(tmp_path: Path) -> None:

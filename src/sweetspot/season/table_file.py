@@ -58,6 +58,8 @@ OTHERS = {
 SLASHED = r"^\s*(\d{1,2})[/-](\d{1,2})[/-]\d{2,4}\b"
 PEEK = 1000
 """Rows in which a date is looked for that may begin with the day."""
+BEGUN = 10_000
+"""Lines whose types are tried for all lines; to look at all of them first takes twice as long as to read them."""
 FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EACCES, errno.EPERM}
 """What a system says that takes no file, or no more of it."""
 CUTS = (25_000, 40_000)
@@ -237,15 +239,10 @@ def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFil
     notes = []
     copy, target = staging / f"{path.name}.lines", staging / f"{path.name}.parquet"
     with _copying(path, staging):
-        headings = headings_of(_scanned(source, ends).collect_schema().names(), given=given, file_name=str(path))
-        told = _scanned(source, ends)
-        try:
-            _copied(told, copy)
-        except pl.exceptions.ComputeError as error:
-            if "more fields" not in str(error):
-                raise
-            _require_no_more_cells(source, ends, named=path)
-            _copied(_scanned(source, ends, cut=True), copy)
+        begun = _scanned(source, ends, lines=BEGUN).collect_schema()
+        headings = headings_of(begun.names(), given=given, file_name=str(path))
+        if not _copied_as_begun(source, ends, begun, copy):
+            _copied_as_told(source, ends, copy, named=path)
         told = pl.scan_parquet(copy)
         why = _left_out(headings, told.collect_schema())
         lines, *several = told.select(pl.len(), *(one.sum() for one in why.values())).collect().row(0)
@@ -296,9 +293,44 @@ def _copying(path: Path, staging: Path) -> Iterator[None]:
         raise InputError(f"{path} cannot be read as a table: {first_line(error)}") from None
 
 
+def _copied_as_begun(source: Path, ends: _Ends, begun: pl.Schema, copy: Path) -> bool:
+    """Return whether all rows could be written with the types that their first lines have.
+
+    Parameters
+    ----------
+    begun : what the columns are by the first lines; one that is empty there may turn out to be of any type.
+    """
+    rows = _scanned(source, ends, schema=begun)
+    texts = [name for name, kind in begun.items() if kind == pl.String]
+    try:
+        first = rows.select(texts).head(BEGUN // 2).collect()
+        empty = [name for name in texts if first[name].null_count() == len(first)]
+        _copied(rows, copy)
+    except pl.exceptions.ComputeError:
+        return False
+    return all(pl.scan_parquet(copy).select(pl.col(empty).is_null().all()).collect().row(0)) if empty else True
+
+
+def _copied_as_told(source: Path, ends: _Ends, copy: Path, *, named: Path) -> None:
+    """Write all rows with the types that all lines together have.
+
+    Parameters
+    ----------
+    named : the file that people know, for messages.
+    """
+    try:
+        told = _scanned(source, ends)
+        _copied(_scanned(source, ends, schema=told.collect_schema()), copy)
+    except pl.exceptions.ComputeError as error:
+        if "more fields" not in str(error):
+            raise
+        _require_no_more_cells(source, ends, named=named)
+        _copied(_scanned(source, ends, cut=True), copy)
+
+
 def _copied(rows: pl.LazyFrame, target: Path) -> None:
     with written_whole(target) as file:
-        rows.sink_parquet(file, row_group_size=32_768)
+        rows.sink_parquet(file, row_group_size=32_768, compression="lz4")
 
 
 def _left_out(headings: Headings, schema: pl.Schema) -> dict[str, pl.Expr]:
@@ -336,17 +368,21 @@ def _with_days(headings: Headings, frame: pl.LazyFrame) -> tuple[Headings, list[
     return headings, [f"dates in {column.heading} {what}; they are read as month, day, year"]
 
 
-def _scanned(source: Path, ends: _Ends, *, cut: bool = False) -> pl.LazyFrame:
+def _scanned(
+    source: Path, ends: _Ends, *, cut: bool = False, lines: int | None = None, schema: pl.Schema | None = None
+) -> pl.LazyFrame:
     """Return the rows; a column with anything but numbers in it stays text.
 
     Parameters
     ----------
     cut : whether cells beyond the headings are left out; otherwise they are an error.
+    lines : that are looked at for what stands in the columns; None: all.
+    schema : what the columns are, where that is known.
     """
     separator = _separator(ends.above[-1])
     return pl.scan_csv(
-        source, separator=separator, infer_schema_length=None, truncate_ragged_lines=cut, encoding="utf8-lossy",
-        null_values=MISSING, decimal_comma=separator == ";", skip_lines=len(ends.above) - 1,
+        source, separator=separator, schema=schema, infer_schema_length=lines, truncate_ragged_lines=cut,
+        encoding="utf8-lossy", null_values=MISSING, decimal_comma=separator == ";", skip_lines=len(ends.above) - 1,
     )  # fmt: skip
 
 
