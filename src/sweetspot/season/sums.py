@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import polars as pl
 
 from sweetspot.season.pooling import BALLS, MEAN, SQUARES
+from sweetspot.season.rows import by_value
 from sweetspot.units import MPH
 
 OFTEN = 8
@@ -20,9 +21,9 @@ NAMES = {"batter": "batter_name", "pitcher": "pitcher_name"}
 ALSO = ("exit_speed", "home_run_here", "home_runs_in_30", "home_run_kind", "event")
 COUNTED = (
     pl.len().alias("balls"),
-    pl.col("home_run_here").cast(pl.Float64).sum().alias("home_runs_expected"),
-    (pl.col("home_runs_in_30").cast(pl.Float64).sum() / 30).alias("home_runs_average_park"),
-    (pl.col("event").str.to_lowercase().str.replace_all("[_ ]", "") == "homerun").sum().alias("home_runs"),
+    pl.col("home_run_here").sum().alias("home_runs_expected"),
+    (pl.col("home_runs_in_30").sum() / 30).alias("home_runs_average_park"),
+    pl.col("home_runs").sum(),
     *((pl.col("home_run_kind") == number).sum().alias(name)
       for number, name in ((1, "doubters"), (2, "mostly_gone"), (3, "no_doubters"))),
 )  # fmt: skip
@@ -47,12 +48,19 @@ def group_sums(
     sums = [_Sums(key, list(schema), measures) for key in keys]
     for number, part in enumerate(parts, start=1):
         held = [name for name in part.collect_schema().names() if name in asked]
-        rows = pl.concat([nothing, part.select(held).collect()], how="diagonal")
+        rows = _made_ready(pl.concat([nothing, part.select(held).collect()], how="diagonal"))
         for one in sums:
             one.take(rows)
             if number % OFTEN == 0:
                 one.add_up()
     return {one.key: one.table(measures) for one in sums}
+
+
+def _made_ready(rows: pl.DataFrame) -> pl.DataFrame:
+    """Return rows with exact numbers, whether each ball was a home run, and the box of its exit speed."""
+    gone = by_value(rows["event"], lambda text: text.str.to_lowercase().str.replace_all("[_ ]", "") == "homerun")
+    box = (pl.col("exit_speed") / BOX).round().cast(pl.Int32)
+    return rows.with_columns(gone.alias("home_runs"), box=box).with_columns(pl.col(pl.Float32).cast(pl.Float64))
 
 
 class _Sums:
@@ -64,7 +72,7 @@ class _Sums:
         self.boxes: list[pl.DataFrame] = []
         asked = list(COUNTED)
         for measure in measures:
-            value = pl.col(measure).cast(pl.Float64)
+            value = pl.col(measure)
             asked += [value.count().alias(f"{measure} {BALLS}"), value.sum().alias(f"{measure} sum"),
                       (value * value).sum().alias(f"{measure} square")]  # fmt: skip
         if self.name in known:
@@ -76,10 +84,8 @@ class _Sums:
         if not len(rows):
             return
         self.counts.append(rows.group_by(self.key).agg(self.asked))
-        box = (pl.col("exit_speed") / BOX).round().cast(pl.Int32)
         self.boxes.append(
-            rows.group_by(self.key, box=box)
-            .agg(held=pl.col("exit_speed").count(), speeds=pl.col("exit_speed").cast(pl.Float64).sum())
+            rows.group_by(self.key, "box").agg(held=pl.col("exit_speed").count(), speeds=pl.col("exit_speed").sum())
         )  # fmt: skip
 
     def add_up(self) -> None:
