@@ -121,8 +121,9 @@ def plane_functions(t: Array) -> Array:
 
 def outward_functions(t: Array, size: Array) -> Array:
     """Return Hermite's four functions of W at t = 0 to 1 of elements of a size in m, shape (..., 4)."""
-    cubics = np.stack([1 - 3 * t**2 + 2 * t**3, t - 2 * t**2 + t**3, 3 * t**2 - 2 * t**3, t**3 - t**2], axis=-1)
-    return cubics * _slopes_last(size)
+    square, cube = t * t, t * t * t  # numpy's t**3 takes many times as long
+    cubics = [1 - 3 * square + 2 * cube, t - 2 * square + cube, 3 * square - 2 * cube, cube - square]
+    return np.stack(cubics, axis=-1) * _slopes_last(size)
 
 
 def _slopes_last(size: Array) -> Array:
