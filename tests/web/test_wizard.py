@@ -151,6 +151,40 @@ def test_the_weight_follows_the_shaft_the_wood_and_the_length(page: Page, server
     expect(page.locator(".wizard")).not_to_contain_text("kg")
 
 
+def test_what_was_answered_is_kept_until_it_lies_on_the_bench(page: Page, server: str, settled: Any) -> None:
+    """The way back, as on a phone, closes the questions; opened again, they stand as they were, in the units shown."""
+    page.goto(f"{server}/explorer?units=us")
+    settled(page)
+    page.get_by_role("link", name="Modes").first.click()
+    settled(page)
+
+    def asked() -> None:
+        page.locator("#bench-chip").click()
+        page.get_by_role("button", name="Describe another").click()
+
+    asked()
+    length, weight = page.locator("#wizard-length_in"), page.locator("#wizard-mass_oz")
+    length.fill("30")
+    length.press("Tab")
+    weight.fill("29")
+    page.go_back()
+    expect(page.locator(".wizard")).to_have_count(0)
+    settled(page)
+    asked()
+    expect(length).to_have_value("30")
+    expect(weight).to_have_value("29")
+    page.locator(".wizard").get_by_role("button", name="Close").click()
+    page.locator("input[name=units][value=si]").check()
+    settled(page)
+    asked()
+    expect(length).to_have_value("76.2")
+    expect(weight).to_have_value("822.1")
+    page.get_by_role("button", name="Put it on the bench").click()
+    expect(page.locator("#bench-chip")).to_contain_text("my bat")
+    asked()
+    expect(length).not_to_have_value("76.2")
+
+
 def test_a_refusal_tells_its_weights_in_the_reader_s_units(client: httpx.Client) -> None:
     wanted = {"sport": "golf", "pattern": "golf-driver", "material": "steel", "mass_oz": 8}
     fault = client.post("/api/v1/describe", json=wanted).json()["error"]

@@ -17,10 +17,13 @@ import { fromShown, toShown, unitOf } from "./units.js";
 
 const FIGURES = 4; // of a first value and of a bound
 
+/** @type {Wizard | null} */
+let begun = null; // closed before its answers lay on the bench: they are there when it is opened again
+
 /** @param {App} app */
 export async function wizard(app) {
   const { questions: forms } = /** @type {{ questions: Form[] }} */ (await app.lists("questions"));
-  new Wizard(app, forms).open();
+  (begun ?? new Wizard(app, forms)).open();
 }
 
 class Wizard {
@@ -44,6 +47,9 @@ class Wizard {
     this.dialog = make("dialog", { className: "wizard" });
     this.dialog.setAttribute("aria-labelledby", "wizard-title");
     this.dialog.addEventListener("close", () => this.dialog.remove());
+    this.dialog.addEventListener("input", () => { begun = this; });
+    this.units = app.units; // in which the answers stand
+    this.build();
   }
 
   /** @returns {Form} */
@@ -52,7 +58,7 @@ class Wizard {
   /** @returns {Pattern} */
   get pattern() { return this.form.patterns.find(({ key }) => key === this.built.value) ?? this.form.patterns[0]; }
 
-  open() {
+  build() {
     const here = this.forms.find(({ name, view }) => view === this.app.name && name === this.app.answer?.sport);
     if (here) this.sport.value = here.sport;
     this.like = this.row("pattern", "Built", this.built);
@@ -63,8 +69,33 @@ class Wizard {
     this.sport.addEventListener("change", () => this.anew());
     this.built.addEventListener("change", () => this.ask());
     this.anew();
+  }
+
+  // Another view, by the way back, is another page: nothing may lie over it.
+  open() {
+    this.wellAgain();
+    if (this.units !== this.app.units) this.askIn(this.app.units);
     document.body.append(this.dialog);
     this.dialog.showModal();
+    addEventListener("popstate", () => this.dialog.close(), { once: true });
+  }
+
+  // The same questions in the other units, and with them what was answered.
+  /** @param {System} units */
+  askIn(units) {
+    /** @type {Map<string, string>} */
+    const given = new Map();
+    for (const [question, { value, dataset }] of this.fields) {
+      const { field, kind, system } = question;
+      if (value === (dataset.usual ?? "")) continue;
+      given.set(field, kind && value !== "" && system === null ? String(this.shown(question, fromShown(kind, Number(value), this.units))) : value);
+    }
+    this.units = units;
+    this.ask();
+    for (const [question, field] of this.fields) {
+      field.value = given.get(question.field) ?? field.value;
+      field.dispatchEvent(new Event("change")); // others may be in proportion
+    }
   }
 
   // Another sport has other patterns, and another word for what one hits with.
@@ -203,6 +234,7 @@ class Wizard {
     try {
       const { toml, told } = await posted("/api/v1/describe", wanted);
       this.lay(toml);
+      begun = null;
       if (told[this.app.units]) this.tell(told[this.app.units]);
       else this.dialog.close();
     } catch (fault) {
