@@ -4,6 +4,7 @@ direction words agree with their signs, in either system of units."""
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import pytest
 
@@ -15,10 +16,12 @@ from sweetspot.report.bat.document import report_document
 from sweetspot.report.bat.tables import spots_table
 from sweetspot.report.bat.words import answer, misses_of
 from sweetspot.report.comparison.document import comparison_document
+from sweetspot.report.comparison.words import cork_verdict, verdict
 from sweetspot.report.document import Column, Document, Paragraph, Table
-from sweetspot.report.quantities import SYSTEMS, Reader
+from sweetspot.report.quantities import SYSTEMS, US, Reader
 from sweetspot.report.sentences import read
 from sweetspot.report.sport_words import words_of
+from sweetspot.units import MPH
 from tests.report.told import LEFT_OVER
 
 SHOWN = ("r161-ash", "single-wall", "double-wall", "composite", "youth-30", "slow-pitch", "uniform-rod",
@@ -116,8 +119,28 @@ def test_a_comparison_s_words_have_the_signs_of_its_changes() -> None:
             gain = one.bat_speed.value - comparison.reference.bat_speed.value
             assert (swung[2] == "faster") == (gain > 0)
         if "a gain" in sentence:
-            assert one.change.low > 0
+            assert one.change.low > 0 and not re.fullmatch(r"\+0\.0+", told[3])
         if "a loss" in sentence:
-            assert one.change.high < 0
+            assert one.change.high < 0 and not re.fullmatch(r"[-+]0\.0+", told[4])
         # the swing law's interval alone decides nothing, unless bats and ball are what they are said to be
         assert sentence.endswith((": the sign is not sure.", " if bats and ball are just as described."))
+
+
+@pytest.mark.parametrize(("ends", "said", "corked"), [
+    ((-1.7, -0.04), "the sign is not sure.", "cannot be told"), ((-1.7, -0.06), "a loss if", "the ball leaves slower"),
+    ((0.04, 1.7), "the sign is not sure.", "cannot be told"), ((0.06, 1.7), "a gain if", "Here it does"),
+])  # fmt: skip
+def test_an_interval_that_is_told_to_end_at_nothing_leaves_the_sign_open(
+    ends: tuple[float, float], said: str, corked: str
+) -> None:
+    """-1.7 to -0.0 mph is no loss for sure."""
+    bats = [catalog.bat(name) for name in ("r161-ash", "corked-r161")]
+    conditions = sweetspot.standard_conditions(bats[0])
+    found = sweetspot.compare(bats, conditions=conditions, law=catalog.swing_law(), labels=["unmodified", "cork"])
+    first, cork = found.compared
+    change = replace(cork.change, low=ends[0] * MPH, value=sum(ends) / 2 * MPH, high=ends[1] * MPH)
+    hair = replace(
+        found, compared=(first, replace(cork, exit_speed=change.shifted(first.exit_speed.value), change=change))
+    )
+    assert said in read(verdict(hair)[0], US)
+    assert corked in read(cork_verdict(hair)[0], US)

@@ -35,7 +35,7 @@ SHIPMENT = 2 * MPH
 PAIR = math.sqrt(2) * SHIPMENT / 3.258
 """m/s, standard deviation between two of them: the range of twelve normal draws is 3.258 of theirs on average."""
 CLEARLY, LIKELY = 2.5758, 1.2816
-"""Standard deviations above which a gain is seen, and likely: 995 and 90 in 100 of a normal doubt lie below."""
+"""Standard deviations above which a gain, or loss, is seen, and likely: 99.5 and 90 % of a normal doubt lie below."""
 TOWARDS_END = 2 * INCH
 """m from the tip, where it is told what a design costs who meets the ball there."""
 
@@ -50,7 +50,8 @@ class Verdict(StrEnum):
     SEEN = "a gain that you could see"
     LIKELY = "likely a gain, yet too small to see"
     HIDDEN = "no gain that you could see"
-    LOSS = "a loss"
+    LIKELY_LOSS = "likely a loss, yet too small to see"
+    LOSS = "a loss that you could see"
 
 
 @dataclass(frozen=True)
@@ -113,12 +114,13 @@ class Gain:
 
     @property
     def verdict(self) -> Verdict:
-        """What of the gain can be said: seen only where the interval clearly leaves zero out."""
-        if self.expected > CLEARLY * self.spread:
-            return Verdict.SEEN
-        if self.expected > LIKELY * self.spread:
-            return Verdict.LIKELY
-        return Verdict.LOSS if self.expected < -self.doubt else Verdict.HIDDEN
+        """What of the gain can be said: seen only where the interval clearly leaves zero out; a loss alike."""
+        size = abs(self.expected)
+        if size > CLEARLY * self.spread:
+            return Verdict.SEEN if self.expected > 0 else Verdict.LOSS
+        if size > LIKELY * self.spread:
+            return Verdict.LIKELY if self.expected > 0 else Verdict.LIKELY_LOSS
+        return Verdict.HIDDEN
 
     @property
     def balls_needed(self) -> int | None:

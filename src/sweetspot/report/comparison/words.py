@@ -18,7 +18,7 @@ PUBLISHED_EFFICIENCY = (0.214, 0.193)
 PUBLISHED_BREAK_EVEN = 2.9 * MPH
 """m/s of bat speed that follows from these two at a 94 mph pitch and 70 mph of bat speed."""
 NOTHING = 0.05 * MPH
-"""m/s that is told as 0.0 mph: no gain, no loss."""
+"""m/s that is told as 0.0 mph: no gain, no loss; an interval that begins there leaves the sign open."""
 INTERVAL_MEANS = "90 % of the spread of the swing law's exponent, and nothing else"
 
 
@@ -136,9 +136,9 @@ def _sentence(compared: Compared[Implement], first: Compared[Implement], index: 
     text += say("{speed} {way}", speed=_change(abs(change.value)), way="faster" if change.value > 0 else "slower")
     if change.low < change.high:
         text += say(" ({ends})", ends=_ends(change.low, change.high))
-    if change.low <= 0 <= change.high:
-        return text + ": the sign is not sure."
-    return text + say(": a {gain}{given}.", gain="gain" if change.low > 0 else "loss", given=given)
+    if change.low > NOTHING or change.high < -NOTHING:
+        return text + say(": a {gain}{given}.", gain="gain" if change.low > 0 else "loss", given=given)
+    return text + ": the sign is not sure."
 
 
 def _ends(low: float, high: float) -> Sentence:
@@ -161,9 +161,9 @@ def _answer(
     swung += "."
     net = say("Net change of the exit speed: {change}.", change=within(change, "speed_change", sign=True))
     given = f",{_if_as_described(comparison)}" if by_law else ""
-    if change.high < 0:
+    if change.high < -NOTHING:
         end = f"No{given}: the ball leaves slower. What remains is a quicker, later swing, which is not computed here."
-    elif change.low > 0:
+    elif change.low > NOTHING:
         end = f"Here it does{given}."
     else:
         unknown = "the spread of what players do" if by_law else "what is not known"

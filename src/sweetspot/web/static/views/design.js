@@ -29,15 +29,15 @@ const key = (/** @type {{ name: string, ending: string }} */ { name, ending }) =
 const capital = (/** @type {string} */ words) => words[0].toUpperCase() + words.slice(1);
 const ELSEWHERE = ["league", "want", "also_want", "generations", "seed", "swings_csv"]; // what the gain does not depend on
 
-// What of a gain can be said: seen only where the interval clearly leaves zero out.
+// What of a gain can be said: seen only where the interval clearly leaves zero out; a loss alike.
 /**
  * @param {number} change
- * @param {{ words: Record<string, string>, seen_from_m_s: number, likely_from_m_s: number, half_interval_m_s: number }} given
+ * @param {{ words: Record<string, string>, seen_from_m_s: number, likely_from_m_s: number }} given
  */
-function verdictOf(change, { words, seen_from_m_s: clearly, likely_from_m_s: likely, half_interval_m_s: doubt }) {
-  if (change > clearly) return words.seen;
-  if (change > likely) return words.likely;
-  return change < -doubt ? words.loss : words.hidden;
+function verdictOf(change, { words, seen_from_m_s: clearly, likely_from_m_s: likely }) {
+  if (Math.abs(change) > clearly) return change > 0 ? words.seen : words.loss;
+  if (Math.abs(change) > likely) return change > 0 ? words.likely : words.likely_loss;
+  return words.hidden;
 }
 
 /** @type {View} */
