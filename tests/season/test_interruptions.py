@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shlex
 import shutil
 import signal
@@ -211,7 +212,8 @@ def test_a_disk_that_is_really_full_keeps_what_is_done(
     if ended.returncode in (1, 77) and "sweetspot" not in ended.stderr:
         pytest.skip("this system lets nobody mount a disk of their own")
     assert ended.returncode == 0, ended.stderr
-    assert "0003-0000000000.parquet cannot be written: no space left on device; make room" in ended.stderr
+    told = r"/\d{4}-0000000000.parquet cannot be written: no space left on device; make room"
+    assert re.search(told, ended.stderr), ended.stderr  # which of them depends on who of the threads is first
     assert files_of(tmp_path / "kept") == whole
 
 

@@ -7,13 +7,15 @@ from typing import Any
 
 import numpy as np
 import pytest
+from PIL import Image
 from scipy.ndimage import gaussian_filter
 
+from sweetspot.calibration.outline.outline_file import read_outline
 from sweetspot.calibration.outline.photo.edges import smooth
 from sweetspot.calibration.outline.photo.photo_outline import PhotoOutline, read_photo
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
-from tests.photographs import BAT, BLACK, BLUE, GREEN, GREY, WALNUT, WHITE, rendered, saved
+from tests.photographs import ASH, BAT, BLACK, BLUE, GREEN, GREY, WALNUT, WHITE, rendered, saved
 
 SHARED = Path(__file__).parents[4] / "shared" / "data"
 INCH = 0.0254
@@ -142,10 +144,10 @@ def test_an_unknown_camera_makes_diameters_less_sure(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("how", "message"),
     [
-        ({"pixel": 0.8e-3}, "no bat"),  # does not fit into the picture
         ({"wood": (0.93, 0.93, 0.92), "noise": 0.02}, "no bat"),  # white on white
         ({"wood": BLACK, "ground": (0.16, 0.16, 0.17), "angle": 17}, "no darker than a shadow"),
         ({"wood": WALNUT, "ground": (0.25, 0.17, 0.12), "angle": 17}, "does not show where the bat ends"),
+        ({"pixel": 0.8e-3}, "left and right border"),
     ],
 )
 def test_no_bat(tmp_path: Path, how: dict[str, Any], message: str) -> None:
@@ -166,6 +168,89 @@ def test_refusals(tmp_path: Path) -> None:
         read_photo(tmp_path / "text.jpg", length=0.86)
     with pytest.raises(InputError, match="no such file"):
         read_photo(tmp_path / "none.jpg", length=0.86)
+
+
+SMALL: dict[str, Any] = {"size": 500, "pixel": 2.2e-3}
+
+
+@pytest.mark.parametrize("quality", [60, 75, 90])
+@pytest.mark.parametrize("grey", [0.16, 0.2])
+def test_black_on_dark_grey_is_refused_at_any_quality(tmp_path: Path, grey: float, quality: int) -> None:
+    """What a JPEG's blocks make of dark colours was taken for hue: diameters were 6 to 9 mm off, a third of them within
+    the interval."""
+    path = saved(
+        tmp_path / "bat.jpg", rendered(wood=BLACK, ground=(grey, grey, grey + 0.01), angle=17), quality=quality
+    )
+    with pytest.raises(InputError, match="no darker than a shadow"):
+        read_photo(path, length=BAT.length)
+
+
+def test_where_a_bat_is_cut_off(tmp_path: Path) -> None:
+    whole = rendered(**SMALL)
+    for name, part in (("right", whole[:, :420]), ("left", whole[:, 80:])):
+        with pytest.raises(InputError, match=f"picture's {name} border"):
+            read_photo(saved(tmp_path / "cut.png", part), length=BAT.length)
+    turned = np.rot90(whole)[80:]
+    with pytest.raises(InputError, match="picture's upper border"):
+        read_photo(saved(tmp_path / "cut.png", turned), length=BAT.length)
+
+
+@pytest.mark.parametrize("wood", [ASH, BLACK])
+def test_two_bats_are_refused(tmp_path: Path, wood: tuple[float, float, float]) -> None:
+    two = rendered(**SMALL)
+    two[:190] = np.roll(rendered(wood=wood, **SMALL), -120, axis=0)[:190]
+    with pytest.raises(InputError, match="two bats"):
+        read_photo(saved(tmp_path / "two.png", two), length=BAT.length)
+
+
+def test_pictures_in_which_nothing_is_to_be_seen(tmp_path: Path) -> None:
+    """They ended in numpy's words."""
+    flat, clear = np.full((400, 400, 3), 0.8), np.zeros((400, 400, 4))
+    clear[100:300, 100:300, :3] = 1
+    for values, message in ((flat, "one colour"), (0 * flat, "one colour"), (clear, "transparent everywhere")):
+        with pytest.raises(InputError, match=message):
+            read_photo(saved(tmp_path / "flat.png", values), length=BAT.length)
+    Image.fromarray(rendered(**SMALL)[..., 0] > 0.8).save(tmp_path / "bits.png")
+    with pytest.raises(InputError, match="black and white"):
+        read_photo(tmp_path / "bits.png", length=BAT.length)
+    for name in ("bat.heic", "bat.jpg"):
+        (tmp_path / name).write_bytes(b"\0\0\0\x18ftypheic\0\0\0\0mif1heic" + bytes(3000))
+        with pytest.raises(InputError, match="HEIC"):
+            read_outline(tmp_path / name, length=BAT.length)
+
+
+def test_grey_pictures_of_other_numbers_than_bytes(tmp_path: Path) -> None:
+    """A black bat on white, whose shape is told by light alone: as its bytes tell, within their rounding."""
+    grey = rendered(wood=BLACK, **SMALL).mean(axis=2)
+    Image.fromarray((255 * grey + 0.5).astype(np.uint8)).save(tmp_path / "8.png")
+    Image.fromarray((65535 * grey).astype(np.uint16)).save(tmp_path / "16.png")
+    Image.fromarray((65535 * grey).astype(np.uint16)).save(tmp_path / "16.tif")
+    Image.fromarray(grey.astype(np.float32)).save(tmp_path / "f.tif")
+    plain = misses(read_photo(tmp_path / "8.png", length=BAT.length, camera_distance=1e6))
+    assert np.abs(plain).max() < 2.4e-3  # a pixel is 2.2 mm
+    for name in ("16.png", "16.tif", "f.tif"):
+        off = misses(read_photo(tmp_path / name, length=BAT.length, camera_distance=1e6))
+        assert np.abs(off - plain).max() < 1e-4, name
+    Image.fromarray(np.where(grey > 0.5, np.nan, grey).astype(np.float32)).save(tmp_path / "f.tif")
+    with pytest.raises(InputError, match="no grey"):
+        read_photo(tmp_path / "f.tif", length=BAT.length)
+    Image.fromarray((255 * rendered(**SMALL).mean(axis=2)).astype(np.uint8)).save(tmp_path / "ash.png")
+    with pytest.raises(InputError, match="no colours"):
+        read_photo(tmp_path / "ash.png", length=BAT.length)
+
+
+def test_sizes_that_no_bat_has(tmp_path: Path) -> None:
+    """They ended in numpy's words, or in a bat 80 mm too thick."""
+    path = saved(tmp_path / "bat.png", rendered(ruler=0.305, **SMALL))
+    for length in (0.0, -1.0, float("nan"), float("inf"), 0.01, 10.0):
+        with pytest.raises(InputError, match=r"--length was given as .* allowed is 0.3 to 1.3 m"):
+            read_photo(path, length=length)
+    for ruler in (-1.0, float("nan"), 3.05):
+        with pytest.raises(InputError, match="--ruler was given"):
+            read_photo(path, ruler=ruler)
+    for ruler in (0.06, 1.0):
+        with pytest.raises(InputError, match="by this scale the bat is"):
+            read_photo(path, ruler=ruler)
 
 
 @pytest.mark.skipif(not (SHARED / "caliper_bat.jpg").exists(), reason="the shared photograph is not here")

@@ -14,6 +14,8 @@ from sweetspot.errors import InputError
 
 TABLES, DRAWINGS = (".csv", ".txt", ".tsv"), (".svg", ".dxf")
 PHOTOGRAPHS = (".jpg", ".jpeg", ".png", ".tif", ".tiff", ".webp", ".bmp")
+HEIF = (".heic", ".heif")
+"""Photographs that are not read, and told how to be saved."""
 ENDINGS = TABLES + DRAWINGS + PHOTOGRAPHS
 
 
@@ -33,7 +35,7 @@ def read_outline(
         for another ending, and when the file holds no outline.
     """
     ending = path.suffix.lower()
-    if ending in PHOTOGRAPHS:
+    if ending in PHOTOGRAPHS + HEIF:
         return read_photo(path, length=length, ruler=ruler, camera_distance=camera_distance)
     if ruler is not None or camera_distance is not None:
         raise InputError(f"--ruler and --camera-distance are for photographs; {path} is none")

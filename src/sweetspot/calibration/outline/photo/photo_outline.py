@@ -11,8 +11,8 @@ from sweetspot.calibration.outline.measured_outline import Outline, knob_first, 
 from sweetspot.calibration.outline.photo.edges import Edges, find_edges, sharp_ends
 from sweetspot.calibration.outline.photo.ground import differences
 from sweetspot.calibration.outline.photo.picture import Picture, read_picture
-from sweetspot.calibration.outline.photo.silhouette import find_bat, find_ruler, find_shapes
-from sweetspot.equipment.bat import DIAMETER_RANGE
+from sweetspot.calibration.outline.photo.silhouette import Shape, cut_off, find_bat, find_ruler, find_shapes
+from sweetspot.equipment.bat import DIAMETER_RANGE, LENGTH_RANGE
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 
@@ -27,6 +27,8 @@ TOO_UNSETTLED = 0.05
 handle, which is 40 % of its stiffness (assumed)."""
 WHOLE = 0.95
 """Of a bat's length, that is to be seen where shadows do not count."""
+RULER_RANGE = (0.05, 2.0)
+"""m of a ruler."""
 LENGTH_ERROR, RULER_ERROR = 1.5e-3, 1e-3
 """m, one sigma of a bat's length as people give it, and of a ruler's (assumed)."""
 END_HEIGHT = 0.7
@@ -79,18 +81,22 @@ def read_photo(
     """
     if (length is None) == (ruler is None):
         raise InputError(f"{path} needs a scale: give the bat's --length, or the length of a --ruler beside it")
+    for name, size, (least, most) in (("length", length, LENGTH_RANGE), ("ruler", ruler, RULER_RANGE)):
+        if size is not None and not least <= size <= most:
+            raise InputError(f"--{name} was given as {size:g} m; allowed is {least:g} to {most:g} m")
     if camera_distance is not None and not camera_distance >= NEAREST:
         raise InputError(f"--camera-distance was given as {camera_distance:g} m; allowed is {NEAREST:g} m or more")
     picture = read_picture(path)
     with_shadows, without = differences(picture)
     surely = list(find_shapes(without))
     shapes = [*surely, *find_shapes(with_shadows)]
-    bat = find_bat(shapes, picture.name)
-    if not any(one.like_a_bat and one.length > WHOLE * bat.length for one in surely):
+    if not any(one.like_a_bat for one in shapes) and (cut := cut_off(with_shadows)):
         raise InputError(
-            f"{picture.name} shows a bat no darker than a shadow on this ground, and of its colour: where it ends and "
-            "its own shadow begins cannot be told. Lay it on a lighter ground, or one of another colour"
+            f"{picture.name} shows something long that ends at the picture's {' and '.join(cut)} border; take all of "
+            "the bat, with some ground around it"
         )
+    bat = find_bat(shapes, picture.name)
+    _check_no_shadow(picture, bat, surely)
     colours = picture.colours
     edges = find_edges(colours, without, bat, shadows=not picture.painted)
     _check_seen(edges, picture.name)
@@ -105,6 +111,28 @@ def read_photo(
     lens = None if picture.focal_length is None else picture.focal_length * scale
     away = camera_distance if camera_distance is not None else lens
     return _measured(picture, edges, scale, scale_error, length=length, away=away, on_ground=ruler is not None)
+
+
+def _check_no_shadow(picture: Picture, bat: Shape, surely: list[Shape]) -> None:
+    """Refuse a bat that is seen as a shadow would be.
+
+    Raises
+    ------
+    InputError
+        when where shadows do not count no bat as long as this is seen.
+    """
+    if any(one.like_a_bat and one.length > WHOLE * bat.length for one in surely):
+        return
+    if picture.grey:
+        raise InputError(
+            f"{picture.name} has no colours, and shows a bat no darker than a shadow on this ground: where it ends and "
+            "its own shadow begins cannot be told. Give a photograph in colour, or lay it on a much lighter or much "
+            "darker ground"
+        )
+    raise InputError(
+        f"{picture.name} shows a bat no darker than a shadow on this ground, and of its colour: where it ends and its "
+        "own shadow begins cannot be told. Lay it on a lighter ground, or one of another colour"
+    )
 
 
 def _check_seen(edges: Edges, name: str) -> None:
@@ -144,9 +172,15 @@ def _measured(
     unsettled = edges.unsettled
     if not np.array_equal(place, seen):  # the first end is the tip
         place, unsettled = (reach - seen)[::-1], unsettled[::-1]
+    if not LENGTH_RANGE[0] <= reach <= LENGTH_RANGE[1] or width.max() > DIAMETER_RANGE[1]:
+        raise InputError(
+            f"{picture.name}: by this scale the bat is {1e3 * reach:.0f} mm long and {1e3 * width.max():.0f} mm thick; "
+            f"allowed are {1e3 * LENGTH_RANGE[0]:g} to {1e3 * LENGTH_RANGE[1]:g} and at most "
+            f"{1e3 * DIAMETER_RANGE[1]:g}. Check --length or --ruler, and that nothing lies beside the bat"
+        )
     hooked = _hooked(place[-1] - place, width)
     inside = (place > 0) & (place < reach)
-    place, width = place[inside], np.clip(width[inside], *DIAMETER_RANGE)
+    place, width = place[inside], np.maximum(width[inside], DIAMETER_RANGE[0])
     place = np.concatenate([[0], place, [reach]])
     width, unsettled = (np.concatenate([one[:1], one, one[-1:]]) for one in (width, unsettled[inside]))
     tolerance = TOLERANCE

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
@@ -31,6 +32,12 @@ PAINTED, MOSTLY = 2.5 / 255, 0.98
 """A ground no farther than this from one colour nearly everywhere was painted by a program, which mixes colours."""
 SEEN = 0.5
 """Opacity from which on a pixel is no ground."""
+FLAT = 2
+"""Of 255: a picture whose colours differ by no more shows nothing."""
+HEIF = (b"heic", b"heix", b"hevc", b"heim", b"heis", b"mif1", b"msf1")
+"""Brands of a file of ISO's base media format that hold a photograph by HEVC, as telephones write them."""
+RANGES = (1.0, 255.0, 65535.0)
+"""Greatest values of a picture of other numbers than bytes: the least of them that holds all is white."""
 
 
 @dataclass(frozen=True)
@@ -54,6 +61,11 @@ class Picture:
     def shape(self) -> tuple[int, int]:
         """Rows and columns."""
         return self.pixels.shape[0], self.pixels.shape[1]
+
+    @property
+    def grey(self) -> bool:
+        """Whether it has no colours."""
+        return bool(np.ptp(self.pixels, axis=2).max() == 0)
 
     @property
     def painted(self) -> bool:
@@ -86,6 +98,7 @@ def read_picture(path: Path) -> Picture:
     from PIL import Image, ImageOps, UnidentifiedImageError
 
     check_ordinary(path, most=LARGEST, advice="give a photograph as a camera writes it")
+    _refuse_heif(path)
     try:
         with _untold(Image.DecompressionBombWarning), Image.open(path) as file:
             if file.width * file.height > MOST_PIXELS:
@@ -95,7 +108,11 @@ def read_picture(path: Path) -> Picture:
                     f"{path} is nearly empty for its {file.width} x {file.height} pixels; give a photograph"
                 )
             exif = file.getexif().get_ifd(EXIF)
+            if file.mode == "1":
+                raise InputError(f"{path} is black and white and no grey; give the photograph as the camera wrote it")
             image = ImageOps.exif_transpose(file)
+            if image.mode[0] in "IF":
+                image = Image.fromarray(_bytes_of(np.asarray(image, dtype=np.float64), path))
             opaque = image.convert("RGBA") if image.has_transparency_data else image.convert("RGB")
     except InputError:
         raise
@@ -108,9 +125,57 @@ def read_picture(path: Path) -> Picture:
         opaque.thumbnail((LONGEST_SIDE, LONGEST_SIDE))
     if min(opaque.size) < 2 or max(opaque.size) < SHORTEST_SIDE:
         raise InputError(f"{path} has {opaque.width} x {opaque.height} pixels; a bat needs at least {SHORTEST_SIDE}")
+    _check_shown(np.asarray(opaque), path)
     pixels = np.asarray(opaque, dtype=np.float64) / 255
     opacity = pixels[..., 3] if pixels.shape[2] == 4 and pixels[..., 3].min() < SEEN else None
     return Picture(path.name, pixels[..., :3], opacity, _focal_length(exif, opaque.size))
+
+
+def _refuse_heif(path: Path) -> None:
+    """Refuse what telephones write and only some programs read, whatever its name.
+
+    Raises
+    ------
+    InputError
+        when the file is one.
+    """
+    with suppress(OSError), path.open("rb") as file:  # whoever opens it next says why it cannot be read
+        begin = file.read(12)
+        if begin[4:8] == b"ftyp" and begin[8:] in HEIF:
+            raise InputError(
+                f"{path} is HEIC, as telephones write it; save it as JPEG (an iPhone takes JPEGs with Settings, "
+                "Camera, Formats, Most Compatible)"
+            )
+
+
+def _bytes_of(values: Array, path: Path) -> NDArray[np.uint8]:
+    """Return grey values of 16 bits or as fractions as bytes.
+
+    Raises
+    ------
+    InputError
+        when they are no grey values.
+    """
+    if not np.isfinite(values).all() or values.min() < 0 or values.max() > RANGES[-1]:
+        raise InputError(
+            f"{path} holds values that are no grey, {values.min():g} to {values.max():g}; save it as JPEG or PNG"
+        )
+    white = next(one for one in RANGES if values.max() <= one)
+    return np.asarray(255 * values / white + 0.5, dtype=np.uint8)
+
+
+def _check_shown(colours: NDArray[np.uint8], path: Path) -> None:
+    """Refuse a picture in which nothing is to be seen.
+
+    Raises
+    ------
+    InputError
+        when it has one colour, or is transparent, everywhere.
+    """
+    if colours.shape[2] == 4 and colours[..., 3].max() < SEEN * 255:
+        raise InputError(f"{path} is transparent everywhere; give the photograph as the camera wrote it")
+    if (colours.max(axis=(0, 1)) - colours.min(axis=(0, 1))).max() <= FLAT:
+        raise InputError(f"{path} has one colour everywhere; give a photograph of the bat on a plain ground")
 
 
 @contextmanager

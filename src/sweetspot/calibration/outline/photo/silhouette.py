@@ -24,6 +24,15 @@ BARREL_OVER_HANDLE = 1.25
 RULER_EVEN = 1.12
 TRIES = (1.0, 0.6, 0.35, 1.5)
 """Of the threshold between ground and not ground that divides both best."""
+FAINTEST = 0.05
+"""Least such threshold: what rounding of dark colours and a JPEG's blocks make of the difference is less (measured on
+made-up photographs, a black bat on dark grey: 0.01 to 0.03; what could be told was above 0.07)."""
+CUT = 0.3
+"""Of a picture's longer side, at least, of what is told to be cut off at its border."""
+NEIGHBOUR = 0.6
+"""Of the bat's length, from which on what looks like a bat beside it is another one."""
+Box = tuple[slice, ...]
+"""The rows and columns of a piece."""
 INNER = slice(12, 88)
 """Hundredths of the length without the ends."""
 
@@ -63,27 +72,62 @@ class Shape:
 
 def find_shapes(difference: Array) -> Iterator[Shape]:
     """Yield the slender things that differ from the ground, by several thresholds."""
-    import scipy.ndimage
-
-    factor = max(1, round(max(difference.shape) / COARSE))
-    rows, columns = (size // factor * factor for size in difference.shape)
-    coarse = difference[:rows, :columns].reshape(rows // factor, factor, columns // factor, factor).mean(axis=(1, 3))
-    best = otsu(coarse)
-    for part in TRIES:
-        mask = scipy.ndimage.binary_opening(coarse > part * best, iterations=1)
-        labels, _ = scipy.ndimage.label(mask, structure=np.ones((3, 3)))
-        for index, box in enumerate(scipy.ndimage.find_objects(labels), start=1):
-            inside = scipy.ndimage.binary_fill_holes(labels[box] == index)
-            touches = any(edge.start == 0 or edge.stop == size for edge, size in zip(box, mask.shape, strict=True))
-            if inside is None or inside.sum() < SMALLEST * mask.size or touches:
-                continue
+    coarse, factor = _coarse(difference)
+    for inside, box in _pieces(coarse):
+        if not _borders(box, coarse):
             shape = _shape(inside, np.array([box[1].start, box[0].start]), factor)
             if shape is not None:
                 yield shape
 
 
+def cut_off(difference: Array) -> tuple[str, ...]:
+    """Return the picture's borders at which something long and slender ends that differs from the ground."""
+    coarse, factor = _coarse(difference)
+    cut: tuple[str, ...] = ()
+    longest = CUT * max(coarse.shape) * factor
+    for inside, box in _pieces(coarse):
+        borders = _borders(box, coarse)
+        shape = _shape(inside, np.zeros(2), factor) if borders else None
+        if shape is not None and shape.length > longest:
+            cut, longest = borders, shape.length
+    return cut
+
+
+def _coarse(difference: Array) -> tuple[Array, int]:
+    """Return the means of squares of pixels, and how many pixels wide these are."""
+    factor = max(1, round(max(difference.shape) / COARSE))
+    rows, columns = (size // factor * factor for size in difference.shape)
+    squares = difference[:rows, :columns].reshape(rows // factor, factor, columns // factor, factor)
+    return np.asarray(squares.mean(axis=(1, 3))), factor
+
+
+def _pieces(coarse: Array) -> Iterator[tuple[NDArray[np.bool_], Box]]:
+    """Yield what hangs together and is not small, without its holes, and where it lies, by several thresholds."""
+    import scipy.ndimage
+
+    best = otsu(coarse)
+    for level in (part * best for part in TRIES):
+        if not level >= FAINTEST:
+            continue
+        labels, _ = scipy.ndimage.label(
+            scipy.ndimage.binary_opening(coarse > level, iterations=1), structure=np.ones((3, 3))
+        )
+        for index, box in enumerate(scipy.ndimage.find_objects(labels), start=1):
+            inside = scipy.ndimage.binary_fill_holes(labels[box] == index)
+            if inside is not None and inside.sum() >= SMALLEST * coarse.size:
+                yield inside, box
+
+
+def _borders(box: Box, coarse: Array) -> tuple[str, ...]:
+    """Return at which borders of the picture a piece ends."""
+    (top, bottom), (left, right) = ((edge.start, edge.stop) for edge in box)
+    rows, columns = coarse.shape
+    ends = {"left": left == 0, "right": right == columns, "upper": top == 0, "lower": bottom == rows}
+    return tuple(name for name, there in ends.items() if there)
+
+
 def otsu(values: Array) -> float:
-    """Return the threshold that divides values best into two groups (Otsu's, in 256 steps)."""
+    """Return the threshold that divides values best into two groups (Otsu's, in 256 steps); 0 where all are alike."""
     top = float(np.quantile(values, 0.9995))
     counts, edges = np.histogram(np.clip(values, 0, top), bins=256, range=(0, max(top, 1e-9)))
     middles = (edges[1:] + edges[:-1]) / 2
@@ -92,7 +136,8 @@ def otsu(values: Array) -> float:
     sums = np.cumsum(counts * middles)
     with np.errstate(divide="ignore", invalid="ignore"):
         between = below * above * (sums / below - (sums[-1] - sums) / above) ** 2
-    return float(middles[int(np.nanargmax(between[:-1]))])
+    parted = between[:-1]
+    return float(middles[int(np.nanargmax(parted))]) if np.isfinite(parted).any() else 0.0
 
 
 def _shape(inside: NDArray[np.bool_], corner: Array, factor: int) -> Shape | None:
@@ -124,12 +169,12 @@ def _shape(inside: NDArray[np.bool_], corner: Array, factor: int) -> Shape | Non
 
 
 def find_bat(shapes: list[Shape], name: str) -> Shape:
-    """Return the shape that is a bat: straight, alike on both sides, thick at one end; of several the largest.
+    """Return the shape that is a bat: straight, alike on both sides, thick at one end.
 
     Raises
     ------
     InputError
-        when nothing looks like a bat.
+        when nothing looks like a bat, or two things do.
     """
     bats = [one for one in shapes if one.like_a_bat]
     if not bats:
@@ -138,7 +183,21 @@ def find_bat(shapes: list[Shape], name: str) -> Shape:
             "above and without hard shadows"
         )
     longest = max(one.length for one in bats)
-    return min((one for one in bats if one.length > 0.97 * longest), key=lambda one: one.wander)
+    bat = min((one for one in bats if one.length > 0.97 * longest), key=lambda one: one.wander)
+    if any(one.length > NEIGHBOUR * longest and _beside(one, bat) for one in bats):
+        raise InputError(f"{name} shows two bats; photograph each alone")
+    return bat
+
+
+def _beside(one: Shape, bat: Shape) -> bool:
+    """Return whether the middle of a shape lies outside the bat, and that of the bat outside the shape."""
+
+    def outside(middle: Array, other: Shape) -> bool:
+        along = (other.end - other.start) / other.length
+        reach, aside = (middle - other.start) @ along, (middle - other.start) @ np.array([-along[1], along[0]])
+        return not 0 < reach < other.length or abs(aside) > other.width.max() / 2
+
+    return outside((one.start + one.end) / 2, bat) and outside((bat.start + bat.end) / 2, one)
 
 
 def find_ruler(shapes: list[Shape], bat: Shape, name: str) -> Shape:
