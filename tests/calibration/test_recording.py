@@ -88,6 +88,33 @@ def test_the_delay_of_the_filter_is_taken_back() -> None:
     assert np.argmax(np.abs(thinned.samples)) / thinned.rate == pytest.approx(0.125, abs=1 / thinned.rate)
 
 
+def test_a_recording_that_was_broken_off_is_read_to_its_end(tmp_path: Path) -> None:
+    """A recorder writes how long its WAV is when it ends: until then it says 0."""
+    import soundfile
+
+    samples = 0.1 * np.sin(np.arange(4000))
+    path = tmp_path / "whole.wav"
+    soundfile.write(path, samples, 44100, subtype="PCM_24")
+    whole = path.read_bytes()
+    data = whole.index(b"data")
+    broken = tmp_path / "broken.wav"
+    broken.write_bytes(whole[:4] + bytes(4) + whole[8 : data + 4] + bytes(4) + whole[data + 8 :])
+    assert np.array_equal(read_recording(broken).samples, read_recording(path).samples)
+    broken.write_bytes(whole[: data + 4] + bytes(4))
+    with pytest.raises(InputError, match="holds no sound"):
+        read_recording(broken)
+
+
+def test_samples_that_are_no_numbers_are_counted(tmp_path: Path) -> None:
+    import soundfile
+
+    samples = 0.1 * np.sin(np.arange(4000))
+    samples[[7, 9]] = np.nan, np.inf
+    soundfile.write(tmp_path / "torn.wav", samples, 44100, subtype="FLOAT")
+    with pytest.raises(InputError, match="has 2 of 4,000 samples that are no numbers"):
+        read_recording(tmp_path / "torn.wav")
+
+
 def test_bad_files_are_refused(tmp_path: Path) -> None:
     import soundfile
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import math
+import struct
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -75,7 +76,9 @@ class Recording:
 
 
 def read_recording(path: Path) -> Recording:
-    """Return a sound file (WAV, FLAC, OGG, MP3, AIFF, a phone's M4A, AAC, 3GP); of several channels the loudest.
+    """Return a sound file (WAV, FLAC, OGG, MP3, AIFF, a phone's M4A, AAC, 3GP, a browser's WebM).
+
+    Of several channels it is the loudest.
 
     Raises
     ------
@@ -86,8 +89,10 @@ def read_recording(path: Path) -> Recording:
     channels, rate, lossy = _of_phone(path) if path.suffix.lower() in OF_PHONES else _of_sound_file(path)
     if rate < SLOWEST_RATE:
         raise InputError(f"{path} has {rate:g} samples per second; allowed is {SLOWEST_RATE:g} or more")
-    if not len(channels) or not np.isfinite(channels).all():
+    if not len(channels):
         raise InputError(f"{path} holds no sound; record at least one tap")
+    if wrong := int((~np.isfinite(channels)).any(axis=1).sum()):
+        raise InputError(f"{path} has {wrong:,} of {len(channels):,} samples that are no numbers; export it anew")
     loudest = int(np.argmax(np.var(channels, axis=0)))
     samples = channels[:, loudest]
     if not np.ptp(samples):
@@ -100,13 +105,34 @@ def _of_sound_file(path: Path) -> tuple[Array, float, bool]:
     import soundfile
 
     try:
-        with soundfile.SoundFile(path) as sound:
+        with soundfile.SoundFile(_mended(path)) as sound:
             _check_length(path, sound.frames, rate=sound.samplerate, channels=sound.channels)
             channels = sound.read(dtype="float64", always_2d=True)
             return channels, float(sound.samplerate), sound.subtype.startswith(LOSSY)
     except (soundfile.SoundFileError, OSError, RuntimeError) as error:
         reason = str(error).rpartition(": ")[2].rstrip(".")
         raise InputError(f"{path} cannot be read as a sound: {reason}; record WAV, FLAC, OGG, MP3 or M4A") from None
+
+
+def _mended(path: Path) -> Path | io.BytesIO:
+    """Return a file; where a recorder was stopped before it wrote how long its WAV is, the file with that length."""
+    with path.open("rb") as file:
+        form, _, kind = struct.unpack("<4sI4s", (file.read(12) + bytes(12))[:12])
+        if (form, kind) != (b"RIFF", b"WAVE"):
+            return path
+        while len(head := file.read(8)) == 8:
+            name, size = struct.unpack("<4sI", head)
+            if name == b"data":
+                begin, end = file.tell(), file.seek(0, io.SEEK_END)
+                if size or end == begin:
+                    return path
+                file.seek(0)
+                whole = bytearray(file.read())
+                struct.pack_into("<I", whole, 4, end - 8)
+                struct.pack_into("<I", whole, begin - 4, end - begin)
+                return io.BytesIO(whole)
+            file.seek(size + size % 2, io.SEEK_CUR)
+    return path
 
 
 def _of_phone(path: Path) -> tuple[Array, float, bool]:

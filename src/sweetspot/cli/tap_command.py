@@ -77,7 +77,9 @@ DEFAULT_TAPPED, DEFAULT_LISTENING, DEFAULT_SYNTHESIS = TappedOptions(), Listenin
 
 
 def tap(
-    recordings: Annotated[list[Path] | None, Parameter(help="Sound files of taps: WAV, FLAC, OGG, MP3, M4A.")] = None,
+    recordings: Annotated[
+        list[Path] | None, Parameter(help="Sound files of taps: WAV, FLAC, OGG, MP3, M4A, WebM.")
+    ] = None,
     /,
     *,
     tapped: TappedOptions = DEFAULT_TAPPED,
