@@ -203,6 +203,22 @@ def test_draws_follow_the_covariance(posterior: Posterior) -> None:
     np.testing.assert_allclose(np.cov(draws.T), posterior.covariance, atol=0.06 * np.max(posterior.covariance))
 
 
+def test_a_trial_bat_that_cannot_hang_ends_no_fit(maple: Bat, line: BeamModel) -> None:
+    """54 g at the knob where 5 are expected: on the way to it the fit tries a bat that balances within its handle."""
+    unknowns = unknowns_of(maple)
+    far = 1.5 * truth(unknowns, 131)
+    found = calibrate(line, unknowns, measured(deviated(line, unknowns, far), bending=(), seed=10_131))
+    knob = [one.name for one in unknowns].index("knob_mass")
+    assert abs(found.deviations[knob] - far[knob]) < 1.645 * np.sqrt(found.covariance[knob, knob])
+    assert list(found.contradictions) == ["expected knob_mass"]
+
+
+def test_a_bat_that_cannot_hang_as_described_is_refused(maple: Bat, line: BeamModel) -> None:
+    beyond = Measurement("period", Measured(1.5, 0.002), axis=0.7)
+    with pytest.raises(InputError, match="hang it from the handle"):
+        calibrate(line, unknowns_of(maple), [beyond])
+
+
 def test_refusals(maple: Bat, line: BeamModel) -> None:
     with pytest.raises(InputError, match="nothing was measured"):
         calibrate(line, unknowns_of(maple), [])

@@ -40,6 +40,8 @@ FARTHEST_NAME = 0.3
 HARDLY = 0.02
 """Part of a source's own variance that the others must leave it, for it to be able to contradict them. The bat meets
 one that has less, unless contradictions elsewhere draw it away: then it is off by its own errors."""
+IMPOSSIBLE = (InputError, np.linalg.LinAlgError)
+"""What is raised of deviations that no bat can have."""
 
 
 @dataclass(frozen=True)
@@ -251,7 +253,7 @@ def calibrate(line: BeamModel, unknowns: Sequence[Unknown], measurements: Sequen
 
     try:
         most_likely = _least_squares(at_all, len(unknowns))
-    except (InputError, np.linalg.LinAlgError) as error:
+    except IMPOSSIBLE as error:
         raise InputError(f"nothing of this kind comes near what was measured: {error}") from None
     steps = STEP * np.eye(len(unknowns))
     after, before = np.split(at_all(np.vstack([most_likely + steps, most_likely - steps])), 2)
@@ -281,7 +283,9 @@ def _least_squares(at_all: Callable[[Array], Array], count: int) -> Array:
     """Return the unknowns, in their spreads, whose misses have the least sum of squares, shape (count,).
 
     What scale, pendulum and tap say is nearly linear in them, so that a few of Gauss's and Newton's steps arrive. Where
-    they lead too far or do not shrink fast, the measurements contradict each other, and scipy looks within bounds.
+    they lead too far or do not shrink fast, or to a bat that cannot be, the measurements contradict each other or are
+    unusual, and scipy looks within bounds. To it a bat that cannot be, or cannot hang, is infinitely far off: it takes
+    shorter steps.
 
     Parameters
     ----------
@@ -294,8 +298,8 @@ def _least_squares(at_all: Callable[[Array], Array], count: int) -> Array:
         return each[0], np.asarray((each[1:] - each[0]).T / STEP)
 
     x, former = np.zeros(count), np.inf
+    off, slopes = with_slopes(x)
     while True:
-        off, slopes = with_slopes(x)
         change = np.linalg.lstsq(slopes, -off)[0]
         x, largest = x + change, float(np.abs(change).max())
         if largest < ARRIVED and np.all(np.abs(x) < FARTHEST):
@@ -303,10 +307,17 @@ def _least_squares(at_all: Callable[[Array], Array], count: int) -> Array:
         if largest > former / 2 or np.any(np.abs(x) > FARTHEST):
             break
         former = largest
+        try:
+            off, slopes = with_slopes(x)
+        except IMPOSSIBLE:
+            break
     from scipy.optimize import least_squares
 
     def misses(x: Array) -> Array:
-        return np.asarray(at_all(x[None])[0])
+        try:
+            return np.asarray(at_all(x[None])[0])
+        except IMPOSSIBLE:
+            return np.full(len(off), np.inf)
 
     def slopes_at(x: Array) -> Array:
         return with_slopes(x)[1]
