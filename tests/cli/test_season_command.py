@@ -44,6 +44,13 @@ def test_tables_in_answers_out(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert (players["gain_with_mlb_a_reliability"] <= 1).all() and "gain_with_r161_ash_mph" not in players.columns
     data = json.loads((out / "season.json").read_text("utf-8"))
     assert sum(data["tables"][0]["ledger"].values()) == data["tables"][0]["rows"] == 300
+    (tried,) = data["other_bats"]  # all balls together; with the very bat that they were hit with nothing was tried
+    with_it = (balls["exit_speed_with_mlb_a_mph"] - balls["launch_speed"]).drop_nulls().to_numpy()
+    low, high = (balls[f"exit_speed_with_mlb_a_{end}_mph"].drop_nulls().to_numpy().mean() for end in ("low", "high"))
+    assert tried["bat"] == "mlb-a" and tried["balls"] == len(with_it)
+    assert tried["gain_m_s"] == pytest.approx(with_it.mean() * 0.44704, abs=1e-4)
+    assert tried["high_m_s"] - tried["low_m_s"] == pytest.approx((high - low) * 0.44704, abs=1e-4)
+    assert "With mlb-a the same swings would have given" in " ".join(shown.out.split())
     assert set(pl.read_parquet(out / "ledger")["table"]) == {"table.csv"}  # rows of several tables are told apart
     assert (out / "season.html").exists() and (out / "season.png").exists()
 

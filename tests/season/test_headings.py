@@ -9,8 +9,15 @@ import polars as pl
 import pytest
 from polars.testing import assert_frame_equal
 
+from sweetspot import catalog
 from sweetspot.errors import InputError
+from sweetspot.report import html
+from sweetspot.report.quantities import US
+from sweetspot.report.season.document import season_document, season_report
+from sweetspot.report.season.one_player import player_page
+from sweetspot.season.batters import require_batter
 from sweetspot.season.headings import headings_of, quantities
+from sweetspot.season.made_up import MadeSeason, made_season
 from sweetspot.season.season_table import analyse_season, season_columns, season_setting
 from tests.season.conftest import made_up
 
@@ -187,3 +194,43 @@ def test_a_frame_that_holds_lists_is_refused_as_a_file_is() -> None:
     nested = made_up().with_columns(launch_speed=pl.concat_list("launch_speed"))
     with pytest.raises(InputError, match="column launch_speed holds List"):
         season_columns(nested, setting=season_setting(contact=False))
+
+
+def test_a_club_s_feed_needs_no_inference_of_the_place(tmp_path: Path) -> None:
+    """Where along the bat a ball was met is what the feed says, within its error, whatever side of the best place."""
+    bat = catalog.bat("r161-ash")
+    truth = made_season(bat, MadeSeason(players=6, balls=60))
+    feed = truth.select(
+        Batter=pl.format("Batter, {}", "batter"), Pitcher=pl.format("Pitcher, {}", "pitcher"),
+        ExitSpeed="launch_speed", Angle="launch_angle", BatSpeed="bat_speed", BatAttackAngle="attack_angle",
+        BatAxialOffset=6.0 - pl.col("true_from_tip_in"), RelSpeed="release_speed", truth="true_from_tip_in",
+    )  # fmt: skip
+    feed.write_csv(tmp_path / "club.csv")
+    season = analyse_season([tmp_path / "club.csv"], folder=tmp_path / "out")
+    balls = season.balls().filter(pl.col("contact_outcome") == "ok").collect()
+    off = balls["from_tip_in"] - balls["truth"]
+    assert len(balls) > 300 and off.abs().median() < 0.35 and off.abs().max() < 2.0  # type: ignore[operator]
+    sure = balls.filter((balls["truth"] - balls["best_from_tip_in"]).abs() > 1.0)
+    tip_side = sure["truth"] < sure["best_from_tip_in"]
+    assert ((sure["tip_side"] > 0.5) == tip_side).mean() > 0.97  # type: ignore[operator]
+    assert "the side of the bat that was met" not in str([one.detail for one in season.survey.warnings])
+    data = season_document(season_report(season)).data
+    assert not any("Which side" in words for words in data["cannot_tell"])
+
+
+def test_who_has_no_number_goes_by_his_name(tmp_path: Path) -> None:
+    """And where no park is known, and no event, home runs are missing: nobody was counted to hit none."""
+    frame = trackman().select(
+        "ExitSpeed", "Angle", Batter=pl.format("Batter, {}", "BatterId"), Pitcher=pl.lit("Pitcher, One"),
+    )  # fmt: skip
+    frame.write_csv(tmp_path / "table.csv")
+    require_batter([tmp_path / "table.csv"], "Batter, 600001")
+    season = analyse_season([tmp_path / "table.csv"], setting=season_setting(contact=False), folder=tmp_path / "out")
+    report = season_report(season)
+    players = report.standings["batter"].table
+    assert players["batter"].to_list() == [f"Batter, {600_000 + number}" for number in range(6)]
+    assert report.standings["pitcher"].table.select("pitcher", "balls").rows() == [("Pitcher, One", 60)]
+    counted = ["home_runs_expected", "home_runs", "home_runs_average_park", "doubters"]
+    assert players.select(counted).null_count().row(0) == (6,) * len(counted)
+    page = html.page(player_page(report, "Batter, 600001"), US)
+    assert "10 balls in play" in page and "Home runs:" not in page

@@ -176,7 +176,8 @@ def _answered(season: Season, output: OutputOptions, player: str | None) -> int:
     report = season_report(season)
     if output.out is not None:
         written = write_tables(report, output.out)
-        print(f"sweetspot: wrote {output.out}: folders balls, ledger, counted; {', '.join(written)}", file=sys.stderr)
+        tables = f"; {', '.join(written)}" if written else ""
+        print(f"sweetspot: wrote {output.out}: folders balls, ledger, counted{tables}", file=sys.stderr)
     document = season_document(report) if player is None else player_page(report, player)
     code = present(document, output, long=True)
     code = max(code, int(bool(season.survey.faults)))

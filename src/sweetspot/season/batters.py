@@ -35,7 +35,7 @@ def require_batter(paths: Sequence[Path], batter: str, *, given: Mapping[str, st
     found = _batters(paths, given)
     if found is None:
         return
-    if not found[BATTER]:
+    if not any(found.values()):
         raise InputError("no table has a column of batters, so there is no player to tell of")
     if batter not in found[BATTER] and batter not in found[NAME]:
         raise unknown_batter(batter, found[BATTER] if batter.isdigit() else found[NAME] or found[BATTER])

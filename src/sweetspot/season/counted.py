@@ -91,7 +91,10 @@ def timing(rows: pl.DataFrame, plate_speed: Array) -> Array:
 
 
 def groups(headings: Headings) -> list[pl.Expr]:
-    """Return who and what a ball belongs to, each as text, of rows whose month and season are texts."""
+    """Return who and what a ball belongs to, each as text, of rows whose month and season are texts.
+
+    Who has no number goes by his name.
+    """
     nothing = pl.lit(None, pl.String)
 
     def text(name: str) -> pl.Expr:
@@ -103,11 +106,12 @@ def groups(headings: Headings) -> list[pl.Expr]:
         top = pl.col("half_inning").str.to_lowercase().str.starts_with("t")
         batting = pl.coalesce(batting, pl.when(top).then(pl.col("away_team")).otherwise(pl.col("home_team")))
         pitching = pl.coalesce(pitching, pl.when(top).then(pl.col("home_team")).otherwise(pl.col("away_team")))
+    batter, pitcher = (pl.coalesce(text(who), text(f"{who}_name")) for who in ("batter", "pitcher"))
     count = nothing
     if headings.has("balls", "strikes"):
         count = pl.concat_str([pl.col("balls"), pl.col("strikes")], separator="-")
     return [
-        text("batter").alias("batter"), text("batter_name").alias("batter_name"), text("pitcher").alias("pitcher"),
+        batter.alias("batter"), text("batter_name").alias("batter_name"), pitcher.alias("pitcher"),
         text("pitcher_name").alias("pitcher_name"), batting.alias("team"), pitching.alias("fielding_team"),
         text("pitch_type").alias("pitch_type"), count.alias("count"),
         pl.col("month"), pl.col("season"),

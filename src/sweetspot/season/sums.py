@@ -18,6 +18,12 @@ TOP = 0.8
 """Quantile from which on balls are a group's hardest: EV20 is their mean."""
 NAMES = {"batter": "batter_name", "pitcher": "pitcher_name"}
 """Columns that hold the names of what is grouped by."""
+TOLD_BY = {
+    "home_runs_expected": "home_run_here", "home_runs": "home_runs", "home_runs_average_park": "home_runs_in_30",
+    "doubters": "home_runs_in_30", "mostly_gone": "home_runs_in_30", "no_doubters": "home_runs_in_30",
+}  # fmt: skip
+"""What a group's home runs are counted by: where it is known of none of its balls, their number is missing, not 0."""
+TOLD = "told "
 ALSO = ("exit_speed", "home_run_here", "home_runs_in_30", "home_run_kind", "event")
 COUNTED = (
     pl.len().alias("balls"),
@@ -26,6 +32,7 @@ COUNTED = (
     pl.col("home_runs").sum(),
     *((pl.col("home_run_kind") == number).sum().alias(name)
       for number, name in ((1, "doubters"), (2, "mostly_gone"), (3, "no_doubters"))),
+    *(pl.col(name).count().alias(TOLD + name) for name in dict.fromkeys(TOLD_BY.values())),
 )  # fmt: skip
 
 
@@ -106,8 +113,10 @@ class _Sums:
                  for measure, count in zip(measures, several, strict=True)]  # fmt: skip
         about = [(pl.col(f"{measure} square") - pl.col(f"{measure} sum") ** 2 / count).clip(0)
                  .alias(f"{measure} {SQUARES}") for measure, count in zip(measures, several, strict=True)]  # fmt: skip
-        gone = [f"{measure} {what}" for measure in measures for what in ("sum", "square")]
-        return table.with_columns(*means, *about).drop(gone)
+        told = [pl.when(pl.col(TOLD + by) > 0).then(pl.col(name)).alias(name) for name, by in TOLD_BY.items()]
+        gone = [*(f"{measure} {what}" for measure in measures for what in ("sum", "square")),
+                *(name for name in table.columns if name.startswith(TOLD))]  # fmt: skip
+        return table.with_columns(*means, *about, *told).drop(gone)
 
     def _hardest(self) -> pl.DataFrame:
         """Return the mean of the hardest fifth of each group; of the box that it begins in, as many as belong to it."""

@@ -206,7 +206,7 @@ def _parts_off(headings: Headings) -> Iterator[str]:
         yield "no bat speed (bat_speed): nothing of bats"
     elif not here("attack_angle"):
         yield "no attack angle (attack_angle): the usual one stands in, and offsets are three times less sure"
-    if here("bat_speed") and not here("plate_side", "plate_height"):
+    if here("bat_speed") and not (here("axial_offset") or here("plate_side", "plate_height")):
         yield "no place of the pitch (plate_x, plate_z): the side of the bat that was met cannot be told"
     if not (here("batter") or here("batter_name")):
         yield "no batter: no table of players"

@@ -17,6 +17,7 @@ from sweetspot.report.quantities import Reader
 from sweetspot.report.season.left_over import KINDS, left_over_by, left_over_words
 from sweetspot.report.sentences import Sentence, Slot, say, within
 from sweetspot.season.counted import WITH
+from sweetspot.season.gains import Gain, gains_of
 from sweetspot.season.maps import known_sum
 from sweetspot.season.place_relation import PlaceRelation
 from sweetspot.season.rows import REASONS, USED
@@ -43,9 +44,12 @@ NO_FOULS = (
     "Fouls and misses have no exit speed in public tables, so nothing per contact or per swing can be told; timing "
     "needs the place of the bat in time, which tables seldom hold."
 )
-CANNOT = (
+SIDE = (
     "Which side of the best place one ball was met on is told by the pitch's place alone; tip_side near 0.5 says that "
-    "it cannot be told.",
+    "it cannot be told."
+)
+CANNOT = (
+    SIDE,
     NO_FOULS,
     "Without a bat of each player every ball is judged against one bat; a ceiling then is that bat's, not the player's "
     "own.",
@@ -67,6 +71,7 @@ class SeasonReport:
     standings : tables of groups.
     drag : by month.
     untracked : how the balls without exit speed bias the mean.
+    gains : with the bats that were tried.
     counted : groups and measures of the balls.
     drawn : of them evenly some, where they are many: for pictures, drag and what is left over of distances.
     """
@@ -75,6 +80,7 @@ class SeasonReport:
     standings: Mapping[str, Standing]
     drag: tuple[DragOfMonth, ...]
     untracked: Untracked | None
+    gains: tuple[Gain, ...]
     counted: pl.LazyFrame
     drawn: pl.LazyFrame
 
@@ -86,8 +92,9 @@ def season_report(season: Season) -> SeasonReport:
     balls = sum(counts[USED] for counts in season.survey.counts)
     drawn = counted if balls <= MOST_DRAWN else counted.gather_every(-(-balls // MOST_DRAWN))
     return SeasonReport(
-        season, all_standings(parts), drag_by_month(drawn), untracked_bias(season.survey), counted, drawn
-    )
+        season, all_standings(parts), drag_by_month(drawn), untracked_bias(season.survey),
+        tuple(gains_of(season)), counted, drawn,
+    )  # fmt: skip
 
 
 def season_document(report: SeasonReport) -> Document:
@@ -104,7 +111,9 @@ def season_document(report: SeasonReport) -> Document:
         details.append(_drag(report.drag))
     if words := left_over_words(report.drawn):
         details.append(Section("left_over", "Tracked distance less carry", [Paragraph(one) for one in words]))
-    details += [_groups(report), Section("cannot", "What such tables cannot tell", [Bullets(CANNOT)])]
+    if (groups := _groups(report)).rows:
+        details.append(groups)
+    details.append(Section("cannot", "What such tables cannot tell", [Bullets(cannot_tell(season))]))
     drawing = Picture("season", partial(_drawn, report), label=PICTURED)
     players = report.standings.get("batter")
     return Document(
@@ -112,6 +121,12 @@ def season_document(report: SeasonReport) -> Document:
         data=season_json(report), rows={} if players is None else players.table.to_dict(as_series=False),
         passed=not faults,
     )  # fmt: skip
+
+
+def cannot_tell(season: Season) -> tuple[str, ...]:
+    """Return what the tables of a season cannot tell; one that measures places along the bat tells the side."""
+    measured = all(table.headings.has("axial_offset") for table in season.survey.tables)
+    return tuple(words for words in CANNOT if words != SIDE or not measured)
 
 
 def _headline(report: SeasonReport) -> list[Sentence]:
@@ -130,6 +145,12 @@ def _headline(report: SeasonReport) -> list[Sentence]:
             told.append(_league_s(means))
         told.append(say("Balls are met {distance} from the best place on average.",
                         distance=Slot(means["from_best"], "offset")))  # fmt: skip
+    told += [
+        say("With {bat} the same swings would have given {gain} of exit speed on average, over {balls} balls.",
+            bat=one.bat, gain=within(Interval(one.mean, one.low, one.high), "speed_change", digits=1, sign=True),
+            balls=grouped(one.balls))
+        for one in report.gains
+    ]  # fmt: skip
     if season.setting.contact is not None and season.setting.contact.relation.balls:
         told.append(_relation(season.setting.contact.relation))
     elif season.setting.contact is not None:
@@ -239,7 +260,7 @@ def _players(players: Standing) -> Block:
         [
             str(row.get("name") or row["batter"]), grouped(row['balls']),
             *(_pooled(row, name) for name in listed),
-            f"{row['home_runs_expected']:.1f}",
+            None if row["home_runs_expected"] is None else f"{row['home_runs_expected']:.1f}",
         ]
         for row in table.iter_rows(named=True)
     ]  # fmt: skip
@@ -273,8 +294,9 @@ def _groups(report: SeasonReport) -> Table:
     for name, spread in ({} if players is None else players.spreads).items():
         if spread.groups:
             label = MEASURES[name][1] if name in MEASURES else f"gain with {name.removeprefix(WITH)}"
-            trust = (float(spread.reliability(count)) for count in (34, 100, 400))
-            rows.append([label, grouped(spread.groups), *(None if np.isnan(part) else part for part in trust)])
+            trust = [float(spread.reliability(count)) for count in (34, 100, 400)]
+            if np.isfinite(trust).any():
+                rows.append([label, grouped(spread.groups), *(None if np.isnan(part) else part for part in trust)])
     return Table("Reliability: how well so many balls of a player tell him from the others", columns, rows)
 
 
@@ -302,11 +324,15 @@ def season_json(report: SeasonReport) -> dict[str, Any]:
             {"bat": surface.bat.name, "speed_error_m_s": surface.speed_error, "angle_error_rad": surface.angle_error}
             for surface in (*contact.surfaces, *(other.surface for other in contact.others))
         ],
+        "other_bats": [
+            {"bat": one.bat, "balls": one.balls, "gain_m_s": one.mean, "low_m_s": one.low, "high_m_s": one.high}
+            for one in report.gains
+        ],
         "drag": [asdict(one) for one in report.drag],
         "left_over": {kind: left_over_by(report.drawn, kind).to_dicts() for kind in KINDS},
         "scatter": {key: {name: asdict(spread) for name, spread in one.spreads.items()}
                     for key, one in report.standings.items()},
-        "cannot_tell": list(CANNOT),
+        "cannot_tell": list(cannot_tell(season)),
     })  # fmt: skip
 
 

@@ -11,7 +11,7 @@ from sweetspot.errors import InputError
 from sweetspot.report.document import Block, Bullets, Cell, Column, Document, Paragraph, Picture, Table
 from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.quantities import Reader
-from sweetspot.report.season.document import CANNOT, NO_FOULS, SeasonReport
+from sweetspot.report.season.document import NO_FOULS, SeasonReport, cannot_tell
 from sweetspot.report.sentences import Slot, joined, say
 from sweetspot.season.batters import unknown_batter
 from sweetspot.season.counted import WITH
@@ -44,21 +44,31 @@ def player_page(report: SeasonReport, batter: str) -> Document:
     name = str(row.get("name") or f"Player {number}")
     drawing = Picture("player", partial(_drawn, report, number, name), label=f"Balls of {name}.",
                       sheet=partial(_drawn, report, number, ""))  # fmt: skip
-    homers = ", ".join(f"{grouped(row[key])} {one if row[key] == 1 else several}" for key, one, several in KINDS)
     balls = "1 ball" if row["balls"] == 1 else f"{grouped(row['balls'])} balls"
-    words = say(
-        "{balls} in play with an exit speed, the hardest fifth at {ev20} on average. {expected} home runs "
-        "expected in the parks they were hit in, {real} hit; {homers}.",
-        balls=balls, ev20=Slot(row["ev20"], "speed"), expected=f"{row['home_runs_expected']:.1f}",
-        real=grouped(row['home_runs']), homers=homers,
-    )  # fmt: skip
-    cannot = CANNOT if row.get("squared_up") is not None else (NO_FOULS,)
+    words = joined([
+        say("{balls} in play with an exit speed, the hardest fifth at {ev20} on average.", balls=balls,
+            ev20=Slot(row["ev20"], "speed")),
+        *_home_runs(row),
+    ])  # fmt: skip
+    cannot = cannot_tell(report.season) if row.get("squared_up") is not None else (NO_FOULS,)
     blocks: list[Block] = [Paragraph(words), _measures(row), drawing, *_bats(row), Bullets(cannot)]
     return Document(
         name=f"player-{number}", title=name, kind="Season of a player", blocks=blocks, drawing=drawing,
         data=cleaned(dict(row)),
         rows={key: [value] for key, value in row.items()},
     )  # fmt: skip
+
+
+def _home_runs(row: dict[str, Any]) -> list[str]:
+    """Return what is known of a player's home runs, in words."""
+    told = []
+    if row["home_runs_expected"] is not None:
+        told.append(f"{row['home_runs_expected']:.1f} expected in the parks they were hit in")
+    if row["home_runs"] is not None:
+        told.append(f"{grouped(row['home_runs'])} hit")
+    kinds = [f"{grouped(row[key])} {one if row[key] == 1 else several}"
+             for key, one, several in KINDS if row[key] is not None]  # fmt: skip
+    return [f"Home runs: {'; '.join(filter(None, (', '.join(told), ', '.join(kinds))))}."] if told or kinds else []
 
 
 def _row_of(players: pl.DataFrame, batter: str) -> dict[str, Any]:
