@@ -408,6 +408,20 @@ def test_why_here_adds_up_and_is_what_the_report_says(client: httpx.Client) -> N
     assert any("What a miss costs" in one for one in told["si"])
 
 
+def test_where_a_ball_is_touched_twice_is_told_and_its_numbers_agree(client: httpx.Client) -> None:
+    """Speeds jump where second touches begin: what is told of a place is of that place, not between neighbours."""
+    bat = {"bat": "fast-pitch"}
+    found = client.post("/api/v1/explorer", json={**bat, "impact_from_tip_in": 16}).json()
+    assert found["hit"]["touched_again"]["us"]
+    assert found["difference_m_s"]["whole"] == pytest.approx(-found["lost_m_s"], abs=0.05)
+    elsewhere = client.post("/api/v1/explorer", json={**bat, "impact_from_tip_in": 8}).json()
+    assert not elsewhere["hit"]["touched_again"]["us"]
+    [told] = elsewhere["touched_again"]["us"]
+    assert "hits it again" in told and "to 16.0 in from the tip" in told
+    wooden = client.post("/api/v1/explorer", json={}).json()
+    assert wooden["touched_again"]["us"] == []
+
+
 def test_modules_are_sent_without_their_comments_line_by_line(client: httpx.Client) -> None:
     from sweetspot.web.files import FOLDER
 

@@ -105,6 +105,8 @@ def test_a_chart_puts_numbers_where_its_axis_says(run: Callable[[str], Any]) -> 
         run("m.units.toShown('position_m', 0.1, 'si')")
     )
     assert run("(() => { const lines = [[1, null], [2, 3]]; m.chartpaint.stack(lines); return lines[1]; })()") == [3, 3]
+    assert run("(() => { const two = [[null], [null]]; m.chartpaint.stack(two); return two[1]; })()") == [None]
+    assert run("m.chartpaint.stretches([null, 1, 2, null, null, 3])") == [[1, 2], [5, 5]]
 
 
 def test_pictures_as_svg_are_what_a_canvas_would_draw(run: Callable[[str], Any]) -> None:

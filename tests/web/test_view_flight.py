@@ -164,3 +164,10 @@ def test_how_sure_a_flight_is(start: str) -> None:
 def test_a_missed_ball_is_not_sure_of_anything() -> None:
     with pytest.raises(FieldError, match="misses"):
         flight.sure(FlightState(start="swing", offset_in=2.5, bat="russell-b1", impact_from_tip_in=20))
+
+
+def test_the_chosen_park_has_one_chance() -> None:
+    """In the headline and among all parks, whose airs are told from a few."""
+    found = asked()
+    [row] = [row for row in found["parks"] if row["park"] == found["park"]["name"]]
+    assert row["chance"] == found["chance"]

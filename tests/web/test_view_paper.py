@@ -116,4 +116,4 @@ def test_numbers_in_words_are_in_the_readers_units(question: str) -> None:
     assert not re.search(r"\d (in|ft|mph)\b", told["si"])
     assert not re.search(r"\d (m|cm|m/s)\b", told["us"])
     if question == "corking":
-        assert "corked 1 in x 10 in" in told["us"] and "corked 2.5 cm x 25.4 cm" in told["si"]
+        assert "corked 1 in by 10 in" in told["us"] and "corked 2.5 cm by 25.4 cm" in told["si"]

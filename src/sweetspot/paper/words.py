@@ -58,4 +58,4 @@ def miles_per_hour(speed: float) -> Number:
 
 def metres(height: float, text: str) -> Number:
     """Return a height in m, told with a text of the chain in m."""
-    return Number(height, "distance", f"{text} m", 2)
+    return Number(height, "place", f"{text} m", 1)

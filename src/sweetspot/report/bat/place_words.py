@@ -42,14 +42,20 @@ class SpeedDifference:
         return self.motion + self.giving + self.keeping
 
 
-def speed_difference(scan: Scan, position: float, *, best: float) -> SpeedDifference:
-    """Return what the exit speed at a place (m from the knob end) owes to what, against the best place."""
+def speed_difference(scan: Scan, position: float, *, best: float, exit_speed: float | None = None) -> SpeedDifference:
+    """Return what the exit speed at a place (m from the knob end) owes to what, against the best place.
+
+    Parameters
+    ----------
+    exit_speed : m/s of a hit at that very place, where one was made; None: between the neighbours in the scan, which
+        is wrong next to where a ball begins to be touched twice, since exit speeds jump there.
+    """
 
     def at(values: Array, place: float) -> float:
         return float(np.interp(place, scan.position, values))
 
     rigid = at(scan.rigid_exit_speed, position) - at(scan.rigid_exit_speed, best)
-    real = at(scan.exit_speed, position) - at(scan.exit_speed, best)
+    real = (at(scan.exit_speed, position) if exit_speed is None else exit_speed) - at(scan.exit_speed, best)
     motion = (1 + at(scan.rigid_efficiency, best)) * (at(scan.bat_speed, position) - at(scan.bat_speed, best))
     return SpeedDifference(position, motion, rigid - motion, real - rigid)
 

@@ -8,6 +8,7 @@ import { FONT, arrow } from "./surface.js";
 /** @typedef {(x: number) => number} Way from a value to a pixel */
 
 export const WIDEST = 0.076; // m; room for the barrel and the ball is kept, so that the picture does not jump
+const BESIDE = 16, ARROW = 34; // pixels of the meeting seen from the tip: beside it, and that its arrow reaches out of the ball
 
 /**
  * @param {CanvasRenderingContext2D} context
@@ -36,6 +37,27 @@ export function paintBall(context, ball, bat, place, colors) {
   }
 }
 
+/**
+ * @param {Answer} ball
+ * @param {Answer} bat
+ * @param {Place} place
+ */
+function meetingSizes(ball, bat, place) {
+  const scale = Math.min(0.45 * place.scale, 420);
+  return { scale, own: radiusAt(bat, ball.position_m) * scale, its: ball.radius_m * scale };
+}
+
+// Pixels that the meeting seen from the tip takes across.
+/**
+ * @param {Answer} ball
+ * @param {Answer} bat
+ * @param {Place} place
+ */
+export function meetingWide(ball, bat, place) {
+  const { own, its } = meetingSizes(ball, bat, place);
+  return BESIDE + 2 * (own + its) + ARROW + BESIDE / 2;
+}
+
 // Bat and ball as seen along the bat: how far off the axis they meet, and where the ball goes.
 /**
  * @param {CanvasRenderingContext2D} context
@@ -46,9 +68,8 @@ export function paintBall(context, ball, bat, place, colors) {
  * @param {string} words
  */
 export function paintMeeting(context, ball, bat, place, colors, words) {
-  const scale = Math.min(0.45 * place.scale, 420);
-  const [own, its] = [radiusAt(bat, ball.position_m) * scale, ball.radius_m * scale];
-  const x = (place.edge ?? 0) + own + 16;
+  const { scale, own, its } = meetingSizes(ball, bat, place);
+  const x = (place.edge ?? 0) + own + BESIDE;
   const y = place.middle + (WIDEST / 2) * place.scale + own + 2 * its;
   const up = ball.offset_m * scale;
   const across = Math.sqrt(Math.max(0, (own + its) ** 2 - up ** 2));
@@ -65,7 +86,7 @@ export function paintMeeting(context, ball, bat, place, colors, words) {
   circle(x + across, y - up, its, colors.paper, colors.ink);
   if (ball.launch_angle_rad !== null && ball.launch_angle_rad !== undefined) {
     const [c, s] = [Math.cos(ball.launch_angle_rad), Math.sin(ball.launch_angle_rad)];
-    const reach = its + 34;
+    const reach = its + ARROW;
     arrow(context, [x + across, y - up], [x + across + reach * c, y - up - reach * s], colors.red);
   }
   Object.assign(context, { font: `11px ${FONT}`, fillStyle: colors.muted, textAlign: "center", textBaseline: "top" });

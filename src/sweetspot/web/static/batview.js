@@ -9,7 +9,7 @@
 // In onStations, stations are [{ position_m, diameter_m }]. Everything but drawing stations has a control of its own.
 
 import { LEFT, RIGHT } from "./chart.js";
-import { WIDEST, paintBall, paintBat, paintMeeting, paintOutline, radiusAt } from "./batpaint.js";
+import { WIDEST, meetingWide, paintBall, paintBat, paintMeeting, paintOutline, radiusAt } from "./batpaint.js";
 import table from "./quantities.js";
 import { FONT, Surface, haloText } from "./surface.js";
 import { text } from "./units.js";
@@ -21,7 +21,6 @@ export { paintBat, radiusAt };
 
 export const SPOTS = Object.fromEntries(Object.entries(table.spots).map(([name, { label, colour }]) => [`${name}_m`, [label, colour]]));
 const ROW = 17, ROOM_BELOW = 30, HANDLE = 5;
-const INSET = 104; // pixels that the meeting seen from the tip takes
 const NARROW = 500; // pixels per m below which there is no room for words under the bat
 
 export class BatView {
@@ -176,7 +175,8 @@ export class BatView {
     if (spots) this.paintSpots(context, spots, bat, across, place);
     if (ball && ball.offset_m !== undefined) {
       const [x, radius] = [across(ball.position_m), ball.radius_m * place.scale]; // beside the ball, where there is room
-      const edge = [place.edge ?? 0, width - INSET].find((one) => x - radius > one + INSET || x + radius < one);
+      const wide = meetingWide(ball, bat, place);
+      const edge = [place.edge ?? 0, width - wide].find((one) => x - radius > one + wide || x + radius < one);
       if (edge !== undefined) paintMeeting(context, ball, bat, { ...place, edge }, colors, "seen from the tip");
     }
   }
@@ -332,8 +332,10 @@ export class BatView {
     });
     context.font = `11px ${FONT}`;
     context.fillStyle = colors.muted;
-    context.textAlign = "left";
-    if (!right && column > LEFT + 230) context.fillText("from the tip", LEFT, 12);
+    context.textAlign = "right";
+    if (right || !found.length) return;
+    const beside = "from the tip:"; // left of the first name's column, where there is room
+    if (column - widest - context.measureText(beside).width > LEFT) context.fillText(beside, column - widest, 12);
   }
 
   /**

@@ -57,6 +57,7 @@ const ROWS = 24; // of the table
  * @property {Record<string, Measured[]>} [points]
  * @property {Record<string, Published[]>} [published]  beside which curve, by its key
  * @property {number | null} [cursor]
+ * @property {Record<string, number | null>} [here]  values at the cursor by curve, where they are worked out for that very place
  */
 
 export class Chart {
@@ -234,15 +235,28 @@ export class Chart {
       if (at === null || at === undefined) continue;
       vertical(context, across(at), box, color, 1.2, dash);
       if (panel.stacked) continue;
-      panel.lines.forEach((line, i) => {
-        const value = between(xs[i], shown[i], at);
-        if (value === null) return;
+      for (const [i, line] of [...panel.lines.entries()].reverse()) { // the first line's dot lies on top
+        const value = this.valueOf(panel, line, xs[i], shown[i], at);
+        if (value === null) continue;
         context.fillStyle = colors[line.color];
         context.beginPath();
         context.arc(across(at), up(value), 3.5, 0, 2 * Math.PI);
         context.fill();
-      });
+      }
     }
+  }
+
+  // A curve's value at a place, in the reader's units; at the cursor the one that was worked out there, where it is known.
+  /**
+   * @param {Panel} panel
+   * @param {Curve} line
+   * @param {number[]} xs
+   * @param {Values} values
+   * @param {number} at
+   */
+  valueOf(panel, line, xs, values, at) {
+    const known = at === this.data.cursor ? this.data.here?.[line.key] : undefined;
+    return known === undefined ? between(xs, values, at) : shownValues(panel, [known], this.app.units)[0];
   }
 
   // Title, unit, names of the lines; on the right, where there is room, the values at the pointer or else at the cursor.
@@ -256,7 +270,7 @@ export class Chart {
     const { colors, units } = this.app;
     const at = this.hover ?? this.data.cursor ?? null;
     const digits = kindOf(panel.kind)[units].digits;
-    const values = at === null ? [] : panel.lines.map((line, i) => ({ line, value: between(xs[i], bare[i], at) })).filter(({ value, line }) => value !== null && !line.silent);
+    const values = at === null ? [] : panel.lines.map((line, i) => ({ line, value: this.valueOf(panel, line, xs[i], bare[i], at) })).filter(({ value, line }) => value !== null && !line.silent);
     Object.assign(context, { textBaseline: "alphabetic", textAlign: "right", font: `600 12px ${FONT}` });
     const words = values.map(({ value }) => grouped((value ?? 0).toFixed(digits)).replace("-", "−"));
     const wanted = words.reduce((sum, word) => sum + context.measureText(word).width + (values.length > 1 ? 29 : 13), 0);

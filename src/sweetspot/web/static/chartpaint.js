@@ -48,9 +48,26 @@ function axisWords({ kind, label }, units) {
   return [unitOf(kind, units), label].filter(Boolean).join(" ");
 }
 
+// Each line on top of the one before; nothing where both are unknown.
 /** @param {Values[]} lines */
 export function stack(lines) {
-  for (let i = 1; i < lines.length; i += 1) lines[i] = lines[i].map((value, j) => (value ?? 0) + (lines[i - 1][j] ?? 0));
+  for (let i = 1; i < lines.length; i += 1) {
+    lines[i] = lines[i].map((value, j) => (value === null && lines[i - 1][j] === null ? null : (value ?? 0) + (lines[i - 1][j] ?? 0)));
+  }
+}
+
+// Stretches of neighbours that are known: [first, last] each.
+/** @param {Values} values */
+export function stretches(values) {
+  /** @type {[number, number][]} */
+  const found = [];
+  values.forEach((value, i) => {
+    if (value === null || value === undefined) return;
+    const last = found.at(-1);
+    if (last && last[1] === i - 1) last[1] = i;
+    else found.push([i, i]);
+  });
+  return found;
 }
 
 // Least and most of what is shown of a panel within the range of its axis.
@@ -139,20 +156,16 @@ export function paintArea(context, xs, above, below, across, up, color, alpha) {
  * @param {{ across: Way, up: Way, colors: Colors, area?: { below: Values | null, low: number } | null }} given
  */
 export function paintLine(context, line, xs, values, { across, up, colors, area }) {
+  const filled = area || line.fill;
   context.beginPath();
-  let drawing = false;
-  for (let i = 0; i < values.length; i += 1) {
-    const value = values[i];
-    if (value === null || value === undefined) drawing = false;
-    else if (drawing) context.lineTo(across(xs[i]), up(value));
-    else {
-      context.moveTo(across(xs[i]), up(value));
-      drawing = true;
-    }
-  }
-  if (area || line.fill) {
-    for (let i = values.length - 1; i >= 0; i -= 1) context.lineTo(across(xs[i]), up(area?.below?.[i] ?? 0));
+  for (const [first, last] of stretches(values)) {
+    context.moveTo(across(xs[first]), up(values[first] ?? 0));
+    for (let i = first + 1; i <= last; i += 1) context.lineTo(across(xs[i]), up(values[i] ?? 0));
+    if (!filled) continue;
+    for (let i = last; i >= first; i -= 1) context.lineTo(across(xs[i]), up(area?.below?.[i] ?? 0));
     context.closePath();
+  }
+  if (filled) {
     context.fillStyle = colors[line.color];
     context.globalAlpha = area ? 0.85 : 0.25;
     context.fill();

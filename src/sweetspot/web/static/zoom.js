@@ -91,16 +91,17 @@ export class Zoom {
     surface.pinches(({ x, factor }) => this.about(placeAt(x), 1 / factor));
   }
 
-  buttons() {
+  /** @param {string} whole  what the button says that shows all */
+  buttons(whole = "All") {
     const middle = () => (this.range[0] + this.range[1]) / 2;
     /** @type {[string, string, () => void][]} */
     const acts = [
       ["+", "Nearer", () => this.about(middle(), 0.7)], ["−", "Farther", () => this.about(middle(), 1 / 0.7)],
-      ["All", "Show all of it", () => this.all()],
+      [whole, "Show all of it", () => this.all()],
     ];
     const made = acts.map(([words, title, act]) => {
       const one = button(words, act, { title });
-      one.setAttribute("aria-label", title);
+      if (words !== whole) one.setAttribute("aria-label", title); // a sign is no name
       return one;
     });
     const box = Object.assign(document.createElement("div"), { className: "zoom" });

@@ -38,7 +38,8 @@ def answer(state: ExplorerState) -> dict[str, Any]:
     conditions, spots, shown = met.conditions, met.spots, curves(state)
     hit = _hit(state, met)
     fastest = np.nanmax(met.scan.exit_speed)
-    difference = speed_difference(met.scan, hit["position_m"], best=spots.max_exit_speed)
+    middle = hit["exit_speed_m_s"] if state.offset_in == 0 else None
+    difference = speed_difference(met.scan, hit["position_m"], best=spots.max_exit_speed, exit_speed=middle)
     words, lost = words_of(met.reduced.bat), None
     why = [why_here(difference, body=met.reduced.body, conditions=conditions, best=spots.max_exit_speed, words=words)]
     if hit["exit_speed_m_s"] is not None:
@@ -54,6 +55,7 @@ def answer(state: ExplorerState) -> dict[str, Any]:
         },
         "scan": shown["curves"],
         "energy_shares": shown["energy"],
+        "touched_again": shown["touched_again"],
         "hit": hit,
         "why": in_both_systems(why),
         "difference_m_s": {name: getattr(difference, name) for name in ("motion", "giving", "keeping", "whole")},

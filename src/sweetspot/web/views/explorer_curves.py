@@ -22,8 +22,11 @@ from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.motion.swing import Conditions
 from sweetspot.motion.swing_path import SwingPath, Swings
 from sweetspot.numerics.arrays import Array
+from sweetspot.report.hit.second_touch import touched_again_between
+from sweetspot.report.sport_words import words_of
 from sweetspot.units import INCH
 from sweetspot.web.bats import ball_of, conditions_of, reduced
+from sweetspot.web.documents import in_both_systems
 from sweetspot.web.states import HitState
 
 KEPT = 128
@@ -49,7 +52,7 @@ def along(state: HitState) -> Met:
 
 
 def curves(state: HitState) -> dict[str, Any]:
-    """Return the curves along the bat at a state's offset."""
+    """Return the curves along the bat at a state's offset, and where on the barrel the ball is touched again."""
     return _curves(HitState.model_construct(**{**_shared(state), "impact_from_tip_in": 6.0}))
 
 
@@ -96,7 +99,7 @@ def _along(state: HitState) -> Met:
 def _curves(state: HitState) -> dict[str, Any]:
     met = along(state)
     if state.offset_in == 0:
-        return _listed(asdict(met.scan))
+        return _listed(asdict(met.scan), met)
     position, modes, ball = met.scan.position, met.reduced.modes, met.conditions.ball
     done = struck(met, position=position, offset=state.offset_in * INCH)
     closing = np.nan_to_num(done.closing_speed)
@@ -119,11 +122,16 @@ def _curves(state: HitState) -> dict[str, Any]:
                 np.nan,
             ),
             "energy": energy_shares(again, modes=modes, ball=ball, closing_speed=closing),
-        }
+            "touches": done.touches,
+        },
+        met,
     )
 
 
-def _listed(scanned: dict[str, Any]) -> dict[str, Any]:
+def _listed(scanned: dict[str, Any], met: Met) -> dict[str, Any]:
+    bat, from_tip = met.reduced.bat, met.reduced.bat.length - scanned["position"]
+    shown = from_tip <= BARREL
+    again = touched_again_between(from_tip[shown], scanned["touches"][shown], words_of(bat))
     names = {
         "position": "position_m", "exit_speed": "exit_speed_m_s", "rigid_exit_speed": "rigid_exit_speed_m_s",
         "launch_angle": "launch_angle_rad", "collision_efficiency": "collision_efficiency", "bbcor": "bbcor",
@@ -131,7 +139,7 @@ def _listed(scanned: dict[str, Any]) -> dict[str, Any]:
     }  # fmt: skip
     shares = {name: np.round(part, 5) for name, part in scanned["energy"]._asdict().items() if np.nanmax(part) > 0}
     curves = {key: scanned[name] for name, key in names.items() if name in scanned}
-    return {"curves": curves, "energy": shares}
+    return {"curves": curves, "energy": shares, "touched_again": in_both_systems(again)}
 
 
 @lru_cache(maxsize=KEPT)

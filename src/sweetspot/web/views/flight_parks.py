@@ -74,7 +74,8 @@ def in_parks(
     """
     conditions = _outdoors(conditions)
     law = home_run_chances(motion, conditions, parks=parks, own_elevation=own_elevation, scatter=NONE)
-    chance = home_run_chances(motion, conditions, parks=parks, own_elevation=own_elevation)
+    chance = home_run_chances(motion, conditions, parks=parks, own_elevation=own_elevation).chance[0]
+    own = float(home_run_chances(motion, conditions, parks=(here,), own_elevation=False).chance[0, 0])
     end = landing(path, here)
     foul = end.outcome == "foul"
     down = float(np.hypot(*path[-1, :2]))
@@ -90,16 +91,16 @@ def in_parks(
                 "outcome": "foul" if foul else "home run" if over else "off the wall" if reached else "in play",
                 "clearance_m": above if reached else None,
                 "distance_m": distance if reached else down,
-                "chance": 0.0 if foul else float(chance.chance[0, index]),
+                # in its own air, not between those of all the parks
+                "chance": 0.0 if foul else own if park.name == here.name else float(chance[index]),
             }
         )
-    own = home_run_chances(motion, conditions, parks=(here,), own_elevation=False)
     return {
         "parks": rows,
         "out_in": sum(row["outcome"] == "home run" for row in rows),
         "of": len(rows),
         "expected_out_in": sum(row["chance"] for row in rows),
-        "chance": 0.0 if foul else float(own.chance[0, 0]),
+        "chance": 0.0 if foul else own,
         "end": {
             "outcome": end.outcome,
             "direction_rad": end.direction,

@@ -91,7 +91,8 @@ def _words(row: Row) -> dict[str, dict[str, str]]:
 
 
 def _read(text: str, reader: Reader) -> str:
-    return text.template.format(*(_told(one, reader) for one in text.numbers)) if isinstance(text, Words) else text
+    told = text.template.format(*(_told(one, reader) for one in text.numbers)) if isinstance(text, Words) else text
+    return told.replace(" - ", " \N{MINUS SIGN} ")
 
 
 def _told(number: Number, reader: Reader) -> str:

@@ -16,6 +16,7 @@ import { Zoom } from "../zoom.js";
 /** @import { Answer, App, State, View } from "../main.js" */
 
 const BARREL = 18 * INCH; // shown until somebody zooms
+const ROOM = 1.06; // part of the greatest offset that the map leaves free, so that a ball met there is seen whole
 const ELSEWHERE = ["impact_from_tip_in", "offset_in"]; // what the map and the report do not depend on
 /** @type {Curve[]} */
 const SPEEDS = [
@@ -69,13 +70,14 @@ export const view = {
     const axis = { kind: "position_m", from: () => app.answer?.bat.length_m ?? 0.84, label: "from the tip" };
     this.chart = new Chart(app, { label: "Curves along the bat", panels: PANELS, axis, onPick, zoom: this.zoom });
     this.power = new HeatMap(app, {
-      label: "Exit speed over the barrel", title: "Exit speed, wherever the ball is met", height: 150, zoom: this.zoom, x: axis,
+      label: "Exit speed over the barrel", title: "Exit speed, where the ball goes forward", height: 150, zoom: this.zoom, x: axis,
       y: { kind: "offset_m", label: "ball above the axis" }, z: { kind: "exit_speed_m_s" }, onPick: (x, y, { last }) => this.moveBall(x, last, y),
     });
     this.bench = new Bench(app, { picture: this.picture });
     const side = make("div", { className: "side" }, this.bench.element, swingGroup(app), impact(app), ballGroup(app));
     this.words = make("p", { className: "verdict wide", id: "verdict" });
     this.why = make("p", { className: "why", id: "why" });
+    this.again = make("p", { className: "note", id: "again" });
     this.facts = factList(FACTS, app);
     this.report = make("details", { className: "report", open: false }, make("summary", { textContent: "What the report says of this bat and swing" }));
     this.told = make("div", { className: "words" });
@@ -85,11 +87,10 @@ export const view = {
     this.knownList = make("ul");
     this.known = make("details", { className: "report" }, make("summary", { textContent: "What was published of this bat (diamonds on the curves)" }), this.knownList);
     const barrel = button("Barrel", () => this.zoom.back());
-    const whole = button("Whole bat", () => this.zoom.all());
     this.heatSwitch = button("Colours off", () => this.switchHeat());
-    const tools = make("div", { className: "row tight" }, barrel, whole, this.zoom.buttons(), this.heatSwitch);
+    const tools = make("div", { className: "row tight" }, barrel, this.zoom.buttons("Whole bat"), this.heatSwitch);
     const picture = make("section", { className: "picture", ariaLabel: "Bat and curves" },
-      tools, this.picture.element, this.facts.element, this.why, this.power.element, this.power.numbers.element, this.chart.element, this.bars, this.known, this.report, this.sure.element);
+      tools, this.picture.element, this.facts.element, this.why, this.power.element, this.power.numbers.element, this.chart.element, this.again, this.bars, this.known, this.report, this.sure.element);
     root.append(this.words, side, picture);
     this.handle();
   },
@@ -176,10 +177,11 @@ export const view = {
       bands: zone ? [{ from: zone[0], to: zone[1] }] : [],
       marks: [{ at: spots.max_exit_speed_m, color: "red" }],
       published: this.published(answer),
+      here: { exit_speed_m_s: hit.exit_speed_m_s, collision_efficiency: hit.collision_efficiency, bbcor: hit.bbcor },
       points: state.offset_in === 0 && this.costs ? { exit_speed_m_s: this.costs.map((/** @type {Answer} */ { position_m: x, low_m_s: low, high_m_s: high }) => ({ x, low, high })) } : {},
     });
     this.bars.hidden = state.offset_in !== 0 || !this.costs?.length;
-    if (this.map) this.power.draw({ x: this.map.position_m, y: this.map.offset_m, z: this.map.exit_speed_m_s, cross: [hit.position_m, state.offset_in * INCH] });
+    if (this.map) this.power.draw({ x: this.map.position_m, y: this.map.offset_m, z: this.map.exit_speed_m_s, heights: [this.map.offset_m[0] * ROOM, this.map.offset_m.at(-1) * ROOM], cross: [hit.position_m, state.offset_in * INCH] });
   },
 
   // What others have published of this very bat, where it lies on the curves, and in a list with its source.
@@ -201,7 +203,7 @@ export const view = {
   },
 
   /** @param {Answer} given */
-  say({ bat, sweet_spots: spots, hit, best_exit_speed_m_s: best, why, energy_shares: shares, scan }) {
+  say({ bat, sweet_spots: spots, hit, best_exit_speed_m_s: best, why, energy_shares: shares, scan, touched_again: stretches }) {
     const show = this.app.text.bind(this.app);
     const here = hit.exit_speed_m_s === null ? hit.outcome_text : show("exit_speed_m_s", hit.exit_speed_m_s);
     const back = hit.launch_angle_rad !== null && Math.abs(hit.launch_angle_rad) > Math.PI / 2 ? ", fouled back" : "";
@@ -211,6 +213,7 @@ export const view = {
     const parts = PARTS.filter(([key]) => shares[key]).map(([key, name]) => ({ name, part: between(scan.position_m, shares[key], hit.position_m) ?? 0 })).filter(({ part }) => part > 0.004);
     const energy = parts.length ? ` Of the energy of the meeting: ${parts.map(({ part, name }) => `${name} ${show("share", part, 0)}`).join(", ")}.` : "";
     tell(this.why, [...why[this.app.units], ...hit.touched_again[this.app.units]].join(" ") + energy);
+    tell(this.again, hit.touched_again[this.app.units].length ? "" : stretches[this.app.units].join(" "));
     this.app.announce(words);
     this.picture.label(`Ball along the bat. ${words}`);
     this.chart.label(`Curves along the bat. ${words} ${this.why.textContent}`);

@@ -129,9 +129,9 @@ class DropPicture {
     if (!this.data) return;
     const floor = height - 46;
     const scale = (floor - 34) / Math.max(this.data.drop_height_m, this.data.wood.rebound_m ?? 0, this.data.metal.rebound_m ?? 0);
-    const half = Math.min(width / 2, 330);
+    const half = width / 2;
     [["wood", "wood", "woodEdge"], ["metal", "metal", "metalEdge"]].forEach(([name, fill, edge], i) => {
-      this.paintBlock(context, name, { fill, edge }, { middle: half * (i + 0.5), floor, scale, wide: half * 0.5 });
+      this.paintBlock(context, name, { fill, edge }, { middle: half * (i + 0.5), floor, scale, wide: Math.min(165, half * 0.5) });
     });
   }
 

@@ -107,16 +107,17 @@ export const STEPS = [
       choice(app, "hole_fill", { label: "Filled with", options: FILLED }),
     ],
     live(answer, state, app) {
-      const [[momentum], [force]] = [rowsOf(answer, "14"), rowsOf(answer, "13")];
+      const [[momentum], [plain, corked]] = [rowsOf(answer, "14"), rowsOf(answer, "13")];
       const show = (/** @type {number} */ thousands) => app.text("f_n", 1e3 * thousands);
-      return [`m ( v_2 − v_1 ) = ${app.text("p_n_s", momentum.computed)}`, `F_plain = ${show(force.computed)} , F_corked = ${show(force.full_model)}`];
+      return [`m ( v_2 − v_1 ) = ${app.text("p_n_s", momentum.computed)}`, `F_plain = ${show(plain.full_model)} , F_corked = ${show(corked.full_model)}`];
     },
     truth(answer, state, app) {
-      const [force, speed, time] = [rowsOf(answer, "13")[0], rowsOf(answer, "14").at(-1), rowsOf(answer, "14").at(-2)];
-      const change = (speed.full_model - speed.computed) * MPH;
-      const grows = force.full_model > force.computed + 0.005 ? "grows" : "does not grow";
-      return `The force ${grows}: ${app.text("f_n", 1e3 * force.computed)} for the plain bat, ${app.text("f_n", 1e3 * force.full_model)} for the corked one. ` +
-        `Contact lasts ${number(time.computed, 3)} and ${number(time.full_model, 3)} ms. At the same bat speed the ball leaves ` +
+      const [forces, others] = [rowsOf(answer, "13"), rowsOf(answer, "14").slice(-4)]; // each of the plain bat, then of the corked one
+      const [[before, after], [long, longer, fast, faster]] = [forces, others].map((rows) => rows.map((/** @type {Answer} */ row) => row.full_model));
+      const change = (faster - fast) * MPH;
+      const grows = after > before + 0.005 ? "grows" : "does not grow";
+      return `The force ${grows}: ${app.text("f_n", 1e3 * before)} for the plain bat, ${app.text("f_n", 1e3 * after)} for the corked one. ` +
+        `Contact lasts ${number(long, 3)} and ${number(longer, 3)} ms. At the same bat speed the ball leaves ` +
         `${app.text("change_m_s", Math.abs(change))} ${change < 0 ? "slower" : "faster"}. What drilling changes is the weight: a lighter barrel is pushed back more. ` +
         "Whether the lighter bat is swung enough faster to make up for it is the player's matter; the view Compare answers it.";
     },
