@@ -79,7 +79,7 @@ def analyse(bat: Given, conditions: Conditions) -> Analysis[Given]:
 
     Parameters
     ----------
-    bat : or any other implement, from `catalog.bat`, `catalog.implement`, a file, or made in Python.
+    bat : a bat or any other implement, from `catalog.bat`, `catalog.implement`, a file, or made in Python.
     conditions : pitch, swing, ball and hands; `standard_conditions(bat)` gives the usual ones, and its method
         ``replaced`` others.
 

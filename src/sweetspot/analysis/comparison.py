@@ -108,6 +108,7 @@ def compare(
 
     Parameters
     ----------
+    bats : the first is the one that the others are compared with.
     conditions : of the first bat. The others are hit by the same pitch; their pivot and hands move with their grip,
         and their speed is measured equally far from the tip.
     law : of bat speed against moment of inertia, as `catalog.swing_law` has them: the same effort for every bat.

@@ -52,7 +52,7 @@ def play(
     swing, path : how fast the bat moves, and where to.
     pitch : the ball where the bat meets it, in the field's frame; the flight starts there.
     contact : where they meet.
-    friction : of ball and bat.
+    friction : between ball and bat.
 
     Returns
     -------

@@ -48,7 +48,7 @@ def bat_names() -> list[str]:
 
 
 def bat(name: str | Path = DEFAULT_BAT) -> Bat:
-    """Return a bat of the catalogue by its name, or that of a TOML file; see `is_file` for what is a file.
+    """Return a bat of the catalogue by its name, or the bat of a TOML file; see `is_file` for what is a file.
 
     Parameters
     ----------

@@ -25,7 +25,7 @@ def implement_names() -> list[str]:
 
 
 def implement(name: str | Path) -> Implement:
-    """Return a bat, racket, club or stick by its name in the catalogue, or that of a TOML file.
+    """Return a bat, racket, club or stick by its name in the catalogue, or the one that a TOML file describes.
 
     Parameters
     ----------

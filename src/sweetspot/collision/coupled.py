@@ -77,9 +77,9 @@ def hit(
     Parameters
     ----------
     modes : every motion of the bat, free or gripped.
-    ball : mass and, unless ``law`` is given, force law.
+    ball : its mass counts, and its force law unless ``law`` is given.
     position : m from the knob end.
-    closing_speed : m/s; not above zero is no contact, an outcome and not an error.
+    closing_speed : m/s, ball plus bat; at zero and below they do not meet, which is an outcome and no error.
     lateral : m across the face from the bat's line.
     step : s, > 0; the error falls with its cube. None: `STEP`, or less where a light face needs it (`contact_step`).
     law : another contact law than the ball's own `Hysteretic` one.
@@ -87,12 +87,13 @@ def hit(
     Returns
     -------
     Impact
-        where the ball is touched twice, with the same hit by a ball that has not recovered in between (`unrecovered`).
+        efficiency, times, force and energy ledger; where the ball is touched twice, also the same hit by a ball that
+        has not recovered in between (`unrecovered`).
 
     Raises
     ------
     InputError
-        for a step that is not above zero, or a place that is none in metres.
+        for a step that is not above zero, or a place that cannot be metres on a bat.
 
     >>> from sweetspot import all_modes, beam_model, catalog, hit
     >>> modes = all_modes(beam_model(catalog.bat("r161-ash")), catalog.ball())

@@ -124,7 +124,7 @@ class Conditions(Validated):
     pitch : the ball's speed as it arrives.
     swing : how fast the bat turns, and about what.
     hands : where they hold, and whether their mass counts.
-    ball : that is hit.
+    ball : the one that is hit.
     """
 
     pitch: Pitch

@@ -186,7 +186,7 @@ def certify(bat: Bat, *, ball: Ball) -> Certification:
     Parameters
     ----------
     bat : from `catalog.bat`, a file, or made in Python.
-    ball : that is fired: `catalog.ball()`, or the ball of a league.
+    ball : the one that is fired: `catalog.ball()`, or the ball of a league.
 
     Returns
     -------
