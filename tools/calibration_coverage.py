@@ -87,9 +87,7 @@ def coverage(name: str, bending: Sequence[int], hoop: bool, *, count: int, wider
         inside.append(np.abs(found.deviations - truth) < REACH * np.sqrt(np.diag(found.covariance)))
         contradicting += bool(found.contradictions)
     parts = np.mean(inside, axis=0).tolist()
-    return Coverage(
-        {str(one.name): part for one, part in zip(unknowns, parts, strict=True)}, contradicting, refused
-    )
+    return Coverage({str(one.name): part for one, part in zip(unknowns, parts, strict=True)}, contradicting, refused)
 
 
 def main() -> int:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import threading
 from collections.abc import Callable, Iterator
@@ -216,10 +217,10 @@ def test_undo_redo_and_reset(page: Page, server: str, answered: Answered) -> Non
 def test_links_that_others_open(page: Page, server: str, answered: Answered) -> None:
     """A short link holds all of a long state; the embedded picture has no controls and may stand in other pages."""
     text = bat_toml(catalog.bat("youth-30").replaced(name="Somebody's own"))
-    page.goto(f"{server}/explorer?pitch_speed_mph=61&bat_toml={quote(text)}")
+    long = f"{server}/explorer?pitch_speed_mph=61&bat_toml={quote(text)}"
+    page.goto(long)
     answered(page)
     page.get_by_role("radio", name="SI").check()
-    long = page.url
     page.locator("#share").click()
     short = page.get_by_label("Link to this picture").input_value()
     assert len(short) < len(long) / 2
@@ -245,6 +246,36 @@ def test_links_that_others_open(page: Page, server: str, answered: Answered) -> 
     expect(page.locator("#verdict")).to_be_visible()
     page.goto(f"{server}/explorer?s=broken")  # cut off on its way
     answered(page)
+
+
+def test_an_address_stays_short_enough_to_be_sent(page: Page, server: str, answered: Answered) -> None:
+    """Four own bats are 9 kB as they are; packed, the address itself can be copied, reloaded and opened elsewhere."""
+    own = [bat_toml(catalog.bat("youth-30").replaced(name=f"Own bat {count}")) for count in range(4)]
+    others = json.dumps([{"bat_toml": text} for text in own[1:]])
+    long = f"{server}/compare?bat_toml={quote(own[0])}&others={quote(others)}"
+    page.goto(long)
+    answered(page)
+    page.wait_for_url("**/compare?s=*")
+    short = page.url
+    assert len(short) < 2000 < len(long)
+    page.locator("#views a[data-name=modes]").click()
+    answered(page)
+    expect(page.locator("#view")).to_have_attribute("data-view", "modes")
+    page.wait_for_url("**/modes?*")
+    page.go_back()
+    expect(page.locator("#view")).to_have_attribute("data-view", "compare")
+    expect(page.locator("#view")).to_contain_text("Own bat 3")
+    stranger = page.context.browser.new_context()  # type: ignore[union-attr]
+    other = stranger.new_page()
+    other.goto(short)
+    for text in ("Own bat 0", "Own bat 3"):
+        expect(other.locator("#view")).to_contain_text(text)
+    page.locator("#share").click()
+    page.evaluate("Object.defineProperty(navigator, 'clipboard', { value: undefined })")
+    page.get_by_role("button", name="Copy to embed").click()
+    frame = page.get_by_label("Link to this picture").input_value()
+    assert "/embed/compare?s=" in frame and len(frame) < 2000
+    stranger.close()
 
 
 def test_nothing_is_kept_of_many_views(page: Page, server: str, answered: Answered) -> None:

@@ -1,6 +1,7 @@
 // A view's state as an address and back: /explorer?pitch_speed_mph=85; only what differs from the first picture.
 
 const PACKED = "s";
+export const LONG_ADDRESS = 2000; // letters from which mail programs, chats and servers on the way may cut an address off
 const MOST_UNPACKED = 65536; // letters of what a short address may hold
 
 /** @typedef {Record<string, unknown>} Fields the state of a view, by its fields */
@@ -27,12 +28,13 @@ export function addressOf(name, state, defaults, embedded = false) {
  * @param {Fields} state
  * @param {Fields} defaults
  */
-export async function shortAddressOf(name, state, defaults) {
+export async function shortAddressOf(name, state, defaults, embedded = false) {
   const changed = Object.entries(state).filter(([field, value]) => JSON.stringify(value) !== JSON.stringify(defaults[field]));
-  if (!changed.length) return `/${name}`;
+  const path = `${embedded ? "/embed" : ""}/${name}`;
+  if (!changed.length) return path;
   const bytes = await through(new CompressionStream("deflate-raw"), new TextEncoder().encode(JSON.stringify(Object.fromEntries(changed))));
   const text = btoa(String.fromCharCode(...bytes)).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
-  return `/${name}?${PACKED}=${text}`;
+  return `${path}?${PACKED}=${text}`;
 }
 
 /** @param {string} text */

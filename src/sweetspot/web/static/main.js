@@ -33,7 +33,7 @@
 //   app.control(control)     registers a control made by controls.js; those made with (app, field, ...) do it themselves
 //   app.calm       true where people asked their system for less motion: do not start animations by yourself
 
-import { addressOf, stateIn } from "./address.js";
+import { LONG_ADDRESS, addressOf, shortAddressOf, stateIn } from "./address.js";
 import { Chip } from "./chip.js";
 import { drawerOf } from "./drawer.js";
 import { defaultsOf, fieldsOf } from "./fields.js";
@@ -54,8 +54,8 @@ import { fetchOthers, fetched } from "./viewfiles.js";
 /** @import { System } from "./units.js" */
 
 const facts = JSON.parse(document.getElementById("facts")?.textContent ?? "{}");
-const LONGEST_ADDRESS = 16000;
-const LONG_TEXT = 2000; // letters of a field beyond which it does not go into an address that is too long
+const LONGEST_ADDRESS = 16000; // of a packed one, which the server still takes
+const LONG_FIELD = 1000; // letters beyond which a field does not go into an address that is too long
 const EMBED = "/embed/";
 const QUESTION = "answer";
 const MEANINGS = "meanings of words";
@@ -204,13 +204,22 @@ export class App {
     let address = addressOf(this.name, this.state, this.defaults, this.embedded);
     /** @type {{ view?: string, state?: State }} */
     let kept = {};
-    if (address.length > LONGEST_ADDRESS) { // the browser keeps the rest, so that back and reload still work
-      const short = Object.entries(this.state).map(([field, value]) => [field, typeof value === "string" && value.length > LONG_TEXT ? this.defaults[field] : value]);
+    const long = address.length > LONG_ADDRESS;
+    if (long) { // the browser keeps the rest, so that back and reload work at once; packed it all goes into the address
+      const short = Object.entries(this.state).map(([field, value]) => [field, (JSON.stringify(value) ?? "").length > LONG_FIELD ? this.defaults[field] : value]);
       address = addressOf(this.name, Object.fromEntries(short), this.defaults, this.embedded);
       kept = { view: this.name, state: this.state };
     }
     if (kept.view || history.state?.view || address !== location.pathname + location.search) this.steps.to(address, kept, again);
+    if (long) this.pack(this.state);
     pointBar(this);
+  }
+
+  // Give the present step an address that holds its long state, unless someone has gone on meanwhile.
+  /** @param {State} state */
+  async pack(state) {
+    const address = await shortAddressOf(this.name, state, this.defaults, this.embedded);
+    if (history.state?.state && state === this.state && address.length <= LONGEST_ADDRESS) history.replaceState(history.state, "", address);
   }
 
   /** @param {Control} control */
@@ -314,7 +323,8 @@ export class App {
     const told = kept ?? await stateIn(location.search, this.schema, this.defaults);
     if (turn !== this.turn) return;
     this.take(told);
-    pointBar(this);
+    if (location.href.length > LONG_ADDRESS) this.commit({ instead: true });
+    else pointBar(this);
   }
 
   /**

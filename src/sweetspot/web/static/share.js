@@ -1,6 +1,6 @@
 // To show others: links, an embedded picture, the lines that give the same numbers, print.
 
-import { addressOf, shortAddressOf } from "./address.js";
+import { LONG_ADDRESS, addressOf, shortAddressOf } from "./address.js";
 import { button } from "./controls.js";
 import { make } from "./parts.js";
 import { posted } from "./post.js";
@@ -18,9 +18,11 @@ export function shareButton(app) {
 async function open(app) {
   const { name, state, defaults } = app;
   const here = (/** @type {string} */ address) => `${location.origin}${address}${address.includes("?") ? "&" : "?"}units=${app.units}`;
-  const long = here(addressOf(name, state, defaults));
-  const short = here(await shortAddressOf(name, state, defaults));
-  const embedded = here(addressOf(name, state, defaults, true));
+  const [long, inFrame] = [false, true].map((embed) => here(addressOf(name, state, defaults, embed)));
+  const [packed, packedInFrame] = await Promise.all([false, true].map(async (embed) => here(await shortAddressOf(name, state, defaults, embed))));
+  const short = packed.length < long.length ? packed : long;
+  const cut = long.length > LONG_ADDRESS; // on its way through mail or chats: the packed one holds the same
+  const [link, embedded] = cut ? [short, packedInFrame] : [long, inFrame];
   const dialog = make("dialog", { className: "share" });
   dialog.setAttribute("aria-labelledby", "share-title");
   const said = make("p", { className: "note" });
@@ -49,11 +51,11 @@ async function open(app) {
       return null;
     }
   };
-  const shown = make("input", { type: "text", readOnly: true, value: short.length < long.length ? short : long });
+  const shown = make("input", { type: "text", readOnly: true, value: short });
   shown.setAttribute("aria-label", "Link to this picture");
   dialog.append(make("h2", { id: "share-title", textContent: "Show it to others" }), shown,
     make("div", { className: "row" },
-      copy("Copy the link", long), copy("Copy a short link", short.length < long.length ? short : long),
+      copy("Copy the link", link), copy("Copy a short link", short),
       copy("Copy as Python", lines("python")), copy("Copy as command", lines("command")),
       copy("Copy to embed", `<iframe src="${embedded.replaceAll("&", "&amp;").replaceAll('"', "&quot;")}" width="800" height="600" title="sweetspot: ${name}"></iframe>`),
       button("Print", () => {
