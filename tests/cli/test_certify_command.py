@@ -42,6 +42,12 @@ def test_another_ball_than_the_bats_own_is_explained(run: Run) -> None:
     assert "that the rule names" not in run("certify", "slow-pitch")[1]
 
 
+def test_limits_of_the_past_are_told_as_such_in_the_first_sentence(run: Run) -> None:
+    code, out, _ = run("certify", "youth-30", "--league", "little-league")
+    first = " ".join(out.split("\n\n")[1].split())
+    assert code == 0 and "limits that hold no more" in first and "keeps every rule" not in out
+
+
 def test_json_keys_and_units(run: Run) -> None:
     code, out, _ = run("certify", "r161-ash", "--format", "json")
     result = json.loads(out)

@@ -23,19 +23,23 @@ from sweetspot.flight.air import Air
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.trajectory import fly
 from sweetspot.motion.ball_motion import launched
+from sweetspot.motion.swing_law import Interval
 from sweetspot.player.advice import Advice, advise
 from sweetspot.player.candidate import candidates, lengthened
 from sweetspot.player.contact_tables import RATIOS, contact_table
 from sweetspot.player.expected import Change, expectation
 from sweetspot.player.goal import CarryTable, Goal, carry_table
 from sweetspot.player.model import player_model
-from sweetspot.player.player_swing import PlayerSwing
+from sweetspot.player.player_swing import PlayerSwing, fault_of
 from sweetspot.player.posterior import Posterior, fit_player, walked
 from sweetspot.player.prior import NAMES, natural
 from sweetspot.player.simulate import simulated_swings
 from sweetspot.player.swings import Swings, read_swings
+from sweetspot.report.player.goals import pitch_words
 from sweetspot.report.player.numbers import option_rows, player_json
+from sweetspot.report.player.team import best_option
 from sweetspot.report.player.words import answers, findings, notes
+from sweetspot.report.quantities import US
 from sweetspot.units import FOOT, INCH, MPH
 from tests.real_data import real_file
 
@@ -238,3 +242,23 @@ def test_real_swings_give_sensible_numbers() -> None:
     assert 0.8 < values["position_spread"].value / INCH < 3.0
     assert 0.8 < values["offset_spread"].value / INCH < 1.8
     assert not posterior.learned["exponent"].told
+
+
+@pytest.mark.parametrize(("mph", "sure"), [(0.01, False), (0.06, True)])
+def test_a_gain_that_is_told_as_none_is_not_sure(advice: Advice, mph: float, sure: bool) -> None:
+    """Exact: the interval of every gain begins 0.01 or 0.06 mph above zero, which are told as +0.0 and +0.1 mph."""
+    gain = Interval(0.5 * MPH, mph * MPH, 0.9 * MPH)
+    options = tuple(replace(option, change=gain) for option in advice.options)
+    changed = replace(advice, goal=Goal(), options=options, end_loaded=gain)
+    asked = {question: str(words) for question, words in answers(changed)}
+    assert asked["Balanced or end-loaded?"].startswith("End-loaded" if sure else "These swings cannot tell")
+    assert asked["Choke up?"].startswith("Yes" if sure else "These swings cannot tell")
+    assert ("No other weight tried is surely better" in asked["Heavier or lighter?"]) == (not sure)
+    assert ("none is surely better" in asked["Which bat?"]) == (not sure)
+    assert (best_option(changed) is not None) == sure
+
+
+def test_off_a_tee_the_ball_is_at_rest_and_no_pitch(advice: Advice) -> None:
+    assert pitch_words(replace(advice, pitch_speed=0.0).pitch_speed).read(US) == "ball at rest"
+    swing = PlayerSwing(2, 64 * MPH, 99 * MPH, 0.0, None, None, None, "")
+    assert "than any bat gives at 64.0 mph off a tee" in fault_of(swing, OWN.length)

@@ -18,6 +18,7 @@ from sweetspot.report.document import Table
 from sweetspot.report.player.pair_words import of_those_swung, pairs_table
 from sweetspot.report.quantities import US
 from sweetspot.report.sentences import read
+from sweetspot.units import FOOT, MPH
 
 BAT = catalog.bat("r161-ash")
 SPREAD = np.linspace(-1.0, 1.0, 101)
@@ -30,7 +31,7 @@ def swung(name: str, speed: float | None = 40.0, *, count: int = 10, half: float
 
 def told(bats: list[Swung], gained: dict[str, Any], goal: Goal | None = None) -> tuple[tuple[Pair, ...], str, Table]:
     goal = goal or Goal()
-    pairs, seldom = bat_pairs(bats, gained, goal_is_speed=goal.name == "exit-speed")
+    pairs, seldom = bat_pairs(bats, gained, goal=goal)
     advice: Any = SimpleNamespace(pairs=pairs, seldom=seldom, goal=goal)
     return pairs, read(of_those_swung(advice), US), pairs_table(advice)
 
@@ -71,6 +72,20 @@ def test_only_what_the_data_can_tell_is_told(measured: float | None, spread: flo
     assert ("best by the model" in words) == (verdict == "better by the model")
     assert ("swings cannot tell" in words) == (verdict == "cannot tell")
     assert ("Believe the measurement" in words) == (verdict == "gainsaid")
+
+
+@pytest.mark.parametrize(("mph", "goal", "verdict"), [
+    (0.01, Goal(), "cannot tell"), (0.06, Goal(), "better by the model"),
+    (0.01, Goal("carry"), "cannot tell"), (0.06, Goal("carry"), "better by the model"),
+])  # fmt: skip
+def test_a_gain_that_is_told_as_none_is_not_sure(mph: float, goal: Goal, verdict: str) -> None:
+    """Exact: 0.01 mph or ft in every draw is told as +0.0, and its sign is left open, as `compare` leaves it."""
+    gain = mph * (MPH if goal.name == "exit-speed" else FOOT)
+    bats = [swung("own", None), swung("second", None)]
+    (pair,), _, table = told(bats, {"own": SPREAD, "second": SPREAD + gain}, goal)
+    assert pair.verdict == verdict
+    assert pair.chance == (0 if verdict == "cannot tell" else 1)
+    assert ("cannot tell" in str(table.rows[0][-1])) == (verdict == "cannot tell")
 
 
 def test_a_measured_exit_speed_does_not_gainsay_a_carry() -> None:

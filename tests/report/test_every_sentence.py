@@ -12,7 +12,9 @@ from typing import Any
 import pytest
 
 from sweetspot import catalog
+from sweetspot.numerics.confidence import sure_sign
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.player.goal import NO_GAIN
 from sweetspot.report.document import Document, Table
 from sweetspot.report.quantities import SI, SYSTEMS, US
 from sweetspot.units import INCH, OUNCE
@@ -207,12 +209,13 @@ def test_a_player(tell: Tell, swings: Path, goal: tuple[str, ...]) -> None:
 
 
 def check_verdicts(document: Document, data: Mapping[str, Any]) -> None:
-    """A recommendation stands where the interval is on one side of zero, and "cannot tell" where it holds zero."""
+    """A recommendation stands where the interval leaves zero, as it is told, out; "cannot tell" where it does not."""
     answers = {one["question"]: one["answer"] for one in data["answers"]}
     (change,) = {key for key in data["options"][0] if key.startswith("change_") and key != "change_probability"}
     options = {option["key"]: option for option in data["options"]}
+    nothing = NO_GAIN[data["goal"]["name"]]
     for family, question in (("weight", "Heavier or lighter?"), ("length", "Longer or shorter?")):
-        sure = [one["label"] for one in data["options"] if one["family"] == family and one[change]["low"] > 1e-9]
+        sure = [one["label"] for one in data["options"] if one["family"] == family and one[change]["low"] > nothing]
         first = answers[question].split(".")[0].lower()
         assert first.startswith(f"best is {sure[0].lower()}") if sure else not first.startswith("best is")
         for one in data["options"]:
@@ -224,15 +227,13 @@ def check_verdicts(document: Document, data: Mapping[str, Any]) -> None:
         (("End-loaded", "Balanced"), "Balanced or end-loaded?", loaded),
         (("Yes", "No"), "Choke up?", options["choke1in"][change]),
     ):
-        expected = (
-            words[0] if interval["low"] > 1e-9 else words[1] if interval["high"] < -1e-9 else "These swings cannot"
-        )
-        assert answers[key].startswith(expected)
+        sign = sure_sign(interval["low"], interval["high"], nothing=nothing)
+        assert answers[key].startswith({1: words[0], -1: words[1], 0: "These swings cannot"}[sign])
     pairs = data["pairs"]
     for pair in pairs:
         gain = next(value for key, value in pair.items() if key.startswith("gain"))
         assert pair["better"] in answers["Which bat?"] and gain["value"] >= 0
-        assert ("better" in pair["verdict"]) <= (gain["low"] > 0)
+        assert ("better" in pair["verdict"]) <= (gain["low"] > nothing)
 
 
 def test_a_season(tell: Tell, swings: Path) -> None:

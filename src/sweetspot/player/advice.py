@@ -41,7 +41,7 @@ class Option:
     bat_speed : of the player with it, m/s.
     goal : what is expected with it.
     change : the same against the player's own bat.
-    chance : part of the draws in which it is better.
+    chance : part of the draws in which it is better by more than nothing.
     """
 
     candidate: Candidate
@@ -149,7 +149,7 @@ def advise(
     options, with_key, not_met = _tried(asked, tried, now, progress)
     by_key = {f"bat:{own.bat.name}": now, **with_key}
     named = {key.removeprefix("bat:"): gained for key, gained in by_key.items() if key.startswith("bat:")}
-    pairs, seldom = bat_pairs(swung_bats(model), named, goal_is_speed=goal.name == "exit-speed")
+    pairs, seldom = bat_pairs(swung_bats(model), named, goal=goal)
     place, place_gain, curve = _best_place(asked, PLACES, "position", now)
     height, height_gain, _ = _best_place(asked, OFFSETS, "offset", now)
     return Advice(
@@ -188,7 +188,7 @@ def _tried(
         options.append(
             Option(
                 candidate, interval(asked.bat_speed(table)), interval(gained), interval(gained - now),
-                float(np.mean(gained > now)),
+                float(np.mean(gained - now > asked.goal.nothing)),
             )
         )  # fmt: skip
         if progress is not None:

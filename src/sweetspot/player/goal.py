@@ -18,6 +18,7 @@ from sweetspot.flight.kernel import flights
 from sweetspot.motion.ball_motion import BallMotions
 from sweetspot.motion.swing_path import Swings, path_axes, steep_enough
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.confidence import NO_SPEED
 from sweetspot.player.contact_tables import BARREL
 from sweetspot.player.gain_kernel import CarryGrid, fill_carries
 from sweetspot.player.model import PlayerModel
@@ -34,6 +35,8 @@ BAT_SPEED = 31.0
 OFFSET_COUNT = 53
 ATTACKS = np.radians(np.linspace(-20.0, 40.0, 13))
 SHORTEST_LINE, LONGEST_LINE = 10.0, 200.0
+NO_GAIN: dict[GoalName, float] = {"exit-speed": NO_SPEED, "carry": 0.05 * FOOT, "line": 0.005}
+"""Of every goal what is told as no change: half of the last digit shown of mph, ft and per cent."""
 
 
 @dataclass(frozen=True)
@@ -61,6 +64,11 @@ class Goal:
                 f"the line is {self.line:.4g} m ({self.line / FOOT:.4g} ft) away; allowed is "
                 f"{SHORTEST_LINE / FOOT:.0f} to {LONGEST_LINE / FOOT:.0f} ft"
             )
+
+    @property
+    def nothing(self) -> float:
+        """The greatest change that counts as none: m/s, m, or a part of all hits."""
+        return NO_GAIN[self.name]
 
 
 @dataclass(frozen=True)

@@ -85,7 +85,8 @@ def fault_of(swing: PlayerSwing, length: float) -> str:
         return text
     fastest = LIVELIEST * pitch + (1 + LIVELIEST) * bat
     if ball > fastest:
-        return f"exit speed {mph(ball)} is more than any bat gives at {mph(bat)} against {mph(pitch)} ({mph(fastest)})"
+        met = f"against {mph(pitch)}" if pitch else "off a tee"
+        return f"exit speed {mph(ball)} is more than any bat gives at {mph(bat)} {met} ({mph(fastest)})"
     if swing.position is not None and not insisted():
         there = bat * (length - swing.position) / (length - FROM_TIP)
         if ball > max(LIVELIEST * pitch + (1 + LIVELIEST) * there, 0.0) and swing.position > FROM_TIP:

@@ -12,11 +12,10 @@ import numpy as np
 
 from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.confidence import sure_sign
+from sweetspot.player.goal import Goal
 from sweetspot.player.posterior import interval
 from sweetspot.player.swung import FEWEST_OF_A_BAT, Swung
-
-NOTHING = 1e-9
-"""Of the goal, SI: a difference that is none."""
 
 
 @dataclass(frozen=True)
@@ -27,9 +26,9 @@ class Pair:
     ----------
     better, other : names of the bats; the model expects more of the first.
     gain : of the goal, what the model expects of the first beyond the other, over what the data allow.
-    chance : part of what the data allow in which the first is better.
+    chance : part of what the data allow in which the first is better by more than nothing.
     measured : m/s, the difference of the mean exit speeds as they were measured; None: not measured with both.
-    goal_is_speed : whether the goal is exit speed, so that ``measured`` may gainsay ``gain``.
+    goal : what is wanted; where it is exit speed, ``measured`` may gainsay ``gain``.
     """
 
     better: str
@@ -37,7 +36,12 @@ class Pair:
     gain: Interval
     chance: float
     measured: Interval | None
-    goal_is_speed: bool
+    goal: Goal
+
+    @property
+    def goal_is_speed(self) -> bool:
+        """Whether what was measured is what is wanted."""
+        return self.goal.name == "exit-speed"
 
     @property
     def verdict(self) -> Literal["better", "better by the model", "cannot tell", "gainsaid"]:
@@ -47,16 +51,19 @@ class Pair:
         and model are both surely above zero; "better by the model" where the model is and what was measured, if it
         was, is not below zero.
         """
+        nothing = self.goal.nothing
         measured = self.measured if self.goal_is_speed else None
-        if measured is not None and measured.high < 0 < self.gain.value:
+        sign = 0 if measured is None else sure_sign(measured.low, measured.high, nothing=nothing)
+        if sign < 0 < self.gain.value:
             return "gainsaid"
-        if self.gain.low <= NOTHING or (measured is not None and measured.value < 0):
+        expected = sure_sign(self.gain.low, self.gain.high, nothing=nothing)
+        if expected <= 0 or (measured is not None and measured.value < 0):
             return "cannot tell"
-        return "better" if measured is not None and measured.low > 0 else "better by the model"
+        return "better" if sign > 0 else "better by the model"
 
 
 def bat_pairs(
-    swung: Sequence[Swung], gained: Mapping[str, Array], *, goal_is_speed: bool
+    swung: Sequence[Swung], gained: Mapping[str, Array], *, goal: Goal
 ) -> tuple[tuple[Pair, ...], tuple[str, ...]]:
     """Return every two of the bats that were swung, and the names of those swung too seldom to be compared.
 
@@ -64,7 +71,7 @@ def bat_pairs(
     ----------
     swung : the bats of the file.
     gained : of every bat by name, the expected goal for every draw, shape (draws,), with the same draws and swings.
-    goal_is_speed : whether the goal is exit speed.
+    goal : what is wanted.
     """
     known = [one for one in swung if one.count >= FEWEST_OF_A_BAT and one.bat.name in gained]
     known.sort(key=lambda one: -float(np.median(gained[one.bat.name])))
@@ -73,8 +80,8 @@ def bat_pairs(
         more = gained[first.bat.name] - gained[second.bat.name]
         pairs.append(
             Pair(
-                first.bat.name, second.bat.name, interval(more), float(np.mean(more > 0)),
-                difference(first.exit_speed, second.exit_speed), goal_is_speed,
+                first.bat.name, second.bat.name, interval(more), float(np.mean(more > goal.nothing)),
+                difference(first.exit_speed, second.exit_speed), goal,
             )
         )  # fmt: skip
     return tuple(pairs), tuple(one.bat.name for one in swung if one.count < FEWEST_OF_A_BAT)

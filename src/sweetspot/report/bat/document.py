@@ -30,13 +30,12 @@ from sweetspot.report.bat.tables import (
 from sweetspot.report.bat.words import (
     BEST_PLACE,
     BEST_SPEED,
-    WHY_BOTH,
-    WHY_TWO,
     Miss,
     answer,
     from_tip,
     hand_and_tip,
     misses_of,
+    why_intervals,
 )
 from sweetspot.report.document import Block, Cards, Document, Paragraph, Picture, Section, Sources
 from sweetspot.report.hit.document import BattedHit, hit_picture, hit_table
@@ -139,9 +138,8 @@ def _overview(analysis: Analysis[Implement], reaches: Reaches | None) -> Picture
         name=analysis.bat.name, speed=Slot(exit_speed_of(analysis.best, analysis.conditions), "speed", of=BEST_SPEED),
         place=from_tip(analysis, analysis.sweet_spots.max_exit_speed, BEST_PLACE),
     )  # fmt: skip
-    caption = in_words(
-        "The {implement} to scale and, place for place, what a hit there does. Shaded: the {zone}.", words
-    )
+    shaded = "" if analysis.sweet_spots.zone is None else in_words(" Shaded: the {zone}.", words)
+    caption = in_words("The {implement} to scale and, place for place, what a hit there does.", words) + shaded
     sheet = partial(_drawn_sheet, analysis, reaches=reaches)
     return Picture("overview", partial(_drawn_overview, analysis, reaches=reaches), label, caption, sheet)
 
@@ -204,7 +202,7 @@ def _appendix(analysis: Analysis[Implement], misses: Sequence[Miss], *, drawn: b
     return [
         *([] if face is None else [Section("face-map", "All over the face", [_face_picture(analysis)])]),
         *([Section("misses", "What a miss costs", [
-            misses_table(misses, analysis.bat), Paragraph(WHY_BOTH if drawn else WHY_TWO),
+            misses_table(misses, analysis.bat), Paragraph(why_intervals(words_of(analysis.bat), drawn=drawn)),
         ])]
           if misses else []),
         assumptions_section(analysis), *published_section(published), constants_section(analysis),

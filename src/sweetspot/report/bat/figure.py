@@ -176,5 +176,5 @@ def what_lines_are(analysis: Analysis[Implement], *, banded: bool) -> str:
     near = "  Panels: the face alone." if ruler.is_zoomed(analysis.bat) else ""
     strung = isinstance(analysis.bat, Racket) and analysis.bat.strings is not None
     rigid = f"the same {words.implement} if it were rigid" + (", strings too" if strung else "")
-    frame = "  Steps at the ends: the ball is on the frame." if strung else ""
+    frame = f"  Steps at the ends: the {words.ball} is on the frame." if strung else ""
     return f"{shaded}{bands}Orange line: best place.  Dashed: {rigid}.{near}{frame}"

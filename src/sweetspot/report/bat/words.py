@@ -26,11 +26,11 @@ MISSES = {"in": (1 * INCH, 2 * INCH, 3 * INCH), "cm": (0.02, 0.04, 0.06)}
 LEAST_SHARE = 5e-4
 """Part of the energy below which one decimal of a per cent would say none."""
 WHY_BOTH = (
-    "These intervals reach from a ball that loses its energy by how far it is pressed to one that loses it by how "
+    "These intervals reach from a {ball} that loses its energy by how far it is pressed to one that loses it by how "
     "fast; no measurement has settled which."
 )
 WHY_TWO = (
-    "In brackets: what a ball that loses its energy by how fast it is pressed, not by how far, allows as well; no "
+    "In brackets: what a {ball} that loses its energy by how fast it is pressed, not by how far, allows as well; no "
     "measurement has settled that."
 )
 BEST_PLACE, BEST_SPEED = "sweet_spots.max_exit_speed_m", "best_hit.exit_speed_m_s"
@@ -204,11 +204,14 @@ def _miss(misses: Sequence[Miss], words: Words, *, drawn: bool) -> Sentence:
         )
         for number, one in enumerate(misses)
     ]  # fmt: skip
-    return (
-        joined([say("What a miss costs: {costs}.", costs=joined(costs, "; ")), WHY_BOTH if drawn else WHY_TWO])
-        if costs
-        else Sentence(())
-    )
+    if not costs:
+        return Sentence(())
+    return joined([say("What a miss costs: {costs}.", costs=joined(costs, "; ")), why_intervals(words, drawn=drawn)])
+
+
+def why_intervals(words: Words, *, drawn: bool) -> Sentence:
+    """Return what the intervals of a miss reach over."""
+    return in_words(WHY_BOTH if drawn else WHY_TWO, words)
 
 
 def _hands(analysis: Analysis[Implement], words: Words) -> Sentence:

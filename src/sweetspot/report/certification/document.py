@@ -121,6 +121,8 @@ def _headline(tested: TestedBat) -> Sentence:
     open_ones = [title(check.rule) for _, check in tested.checks if check.verdict is Verdict.NOT_DECIDABLE]
     if not kept:
         return say("No rule could be decided for {bat}, so nothing is passed.", bat=tested.bat.name)
+    if all(league.superseded for league, _ in tested.checks):
+        return say("{bat} keeps limits that hold no more; they say nothing about today." + close, bat=tested.bat.name)
     if not open_ones:
         return say("{bat} keeps every rule." + close, bat=tested.bat.name)
     return say(

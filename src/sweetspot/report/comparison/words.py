@@ -10,6 +10,7 @@ from sweetspot.analysis.trampoline import wall_point_of
 from sweetspot.catalog.sports import sport
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
+from sweetspot.numerics.confidence import NO_SPEED, sure_sign
 from sweetspot.report.sentences import Sentence, Slot, joined, say, within
 from sweetspot.units import MPH
 
@@ -17,8 +18,6 @@ PUBLISHED_EFFICIENCY = (0.214, 0.193)
 """q of a whole and of the corked bat in the laboratory [nathan2011corked]."""
 PUBLISHED_BREAK_EVEN = 2.9 * MPH
 """m/s of bat speed that follows from these two at a 94 mph pitch and 70 mph of bat speed."""
-NOTHING = 0.05 * MPH
-"""m/s that is told as 0.0 mph: no gain, no loss; an interval that begins there leaves the sign open."""
 INTERVAL_MEANS = "90 % of the spread of the swing law's exponent, and nothing else"
 
 
@@ -126,18 +125,18 @@ def _sentence(compared: Compared[Implement], first: Compared[Implement], index: 
     faster = compared.bat_speed.value - first.bat_speed.value
     change = compared.change
     swung = say("")
-    if abs(faster) > NOTHING:
+    if abs(faster) > NO_SPEED:
         of = f"{'-' if faster < 0 else ''}bats.{index}.swung_faster_m_s"
         much = replace(_change(abs(faster)), of=of)
         swung = say("swung {speed} {way}, ", speed=much, way="faster" if faster > 0 else "slower")
     text = say("{label}: {swung}the ball leaves ", label=compared.label, swung=swung)
-    if max(abs(change.value), abs(change.low) / 3, abs(change.high) / 3) < NOTHING:
+    if max(abs(change.value), abs(change.low) / 3, abs(change.high) / 3) < NO_SPEED:
         return text + f"as fast as from {first.label}."
     text += say("{speed} {way}", speed=_change(abs(change.value)), way="faster" if change.value > 0 else "slower")
     if change.low < change.high:
         text += say(" ({ends})", ends=_ends(change.low, change.high))
-    if change.low > NOTHING or change.high < -NOTHING:
-        return text + say(": a {gain}{given}.", gain="gain" if change.low > 0 else "loss", given=given)
+    if sign := sure_sign(change.low, change.high, nothing=NO_SPEED):
+        return text + say(": a {gain}{given}.", gain="gain" if sign > 0 else "loss", given=given)
     return text + ": the sign is not sure."
 
 
@@ -161,9 +160,10 @@ def _answer(
     swung += "."
     net = say("Net change of the exit speed: {change}.", change=within(change, "speed_change", sign=True))
     given = f",{_if_as_described(comparison)}" if by_law else ""
-    if change.high < -NOTHING:
+    sign = sure_sign(change.low, change.high, nothing=NO_SPEED)
+    if sign < 0:
         end = f"No{given}: the ball leaves slower. What remains is a quicker, later swing, which is not computed here."
-    elif change.low > NOTHING:
+    elif sign > 0:
         end = f"Here it does{given}."
     else:
         unknown = "the spread of what players do" if by_law else "what is not known"

@@ -22,7 +22,7 @@ from sweetspot.report.document import (
     Table,
 )
 from sweetspot.report.json_shapes import as_columns
-from sweetspot.report.player.goals import GOALS, goal_shown, goal_words
+from sweetspot.report.player.goals import GOALS, goal_shown, goal_words, pitch_words
 from sweetspot.report.player.numbers import option_rows, player_json
 from sweetspot.report.player.pair_words import pairs_table
 from sweetspot.report.player.tried_bats import option_words
@@ -76,8 +76,7 @@ def player_document(
 
 def _subtitle(advice: Advice) -> Sentence:
     return say(
-        "for {goal}, {pitch} pitch at the plate", goal=goal_words(advice.goal),
-        pitch=Slot(advice.pitch_speed, "speed", 0),
+        "for {goal}, {pitch}", goal=goal_words(advice.goal), pitch=pitch_words(advice.pitch_speed),
     )  # fmt: skip
 
 

@@ -24,6 +24,16 @@ def goal_words(goal: Goal) -> Sentence:
     return say({"exit-speed": "exit speed", "carry": "carry"}[goal.name])
 
 
+def pitch_words(speed: float) -> Sentence:
+    """Return what comes to be hit.
+
+    >>> from sweetspot.report.quantities import US
+    >>> pitch_words(0.0).read(US), pitch_words(26.8).read(US)
+    ('ball at rest', '60 mph pitch at the plate')
+    """
+    return say("{speed} pitch at the plate", speed=Slot(speed, "speed", 0)) if speed else say("ball at rest")
+
+
 def goal_shown(interval: Interval, goal: Goal, *, sign: bool = False) -> Sentence:
     """Return a value of the goal, or a change of it, with its interval."""
     scale, digits = GOALS[goal.name]

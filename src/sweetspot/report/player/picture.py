@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from sweetspot.motion.swing_law import Interval
+from sweetspot.numerics.confidence import sure_sign
 from sweetspot.player.advice import PLACES, Advice
 from sweetspot.player.posterior import Posterior
 from sweetspot.player.prior import NAMES
@@ -26,11 +27,11 @@ from sweetspot.report.pictures.style import (
     light_grid,
     styled,
 )
-from sweetspot.report.player.goals import GOALS, goal_words
+from sweetspot.report.player.goals import GOALS, goal_words, pitch_words
 from sweetspot.report.player.tried_bats import option_words
 from sweetspot.report.player.words import changes
 from sweetspot.report.quantities import BLUE, GREEN, RED, SKY, US, Reader, Unit
-from sweetspot.report.sentences import Slot, say, within
+from sweetspot.report.sentences import say, within
 
 
 @dataclass(frozen=True)
@@ -57,10 +58,10 @@ class Paper:
 ALONE = Paper()
 ON_A_SHEET = Paper(SHEET, 0.34, 0.22, 0.8, 0.56, 0.13, 0.56, 1.84, 0.4, 7.2)
 """Whose page says whom it is for."""
+SURE = {1: GREEN, -1: RED, 0: MUTED}
+"""Colour of a gain, a loss, and what cannot be told."""
 LIGHTER = 1.06
 """How much wider bold letters are than the rows' names."""
-NOTHING = 0.05
-"""Of the unit shown; a smaller change is drawn as none."""
 
 
 @styled
@@ -91,7 +92,7 @@ def player_figure(
         (bats, 2 * side + column, top, deep[1], "What another bat is worth"),
     ):
         axes = axes_in_inches(figure, left=left + named, top=start, width=column - named, height=size)
-        _rows(axes, rows, unit, f"{words}, {unit.name}", paper)
+        _rows(axes, rows, unit, f"{words}, {unit.name}", advice.goal.nothing, paper)
     words = (
         "Curve: band and ticks are what the swings allow for the mean contact; its scale does not begin at 0.\n"
         "Dots and lines: most likely value and 90 % interval. Green: a gain; orange: a loss; grey: cannot tell."
@@ -114,10 +115,10 @@ def _header(
     words, size = fitted(title, width=room, size=HUGE)
     figure.text(left, 1 - 0.42 / height, words, size=size, weight="bold", parse_math=False)
     line = say(
-        "{day}{count} swings, {bat}: bat speed {speed}, pitch {pitch} at the plate",
+        "{day}{count} swings, {bat}: bat speed {speed}, {pitch}",
         day=f"{day}: " if day else "", count=len(posterior.model.swings),
         bat=posterior.model.bats[0].bat.name, speed=within(learned["bat_speed"].interval, "speed"),
-        pitch=Slot(advice.pitch_speed, "speed", 0),
+        pitch=pitch_words(advice.pitch_speed),
     )  # fmt: skip
     words, size = fitted(line.read(reading), width=room, size=NORMAL, smallest=6.0)
     figure.text(left, 1 - 0.66 / height, words, color=MUTED, size=size, parse_math=False)
@@ -148,14 +149,14 @@ def _contact(axes: Axes, posterior: Posterior, advice: Advice, reading: Reader, 
     light_grid(axes)
 
 
-def _rows(axes: Axes, bars: list[tuple[str, Interval]], unit: Unit, title: str, paper: Paper) -> None:
+def _rows(axes: Axes, bars: list[tuple[str, Interval]], unit: Unit, title: str, nothing: float, paper: Paper) -> None:
     """Draw a row with dot and interval for every change."""
     size = unit.size
     start = -72 * (paper.names + paper.figures)
     axes.annotate(title, (0, 1), xycoords="axes fraction", xytext=(start, 5), textcoords="offset points",
                   weight="bold", va="baseline")  # fmt: skip
     for row, (words, gain) in enumerate(bars):
-        colour = GREEN if gain.low > NOTHING * size else RED if gain.high < -NOTHING * size else MUTED
+        colour = SURE[sure_sign(gain.low, gain.high, nothing=nothing)]
         axes.plot([gain.low / size, gain.high / size], [row, row], color=colour, linewidth=1.6)
         axes.plot(gain.value / size, row, "o", color=colour, markersize=4)
         where: dict[str, Any] = {"xycoords": ("axes fraction", "data"), "textcoords": "offset points", "va": "center"}

@@ -11,6 +11,7 @@ from sweetspot.analysis.certification.shots import BadRow
 from sweetspot.catalog.bats import bat_names
 from sweetspot.errors import maybe_meant
 from sweetspot.motion.swing_law import Interval
+from sweetspot.numerics.confidence import sure_sign
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.player.advice import Advice, Option
 from sweetspot.player.model import PlayerModel
@@ -48,7 +49,6 @@ REASONS, LONGEST_REASON = 3, 160
 """Kinds of reasons told in the first line, and letters of each."""
 ROWS_SHOWN = 8
 """Rows not used that are listed; the JSON has all."""
-NOTHING = 1e-9
 
 
 def parameter_shown(name: str, interval: Interval) -> Sentence:
@@ -188,9 +188,9 @@ def _contact(learned: dict[str, Learned]) -> Sentence:
     return text + "."
 
 
-def _verdict(interval: Interval) -> int:
-    """Return 1 for a gain, -1 for a loss, 0 where the interval holds zero or is nothing."""
-    return 1 if interval.low > NOTHING else -1 if interval.high < -NOTHING else 0
+def _verdict(interval: Interval, advice: Advice) -> int:
+    """Return 1 for a gain of the goal, -1 for a loss, 0 where that is not sure."""
+    return sure_sign(interval.low, interval.high, nothing=advice.goal.nothing)
 
 
 def _which(advice: Advice) -> Sentence:
@@ -204,9 +204,9 @@ def _which(advice: Advice) -> Sentence:
 def _of_those_tried(others: Sequence[Option], advice: Advice) -> Words:
     """Name the best of the bats that the player never swung, and who says so."""
     best = others[0] if others else None
-    if best is None or best.change.value <= 0:
+    if best is None or best.change.value <= advice.goal.nothing:
         return "None of the bats tried in the computer is better."
-    sure = _verdict(best.change) > 0
+    sure = _verdict(best.change, advice) > 0
     told = advice.posterior.learned["exponent"].told
     return say(
         "{lead}: {label} ({size}), {change}, better in {chance} of what {speaker}.",
@@ -254,7 +254,7 @@ def _family(advice: Advice, family: str, nothing: Words) -> Sentence:
         "; ",
     )  # fmt: skip
     best = options[0]
-    if _verdict(best.change) > 0:
+    if _verdict(best.change, advice) > 0:
         lead = say("Best is {label}{law}.", label=option_words(best.candidate), law=_by_law(advice))
         return joined([lead, listed + "."])
     return joined([nothing, listed + "."])
@@ -262,7 +262,7 @@ def _family(advice: Advice, family: str, nothing: Words) -> Sentence:
 
 def _end_loaded(advice: Advice) -> Sentence:
     words = {1: "End-loaded", -1: "Balanced", 0: "These swings cannot tell"}
-    verdict = _verdict(advice.end_loaded)
+    verdict = _verdict(advice.end_loaded, advice)
     return say(
         "{answer}{law}: the same weight of {mass} at the tip instead of at the knob changes {goal} by {gain}.",
         answer=words[verdict], law=_by_law(advice) if verdict else "", mass=Slot(OUNCE, "mass"),
@@ -277,7 +277,7 @@ def _choke(advice: Advice) -> Sentence:
     return say(
         "{answer}, as far as {goal} goes: held {inch} further up, bat speed is {speed} and the change {gain}. Better "
         "control, if there is any, is not counted; compare it with what better contact is worth.",
-        answer={1: "Yes", -1: "No", 0: "These swings cannot tell"}[_verdict(option.change)],
+        answer={1: "Yes", -1: "No", 0: "These swings cannot tell"}[_verdict(option.change, advice)],
         goal=goal_words(advice.goal), inch=Slot(INCH, "place"), speed=within(option.bat_speed, "speed"),
         gain=goal_shown(option.change, advice.goal, sign=True),
     )  # fmt: skip
