@@ -10,6 +10,14 @@ import pytest
 
 from sweetspot import beam_model, catalog, rigid_body
 
+CUPPED = """
+name = "cupped"
+length = "33 in"
+turned = { knob = "2 in", handle = "1 in", barrel = "2.5 in", taper_start = "9 in", taper_end = "29 in" }
+material = { like = "sugar maple", density = "680 kg/m^3" }
+cup = { diameter = "1.4 in", depth = "0.8 in" }
+"""
+
 
 def test_a_bat_there_and_back(
     run: Callable[..., tuple[int, str, str]], run_json: Callable[..., Any], tmp_path: Path
@@ -42,6 +50,16 @@ def test_drawings_from_the_catalogue_and_back(run: Callable[..., tuple[int, str,
         code, out, _ = run("outline", str(path), "--units", "si")
         assert code == 0
         assert "length 83.8 cm" in out
+
+
+def test_what_a_drawing_does_not_tell_is_said(run: Callable[..., tuple[int, str, str]], tmp_path: Path) -> None:
+    """A cup is drawn and not read back, and the density is the file's own where it has one."""
+    cupped = tmp_path / "cupped.toml"
+    cupped.write_text(CUPPED, encoding="utf-8")
+    out = " ".join(run("outline", str(cupped), "--out", str(tmp_path / "cupped.dxf"), "--units", "si")[1].split())
+    assert "In sugar maple of 680 kg/m³ it would weigh" in out
+    out = " ".join(run("outline", str(tmp_path / "cupped.dxf"), "--units", "si")[1].split())
+    assert "Solid, without cup or holes, in white ash" in out
 
 
 @pytest.mark.parametrize(

@@ -35,6 +35,7 @@ from sweetspot.player.posterior import Posterior, fit_player, walked
 from sweetspot.player.prior import NAMES, natural
 from sweetspot.player.simulate import simulated_swings
 from sweetspot.player.swings import Swings, read_swings
+from sweetspot.player.swung_pairs import Pair
 from sweetspot.report.player.goals import pitch_words
 from sweetspot.report.player.numbers import option_rows, player_json
 from sweetspot.report.player.team import best_option
@@ -256,6 +257,18 @@ def test_a_gain_that_is_told_as_none_is_not_sure(advice: Advice, mph: float, sur
     assert ("No other weight tried is surely better" in asked["Heavier or lighter?"]) == (not sure)
     assert ("none is surely better" in asked["Which bat?"]) == (not sure)
     assert (best_option(changed) is not None) == sure
+
+
+@pytest.mark.parametrize(("slower", "sign"), [(-1.0, 1), (0.4, 0), (2.0, 0)])
+def test_a_bat_that_was_measured_slower_is_not_called_surely_better(advice: Advice, slower: float, sign: int) -> None:
+    """Exact: the model expects 0.5 mph more of the second bat for sure; it was measured ``slower`` mph slower, +-1."""
+    gain, own = Interval(0.5 * MPH, 0.3 * MPH, 0.7 * MPH), advice.posterior.model.bats[0].bat
+    second = next(option for option in advice.options if option.candidate.family == "catalogue")
+    measured = Interval(-slower * MPH, -(slower + 1) * MPH, (1 - slower) * MPH)
+    pair = Pair(second.candidate.bat.name, own.name, gain, 1.0, measured, Goal())
+    told = replace(advice, goal=Goal(), options=(replace(second, change=gain),), pairs=(pair,))
+    assert told.sign_of(told.options[0]) == sign
+    assert (best_option(told) is not None) == (sign > 0)
 
 
 def test_off_a_tee_the_ball_is_at_rest_and_no_pitch(advice: Advice) -> None:

@@ -14,6 +14,7 @@ from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.air import Air
 from sweetspot.motion.swing_law import Interval
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.confidence import sure_sign
 from sweetspot.numerics.parabola import top
 from sweetspot.player.candidate import Candidate, candidates
 from sweetspot.player.contact_tables import contact_table
@@ -108,6 +109,18 @@ class Advice:
     def lighter(self) -> Advice:
         """Return the advice with few of the fit's draws."""
         return replace(self, posterior=replace(self.posterior.lighter(), weighted=None))
+
+    def sign_of(self, option: Option) -> int:
+        """Return 1 for a bat surely better than the player's own, -1 for one surely worse, 0 where that is open.
+
+        Of a bat that the player swung, what was measured has its say too: see `Pair.verdict`.
+        """
+        names = {option.candidate.bat.name, self.posterior.model.bats[0].bat.name}
+        for pair in self.pairs:
+            if {pair.better, pair.other} == names:
+                sure = pair.verdict in ("better", "better by the model")
+                return 0 if not sure else 1 if pair.better == option.candidate.bat.name else -1
+        return sure_sign(option.change.low, option.change.high, nothing=self.goal.nothing)
 
     def best(self, family: str) -> Option | None:
         """Return the best option of a family of bats, None where it has none."""

@@ -105,11 +105,13 @@ def outline_json(outline: Outline, bat: Bat, body: RigidBody) -> dict[str, Any]:
 def outline_words(outline: Outline, bat: Bat, body: RigidBody) -> Sentence:
     """Return in words how thick the bat is and what it weighs, or would."""
     beyond_knob = [size for place, size in outline.profile if place > 0.15 * bat.length]
+    hollow = bat.shell is not None or bat.cup is not None or bool(bat.bores)
     weighs = (
-        "In {wood} of the catalogue's density it would weigh {mass} and balance {balance} from the knob."
-        if bat.mass is None
-        else "Of {wood}, it weighs {mass} and balances {balance} from the knob."
+        "Of {wood}, it weighs {mass} and balances {balance} from the knob."
+        if bat.mass is not None
+        else "{made} {wood} of {density} it would weigh {mass} and balance {balance} from the knob."
     )
+    made = "In" if hollow else "Solid, without cup or holes, in"
     words = [
         say(
             "{count} stations: handle {thin}, barrel {thick}, length {length}.", count=len(outline.profile),
@@ -117,7 +119,8 @@ def outline_words(outline: Outline, bat: Bat, body: RigidBody) -> Sentence:
             length=Slot(bat.length, "length"),
         ),
         say(
-            weighs, wood=bat.material.name, mass=Slot(body.mass, "mass"), balance=Slot(body.balance_point, "length"),
+            weighs, made=made, wood=bat.material.name, density=Slot(bat.material.density, "density"),
+            mass=Slot(body.mass, "mass"), balance=Slot(body.balance_point, "length"),
         ),
     ]  # fmt: skip
     if outline.assumed:

@@ -75,8 +75,14 @@ def player_figure(
     paper: Paper = ALONE,
 ) -> Figure:
     """Return the figure: expected goal against contact point, worth of single changes, bats tried."""
-    worth = [(words.read(reading), advice.worth[key].gain) for key, words in changes().items()]
-    bats = [(option_words(option.candidate).read(reading), option.change) for option in advice.options]
+    worth = [
+        (words.read(reading), gain, sure_sign(gain.low, gain.high, nothing=advice.goal.nothing))
+        for words, gain in ((words, advice.worth[key].gain) for key, words in changes().items())
+    ]
+    bats = [
+        (option_words(option.candidate).read(reading), option.change, advice.sign_of(option))
+        for option in advice.options
+    ]
     deep = [paper.row * (len(rows) + 0.5) for rows in (worth, bats)]
     top, side, column, named = paper.header, paper.side, paper.column, paper.names + paper.figures
     below = top + paper.curve + paper.between
@@ -92,7 +98,7 @@ def player_figure(
         (bats, 2 * side + column, top, deep[1], "What another bat is worth"),
     ):
         axes = axes_in_inches(figure, left=left + named, top=start, width=column - named, height=size)
-        _rows(axes, rows, unit, f"{words}, {unit.name}", advice.goal.nothing, paper)
+        _rows(axes, rows, unit, f"{words}, {unit.name}", paper)
     words = (
         "Curve: band and ticks are what the swings allow for the mean contact; its scale does not begin at 0.\n"
         "Dots and lines: most likely value and 90 % interval. Green: a gain; orange: a loss; grey: cannot tell."
@@ -149,14 +155,14 @@ def _contact(axes: Axes, posterior: Posterior, advice: Advice, reading: Reader, 
     light_grid(axes)
 
 
-def _rows(axes: Axes, bars: list[tuple[str, Interval]], unit: Unit, title: str, nothing: float, paper: Paper) -> None:
-    """Draw a row with dot and interval for every change."""
+def _rows(axes: Axes, bars: list[tuple[str, Interval, int]], unit: Unit, title: str, paper: Paper) -> None:
+    """Draw a row with dot and interval for every change, coloured by its sign where that is sure."""
     size = unit.size
     start = -72 * (paper.names + paper.figures)
     axes.annotate(title, (0, 1), xycoords="axes fraction", xytext=(start, 5), textcoords="offset points",
                   weight="bold", va="baseline")  # fmt: skip
-    for row, (words, gain) in enumerate(bars):
-        colour = SURE[sure_sign(gain.low, gain.high, nothing=nothing)]
+    for row, (words, gain, sign) in enumerate(bars):
+        colour = SURE[sign]
         axes.plot([gain.low / size, gain.high / size], [row, row], color=colour, linewidth=1.6)
         axes.plot(gain.value / size, row, "o", color=colour, markersize=4)
         where: dict[str, Any] = {"xycoords": ("axes fraction", "data"), "textcoords": "offset points", "va": "center"}

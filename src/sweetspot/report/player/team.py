@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from sweetspot.numerics.confidence import sure_sign
 from sweetspot.player.advice import Advice, Option
 from sweetspot.player.goal import Goal
 from sweetspot.player.prior import Population
@@ -100,10 +99,7 @@ def _better(advice: Advice, scale: str, digits: int | None) -> Words:
 
 def best_option(advice: Advice) -> Option | None:
     """Return the bat that is surely better by most, None where there is none."""
-    for option in advice.options:
-        if sure_sign(option.change.low, option.change.high, nothing=advice.goal.nothing) > 0:
-            return option
-    return None
+    return next((option for option in advice.options if advice.sign_of(option) > 0), None)
 
 
 def _row(member: Teammate) -> dict[str, Any]:

@@ -188,11 +188,6 @@ def _contact(learned: dict[str, Learned]) -> Sentence:
     return text + "."
 
 
-def _verdict(interval: Interval, advice: Advice) -> int:
-    """Return 1 for a gain of the goal, -1 for a loss, 0 where that is not sure."""
-    return sure_sign(interval.low, interval.high, nothing=advice.goal.nothing)
-
-
 def _which(advice: Advice) -> Sentence:
     goal = advice.goal
     own = say("Expected {goal} with the bat now: {now}.", goal=goal_words(goal), now=goal_shown(advice.now, goal))
@@ -206,7 +201,7 @@ def _of_those_tried(others: Sequence[Option], advice: Advice) -> Words:
     best = others[0] if others else None
     if best is None or best.change.value <= advice.goal.nothing:
         return "None of the bats tried in the computer is better."
-    sure = _verdict(best.change, advice) > 0
+    sure = advice.sign_of(best) > 0
     told = advice.posterior.learned["exponent"].told
     return say(
         "{lead}: {label} ({size}), {change}, better in {chance} of what {speaker}.",
@@ -254,7 +249,7 @@ def _family(advice: Advice, family: str, nothing: Words) -> Sentence:
         "; ",
     )  # fmt: skip
     best = options[0]
-    if _verdict(best.change, advice) > 0:
+    if advice.sign_of(best) > 0:
         lead = say("Best is {label}{law}.", label=option_words(best.candidate), law=_by_law(advice))
         return joined([lead, listed + "."])
     return joined([nothing, listed + "."])
@@ -262,7 +257,7 @@ def _family(advice: Advice, family: str, nothing: Words) -> Sentence:
 
 def _end_loaded(advice: Advice) -> Sentence:
     words = {1: "End-loaded", -1: "Balanced", 0: "These swings cannot tell"}
-    verdict = _verdict(advice.end_loaded, advice)
+    verdict = sure_sign(advice.end_loaded.low, advice.end_loaded.high, nothing=advice.goal.nothing)
     return say(
         "{answer}{law}: the same weight of {mass} at the tip instead of at the knob changes {goal} by {gain}.",
         answer=words[verdict], law=_by_law(advice) if verdict else "", mass=Slot(OUNCE, "mass"),
@@ -277,7 +272,7 @@ def _choke(advice: Advice) -> Sentence:
     return say(
         "{answer}, as far as {goal} goes: held {inch} further up, bat speed is {speed} and the change {gain}. Better "
         "control, if there is any, is not counted; compare it with what better contact is worth.",
-        answer={1: "Yes", -1: "No", 0: "These swings cannot tell"}[_verdict(option.change, advice)],
+        answer={1: "Yes", -1: "No", 0: "These swings cannot tell"}[advice.sign_of(option)],
         goal=goal_words(advice.goal), inch=Slot(INCH, "place"), speed=within(option.bat_speed, "speed"),
         gain=goal_shown(option.change, advice.goal, sign=True),
     )  # fmt: skip
