@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import resource
 import signal
 import subprocess
 import sys
@@ -11,6 +10,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+
+from tests.full_disk import no_file_beyond
 
 Run = Callable[..., tuple[int, str, str]]
 WORDS = ("design", "mlb-a", "--contact", "8in", "--population", "8", "--generations", "5", "--want", "exit-speed")
@@ -62,12 +63,8 @@ def test_ctrl_c_keeps_the_front_and_a_full_disk_tears_nothing(run: Run, tmp_path
     files = {path.name: path.read_bytes() for path in out.iterdir()}
     assert json.loads(files["search.json"])["generation"] == 2 and "designed-bat.toml" in files
     again = (*WORDS, "--resume", str(out / "search.json"), "--out", str(out))
-    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (20, limits[1]))
-    try:
+    with no_file_beyond(20):
         code, said, heard = run(*again)
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
     assert (code, said) == (2, "") and "Traceback" not in heard
     assert "cannot be written" in heard.splitlines()[-1]
     assert {path.name: path.read_bytes() for path in out.iterdir()} == files

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import errno
 import os
-import resource
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -22,6 +21,7 @@ from sweetspot.errors import InputError
 from sweetspot.report import file_set, files
 from sweetspot.validation.cases import sources
 from sweetspot.validation.run import judged
+from tests.full_disk import no_file_beyond
 from tests.season.conftest import made_up
 
 Run = Callable[..., tuple[int, str, str]]
@@ -90,12 +90,8 @@ def fault(name: str, folder: Path) -> Iterator[None]:
     """Make one kind of call fail where it concerns a folder; "write" is the system's own refusal of large files."""
     with pytest.MonkeyPatch.context() as patch:
         if name == "write":
-            limits = resource.getrlimit(resource.RLIMIT_FSIZE)
-            resource.setrlimit(resource.RLIMIT_FSIZE, (20, limits[1]))
-            try:
+            with no_file_beyond(20):
                 yield
-            finally:
-                resource.setrlimit(resource.RLIMIT_FSIZE, limits)
             return
         owner, calls, error = FAULTS[name]
         for call in calls.split():

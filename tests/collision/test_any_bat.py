@@ -6,7 +6,6 @@ SWEETSPOT_EXAMPLES=100 tries a hundred times as many.
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from functools import cache
 from typing import NamedTuple
 
@@ -18,13 +17,13 @@ from hypothesis import strategies as st
 from sweetspot import catalog
 from sweetspot.collision.coupled import hit
 from sweetspot.collision.hit_in_space import Contact, strikes
-from sweetspot.collision.impact import Outcome
+from sweetspot.collision.impact import Impacts, Outcome
 from sweetspot.collision.kernel import hits, hits_with_motion
 from sweetspot.collision.time_step import contact_step
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.bending import bending_modes
 from sweetspot.dynamics.mode_assembly import all_modes
-from sweetspot.dynamics.modes import Modes, joined
+from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.reduction import ReducedBat, reduced_bat
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.equipment.ball import Ball
@@ -107,25 +106,27 @@ def test_the_default_steps_are_short_enough(bat: Bat, part: float, closing: floa
     assert efficiency(None) == pytest.approx(converged, rel=0, abs=3e-4)
 
 
-def _with_bending(modes: Modes, bending: Modes) -> Modes:
-    """Return the modes with other bending modes, their own hoop modes and dent."""
-    apart = [i for i, family in enumerate(modes.families) if i > 1 and family != "bending"]
-    together = joined(bending, modes.kept(apart)) if apart else bending
-    return replace(together, compliances=(bending.compliances[0], *modes.compliances[1:]))
-
-
 @examples(3)
 @given(bat=BATS, closing=CLOSING)
 def test_twelve_modes_of_few_elements_are_many_of_many(bat: Bat, closing: float) -> None:
-    # A mesh too coarse for a steep taper left a slow mode's error to what gives way at once: 0.018 of q.
-    line, modes = beam_model(bat), reduced(bat).modes
-    places = np.linspace(0.65, 0.98, 12) * bat.length
-    fine = _with_bending(modes, bending_modes(line, count=80, elements=90))
-    few, many = (
-        hits(each, ball=BALL, position=places, closing_speed=closing, step=8e-6).collision_efficiency
-        for each in (modes, fine)
-    )
-    assert np.abs(few - many).max() < 8e-4
+    # A mesh too coarse for a steep taper left a slow mode's error to what gives way at once: 0.018 of q. Bending alone:
+    # what hoop modes leave out may be negative, which only twelve bending modes leave enough to make up for.
+    line, places = beam_model(bat), np.linspace(0.65, 0.98, 12) * bat.length
+    few, many = bending_modes(line), bending_modes(line, count=80, elements=90)
+
+    def met(modes: Modes, position: Array) -> Impacts:
+        return hits(modes, ball=BALL, position=position, closing_speed=closing, step=8e-6)
+
+    ours, finer = met(few, places), met(many, places)
+    efficiency, error = ours.collision_efficiency, 8e-4
+    once = (ours.touches == 1) & (finer.touches == 1)
+    assert once.sum() >= 6
+    assert np.abs(efficiency - finer.collision_efficiency)[once].max() < error
+    # A second touch enlarges what the first one missed: q changes by up to 0.08 within 1 mm there.
+    beside = np.array([[-1e-4], [0.0], [1e-4]]) + places[~once]
+    near = met(many, beside.ravel()).collision_efficiency.reshape(beside.shape)
+    assert np.all(near.min(axis=0) - error < efficiency[~once])
+    assert np.all(near.max(axis=0) + error > efficiency[~once])
 
 
 ANGLES = st.floats(-0.6, 0.6)

@@ -12,7 +12,6 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -26,6 +25,7 @@ from sweetspot.season import cluster
 from sweetspot.season.cluster import run_on_cluster
 from sweetspot.season.plan import Plan, do_task
 from sweetspot.season.season_table import Season
+from tests.full_disk import no_file_beyond
 from tests.season.conftest import files_of, made_up
 
 ROOT = Path(__file__).parents[2]
@@ -148,24 +148,12 @@ def test_what_a_killed_process_left_is_swept_and_what_a_living_one_writes_is_not
     assert not list(tmp_path.rglob(".*"))
 
 
-@contextmanager
-def full_disk(most: int) -> Iterator[None]:
-    """No file can grow beyond so many bytes: the system itself refuses, as it does on a full disk."""
-    resource = pytest.importorskip("resource")
-    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (most, hard))
-    try:
-        yield
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
-
-
 @pytest.mark.parametrize("workers", [0, 2])
 def test_a_full_disk_keeps_what_is_done(
     months: list[Path], whole: dict[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str], workers: int
 ) -> None:
     """Workers are refused by the system as this process is; whichever is the first, no file is left half written."""
-    with full_disk(200_000):
+    with no_file_beyond(200_000):
         assert season(*months, "--out", tmp_path, "--workers", workers) == 2
     said = capsys.readouterr().err.splitlines()
     assert len(said) == 1 and "cannot be written: file too large" in said[0] and "--resume" in said[0]
@@ -183,7 +171,7 @@ def test_no_room_for_the_copy_of_a_csv_file_is_not_the_file_s_fault(
     tables, out = [tmp_path / "small.csv", tmp_path / "large.csv"], tmp_path / "out"
     made_up(30).write_csv(tables[0])
     made_up(3000).write_csv(tables[1])
-    with full_disk(100_000):
+    with no_file_beyond(100_000):
         assert season(*tables, "--out", out) == 2
     said = capsys.readouterr().err.splitlines()
     assert len(said) == 1 and said[0].startswith(f"sweetspot: {tables[1]} is copied to {out}"), said
