@@ -148,6 +148,21 @@ def test_wrong_controls_are_named(client: httpx.Client, state: dict[str, Any], f
     assert "/work" not in error["message"]
 
 
+@pytest.mark.parametrize(
+    ("state", "words"),
+    [
+        ({"profile_in": [[0, 1]]}, "give at least 2; given were 1"),
+        ({"profile_in": [[0, 1]] * 61}, "give at most 60; given were 61"),
+        ({"profile_in": "x"}, "give a list; given was 'x'"),
+        ({"bat": None}, "give a text"),
+        ({"mass_oz": "x"}, "give a number; given was 'x'"),
+    ],
+)
+def test_faults_are_told_in_our_own_words(client: httpx.Client, state: dict[str, Any], words: str) -> None:
+    """None of pydantic's, which speak of tuples, validation and input."""
+    assert client.post("/api/v1/explorer", json=state).json()["error"]["message"] == words
+
+
 def test_no_name_opens_a_file(client: httpx.Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A file that is a bat, named where a name of the catalogue is wanted, is refused like any unknown name."""
     Path(tmp_path / "own.toml").write_text(bat_toml(catalog.bat("youth-30").replaced(name="a secret")), "utf-8")

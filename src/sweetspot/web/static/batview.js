@@ -334,8 +334,11 @@ export class BatView {
     context.fillStyle = colors.muted;
     context.textAlign = "right";
     if (right || !found.length) return;
-    const beside = "from the tip:"; // left of the first name's column, where there is room
-    if (column - widest - context.measureText(beside).width > LEFT) context.fillText(beside, column - widest, 12);
+    const beside = "from the tip:"; // of all numbers, left of the first name, where there is room
+    context.font = `12px ${FONT}`;
+    const end = column - context.measureText(wordsOf(found[0])).width - 20;
+    context.font = `11px ${FONT}`;
+    if (end - context.measureText(beside).width > LEFT) context.fillText(beside, end, 12);
   }
 
   /**
