@@ -270,6 +270,10 @@ def test_an_address_stays_short_enough_to_be_sent(page: Page, server: str, answe
     other.goto(short)
     for text in ("Own bat 0", "Own bat 3"):
         expect(other.locator("#view")).to_contain_text(text)
+    page.get_by_role("button", name="Export").click()
+    expect(page.locator("dialog")).to_contain_text(short)  # which holds all: nothing need be sent along
+    expect(page.locator("dialog")).not_to_contain_text("too long")
+    page.get_by_role("button", name="Close").click()
     page.locator("#share").click()
     page.evaluate("Object.defineProperty(navigator, 'clipboard', { value: undefined })")
     page.get_by_role("button", name="Copy to embed").click()

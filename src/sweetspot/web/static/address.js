@@ -37,6 +37,10 @@ export async function shortAddressOf(name, state, defaults, embedded = false) {
   return `${path}?${PACKED}=${text}`;
 }
 
+// Whether an address holds its state packed.
+/** @param {string} search */
+export const isPacked = (search) => new URLSearchParams(search).has(PACKED);
+
 /** @param {string} text */
 async function unpacked(text) {
   const bytes = Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (letter) => letter.charCodeAt(0));

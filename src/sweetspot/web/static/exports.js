@@ -1,5 +1,6 @@
 // What can be taken away: pictures, numbers, the bat, and the lines that give the same numbers without the page.
 
+import { isPacked } from "./address.js";
 import { download, downloadBlob } from "./download.js";
 import { posted } from "./post.js";
 import { FONT, wrapped } from "./surface.js";
@@ -7,6 +8,7 @@ import { partOf } from "./parts.js";
 import { SvgContext } from "./svgcontext.js";
 /** @import { App } from "./main.js" */
 
+const LONGEST_LINE = 300; // letters of an address that a picture's foot has room for
 const SHARP = 2; // pixels of a PNG per pixel of the page
 const GAP = 12, ROW = 20;
 
@@ -72,7 +74,7 @@ async function addLines(app, /** @type {HTMLDialogElement} */ dialog) {
       className: "note", textContent: "bat.toml is this bat; save it with the button above." }));
   }
   place.append(block(app, "Address of this picture", location.href, "address"));
-  if (history.state?.view) {
+  if (history.state?.view && !isPacked(location.search)) {
     place.append(Object.assign(document.createElement("p"), {
       className: "note", textContent: "The bat's file is too long for an address; send bat.toml along." }));
   }
@@ -147,7 +149,9 @@ function conditionsOf(app) {
 /** @param {App} app */
 function sourceOf(app) {
   const date = new Date().toISOString().slice(0, 10);
-  return `sweetspot ${app.version}, ${date}. Model, data and their sources: the documentation, "Sources" and "Validation". State: ${decodeURIComponent(location.pathname + location.search).slice(0, 300)}`;
+  const address = decodeURIComponent(location.pathname + location.search);
+  const state = address.length > LONGEST_LINE ? `${location.pathname}, its address is too long to stand here` : address;
+  return `sweetspot ${app.version}, ${date}. Model, data and their sources: the documentation, "Sources" and "Validation". State: ${state}`;
 }
 
 /** @param {App} app */
