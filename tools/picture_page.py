@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 import io
-import shutil
 import sys
 import threading
 import time
@@ -16,6 +15,10 @@ from PIL import Image
 from playwright.sync_api import sync_playwright
 
 from sweetspot.web.run_server import listening, server_for
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from tests.browsers import for_people
 
 FOLDER = Path(__file__).parents[1] / "docs" / "pictures"
 SHOTS = {
@@ -48,7 +51,7 @@ def main(wanted: list[str]) -> None:
     thread = threading.Thread(target=server.run, kwargs={"sockets": [opened]}, daemon=True)
     thread.start()
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        browser = playwright.chromium.launch(executable_path=for_people(), args=FLAGS)
         for name, (path, theme, width, height) in SHOTS.items():
             if wanted and name not in wanted:
                 continue
