@@ -149,6 +149,29 @@ def test_pitches_of_2026_are_flown_to_the_front_edge() -> None:
     np.testing.assert_allclose(drop, expected, rtol=0.03, atol=2e-4)
 
 
+@pytest.mark.parametrize("ends", ["\n", "\r\n"])
+def test_rows_of_csv_are_numbered_as_a_spreadsheet_shows_them(
+    tmp_path: Path, ends: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Lines above the headings, blank ones, totals and cells of several lines do not move them."""
+    path = tmp_path / "table.csv"
+    lines = ["Player ID:,7", "", "remarks,ExitVelocity,LaunchAngle", "a,90,12", '"one', 'two",,', "", "b,999,12",
+             "Total,1182,", "c,95,12", "d,998,12"]  # fmt: skip
+    path.write_bytes(ends.join([*lines, ""]).encode())
+    sheet = {"90": 4, "999": 7, "95": 9, "998": 10}  # the remark of two lines is one row of the sheet
+    monkeypatch.setattr("sweetspot.season.plan.TASK_ROWS", 2)
+    season = analyse_season([path], setting=season_setting(contact=False), folder=tmp_path / "out")
+    rows = {one.name: one.rows for one in season.survey.warnings}
+    assert rows["impossible"] == [sheet["999"], sheet["998"]]
+    assert season.balls().select("table_row").collect()["table_row"].to_list() == [sheet["90"], sheet["95"]]
+    assert season.ledger().collect()["table_row"].to_list() == list(sheet.values())
+    words = " ".join(str(block) for block in season_document(season_report(season)).blocks)
+    assert "the numbers that a spreadsheet shows" in words
+    made_up(10).write_parquet(tmp_path / "table.parquet")
+    bare = analyse_season([tmp_path / "table.parquet"], setting=season_setting(contact=False), folder=tmp_path / "out")
+    assert bare.ledger().collect()["table_row"].to_list() == list(range(1, 11))
+
+
 def look_headings(frame: pl.DataFrame):  # type: ignore[no-untyped-def]
     from sweetspot.season.headings import headings_of
 

@@ -143,15 +143,19 @@ def do_task(plan: Plan, task: Task, reader: TableReader | None = None) -> int:
     answers = answers_of(rows, plan.setting)
     columns = answer_columns(answers, plan.setting)
     names = {column.name for column in columns}
-    row = (rows["row"] + 1).cast(pl.UInt32).alias("table_row")
+    row = _numbered(rows, table)
     source = pl.Series("table", [table.path.name], dtype=pl.String)
     own = [column for column in kept.get_columns() if column.name not in {*names, "table", "table_row"}]
     balls, ledger, counted = plan.paths(task)
     _write(pl.DataFrame([source.new_from_index(0, len(row)), row, *own, *columns]), balls, plan)
-    _write(every.select(source.new_from_index(0, len(every)), table_row=(pl.col("row") + 1).cast(pl.UInt32),
+    _write(every.select(source.new_from_index(0, len(every)), _numbered(every, table),
                         reason=pl.col("reason").cast(pl.Categorical)), ledger, plan)  # fmt: skip
     _write(counted_rows(rows, answers, table.headings), counted, plan)
     return task.rows
+
+
+def _numbered(rows: pl.DataFrame, table: TableFile) -> pl.Series:
+    return pl.Series("table_row", table.numbers(rows["row"].to_numpy()), dtype=pl.UInt32)
 
 
 def _write(frame: pl.DataFrame, path: Path, plan: Plan) -> None:

@@ -16,7 +16,9 @@ from itertools import chain
 from pathlib import Path
 from typing import IO
 
+import numpy as np
 import polars as pl
+from numpy.typing import ArrayLike, NDArray
 
 from sweetspot.errors import InputError, UnwritableError, first_line
 from sweetspot.numerics.whole_files import refusal, written_whole
@@ -80,6 +82,8 @@ class TableFile:
     torn : whether its last line stops in the middle.
     notes : what was seen in reading it.
     empty : headings of measurements that hold nothing at all.
+    first : number of its first row: of CSV as a spreadsheet shows it, lines above and headings counted; else 1.
+    before : for each line left out, how many rows stand above it, in order.
     """
 
     path: Path
@@ -90,6 +94,18 @@ class TableFile:
     notes: tuple[str, ...]
     empty: tuple[str, ...] = ()
     left_out: Mapping[str, int] = field(default_factory=dict)
+    first: int = 1
+    before: NDArray[np.int64] = field(default_factory=lambda: np.empty(0, np.int64), compare=False)
+
+    def numbers(self, rows: ArrayLike) -> NDArray[np.int64]:
+        """Return by which numbers people find rows in the file, however many lines were left out above them.
+
+        Parameters
+        ----------
+        rows : from 0.
+        """
+        rows = np.asarray(rows, np.int64)
+        return self.first + rows + np.searchsorted(self.before, rows, side="right")
 
     @property
     def lines(self) -> int:
@@ -247,7 +263,10 @@ def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFil
         why = _left_out(headings, told.collect_schema())
         lines, *several = told.select(pl.len(), *(one.sum() for one in why.values())).collect().row(0)
         left_out = {name: count for name, count in zip(why, several, strict=True) if count}
+        before = np.empty(0, np.int64)
         if left_out:
+            gaps = np.flatnonzero(told.select(pl.any_horizontal(*why.values())).collect().to_series().to_numpy())
+            before = gaps - np.arange(len(gaps))
             _copied(told.filter(~pl.any_horizontal(*why.values())), target)
             copy.unlink()
         else:
@@ -275,7 +294,8 @@ def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFil
         twice = sorted({name for name in names if names.count(name) > 1})
         notes.append(f"{', '.join(twice)} stands twice in the headings; the first one is used")
     return TableFile(path, target, headings, rows, torn=torn, notes=(*headings.notes, *notes),
-                     empty=tuple(name for name, nothing in held.items() if nothing), left_out=left_out)  # fmt: skip
+                     empty=tuple(name for name, nothing in held.items() if nothing), left_out=left_out,
+                     first=len(above) + 1, before=before)  # fmt: skip
 
 
 @contextmanager

@@ -76,7 +76,7 @@ class TableLook:
         if len(where):
             warning = self.seen.setdefault(name, TableWarning(name, self.number, detail=detail))
             warning.count += len(where)
-            warning.rows += (where.head(SHOWN - len(warning.rows)) + 1).to_list()
+            warning.rows += self.table.numbers(where.head(SHOWN - len(warning.rows)).to_numpy()).tolist()
 
     def take(self, rows: pl.DataFrame, duplicates: NDArray[np.uint32]) -> None:
         headings = self.table.headings
@@ -167,7 +167,7 @@ class TableLook:
         if table.cut:
             extra.append(TableWarning("export cut", number, table.rows, detail=f"{grouped(table.rows)} rows"))
         if table.torn:
-            extra.append(TableWarning("torn", number, 1, [table.rows]))
+            extra.append(TableWarning("torn", number, 1, [int(table.numbers(table.rows - 1))]))
         if missing := self._missing_days():
             extra.append(TableWarning("days missing", number, len(missing), detail=_days_in_words(missing)))
         columns = table.headings.columns

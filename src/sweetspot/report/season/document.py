@@ -245,7 +245,9 @@ def _warnings(season: Season) -> Block:
     if not rows:
         return Paragraph("Nothing to beware of was found in the tables.", "note")
     columns = [Column("beware"), Column("table"), Column("rows", right=True), Column("first of them"), Column("what")]
-    return Table("Beware", columns, rows)
+    shown = any(warning.rows and survey.tables[warning.table].first > 1 for warning in survey.warnings)
+    title = "Beware; rows of a CSV file have the numbers that a spreadsheet shows" if shown else "Beware"
+    return Table(title, columns, rows)
 
 
 def _players(players: Standing) -> Block:
