@@ -373,7 +373,7 @@ def test_what_cannot_be_is_missing_and_named(table: Write) -> None:
                for number, (name, value) in enumerate(slips.items())}  # fmt: skip
     nowhere = {name: pl.when(row == 5).then(0.0).otherwise(pl.col(name)) for name in ("hc_x", "hc_y")}
     found = look(table(frame=frame.with_columns(*changes.values(), **nowhere)))
-    assert [one.rows for one in found.warnings if one.name == "cannot be"] == [[1, 2, 3, 4, 5, 6]]
+    assert [one.rows for one in found.warnings if one.name == "cannot be"] == [[2, 3, 4, 5, 6, 7]]
     rows = rows_of(found.tables[0].part(0, 60), found.tables[0].headings)
     lost = [
         rows[name].null_count() for name in ("bat_speed", "release_speed", "plate_side", "attack_angle", "distance")
@@ -390,7 +390,7 @@ def test_placeholders_are_named(table: Write) -> None:
         launch_angle=pl.when(put_in).then(-20.7).otherwise(pl.col("launch_angle").cast(pl.Float64)),
     )
     found = [one for one in look(table(frame=frame)).warnings if one.name == "placeholders"]
-    assert [(one.count, one.rows[:2], one.detail) for one in found] == [(30, [1, 21], "82.9 mph at -20.7 degrees")]
+    assert [(one.count, one.rows[:2], one.detail) for one in found] == [(30, [2, 22], "82.9 mph at -20.7 degrees")]
 
 
 def test_games_elsewhere_have_no_home_park(table: Write) -> None:

@@ -8,12 +8,13 @@ from unittest.mock import patch
 import polars as pl
 import pytest
 
-from sweetspot.season import table_reader
+from sweetspot.season import table_file, table_reader
 from sweetspot.season.parquet_footer import footer_of
+from sweetspot.season.season_table import analyse_season, season_setting
 from sweetspot.season.table_file import TableFile, open_table
 from sweetspot.season.table_look import TableLook
 from sweetspot.season.table_reader import TableReader
-from tests.season.conftest import made_up
+from tests.season.conftest import files_of, made_up
 
 
 @pytest.mark.parametrize("rows", [70, 100, 256, 400])
@@ -89,3 +90,16 @@ def test_a_part_over_stretches_that_were_read_for_other_columns(tmp_path: Path) 
         for start, count in ((0, 150), (100, 250)):
             part = reader.part(0, start, count, headings=["events", "launch_speed"])
             assert part.equals(frame.select("events", "launch_speed").slice(start, count))
+
+
+@pytest.mark.parametrize("name", ["table.parquet", "table.csv"])
+def test_wide_tables_are_worked_on_by_fewer_rows_with_the_same_answers(name: str, tmp_path: Path) -> None:
+    frame = made_up(300).with_columns(**{f"more_{number}": pl.lit(number) for number in range(60)})
+    frame.write_csv(tmp_path / name) if name.endswith("csv") else frame.write_parquet(tmp_path / name)
+    setting = season_setting(contact=False)
+    usual = analyse_season([tmp_path / name], setting=setting, folder=tmp_path / "usual")
+    with patch.object(table_file, "MOST_CELLS", 40 * frame.width):
+        wide = analyse_season([tmp_path / name], setting=setting, folder=tmp_path / "wide")
+    assert len(files_of(tmp_path / "usual" / "balls")) == 1 and len(files_of(tmp_path / "wide" / "balls")) == 8
+    assert wide.balls().collect().equals(usual.balls().collect())
+    assert wide.ledger().collect().equals(usual.ledger().collect())

@@ -24,11 +24,11 @@ from sweetspot.season.answers import SeasonSetting, answer_columns, answers_of
 from sweetspot.season.counted import counted_rows
 from sweetspot.season.duplicates import with_duplicates
 from sweetspot.season.rows import USED, rows_of
-from sweetspot.season.table_file import TableFile
+from sweetspot.season.table_file import MOST_CELLS, TableFile, rows_together
 from sweetspot.season.table_reader import TableReader
 
 TASK_ROWS = 65_536
-"""Rows of a task; the answers of a row do not depend on it, what is held in memory at a time does."""
+"""Rows of a task, fewer of wide tables; what is held in memory at a time depends on it, the answers of a row do not."""
 ONLY_KEYS = {"at_bat", "pitch", "pitch_id", "player_name"}
 """Quantities that tell pitches apart, and are asked for no more."""
 ONLY_CONTACTS = {
@@ -68,7 +68,7 @@ class Plan:
     duplicates : rows of each that are another row's pitch.
     setting : how.
     folder : where the answers go.
-    task_rows : rows of a task.
+    task_rows : rows of a task, at most.
     fingerprint : of all that the answers depend on.
     """
 
@@ -82,8 +82,9 @@ class Plan:
     def tasks(self) -> Iterator[Task]:
         """Yield all tasks, in the order of tables and rows."""
         for number, table in enumerate(self.tables):
-            for start in range(0, table.rows, self.task_rows):
-                yield Task(number, start, min(self.task_rows, table.rows - start))
+            rows = rows_together(table.width, most=self.task_rows)
+            for start in range(0, table.rows, rows):
+                yield Task(number, start, min(rows, table.rows - start))
 
     def paths(self, task: Task) -> tuple[Path, Path, Path]:
         """Return the files of a task: balls, ledger and what is counted."""
@@ -186,7 +187,7 @@ def plan_fingerprint(tables: tuple[TableFile, ...], setting: SeasonSetting, *, t
 
     digest = hashlib.blake2b(digest_size=16)
     kernels: tuple[Callable[..., Any], ...] = (solve, chances, fill_posteriors, expected_of)
-    for part in (__version__, WRITTEN, task_rows, setting.system, sorted(setting.bats.items()),
+    for part in (__version__, WRITTEN, task_rows, MOST_CELLS, setting.system, sorted(setting.bats.items()),
                  replace(setting.flight, threads=None),
                  *map(fingerprint, kernels)):  # fmt: skip
         digest.update(repr(part).encode())

@@ -64,6 +64,8 @@ BEGUN = 10_000
 """Lines whose types are tried for all lines; to look at all of them first takes twice as long as to read them."""
 FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EACCES, errno.EPERM}
 """What a system says that takes no file, or no more of it."""
+MOST_CELLS = 8_000_000
+"""Numbers and words of whole rows that are held together; a season's export has as many in 65,536 rows."""
 CUTS = (25_000, 40_000)
 """Rows at which public exports end."""
 
@@ -113,6 +115,11 @@ class TableFile:
         return self.rows + sum(self.left_out.values())
 
     @property
+    def width(self) -> int:
+        """How many columns it has."""
+        return len(self.headings.columns) + len(self.headings.passed)
+
+    @property
     def cut(self) -> bool:
         """Whether it has as many rows as public exports are cut at."""
         return self.rows > 0 and any(self.rows % size == 0 for size in CUTS)
@@ -140,6 +147,20 @@ class TableFile:
         wanted = [name for name in self.empty if headings is None or name in headings]
         numbers = [pl.col(name).cast(pl.Float64, strict=False) for name in wanted]
         return frame.slice(start, count).with_columns(numbers).collect()
+
+
+def rows_together(width: int, *, most: int) -> int:
+    """Return how many rows of a table are worked on together: fewer of wide ones, so that memory holds them.
+
+    Parameters
+    ----------
+    width : columns.
+    most : rows of a usual table.
+
+    >>> rows_together(118, most=65_536), rows_together(5_000, most=65_536)
+    (65536, 1600)
+    """
+    return min(most, max(1, MOST_CELLS // max(width, 1)))
 
 
 def open_table(path: Path, *, staging: Path, given: Mapping[str, str] | None = None) -> TableFile:
@@ -349,8 +370,9 @@ def _copied_as_told(source: Path, ends: _Ends, copy: Path, *, named: Path) -> No
 
 
 def _copied(rows: pl.LazyFrame, target: Path) -> None:
+    held = rows_together(len(rows.collect_schema()), most=32_768)
     with written_whole(target) as file:
-        rows.sink_parquet(file, row_group_size=32_768, compression="lz4")
+        rows.sink_parquet(file, row_group_size=held, compression="lz4")
 
 
 def _left_out(headings: Headings, schema: pl.Schema) -> dict[str, pl.Expr]:

@@ -15,7 +15,7 @@ from itertools import pairwise
 
 import polars as pl
 
-from sweetspot.season.table_file import TableFile
+from sweetspot.season.table_file import TableFile, rows_together
 
 CELLS = 5_000_000
 """Numbers and words that are read together: about 50 MB."""
@@ -29,7 +29,8 @@ class TableReader:
     Parameters
     ----------
     tables : to be read.
-    part_rows : rows of the parts that will be asked for; a stretch of a longer row group is a multiple of it.
+    part_rows : rows of the parts that will be asked for, fewer of wide tables by `rows_together`; a stretch of a longer
+        row group is a multiple of it.
     """
 
     def __init__(self, tables: Sequence[TableFile], *, part_rows: int) -> None:
@@ -47,8 +48,9 @@ class TableReader:
         headings : of the columns that are wanted; None: all.
         """
         table = self._tables[number]
-        width = len([*table.headings.columns, *table.headings.passed] if headings is None else headings)
-        edges = _edges(table.row_groups, most=max(1, CELLS // max(width, 1) // self._part_rows) * self._part_rows)
+        width = table.width if headings is None else len(headings)
+        rows = rows_together(width, most=self._part_rows)
+        edges = _edges(table.row_groups, most=max(1, CELLS // max(width, 1) // rows) * rows)
         first, last = bisect_right(edges, start) - 1, bisect_left(edges, min(start + count, table.rows))
         with self._reading:
             stretches = [self._stretch(number, *ends, headings) for ends in pairwise(edges[first : last + 1])]
