@@ -14,7 +14,7 @@ from numba.extending import register_jitable
 
 from sweetspot.collision import contact_law
 from sweetspot.collision.contact_law import NEWTON_STEPS
-from sweetspot.collision.coupled import SLOW
+from sweetspot.collision.free_motion import SLOW
 from sweetspot.collision.impact import CONTACT_FORCE, Outcome
 from sweetspot.collision.kernel_arrays import (
     CONTACT_TIME,

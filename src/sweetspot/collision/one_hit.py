@@ -10,7 +10,8 @@ import math
 import numpy as np
 
 from sweetspot.collision.contact_law import NEARLY, NEWTON_STEPS, ContactLaw, Hysteretic, unloading_power
-from sweetspot.collision.coupled import STEP, Course, Flow, Motion, Struck, collisions_of, hit
+from sweetspot.collision.coupled import STEP, Course, collisions_of, hit
+from sweetspot.collision.free_motion import Flow, Motion, Struck
 from sweetspot.collision.impact import Impact
 from sweetspot.collision.kernel import numbers_of
 from sweetspot.collision.kernel_arrays import BallNumbers

@@ -1,0 +1,137 @@
+"""Ball and bat between two kicks of the contact force: the place that is struck, and how both move on freely.
+
+`coupled` kicks them.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from sweetspot.collision.contact_law import ContactLaw, pressed_in_series
+from sweetspot.collision.modal_propagator import dashpot_factors, modal_propagator_of
+from sweetspot.collision.time_step import give_of_steps, with_quick_modes_as_springs
+from sweetspot.dynamics.modes import Modes
+from sweetspot.equipment.ball import Ball
+from sweetspot.numerics.arrays import Array
+
+SLOW = 2 * math.pi * 50.0
+"""rad/s; slower motions go straight on while one asks whether the bat catches up with the ball."""
+
+
+class Motion(NamedTuple):
+    """Ball and bat between two kicks, seen from the undisturbed bat: m and m/s.
+
+    ``bat`` holds the modes' displacements, sqrt(kg) m, and behind them their velocities, sqrt(kg) m/s; ``work`` is what
+    kicks have given the bat so far, J.
+    """
+
+    ball_position: float
+    ball_speed: float
+    bat: Array
+    work: float = 0.0
+
+    def kicked(self, struck: Struck, impulse: float, mass: float, *, speed: float) -> Motion:
+        """Return the motion after an impulse in N s between ball and bat, whose struck place had a speed in m/s."""
+        given = impulse * (speed + impulse * struck.lightness / 2)
+        bat = self.bat + impulse * struck.kick
+        return Motion(self.ball_position, self.ball_speed - impulse / mass, bat, self.work + given)
+
+
+class Struck(NamedTuple):
+    """The place that is hit.
+
+    Parameters
+    ----------
+    seen : (2, 2 modes); from the bat's motion to this place's displacement, m, and speed, m/s.
+    kick : (2 modes,); what an impulse of 1 N s here changes of the bat's motion.
+    lightness : 1/kg, sum of the squared shapes.
+    compliance : what gives way at once, m/N.
+    """
+
+    seen: Array
+    kick: Array
+    lightness: float
+    compliance: float
+
+    def pressed(
+        self, law: ContactLaw, approach: float, rate: float, turned_at: float | None, force: float = 0.0
+    ) -> tuple[float, float, float]:
+        """Return compression, force and slope under an approach shared with the surface; see `pressed_in_series`."""
+        return pressed_in_series(
+            law, approach=approach, compliance=self.compliance, rate=rate, turned_at=turned_at, force=force
+        )
+
+    def in_steps(self, modes: Modes, ball: Ball, step: float) -> Struck:
+        """Return the place as kicks see it, a step in s apart."""
+        omega = modes.angular_frequency
+        shape, give = with_quick_modes_as_springs(self.kick[len(modes) :], np.asarray(self.compliance), omega, step)
+        by_steps = step**2 / 12 / ball.mass + float(shape**2 @ give_of_steps(omega, step))
+        return _place(shape, float(give) + by_steps)
+
+    def softened(self, slope: float) -> float:
+        """Return dF/dw in N/m, by the approach that ball and surface share, for dF/du by the ball's compression."""
+        return slope / (1 + self.compliance * slope)
+
+
+def struck_place(modes: Modes, position: float, lateral: float, closing_speed: float) -> Struck:
+    """Return the place at a position and lateral place in m, as a ball of a closing speed in m/s meets it."""
+    shape = modes.shape_at(position, lateral, closing_speed=closing_speed)
+    return _place(shape, float(modes.compliance_at(position, closing_speed=closing_speed)))
+
+
+def _place(shape: Array, compliance: float) -> Struck:
+    still = np.zeros(len(shape))
+    seen = np.array([[*shape, *still], [*still, *shape]])
+    return Struck(seen, np.concatenate([still, shape]), float(shape @ shape), compliance)
+
+
+class Flow:
+    """Ball and bat between kicks: the ball flies straight on, the modes move freely, exactly.
+
+    All that is linear in the bat's motion, so one matrix does it: dampers for half a step on both sides of the drift.
+    """
+
+    def __init__(self, modes: Modes, step: float, ball_mass: float) -> None:
+        self.modes, self.step, self.ball_mass = modes, step, ball_mass
+        drift = modal_propagator_of(modes, step)
+        whole = np.block([[np.diag(drift[:, row, column]) for column in (0, 1)] for row in (0, 1)])
+        size, dampers = len(modes), modes.dashpots
+        half = np.eye(2 * size)
+        half[size:, size:] -= (dashpot_factors(modes, step / 2) * dampers.T) @ dampers
+        self.matrix = half @ whole @ half if len(dampers) else whole
+        self.stiffness = modes.angular_frequency**2
+
+    def drifted(self, motion: Motion) -> Motion:
+        """Return the motion one step later."""
+        place = motion.ball_position + motion.ball_speed * self.step
+        return Motion(place, motion.ball_speed, self.matrix @ motion.bat, motion.work)
+
+    def energy(self, motion: Motion) -> float:
+        """Return the energy of the bat's motion, J."""
+        displacement, velocity = motion.bat.reshape(2, -1)
+        return float(velocity @ velocity + displacement @ (self.stiffness * displacement)) / 2
+
+    def overtaken(self, motion: Motion, struck: Struck, *, kicks: int) -> tuple[int, Motion] | None:
+        """Return after how many kicks the bat catches up with a ball that has just left it, and the motion then.
+
+        None: it never does, or not within ``kicks``. Without its vibrations the struck place moves evenly; the ball is
+        gone for good when it is further from there than all vibrations together can reach.
+        """
+        shape = struck.kick[len(self.modes) :]
+        displacement, velocity = motion.bat.reshape(2, -1)
+        slow = self.modes.angular_frequency < SLOW
+        speed = float(shape[slow] @ velocity[slow]) - motion.ball_speed
+        distance = float(shape[slow] @ displacement[slow]) - motion.ball_position
+        fast = ~slow
+        amplitude = np.hypot(displacement[fast], velocity[fast] / self.modes.angular_frequency[fast])
+        reach = float(np.abs(shape[fast]) @ amplitude)
+        for kick in range(kicks):
+            if speed > 0 and distance + kick * self.step * speed > reach:
+                return None
+            if motion.ball_position > float(struck.seen[0] @ motion.bat):
+                return kick, motion
+            motion = self.drifted(motion)
+        return None
