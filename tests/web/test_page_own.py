@@ -32,6 +32,23 @@ def test_a_bat_is_weighed_tapped_and_carried_to_other_views(
     expect(page.locator("#verdict")).to_contain_text("calibrated hits fastest")
 
 
+def test_a_bad_sound_is_told_and_costs_no_good_tap(page: Page, server: str, answered: Answered, taps: Path) -> None:
+    page.goto(f"{server}/own")
+    answered(page)
+    page.locator("#tap-file").set_input_files(taps)
+    used = page.locator(".lights .pass").filter(has_text="used")
+    expect(used).to_have_count(2)
+    bad = [("silence.wav", b""), ("words.wav", b"no sound at all")]
+    page.locator("#tap-file").set_input_files(
+        [{"name": name, "mimeType": "audio/wav", "buffer": words} for name, words in bad]
+    )
+    fault = page.locator("#view [role=alert]:visible")
+    expect(fault).to_contain_text("silence.wav is empty")
+    expect(fault).to_contain_text("words.wav cannot be read as a sound")
+    expect(page.get_by_text("1 recording.")).to_be_visible()  # the good one
+    expect(used).to_have_count(2)
+
+
 def test_a_contradiction_stands_in_words_and_is_left_out(page: Page, server: str, answered: Answered) -> None:
     page.goto(f"{server}/own?weighed_oz=31&balanced_in=23.05&pendulum_ms=1454.5")
     answered(page)

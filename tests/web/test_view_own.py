@@ -92,11 +92,24 @@ def test_what_cannot_be_is_told_beside_its_control(client: httpx.Client, fields:
     assert response.status_code == 422 and response.json()["error"]["field"] == control
 
 
-def test_a_sound_that_is_none_is_refused_in_a_line(client: httpx.Client, tmp_path: Path) -> None:
+def test_a_sound_that_is_none_is_told_in_a_line_and_the_others_are_heard(
+    client: httpx.Client, taps: Path, tmp_path: Path
+) -> None:
     path = tmp_path / "noise.wav"
     path.write_bytes(b"RIFF nothing")
-    response = client.post("/api/v1/own/tap", json={"recordings": [handed_in(client, path)]})
-    assert response.status_code == 422 and "noise.wav cannot be read as a sound" in response.text
-    assert "/tmp" not in response.text
+    bad, good = handed_in(client, path), handed_in(client, taps)
+    found = asked(client, "/tap", recordings=[bad, good])
+    [refused] = found["refused"]
+    assert refused["recording"] == bad and "noise.wav cannot be read as a sound" in refused["fault"]
+    assert "/tmp" not in refused["fault"]
+    alone = asked(client, "/tap", recordings=[good])
+    assert found["measured"] == alone["measured"] and alone["refused"] == []
+    assert asked(client, "/tap", recordings=[bad]) == {
+        "refused": [refused],
+        "taps": [],
+        "tones": [],
+        "spectrum": None,
+        "fault": None,
+    }
     gone = client.post("/api/v1/own/tap", json={"recordings": ["A" * 16]})
     assert gone.status_code == 422 and "not here any more" in gone.text

@@ -60,8 +60,8 @@ def _drawn(optimum: Optimum, reading: Reader) -> Any:
 
 def _swing_words(index: int, best: BestSwing, pitch: PitchFlight, *, length: float) -> Sentence:
     return say(
-        "A {pitch} at {speed} carries farthest, {carry}, met {place} from the tip with the bat's axis {offset} "
-        "{side} the ball's centre and rising at {attack}.",
+        "A {pitch}, {speed} at the plate, carries farthest, {carry}, met {place} from the tip with the bat's axis "
+        "{offset} {side} the ball's centre and rising at {attack}.",
         pitch=pitch.delivery.name, speed=Slot(pitch.plate.speed, "speed", 0),
         carry=Slot(best.carry, "distance", of=f"swings.{index}.carry_m"),
         place=Slot(length - best.position, "place"), offset=Slot(abs(best.undercut), "offset"),

@@ -97,12 +97,16 @@ def season_report(season: Season) -> SeasonReport:
     )  # fmt: skip
 
 
+def unread_of(season: Season) -> list[str]:
+    """Return why files could not be read, each by its name."""
+    return [reason if path.name in reason else f"{path.name}: {reason}" for path, reason in season.survey.faults]
+
+
 def season_document(report: SeasonReport) -> Document:
     """Return a season as a document; its JSON has the ledger, warnings, relation, drag and how groups scatter."""
     season = report.season
-    faults = [reason if path.name in reason else f"{path.name}: {reason}" for path, reason in season.survey.faults]
     blocks: list[Block] = [Paragraph(words) for words in _headline(report)]
-    blocks += [Paragraph(f"Not read: {fault}", "warning") for fault in faults]
+    blocks += [Paragraph(f"Not read: {fault}", "warning") for fault in unread_of(season)]
     blocks += [_ledger(season), _warnings(season)]
     if "batter" in report.standings:
         blocks.append(_players(report.standings["batter"]))
@@ -119,7 +123,7 @@ def season_document(report: SeasonReport) -> Document:
     return Document(
         name="season", title="Season", kind="Season", blocks=blocks, details=details, drawing=drawing,
         data=season_json(report), rows={} if players is None else players.table.to_dict(as_series=False),
-        passed=not faults,
+        passed=not season.survey.faults,
     )  # fmt: skip
 
 

@@ -96,15 +96,16 @@ export function workshop(app, /** @type {() => number | null | undefined} */ mas
   return { controls, show };
 }
 
+// pitched: whether the pitch is told by its speed alone; else a view chooses it otherwise.
 /** @param {App} app */
-export function swingGroup(app, { open = true, title = "Swing and pitch" } = {}) {
+export function swingGroup(app, { open = true, title = "Swing and pitch", pitched = true } = {}) {
   return group(title, [
-    slider(app, "pitch_speed_mph", { label: "Pitch speed", step: 0.5, empty: usual(app, "pitch_speed_mph") }),
+    ...(pitched ? [slider(app, "pitch_speed_mph", { label: "Pitch speed", step: 0.5, empty: usual(app, "pitch_speed_mph") })] : []),
     slider(app, "bat_speed_mph", { label: () => `Bat speed, ${app.text("from_m", 6 * INCH, app.units === "us" ? 0 : 1)} from the tip`, step: 0.5,
       empty: usual(app, "bat_speed_mph") }),
     slider(app, "hands_in", { label: "Top hand above the grip's end", step: 0.1 }),
     button("As usual with this bat", () => app.setState({ pitch_speed_mph: null, bat_speed_mph: null, ball: null }),
-      { title: "Pitch, bat speed and ball as is usual in the bat's sport" }),
+      { title: `${pitched ? "Pitch, bat" : "Bat"} speed and ball as is usual in the bat's sport` }),
   ], { open });
 }
 

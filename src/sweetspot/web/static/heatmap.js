@@ -85,7 +85,7 @@ export class HeatMap {
   tabled() {
     if (!this.data) return null;
     const { units } = this.app;
-    const words = (/** @type {Axis} */ axis, /** @type {number} */ value) => grouped(shownPlace(axis, value, units).toFixed(kindOf(axis.kind)[units].digits)).replace("-", "−");
+    const words = (/** @type {Axis} */ axis, /** @type {number} */ value) => grouped(shownPlace(axis, value, units).toFixed(kindOf(axis.kind)[units].digits)).replace(/^-(0(\.0*)?)$/, "$1").replace("-", "−");
     const named = (/** @type {Axis} */ axis) => `${axis.label} (${unitOf(axis.kind, units)})`;
     const { x, y, z } = this.data;
     const counted = this.z.kind === "count";

@@ -50,13 +50,24 @@ def expected_tones(state: OwnState) -> list[dict[str, Any]]:
 
 
 def tap(state: OwnState) -> dict[str, Any]:
-    """Return what the recorded taps say: which are good, why others are not, and the named tones of all together."""
-    if not state.recordings:
-        return {"taps": [], "tones": [], "spectrum": None, "fault": None}
-    sounds = [_recording(key) for key in state.recordings]
+    """Return what the recorded taps say: which are good, why others are not, and the named tones of all together.
+
+    A recording that cannot be read is refused with its reason; the others are heard without it.
+    """
+    sounds: list[_Sound] = []
+    refused: list[dict[str, str]] = []
+    for key in state.recordings:
+        try:
+            sounds.append(_recording(key))
+        except InputError as error:
+            path, name = UPLOADS.path_of(key)
+            refused.append({"recording": key, "fault": str(error).replace(str(path), name)})
+    if not sounds:
+        return {"refused": refused, "taps": [], "tones": [], "spectrum": None, "fault": None}
     bat, _ = bat_of(state)
     taps = [one for sound in sounds for one in _taps(sound)]
-    head: dict[str, Any] = {"taps": [_told(one) for one in taps], "waveforms": [_wave(one) for one in sounds],
+    head: dict[str, Any] = {"refused": refused, "taps": [_told(one) for one in taps],
+                            "waveforms": [_wave(one) for one in sounds],
                             "tones": [], "spectrum": None, "fault": None}  # fmt: skip
     try:
         test = told_taps([sound.recording for sound in sounds], taps, modes=_modes(bat), positions=[_place(state, bat)])
@@ -94,11 +105,7 @@ class _Sound:
 @lru_cache(maxsize=64)
 def _recording(key: str) -> _Sound:
     path, name = UPLOADS.path_of(key)
-    try:
-        read = read_recording(path)
-    except InputError as error:
-        raise FieldError("recordings", str(error).replace(str(path), name)) from None
-    return _Sound(key, replace(read, name=name))
+    return _Sound(key, replace(read_recording(path), name=name))
 
 
 @lru_cache(maxsize=128)

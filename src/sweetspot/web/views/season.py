@@ -79,7 +79,7 @@ def answer(state: SeasonState) -> dict[str, Any]:
             "name": park.name, "right_m": distance * np.sin(DIRECTIONS), "out_m": distance * np.cos(DIRECTIONS),
         },
         "season": None if summary is None else {
-            **{name: summary[name] for name in ("choices", "rows", "files", "tables")},
+            **{name: summary[name] for name in ("choices", "rows", "files", "unread", "tables")},
             "same_bat": summary["bat"] == bat_words(state),
         },
     }  # fmt: skip

@@ -120,7 +120,7 @@ def without_folders(words: str, paths: list[Path]) -> str:
 
 def keep(report: SeasonReport, folder: Path, described: str) -> None:
     """Write what the view tells of a season, the tables that can be taken away, and the summary last of all."""
-    from sweetspot.report.season.document import season_document
+    from sweetspot.report.season.document import season_document, unread_of
     from sweetspot.report.season.tables import write_tables
     from sweetspot.season.maps import choices_of
 
@@ -129,11 +129,13 @@ def keep(report: SeasonReport, folder: Path, described: str) -> None:
     write_tables(report, tables)
     report.season.balls().sink_parquet(tables / "balls.parquet")
     report.season.ledger().sink_parquet(tables / "ledger.parquet")
-    document = told(season_document(without_paths(report)))
+    named = without_paths(report)
+    document = told(season_document(named))
     summary = {
         "bat": described, "html": document["html"], "players": players_of(report),
         "choices": choices_of(report.counted), "rows": report.season.survey.rows,
         "files": [table.path.name for table in report.season.survey.tables],
+        "unread": unread_of(named.season),
         "tables": [{"name": path.name, "bytes": path.stat().st_size} for path in sorted(tables.iterdir())],
     }  # fmt: skip
     (folder / REPORT).write_bytes(pickle.dumps(replace(report, counted=report.counted.clear())))

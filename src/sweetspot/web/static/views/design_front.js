@@ -64,14 +64,16 @@ export class Front {
     write(this.fault, fault?.message ?? "");
     const bats = this.found?.front.length;
     const count = bats ? `${bats} bat${bats === 1 ? "" : "s"} on the front, none better in everything` : "";
+    const kept = count || "no bat keeps every limit yet";
     const first = count ? `: ${count}.` : "; this takes some seconds …";
     const far = found ? `${found.generation} of ${found.generations} generations` : "";
     /** @type {Record<string, string>} */
     const told = {
       none: "The search runs on this server, beside the page; it can be stopped and gone on with.",
       starting: "The search begins …", failed: "",
-      running: found?.generation ? `Looking: ${far}; ${count || "no bat keeps every limit yet"}.` : `Looking for first bats that keep every limit${first}`,
-      stopped: `Stopped after ${far}; ${count}. Go on, or begin anew.`, done: `Looked at ${far}; ${count}. Click one to take it.`,
+      running: found?.generation ? `Looking: ${far}; ${kept}.` : `Looking for first bats that keep every limit${first}`,
+      stopped: found ? `Stopped after ${far}; ${kept}. Go on, or begin anew.` : "Stopped before the first bats were found. Press Find better to begin anew.",
+      done: `Looked at ${far}; ${kept}.${count ? " Click one to take it." : ""}`,
     };
     write(this.words, found && !mine ? "The front was another bat's; look again for this one." : told[status]);
     this.shown.hidden = !this.found;

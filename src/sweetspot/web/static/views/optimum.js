@@ -31,7 +31,7 @@ export const view = {
         slider(app, "exit_speed_mph", { label: "Exit speed", step: 0.5 }),
         slider(app, "backspin_rpm", { label: "Backspin", step: 50 }),
         usualChoice(app, "park", { label: "Park of the map's chances", options: parks }),
-      ]), this.bench.element, swingGroup(app, { title: "Swing" }), ballGroup(app));
+      ]), this.bench.element, swingGroup(app, { title: "Swing", pitched: false }), ballGroup(app));
     this.words = make("p", { className: "verdict", id: "verdict" });
     this.map = new HeatMap(app, { label: "", title: "How far it carries", height: 260, x: { kind: "exit_speed_m_s", label: "exit speed" },
       y: { kind: "launch_angle_rad", label: "launch angle" }, z: { kind: "distance" },

@@ -22,6 +22,8 @@ export class TapPlace {
     this.signal = app.signal;
     this.asking = false;
     this.more = false;
+    /** @type {string[]} */
+    this.refused = []; // why of the sounds handed in last some are not among the recordings
     this.ear = new Listening({
       onLevel: (part) => (this.level.value = Math.min(1, part)),
       onTap: (file) => this.add([file]),
@@ -82,18 +84,24 @@ export class TapPlace {
   // Sounds handed to the server, then all of them heard anew.
   /** @param {File[]} files */
   async add(files) {
+    this.refused = [];
     for (const file of files) {
+      if (!file.size) {
+        this.refused.push(`${file.name} is empty; record it anew.`);
+        continue;
+      }
       if (file.size > LARGEST) {
-        this.say(`${file.name} has ${(file.size / 1e6).toFixed(0)} MB; at most ${LARGEST / 1e6}. Cut out the taps.`);
+        this.refused.push(`${file.name} has ${(file.size / 1e6).toFixed(0)} MB; at most ${LARGEST / 1e6}. Cut out the taps.`);
         continue;
       }
       try {
         kept.recordings.push(await upload(file));
       } catch (fault) {
-        this.say(fault.message);
+        this.refused.push(fault.message);
       }
     }
     this.heard();
+    this.say(this.refused.join(" "));
     await this.hear();
   }
 
@@ -121,15 +129,19 @@ export class TapPlace {
     try {
       found = await this.answerTo({ ...this.app.state, recordings });
     } catch (fault) {
-      this.heard();
-      this.say(fault.message);
       if (fault?.field === "upload") kept.recordings = [];
+      this.heard();
+      this.say([...this.refused, fault.message].join(" "));
       return;
     }
-    if (!kept.recordings.length || this.signal.aborted) return; // forgotten, or gone elsewhere, meanwhile
-    kept.found = found;
+    this.refused.push(...found.refused.map((/** @type {{ fault: string }} */ { fault }) => sentence(fault)));
+    const bad = found.refused.map((/** @type {{ recording: string }} */ { recording }) => recording);
+    kept.recordings = kept.recordings.filter((key) => !bad.includes(key));
     this.heard();
-    this.say(found.fault ?? "");
+    this.say(this.refused.join(" "));
+    if (!kept.recordings.length || this.signal.aborted) return; // none of them, forgotten, or gone elsewhere, meanwhile
+    kept.found = found;
+    this.say([...this.refused, ...(found.fault ? [sentence(found.fault)] : [])].join(" "));
     this.draw(this.app.answer);
     if (found.damping) this.app.setState({ tones: found.measured.map((/** @type {[string, number, number]} */ [name, hertz, error]) => [name, tidy(hertz), tidy(error)]), damping: tidy(found.damping[0]), damping_error: tidy(found.damping[1]) });
     this.app.announce(`${found.taps.filter((/** @type {Answer} */ one) => one.good).length} of ${found.taps.length} taps used.`);
@@ -150,6 +162,7 @@ export class TapPlace {
 
   forget() {
     Object.assign(kept, { recordings: [], found: null });
+    this.refused = [];
     this.say("");
     this.heard();
     this.app.setState({ tones: [], damping: null });
@@ -175,3 +188,5 @@ export class TapPlace {
 }
 
 const tidy = (/** @type {number} */ value) => Number(value.toPrecision(7));
+// Words of the library as a sentence of several.
+const sentence = (/** @type {string} */ words) => (/[.!?]$/.test(words) ? words : `${words}.`);

@@ -19,7 +19,7 @@ const FACTS = [
   ["Hardest fifth (EV20)", ({ means }) => ["speed", means.ev20]], ["Bat speed", ({ means }) => ["speed", means.bat_speed]],
   ["Squared up, this bat", ({ means }) => ["share", means.squared_up]], ["Squared up, the league's formula", ({ means }) => ["share", means.league_squared_up]],
   ["From the best place", ({ means }) => ["offset", means.from_best]],
-  ["Home runs, hit and expected", ({ means }, app) => `${app.text("count", means.home_runs)} and ${app.text("count", means.home_runs_expected, 1)}`],
+  ["Home runs", ({ means }) => ["count", means.home_runs]], ["Home runs expected", ({ means }) => ["count", means.home_runs_expected, 1]],
 ];
 
 /** @type {View} */
@@ -28,7 +28,7 @@ export const view = {
   guide: [
     ["Hand in tables", "Drop tables of balls in play anywhere on this page: Statcast, Trackman or plain CSV, or Parquet, of any size. They go to the program that shows this page, and nowhere else."],
     ["Where balls were met", "The maps show where on the barrel the balls were met and where they come down; choose a player, a club, a pitch, a month."],
-    ["Who did what", "Each player's page has every measure partly pooled, with its intervals. All tables can be taken away. "],
+    ["Who did what", "Each player's page has every measure partly pooled, with its intervals. All tables can be saved. "],
   ],
 
   mount(root, app) {
@@ -53,7 +53,7 @@ export const view = {
     this.told = [
       section("How they were hit", this.none, this.facts.element, this.barrel.element, this.ceilings.element),
       section("Where they come down", this.field.element), section("Players", this.players.table),
-      section("What was read", this.whole.element), section("Take the tables away", this.files)];
+      section("What was read", this.whole.element), section("Save the tables", this.files)];
     this.which = group("Which balls", [this.players.element, ...this.filters.map((/** @type {{ element: HTMLElement }} */ { element }) => element), button("All balls again", () => app.setState(EVERYBODY))]);
     root.append(make("div", { className: "side" },
       group("Tables", [this.reading.chooser]), this.which,

@@ -11,7 +11,7 @@ import { fromShown, grouped, kindOf, toShown, unitOf } from "../units.js";
 
 /** @import { Point } from "../surface.js" */
 /** @typedef {(right: number, out: number) => Point} Placing from a place on the field, m from home, to a pixel */
-const PANELS = [{ title: "Exit speed over the greatest possible", kind: "share", height: 110, zero: true, lines: [
+const PANELS = [{ title: "Balls by exit speed over the greatest possible", kind: "share", height: 110, zero: true, lines: [
   { key: "squared_up_ratio", label: "this bat", color: "blue", width: 2.2 }, { key: "league_ratio", label: "the league's formula", color: "orange", width: 1.6, dash: [5, 4] }] }];
 
 export class BarrelMap {
@@ -20,7 +20,7 @@ export class BarrelMap {
     this.app = app;
     this.length = 0.84;
     this.map = new HeatMap(app, {
-      label: "Where on the barrel", title: "Where on the barrel: balls a box", height: 190, lines: false,
+      label: "Where on the barrel", title: "Where on the barrel: balls in each box", height: 190, lines: false,
       x: { kind: "position_m", from: () => this.length, label: "from the tip" }, y: { kind: "offset_m", label: "ball above the axis" }, z: { kind: "count" },
     });
     this.note = make("p", { className: "note" });
@@ -72,11 +72,13 @@ export class Ceilings {
   /** @param {App} app */
   constructor(app) {
     this.chart = new Chart(app, { label: "Exit speeds over the greatest that were possible", panels: PANELS, axis: { kind: "ratio", label: "of the greatest exit speed" } });
-    this.element = this.chart.element;
+    this.note = make("p", { className: "note", textContent: "The league's formula needs each pitch's speed, which these tables do not have." });
+    this.element = make("div", {}, this.chart.element, this.note);
   }
 
-  /** @param {{ ratio: Answer }} given */
+  /** @param {{ ratio: Answer, league_ratio?: Answer }} given */
   draw({ ratio, ...lines }) {
+    this.note.hidden = Boolean(lines.league_ratio);
     this.chart.draw({ x: ratio, lines: { league_ratio: ratio.map(() => null), ...lines }, range: [ratio[0], ratio.at(-1)], marks: [{ at: 0.8, color: "muted", label: "squared up" }] });
   }
 
@@ -209,10 +211,10 @@ export class FieldMap {
    * @param {{ width: number, most: number, colors: Colors, at: { balls: number, far: number } | null }} given
    */
   paintLegend(context, { width, most, colors, at }) {
-    const words = at ? `${at.balls} ${at.balls === 1 ? "ball" : "balls"} about ${this.app.text("distance", at.far)} from home` : most === 1 ? "one ball a box" : `1 to ${most} balls a box`;
+    const words = at ? `${at.balls} ${at.balls === 1 ? "ball" : "balls"} about ${this.app.text("distance", at.far)} from home` : most === 1 ? "each box: one ball" : `1 to ${grouped(most)} balls in each box`;
     Object.assign(context, { font: `11px ${FONT}`, fillStyle: colors.muted, textAlign: "right", textBaseline: "alphabetic" });
     context.fillText(words, width - 12, 14);
-    if (at) return;
+    if (at || most === 1) return;
     const start = width - 12 - context.measureText(words).width - 68;
     for (let i = 0; i < 60; i += 1) {
       context.fillStyle = heat(i / 59);

@@ -2,7 +2,7 @@
 
 import { button } from "../controls.js";
 import { longWork } from "../longwork.js";
-import { make, partOf } from "../parts.js";
+import { make, paragraphs, partOf } from "../parts.js";
 import { takeDrops, upload, whereTo } from "../upload.js";
 import { grouped } from "../units.js";
 /** @import { Answer, App } from "../main.js" */
@@ -34,10 +34,11 @@ export class Reading {
     this.words.setAttribute("role", "status");
     this.fault = make("p", { className: "fault", hidden: true });
     this.fault.setAttribute("role", "alert");
+    this.unread = make("div", { className: "fault" });
     this.first = [button("Choose tables", () => this.file.click(), { primary: true }), button("Look at a made-up season", () => this.begin({ uploads: [] }))];
     this.chooser = make("div", { className: "own" }, make("label", { htmlFor: "season-files", textContent: "Tables (CSV, .csv.gz, Parquet), or drop them anywhere" }), this.file,
       make("p", { className: "note", textContent: whereTo("A table") }));
-    this.element = make("div", {}, make("div", { className: "row" }, ...this.first, this.again, this.halt, this.on, this.bar), this.words, this.fault);
+    this.element = make("div", {}, make("div", { className: "row" }, ...this.first, this.again, this.halt, this.on, this.bar), this.words, this.fault, this.unread);
     for (const field of ["season", "uploads"]) app.control({ field, sync: () => {}, fault: (message) => this.say(message) });
     takeDrops(partOf(document, "#view", HTMLElement), TABLES, app.signal, (tables) => this.hand(tables));
     app.signal.addEventListener("abort", () => this.going?.abort());
@@ -102,6 +103,7 @@ export class Reading {
   /** @param {Answer} season */
   draw(season) {
     this.season = season;
+    paragraphs(this.unread, (season?.unread ?? []).map((/** @type {string} */ words) => `Not read: ${words}`));
     this.update();
   }
 
