@@ -129,36 +129,36 @@ def _collision(
     position, lateral, closing_speed = place
     struck = struck_place(modes, position, lateral, closing_speed)
     first_kick = first_kick_after_touch(ball.exponent)
-    done = _integrated(modes, ball, struck, closing_speed, step, law, kicks)
-    translation, rotation, bending, hoop, face = map(float, bat_energy(modes, done.displacement, done.velocity))
-    separated = done.outcome is Outcome.SEPARATED
-    displacement, velocity = moved(modes, done.displacement, done.velocity, -done.late)
+    ending = _integrated(modes, ball, struck, closing_speed, step, law, kicks)
+    translation, rotation, bending, hoop, face = map(float, bat_energy(modes, ending.displacement, ending.velocity))
+    separated = ending.outcome is Outcome.SEPARATED
+    displacement, velocity = moved(modes, ending.displacement, ending.velocity, -ending.late)
     return Impact(
-        outcome=done.outcome,
+        outcome=ending.outcome,
         position=position,
         closing_speed=closing_speed,
-        collision_efficiency=-done.ball_speed / closing_speed if separated else math.nan,
-        contact_time=_contact_time(done.forces, first_kick) * step if separated else math.nan,
-        release_time=done.release,
-        peak_force=max(done.hardest, *done.forces),
-        peak_compression=done.peak,
+        collision_efficiency=-ending.ball_speed / closing_speed if separated else math.nan,
+        contact_time=_contact_time(ending.forces, first_kick) * step if separated else math.nan,
+        release_time=ending.release,
+        peak_force=max(ending.hardest, *ending.forces),
+        peak_compression=ending.peak,
         energy=EnergyLedger(
             incoming=ball.mass * closing_speed**2 / 2,
-            ball=ball.mass * done.ball_speed**2 / 2,
-            heat=float(np.trapezoid([*done.forces, 0.0], [*done.compressions, 0.0])),
+            ball=ball.mass * ending.ball_speed**2 / 2,
+            heat=float(np.trapezoid([*ending.forces, 0.0], [*ending.compressions, 0.0])),
             translation=translation,
             rotation=rotation,
             bending=bending,
             hoop=hoop,
-            damping=done.damping,
+            damping=ending.damping,
             face=face,
         ),
         displacement=displacement,
         velocity=velocity,
-        times=np.concatenate([[0.0], (np.arange(len(done.forces) - 1) + first_kick) * step]),
-        force=np.array(done.forces),
-        compression=np.array(done.compressions),
-        impulse=np.array(done.impulses),
+        times=np.concatenate([[0.0], (np.arange(len(ending.forces) - 1) + first_kick) * step]),
+        force=np.array(ending.forces),
+        compression=np.array(ending.compressions),
+        impulse=np.array(ending.impulses),
         lateral=lateral,
     )
 

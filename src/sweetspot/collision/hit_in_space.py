@@ -155,16 +155,16 @@ def strike(
     if impact.outcome is not Outcome.SEPARATED:
         return Strike(impact.outcome, bat_speed)
     surface = bat_velocity + turning_surface(frame, axes, angular_speed=swing.angular_speed, radius=radius)
-    done = _leaving(
+    departure = _leaving(
         frame, reduced, ball=ball, pitch=pitch, surface_velocity=surface, place=(position, radius), closing=closing,
         normal=impact, friction=friction,
     )  # fmt: skip
-    past, given = pitch.velocity - surface, done.impulses
+    past, given = pitch.velocity - surface, departure.impulses
     return Strike(
         outcome=impact.outcome,
         bat_speed=bat_speed,
         impact=impact,
-        launched=BallMotion(pitch.position, done.velocity, done.spin),
+        launched=BallMotion(pitch.position, departure.velocity, departure.spin),
         travel_along=travel(impact, ball=ball, speed=float(past @ frame.along), impulse=float(given.along)),
         travel_around=travel(impact, ball=ball, speed=float(past @ frame.around), impulse=float(given.around)),
         gripped=bool(given.gripped),
@@ -221,7 +221,7 @@ def strikes(
     frame = contact_frame(*axes, lift=np.arcsin(np.clip(above / reach, -1.0, 1.0)))
     bat_velocity = speed[:, None] * axes.forward
     closing = np.where(missed, 0.0, np.sum((bat_velocity - velocity) * frame.normal, axis=-1))
-    done = hits_with_motion(reduced.modes, ball=ball, position=place, closing_speed=closing, threads=threads)
+    impacts = hits_with_motion(reduced.modes, ball=ball, position=place, closing_speed=closing, threads=threads)
     frame = ContactFrame(*(np.broadcast_to(axis, (len(speed), 3)) for axis in frame))
     turning = np.divide(speed, place - swings.pivot, out=np.zeros(len(speed)), where=place > swings.pivot)
     left = _leaving(
@@ -232,17 +232,17 @@ def strikes(
         surface_velocity=bat_velocity + turning_surface(frame, axes, angular_speed=turning, radius=radius),
         place=(place, radius),
         closing=closing,
-        normal=done,
+        normal=impacts,
         friction=friction,
     )
     return Strikes(
-        outcome=np.where(missed, int(Outcome.MISS), done.outcome),
+        outcome=np.where(missed, int(Outcome.MISS), impacts.outcome),
         closing_speed=np.where(missed, np.nan, closing),
-        collision_efficiency=done.collision_efficiency,
-        contact_time=done.contact_time,
-        peak_force=done.peak_force,
-        peak_compression=done.peak_compression,
-        touches=done.touches,
+        collision_efficiency=impacts.collision_efficiency,
+        contact_time=impacts.contact_time,
+        peak_force=impacts.peak_force,
+        peak_compression=impacts.peak_compression,
+        touches=impacts.touches,
         exit_speed=np.linalg.norm(left.velocity, axis=-1),
         velocity=left.velocity,
         spin=left.spin,

@@ -190,7 +190,7 @@ def _corrected(drawn: BeamModel) -> BeamModel:
     """Return the line of a drawing and its mass with the balance point and moi that were measured."""
     bat = drawn.bat
     measured = np.array([bat.balance_point or np.nan, bat.moi or np.nan])
-    asked = np.isfinite(measured)
+    is_measured = np.isfinite(measured)
     plain = _balance_and_moi(drawn)
     scatter = np.array([BALANCE_SCATTER, MOI_SCATTER * plain[1]])
     grip_mass = moments(replace(drawn, grip_excess=1.0))[0] - moments(drawn)[0]
@@ -198,14 +198,14 @@ def _corrected(drawn: BeamModel) -> BeamModel:
         ((1.0, 0.0), USUAL_GRADIENT, (-GRADIENT_LIMIT, GRADIENT_LIMIT)),
         ((0.0, 1.0), USUAL_GRIP_MASS / grip_mass, (LIGHTEST_GRIP, HEAVIEST_GRIP / grip_mass)),
     )
-    effects = [(_balance_and_moi(_shifted(drawn, *unit)) - plain)[asked] for unit, _, _ in kinds]
+    effects = [(_balance_and_moi(_shifted(drawn, *unit)) - plain)[is_measured] for unit, _, _ in kinds]
     corrections = [
         Correction(tuple(effect), usual, limits) for effect, (_, usual, limits) in zip(effects, kinds, strict=True)
     ]
-    misses = (measured - plain)[asked]
-    amounts = least_departure(corrections, misses=misses, scatter=scatter[asked])
+    misses = (measured - plain)[is_measured]
+    amounts = least_departure(corrections, misses=misses, scatter=scatter[is_measured])
     if amounts is None:
-        amounts = nearest(corrections, misses=misses, scatter=scatter[asked])
+        amounts = nearest(corrections, misses=misses, scatter=scatter[is_measured])
         if not bat.calibrated:
             raise InputError(_what_can_be(drawn, _shifted(drawn, *amounts), measured, scatter))
     line = _shifted(drawn, *amounts)

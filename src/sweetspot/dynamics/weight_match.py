@@ -43,13 +43,13 @@ class Way(Generic[Tool]):
     name : of the size.
     limits : between which it may lie.
     changed : gives the implement with the size.
-    told : says the size in words.
+    in_words : says the size.
     """
 
     name: str
     limits: tuple[float, float]
     changed: Callable[[float], Tool]
-    told: Callable[[float], str]
+    in_words: Callable[[float], str]
 
     def weights(self, weigh: Callable[[Tool], float]) -> tuple[float, float]:
         """Return the least and the most, kg, that can be met this way."""
@@ -71,7 +71,7 @@ def first_met(ways: Sequence[Way[Tool]], mass: float, weigh: Callable[[Tool], fl
     for way in ways:
         size = way.met(mass, weigh)
         if size is not None:
-            return way.changed(size), way.told(size)
+            return way.changed(size), way.in_words(size)
     return None
 
 
