@@ -25,6 +25,9 @@ SHEAR_SHAPE = 1.2
 """s = 6/5 of a rectangle."""
 MODULUS_RATIO = Measured(math.log(6.0), 0.8)
 """ln(E / G) before the tones say more: 2.6 of metals to about 20 of softwood, both within 1.4 sigma (assumed)."""
+WOOD, WOOD_RATIO = (250.0, 850.0), Measured(math.log(13.0), 0.35)
+"""kg/m^3 between which a bar is wood, and its ln(E / G): 7 of cherry to 22 of balsa are within 1.8 sigma (table of
+elastic ratios in the Wood Handbook, recalled). Foams are lighter, plastics begin at 900."""
 RATIO_TRUST = 0.005
 """One sigma of ln E that a higher tone deserves beside its frequency's error: Goens' formula and an even section."""
 STEP = 0.1
@@ -68,9 +71,17 @@ class Bar:
         return self.mass.value / (self.length.value * self.width.value * self.thickness.value)
 
     @property
-    def usual_first_tone(self) -> float:
-        """Hz, of the lowest bending mode were sqrt(E / rho) `SPEED`: Euler's slender beam."""
-        return ROOTS[0] ** 2 * self.thickness.value * SPEED / (2 * math.pi * math.sqrt(12) * self.length.value**2)
+    def usual_ratio(self) -> Measured:
+        """ln(E / G) before the tones say more: what is as dense as wood is taken for wood."""
+        return WOOD_RATIO if WOOD[0] <= self.density <= WOOD[1] else MODULUS_RATIO
+
+    @property
+    def usual_tones(self) -> tuple[float, ...]:
+        """Hz, of the bending modes were sqrt(E / rho) `SPEED`; shear draws those of a thick wooden bar together."""
+        slender = self.thickness.value * SPEED / (2 * math.pi * math.sqrt(12) * self.length.value**2)
+        ratio, thick = math.exp(self.usual_ratio.value), self.thickness.value / self.length.value
+        factors = [frequency_factor(mode, slenderness=thick, modulus_ratio=ratio) for mode in range(len(ROOTS))]
+        return tuple(root**2 * slender / math.sqrt(factor) for root, factor in zip(ROOTS, factors, strict=True))
 
 
 @dataclass(frozen=True)
@@ -103,12 +114,13 @@ def bar_modulus(bar: Bar, tones: Sequence[NamedTone]) -> BarModulus:
     if not heard:
         raise InputError("none of the tones is a bending mode of a bar; tap it in the middle, held at its nodes")
     sizes = {"length": bar.length, "width": bar.width, "thickness": bar.thickness, "mass": bar.mass}
-    sources = {**sizes, **{f"bending {mode + 1}": tone for mode, tone in heard}, "E/G": MODULUS_RATIO}
+    sources = {**sizes, **{f"bending {mode + 1}": tone for mode, tone in heard}, "E/G": bar.usual_ratio}
     given = np.array([one.value for one in sources.values()])
-    centre = _solved(given, heard)
+    trust = bar.usual_ratio.error
+    centre = _solved(given, heard, trust)
     errors = np.array([one.error for one in sources.values()])
     steps = STEP * errors
-    moved = [(_solved(given + step, heard) - centre) / STEP for step in np.diag(steps)]
+    moved = [(_solved(given + step, heard, trust) - centre) / STEP for step in np.diag(steps)]
     effects = np.array(moved)  # of one sigma of every source on ln E and ln E/G
     shares = effects[:, 0] ** 2
     modulus, ratio = np.exp(centre)
@@ -121,8 +133,13 @@ def bar_modulus(bar: Bar, tones: Sequence[NamedTone]) -> BarModulus:
     )
 
 
-def _solved(given: Array, heard: Sequence[tuple[int, Measured]]) -> Array:
-    """Return ln E and ln E/G by least squares for sizes, weight, frequencies and expected ln E/G in this order."""
+def _solved(given: Array, heard: Sequence[tuple[int, Measured]], trust: float) -> Array:
+    """Return ln E and ln E/G by least squares for sizes, weight, frequencies and expected ln E/G in this order.
+
+    Parameters
+    ----------
+    trust : one sigma of the expected ln E/G.
+    """
     from scipy.optimize import least_squares
 
     length, width, thickness, mass = given[:4]
@@ -137,7 +154,7 @@ def _solved(given: Array, heard: Sequence[tuple[int, Measured]]) -> Array:
             misfits.append(
                 (math.log(modulus) - unknowns[0]) / math.hypot(2 * measured.relative, RATIO_TRUST * (mode > 0))
             )
-        return np.array([*misfits, (unknowns[1] - expected) / MODULUS_RATIO.error])
+        return np.array([*misfits, (unknowns[1] - expected) / trust])
 
     return np.asarray(least_squares(misses, [math.log(1e10), expected], method="lm").x)
 

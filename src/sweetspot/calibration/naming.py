@@ -31,8 +31,6 @@ UNHEARD, UNEXPLAINED = 6.0, 3.0
 """What a mode without a tone and a loud tone without a mode cost, in units of chi squared."""
 LOUD = 0.1
 """Level of a tone that wants to be explained, unless the room may have added it."""
-UNIFORM = (1.0, 2.7565, 5.4039, 8.9330, 13.3443)
-"""Frequencies of a slender uniform free bar over its first: squares of 4.7300, 7.8532, ... (cos x cosh x = 1)."""
 BAR_SPREAD = 0.6
 """One sigma of the logarithm of a bar's first frequency before it is tapped: that of sqrt(E / rho), see `bar.SPEED`."""
 VAGUE = 0.5
@@ -100,14 +98,14 @@ def expected_of(modes: Modes, family: Family, *, positions: Sequence[float]) -> 
     return Expected(names, modes.frequency[chosen], excitation, STIFFNESS_SPREAD)
 
 
-def uniform_bar(first: float) -> Expected:
+def uniform_bar(tones: Sequence[float]) -> Expected:
     """Return the bending modes of a uniform bar, of which hardly more than the ratios is known.
 
     Parameters
     ----------
-    first : Hz, of the lowest, were it of a usual material.
+    tones : Hz, were it of a usual material.
     """
-    return _bending([first * ratio for ratio in UNIFORM], BAR_SPREAD, RATIO_SPREAD)
+    return _bending(tones, BAR_SPREAD, RATIO_SPREAD)
 
 
 def any_bat() -> Expected:

@@ -120,7 +120,7 @@ def told_taps(
     taps : of all recordings, good and bad.
     """
     if bar is not None:
-        expected = [uniform_bar(bar.usual_first_tone)]
+        expected = [uniform_bar(bar.usual_tones)]
     elif modes is None:
         expected = [any_bat()]
     else:

@@ -126,19 +126,27 @@ def _starts(sound: Recording) -> list[float]:
     frame, count = max(1, round(FRAME * sound.rate)), len(level)
     if count < 3:
         return [0.0]
+    # the ring of one tap may fill a recording; then its quietest tenth is no background
+    starts = _rises(level, floor + ABOVE_FLOOR) or [index for index in _rises(level, -np.inf) if index]
+    return [index * frame / sound.rate for index in starts] or [0.0]
+
+
+def _rises(level: Array, least: float) -> list[int]:
+    """Return the frames at which the loudness in dB suddenly rises to ``least`` or more."""
     before = round(QUIET_BEFORE / FRAME)
     starts: list[int] = []
-    for index in range(count):
+    for index in range(len(level)):
         earlier = level[max(0, index - before) : index]
-        rises = not len(earlier) or level[index] > earlier.max() + RISE
+        # a recording may begin within a tap, which goes on: what is loud in its first frame alone is the filter's edge
+        rises = level[index] > earlier.max() + RISE if len(earlier) else level[index + 1] > least
         apart = not starts or index - starts[-1] >= 2
-        if rises and level[index] > floor + ABOVE_FLOOR and level[index] > level.max() - 50 and apart:
+        if rises and level[index] > least and level[index] > level.max() - 50 and apart:
             starts.append(index)
     merged: list[int] = []
     for index in starts:  # the rise of one tap may take several frames
         if not merged or index - merged[-1] > SETTLE / FRAME:
             merged.append(index)
-    return [index * frame / sound.rate for index in merged] or [0.0]
+    return merged
 
 
 def _tap(recording: Recording, sound: Recording, span: tuple[float, float], band: Band, *, held: float) -> Tap:
