@@ -506,6 +506,19 @@ def test_a_bar_whose_first_tone_was_not_heard() -> None:
     assert modulus.low < 11e9 < modulus.high
 
 
+@pytest.mark.parametrize(("lead", "damping"), [(0.020, 4e-4), (0.028, 4e-3), (0.1, 4e-4), (0.005, 4e-4)])
+def test_a_tap_whose_ring_fills_the_recording(lead: float, damping: float) -> None:
+    """A quarter of a second of one tap: its quietest tenth is ring, and the background before it is short."""
+    rate = 44100.0
+    time = np.arange(round(0.25 * rate)) / rate - lead
+    tones = [np.exp(-2 * np.pi * damping * f * time) * np.sin(2 * np.pi * f * time) for f in (472.3, 1298.8, 2537.6)]
+    sound = np.where(time >= 0, 0.2 * np.sum(tones, axis=0), 0.0)
+    sound += 1e-4 * np.random.default_rng(1).standard_normal(len(sound))
+    (tap,) = find_taps(Recording("a bar", sound, rate), band=BAT_BAND)
+    assert tap.good, tap.fault
+    assert tap.start == pytest.approx(lead, abs=0.006)
+
+
 def test_shear_draws_the_tones_of_a_thick_wooden_bar_together() -> None:
     """A spruce brace of 12.8 GPa, E/G 16.7, by Ritz's method (`tools.recorder_taps`): f2/f1 is 2.57 and not 2.76."""
     brace = Bar(Measured(0.3414, 5e-4), Measured(0.00876, 1e-4), Measured(0.01778, 2e-5), Measured(0.01970, 1e-4))
