@@ -20,7 +20,15 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.report.bat.json import bat_json
-from sweetspot.report.calibration.document import SCALE_OF, VALUES, WORDS, budget_words, contradictions, supposed_words
+from sweetspot.report.calibration.document import (
+    SCALE_OF,
+    VALUES,
+    WORDS,
+    budget_words,
+    contradictions,
+    moi_words,
+    supposed_words,
+)
 from sweetspot.report.certification.numbers import check_json
 from sweetspot.units import INCH, OUNCE
 from sweetspot.web.bat_bounds import bounds
@@ -51,7 +59,7 @@ def answer(state: OwnState) -> dict[str, Any]:
     body, described_body = rigid_body(beam_model(fitted)), rigid_body(beam_model(own))
     words = [] if posterior is None else contradictions(posterior)
     known = {} if told is None else properties(told)
-    budget = [] if told is None else [budget_words(told), *supposed_words(told)]
+    budget = [] if told is None else [budget_words(told), *moi_words(told), *supposed_words(told)]
     return {
         "bat": {
             **bat_json(own.name, own.length, described_body), **outline(own),
