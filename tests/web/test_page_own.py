@@ -32,16 +32,18 @@ def test_a_bat_is_weighed_tapped_and_carried_to_other_views(
     expect(page.locator("#verdict")).to_contain_text("calibrated hits fastest")
 
 
-def test_a_bad_sound_is_told_and_costs_no_good_tap(page: Page, server: str, answered: Answered, taps: Path) -> None:
+def test_a_bad_sound_is_told_and_costs_no_good_tap(
+    page: Page, server: str, answered: Answered, taps: Path, tmp_path: Path
+) -> None:
     page.goto(f"{server}/own")
     answered(page)
     page.locator("#tap-file").set_input_files(taps)
     used = page.locator(".lights .pass").filter(has_text="used")
     expect(used).to_have_count(2)
-    bad = [("silence.wav", b""), ("words.wav", b"no sound at all")]
-    page.locator("#tap-file").set_input_files(
-        [{"name": name, "mimeType": "audio/wav", "buffer": words} for name, words in bad]
-    )
+    bad = {"silence.wav": b"", "words.wav": b"no sound at all"}
+    for name, content in bad.items():
+        (tmp_path / name).write_bytes(content)
+    page.locator("#tap-file").set_input_files([tmp_path / name for name in bad])
     fault = page.locator("#view [role=alert]:visible")
     expect(fault).to_contain_text("silence.wav is empty")
     expect(fault).to_contain_text("words.wav cannot be read as a sound")

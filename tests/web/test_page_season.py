@@ -132,14 +132,16 @@ def test_a_bad_table_leaves_what_was_read(read: Page, settled: Callable[[Page], 
     expect(page.get_by_role("button", name="Design a bat for this player")).to_be_hidden()
 
 
-def test_a_bad_table_beside_a_good_one_is_told_at_the_top(page: Page, server: str, answered: Answered) -> None:
+def test_a_bad_table_beside_a_good_one_is_told_at_the_top(
+    page: Page, server: str, answered: Answered, tmp_path: Path
+) -> None:
     page.goto(f"{server}/season")
     answered(page)
     rows = "".join(f"{90 + number},{10 + number}\n" for number in range(12))
     tables = [("few.csv", f"exit_speed_mph,launch_angle_deg\n{rows}"), ("shopping.csv", "milk,eggs\n1,2\n")]
-    page.locator("#season-files").set_input_files(
-        [{"name": name, "mimeType": "text/csv", "buffer": text.encode()} for name, text in tables]
-    )
+    for name, text in tables:
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    page.locator("#season-files").set_input_files([tmp_path / name for name, _ in tables])
     expect(page.locator("#verdict")).to_contain_text("12 balls in play: ", timeout=PATIENT)
     expect(page.get_by_text("12 rows of few.csv.")).to_be_visible()
     top = page.locator("section").filter(has=page.locator("#verdict"))
