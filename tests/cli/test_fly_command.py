@@ -160,3 +160,8 @@ def test_bad_input_is_one_clear_line(run: Run, arguments: tuple[str, ...], words
     code, out, err = run("fly", *arguments)
     assert code == 2 and not out
     assert words in err and err.count("\n") == 1 and "Traceback" not in err
+
+
+def test_a_shuttle_is_called_a_shuttle(run: Run) -> None:
+    out = run("fly", "--ball", "shuttle", "--exit-speed", "60m/s", "--launch-angle", "30deg", "--height", "1m")[1]
+    assert out.startswith("A shuttle leaves at 60.0 m/s")

@@ -176,7 +176,7 @@ def _words(flown: BattedFlight) -> Sentence:
     usual = " (what such hits usually have)" if hit.backspin is None and hit.sidespin is None else ""
     at_plate = flown.sport.key in BALLPARKS
     launch = launch_words(flown.flight.launch, ballpark=at_plate)
-    sentences = [say("A ball leaves {launch}{usual}.", launch=launch, usual=usual)]
+    sentences = [say("A {ball} leaves {launch}{usual}.", ball=flown.sport.words.ball, launch=launch, usual=usual)]
     if flown.sport.key != "baseball":
         return joined([*sentences, court_words(flown.flight, flown.sport, ball=flown.ball, from_plate=at_plate)])
     sentences += [flight_words(flown.flight, at=""), _bend(flown.flight, windy=bool(flown.hit.wind_speed))]
