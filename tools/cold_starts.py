@@ -22,6 +22,10 @@ from pathlib import Path
 from playwright.sync_api import Browser, sync_playwright
 from playwright.sync_api import Error as BrowserError
 
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from tests.browsers import for_people
+
 HERE = Path(__file__).parents[1]
 FLAGS = ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"]
 PATIENCE = 300.0
@@ -33,7 +37,7 @@ def main(tries: int = 10, busy: int = 2) -> int:
     """Say for each try when the address was printed and how long the picture took from there."""
     missed = 0
     with sync_playwright() as playwright, busily(busy):
-        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        browser = playwright.chromium.launch(executable_path=for_people(), args=FLAGS)
         for number in range(1, tries + 1):
             until_address, until_picture = one_start(browser)
             missed += until_picture is None
