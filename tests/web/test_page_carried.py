@@ -25,7 +25,7 @@ STATES = {
     "changed bat": (
         "optimum", "bat=mlb-a&cup_diameter_in=1&bore_diameter_in=0.9&weight_oz=1&bat_speed_mph=80", "MLB profile A"
     ),
-    "left-hander": ("flight", "start=swing&batter=left&bat=youth-30&choke_up_in=1&mass_oz=22", "youth 30 in, wood"),
+    "left-hander": ("flight", "start=swing&batter=left&bat=youth-30&choke_up_in=1&mass_oz=22", "Youth 30 in, wood"),
     "wall": ("hit", "bat=single-wall&wall_factor=0.9&exaggeration=8&held=true", "Single-wall aluminium"),
     "other sport": ("sports", "implement=cricket-bat&aside_in=0.5", "Cricket bat"),
 }  # fmt: skip
