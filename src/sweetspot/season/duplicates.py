@@ -9,7 +9,7 @@ import polars as pl
 from numpy.typing import NDArray
 
 from sweetspot.numerics.threads import in_order
-from sweetspot.season.rows import pitch_keys, tells_pitches
+from sweetspot.season.same_pitch import pitch_keys, tells_pitches
 from sweetspot.season.table_file import TableFile
 from sweetspot.season.table_parts import PART
 from sweetspot.season.table_reader import TableReader

@@ -8,13 +8,11 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from datetime import date
 from functools import partial
 
-import numpy as np
 import polars as pl
-from numpy.typing import NDArray
 
 from sweetspot.season.headings import DAY_FIRST, UNITS, Headings, TableColumn
 from sweetspot.units import FOOT, MPH
@@ -72,16 +70,6 @@ SELDOM = 2
 FAR = 1 << 31
 """Whole numbers from which on each is changed by itself."""
 NUMBERS = [kind for kind in UNITS if kind != "text"]
-KEYS = (("pitch_id",), ("game", "at_bat", "pitch"))
-"""What tells pitches apart, the first that a table has."""
-WHO = ("game", "date", "batter", "pitcher")
-MEASURED = ("exit_speed", "launch_angle", "map_x", "map_y", "release_speed", "velocity_x", "velocity_z", "plate_side")
-MIXED = (0x9E3779B97F4A7C15, 0xBF58476D1CE4E5B9, 0x94D049BB133111EB)
-"""Constants of splitmix64, a mixing of 64 bits in which no number gets lost."""
-NAMED = 1 << 63
-"""Bit of the keys of what is no whole number."""
-ENOUGH = 4
-"""Measurements that must agree before two rows without a number are the same pitch."""
 
 
 def rows_of(frame: pl.DataFrame, headings: Headings, *, first: int = 0) -> pl.DataFrame:
@@ -99,7 +87,7 @@ def rows_of(frame: pl.DataFrame, headings: Headings, *, first: int = 0) -> pl.Da
         written so that no number could be read, and whether its date was) and ``beyond`` (how many cannot be).
     """
     columns, kinds = headings.columns, frame.schema
-    words = {name: _Texts(frame[column.heading]) for name, column in columns.items() if column.kind == "text"}
+    words = {name: Texts(frame[column.heading]) for name, column in columns.items() if column.kind == "text"}
     selected = frame.select(
         *(_number(kinds, column).alias(name) for name, column in columns.items() if column.kind != "text"),
         *(
@@ -167,7 +155,7 @@ def coded(column: pl.Series) -> tuple[pl.Series, pl.Series]:
     return coded.to_physical(), known.to_series()
 
 
-class _Texts:
+class Texts:
     """A column of texts without blanks about them and without the ``.0`` of whole numbers, and what they turn into.
 
     Parameters
@@ -350,76 +338,3 @@ def _conditions(headings: Headings) -> Iterator[tuple[str, pl.Expr]]:
     yield "untracked", pl.col("exit_speed").is_null()
     steep = (pl.col("launch_angle").abs() > 1.5708).fill_null(value=False) if headings.has("launch_angle") else False
     yield "impossible", ~pl.col("exit_speed").is_between(SLOWEST, FASTEST) | steep
-
-
-def tells_pitches(headings: Headings) -> bool:
-    """Return whether a table has what tells pitches apart."""
-    return _numbered(headings) is not None or bool(_measured(headings))
-
-
-def pitch_keys(
-    part: Callable[[Sequence[str]], pl.DataFrame], headings: Headings
-) -> tuple[NDArray[np.uint64], NDArray[np.bool_]]:
-    """Return 64-bit keys that are the same for the same pitch in any table, and for which rows they are known.
-
-    Where pitches are not numbered, rows are the same pitch that agree in everything that is measured.
-
-    Parameters
-    ----------
-    part : returns columns of the rows, by their headings.
-
-    >>> frame = pl.DataFrame({"launch_speed": [90.0] * 3, "game_pk": [7, 7, 8], "at_bat_number": [1.0, 1.0, None],
-    ...                       "pitch_number": ["2", "2.0", "2"]})
-    >>> from sweetspot.season.headings import headings_of
-    >>> key, known = pitch_keys(frame.select, headings_of(frame.columns))
-    >>> bool(key[0] == key[1]), known.tolist()
-    (True, [True, True, False])
-    """
-    names, measured = _numbered(headings) or (), _measured(headings)
-    key, known = np.zeros(1, np.uint64), np.full(1, bool(names))
-    if names:
-        frame = part([headings.columns[name].heading for name in names])
-        for name in names:
-            told, there = _whole(frame[headings.columns[name].heading])
-            key, known = _mixed(key ^ told), known & there
-    if measured and not known.all():
-        asked = headings.only("exit_speed", *measured)
-        rows = rows_of(part([column.heading for column in asked.columns.values()]), asked)
-        parts = [pl.col(name).cast(pl.String).fill_null("") for name in measured]
-        alike = rows.select(pl.concat_str(parts, separator="|").hash(seed=1)).to_series().to_numpy()
-        key, known = np.where(known, key, alike), np.ones(len(rows), np.bool_)
-    return key, known
-
-
-def _numbered(headings: Headings) -> tuple[str, ...] | None:
-    return next((names for names in KEYS if headings.has(*names)), None)
-
-
-def _measured(headings: Headings) -> tuple[str, ...]:
-    """Return who and what must agree for two rows to be the same pitch; nothing where that is too little."""
-    measured = [name for name in MEASURED if headings.has(name)]
-    if headings.has("batter") and (headings.has("game") or headings.has("date")) and len(measured) >= ENOUGH:
-        return (*(name for name in WHO if headings.has(name)), *measured)
-    return ()
-
-
-def _whole(column: pl.Series) -> tuple[NDArray[np.uint64], NDArray[np.bool_]]:
-    """Return the whole numbers of a column, a key where a text is none, and where there is anything."""
-    if not column.dtype.is_integer():
-        column = _Texts(column).turned(_whole_or_key)
-    elif column.dtype != pl.UInt64:
-        column = column.cast(pl.Int64).reinterpret(signed=False)
-    return column.fill_null(0).to_numpy(), column.is_not_null().to_numpy()
-
-
-def _whole_or_key(text: pl.Expr) -> pl.Expr:
-    number = pl.when(text.str.contains(r"^(0|[1-9]\d{0,17})$")).then(text).cast(pl.UInt64, strict=False)
-    return pl.when(text.is_not_null()).then(pl.coalesce(number, text.hash(seed=1) | NAMED))
-
-
-def _mixed(key: NDArray[np.uint64]) -> NDArray[np.uint64]:
-    add, first, second = (np.uint64(value) for value in MIXED)
-    key = key + add
-    key = (key ^ (key >> np.uint64(30))) * first
-    key = (key ^ (key >> np.uint64(27))) * second
-    return key ^ (key >> np.uint64(31))

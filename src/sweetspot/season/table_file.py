@@ -2,19 +2,13 @@
 
 from __future__ import annotations
 
-import codecs
-import csv
 import errno
-import gzip
-import io
 import zlib
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import chain
 from pathlib import Path
-from typing import IO
 
 import numpy as np
 import polars as pl
@@ -22,34 +16,31 @@ from numpy.typing import ArrayLike, NDArray
 
 from sweetspot.errors import InputError, UnwritableError, first_line
 from sweetspot.numerics.whole_files import refusal, written_whole
-from sweetspot.season.headings import DAY_FIRST, KNOWN_UNITS, Headings, headings_of, names_balls
+from sweetspot.season.day_order import with_days
+from sweetspot.season.headings import KNOWN_UNITS, Headings, headings_of
 from sweetspot.season.parquet_footer import Footer, footer_of
+from sweetspot.season.text_ends import (
+    TextEnds,
+    cells_of,
+    in_utf8,
+    is_number,
+    require_no_more_cells,
+    separator_of,
+)
 from sweetspot.units import grouped
 
 CSV_ENDINGS = (".csv", ".tsv", ".txt", ".csv.gz", ".tsv.gz", ".txt.gz")
 PARQUET_ENDINGS = (".parquet", ".pq")
 MISSING = ["", "NA", "N/A", "NaN", "nan", "null", "NULL", "None", "-", "--"]
 """Words that mean that there is nothing. Missing is never zero."""
-TAIL = 1 << 20
-"""Bytes of the end of a file in which its last line is looked for."""
-BOMB, MOST_PACKED = 50_000_000, 100
-"""Bytes from which on a packed table is none when it unpacks to more than so many times its size (exports: 5 to 20)."""
-MOST_ABOVE = 16
-"""Lines that may stand above the headings: who was measured, and when."""
 SUMMARIES = {"total", "totals", "grand total", "average", "averages", "avg", "mean", "median"}
 """Words in the first column, or in place of a day or batter, of lines that spreadsheets put below the balls."""
-DISGUISED = {
-    b"\x1f\x8b": "is packed; let its name end in .csv.gz", b"PAR1": "is Parquet; let its name end in .parquet",
-    b"PK\x03\x04": "is a spreadsheet or an archive; save the sheet as CSV",
-}  # fmt: skip
-"""First bytes of files that are no text, whatever their names say."""
 NOTHING, BESIDE = "nothing", "beside"
 LEFT_OUT = {
     NOTHING: "blank lines, and such with nothing in any column that is understood",
     BESIDE: "headings once more, units, totals and means",
 }
 """Why a line of a CSV file is no row of its table."""
-WIDE = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 ENCODINGS = {"utf-16": "UTF-16", "cp1252": "Windows-1252, for it is not UTF-8"}
 """Encodings beside UTF-8 that are read, and how that is said."""
 OTHERS = {
@@ -57,9 +48,6 @@ OTHERS = {
     ".xz": "unpack it", ".zst": "unpack it", ".7z": "unpack it",
 }  # fmt: skip
 """Endings of files that hold tables and are not read, and what to do."""
-SLASHED = r"^\s*(\d{1,2})[/-](\d{1,2})[/-]\d{2,4}\b"
-PEEK = 1000
-"""Rows in which a date is looked for that may begin with the day."""
 BEGUN = 10_000
 """Lines whose types are tried for all lines; to look at all of them first takes twice as long as to read them."""
 FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EACCES, errno.EPERM}
@@ -210,7 +198,7 @@ def frame_headings(frame: pl.LazyFrame, *, given: Mapping[str, str] | None = Non
         held = schema[column.heading]
         if held.is_nested() or isinstance(held, pl.Duration | pl.Object):
             raise InputError(f"{name}: column {column.heading} holds {held}; write one number or one word a row")
-    headings, notes = _with_days(headings, frame)
+    headings, notes = with_days(headings, frame)
     return replace(headings, notes=(*headings.notes, *notes))
 
 
@@ -236,10 +224,12 @@ def text_columns(
         if path.name.lower().endswith(PARQUET_ENDINGS):
             frame = pl.scan_parquet(path)
         else:
-            source, ends = _plain(path, staging)
+            source, ends = in_utf8(path, staging)
             above = ends.above
-            frame = pl.scan_csv(source, separator=_separator(above[-1]), infer_schema=False, truncate_ragged_lines=True,
-                                encoding="utf8-lossy", null_values=MISSING, skip_lines=len(above) - 1)  # fmt: skip
+            frame = pl.scan_csv(
+                source, separator=separator_of(above[-1]), infer_schema=False, truncate_ragged_lines=True,
+                encoding="utf8-lossy", null_values=MISSING, skip_lines=len(above) - 1,
+            )  # fmt: skip
         headings = headings_of(frame.collect_schema().names(), given=given, file_name=str(path))
     except (pl.exceptions.PolarsError, OSError, EOFError, zlib.error) as error:
         raise InputError(f"{path} cannot be read as a table: {first_line(error)}") from None
@@ -266,12 +256,12 @@ def _parquet(path: Path, given: Mapping[str, str] | None) -> TableFile:
 def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFile:
     staging.mkdir(parents=True, exist_ok=True)
     with _copying(path, staging):
-        source, ends = _plain(path, staging)
+        source, ends = in_utf8(path, staging)
     above, last = ends.above, ends.last
     first = above[-1]
-    separator = _separator(first)
-    names = _cells(first, separator)
-    if not first.strip() or all(_is_number(name) for name in names):
+    separator = separator_of(first)
+    names = cells_of(first, separator)
+    if not first.strip() or all(is_number(name) for name in names):
         raise InputError(f"{path} does not begin with a line of column names; give one, for example launch_speed")
     notes = []
     copy, target = staging / f"{path.name}.lines", staging / f"{path.name}.parquet"
@@ -301,11 +291,13 @@ def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFil
         raise InputError(f"{path} has column names and no row; give one row per ball")
     texts = [column.heading for column in headings.columns.values() if column.kind != "text"]
     held = pl.scan_parquet(target).select(pl.col(texts).is_null().all()).collect().row(0, named=True)
-    torn = bool(last.strip()) and len(_cells(last, separator)) < len(names)
-    headings, day_notes = _with_days(headings, pl.scan_parquet(target))
+    torn = bool(last.strip()) and len(cells_of(last, separator)) < len(names)
+    headings, day_notes = with_days(headings, pl.scan_parquet(target))
     notes += day_notes
     if len(above) > 1:
-        said = "; ".join(", ".join(filter(None, map(str.strip, _cells(line, _separator(line))))) for line in above[:-1])
+        said = "; ".join(
+            ", ".join(filter(None, map(str.strip, cells_of(line, separator_of(line))))) for line in above[:-1]
+        )
         notes.append(f"{len(above) - 1} lines above the headings are left out: {said[:120]}")
     if ends.encoding in ENCODINGS:
         notes.append(f"the text is read as {ENCODINGS[ends.encoding]}; look at names, or save it as CSV UTF-8")
@@ -334,7 +326,7 @@ def _copying(path: Path, staging: Path) -> Iterator[None]:
         raise InputError(f"{path} cannot be read as a table: {first_line(error)}") from None
 
 
-def _copied_as_begun(source: Path, ends: _Ends, begun: pl.Schema, copy: Path) -> bool:
+def _copied_as_begun(source: Path, ends: TextEnds, begun: pl.Schema, copy: Path) -> bool:
     """Return whether all rows could be written with the types that their first lines have.
 
     Parameters
@@ -352,7 +344,7 @@ def _copied_as_begun(source: Path, ends: _Ends, begun: pl.Schema, copy: Path) ->
     return all(pl.scan_parquet(copy).select(pl.col(empty).is_null().all()).collect().row(0)) if empty else True
 
 
-def _copied_as_told(source: Path, ends: _Ends, copy: Path, *, named: Path) -> None:
+def _copied_as_told(source: Path, ends: TextEnds, copy: Path, *, named: Path) -> None:
     """Write all rows with the types that all lines together have.
 
     Parameters
@@ -365,7 +357,7 @@ def _copied_as_told(source: Path, ends: _Ends, copy: Path, *, named: Path) -> No
     except pl.exceptions.ComputeError as error:
         if "more fields" not in str(error):
             raise
-        _require_no_more_cells(source, ends, named=named)
+        require_no_more_cells(source, ends, named=named)
         _copied(_scanned(source, ends, cut=True), copy)
 
 
@@ -388,30 +380,8 @@ def _left_out(headings: Headings, schema: pl.Schema) -> dict[str, pl.Expr]:
     return {NOTHING: nothing.alias(NOTHING), BESIDE: (~nothing & beside).alias(BESIDE)}
 
 
-def _with_days(headings: Headings, frame: pl.LazyFrame) -> tuple[Headings, list[str]]:
-    """Return headings that know whether dates begin with the day, and what to say of dates that do not tell.
-
-    One order holds for a whole table: 25/04/2024 anywhere in it says that 05/04/2024 is in April too.
-    """
-    column = headings.columns.get("date")
-    if column is None or frame.collect_schema()[column.heading] not in (pl.String, pl.Categorical, pl.Enum):
-        return headings, []
-    text = pl.col(column.heading).cast(pl.String)
-    if not frame.head(PEEK).select(text.str.contains(SLASHED).any()).collect().item():
-        return headings, []
-    numbers = [text.str.extract(SLASHED, group).cast(pl.Int32) for group in (1, 2)]
-    ahead, behind = frame.select(text).unique().select(first=numbers[0].max(), second=numbers[1].max()).collect().row(0)
-    if ahead > 12 >= behind:
-        columns = {**headings.columns, "date": replace(column, unit=DAY_FIRST)}
-        return replace(headings, columns=columns), []
-    if behind > 12 >= ahead:
-        return headings, []
-    what = "may begin with month or day" if behind <= 12 else "begin with the month in some rows and the day in others"
-    return headings, [f"dates in {column.heading} {what}; they are read as month, day, year"]
-
-
 def _scanned(
-    source: Path, ends: _Ends, *, cut: bool = False, lines: int | None = None, schema: pl.Schema | None = None
+    source: Path, ends: TextEnds, *, cut: bool = False, lines: int | None = None, schema: pl.Schema | None = None
 ) -> pl.LazyFrame:
     """Return the rows; a column with anything but numbers in it stays text.
 
@@ -421,135 +391,8 @@ def _scanned(
     lines : that are looked at for what stands in the columns; None: all.
     schema : what the columns are, where that is known.
     """
-    separator = _separator(ends.above[-1])
+    separator = separator_of(ends.above[-1])
     return pl.scan_csv(
         source, separator=separator, schema=schema, infer_schema_length=lines, truncate_ragged_lines=cut,
         encoding="utf8-lossy", null_values=MISSING, decimal_comma=separator == ";", skip_lines=len(ends.above) - 1,
     )  # fmt: skip
-
-
-def _require_no_more_cells(source: Path, ends: _Ends, *, named: Path) -> None:
-    """Refuse a file in a line of which more cells hold something than there are headings.
-
-    Parameters
-    ----------
-    named : the file that people know, for messages.
-    """
-    separator, above = _separator(ends.above[-1]), len(ends.above) - 1
-    with _opened(source) as file, io.TextIOWrapper(file, "utf-8-sig", errors="replace", newline="") as text:
-        for _ in range(above):
-            text.readline()
-        rows = csv.reader(text, delimiter=separator)
-        width = len(next(rows))
-        for cells in rows:
-            if any(cell.strip() for cell in cells[width:]):
-                raise InputError(
-                    f"{named}: line {above + rows.line_num} has {len(cells)} cells under {width} headings; give each "
-                    f"a heading, and put numbers and texts that hold a {separator!r} into quotes"
-                )
-
-
-@dataclass(frozen=True)
-class _Ends:
-    """Lines of a text down to its headings, its last line, its encoding, and whether lines end as everybody's do."""
-
-    above: list[str]
-    last: str
-    encoding: str
-    lines: bool
-
-
-def _plain(path: Path, staging: Path) -> tuple[Path, _Ends]:
-    """Return a file in UTF-8 with the same text, the very file or a copy, and its ends with the file's own encoding."""
-    ends = _ends(path)
-    if ends.encoding == "utf-8" and ends.lines:
-        return path, ends
-    copy = staging / f"{path.name}.utf-8"
-    with (
-        _opened(path) as file, io.TextIOWrapper(file, ends.encoding, errors="replace") as text,
-        written_whole(copy) as plain,
-    ):  # fmt: skip
-        while block := text.read(TAIL):
-            plain.write(block.encode())
-    return copy, replace(_ends(copy), encoding=ends.encoding)
-
-
-def _opened(path: Path) -> IO[bytes]:
-    with path.open("rb") as file:
-        packed = file.read(2) == b"\x1f\x8b"
-    return gzip.open(path) if packed and path.name.lower().endswith(".gz") else path.open("rb")  # type: ignore[return-value]
-
-
-def _ends(path: Path) -> _Ends:
-    """Return the lines down to the headings, and the last line, of a file that may be packed.
-
-    Headings stand in the first line, or in the first one that names balls or swings where others stand above.
-    """
-    encoding, told = "utf-8", codecs.getincrementaldecoder("utf-8")()
-    try:
-        with _opened(path) as file:
-            lines = [file.readline(TAIL)]
-            wide = lines[0].startswith(WIDE)
-            if len(lines[0]) == TAIL and b"\r" not in lines[0]:
-                raise InputError(f"{path} begins with a line of more than {TAIL / 1e6:.0f} MB; give a table")
-            while len(lines) <= MOST_ABOVE and not _names_balls(lines[-1]) and (line := file.readline(TAIL)):
-                lines.append(line)
-            first = b"".join(lines)
-            tail, unpacked = lines[-1], 0
-            for block in chain([first], iter(lambda: file.read(TAIL), b"")):
-                if not wide and encoding == "utf-8":
-                    encoding = "utf-8" if _goes_on(told, block) else "cp1252"
-                if block is first:
-                    continue
-                tail, unpacked = (tail + block)[-TAIL:], unpacked + len(block)
-                if path.name.lower().endswith(".gz") and unpacked > max(BOMB, MOST_PACKED * path.stat().st_size):
-                    raise InputError(f"{path} unpacks to more than {MOST_PACKED} times its size; give a table")
-    except (OSError, EOFError, zlib.error) as error:
-        raise InputError(f"{path} is damaged: {error}; get it anew") from None
-    disguise = next((words for start, words in DISGUISED.items() if first.startswith(start)), None)
-    if disguise is not None:
-        raise InputError(f"{path} {disguise}")
-    if not wide and (b"\0" in first or b"\0" in tail):
-        raise InputError(f"{path} is no text in UTF-8; save it as CSV UTF-8, or give Parquet")
-    above = lines if _names_balls(lines[-1]) else lines[:1]
-    last = tail.splitlines()
-    old = b"\r" in first.replace(b"\r\n", b"")
-    return _Ends(
-        [_text(line) for line in above], _text(last[-1]) if last else "", "utf-16" if wide else encoding, not old
-    )
-
-
-def _goes_on(decoder: codecs.IncrementalDecoder, block: bytes) -> bool:
-    try:
-        decoder.decode(block)
-    except UnicodeDecodeError:
-        return False
-    return True
-
-
-def _text(line: bytes) -> str:
-    return line.decode("utf-8-sig", "replace")
-
-
-def _names_balls(line: bytes) -> bool:
-    text = _text(line)
-    try:
-        return names_balls(_cells(text, _separator(text)))
-    except csv.Error:  # no text at all
-        return False
-
-
-def _separator(line: str) -> str:
-    return max(",;\t|", key=line.count)
-
-
-def _cells(line: str, separator: str) -> list[str]:
-    return next(csv.reader([line.rstrip("\r\n")], delimiter=separator), [])
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return not text.strip()
-    return True

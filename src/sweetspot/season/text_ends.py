@@ -1,0 +1,161 @@
+"""A text file's lines down to its headings and its last one, in whatever encoding; and the same text in UTF-8."""
+
+from __future__ import annotations
+
+import codecs
+import csv
+import gzip
+import io
+import zlib
+from dataclasses import dataclass, replace
+from itertools import chain
+from pathlib import Path
+from typing import IO
+
+from sweetspot.errors import InputError
+from sweetspot.numerics.whole_files import written_whole
+from sweetspot.season.headings import names_balls
+
+TAIL = 1 << 20
+"""Bytes of the end of a file in which its last line is looked for."""
+BOMB, MOST_PACKED = 50_000_000, 100
+"""Bytes from which on a packed table is none when it unpacks to more than so many times its size (exports: 5 to 20)."""
+MOST_ABOVE = 16
+"""Lines that may stand above the headings: who was measured, and when."""
+DISGUISED = {
+    b"\x1f\x8b": "is packed; let its name end in .csv.gz", b"PAR1": "is Parquet; let its name end in .parquet",
+    b"PK\x03\x04": "is a spreadsheet or an archive; save the sheet as CSV",
+}  # fmt: skip
+"""First bytes of files that are no text, whatever their names say."""
+WIDE = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
+
+
+@dataclass(frozen=True)
+class TextEnds:
+    """Lines of a text down to its headings, its last line, its encoding, and whether lines end as everybody's do."""
+
+    above: list[str]
+    last: str
+    encoding: str
+    lines: bool
+
+
+def in_utf8(path: Path, staging: Path) -> tuple[Path, TextEnds]:
+    """Return a file in UTF-8 with the same text, the very file or a copy, and its ends with the file's own encoding."""
+    ends = _ends(path)
+    if ends.encoding == "utf-8" and ends.lines:
+        return path, ends
+    copy = staging / f"{path.name}.utf-8"
+    with (
+        opened(path) as file, io.TextIOWrapper(file, ends.encoding, errors="replace") as text,
+        written_whole(copy) as plain,
+    ):  # fmt: skip
+        while block := text.read(TAIL):
+            plain.write(block.encode())
+    return copy, replace(_ends(copy), encoding=ends.encoding)
+
+
+def opened(path: Path) -> IO[bytes]:
+    """Return a file as a stream of bytes, unpacked where it is packed."""
+    with path.open("rb") as file:
+        packed = file.read(2) == b"\x1f\x8b"
+    return gzip.open(path) if packed and path.name.lower().endswith(".gz") else path.open("rb")  # type: ignore[return-value]
+
+
+def _ends(path: Path) -> TextEnds:
+    """Return the lines down to the headings, and the last line, of a file that may be packed.
+
+    Headings stand in the first line, or in the first one that names balls or swings where others stand above.
+    """
+    encoding, told = "utf-8", codecs.getincrementaldecoder("utf-8")()
+    try:
+        with opened(path) as file:
+            lines = [file.readline(TAIL)]
+            wide = lines[0].startswith(WIDE)
+            if len(lines[0]) == TAIL and b"\r" not in lines[0]:
+                raise InputError(f"{path} begins with a line of more than {TAIL / 1e6:.0f} MB; give a table")
+            while len(lines) <= MOST_ABOVE and not _names_balls(lines[-1]) and (line := file.readline(TAIL)):
+                lines.append(line)
+            first = b"".join(lines)
+            tail, unpacked = lines[-1], 0
+            for block in chain([first], iter(lambda: file.read(TAIL), b"")):
+                if not wide and encoding == "utf-8":
+                    encoding = "utf-8" if _goes_on(told, block) else "cp1252"
+                if block is first:
+                    continue
+                tail, unpacked = (tail + block)[-TAIL:], unpacked + len(block)
+                if path.name.lower().endswith(".gz") and unpacked > max(BOMB, MOST_PACKED * path.stat().st_size):
+                    raise InputError(f"{path} unpacks to more than {MOST_PACKED} times its size; give a table")
+    except (OSError, EOFError, zlib.error) as error:
+        raise InputError(f"{path} is damaged: {error}; get it anew") from None
+    disguise = next((words for start, words in DISGUISED.items() if first.startswith(start)), None)
+    if disguise is not None:
+        raise InputError(f"{path} {disguise}")
+    if not wide and (b"\0" in first or b"\0" in tail):
+        raise InputError(f"{path} is no text in UTF-8; save it as CSV UTF-8, or give Parquet")
+    above = lines if _names_balls(lines[-1]) else lines[:1]
+    last = tail.splitlines()
+    old = b"\r" in first.replace(b"\r\n", b"")
+    return TextEnds(
+        [_text(line) for line in above], _text(last[-1]) if last else "", "utf-16" if wide else encoding, not old
+    )
+
+
+def _goes_on(decoder: codecs.IncrementalDecoder, block: bytes) -> bool:
+    try:
+        decoder.decode(block)
+    except UnicodeDecodeError:
+        return False
+    return True
+
+
+def _text(line: bytes) -> str:
+    return line.decode("utf-8-sig", "replace")
+
+
+def _names_balls(line: bytes) -> bool:
+    text = _text(line)
+    try:
+        return names_balls(cells_of(text, separator_of(text)))
+    except csv.Error:  # no text at all
+        return False
+
+
+def separator_of(line: str) -> str:
+    """Return what separates the cells of a line."""
+    return max(",;\t|", key=line.count)
+
+
+def cells_of(line: str, separator: str) -> list[str]:
+    """Return the cells of a line."""
+    return next(csv.reader([line.rstrip("\r\n")], delimiter=separator), [])
+
+
+def is_number(text: str) -> bool:
+    """Return whether a cell holds a number, or nothing."""
+    try:
+        float(text)
+    except ValueError:
+        return not text.strip()
+    return True
+
+
+def require_no_more_cells(source: Path, ends: TextEnds, *, named: Path) -> None:
+    """Refuse a file in a line of which more cells hold something than there are headings.
+
+    Parameters
+    ----------
+    named : the file that people know, for messages.
+    """
+    separator, above = separator_of(ends.above[-1]), len(ends.above) - 1
+    with opened(source) as file, io.TextIOWrapper(file, "utf-8-sig", errors="replace", newline="") as text:
+        for _ in range(above):
+            text.readline()
+        rows = csv.reader(text, delimiter=separator)
+        width = len(next(rows))
+        for cells in rows:
+            if any(cell.strip() for cell in cells[width:]):
+                raise InputError(
+                    f"{named}: line {above + rows.line_num} has {len(cells)} cells under {width} headings; give each "
+                    f"a heading, and put numbers and texts that hold a {separator!r} into quotes"
+                )
