@@ -254,8 +254,9 @@ def test_a_player_of_a_season(tell: Tell, swings: Path) -> None:
     document = tell("season", str(swings / "statcast_2024.csv.gz"), "--player", "592450", "--try", "mlb-a")
     data, text = document.data, text_of(document, SI)
     check_sentences(document, READERS)
-    assert text.startswith(f"{data['balls']} balls in play") and f"{data['home_runs']} hit;" in text
-    assert f"{data['home_runs_expected']:.1f} home runs" in text and f"{data['mostly_gone']} mostly gone" in text
+    assert text.startswith(f"{data['balls']} balls in play") and f", {data['home_runs']} hit;" in text
+    assert f"Home runs: {data['home_runs_expected']:.1f} expected" in text
+    assert f"{data['mostly_gone']} mostly gone" in text
     gains = {key: value for key, value in data.items() if key.startswith("with ") and "_" not in key}
     if any(gains.values()) and max(value or 0 for value in gains.values()) > 0:
         assert "would serve best: +" in text
