@@ -92,7 +92,7 @@ def test_files_are_written_whole(run: Run, tmp_path: Path) -> None:
         "compare.png",
         "compare.svg",
     ]
-    assert json.loads((folder / "compare.json").read_text())["bats"][1]["label"].startswith("youth")
+    assert json.loads((folder / "compare.json").read_text())["bats"][1]["label"].startswith("Youth")
 
 
 def test_units_are_the_readers(run: Run, tmp_path: Path) -> None:

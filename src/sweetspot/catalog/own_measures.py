@@ -126,7 +126,7 @@ def _thickened(tool: Implement, mass: float) -> tuple[Implement, str]:
     if factor is None:
         factor = THICKNESS[0] if mass <= way.weights(drawn_mass)[0] else THICKNESS[1]
     changed = way.changed(factor).replaced(mass=mass, balance_point=None, moi=None)
-    return changed, f"Its weight, {shown_mass(mass)}, is met where {way.told(factor)}."
+    return changed, f"Its weight, {shown_mass(mass)}, is met where {way.in_words(factor)}."
 
 
 def _thicker_blade(bat: CricketBat, factor: float) -> CricketBat:

@@ -34,7 +34,7 @@ export class Reading {
     this.words.setAttribute("role", "status");
     this.fault = make("p", { className: "fault", hidden: true });
     this.fault.setAttribute("role", "alert");
-    this.unread = make("div", { className: "fault" });
+    this.unread = make("div", { className: "fault", hidden: true });
     this.first = [button("Choose tables", () => this.file.click(), { primary: true }), button("Look at a made-up season", () => this.begin({ uploads: [] }))];
     this.chooser = make("div", { className: "own" }, make("label", { htmlFor: "season-files", textContent: "Tables (CSV, .csv.gz, Parquet), or drop them anywhere" }), this.file,
       make("p", { className: "note", textContent: whereTo("A table") }));
@@ -103,7 +103,9 @@ export class Reading {
   /** @param {Answer} season */
   draw(season) {
     this.season = season;
-    paragraphs(this.unread, (season?.unread ?? []).map((/** @type {string} */ words) => `Not read: ${words}`));
+    const unread = season?.unread ?? [];
+    paragraphs(this.unread, unread.map((/** @type {string} */ words) => `Not read: ${words}`));
+    this.unread.hidden = !unread.length;
     this.update();
   }
 
