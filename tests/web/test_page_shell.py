@@ -28,7 +28,7 @@ def field(page: Page, name: str) -> Any:
 def test_the_address_is_the_state(page: Page, server: str, answered: Answered) -> None:
     page.goto(f"{server}/explorer?bat=youth-30&pitch_speed_mph=61.5&no_such=1")
     answered(page)
-    expect(page.locator("#verdict")).to_contain_text("youth 30 in")
+    expect(page.locator("#verdict")).to_contain_text("Youth 30 in")
     assert field(page, "pitch_speed_mph").input_value() == "61.5"
 
 
@@ -172,7 +172,7 @@ def test_a_view_opened_without_a_server_says_so_and_comes_with_it(
         expect(page.locator("#status")).to_be_hidden()
         answered(page)
         expect(page.locator("#view .absent")).to_have_count(0)
-        expect(page.locator("#bench-chip")).to_contain_text("youth 30 in")
+        expect(page.locator("#bench-chip")).to_contain_text("Youth 30 in")
         expect(page.locator("[data-field=park] option")).not_to_have_count(1)  # the lists too
         expect(page.locator("#view canvas").first).to_be_visible()
         settled(page)
