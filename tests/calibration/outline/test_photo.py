@@ -185,6 +185,15 @@ def test_black_on_dark_grey_is_refused_at_any_quality(tmp_path: Path, grey: floa
         read_photo(path, length=BAT.length)
 
 
+def test_tape_as_dark_as_the_ground_is_refused(tmp_path: Path) -> None:
+    """Of black tape on a black ground only its highlight was seen: the handle came out 20 mm too thin, in silence."""
+    picture = rendered(ground=(0.0, 0.0, 0.0), noise=0.0)
+    from_axis = np.abs(np.arange(len(picture)) - len(picture) / 2)
+    picture[from_axis > 3, 200:380] = 0.0
+    with pytest.raises(InputError, match="width jumps at"):
+        read_photo(saved(tmp_path / "taped.png", picture), length=BAT.length)
+
+
 def test_where_a_bat_is_cut_off(tmp_path: Path) -> None:
     whole = rendered(**SMALL)
     for name, part in (("right", whole[:, :420]), ("left", whole[:, 80:])):

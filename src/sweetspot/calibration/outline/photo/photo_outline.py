@@ -25,6 +25,9 @@ PIXEL = 0.5
 TOO_UNSETTLED = 0.05
 """Of what a bat's diameters differ by, that they may depend on the level at which edges are taken: a tenth of a
 handle, which is 40 % of its stiffness (assumed)."""
+STEEPEST, BODY = 1.5, slice(8, 92)
+"""How fast a bat's diameter may change with the place along it, and in which hundredths of its length: made-up bats of
+wood and metal reach 0.5 there, and 5 where a part is lost that is as dark as the ground (`tools/photographs.py`)."""
 WHOLE = 0.95
 """Of a bat's length, that is to be seen where shadows do not count."""
 RULER_RANGE = (0.05, 2.0)
@@ -138,10 +141,12 @@ def _check_no_shadow(picture: Picture, bat: Shape, surely: list[Shape]) -> None:
 def _check_seen(edges: Edges, name: str) -> None:
     """Refuse edges that move with the level at which they are taken by much of what the bat's shape changes.
 
+    Refused, too, are edges that jump: they follow something on the bat, and not the bat.
+
     Raises
     ------
     InputError
-        when the bat is too like its ground, too blurred or too small.
+        when the bat, or a part of it, is too like its ground, too blurred or too small.
     """
     unsettled, shape = float(np.median(edges.unsettled)), float(np.ptp(edges.width))
     if unsettled > TOO_UNSETTLED * shape:
@@ -149,6 +154,16 @@ def _check_seen(edges: Edges, name: str) -> None:
             f"{name} does not show where the bat ends: its width changes by {unsettled:.1f} pixels with the brightness "
             f"at which its edges are taken, and from end to end by {shape:.0f}. Lay it on a ground of another colour, "
             "in even light, and focus on it"
+        )
+    hundredth = len(edges.width) / 100
+    body = edges.width[int(BODY.start * hundredth) : int(BODY.stop * hundredth)]
+    steep = np.abs(np.gradient(body))
+    if steep.max() > STEEPEST:
+        part = BODY.start / 100 + float(np.argmax(steep)) / len(edges.width)
+        raise InputError(
+            f"{name} shows a bat whose width jumps at {min(part, 1 - part):.0%} of its length from one end, as no "
+            "bat's does: a part of it, tape or print perhaps, is hardly told from the ground. Lay it on a ground of "
+            "another colour"
         )
 
 
