@@ -122,7 +122,7 @@ def page(visitor: BrowserContext, tabs: list[Page], server: str) -> Iterator[Pag
     opened.on("console", hear)
     yield opened
     if opened.url.startswith("http"):
-        opened.evaluate("localStorage.clear()")
+        opened.evaluate("localStorage.clear(); sessionStorage.clear()")
     opened.remove_listener("pageerror", fail)
     opened.remove_listener("console", hear)
     opened.unroute_all()

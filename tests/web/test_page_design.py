@@ -53,6 +53,8 @@ def test_the_search_grows_a_front_and_a_bat_is_taken(page: Page, server: str, an
     page.get_by_text(re.compile(r"^Looking.*\d bats? on the front")).wait_for(timeout=PATIENT)
     page.get_by_role("button", name="Stop").click()
     page.get_by_text(re.compile(r"Stopped after \d+ of 30 generations; \d+ bats?")).wait_for()
+    page.reload()
+    page.get_by_text(re.compile(r"Stopped after \d+ of 30 generations; \d+ bats?")).wait_for()
     page.get_by_text("These bats as a table, to take one").click()
     page.get_by_role("button", name="Take bat 1", exact=True).click()
     expect(page.locator("#verdict")).to_contain_text("Over these contacts")

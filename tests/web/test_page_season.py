@@ -109,6 +109,24 @@ def test_a_table_is_read_chosen_from_taken_away_and_read_with_another_bat(
     expect(page.locator("#verdict")).to_contain_text("squared up against MLB", timeout=PATIENT)
 
 
+def test_a_reading_outlives_a_server_that_is_silent_and_a_reload(
+    page: Page, server: str, answered: Answered, balls: Path
+) -> None:
+    page.goto(f"{server}/season")
+    answered(page)
+    silent = f"{server}/api/v1/jobs/*"
+    page.route(silent, lambda route: route.abort("connectionrefused"))
+    page.locator("#season-files").set_input_files(balls)
+    expect(page.locator("#view [role=alert]:visible")).to_contain_text("The server does not answer")
+    page.reload()
+    expect(page.locator("#view [role=alert]:visible")).to_contain_text("The server does not answer")
+    page.unroute(silent)
+    expect(page.locator("#verdict")).to_contain_text(READ, timeout=PATIENT)
+    expect(page.get_by_role("status").filter(has_text="rows of my balls.csv")).to_be_visible()
+    expect(page.locator("#view [role=alert]:visible")).to_have_count(0)
+    assert "uploads=" in page.url and page.evaluate("sessionStorage.length") == 0
+
+
 def test_a_bad_table_leaves_what_was_read(read: Page, settled: Callable[[Page], None]) -> None:
     page = read
     settled(page)

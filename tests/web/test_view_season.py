@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import httpx
@@ -202,10 +203,13 @@ def test_a_reading_is_stopped_and_goes_on(client: httpx.Client, balls: Path) -> 
     assert asked(client, season=told["found"]["season"])["season"]["files"] == ["my balls.csv"]
 
 
-def test_progress_has_a_speed_once_there_is_something_to_count() -> None:
+def test_progress_has_a_speed_once_there_is_enough_to_count(monkeypatch: pytest.MonkeyPatch) -> None:
+    now = iter((10.0, 10.01, 12.0, 14.0))  # s: the first parts come together, and say nothing of speed
+    monkeypatch.setattr(season_work, "time", SimpleNamespace(monotonic=lambda: next(now)))
     told: list[dict[str, Any]] = []
     progress = season_work.counting(lambda found, _: told.append(found))
-    for done in (100, 200, 400):
+    for done in (100, 200, 300, 400):
         progress(done, 400)
-    assert [one["done"] for one in told] == [100, 200, 400] and told[0]["rows_per_s"] is None
-    assert told[1]["rows_per_s"] > 0 and told[1]["left_s"] > 0 == told[2]["left_s"]
+    assert [one["done"] for one in told] == [100, 200, 300, 400]
+    assert [one["rows_per_s"] for one in told] == [None, None, 100.0, 75.0]
+    assert [one["left_s"] for one in told] == [None, None, 1.0, 0.0]

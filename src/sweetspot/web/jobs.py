@@ -26,8 +26,8 @@ from sweetspot.web.errors import fault
 MOST_RUNNING, MOST_OF_ONE = 2, 2
 """Jobs that run at once, on the whole server and for one address."""
 MOST_KEPT = 16
-UNWATCHED = 30.0
-"""s after which a job that nobody asks about is stopped."""
+UNWATCHED = 90.0
+"""s after which a job that nobody asks about is stopped; browsers let a page that is not seen ask once a minute."""
 LONGEST = 1800.0
 """s that a job may run."""
 GENTLE = 10

@@ -2,7 +2,8 @@
 
 const WAIT = 429; // status of an answer to one of many behind this address: to be asked again after a while
 
-// What the server answers; where it says to wait, it is asked again then. One that cannot be reached is a refusal.
+// What the server answers; where it says to wait, it is asked again then. One that cannot be reached is a refusal, marked
+// as lost.
 /**
  * @param {string} path
  * @param {RequestInit} [question]
@@ -14,7 +15,7 @@ export async function asked(path, question) {
     response = await fetch(path, question);
   } catch (error) {
     if (question?.signal?.aborted) throw error;
-    throw { field: "", message: "The server does not answer; try again once it does." };
+    throw { field: "", message: "The server does not answer; try again once it does.", lost: true };
   }
   if (response.status !== WAIT) return response;
   await new Promise((done) => setTimeout(done, 1000 * Number(response.headers.get("retry-after"))));

@@ -32,6 +32,8 @@ LONGEST_NAME = 120
 """Bytes of a file's name that is kept."""
 MEASURES = ("ev20", "exit_speed", "bat_speed", "squared_up", "from_best", "home_runs", "home_runs_expected")
 """Of each player in the list."""
+SETTLED = 1.0
+"""s of reading from which on its speed is told: the first parts come together."""
 MADE_UP = (16, 90)
 """Players of a made-up season, and balls of each."""
 
@@ -103,8 +105,8 @@ def counting(say: Say) -> Callable[[int, int], None]:
         now = time.monotonic()
         first.append((done, now))
         (before, begun), speed = first[0], None
-        if done > before:
-            speed = (done - before) / max(1e-3, now - begun)
+        if done > before and now - begun > SETTLED:
+            speed = (done - before) / (now - begun)
         left = None if speed is None else (rows - done) / speed
         say({"phase": "rows", "done": done, "rows": rows, "rows_per_s": speed, "left_s": left}, True)
 

@@ -57,7 +57,7 @@ export class Front {
     const runs = status === "running" || status === "starting";
     this.begin.disabled = runs;
     this.halt.disabled = status !== "running";
-    this.on.disabled = !(mine && (status === "stopped" || status === "done"));
+    this.on.disabled = !(mine && this.work.key && !runs);
     this.bar.hidden = !runs;
     this.bar.value = found ? found.generation / found.generations : 0;
     this.fault.hidden = !fault;

@@ -9,8 +9,11 @@ import { grouped } from "../units.js";
 
 const TABLES = /\.(csv|tsv|txt|gz|parquet)$/i;
 const MOST = 60;
-/** @type {{ uploads: string[] }} what is being read or was read last; what stands on the page stays till it is there */
-const handed = { uploads: [] };
+
+const stay = (/** @type {Event} */ event) => event.preventDefault(); // the browser asks whether the page is to be left
+
+/** @type {File[]} */
+let handed = []; // the last tables, while the page is open: a server begun anew has none of them
 
 export class Reading {
   /** @param {App} app */
@@ -19,6 +22,7 @@ export class Reading {
     this.onSeason = onSeason;
     this.going = null;
     this.season = null;
+    this.wrong = ""; // with the work
     this.work = longWork("season/read");
     this.file = make("input", { type: "file", id: "season-files", multiple: true, accept: ".csv,.tsv,.txt,.gz,.parquet,text/csv" });
     this.file.addEventListener("change", () => {
@@ -29,6 +33,7 @@ export class Reading {
     this.again = button("Read again with this bat", () => this.begin(), { primary: true });
     this.halt = button("Stop", () => (this.going ? this.going.abort() : this.work.stop()));
     this.on = button("Go on", () => this.work.goOn());
+    this.anew = button("Hand them in again", () => this.hand(handed));
     this.bar = make("progress", { max: 1, ariaLabel: "Rows read" });
     this.words = make("p", { className: "note" });
     this.words.setAttribute("role", "status");
@@ -38,7 +43,7 @@ export class Reading {
     this.first = [button("Choose tables", () => this.file.click(), { primary: true }), button("Look at a made-up season", () => this.begin({ uploads: [] }))];
     this.chooser = make("div", { className: "own" }, make("label", { htmlFor: "season-files", textContent: "Tables (CSV, .csv.gz, Parquet), or drop them anywhere" }), this.file,
       make("p", { className: "note", textContent: whereTo("A table") }));
-    this.element = make("div", {}, make("div", { className: "row" }, ...this.first, this.again, this.halt, this.on, this.bar), this.words, this.fault, this.unread);
+    this.element = make("div", {}, make("div", { className: "row" }, ...this.first, this.again, this.halt, this.on, this.anew, this.bar), this.words, this.fault, this.unread);
     for (const field of ["season", "uploads"]) app.control({ field, sync: () => {}, fault: (message) => this.say(message) });
     takeDrops(partOf(document, "#view", HTMLElement), TABLES, app.signal, (tables) => this.hand(tables));
     app.signal.addEventListener("abort", () => this.going?.abort());
@@ -68,6 +73,8 @@ export class Reading {
     }
     const going = new AbortController();
     this.going = going;
+    handed = [...files];
+    addEventListener("beforeunload", stay); // a reload would have to begin anew
     const uploads = [];
     try {
       for (const file of files) {
@@ -77,6 +84,7 @@ export class Reading {
       if (!this.app.signal.aborted) this.say(going.signal.aborted ? "Stopped; nothing was read." : fault.message);
     }
     this.going = null;
+    removeEventListener("beforeunload", stay);
     if (this.app.signal.aborted) return;
     this.update();
     if (uploads.length === files.length) this.begin({ uploads });
@@ -92,11 +100,10 @@ export class Reading {
     this.update();
   }
 
-  /** @param {{ uploads?: string[] }} also */
-  begin(also = {}) {
+  // What stands on the page stays until what is read now is there.
+  begin({ uploads } = { uploads: /** @type {string[]} */ (this.app.state.uploads) }) {
     this.say("");
-    handed.uploads = also.uploads ?? this.app.state.uploads;
-    this.work.start({ ...this.app.state, ...handed, season: null });
+    this.work.start({ ...this.app.state, uploads, season: null }, { uploads });
   }
 
   // season: what the last answer says of one, null where none was read.
@@ -112,18 +119,22 @@ export class Reading {
   update() {
     const { status, fault, found } = this.work;
     const runs = ["running", "starting"].includes(status);
-    if (status === "done" && found?.season && this.work.taken !== found.season) {
-      this.work.taken = found.season; // once: who goes back finds what was before
-      this.onSeason({ ...handed, season: found.season });
+    if (status === "done" && found?.season && !this.work.taken) {
+      this.work.takenOver(); // once: who goes back finds what was before
+      this.onSeason({ ...this.work.about, season: found.season });
     }
     const idle = !runs && this.going === null;
     for (const one of this.first) one.hidden = !idle || this.season !== null;
     this.element.classList.toggle("dropped", idle && this.season === null);
     this.again.hidden = runs || this.going !== null || !this.season || this.season.same_bat;
     this.halt.hidden = !(this.going || status === "running");
-    this.on.hidden = status !== "stopped" || this.going !== null;
+    const begun = found?.phase === "rows" || found?.phase === "players";
+    this.on.hidden = !(status === "stopped" || (status === "failed" && this.work.key && begun)) || this.going !== null;
+    this.anew.hidden = !(status === "failed" && !this.work.key && handed.length) || this.going !== null;
     this.bar.hidden = !(this.going || runs);
-    if (fault) this.say(fault.message);
+    const wrong = fault?.message ?? "";
+    if (wrong || this.wrong) this.say(wrong);
+    this.wrong = wrong;
     if (this.going) return;
     if (runs && found?.phase === "rows" && found.rows) this.bar.value = found.done / found.rows;
     else this.bar.removeAttribute("value");
