@@ -84,7 +84,22 @@ def test_the_first_sentence_is_no_surer_than_the_test(run: Run) -> None:
     unsure = "Not sure: BBCOR; what is not known reaches across the limit."
     assert unsure in " ".join(run("certify", "college-alloy")[1].split())
     assert "Not sure" not in run("certify", "r161-ash")[1]
-    assert "allowed at most 0.5000 (close)" in " ".join(run("compare", "r161-ash", "college-alloy")[1].split())
+    limit = checks(json.loads(run("certify", "college-alloy", "--format", "json")[1]))["bbcor"]
+    assert (limit["verdict"], limit["sure"]) == ("pass", False)
+
+
+def test_compare_is_no_surer_than_certify(run: Run) -> None:
+    """One rule for both: the interval decides whether a verdict is sure, and a sure fail is one whatever is not."""
+    compared = json.loads(run("compare", "r161-ash", "college-alloy", "russell-b5", "--format", "json")[1])["bats"]
+    told = [(bat["rules"]["verdict"], bat["rules"]["sure"]) for bat in compared]
+    assert told == [("pass", True), ("pass", False), ("fail", True)]
+    for bat, name in zip(compared, ("r161-ash", "college-alloy", "russell-b5"), strict=True):
+        certified = json.loads(run("certify", name, "--format", "json")[1])["checks"]
+        sure = {(one["league"], one["quantity"]): (one["verdict"], one["sure"]) for one in certified}
+        assert all(sure[one["league"], one["quantity"]] == (one["verdict"], one["sure"])
+                   for one in bat["rules"]["checks"] if one["league"] == "ncaa")  # fmt: skip
+    words = " ".join(run("compare", "r161-ash", "college-alloy")[1].split())
+    assert "pass, not sure BBCOR of the test 0.4984, allowed at most 0.5000, not sure" in words
 
 
 def test_where_nothing_can_be_decided_nothing_is_passed(run: Run) -> None:

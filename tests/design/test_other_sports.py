@@ -93,7 +93,11 @@ def test_law_5_is_data_and_limits_the_blade(willow: Bench) -> None:
     deep = willow.space.start.copy()
     deep[1] = 0.070
     bat = willow.space.made(deep, "deep")
-    checks = check_rules(league("cricket"), bat=bat, findings=findings_of(bat, willow.measured(deep)))
+    checks = check_rules(
+        league("cricket"),
+        bat=bat,
+        findings=findings_of(bat, willow.measured(deep), like=bat, ball=willow.conditions.ball),
+    )
     assert {one.rule.quantity for one in checks if one.verdict is Verdict.FAIL} == {"blade_depth"}
     assert not league_limits(league("cricket"), catalog.bat("mlb-a"))
     assert not league_limits(league("mlb"), bat)

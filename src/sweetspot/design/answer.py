@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
 from sweetspot.analysis.certification.rules import Check, Finding, League, check_rules, construction_findings
+from sweetspot.analysis.certification.simulated_test import Certification, certify
 from sweetspot.design.breaking import HandleBending, handle_bending
 from sweetspot.design.fronts import Front, Question, front_of, search
 from sweetspot.design.gain import Gain, gain_of, present_measured
@@ -17,6 +19,7 @@ from sweetspot.design.polish import polished
 from sweetspot.design.variables import sizes_of
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
@@ -189,7 +192,9 @@ def told(
     bat = bench.space.made(front.numbers[pick - 1], f"{present.name}, designed")
     checks: tuple[Check, ...] = ()
     if league is not None:
-        checks = tuple(check_rules(league, bat=bat, findings=findings_of(bat, chosen)))
+        checks = tuple(
+            check_rules(league, bat=bat, findings=findings_of(bat, chosen, like=bat, ball=bench.conditions.ball))
+        )
     gain = gain_of(bench, front.numbers[pick - 1], chosen, now)
     bent = None
     if isinstance(present, Bat) and isinstance(bat, Bat):
@@ -202,18 +207,26 @@ def told(
     )
 
 
-def findings_of(bat: Implement, measured: Measured) -> dict[str, Finding]:
+def findings_of(bat: Implement, measured: Measured, *, like: Implement, ball: Ball) -> dict[str, Finding]:
     """Return what a rule can be held against: the drawing's own values, and BBCOR and BPF where it was fired at.
 
     Parameters
     ----------
     measured : the bat, one row.
+    like : whose test says how much the ball's patch and the moment of inertia leave open of BBCOR and BPF: the bat
+        itself, or one like it where there is no time for three tests of each.
     """
     if not isinstance(bat, Bat):
         return {name: Finding(size) for name, size in sizes_of(bat).items()}
     known = construction_findings(bat, body=rigid_body(beam_model(bat)))
-    fired = {name: Finding(float(measured.values[name][0])) for name in ("bbcor", "bpf") if name in measured.values}
-    return {**known, **fired}
+    values = {name: float(measured.values[name][0]) for name in ("bbcor", "bpf") if name in measured.values}
+    left_open = _tested(like, ball).findings() if values and isinstance(like, Bat) else {}
+    return {**known, **{name: left_open[name].moved_to(value) for name, value in values.items()}}
+
+
+@lru_cache(maxsize=32)
+def _tested(bat: Bat, ball: Ball) -> Certification:
+    return certify(bat, ball=ball)
 
 
 def _with_first(front: Front, numbers: Array, measured: Measured) -> Front:

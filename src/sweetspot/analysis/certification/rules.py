@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Literal
 
@@ -56,6 +56,10 @@ STATED_FOR: dict[Construction, str] = {
     "composite": "composite bats",
     "cricket bat": "cricket bats",
 }
+
+
+NOT_SURE = ", not sure"
+"""Behind a verdict that what is not known of the value may turn."""
 
 
 class Verdict(StrEnum):
@@ -139,6 +143,13 @@ class Finding:
     absent: str = ""
     interval_is: str = "the 90 % interval"
 
+    def moved_to(self, value: float) -> Finding:
+        """Return another value of which as much is known."""
+        if self.value is None or self.interval is None:
+            return replace(self, value=value)
+        low, high = (value + end - self.value for end in self.interval)
+        return replace(self, value=value, interval=(low, high))
+
 
 @dataclass(frozen=True)
 class Check:
@@ -151,9 +162,19 @@ class Check:
     reason: str
 
     @property
-    def close(self) -> bool:
-        """Whether a rule is decided although what is not known of the value reaches across its limit."""
-        return self.verdict in (Verdict.PASS, Verdict.FAIL) and bool(self.reason)
+    def decided(self) -> bool:
+        """Whether it is a pass or a fail."""
+        return self.verdict in (Verdict.PASS, Verdict.FAIL)
+
+    @property
+    def sure(self) -> bool:
+        """Whether it is a pass or a fail that what is not known of the value cannot turn."""
+        return self.decided and not self.reason
+
+    @property
+    def words(self) -> str:
+        """The verdict as people read it, with its doubt wherever it is told."""
+        return f"{self.verdict}{NOT_SURE}" if self.decided and not self.sure else self.verdict.value
 
 
 def check_rules(league: League, *, bat: Implement, findings: Mapping[str, Finding]) -> list[Check]:
@@ -267,5 +288,5 @@ def _straddles(rule: Rule, finding: Finding) -> str:
         return ""
     low, high = finding.interval
     if any(limit is not None and low < limit < high for limit in (rule.least, rule.most)):
-        return f"close: {finding.interval_is}, {low:.4f} to {high:.4f}, reaches across the limit"
+        return f"{finding.interval_is}, {low:.4f} to {high:.4f}, reaches across the limit"
     return ""

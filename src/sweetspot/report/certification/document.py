@@ -16,10 +16,10 @@ from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.report.bat.assumed_values import soft_note
 from sweetspot.report.bat.json import bat_json
-from sweetspot.report.certification.limits_shown import limit_shown, value_shown
+from sweetspot.report.certification.limits_shown import limit_shown, marked_verdict, unsure_words, value_shown
 from sweetspot.report.certification.numbers import check_json, measured_json, simulated_json, wall_json
 from sweetspot.report.certification.tested_bat import TestedBat
-from sweetspot.report.document import Block, Bullets, Cell, Cited, Column, Document, Marked, Paragraph, Picture, Table
+from sweetspot.report.document import Block, Bullets, Cell, Cited, Column, Document, Paragraph, Picture, Table
 from sweetspot.report.json_shapes import as_columns, cleaned
 from sweetspot.report.quantities import Reader
 from sweetspot.report.sentences import Sentence, Slot, Span, Words, joined, say, with_doubt
@@ -35,7 +35,6 @@ MOI_NOTE = (
 )
 MANY = 14
 """Rules from which on a printed table is set smaller."""
-MARKS = {Verdict.PASS: "hit", Verdict.FAIL: "missed"}
 
 
 def tested_document(tested: TestedBat) -> Document:
@@ -114,27 +113,21 @@ def _headline(tested: TestedBat) -> Sentence:
             value=value_shown(check.rule.quantity, check.value), limit=limit_shown(check))
         for league, check in tested.failed
     ]  # fmt: skip
-    close = _close([check for _, check in (tested.failed or tested.checks)])
+    unsure = unsure_words([check for _, check in (tested.failed or tested.checks)])
     if broken:
-        return say("{bat} fails: {rules}." + close, bat=tested.bat.name, rules=joined(broken, "; "))
+        return say("{bat} fails: {rules}." + unsure, bat=tested.bat.name, rules=joined(broken, "; "))
     kept = sum(check.verdict is Verdict.PASS for _, check in tested.checks)
     open_ones = [title(check.rule) for _, check in tested.checks if check.verdict is Verdict.NOT_DECIDABLE]
     if not kept:
         return say("No rule could be decided for {bat}, so nothing is passed.", bat=tested.bat.name)
     if all(league.superseded for league, _ in tested.checks):
-        return say("{bat} keeps limits that hold no more; they say nothing about today." + close, bat=tested.bat.name)
+        return say("{bat} keeps limits that hold no more; they say nothing about today." + unsure, bat=tested.bat.name)
     if not open_ones:
-        return say("{bat} keeps every rule." + close, bat=tested.bat.name)
+        return say("{bat} keeps every rule." + unsure, bat=tested.bat.name)
     return say(
-        "{bat} keeps every rule that can be decided here, {kept} of {all}." + close + " Not decidable: {open}.",
+        "{bat} keeps every rule that can be decided here, {kept} of {all}." + unsure + " Not decidable: {open}.",
         bat=tested.bat.name, kept=kept, all=kept + len(open_ones), open=joined(open_ones, "; "),
     )  # fmt: skip
-
-
-def _close(checks: Sequence[Check]) -> str:
-    """Return which verdicts are not sure: the first sentence must not look surer than they are."""
-    names = dict.fromkeys(title(check.rule) for check in checks if check.close)
-    return f" Not sure: {' and '.join(names)}; what is not known reaches across the limit." if names else ""
 
 
 def _superseded(checks: Sequence[tuple[League, Check]]) -> list[str]:
@@ -255,7 +248,7 @@ def _rules(tested: TestedBat) -> Table:
             value = with_doubt(check.value, moi_doubt(bat, body, CLAMP), "moi", of=of)
         rows.append([
             *([league.key] if alone is None else []), title(rule),
-            Marked(check.verdict.value, MARKS.get(check.verdict, "")), value, limit_shown(check),
+            marked_verdict(check), value, limit_shown(check),
             value_shown(rule.quantity, check.margin, sign=True, of=f"-{of}" if rule.least is None and of else of),
             Cited(rule.source, str(rule.year or ""), "" if rule.reading == "primary" else rule.reading),
         ])  # fmt: skip
@@ -278,7 +271,7 @@ def _reasons(checks: Sequence[tuple[League, Check]]) -> list[str]:
     """Return why a rule is not a plain pass or fail."""
     alone = _only_league(checks)
     return [
-        f"{title(check.rule)}{'' if alone else f' ({league.name})'}: {check.verdict.value}: {check.reason}."
+        f"{title(check.rule)}{'' if alone else f' ({league.name})'}: {check.words}: {check.reason}."
         for league, check in checks
         if check.reason
     ]

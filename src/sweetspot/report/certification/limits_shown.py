@@ -1,12 +1,29 @@
-"""Values that rules limit, and the limits, as people read them."""
+"""Values that rules limit, the limits and the verdicts, as people read them."""
 
 from __future__ import annotations
 
-from sweetspot.analysis.certification.rules import QUANTITIES, Check
+from collections.abc import Sequence
+
+from sweetspot.analysis.certification.rules import QUANTITIES, Check, Verdict, title
+from sweetspot.report.document import Marked
 from sweetspot.report.sentences import Sentence, Slot, Words, joined, say
 
 SCALES = {"m": ("length", 3), "m/s": ("speed", 1), "kg m^2": ("moi", None), "in - oz": ("ratio", 2)}
 """Scale and digits of what rules limit, by its unit; every other is a ratio with four digits."""
+
+MARKS: dict[Verdict, str] = {Verdict.PASS: "hit", Verdict.FAIL: "missed"}
+"""Of verdicts that are sure."""
+
+
+def marked_verdict(check: Check) -> Marked:
+    """Return the verdict of one rule, marked where it is sure."""
+    return Marked(check.words, MARKS[check.verdict] if check.sure else "")
+
+
+def unsure_words(checks: Sequence[Check]) -> str:
+    """Return which verdicts are not sure: a first sentence must not look surer than they are."""
+    names = dict.fromkeys(title(check.rule) for check in checks if check.decided and not check.sure)
+    return f" Not sure: {' and '.join(names)}; what is not known reaches across the limit." if names else ""
 
 
 def limit_shown(check: Check) -> Words:

@@ -84,6 +84,7 @@ def check_json(league: str, check: Check) -> dict[str, Any]:
         "league": league,
         "quantity": rule.quantity,
         "verdict": check.verdict.value,
+        "sure": check.sure,
         "value": check.value,
         "least": rule.least,
         "most": rule.most,

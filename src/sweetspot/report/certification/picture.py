@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from sweetspot.analysis.certification.rules import Verdict
+from sweetspot.analysis.certification.rules import NOT_SURE, Verdict
 from sweetspot.analysis.certification.shot_statistics import Measured
 from sweetspot.analysis.certification.simulated_test import BatTest, Certification
 from sweetspot.numerics.arrays import Array
@@ -108,20 +109,20 @@ def _header(figure: Figure, tested: TestedBat, width: float, height: float) -> N
     """Write whose test it is, with which ball, and how many rules it keeps."""
     words, size = fitted(tested.bat.name, width=width - 2 * SIDE, size=HUGE)
     figure.text(SIDE / width, 1 - 0.42 / height, words, size=size, weight="bold", parse_math=False)
-    verdicts = ", ".join(
-        _counted(sum(check.verdict is one for _, check in tested.checks), one)
-        for one in Verdict
-        if any(check.verdict is one for _, check in tested.checks)
+    verdicts = "; ".join(
+        _counted(count, verdict, doubt)
+        for verdict, doubt in product(Verdict, ("", NOT_SURE))
+        if (count := sum(check.words == f"{verdict}{doubt}" for _, check in tested.checks))
     )
     figure.text(SIDE / width, 1 - 0.68 / height, f"{tested.ball.name}. {_capital(verdicts)}", color=MUTED, size=NORMAL,
                 parse_math=False)  # fmt: skip
 
 
-def _counted(count: int, verdict: Verdict) -> str:
+def _counted(count: int, verdict: Verdict, doubt: str) -> str:
     told = {Verdict.PASS: ("passes", "pass"), Verdict.FAIL: ("fails", "fail"),
             Verdict.NOT_APPLICABLE: ("does not apply", "do not apply")}  # fmt: skip
     one, more = told.get(verdict, (verdict.value, verdict.value))
-    return f"{count} {one if count == 1 else more}"
+    return f"{count} {one if count == 1 else more}{doubt}"
 
 
 def _capital(verdicts: str) -> str:
@@ -154,7 +155,7 @@ def _limits(tested: TestedBat, measure: str) -> list[tuple[str, float, str]]:
     limits: dict[float, tuple[list[str], str]] = {}
     for league, check in tested.checks:
         if check.rule.quantity == measure and check.rule.most is not None:
-            names, _ = limits.setdefault(check.rule.most, ([], COLOURS.get(check.verdict, MUTED)))
+            names, _ = limits.setdefault(check.rule.most, ([], COLOURS[check.verdict] if check.sure else MUTED))
             names.append(league.key)
     return [(", ".join(names), limit, colour) for limit, (names, colour) in limits.items()]
 

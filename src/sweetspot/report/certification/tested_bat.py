@@ -48,6 +48,13 @@ class TestedBat:
         kept = any(check.verdict is Verdict.PASS for _, check in self.checks)
         return not self.failed and (kept or not self.checks)
 
+    @property
+    def sure(self) -> bool:
+        """Whether what is not known cannot turn pass into fail, or a fail into pass: one sure fail is enough."""
+        if self.failed:
+            return any(check.sure for _, check in self.failed)
+        return all(check.sure for _, check in self.checks if check.decided)
+
 
 def tested_by_model(bat: Bat, leagues: Sequence[League], *, ball: Ball) -> TestedBat:
     """Return a bat with its computed test and every rule of some leagues held against it.

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from sweetspot.analysis.certification.rules import Check, Verdict, title
-from sweetspot.report.certification.limits_shown import limit_shown, value_shown
+from sweetspot.analysis.certification.rules import NOT_SURE, Check, Verdict, title
+from sweetspot.report.certification.limits_shown import MARKS, limit_shown, value_shown
 from sweetspot.report.certification.numbers import check_json
 from sweetspot.report.certification.tested_bat import TestedBat
 from sweetspot.report.document import Cell, Column, Marked, Table
 from sweetspot.report.sentences import Sentence, joined, say
 
-TOLD = ("league", "quantity", "verdict", "value", "unit")
+TOLD = ("league", "quantity", "verdict", "sure", "value", "unit")
 """Of a decided rule in the JSON."""
 NAMED = {"solid_wood"}
 """Rules whose value says nothing beside their name."""
@@ -35,16 +35,23 @@ def legality_json(tested: TestedBat) -> dict[str, Any]:
     checks = [
         {name: value for name, value in check_json(league.key, check).items() if name in TOLD}
         for league, check in tested.checks
-        if check.verdict in (Verdict.PASS, Verdict.FAIL)
+        if check.decided
     ]
-    return {"passed": tested.passed, "verdict": str(verdict(tested).words), "checks": checks}
+    return {"passed": tested.passed, "verdict": _word(tested), "sure": tested.sure, "checks": checks}
 
 
 def verdict(tested: TestedBat) -> Marked:
-    """Return pass, fail or not decidable for all rules together, marked."""
+    """Return pass, fail or not decidable for all rules together, marked where it is sure."""
+    word = _word(tested)
+    if word is Verdict.NOT_DECIDABLE:
+        return Marked(word.value, "")
+    return Marked(word.value, MARKS[word]) if tested.sure else Marked(f"{word}{NOT_SURE}", "")
+
+
+def _word(tested: TestedBat) -> Verdict:
     if tested.failed:
-        return Marked("fail", "missed")
-    return Marked("pass", "hit") if tested.passed else Marked("not decidable", "")
+        return Verdict.FAIL
+    return Verdict.PASS if tested.passed else Verdict.NOT_DECIDABLE
 
 
 def reason(tested: TestedBat) -> Sentence:
@@ -52,8 +59,8 @@ def reason(tested: TestedBat) -> Sentence:
     if tested.failed:
         return joined([_broken(league.name, check) for league, check in tested.failed], "; ")
     lively = [
-        say("{rule} of the test {value}, allowed {limit}{close}", rule=title(check.rule),
-            value=value_shown(check.rule.quantity, check.value), limit=limit_shown(check), close=_close(check))
+        say("{rule} of the test {value}, allowed {limit}{doubt}", rule=title(check.rule),
+            value=value_shown(check.rule.quantity, check.value), limit=limit_shown(check), doubt=_doubt(check))
         for _, check in tested.checks
         if check.verdict is Verdict.PASS and check.rule.quantity in ("bbcor", "bpf", "besr")
     ]  # fmt: skip
@@ -61,18 +68,18 @@ def reason(tested: TestedBat) -> Sentence:
     return joined([*lively, *([say("open: {rules}", rules=", ".join(left))] if left else [])], "; ")
 
 
-def _close(check: Check) -> str:
-    return " (close)" if check.close else ""
+def _doubt(check: Check) -> str:
+    return "" if check.sure else NOT_SURE
 
 
 def _broken(league: str, check: Check) -> Sentence:
-    """Return a broken rule with its league, since another league's rules may be kept, and whether it is close."""
+    """Return a broken rule with its league, since another league's rules may be kept, and its doubt."""
     if check.rule.quantity in NAMED:
         return say("{rule} ({league})", rule=title(check.rule), league=league)
     return say(
-        "{rule} of {league} {value}, allowed {limit}{close}", rule=title(check.rule), league=league,
+        "{rule} of {league} {value}, allowed {limit}{doubt}", rule=title(check.rule), league=league,
         value=value_shown(check.rule.quantity, check.value), limit=limit_shown(check),
-        close=_close(check),
+        doubt=_doubt(check),
     )  # fmt: skip
 
 

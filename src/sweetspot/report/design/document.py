@@ -178,7 +178,7 @@ def _short(name: str) -> str:
 def _rules(design: Designed) -> Table:
     from sweetspot.analysis.certification.rules import title
 
-    rows: list[list[Cell]] = [[title(check.rule), check.verdict.value, check.reason] for check in design.checks]
+    rows: list[list[Cell]] = [[title(check.rule), check.words, check.reason] for check in design.checks]
     return Table("Rules", [Column("rule"), Column("verdict"), Column("why")], rows)
 
 
@@ -236,8 +236,10 @@ def design_json(design: Designed, words: list[str]) -> dict[str, Any]:
             name: {"strain": one.strain, "from_tip_m": one.from_tip, "linear_limit": one.limit}
             for name, one in zip(("present", "design"), design.bent, strict=True)
         },
-        "rules": [{"quantity": check.rule.quantity, "verdict": check.verdict.value, "value": check.value}
-                  for check in design.checks],
+        "rules": [
+            {"quantity": one.rule.quantity, "verdict": one.verdict.value, "sure": one.sure, "value": one.value}
+            for one in design.checks
+        ],
         "words": words,
     })  # fmt: skip
 

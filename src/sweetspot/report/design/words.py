@@ -14,6 +14,7 @@ from sweetspot.design.gain import Verdict as GainVerdict
 from sweetspot.design.measures import MEASURES
 from sweetspot.design.variables import DENSITY_SPREAD, MODULUS_SPREAD
 from sweetspot.equipment.cricket_bat import CricketBat
+from sweetspot.report.certification.limits_shown import unsure_words
 from sweetspot.report.sentences import Sentence, Slot, joined, say
 from sweetspot.units import INCH, grouped
 
@@ -186,7 +187,7 @@ def rules_words(design: Designed) -> list[Sentence]:
         "It keeps every rule of its league that a drawing decides."
     )  # fmt: skip
     left = say(" Left open: {left}.", left=", ".join(open_ones)) if open_ones else say("")
-    return [kept + left]
+    return [kept + say(unsure_words(design.checks)) + left]
 
 
 def effort_words(design: Designed) -> Sentence:

@@ -2,11 +2,12 @@
 //
 //   const list = new Lights("What must stay");
 //   box.append(list.element);
-//   list.show([{ state: "pass", name: "weight", words: "31.0 oz" }]);     // pass, fail, doubt or none
+//   list.show([{ state: "pass", name: "weight", words: "31.0 oz" }]);     // pass, fail, unsure, doubt or none
 
 import { make } from "./parts.js";
+/** @import { Answer } from "./main.js" */
 
-const SIGNS = { pass: ["✓", "kept"], fail: ["✗", "not kept"], doubt: ["?", "not decidable"], none: ["–", "does not apply"] };
+const SIGNS = { pass: ["✓", "kept"], fail: ["✗", "not kept"], unsure: ["?", "not sure"], doubt: ["?", "not decidable"], none: ["–", "does not apply"] };
 
 /** @typedef {keyof typeof SIGNS} Light */
 
@@ -35,4 +36,8 @@ export class Lights {
 /** @type {Record<string, Light>} */
 const LIGHTS = { pass: "pass", fail: "fail", "not decidable": "doubt" };
 
-export const stateOf = (/** @type {string} */ verdict) => LIGHTS[verdict] ?? "none";
+/** Whether a rule is decided though what is not known of the value reaches across its limit. */
+export const isUnsure = (/** @type {Answer} */ { verdict, sure }) => (verdict === "pass" || verdict === "fail") && !sure;
+
+/** The light of a rule that was held against a bat. */
+export const stateOf = (/** @type {Answer} */ check) => (isUnsure(check) ? "unsure" : LIGHTS[check.verdict] ?? "none");

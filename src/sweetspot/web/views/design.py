@@ -147,9 +147,10 @@ def _rules(state: DesignState, request: Asked, bat: Bat, measured: Measured) -> 
     league = league_of(state, request)
     if league is None:
         return []
+    known = findings_of(bat, measured, like=_present(request), ball=request.bench.conditions.ball)
     return [
         {**check_json(league.key, check), "title": title(check.rule), "league_name": league.name}
-        for check in check_rules(league, bat=bat, findings=findings_of(bat, measured))
+        for check in check_rules(league, bat=bat, findings=known)
     ]
 
 

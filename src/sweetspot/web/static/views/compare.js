@@ -4,6 +4,7 @@ import { Chart, between } from "../chart.js";
 import { Bench, ballGroup, swingGroup, usualChoice } from "../bench.js";
 import { choice, group, slider } from "../controls.js";
 import { HowSure } from "../howsure.js";
+import { isUnsure } from "../lights.js";
 import { make, paragraphs, tableOf, tell } from "../parts.js";
 import { INCH } from "../units.js";
 import { ChangePicture, LINES, RowsPicture } from "./compare_pictures.js";
@@ -198,9 +199,9 @@ export const view = {
   /** @param {Answer} check */
   verdictOf(check) {
     const [words, colour] = VERDICTS[check.verdict];
-    const close = check.reason && colour !== "" && colour !== "muted"; // decided, though what is not known reaches across the limit
+    const unsure = isUnsure(check);
     const value = check.value === null || check.verdict === "does not apply" ? "" : ` (${this.amount(check.value, check.unit)})`;
-    return { text: `${words}${close ? ", but close" : ""}${value}`, className: close ? "" : colour, note: check.reason };
+    return { text: `${words}${unsure ? ", not sure" : ""}${value}`, className: unsure ? "" : colour, note: check.reason };
   },
 
   unmount() { this.certification = this.ruled = null; },

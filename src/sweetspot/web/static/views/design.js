@@ -259,11 +259,11 @@ export const view = {
     const kinds = { m: "length", "kg m^2": "moi" };
     this.lights.locks.show(locks.map(lamp));
     this.lights.limits.show(limits.filter(({ why, kept }) => !kept || !rules.some(({ league_name: name }) => name === why)).map(lamp));
-    this.lights.rules.show(rules.map(({ verdict, title, value, unit, reason, most, least }) => {
+    this.lights.rules.show(rules.map(({ verdict, sure, title, value, unit, reason, most, least }) => {
       const show = (/** @type {Answer} */ one) => (kinds[unit] ? app.text(kinds[unit], one) : app.text("ratio", one));
       const ends = [least === null ? "" : `at least ${show(least)}`, most === null ? "" : `at most ${show(most)}`].filter(Boolean).join(", ");
       const known = typeof value === "number" && unit !== "yes or no" ? `${show(value)}, ${ends}` : "";
-      return { state: stateOf(verdict), name: title, words: [known, reason].filter(Boolean).join("; ") };
+      return { state: stateOf({ verdict, sure }), name: title, words: [known, reason].filter(Boolean).join("; ") };
     }));
   },
 

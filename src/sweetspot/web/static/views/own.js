@@ -167,8 +167,8 @@ export const view = {
     const { app } = this;
     /** @type {Record<string, string>} */
     const kinds = { m: "length", "kg m^2": "moi" };
-    this.rules.show(rules.map(({ verdict, title, value, unit, reason }) => ({
-      state: stateOf(verdict), name: title, words: [typeof value === "number" && unit !== "yes or no" ? app.text(kinds[unit] ?? "ratio", value) : "", reason].filter(Boolean).join("; ") })));
+    this.rules.show(rules.map(({ verdict, sure, title, value, unit, reason }) => ({
+      state: stateOf({ verdict, sure }), name: title, words: [typeof value === "number" && unit !== "yes or no" ? app.text(kinds[unit] ?? "ratio", value) : "", reason].filter(Boolean).join("; ") })));
   },
 
   /** @param {Answer} given */
