@@ -9,7 +9,8 @@ import polars as pl
 from numpy.typing import NDArray
 
 from sweetspot.numerics.threads import in_order
-from sweetspot.season.same_pitch import pitch_keys, tells_pitches
+from sweetspot.season.headings import Headings
+from sweetspot.season.same_pitch import pitch_keys, shared, tells_pitches
 from sweetspot.season.table_file import TableFile
 from sweetspot.season.table_parts import PART
 from sweetspot.season.table_reader import TableReader
@@ -53,13 +54,14 @@ def _keys(
     tables: Sequence[TableFile], passes: int, turn: int
 ) -> Iterator[tuple[int, int, NDArray[np.uint64], NDArray[np.bool_]]]:
     """Yield number of the table, first row, keys of pitches and which of them count in this turn, part by part."""
-    for number, table in enumerate(tables):
-        if not tells_pitches(table.headings):
+    headings = shared([table.headings for table in tables])
+    for number, (table, telling) in enumerate(zip(tables, headings, strict=True)):
+        if not tells_pitches(telling):
             continue
         reader = TableReader([table], part_rows=PART)
 
-        def told(start: int, table: TableFile = table, reader: TableReader = reader) -> Keys:
-            return pitch_keys(lambda names: reader.part(0, start, PART, headings=names), table.headings)
+        def told(start: int, telling: Headings = telling, reader: TableReader = reader) -> Keys:
+            return pitch_keys(lambda names: reader.part(0, start, PART, headings=names), telling)
 
         starts = range(0, table.rows, PART)
         for start, (key, known) in zip(starts, in_order(told, starts), strict=True):

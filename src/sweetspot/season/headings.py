@@ -46,7 +46,7 @@ UNITS: Mapping[str, Mapping[str, float]] = {
     "time": {"s": 1.0, "sec": 1.0, "seconds": 1.0},
     "spin": {"rpm": RPM, "rad_s": 1.0},
     "acceleration": {"ft_s2": FOOT, "m_s2": 1.0},
-    "temperature": {"degf": 5 / 9, "degc": 1.0, "f": 5 / 9, "c": 1.0},
+    "temperature": {"degf": 5 / 9, "degc": 1.0, "f": 5 / 9, "c": 1.0, "°f": 5 / 9, "°c": 1.0},
     "count": {},
     "text": {},
 }
@@ -171,6 +171,11 @@ def headings_of(names: Sequence[str], *, given: Mapping[str, str] | None = None,
         )
     taken = {column.heading for column in columns.values()}
     passed = tuple(name for name in names if name not in taken)
+    for name in passed:
+        quantity = _without_unit(short[name])
+        if quantity is not None and quantity not in columns:
+            unit = next(iter(UNITS[quantities()[quantity]["kind"]]))
+            notes.append(f"{name} has no unit and is left alone; {short[name]}_{unit}, say, would be read")
     return Headings(SYSTEMS[key][0] if key else "plain", columns, passed, tuple(notes))
 
 
@@ -238,6 +243,12 @@ def _column(heading: str, name: str, system: str, file_name: str) -> TableColumn
                 return None  # an extra measurement without a unit is left alone
             return _made(quantity, heading, entry["kind"], unit, file_name)
     return None
+
+
+def _without_unit(name: str) -> str | None:
+    """Return the measurement that anybody's name would be, were there a unit behind it."""
+    return next((quantity for quantity, entry in quantities().items()
+                 if name in entry.get("plain", ()) and entry["kind"] not in ("text", "count")), None)  # fmt: skip
 
 
 def _made(quantity: str, heading: str, kind: str, unit: str, file_name: str) -> TableColumn:

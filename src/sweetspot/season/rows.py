@@ -21,13 +21,15 @@ USED = "used"
 REASONS = {
     "duplicate": "the same pitch a second time",
     "no contact": "a ball, a called strike or a miss; also a foul tip",
-    "foul": "fouled off: public tables hold no exit speed of fouls",
+    "foul": "fouled off",
     "bunt": "bunted",
     "untracked": "put in play, and no exit speed was measured",
     "impossible": "an exit speed or launch angle that cannot be",
     USED: "balls in play with an exit speed",
 }
 """Why a row is where it is in the ledger, in the order in which they are asked."""
+ABSENT = ("", "NA", "N/A", "na", "n/a", "#N/A", "<NA>", "NaN", "nan", "NaT", "null", "NULL", "None", "none", "-", "--")
+"""Words that mean that there is nothing. Missing is never zero."""
 SLOWEST, FASTEST = 1 * MPH, 125 * MPH
 """m/s of balls that were put in play."""
 _SPEEDS, _TURNS, _RIGHT = (1 * MPH, 140 * MPH), (-math.pi, math.pi), (-math.pi / 2, math.pi / 2)
@@ -186,9 +188,9 @@ class Texts:
 
 
 def tidy(text: pl.Expr) -> pl.Expr:
-    """Return texts without blanks about them and without the ``.0`` of whole numbers; empty ones are missing."""
+    """Return texts without blanks about them and without the ``.0`` of whole numbers; `ABSENT` ones are missing."""
     plain = text.str.strip_chars().str.replace(r"^(\d+)\.0$", "$1")
-    return pl.when(plain != "").then(plain)
+    return pl.when(~plain.is_in(ABSENT)).then(plain)
 
 
 def _possible(rows: pl.DataFrame) -> tuple[pl.DataFrame, pl.Expr]:
@@ -248,7 +250,7 @@ def _bare(text: pl.Expr, column: TableColumn) -> pl.Expr:
 
 def _lost(kinds: pl.Schema, column: TableColumn) -> pl.Expr:
     text = pl.col(column.heading).cast(pl.String).str.strip_chars()
-    written = text.is_not_null() & (text != "")
+    written = text.is_not_null() & ~text.is_in(ABSENT)
     return (written & _as_float(kinds, column).is_null()).cast(pl.Int32)
 
 

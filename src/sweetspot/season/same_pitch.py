@@ -11,21 +11,38 @@ from numpy.typing import NDArray
 from sweetspot.season.headings import Headings
 from sweetspot.season.rows import Texts, rows_of
 
-KEYS = (("pitch_id",), ("game", "at_bat", "pitch"))
+KEYS = (("game", "at_bat", "pitch"), ("pitch_id",))
 """What tells pitches apart, the first that a table has."""
-WHO = ("game", "date", "batter", "pitcher")
+WHEN, WHO = ("game", "date"), ("batter", "batter_name")
+"""One of each must be known; a batter goes by his number, or by his name."""
 MEASURED = ("exit_speed", "launch_angle", "map_x", "map_y", "release_speed", "velocity_x", "velocity_z", "plate_side")
 MIXED = (0x9E3779B97F4A7C15, 0xBF58476D1CE4E5B9, 0x94D049BB133111EB)
 """Constants of splitmix64, a mixing of 64 bits in which no number gets lost."""
 NAMED = 1 << 63
 """Bit of the keys of what is no whole number."""
-ENOUGH = 4
-"""Measurements that must agree before two rows without a number are the same pitch."""
+ENOUGH = 5
+"""Measurements and batter, how many of them must agree before two rows without a number are the same pitch."""
 
 
 def tells_pitches(headings: Headings) -> bool:
     """Return whether a table has what tells pitches apart."""
     return _numbered(headings) is not None or bool(_measured(headings))
+
+
+def shared(tables: Sequence[Headings]) -> list[Headings]:
+    """Return the columns of tables by which pitches are found that stand in several of them: those that all have.
+
+    Where these do not tell pitches apart, each table keeps its own.
+
+    >>> from sweetspot.season.headings import headings_of
+    >>> first, second = headings_of(["ExitSpeed", "Angle", "PitchUID"]), headings_of(["launch_speed", "play_id"])
+    >>> [list(one.columns) for one in shared([first, second])]
+    [['exit_speed', 'pitch_id'], ['exit_speed', 'pitch_id']]
+    """
+    telling = [set(one.columns) for one in tables if tells_pitches(one)]
+    common = set.intersection(*telling) if telling else set[str]()
+    together = [one.only(*(name for name in one.columns if name in common)) for one in tables]
+    return [new if tells_pitches(new) else old for new, old in zip(together, tables, strict=True)]
 
 
 def pitch_keys(
@@ -57,8 +74,11 @@ def pitch_keys(
         asked = headings.only("exit_speed", *measured)
         rows = rows_of(part([column.heading for column in asked.columns.values()]), asked)
         parts = [pl.col(name).cast(pl.String).fill_null("") for name in measured]
-        alike = rows.select(pl.concat_str(parts, separator="|").hash(seed=1)).to_series().to_numpy()
-        key, known = np.where(known, key, alike), np.ones(len(rows), np.bool_)
+        enough = pl.sum_horizontal(pl.col(_told(measured)).is_not_null()) >= ENOUGH
+        dated = pl.any_horizontal(pl.col([name for name in WHEN if name in measured]).is_not_null())
+        alike = rows.select(key=pl.concat_str(parts, separator="|").hash(seed=1), known=enough & dated)
+        key = np.where(known, key, alike["key"].to_numpy())
+        known = known | alike["known"].to_numpy()
     return key, known
 
 
@@ -68,10 +88,15 @@ def _numbered(headings: Headings) -> tuple[str, ...] | None:
 
 def _measured(headings: Headings) -> tuple[str, ...]:
     """Return who and what must agree for two rows to be the same pitch; nothing where that is too little."""
+    when, who = ([name for name in names if headings.has(name)] for names in (WHEN, WHO))
     measured = [name for name in MEASURED if headings.has(name)]
-    if headings.has("batter") and (headings.has("game") or headings.has("date")) and len(measured) >= ENOUGH:
-        return (*(name for name in WHO if headings.has(name)), *measured)
-    return ()
+    agreeing = (*when, *who[:1], *(name for name in ("pitcher",) if headings.has(name)), *measured)
+    return agreeing if when and len(_told(agreeing)) >= ENOUGH else ()
+
+
+def _told(names: Sequence[str]) -> list[str]:
+    """Return those of some quantities of which `ENOUGH` must be known: what was measured, and who batted."""
+    return [name for name in names if name in MEASURED or name in WHO]
 
 
 def _whole(column: pl.Series) -> tuple[NDArray[np.uint64], NDArray[np.bool_]]:

@@ -27,6 +27,7 @@ from sweetspot.season.answers import UNKNOWN_BAT, WHOSE_BAT, SeasonSetting, answ
 from sweetspot.season.balls import balls_of
 from sweetspot.season.bat_surface import surface_of
 from sweetspot.season.contact import LEARNT_FROM, ContactSetting, OtherBat, learnt
+from sweetspot.season.csv_copy import LEFT_OUT
 from sweetspot.season.duplicates import with_duplicates
 from sweetspot.season.flight_columns import FlightSetting
 from sweetspot.season.output_columns import System
@@ -34,7 +35,7 @@ from sweetspot.season.place_relation import PlaceRelation
 from sweetspot.season.plan import BALLS, COUNTED, LEDGER, Plan, do_task, plan_fingerprint, reader_of, serial, sweep_plan
 from sweetspot.season.rows import DATED, REASONED, REASONS, SIDED, USED, rows_of
 from sweetspot.season.survey import Survey, survey_tables
-from sweetspot.season.table_file import LEFT_OUT, frame_headings
+from sweetspot.season.table_file import frame_headings
 from sweetspot.season.table_parts import PART, parts
 
 Progress = Callable[[int, int], None]

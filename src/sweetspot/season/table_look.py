@@ -16,7 +16,7 @@ from sweetspot.season.balls import FIRST_MIDDLE_SEASON
 from sweetspot.season.duplicates import with_duplicates
 from sweetspot.season.fields import ELSEWHERE, home_park
 from sweetspot.season.headings import Headings
-from sweetspot.season.rows import DATED, POSSIBLE, REASONED, REASONS, SIDED, TIP, USED, by_value
+from sweetspot.season.rows import BUNTED, DATED, POSSIBLE, REASONED, REASONS, SIDED, TIP, USED, by_value
 from sweetspot.season.same_pitch import tells_pitches
 from sweetspot.season.table_file import TableFile
 from sweetspot.season.table_warnings import TableWarning
@@ -55,10 +55,11 @@ class TableLook:
     def __init__(self, number: int, table: TableFile) -> None:
         self.number, self.table = number, table
         self.counts, self.rows = dict.fromkeys(REASONS, 0), 0
-        self.days: set[date] = set()
+        self.days: dict[date, int] = {}
         self.seen: dict[str, TableWarning] = {}
         self.endings: set[str] = set()
-        self.lost: dict[str, int] = {}
+        self.lost: set[str] = set()
+        self.fouls_measured = 0
         held = pl.scan_parquet(table.data).collect_schema()
         columns = table.headings.columns.items()
         self.sure = _surely_possible(table, held)
@@ -86,14 +87,18 @@ class TableLook:
         for reason, count in counts.items():
             self.counts[reason] += count
         self.rows += len(rows)
-        self.days |= set(rows["day"].drop_nulls().unique())
+        for day, first in rows.group_by("day").agg(pl.col("row").min()).iter_rows():
+            if day is not None:
+                self.days[day] = min(first, self.days.get(day, first))
         for name in headings.columns:
             if name in rows.columns:
                 self.held[name] = self.held.get(name, 0) + rows[name].len() - rows[name].null_count()
-        for reason, name in (("untracked", "untracked"), ("bunt", "bunts"), ("foul", "fouls unmeasured"),
+        for reason, name in (("untracked", "untracked"), ("bunt", "bunts"), ("foul", "fouls"),
                              ("impossible", "impossible"), ("duplicate", "duplicates")):  # fmt: skip
             if reason in counts:
                 self._note(name, rows, pl.col("reason") == reason)
+        if "foul" in counts:
+            self.fouls_measured += rows.filter(pl.col("reason") == "foul")["exit_speed"].count()
         self._note("unreadable", rows, pl.col("unreadable") > 0)
         self._note("cannot be", rows, pl.col("beyond") > 0)
         used = rows.filter(pl.col("reason") == USED) if counts.get(USED) != len(rows) else rows
@@ -113,9 +118,12 @@ class TableLook:
             told = pl.any_horizontal(speeds) if speeds else pl.lit(value=False)
             self._note("pitch speed unknown", used, pl.col("bat_speed").is_not_null() & ~told)
         if headings.has("home_team"):
-            for club, year, count in used.group_by("home_team", "season").len().iter_rows():
-                if club is not None and home_park(club, year) is None:
-                    self.lost[club] = self.lost.get(club, 0) + count
+            played = used.select("home_team", "season").drop_nulls("home_team").unique().iter_rows()
+            lost = [(club, year) for club, year in played if home_park(club, year) is None]
+            for club, year in lost:
+                here = (pl.col("home_team") == club) & pl.col("season").eq_missing(pl.lit(year, pl.Int32))
+                self._note("unknown park", used, here)
+            self.lost |= {club for club, _ in lost}
         doubted = used.select(name for name in DOUBTFUL if headings.has(name))
         self._doubt(used, doubted.gather_every(max(1, len(used) // DOUBTED)))
         if headings.has("event"):
@@ -169,26 +177,34 @@ class TableLook:
             extra.append(TableWarning("export cut", number, table.rows, detail=f"{grouped(table.rows)} rows"))
         if table.torn:
             extra.append(TableWarning("torn", number, 1, [int(table.numbers(table.rows - 1))]))
-        if missing := self._missing_days():
-            extra.append(TableWarning("days missing", number, len(missing), detail=_days_in_words(missing)))
-        columns = table.headings.columns
-        extra += [TableWarning("part off", number, table.rows, detail=words) for words in _parts_off(table.headings)]
+        if gaps := self._gaps():
+            after = table.numbers([self.days[end] for _, end in gaps]).tolist()
+            extra.append(TableWarning("days missing", number, len(gaps), after[:SHOWN], _days_in_words(gaps)))
+        if "fouls" in self.seen:
+            some = (
+                f"{grouped(self.fouls_measured)} of them have an exit speed" if self.fouls_measured else "none has one"
+            )
+            self.seen["fouls"].detail = some
         if self.lost:
-            shown = ", ".join(sorted(self.lost)[:6])
-            extra.append(TableWarning("unknown park", number, sum(self.lost.values()), detail=shown))
+            self.seen["unknown park"].detail = ", ".join(sorted(self.lost)[:6])
+        columns = table.headings.columns
+        held = table.headings.only(*(name for name, count in self.held.items() if count))
+        extra += [TableWarning("part off", number, table.rows, detail=words) for words in _parts_off(held)]
         if len(self.endings) == 1 and self.counts[USED] >= FEW:
             extra.append(TableWarning("selected", number, self.counts[USED], detail=f"all {next(iter(self.endings))}"))
         if table.headings.has("player_name", "pitcher", "batter"):
             extra.append(TableWarning("name of the pitcher", number, table.rows))
+        if table.headings.has("spin_rate"):
+            extra.append(TableWarning("spin not used", number, table.rows, detail=columns["spin_rate"].heading))
         if not tells_pitches(table.headings):
             extra.append(TableWarning("cannot find duplicates", number, table.rows))
-        for name, held in self.held.items():
-            if not held and table.rows:
+        for name, count in self.held.items():
+            if not count and table.rows:
                 extra.append(TableWarning("empty column", number, table.rows, detail=columns[name].heading))
         extra += [TableWarning("headings", number, table.rows, detail=note) for note in table.notes]
         return [*self.seen.values(), *extra]
 
-    def _missing_days(self) -> list[tuple[date, date]]:
+    def _gaps(self) -> list[tuple[date, date]]:
         """Return the gaps of more than `LONGEST_GAP` days inside one season."""
         days = sorted(self.days)
         return [(a, b) for a, b in pairwise(days) if (b - a).days > LONGEST_GAP and a.year == b.year]
@@ -209,6 +225,10 @@ def _parts_off(headings: Headings) -> Iterator[str]:
         yield "no attack angle (attack_angle): the usual one stands in, and offsets are three times less sure"
     if here("bat_speed") and not (here("axial_offset") or here("plate_side", "plate_height")):
         yield "no place of the pitch (plate_x, plate_z): the side of the bat that was met cannot be told"
+    if not any(map(here, BUNTED)):
+        yield "nothing tells bunts (des, events): they count as balls in play"
+    elif headings.system == "Statcast" and not here("words"):
+        yield "no description in words (des): of bunts only sacrifices are known, the others count as balls in play"
     if not (here("batter") or here("batter_name")):
         yield "no batter: no table of players"
 

@@ -22,6 +22,8 @@ BOMB, MOST_PACKED = 50_000_000, 100
 """Bytes from which on a packed table is none when it unpacks to more than so many times its size (exports: 5 to 20)."""
 MOST_ABOVE = 16
 """Lines that may stand above the headings: who was measured, and when."""
+MOST_BROKEN = 100
+"""Lines that one row may be broken over."""
 DISGUISED = {
     b"\x1f\x8b": "is packed; let its name end in .csv.gz", b"PAR1": "is Parquet; let its name end in .parquet",
     b"PK\x03\x04": "is a spreadsheet or an archive; save the sheet as CSV",
@@ -32,18 +34,22 @@ WIDE = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 
 @dataclass(frozen=True)
 class TextEnds:
-    """Lines of a text down to its headings, its last line, its encoding, and whether lines end as everybody's do."""
+    """Lines of a text down to its headings, its last row, its encoding, and whether the text may be read as it is.
+
+    It may not where lines do not end as everybody's do, or where it stops inside a quotation.
+    """
 
     above: list[str]
     last: str
     encoding: str
     lines: bool
+    quoting: bool
 
 
 def in_utf8(path: Path, staging: Path) -> tuple[Path, TextEnds]:
     """Return a file in UTF-8 with the same text, the very file or a copy, and its ends with the file's own encoding."""
     ends = _ends(path)
-    if ends.encoding == "utf-8" and ends.lines:
+    if ends.encoding == "utf-8" and ends.lines and not ends.quoting:
         return path, ends
     copy = staging / f"{path.name}.utf-8"
     with (
@@ -52,7 +58,11 @@ def in_utf8(path: Path, staging: Path) -> tuple[Path, TextEnds]:
     ):  # fmt: skip
         while block := text.read(TAIL):
             plain.write(block.encode())
-    return copy, replace(_ends(copy), encoding=ends.encoding)
+    copied = _ends(copy)
+    if copied.quoting:  # a file that was cut; what stands before the cut is read
+        with copy.open("ab") as plain:
+            plain.write(b'"\n')
+    return copy, replace(copied, encoding=ends.encoding)
 
 
 def opened(path: Path) -> IO[bytes]:
@@ -77,10 +87,11 @@ def _ends(path: Path) -> TextEnds:
             while len(lines) <= MOST_ABOVE and not _names_balls(lines[-1]) and (line := file.readline(TAIL)):
                 lines.append(line)
             first = b"".join(lines)
-            tail, unpacked = lines[-1], 0
+            tail, unpacked, quotes = lines[-1], 0, 0
             for block in chain([first], iter(lambda: file.read(TAIL), b"")):
                 if not wide and encoding == "utf-8":
                     encoding = "utf-8" if _goes_on(told, block) else "cp1252"
+                quotes += block.count(b'"')
                 if block is first:
                     continue
                 tail, unpacked = (tail + block)[-TAIL:], unpacked + len(block)
@@ -94,11 +105,24 @@ def _ends(path: Path) -> TextEnds:
     if not wide and (b"\0" in first or b"\0" in tail):
         raise InputError(f"{path} is no text in UTF-8; save it as CSV UTF-8, or give Parquet")
     above = lines if _names_balls(lines[-1]) else lines[:1]
-    last = tail.splitlines()
+    cut = quotes % 2 == 1 and not tail.endswith((b"\n", b"\r"))
     old = b"\r" in first.replace(b"\r\n", b"")
-    return TextEnds(
-        [_text(line) for line in above], _text(last[-1]) if last else "", "utf-16" if wide else encoding, not old
-    )
+    return TextEnds([_text(line) for line in above], _text(_last_row(tail.splitlines(), cut=cut)),
+                    "utf-16" if wide else encoding, lines=not old, quoting=cut)  # fmt: skip
+
+
+def _last_row(lines: list[bytes], *, cut: bool) -> bytes:
+    """Return the last row of some lines, all of those that a quotation in it is broken over.
+
+    Parameters
+    ----------
+    cut : whether the text stops inside a quotation; then the row is the line in which it does.
+    """
+    for first in range(len(lines) - 1, max(-1, len(lines) - 1 - MOST_BROKEN), -1):
+        row = b"\n".join(lines[first:])
+        if cut or row.count(b'"') % 2 == 0:
+            return row
+    return lines[-1] if lines else b""
 
 
 def _goes_on(decoder: codecs.IncrementalDecoder, block: bytes) -> bool:

@@ -17,6 +17,7 @@ from sweetspot.report.quantities import Reader
 from sweetspot.report.season.left_over import KINDS, left_over_by, left_over_words
 from sweetspot.report.sentences import Sentence, Slot, say, within
 from sweetspot.season.counted import WITH
+from sweetspot.season.csv_copy import LEFT_OUT
 from sweetspot.season.gains import Gain, gains_of
 from sweetspot.season.maps import known_sum
 from sweetspot.season.place_relation import PlaceRelation
@@ -24,7 +25,6 @@ from sweetspot.season.rows import REASONS, USED
 from sweetspot.season.season_drag import DragOfMonth, drag_by_month
 from sweetspot.season.season_table import Season
 from sweetspot.season.standings import MEASURES, Standing, above_expected_parts, all_standings
-from sweetspot.season.table_file import LEFT_OUT
 from sweetspot.season.table_warnings import WARNINGS
 from sweetspot.season.untracked import Untracked, untracked_bias
 from sweetspot.units import FOOT, grouped
@@ -41,7 +41,7 @@ LISTED = {
 }  # fmt: skip
 """Measures in the printed table of players, and what they are called there."""
 NO_FOULS = (
-    "Fouls and misses have no exit speed in public tables, so nothing per contact or per swing can be told; timing "
+    "Misses have no exit speed, and fouls seldom all have one, so nothing per contact or per swing can be told; timing "
     "needs the place of the bat in time, which tables seldom hold."
 )
 SIDE = (
@@ -107,7 +107,7 @@ def season_document(report: SeasonReport) -> Document:
     season = report.season
     blocks: list[Block] = [Paragraph(words) for words in _headline(report)]
     blocks += [Paragraph(f"Not read: {fault}", "warning") for fault in unread_of(season)]
-    blocks += [_ledger(season), _warnings(season)]
+    blocks += [_ledger(season), *_untracked(report), _warnings(season)]
     if "batter" in report.standings:
         blocks.append(_players(report.standings["batter"]))
     details: list[Block] = []
@@ -238,12 +238,30 @@ def _ledger(season: Season) -> Table:
     return Table("Ledger: every row, and why it counts or not", columns, rows)
 
 
+def _untracked(report: SeasonReport) -> list[Block]:
+    """Return what balls without exit speed would change, in words; nothing where there are none."""
+    lost = sum(counts["untracked"] for counts in report.season.survey.counts)
+    if not lost:
+        return []
+    if report.untracked is None:
+        words = "{balls} in play without exit speed; nothing tells how they ended, so what they would change is open."
+        return [Paragraph(say(words, balls="1 ball" if lost == 1 else f"{grouped(lost)} balls"))]
+    bias = report.untracked
+    words = (
+        "{share} of the balls in play have no exit speed. Were they hit as tracked ones that ended alike, the mean "
+        "exit speed of all would be {estimated} instead of {tracked}."
+    )
+    return [Paragraph(say(words, share=Slot(bias.share, "share", 1), estimated=Slot(bias.estimated, "speed"),
+                          tracked=Slot(bias.tracked, "speed")))]  # fmt: skip
+
+
 def _warnings(season: Season) -> Block:
     survey = season.survey
     rows: list[list[Cell]] = []
     for warning in survey.warnings:
         table = survey.tables[warning.table].path.name
         where = ", ".join(map(str, warning.rows[:5])) + (", …" if warning.count > len(warning.rows[:5]) > 0 else "")
+        where = where or "all"
         detail = f" ({warning.detail})" if warning.detail else ""
         rows.append([warning.name, table, grouped(warning.count), where, WARNINGS[warning.name] + detail])
     if not rows:
@@ -324,7 +342,7 @@ def season_json(report: SeasonReport) -> dict[str, Any]:
         "not_read": [{"file": str(path), "reason": reason} for path, reason in survey.faults],
         "warnings": [{"name": one.name, "file": str(survey.tables[one.table].path), "rows": one.count,
                       "first_rows": one.rows, "detail": one.detail} for one in survey.warnings],
-        "untracked": None if report.untracked is None else asdict(report.untracked),
+        "untracked": None if report.untracked is None else _bias(report.untracked),
         "places": None if contact is None else _places(contact.relation),
         "surfaces": [] if contact is None else [
             {"bat": surface.bat.name, "speed_error_m_s": surface.speed_error, "angle_error_rad": surface.angle_error}
@@ -340,6 +358,12 @@ def season_json(report: SeasonReport) -> dict[str, Any]:
                     for key, one in report.standings.items()},
         "cannot_tell": list(cannot_tell(season)),
     })  # fmt: skip
+
+
+def _bias(untracked: Untracked) -> dict[str, float]:
+    return {"share": untracked.share, "explained": untracked.explained,
+            "mean_exit_speed_of_tracked_m_s": untracked.tracked,
+            "mean_exit_speed_of_all_m_s": untracked.estimated}  # fmt: skip
 
 
 def _places(relation: PlaceRelation) -> dict[str, Any]:
