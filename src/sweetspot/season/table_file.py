@@ -13,12 +13,12 @@ import polars as pl
 from numpy.typing import ArrayLike, NDArray
 
 from sweetspot.errors import InputError, first_line
+from sweetspot.season.columns_by_rows import told_by_rows, with_player_name
 from sweetspot.season.csv_copy import BESIDE, copied_csv, copying
 from sweetspot.season.headings import Headings, headings_of
 from sweetspot.season.parquet_footer import Footer, footer_of
 from sweetspot.season.rows import ABSENT
 from sweetspot.season.text_ends import cells_of, in_utf8, is_number, separator_of
-from sweetspot.season.told_by_rows import told_by_rows, with_player_name
 from sweetspot.units import grouped
 
 CSV_ENDINGS = (".csv", ".tsv", ".txt", ".csv.gz", ".tsv.gz", ".txt.gz")

@@ -38,11 +38,12 @@ WARNINGS: Mapping[str, str] = {
     "name of the pitcher": "player_name is the pitcher's, as far as the numbers beside it tell; hitters go by theirs",
     "bunts": "bunts that arrive as balls in play are left out",
     "foul tips": "foul tips stand among the misses, as the league counts them",
-    "fouls": "fouls are left out; not all of them have an exit speed, so nothing per contact or per swing is told",
+    "fouls": "fouls are left out, and nothing is told per contact or per swing: tables seldom have the exit speed "
+    "of all fouls",
     "duplicates": "pitches that stand twice count once",
     "cannot find duplicates": "no column tells pitches apart, so pitches that stand twice count twice",
-    "spin not used": "spins of hits are whole spins, of which backspin is a part that nothing tells; the usual backspin "
-    "of such a launch is flown",
+    "spin not used": "spins of hits are whole spins, of which backspin is an unknown part; the usual backspin of "
+    "such a launch is flown",
     "part off": "a column is missing that a part of the answers needs",
     "headings": "headings that needed care",
     "unreadable": "measurements that are no numbers, and dates that are none, are taken as missing",
