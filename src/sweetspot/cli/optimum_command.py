@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple
 
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
-from sweetspot.cli.options.swing import SwingOptions
+from sweetspot.cli.options.swing import BallCor, BallHumidity, BallTemperature, HandsAt, SwingOptions
 from sweetspot.cli.options.uncertainty import Uncertainty, sources_for
 from sweetspot.cli.options.unused import given, refuse_unused
 from sweetspot.cli.options.weather import DEFAULT_AIR, AirOptions
@@ -48,12 +48,16 @@ class ContactOptions:
     pivot: Annotated[
         str | None, Parameter(help="Axis the bat turns about, from the knob end; default: the bottom of the grip.")
     ] = None
+    hands: HandsAt = None
     at: Annotated[str | None, Parameter(help="Hit with this place of the bat; default: the best one is searched.")] = (
         None
     )
     attack_angle: Annotated[str | None, Parameter(help="Swing this steeply; default: the best is searched.")] = None
     tilt: Annotated[str, Parameter(help="Of the plane of the swing; 0deg keeps the bat level.")] = "32deg"
     ball: Annotated[str | None, Parameter(help="Ball of the catalogue; default: the first of the bat's sport.")] = None
+    ball_cor: BallCor = None
+    ball_humidity: BallHumidity = None
+    ball_temperature: BallTemperature = None
     uncertainty: Uncertainty = False
 
 
@@ -140,7 +144,7 @@ def optimum(
 def _check_shown(show: str, pitch: PitchOptions, contact: ContactOptions, sent: SentOptions) -> None:
     """Refuse what belongs to a question that is left out."""
     if show in ("launch", "parks"):
-        swung = given(contact, "bat_speed", "bat_speed_at", "pivot", "at", "attack_angle", "tilt")
+        swung = given(contact, *(one.name for one in fields(contact) if one.name not in ("ball", "uncertainty")))
         refuse_unused([*given(pitch, "pitch", "release_speed"), *swung], "the best swing", "leave --show out")
     if show in ("swing", "parks"):
         refuse_unused(given(sent, "exit_speed"), "the best launch", "leave --show out")
@@ -220,7 +224,7 @@ def _swings(bat: Bat, pitch: PitchOptions, contact: ContactOptions, weather: Air
     from sweetspot.units import parse, parse_position
 
     told = SwingOptions(
-        bat_speed=contact.bat_speed, bat_speed_at=contact.bat_speed_at, pivot=contact.pivot, ball=contact.ball
+        **{one.name: getattr(contact, one.name) for one in fields(SwingOptions) if hasattr(contact, one.name)}
     )
     conditions = conditions_for(bat, told)
     flying = replace(through(weather, str(contact.ball)), ball=conditions.ball)

@@ -46,17 +46,25 @@ def option(name: str, text: str) -> str:
 
 
 def swing_options(state: SwungState) -> str:
-    """Return the command line's options for swing and ball; those that have their usual value are left out."""
+    """Return the command line's options for pitch, swing and ball; those that have their usual value are left out."""
+    pitch = "tee" if state.pitch_speed_mph == 0 else _unless(state.pitch_speed_mph, None, "mph")
+    return _options({"--pitch-speed": pitch}) + stroke_options(state)
+
+
+def stroke_options(state: SwungState) -> str:
+    """Return the command line's options for swing and ball alone."""
     first = SwungState()
-    options = {
-        "--pitch-speed": "tee" if state.pitch_speed_mph == 0 else _unless(state.pitch_speed_mph, None, "mph"),
+    return _options({
         "--bat-speed": _unless(state.bat_speed_mph, None, "mph"),
         "--hands": _unless(state.hands_in + state.choke_up_in, first.hands_in + state.choke_up_in, "in"),
         "--ball": None if state.ball is None else quote(state.ball),
         "--ball-cor": _unless(state.ball_cor, None, ""),
         "--ball-humidity": _unless(state.ball_humidity, None, ""),
         "--ball-temperature": _unless(state.ball_temperature_degf, None, "degF"),
-    }
+    })  # fmt: skip
+
+
+def _options(options: dict[str, str | None]) -> str:
     return "".join(f" {name} {value}" for name, value in options.items() if value is not None)
 
 

@@ -15,6 +15,20 @@ if TYPE_CHECKING:
     from sweetspot.motion.swing import Conditions
 
 
+HandsAt = Annotated[
+    str | None,
+    Parameter(help="Centre of the top hand, from the knob end; default: 6in above the bottom of the grip."),
+]
+BallCor = Annotated[
+    str | None,
+    Parameter(help="Restitution of the ball as bought, at its law's speed, in place of the catalogue's."),
+]
+BallHumidity = Annotated[
+    str | None, Parameter(help="Relative humidity the ball was stored at, as a ratio: 0.5 or 50%.")
+]
+BallTemperature = Annotated[str | None, Parameter(help="Temperature of the ball, for example 40degF.")]
+
+
 @Parameter(name="*", allow_leading_hyphen=True)
 @dataclass(frozen=True)
 class SwingOptions:
@@ -34,19 +48,11 @@ class SwingOptions:
     pivot: Annotated[
         str | None, Parameter(help="Axis the bat turns about, from the knob end; default: the bottom of the grip.")
     ] = None
-    hands: Annotated[
-        str | None,
-        Parameter(help="Centre of the top hand, from the knob end; default: 6in above the bottom of the grip."),
-    ] = None
+    hands: HandsAt = None
     ball: Annotated[str | None, Parameter(help="Ball of the catalogue; default: the first of its sport.")] = None
-    ball_cor: Annotated[
-        str | None,
-        Parameter(help="Restitution of the ball as bought, at its law's speed, in place of the catalogue's."),
-    ] = None
-    ball_humidity: Annotated[
-        str | None, Parameter(help="Relative humidity the ball was stored at, as a ratio: 0.5 or 50%.")
-    ] = None
-    ball_temperature: Annotated[str | None, Parameter(help="Temperature of the ball, for example 40degF.")] = None
+    ball_cor: BallCor = None
+    ball_humidity: BallHumidity = None
+    ball_temperature: BallTemperature = None
 
 
 DEFAULT_SWING = SwingOptions()

@@ -129,8 +129,15 @@ def _fence_to(park: Park, direction: float) -> tuple[float, float]:
     return _fence_at(park, round(min(FOUL_LINE, max(-FOUL_LINE, direction)) / DEGREE * 4))
 
 
-def carries(motion: BallMotion, *, conditions: FlightConditions, park: Park) -> dict[str, Any]:
-    """Return carry, and chance of a home run in a park, of balls hit harder and higher with this spin and direction."""
+def carries(
+    motion: BallMotion, *, conditions: FlightConditions, park: Park, own_elevation: bool = False
+) -> dict[str, Any]:
+    """Return carry, and chance of a home run in a park, of balls hit harder and higher with this spin and direction.
+
+    Parameters
+    ----------
+    own_elevation : whether chances are those at the park's elevation, whatever that of the conditions.
+    """
     speed, angle = (axis.ravel() for axis in np.meshgrid(SPEEDS, ANGLES))
     axes = spin_axes(angle, motion.spray)
     many = BallMotions(
@@ -140,7 +147,7 @@ def carries(motion: BallMotion, *, conditions: FlightConditions, park: Park) -> 
     )
     shape = (len(ANGLES), len(SPEEDS))
     flown = flights(many, conditions)
-    chance = home_run_chances(many, _outdoors(conditions), parks=(park,), own_elevation=False).chance
+    chance = home_run_chances(many, _outdoors(conditions), parks=(park,), own_elevation=own_elevation).chance
     return {
         "exit_speed_m_s": SPEEDS,
         "launch_angle_rad": ANGLES,

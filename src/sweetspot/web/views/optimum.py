@@ -25,7 +25,7 @@ from sweetspot.web.bats import ball_of, conditions_of, described, reduced, swung
 from sweetspot.web.documents import told
 from sweetspot.web.drawings import ball_picture, bat_picture
 from sweetspot.web.errors import about
-from sweetspot.web.recipes import bat_name, bat_text
+from sweetspot.web.recipes import bat_name, bat_text, stroke_options
 from sweetspot.web.states import Name, SwungState
 from sweetspot.web.view import View
 from sweetspot.web.views.flight_parks import carries, parks_of
@@ -62,7 +62,7 @@ def answer(state: OptimumState) -> dict[str, Any]:
         "bat": bat_picture(state, reduced_bat),
         "ball": ball_picture(state, through.ball),
         "launch": {"exit_speed_m_s": speed, "launch_angle_rad": best.launch_angle, "carry_m": best.carry},
-        "map": carries(ball, conditions=through, park=park),
+        "map": carries(ball, conditions=through, park=park, own_elevation=True),
         "park": park.name,
     }
 
@@ -118,16 +118,19 @@ def _thrown(state: OptimumState, through: FlightConditions) -> PitchFlight:
 
 
 def recipe(state: OptimumState) -> dict[str, str]:
-    """Return the command line that gives the same answers, and the bat's file."""
+    """Return the command line that gives the same answers, one more for each further field, and the bat's file."""
     state = swung(state)
-    small = catalog.sport(described(state).sport).fields
-    command = (
-        f"sweetspot optimum {bat_name(state)} --pitch {quote(state.pitch or '')} "
-        f"--bat-speed {state.bat_speed_mph:.12g}mph --tilt {state.tilt_deg:.12g}deg "
-        f"--exit-speed {state.exit_speed_mph:.12g}mph --backspin {state.backspin_rpm:.12g}rpm "
-        f"--ball {quote(state.ball or '')} --park {small[0] if small else 'all'}"
-    )
-    return {"command": command, "toml": bat_text(state)}
+    first, *more = catalog.sport(described(state).sport).fields or ("all",)
+    sent = f"--backspin {state.backspin_rpm:.12g}rpm"
+    lines = [
+        f"sweetspot optimum {bat_name(state)} --pitch {quote(state.pitch or '')} --tilt {state.tilt_deg:.12g}deg"
+        f"{stroke_options(state)} --exit-speed {state.exit_speed_mph:.12g}mph {sent} --park {first}",
+        *(
+            f"sweetspot optimum {bat_name(state)} --show parks --ball {quote(state.ball or '')} {sent} --park {park}"
+            for park in more
+        ),
+    ]
+    return {"command": "\n".join(lines), "toml": bat_text(state)}
 
 
 VIEW = View("optimum", "Best swing", OptimumState, answer, recipe, asides={"swing": swing, "parks": parks})

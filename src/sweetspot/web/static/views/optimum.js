@@ -30,18 +30,23 @@ export const view = {
       group("A ball as it leaves", [
         slider(app, "exit_speed_mph", { label: "Exit speed", step: 0.5 }),
         slider(app, "backspin_rpm", { label: "Backspin", step: 50 }),
-        usualChoice(app, "park", { label: "Park of the map's chances", options: parks }),
+        usualChoice(app, "park", { label: "Park", options: parks }),
       ]), this.bench.element, swingGroup(app, { title: "Swing", pitched: false }), ballGroup(app));
     this.words = make("p", { className: "verdict", id: "verdict" });
+    const onPick = (/** @type {number} */ speed, /** @type {number} */ _, /** @type {{ last: boolean }} */ { last }) => (
+      app.setState({ exit_speed_mph: Math.round(2 * Math.min(120, Math.max(50, speed / MPH))) / 2 }, { commit: last }));
     this.map = new HeatMap(app, { label: "", title: "How far it carries", height: 260, x: { kind: "exit_speed_m_s", label: "exit speed" },
-      y: { kind: "launch_angle_rad", label: "launch angle" }, z: { kind: "distance" },
-      onPick: (speed, _, { last }) => app.setState({ exit_speed_mph: Math.round(2 * Math.min(120, Math.max(50, speed / MPH))) / 2 }, { commit: last }) });
+      y: { kind: "launch_angle_rad", label: "launch angle" }, z: { kind: "distance" }, onPick });
     this.map.element.classList.add("pinned");
+    this.chances = new HeatMap(app, { label: "", title: "Chance that it leaves the park, hit to centre field", height: 200, x: { kind: "exit_speed_m_s", label: "exit speed" },
+      y: { kind: "launch_angle_rad", label: "launch angle" }, z: { kind: "share" }, onPick });
+    this.park = make("p", { className: "note" });
     this.swing = new DocumentPlace(app, "Searching the best contact …");
     this.parks = new DocumentPlace(app, "Searching every park …");
     const section = (/** @type {string} */ title, /** @type {(Node | string)[]} */ ...parts) => make("section", { className: "picture" }, make("h2", { textContent: title }), ...parts);
     root.append(side, make("div", { className: "stack" },
-      section("How high to send it", this.words, this.map.element, this.map.numbers.element), section("How to swing", this.swing.element),
+      section("How high to send it", this.words, this.map.element, this.map.numbers.element, this.park, this.chances.element, this.chances.numbers.element),
+      section("How to swing", this.swing.element),
       section("The slowest home run of every park", this.parks.element)));
   },
 
@@ -52,7 +57,12 @@ export const view = {
     const show = this.app.text.bind(this.app);
     tell(this.words, `A ball at ${show("v_m_s", launch.exit_speed_m_s)} carries farthest at ${show("a_rad", launch.launch_angle_rad)}: ${show("distance", launch.carry_m)}.`);
     this.app.announce(this.words.textContent);
-    this.map.draw({ x: map.exit_speed_m_s, y: map.launch_angle_rad, z: map.carry_m, cross: [launch.exit_speed_m_s, launch.launch_angle_rad] });
+    const [x, y, cross] = [map.exit_speed_m_s, map.launch_angle_rad, [launch.exit_speed_m_s, launch.launch_angle_rad]];
+    this.map.draw({ x, y, z: map.carry_m, cross });
+    this.chances.draw({ x, y, z: map.chance, cross });
+    const chance = `How likely a ball to centre field leaves ${answer.park}, in its own air, with what balls, spin and weather scatter by.`;
+    this.park.textContent = chance;
+    this.chances.label(`${chance} The table below has its numbers.`);
     this.map.label(`How far balls carry, by exit speed and launch angle. ${this.words.textContent}`);
     this.swing.redraw();
     this.parks.redraw();
@@ -62,7 +72,7 @@ export const view = {
   },
 
   unmount() { this.answer = null; },
-  figures() { return [this.map.figure("carry")]; },
+  figures() { return [this.map.figure("carry"), this.chances.figure("chance")]; },
   table() {
     const { map } = this.app.answer;
     /** @type {Record<string, unknown[]>} */
