@@ -71,6 +71,32 @@ def test_signs_that_a_terminal_lacks_cost_a_question_mark(
     assert f"characters that {encoding} does not have were printed as ?" in capsys.readouterr().err
 
 
+def test_signs_of_numbers_are_spelled_where_a_terminal_lacks_them(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    raw = io.BytesIO()
+    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(raw, encoding="ascii"))
+    with pytest.raises(SystemExit):
+        main(["bats"])
+    with pytest.raises(SystemExit):
+        main(["fly", "--exit-speed", "100mph", "--launch-angle", "27deg"])
+    printed = raw.getvalue().decode("ascii")
+    rows = [line for line in printed.splitlines() if "+/-" in line and "oz in^2" in line]
+    assert len(rows) > 10 and len({len(row.rstrip()) for row in rows}) == 1, "columns stay columns"
+    assert "27.0deg up" in printed and "?" not in printed and "?" not in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("columns", "widest"), [("80", 80), ("150", 150), ("", 110), ("many", 110)])
+def test_a_piped_text_is_as_wide_as_columns_says(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], columns: str, widest: int
+) -> None:
+    monkeypatch.setenv("COLUMNS", columns)
+    with pytest.raises(SystemExit):
+        main(["report", "r161-ash"])
+    lines = capsys.readouterr().out.splitlines()
+    assert 0.9 * widest < max(map(len, lines)) <= widest
+
+
 def test_a_command_that_fails_prints_nothing_on_standard_output(capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit):
         main(["pendulum", "--mass", "31oz", "--balance-point", "2in", "--period", "1.5s"])

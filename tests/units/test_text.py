@@ -32,7 +32,16 @@ from sweetspot.units.usual_units import TEMPERATURES, WRITTEN, written
         ("2 ft 9.5 in", "length", 0.8509),  # pint alone reads an area
         ("2 ft 9 1/2 in", "length", 0.8509),
         ("2' 9.5\"", "length", 0.8509),
+        *((text, "length", 0.8382) for text in ('33"', "33''", "33\u2033", "33\u201d", "33 in.")),
+        *((text, "length", 0.8382) for text in ("2'9\"", "2' 9", "2\u20329\u2033", "2 ft 9 in")),
+        *((text, "length", 0.8509) for text in ('33 1/2"', '33-1/2"', "33½ in", '33½"', "2'9 1/2\"", "33,5 in")),
+        *((text, "length", 0.0127) for text in ('1/2"', "½ in", "0,5 in", ",5 in")),
+        ("2'", "length", 0.6096),
+        ("33¾ in", "length", 0.85725),  # pint alone drops the fraction
         ("84 cm", "length", 0.84),
+        ("84,5 cm", "length", 0.845),
+        ("0,845 m", "length", 0.845),  # no thousands begin with nothing
+        ("30,5 oz", "mass", 30.5 * 0.028349523125),
         ("31 oz", "mass", 31 * 0.028349523125),
         ("90mph", "speed", 90 * 0.44704),
         ("11000 oz*in^2", "moi", 11000 * 0.028349523125 * 0.0254**2),
@@ -73,6 +82,12 @@ def test_the_short_table_says_what_pint_says() -> None:
     [
         ("31", "length", "without a unit"),
         (31.0, "mass", "without a unit"),
+        ("33 1/2", "length", "without a unit"),
+        ("1/2", "length", "without a unit"),
+        ("84,5", "length", "without a unit"),
+        ("1,250 m", "length", "thousands without it and decimals after a point"),
+        ("1,250.5 m", "length", "thousands without it and decimals after a point"),
+        ("1,2,3 in", "length", "decimals after a point"),
         ("31 oz", "length", "not a length"),
         ("33 in", "mass", "not a mass"),
         ("33 furlongz", "length", "not known"),
@@ -108,6 +123,7 @@ def test_positions() -> None:
     assert parse_position("6in-from-tip", length=0.8382) == pytest.approx(0.6858)
     assert parse_position("0.152m-from-tip", length=0.8382) == pytest.approx(0.6862)
     assert parse_position("6 1/2 in-from-knob", length=0.8382) == pytest.approx(0.1651)
+    assert parse_position('6 1/2" from tip', length=0.8382) == pytest.approx(0.8382 - 0.1651)
     with pytest.raises(InputError, match="without a unit"):
         parse_position("6-from-tip", length=0.8382)
 

@@ -12,6 +12,7 @@ from itertools import pairwise
 from typing import Any
 
 from sweetspot.errors import InputError, SweetspotError, UnusualWarning
+from sweetspot.report.plain_signs import spelled_for
 from sweetspot.units.usual import insisting
 
 EXIT_BAD_INPUT = 2
@@ -91,7 +92,7 @@ def _warnings_told(insisted: bool) -> Iterator[None]:
 
 def _complain(text: str) -> None:
     with suppress(OSError, AttributeError):  # nobody listens on standard error
-        sys.stderr.write(f"sweetspot: {text}\n")
+        sys.stderr.write(spelled_for(sys.stderr.encoding or "utf-8", f"sweetspot: {text}\n"))
 
 
 def _one_line(error: Exception, given: list[str]) -> str:

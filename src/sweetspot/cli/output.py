@@ -27,6 +27,8 @@ PATIENCE = 3.0
 """s before a run says why it takes a while."""
 BEAT = 8.0
 """s after which a run that shows no bar says that it goes on, and again and again."""
+WIDE, NARROWEST = 110, 40
+"""Columns of a text where no terminal says how many there are, and at least."""
 LONG = 50
 """Steps of work from which on a log hears of it."""
 
@@ -45,13 +47,25 @@ def print_csv(columns: Mapping[str, Sequence[Any]]) -> None:
 
 
 def print_table(renderable: Any) -> None:
-    """Print a rich table on stdout, as wide as the terminal, or 110 columns where there is none."""
+    """Print a rich table on stdout, as wide as the terminal."""
     from rich.console import Console
 
     console = Console(soft_wrap=False)
     if not console.is_terminal:
-        console = Console(width=110)
+        console = Console(width=_width_of_pipe())
     console.print(renderable)
+
+
+def _width_of_pipe() -> int:
+    """Return how wide a text is that goes into a pipe or a file.
+
+    That is what ``COLUMNS`` says; else `WIDE`, or less where whoever pages through it has less.
+    """
+    if (columns := os.environ.get("COLUMNS", "")).isdigit() and int(columns) >= NARROWEST:
+        return int(columns)
+    with suppress(OSError, ValueError, AttributeError):
+        return max(NARROWEST, min(WIDE, os.get_terminal_size(sys.stderr.fileno()).columns or WIDE))
+    return WIDE
 
 
 def present(document: Document, options: OutputOptions, *, long: bool = False) -> int:
@@ -74,7 +88,8 @@ def present(document: Document, options: OutputOptions, *, long: bool = False) -
     else:
         from sweetspot.report.terminal import to_terminal
 
-        print_table(to_terminal(document, document.reader_of(options.units)))
+        reader = document.reader_of(options.units)
+        print_table(to_terminal(document, reader, encoding=sys.stdout.encoding))
     if written:
         print(f"sweetspot: wrote {', '.join(map(str, written))}", file=sys.stderr)
     return 0 if document.passed else 1

@@ -9,6 +9,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from typing import TextIO
 
+from sweetspot.report.plain_signs import spelled_for
+
 
 class OutputError(Exception):
     """Standard output cannot take what a command says."""
@@ -58,12 +60,13 @@ def held_output() -> Iterator[None]:
 
 
 def _deliver(text: str, stream: TextIO | None) -> None:
-    """Print a text, with a question mark for what the terminal has no sign for."""
+    """Print a text; signs that the terminal lacks are spelled, and letters that it lacks become question marks."""
     if not text:
         return
     if stream is None:
         raise OutputError("standard output is closed, so nothing could be printed")
     encoding = stream.encoding or "utf-8"
+    text = spelled_for(encoding, text)
     readable = text.encode(encoding, "replace").decode(encoding)
     try:
         stream.write(readable)

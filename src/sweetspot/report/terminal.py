@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from textwrap import fill
 
 from rich.console import Group, RenderableType
@@ -12,8 +13,9 @@ from rich.text import Text
 
 from sweetspot.references import cite
 from sweetspot.report import document as parts
+from sweetspot.report.plain_signs import spelled_for
 from sweetspot.report.quantities import Reader
-from sweetspot.report.sentences import read
+from sweetspot.report.sentences import Words, read
 
 NARROW = 8
 """Characters of a column that its heading may take at least."""
@@ -21,53 +23,78 @@ ROOM = 110
 """Characters of a table's width above which headings are broken into lines."""
 SHORT = 32
 """Characters of a cell that a line may be kept whole for."""
+DOUBT = "±"
 STYLES = {"text": "", "note": "dim", "warning": "yellow"}
 
 
-def to_terminal(document: parts.Document, reader: Reader) -> Group:
-    """Return a document as `rich` prints it: title, sentences, tables, notes."""
-    title = Text(read(document.title, reader), style="bold")
-    if subtitle := read(document.subtitle, reader):
+def to_terminal(document: parts.Document, reader: Reader, *, encoding: str = "utf-8") -> Group:
+    """Return a document as `rich` prints it: title, sentences, tables, notes.
+
+    Parameters
+    ----------
+    encoding : of the terminal; signs that it lacks are spelled, before columns get their widths.
+    """
+    screen = _Screen(reader, encoding)
+    title = Text(screen.read(document.title), style="bold")
+    if subtitle := screen.read(document.subtitle):
         title.append(f"  {subtitle}", style="dim")
     if document.made_for:
         title.append(f"  for {document.made_for}")
     heading = [title, Text()] if title.plain else []
-    return Group(*heading, *_rendered([*document.blocks, *document.details], reader))
+    return Group(*heading, *_rendered([*document.blocks, *document.details], screen))
 
 
-def _rendered(blocks: Sequence[parts.Block], reader: Reader) -> Iterator[RenderableType]:
+@dataclass(frozen=True)
+class _Screen:
+    """Who reads, and with which signs."""
+
+    reader: Reader
+    encoding: str
+
+    def read(self, words: Words) -> str:
+        return spelled_for(self.encoding, read(words, self.reader))
+
+    def head(self, column: parts.Column) -> str:
+        return spelled_for(self.encoding, column.head(self.reader))
+
+    def cells(self, column: parts.Column, cells: Iterable[parts.Cell]) -> list[str]:
+        return [spelled_for(self.encoding, column.shown(cell, self.reader)) for cell in cells]
+
+
+def _rendered(blocks: Sequence[parts.Block], screen: _Screen) -> Iterator[RenderableType]:
     for block in blocks:
         match block:
             case parts.Paragraph():
-                if words := read(block.words, reader):
+                if words := screen.read(block.words):
                     yield Padding(Text(words, style=STYLES[block.kind]), (0, 0, 1, 0))
             case parts.Bullets():
-                yield from (Text(f"- {read(item, reader)}") for item in block.items)
+                yield from (Text(f"- {screen.read(item)}") for item in block.items)
                 yield Text()
             case parts.Question():
-                yield Text(read(block.question, reader), style="bold")
-                yield Padding(Text(read(block.answer, reader)), (0, 0, 1, 2))
+                yield Text(screen.read(block.question), style="bold")
+                yield Padding(Text(screen.read(block.answer)), (0, 0, 1, 2))
             case parts.Table():
-                if title := read(block.title, reader):
+                if title := screen.read(block.title):
                     yield Text(title, style="bold")
-                yield table(block, reader)
+                yield table(block, screen.reader, encoding=screen.encoding)
                 yield Text()
             case parts.Sources():
-                yield from (Text(f"[{key}] {cite(key)}", style="dim") for key in block.keys)
+                yield from (Text(f"[{key}] {screen.read(cite(key))}", style="dim") for key in block.keys)
             case parts.Section():
-                yield Text(read(block.title, reader), style="bold")
-                yield from _rendered(block.blocks, reader)
+                yield Text(screen.read(block.title), style="bold")
+                yield from _rendered(block.blocks, screen)
             case parts.Cards() | parts.Picture():
                 continue
 
 
-def table(block: parts.Table, reader: Reader) -> RichTable:
+def table(block: parts.Table, reader: Reader, *, encoding: str = "utf-8") -> RichTable:
     """Return a table as `rich` prints it; the last column of words takes what room there is."""
-    made = RichTable(header_style="bold", box=None, pad_edge=False)
-    doubted = any("±" in column.shown(row[number], reader) for number, column in enumerate(block.columns)
-                  if column.is_number for row in block.rows)  # fmt: skip
-    shown = [[column.shown(row[number], reader) for row in block.rows] for number, column in enumerate(block.columns)]
-    heads = [column.head(reader) for column in block.columns]
+    screen, made = _Screen(reader, encoding), RichTable(header_style="bold", box=None, pad_edge=False)
+    by_column = [[row[number] for row in block.rows] for number in range(len(block.columns))]
+    shown = [screen.cells(column, cells) for column, cells in zip(block.columns, by_column, strict=True)]
+    heads = [screen.head(column) for column in block.columns]
+    doubted = any(DOUBT in column.shown(cell, reader) for column, cells in zip(block.columns, by_column, strict=True)
+                  if column.is_number for cell in cells)  # fmt: skip
     widths = [max(len(head), *(len(text) for text in texts if len(text) <= SHORT and " (" not in text), 0) + 2
               for head, texts in zip(heads, shown, strict=True)]  # fmt: skip
     wide = sum(widths) > ROOM
@@ -79,7 +106,6 @@ def table(block: parts.Table, reader: Reader) -> RichTable:
             whole_ones = [len(text) for text in texts if text not in lopsided]
             heads[number] = fill(head, max([*whole_ones, NARROW]), break_long_words=False)
         made.add_column(heads[number], justify="right" if column.is_number else "left", no_wrap=whole, overflow="fold")
-    for row in block.rows:
-        cells = zip(block.columns, row, strict=True)
-        made.add_row(*(Text(column.shown(cell, reader)) for column, cell in cells))
+    for row in zip(*shown, strict=True):
+        made.add_row(*map(Text, row))
     return made

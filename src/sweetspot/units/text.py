@@ -11,6 +11,7 @@ import re
 import sys
 from functools import cache
 from typing import Any, Literal
+from unicodedata import normalize
 
 from sweetspot.errors import InputError
 from sweetspot.units.sizes import FOOT, INCH, MPH, OUNCE
@@ -65,11 +66,15 @@ LARGEST: dict[Kind, float] = {
 SMALLEST = 1e-15
 """SI; less than that is zero, or a slip."""
 
-FRACTION = re.compile(r"^\s*(\d+)\s+(\d+)/(\d+)\s*(.*)$")
+FRACTION = re.compile(r"^\s*(\d+)(?:\s+|-)(\d+)/(\d+)\s*(.*)$")
 PLAIN_FRACTION = re.compile(r"^\s*(\d+)/(\d+)\s*([^\d\s/].*)$")
 FEET_INCHES = re.compile(
-    r"^\s*(\d+(?:\.\d+)?)\s*(?:ft|feet|foot|')\s*(\d+(?:\.\d+)?(?:\s+\d+/\d+)?)\s*(?:in|inch|inches|\")\s*$"
+    r"^\s*(\d+(?:\.\d+)?)\s*(?:ft|feet|foot)\s*(\d+(?:\.\d+)?(?:(?:\s+|-)\d+/\d+)?)\s*(?:in|inch|inches)\s*$"
 )
+INCH_MARK = re.compile(r"\s*(?:[\"\u2033\u201d\u201c]|''|\u2032\u2032|\u2019\u2019)\s*$")
+FOOT_MARK = re.compile(r"(?<=\d)\s*['\u2032\u2019]\s*(?=\d|$)")
+"""Straight marks, primes, and quotation marks as phones write them."""
+ONE_SIGN_FRACTION = re.compile("[¼-¾⅐-⅞]")
 POUNDS_OUNCES = re.compile(r"^\s*(\d+(?:\.\d+)?)\s*(?:lbs?|pounds?)\s*(\d+(?:\.\d+)?)\s*(?:oz|ounces?)\s*$")
 WITH_ERROR = re.compile(r"±|\+/-|\+-")
 TWO_NUMBERS = re.compile(r"\d\.?\s+(?!1\s*/)[-+]?\.?\d")
@@ -82,10 +87,11 @@ POWER_OF_NUMBER = re.compile(r"[\d.)]\s*(\*\*|\^|[⁰¹²³⁴⁵⁶⁷⁸⁹])"
 """`pint` calculates, and 9**9**9 would keep it busy for good."""
 DIFFERENCE = re.compile(r"(?:[a-df-z]|(?<![\d.])e)\s*[-+]\s*\d", re.IGNORECASE)
 """A range in a person's eyes; `pint` would take the difference."""
-THOUSANDS = re.compile(r"\d,\d{3}(?!\d)")
-DECIMAL_COMMA = re.compile(r"\d,|,\d")
+DECIMAL_COMMA = re.compile(r"(?<![\d.,])(?:(0*),(\d+)|(\d+),(\d{1,2}|\d{4,}))(?![\d.,])")
+"""Of one number: what has three digits behind the comma and is no part of one may be thousands."""
+COMMA = re.compile(r"\d,|,\d")
 """`pint` would drop what follows the comma."""
-NUMBER = re.compile(r"^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*$")
+NUMBER = re.compile(r"^\s*[-+]?(\d+\.?\d*|\.\d+|(?:\d+(?:\s+|-))?\d+/\d+)([eE][-+]?\d+)?\s*$")
 
 
 @cache
@@ -144,7 +150,8 @@ def shown_density(density: float) -> str:
 def parse(text: str | float, kind: Kind, what: str = "value") -> float:
     """Return a text with a unit as a number in SI.
 
-    Understands mixed fractions (``33 1/2 in``), feet and inches (``2 ft 9.5 in``), pounds and ounces (``1 lb 15 oz``).
+    Understands mixed fractions (``33 1/2 in``), feet and inches (``2 ft 9.5 in``, ``2'9"``), pounds and ounces
+    (``1 lb 15 oz``), and decimals behind a comma (``84,5 cm``).
 
     Parameters
     ----------
@@ -155,8 +162,8 @@ def parse(text: str | float, kind: Kind, what: str = "value") -> float:
     Raises
     ------
     InputError
-        when the unit is missing, unknown or of another kind, the number is not finite or has a decimal comma, or it
-        lies outside what is usual for an option of that name (see `check_usual`).
+        when the unit is missing, unknown or of another kind, the number is not finite or has a comma that may stand
+        for thousands, or it lies outside what is usual for an option of that name (see `check_usual`).
 
     >>> round(parse("33 1/2 in", "length"), 6), round(parse("2 ft 9.5 in", "length"), 6)
     (0.8509, 0.8509)
@@ -180,14 +187,12 @@ def parse(text: str | float, kind: Kind, what: str = "value") -> float:
             f"{what} was given as {text!r}; write one number and its unit, as in {example}; where a "
             "range is taken it is written from:to:count"
         )
-    if THOUSANDS.search(text):
+    if COMMA.search(_with_points(text)):
         raise InputError(
-            f"{what} was given as {text!r}; a comma is no part of a number here: write thousands without it and "
-            f"decimals after a point, as in {example}"
+            f"{what} was given as {text!r}, whose comma may stand for thousands or before decimals: write thousands "
+            f"without it and decimals after a point, as in {example}"
         )
-    if DECIMAL_COMMA.search(text):
-        raise InputError(f"{what} was given as {text!r}; write the decimals after a point, as in {example}")
-    if NUMBER.match(text) and kind != "ratio":
+    if NUMBER.match(_with_points(text)) and kind != "ratio":
         raise InputError(f"{what} was given as {text.strip()} without a unit; write for example {example}")
     value = _understood(text, kind, what)
     if math.isfinite(value) and (abs(value) > LARGEST[kind] or 0 < abs(value) < SMALLEST):
@@ -201,7 +206,7 @@ def parse(text: str | float, kind: Kind, what: str = "value") -> float:
 def _understood(text: str, kind: Kind, what: str) -> float:
     """Return a text in SI; only what the reading of the text raises is the text's fault."""
     try:
-        spelled = _spelled_out(text)
+        spelled = _spelled_out(_with_points(text), kind)
     except ArithmeticError:  # a fraction of nothing
         raise InputError(_not_a_number(text, kind, what)) from None
     if TWO_NUMBERS.search(spelled):
@@ -244,10 +249,21 @@ def _in_si(number: str, kind: Kind) -> float:
     return float(quantity.to(SI[kind][0]).magnitude)
 
 
-def _spelled_out(text: str) -> str:
+def _with_points(text: str) -> str:
+    """Return the text with a comma that can only stand before decimals as a point."""
+    return DECIMAL_COMMA.sub(lambda number: number[0].replace(",", "."), text, count=1)
+
+
+def _spelled_out(text: str, kind: Kind) -> str:
     """Return the text with mixed fractions and feet-and-inches written as one decimal number and unit."""
+    text = ONE_SIGN_FRACTION.sub(lambda sign: " " + normalize("NFKC", sign[0]).replace("\u2044", "/"), text)
+    if kind == "length":
+        text = INCH_MARK.sub(" in", text)
+        text = FOOT_MARK.sub(" ft ", text)
+        if re.search(r"ft \d[^a-z]*$", text):  # 2'9 is two feet and nine inches
+            text += " in"
     if match := FEET_INCHES.match(text):
-        feet, inches = float(match[1]), match[2].split()
+        feet, inches = float(match[1]), match[2].replace("-", " ").split()
         total = 12 * feet + float(inches[0])
         if len(inches) == 2:
             top, bottom = inches[1].split("/")

@@ -44,7 +44,7 @@ def test_slips_of_a_drawing_are_refused_unless_insisted_on(changes: dict[str, An
             "profile was given as 0: write the unit too",
         ),
         ({"material": {"longitudnal_modulus": "15 GPa"}}, "did you mean 'longitudinal_modulus'"),
-        ({"mass": "30,5 oz"}, "decimals after a point"),
+        ({"mass": "30,500 oz"}, "decimals after a point"),
     ],
 )
 def test_every_refusal_says_how_to_mend_it(changes: dict[str, Any], words: str) -> None:
