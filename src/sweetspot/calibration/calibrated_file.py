@@ -18,6 +18,7 @@ from sweetspot.catalog.files.bat import read_toml
 from sweetspot.catalog.files.write import bat_table
 from sweetspot.catalog.files.write_implement import implement_table
 from sweetspot.dynamics.beam import GRADIENT_LIMIT
+from sweetspot.dynamics.outline_doubt import moi_doubt
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.golf_club import GolfClub
@@ -43,25 +44,43 @@ class Value:
 
 
 def properties(posterior: Posterior) -> dict[str, Value]:
-    """Return mass, balance point and moment of inertia about `moi_axis`, with errors of the whole posterior."""
+    """Return mass, balance point and moment of inertia about `moi_axis`, with errors of the whole posterior.
+
+    A bat's moment of inertia that was not measured is in doubt by as much as outlines tell it, `moi_doubt`.
+    """
     wanted = [Measurement("mass", Measured(1, 1)), Measurement("balance_point", Measured(1, 1)),
               Measurement("moi", Measured(1, 1), axis=moi_axis(posterior))]  # fmt: skip
     values = predicted(posterior.line, wanted)
     slopes = _slopes(posterior, wanted)
     errors = np.sqrt(np.einsum("ji,jk,ki->i", slopes, posterior.covariance, slopes))
-    kinds = {one.kind for one in posterior.measurements}
+    errors[2] = max(errors[2], _doubt_of_moi(posterior))
+    not_measured = fitted_names(posterior)
     return {
-        one.kind: Value(
-            Measured(float(value), float(error)), "measured" if kinds & set(MEASURING[one.kind]) else "fitted"
-        )
+        one.kind: Value(Measured(float(value), float(error)), "fitted" if one.kind in not_measured else "measured")
         for one, value, error in zip(wanted, values, errors, strict=True)
     }
+
+
+def fitted_names(posterior: Posterior) -> tuple[str, ...]:
+    """Return which of a written weight, balance point and moment of inertia no measurement tells by itself."""
+    kinds = {one.kind for one in posterior.measurements}
+    return tuple(name for name, measuring in MEASURING.items() if not kinds & set(measuring))
 
 
 def moi_axis(posterior: Posterior) -> float:
     """Return the axis of the told moment of inertia in m from the knob end: 6 in, or that of the swing weight."""
     own = posterior.line.bat
     return AXIS if isinstance(own, Bat) else own.moi_axis
+
+
+def _doubt_of_moi(posterior: Posterior) -> float:
+    """Return by how much the moment of inertia may be off that was not measured, kg m^2; see `moi_doubt`."""
+    own = posterior.line.bat
+    if not isinstance(own, Bat):
+        return 0.0
+    body, not_measured = rigid_body(posterior.line), fitted_names(posterior)
+    as_kept = own.replaced(balance_point=body.balance_point, moi=body.moi(AXIS), mass=body.mass, fitted=not_measured)
+    return moi_doubt(as_kept, body, AXIS)
 
 
 def _slopes(posterior: Posterior, wanted: list[Measurement]) -> Array:
@@ -124,7 +143,7 @@ def calibrated_bat(posterior: Posterior, damping: Measured | None) -> Bat:
         material = material.replaced(damping_ratio=damping.value)
     return bat.replaced(
         name=f"{bat.name}, calibrated", material=material, mass=body.mass, balance_point=body.balance_point,
-        moi=body.moi(AXIS), moi_axis=AXIS, density_gradient=gradient, calibrated=True,
+        moi=body.moi(AXIS), moi_axis=AXIS, fitted=fitted_names(posterior), density_gradient=gradient, calibrated=True,
     )  # fmt: skip
 
 
@@ -159,7 +178,7 @@ def _left_unknown(posterior: Posterior) -> dict[str, Any]:
 def _implement_table(posterior: Posterior, damping: Measured | None) -> dict[str, Any]:
     """Return the content of the file of a racket, club or stick; a club has head and grip for its weight."""
     own = posterior.line.bat
-    table = implement_table(own.replaced(name=f"{own.name}, calibrated"))
+    table = implement_table(own.replaced(name=f"{own.name}, calibrated", fitted=fitted_names(posterior)))
     units = {"mass": "kg", "balance_point": "m", "moi": "kg*m^2", "first_frequency": "Hz"}
     for name, one in {**properties(posterior), **material_values(posterior)}.items():
         if name in table:

@@ -19,6 +19,7 @@ import numpy as np
 from sweetspot.calibration.implement_unknowns import as_described, implement_deviated, implement_spreads
 from sweetspot.catalog.materials import material_spreads
 from sweetspot.dynamics.beam import BeamModel, beam_model
+from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat, PointMass
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.shell import Stations
@@ -126,12 +127,16 @@ def deviated(line: BeamModel, unknowns: Sequence[Unknown], deviations: Array) ->
     if not isinstance(line.bat, Bat):
         return implement_deviated(line, by)
     bat = _changed(line.bat, by)
+    first, second = line.unplaced
+    if "gyration" in by:  # moves no mass that the beam knows of
+        second += rigid_body(line).moi_cm * math.expm1(2 * by["gyration"])
     return replace(
         line,
         bat=bat,
         density_factor=line.density_factor * math.exp(by.get("density", 0.0)),
         density_gradient=line.density_gradient + by.get("density_gradient", 0.0),
         point_masses=(*bat.lumps(), *line.point_masses[len(line.bat.lumps()) :]),
+        unplaced=(first, second),
     )
 
 

@@ -20,11 +20,22 @@ OF_SWING = 0.06
 def moi_doubt(bat: Implement, body: RigidBody, axis: float) -> float:
     """Return one standard deviation in kg m^2 of the moment about an axis across the bat at ``axis`` m.
 
-    Zero where a moment was measured, and for other implements, whose outlines were not compared with measured ones.
-    With a measured balance point only the moment about it is in doubt, I(axis) = I_cm + M (axis - balance)^2.
+    Zero where a moment was measured, and for other implements, whose outlines were not compared with measured ones. A
+    moment that was fitted to weight, balance or taps is known no better than by the outline. With a measured balance
+    point only the moment about it is in doubt, I(axis) = I_cm + M (axis - balance)^2.
     """
-    if not isinstance(bat, Bat) or bat.moi is not None:
+    if not isinstance(bat, Bat) or is_swung(bat):
         return 0.0
-    if bat.balance_point is not None or axis == body.balance_point:
+    if is_balanced(bat) or axis == body.balance_point:
         return OF_CENTRE * body.moi_cm
     return OF_SWING * body.moi(axis)
+
+
+def is_swung(bat: Bat) -> bool:
+    """Return whether a bat's moment of inertia was measured."""
+    return bat.moi is not None and "moi" not in bat.fitted
+
+
+def is_balanced(bat: Bat) -> bool:
+    """Return whether a bat's balance point was measured."""
+    return bat.balance_point is not None and "balance_point" not in bat.fitted

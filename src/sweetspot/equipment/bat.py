@@ -78,7 +78,7 @@ class Bat(OfMaterial):
 
     Parameters
     ----------
-    name, sport, mass, balance_point, moi, moi_axis, choke : as for every `Implement`.
+    name, sport, mass, balance_point, moi, moi_axis, fitted, choke : as for every `Implement`.
     length : m, 0.3 to 1.3.
     material : of the body.
     profile : (position, diameter) stations in m from 0 to ``length``, positions increasing.
@@ -350,7 +350,7 @@ class Bat(OfMaterial):
 
         A measured balance point or moment of inertia belongs to the old weight and is dropped.
         """
-        return self.replaced(mass=mass, balance_point=None, moi=None, original=None)
+        return self.replaced(mass=mass, balance_point=None, moi=None, fitted=(), original=None)
 
     def with_material(self, material: Material) -> Self:
         """Return the same outline in another material; what was measured on the old one is dropped."""

@@ -74,6 +74,7 @@ class Implement(ShownInNotebooks, Validated, ABC):
     sport : catalogue name of the sport it is made for.
     mass, balance_point : measured, kg and m from the butt end; None when not measured.
     moi : measured moment of inertia in kg m^2 about ``moi_axis`` (m from the butt end).
+    fitted : names of those of the three that were not measured but follow from what was.
     choke : m the grip is moved up from the butt end; shifts the default pivot and hands.
     added : small weights that were fixed to it after it was measured.
     calibrated : whether what was measured counts even where the drawing has it only at an unusual density.
@@ -86,6 +87,7 @@ class Implement(ShownInNotebooks, Validated, ABC):
     balance_point: Positive | None = None
     moi: Positive | None = None
     moi_axis: float = STANDARD_AXIS
+    fitted: tuple[str, ...] = ()
     choke: NonNegative = 0.0
     added: tuple[AddedMass, ...] = ()
     calibrated: bool = False

@@ -216,7 +216,7 @@ def measure(
         slowest=min(hit.shot.closing_speed for hit in best),
         fastest=max(hit.shot.closing_speed for hit in best),
         ball_stiffness=fmean(stiff) if stiff else None,
-        notes=_notes(groups, best, bat=bat, by_moi=by_moi, normalised=all(given), stiff=bool(stiff)),
+        notes=_notes(groups, best, by_moi=by_moi, normalised=all(given), stiff=bool(stiff)),
         by_moi=by_moi,
     )
 
@@ -316,7 +316,7 @@ def _outliers(hits: list[Hit]) -> tuple[Outlier, ...]:
 
 
 def _notes(
-    groups: list[list[Hit]], best: list[Hit], *, bat: Bat, by_moi: float, normalised: bool, stiff: bool
+    groups: list[list[Hit]], best: list[Hit], *, by_moi: float, normalised: bool, stiff: bool
 ) -> tuple[str, ...]:
     top = _place(best)
     facts: Mapping[str, bool] = {
@@ -324,7 +324,7 @@ def _notes(
             not normalised
         ),
         f"The bat's moment of inertia is computed from its outline, not measured: by it BBCOR is known to "
-        f"± {by_moi * top.bbcor:.3f} only. Give moi in the bat file.": bat.moi is None,
+        f"± {by_moi * top.bbcor:.3f} only. Give moi in the bat file.": by_moi > 0,
         "Ball stiffness is reported; no correction for it is made.": stiff,
         "A place hit only once gave a greater BBCOR than the best place; repeat it.": any(
             len(group) == 1 and group[0].normalised > top.bbcor for group in groups

@@ -17,6 +17,7 @@ from sweetspot.catalog.balls import ball_spreads
 from sweetspot.catalog.bats import other_files
 from sweetspot.catalog.implements import implement
 from sweetspot.catalog.sports import sport
+from sweetspot.dynamics.outline_doubt import OF_CENTRE, is_balanced, is_swung
 from sweetspot.dynamics.patch import PATCH_SPREAD
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
@@ -148,7 +149,7 @@ def sources_of(
         allows for bats of this kind, after the weight, balance point and moment of inertia in its file.
     bat_speed_error, pitch_speed_error : one standard deviation in m/s; 0: exactly as given.
     """
-    unknowns, covariance = expected_deviations(bat) if known is None else known
+    unknowns, covariance = _with_gyration(bat, *(expected_deviations(bat) if known is None else known))
     of_kind = "materials of the catalogue" if isinstance(bat, Bat) else "how much others of its kind differ (assumed)"
     where = f"{of_kind}, after what its file says was measured" if known is None else "its calibration"
     where = where if unknowns else "taken as described: how its plies may differ is not modelled"
@@ -157,6 +158,18 @@ def sources_of(
         (*ball_sources(conditions), *patch_sources(bat), *_speeds(bat_speed_error, pitch_speed_error)), where,
         sport(bat.sport).words.implement,
     )  # fmt: skip
+
+
+def _with_gyration(bat: Implement, unknowns: Sequence[Unknown], covariance: Array) -> tuple[tuple[Unknown, ...], Array]:
+    """Return unknowns and covariance with the radius of gyration of a balanced bat whose moment was not measured.
+
+    Of what was measured on it nothing tells that radius but its outline; see `moi_doubt`.
+    """
+    measured = bat.as_measured()
+    if not isinstance(measured, Bat) or not is_balanced(measured) or is_swung(measured) or not unknowns:
+        return tuple(unknowns), covariance
+    more = Unknown("gyration", OF_CENTRE / 2)
+    return (*unknowns, more), np.pad(covariance, (0, 1)) + np.diag([*np.zeros(len(unknowns)), more.spread**2])
 
 
 def expected_deviations(bat: Implement) -> tuple[tuple[Unknown, ...], Array]:
@@ -180,7 +193,7 @@ def _written(own: Implement) -> list[Measurement]:
     others = () if isinstance(own, Bat) else map(implement, other_files())
     usual = next((one for one in others if one.sport == own.sport), None)
     mass, balance_point, moi, frequency = (
-        None if usual is not None and getattr(own, name) == getattr(usual, name) else getattr(own, name)
+        None if name in own.fitted or (usual and getattr(own, name) == getattr(usual, name)) else getattr(own, name)
         for name in ("mass", "balance_point", "moi", "frequency")
     )
     given = []

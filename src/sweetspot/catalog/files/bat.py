@@ -31,6 +31,8 @@ Text = str
 Pairs = tuple[tuple[Text, Text], ...]
 MAX_BYTES = 250_000
 """Of a bat's file: ten times what the longest outline takes, and read in a tenth of a second."""
+COULD_BE_FITTED = ("mass", "balance_point", "moi")
+"""Values that count as measured where a file has them, unless it says that they were fitted."""
 DEEPEST_KEY = 40
 DEEP_KEY = re.compile(rf"""(?<![\w"'-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')\s*+\.\s*+){{{DEEPEST_KEY}}}""")
 """A key of many parts joined by dots."""
@@ -160,6 +162,7 @@ class BatFile(FileTable):
     balance_point: Text | None = Field(None, description="measured, from the knob end")
     moi: Text | None = Field(None, description="measured moment of inertia about moi_axis")
     moi_axis: Text = Field("6 in", description="axis of moi, from the knob end")
+    fitted: tuple[str, ...] = Field((), description="which of mass, balance_point and moi were not measured but fitted")
     bore: Annotated[tuple[BoreTable, ...], BeforeValidator(_listed)] = ()
     cup: CupTable | None = None
     shell: ShellTable | None = None
@@ -210,10 +213,23 @@ def bat_from_table(table: dict[str, Any], where: str) -> Bat:
     try:
         if table.get("sport", "baseball") != "baseball":
             check_sport(str(unwrapped(table["sport"])), kind="bat")
-        return checked_drawing(_bat(BatFile(**{key: unwrapped(value) for key, value in table.items()})))
+        told = with_fitted(table)
+        return checked_drawing(_bat(BatFile(**{key: unwrapped(value) for key, value in told.items()})))
     except InputError as error:
         message = re.sub(r"\b\w*table: ", "", str(error).removeprefix("batfile: ").removeprefix("bat: "))
         raise InputError(f"{where}: {message}") from None
+
+
+def with_fitted(table: dict[str, Any]) -> dict[str, Any]:
+    """Return a file's table that says under ``fitted`` what its records say was fitted, also of the original bat."""
+    original = table.get("original")
+    told = {**table, "original": with_fitted(original)} if isinstance(original, dict) else table
+    by_record = [name for name in COULD_BE_FITTED if isinstance(one := table.get(name), dict) and _is_fitted(one)]
+    return {**told, "fitted": by_record} if by_record else told
+
+
+def _is_fitted(record: dict[str, Any]) -> bool:
+    return record.get("kind") == "fitted"
 
 
 def checked_drawing(bat: Bat) -> Bat:
@@ -276,6 +292,7 @@ def _bat(file: BatFile) -> Bat:
         balance_point=None if file.balance_point is None else parse(file.balance_point, "length", "balance_point"),
         moi=None if file.moi is None else parse(file.moi, "moi", "moi"),
         moi_axis=parse(file.moi_axis, "length", "moi_axis"),
+        fitted=file.fitted,
         choke=parse(file.choke, "length", "choke"),
         original=None if file.original is None else _bat(file.original),
         calibrated=file.calibration is not None,

@@ -9,7 +9,15 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
-from sweetspot.catalog.files.bat import BatFile, CalibrationTable, PlyTable, bat_from_table, laminate_of, read_toml
+from sweetspot.catalog.files.bat import (
+    BatFile,
+    CalibrationTable,
+    PlyTable,
+    bat_from_table,
+    laminate_of,
+    read_toml,
+    with_fitted,
+)
 from sweetspot.catalog.files.like import resolved
 from sweetspot.catalog.files.sport_kind import check_sport
 from sweetspot.catalog.files.tables import (
@@ -65,6 +73,7 @@ class CommonTable(FileTable):
         None, description="measured moment of inertia about moi_axis (swing weight)"
     )
     moi_axis: Length = Field("0 cm", description="axis of moi, from the butt end")
+    fitted: tuple[str, ...] = Field((), description="which of mass, balance_point and moi were not measured but fitted")
     choke: Length = Field("0 cm", description="how far the grip is moved up from the butt end")
     note: str | None = Field(None, description="anything worth knowing about it")
     point_mass: tuple[AddedTable, ...] = Field((), description="small weights added after it was measured: lead tape")
@@ -196,7 +205,7 @@ def implement_from_table(table: dict[str, Any], where: str) -> Implement:
     made_from, make = KINDS[kind]
     try:
         check_sport(str(unwrapped(table.get("sport", ""))), kind=kind)
-        return make(made_from(**{key: _unwrapped(value) for key, value in table.items()}))
+        return make(made_from(**{key: _unwrapped(value) for key, value in with_fitted(table).items()}))
     except InputError as error:
         message = re.sub(PREFIXES, "", str(error))
         if message.count("is missing") >= MANY_MISSING:

@@ -50,6 +50,7 @@ def bat_table(bat: Bat) -> dict[str, Any]:
         "balance_point": _with(bat.balance_point, "m"),
         "moi": _with(bat.moi, "kg*m^2"),
         "moi_axis": None if bat.moi is None else length_text(bat.moi_axis),
+        "fitted": list(bat.fitted) or None,
         "choke": length_text(bat.choke) if bat.choke else None,
         "sport": None if bat.sport == Bat.model_fields["sport"].default else bat.sport,
     }

@@ -91,6 +91,7 @@ def _common(implement: Implement) -> dict[str, Any]:
         **_given(mass=(implement.mass, "kg"), balance_point=(implement.balance_point, "m")),
         **_given(moi=(implement.moi, "kg*m^2")),
         "moi_axis": length_text(implement.moi_axis),
+        **({"fitted": list(implement.fitted)} if implement.fitted else {}),
         "choke": length_text(implement.choke),
         **({"point_mass": weights} if weights else {}),
     }

@@ -5,15 +5,13 @@ from __future__ import annotations
 from itertools import chain
 from typing import Any
 
-from sweetspot.calibration.calibrated_file import Value, material_values, moi_axis, properties
+from sweetspot.calibration.calibrated_file import Value, material_values, properties
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import MeasuredKind, Measurement, predicted
 from sweetspot.calibration.posterior import CONTRADICTION, Posterior, right_mode, suspects
 from sweetspot.catalog.materials import keys_by_name, material
 from sweetspot.catalog.sports import sport
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.outline_doubt import moi_doubt
-from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
@@ -243,14 +241,10 @@ def moi_words(posterior: Posterior) -> list[Sentence]:
     own, values = posterior.line.bat, properties(posterior)
     if not isinstance(own, Bat) or values["moi"].kind == "measured":
         return []
-    body = rigid_body(posterior.line)
-    balance = body.balance_point if values["balance_point"].kind == "measured" else None
-    doubt = moi_doubt(own.replaced(moi=None, balance_point=balance), body, moi_axis(posterior))
     return [
         say(
-            "The MOI was not measured: its interval holds for an outline measured on this very bat. With the outline "
-            "of another one it is about ± {half}. Hang the bat and give --pendulum to know it.",
-            half=Slot(REACH * doubt, "moi", round=True),
+            "The MOI was not measured: its interval is what the outlines of other bats miss by. Hang the bat and give "
+            "--pendulum to know it."
         )
     ]
 

@@ -145,7 +145,7 @@ def _rules(
         rules = league(usual if state.league == "usual" else state.league)
     known = construction_findings(fitted, body=body)
     known["solid_wood"] = construction_findings(own, body=own_body)["solid_wood"]  # without the tape
-    if "moi" in values:
+    if "moi" in values and "moi" not in fitted.fitted:
         moi = values["moi"].value
         known["moi"] = Finding(moi.value, interval=(moi.low, moi.high), interval_is="the 90 % interval")
     return [
