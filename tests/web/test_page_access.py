@@ -64,6 +64,44 @@ def test_the_explorer_works_without_a_mouse(page: Page, server: str, answered: A
     assert page.evaluate("document.activeElement.id") == "view"
 
 
+COVERED = """(() => {
+  const { left, top, width, height } = document.activeElement.getBoundingClientRect();
+  const there = document.elementFromPoint(left + width / 2, top + Math.min(20, height / 2)); // of what is tall, its top
+  return !(document.activeElement.contains(there) || there?.contains(document.activeElement));
+})()"""
+
+
+@pytest.mark.parametrize("view", ["explorer", "flight"])
+def test_on_a_phone_the_keyboard_reaches_the_picture_first_and_nothing_that_is_covered(
+    page: Page, server: str, settled: Callable[[Page], None], view: str
+) -> None:
+    page.set_viewport_size({"width": 390, "height": 844})
+    page.goto(f"{server}/{view}")
+    settled(page)
+    page.locator("#view").focus()
+    reached, covered = [], []
+    while "Controls" not in "".join(reached):
+        page.keyboard.press("Tab")
+        page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+        words = page.evaluate("document.activeElement.getAttribute('aria-label') || document.activeElement.textContent")
+        reached.append(words[:40])
+        assert len(reached) < 40
+        if page.evaluate(COVERED):
+            covered.append(words[:40])
+    assert len(reached) > 8
+    assert not covered
+
+
+def test_a_low_window_is_not_filled_by_what_stays_on_top(
+    page: Page, server: str, settled: Callable[[Page], None]
+) -> None:
+    page.set_viewport_size({"width": 720, "height": 450})  # a laptop's at 200 %
+    page.goto(f"{server}/explorer")
+    settled(page)
+    page.evaluate("scrollTo(0, 600)")
+    assert page.evaluate("document.querySelector('#view .pinned').getBoundingClientRect().bottom") < 100
+
+
 def test_what_is_wrong_is_tied_to_its_field(page: Page, server: str, answered: Answered) -> None:
     page.goto(f"{server}/explorer")
     answered(page)

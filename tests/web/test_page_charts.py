@@ -93,6 +93,13 @@ def test_fingers_zoom_and_scroll_without_moving_the_ball(
     repainted(page, lambda: touched(*([(-8.0 * step, 0.0)] for step in range(8))))
     settled(page)
     assert "impact_from_tip_in" in page.url
+    before = page.url
+    below = page.locator("#view canvas").nth(1).bounding_box()
+    assert below is not None
+    apart = below["y"] + 40 - y  # one finger on the bat, the other on the map
+    touched([(0.0, 0.0), (20.0, apart)], [(-20.0, 0.0), (40.0, apart)], [(-40.0, 0.0), (60.0, apart)])
+    settled(page)
+    assert page.url == before
     page.goto(f"{server}/explorer?bore_diameter_in=1&bore_depth_in=6")
     settled(page)
     hole = page.evaluate("""async () => {

@@ -352,7 +352,7 @@ export class App {
     this.say([]);
     view.mount(root, this);
     if (!root.querySelector("h1")) root.prepend(Object.assign(document.createElement("h1"), { className: "unseen", textContent: entry.title }));
-    drawerOf(/** @type {HTMLElement | null} */ (root.querySelector(":scope > .side")));
+    drawerOf(/** @type {HTMLElement | null} */ (root.querySelector(":scope > .side")), root, this.signal);
     this.hollow = false;
     showAbsent("");
     if (this.lost) this.lacks(entry.title);

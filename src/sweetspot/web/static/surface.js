@@ -7,6 +7,16 @@
 
 export const FONT = "system-ui, 'DejaVu Sans', sans-serif";
 
+const touching = new Set(); // fingers on the page, on whatever picture: two that pinch may lie on two of them
+let alone = true; // whether the last of them came to no other
+addEventListener("pointerdown", ({ pointerType, pointerId }) => {
+  if (pointerType === "touch") touching.add(pointerId);
+  alone = touching.size < 2;
+}, true);
+for (const gone of ["pointerup", "pointercancel"]) {
+  addEventListener(gone, (event) => event instanceof PointerEvent && touching.delete(event.pointerId), true);
+}
+
 export class Surface {
   /**
    * @param {App} app
@@ -31,13 +41,11 @@ export class Surface {
     this.context = /** @type {CanvasRenderingContext2D} */ (this.element.getContext("2d")); // which every browser has
     /** @type {Map<number, number>} */
     this.fingers = new Map(); // that touch it, by their number: where
-    this.alone = true; // whether the last of them came to no other
     new ResizeObserver(() => this.fit() && this.draw()).observe(this.element);
     this.element.addEventListener("pointerdown", () => (this.pressed = true)); // from now on the wheel is the picture's
     this.element.addEventListener("pointerleave", () => (this.pressed = false));
     this.element.addEventListener("pointerdown", (event) => {
       if (event.pointerType === "touch") this.fingers.set(event.pointerId, event.offsetX);
-      this.alone = this.fingers.size < 2;
     });
     for (const gone of ["pointerup", "pointercancel", "pointerleave"]) {
       this.element.addEventListener(gone, (event) => event instanceof PointerEvent && this.fingers.delete(event.pointerId));
@@ -139,7 +147,7 @@ export class Surface {
       if (event.touches.length === 1 && holds(placed(event.touches[0]))) event.preventDefault(); // the page is not scrolled
     }, { passive: false });
     this.element.addEventListener("pointerdown", (event) => {
-      if (event.button !== 0 || this.fingers.size > 1) return;
+      if (event.button !== 0 || !alone) return;
       const box = this.element.getBoundingClientRect();
       const place = (/** @type {PointerEvent} */ moved) => placed(moved, box);
       const start = place(event);
@@ -153,7 +161,7 @@ export class Surface {
         this.element.removeEventListener("pointercancel", end);
       };
       const move = (/** @type {PointerEvent} */ moved) => {
-        if (this.fingers.size > 1) {
+        if (touching.size > 1) {
           if (!begun) stop();
           return;
         }
@@ -168,7 +176,7 @@ export class Surface {
       };
       const end = (/** @type {PointerEvent} */ ended) => {
         stop();
-        if (!begun && (ended.type === "pointercancel" || !this.alone || !begin())) return;
+        if (!begun && (ended.type === "pointercancel" || !alone || !begin())) return;
         onMove({ ...place(ended), first: false, last: true });
       };
       this.element.addEventListener("pointermove", move);
