@@ -18,7 +18,21 @@ def test_a_bat_is_weighed_tapped_and_carried_to_other_views(
 ) -> None:
     page.goto(f"{server}/own?balanced_in=22.05&pendulum_ms=1454.5")
     count = answered(page)
-    page.get_by_role("button", name="As shown").first.click()
+    weight = page.locator("[data-field=weighed_oz] input[type=number]")
+    expect(weight).to_have_value("")  # what the bat as described weighs is not passed off as measured
+    expect(page.get_by_label("It weighs").first).to_have_attribute("aria-valuetext", "not measured")
+    expect(page.locator("[data-field=weighed_error_oz]")).to_be_hidden()
+    weight.fill("31")
+    weight.press("Tab")
+    count = answered(page, count)
+    expect(page.locator("[data-field=weighed_error_oz] input[type=number]")).to_have_value("0.08")  # 90 %
+    expect(page.get_by_role("row", name="mass").first).to_contain_text("31.00 oz ± 0.08 oz")
+    weight.fill("")
+    weight.press("Tab")
+    count = answered(page, count)
+    assert "weighed_oz" not in page.url
+    weight.fill("31")
+    weight.press("Tab")
     answered(page, count)
     expect(page.locator("#verdict")).to_contain_text("The measurements agree")
     page.locator("#tap-file").set_input_files(taps)
@@ -73,7 +87,7 @@ def test_what_was_measured_stays_with_the_bat_in_hand_and_the_page_says_so(
     page.get_by_label("Bat", exact=True).select_option("mlb-a")
     expect(page.locator("#moved")).to_contain_text("Measured while the bat was described as R161")
     expect(page.get_by_role("row", name="mass").first).to_contain_text("31.00 oz")
-    page.get_by_role("button", name="Nothing measured").click()
+    page.get_by_role("button", name="Forget what was measured").click()
     expect(page.locator("#moved")).to_be_hidden()
 
 

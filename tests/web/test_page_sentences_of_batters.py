@@ -100,7 +100,8 @@ def test_own_bat_says_what_it_is_now(measured: dict[str, float], said: Said) -> 
     against = bool(found["contradictions"]["us"])
     assert ("As described, not measured" in words) == (not measured)
     assert words.startswith("The measurements contradict each other.") == against
-    assert words.startswith("The measurements agree.") == (bool(measured) and not against)
+    assert words.startswith("The measurements agree.") == (len(measured) > 1 and not against)
+    assert words.startswith("By one measurement and what is usual of such bats: ") == (len(measured) == 1)
     assert against == (measured.get("pendulum_ms") == 1430.0)
     assert (
         f"{shown(fitted['mass_kg'], 'mass')}, balance {shown(fitted['balance_point_m'], 'place')} from the knob"

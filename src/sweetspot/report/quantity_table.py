@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any, Literal
 
 from sweetspot.equipment.sport import Words
+from sweetspot.numerics.confidence import REACH
 from sweetspot.report.quantities import PALETTE, QUANTITIES, SCALES, SYSTEMS, Reader, System, Unit
 from sweetspot.report.sentences import Slot
 from sweetspot.report.sweet_spots import SPOTS
@@ -48,7 +49,7 @@ US or SI unit or in the plain unit of the International System."""
 
 
 def quantity_data() -> dict[str, Any]:
-    """Return scales, endings of names, quantities and sweet spots.
+    """Return scales, endings of names, quantities, sweet spots, and the reach of every interval in standard deviations.
 
     What is shown of a stored value is value * scale + offset, with ``digits`` places and ``unit`` behind it.
     """
@@ -61,6 +62,7 @@ def quantity_data() -> dict[str, Any]:
         },
         "spots": {name: {"label": spot.labelled(Words()), "colour": _hue(spot.colour)} for name, spot in SPOTS.items()},
         "palette": dict(PALETTE),
+        "reach": REACH,
     }
 
 

@@ -5,6 +5,9 @@
 //   slider(app, "ball_cor", { label: "Ball COR", step: 0.005, empty: 0.55 })   may be empty (null): shows 0.55 until moved;
 //                                                      empty may be a function, asked again after every answer; so may
 //                                                      label
+//   slider(app, "weighed_oz", { label: "It weighs", step: 0.05, empty: 31, absent: "not measured" })   empty is empty:
+//                                                      no number until somebody gives one, and none once it is wiped out
+//   slider(app, "error_oz", { label: "Give or take", step: 0.01, times: 1.6449 })   shown is so many times the value
 //   choice(app, "ball", { label: "Ball", options: [["baseball", "Baseball"]] })
 //   toggle(app, "fixed", { label: "Held fast" })
 //   group("Swing", [slider(...), ...], { open: true })   controls under a heading that folds
@@ -27,9 +30,9 @@ let count = 0;
 /**
  * @param {Desk} app
  * @param {string} field
- * @param {{ label: Words, step: number, empty?: number | null | (() => number | null), note?: string, onInput?: ((value: number) => void) | null }} look
+ * @param {{ label: Words, step: number, empty?: number | null | (() => number | null), absent?: string, times?: number, note?: string, onInput?: ((value: number) => void) | null }} look
  */
-export function slider(app, field, { label, step, empty = null, note = "", onInput = null }) {
+export function slider(app, field, { label, step, empty = null, absent = "", times = 1, note = "", onInput = null }) {
   const limits = () => narrowed(boundsOf(app.schema[field]), app.bounds?.(field));
   let bounds = limits();
   const { box, fault, id, name } = frame(field, label, note);
@@ -42,8 +45,9 @@ export function slider(app, field, { label, step, empty = null, note = "", onInp
   number.setAttribute("aria-describedby", `${id}-fault`);
   partOf(box, ".entry", HTMLElement).append(range, number, unit);
   let scaled = "";
-  const shown = (/** @type {number} */ value) => toShown(field, value, app.units);
-  const stepShown = () => niceStep(Math.abs(shown(step) - shown(0)), app.units === "us" ? 0 : 1);
+  if (absent) number.placeholder = "–";
+  const shown = (/** @type {number} */ value) => toShown(field, times * value, app.units);
+  const stepShown = () => niceStep(Math.abs(shown(step) - shown(0)), app.units === "us" && times === 1 ? 0 : 1);
 
   function scale() {
     bounds = limits();
@@ -68,11 +72,15 @@ export function slider(app, field, { label, step, empty = null, note = "", onInp
    */
   function take(text, commit) {
     const given = Number(text);
+    if (absent && text.trim() === "" && !number.validity.badInput) {
+      app.setState({ [field]: null }, { commit });
+      return;
+    }
     if (text.trim() === "" || !Number.isFinite(given)) {
       control.fault(text.trim() === "" ? "Give a number." : `${text} is not a number.`);
       return;
     }
-    const value = tidy(fromShown(field, given, app.units));
+    const value = tidy(fromShown(field, given, app.units) / times);
     if (value < bounds.least - 1e-9 || value > bounds.most + 1e-9) {
       control.fault(`Allowed is ${range.min} to ${range.max} ${unit.textContent}.`);
       return;
@@ -99,15 +107,16 @@ export function slider(app, field, { label, step, empty = null, note = "", onInp
     /** @param {State} state */
     sync(state) {
       scale();
-      const value = state[field] ?? (typeof empty === "function" ? empty() : empty);
+      const value = state[field] ?? (typeof empty === "function" ? empty() : empty) ?? (absent ? (bounds.least + bounds.most) / 2 : null);
       if (typeof value !== "number") return;
       const fine = stepShown();
       if (document.activeElement !== range || Math.abs(Number(range.value) - shown(value)) > fine / 2) range.value = String(shown(value));
-      const written = String(Number(shown(value).toFixed(decimals(fine))));
+      const given = !absent || state[field] !== null;
+      const written = given ? String(Number(shown(value).toFixed(decimals(fine)))) : "";
       if (number.value !== written && (document.activeElement !== number || (fault.hidden && !typing))) number.value = written;
-      const said = `${number.value} ${unit.textContent}`;
+      const said = given ? `${number.value} ${unit.textContent}` : absent;
       if (range.getAttribute("aria-valuetext") !== said) range.setAttribute("aria-valuetext", said);
-      box.classList.toggle("untouched", state[field] === null);
+      box.classList.toggle("absent", !given);
     },
     fault: faultSetter(fault, [range, number]),
   };

@@ -4,8 +4,8 @@
 //   box.append(list.element);
 //   list.show([{ state: "pass", name: "weight", words: "31.0 oz" }]);     // pass, fail, unsure, doubt or none
 
-import { make } from "./parts.js";
-/** @import { Answer } from "./main.js" */
+import { make, partOf } from "./parts.js";
+/** @import { Answer, App } from "./main.js" */
 
 const SIGNS = { pass: ["✓", "kept"], fail: ["✗", "not kept"], unsure: ["?", "not sure"], doubt: ["?", "not decidable"], none: ["–", "does not apply"] };
 
@@ -18,6 +18,9 @@ export class Lights {
     this.shown = "";
     this.element = make("div", { className: "lights", hidden: true }, make("h2", { textContent: title }), this.list);
   }
+
+  /** @param {string} title */
+  head(title) { partOf(this.element, "h2", HTMLElement).textContent = title; }
 
   /** @param {{ state: Light, name: string, words?: string }[]} lights */
   show(lights) {
@@ -41,3 +44,22 @@ export const isUnsure = (/** @type {Answer} */ { verdict, sure }) => (verdict ==
 
 /** The light of a rule that was held against a bat. */
 export const stateOf = (/** @type {Answer} */ check) => (isUnsure(check) ? "unsure" : LIGHTS[check.verdict] ?? "none");
+
+/** @type {Record<string, string>} */
+const KINDS = { m: "length", "kg m^2": "moi" };
+
+/**
+ * A league's rules, each with what the bat has and the limit.
+ * @param {Lights} lights
+ * @param {Answer[]} rules
+ * @param {App} app
+ */
+export function showRules(lights, rules, app) {
+  lights.head(rules.length ? `Rules of ${rules[0].league_name}` : "Rules");
+  lights.show(rules.map((rule) => {
+    const show = (/** @type {number} */ one) => app.text(KINDS[rule.unit] ?? "ratio", one);
+    const ends = [rule.least === null ? "" : `at least ${show(rule.least)}`, rule.most === null ? "" : `at most ${show(rule.most)}`].filter(Boolean).join(", ");
+    const known = typeof rule.value === "number" && rule.unit !== "yes or no" ? [show(rule.value), ends].filter(Boolean).join(", ") : "";
+    return { state: stateOf(rule), name: rule.title, words: [known, rule.reason].filter(Boolean).join("; ") };
+  }));
+}

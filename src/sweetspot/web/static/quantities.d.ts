@@ -10,5 +10,6 @@ declare const table: {
   quantities: Record<string, { label: string; scale: string; colour: string | null }>;
   spots: Record<string, { label: string; colour: string | null }>;
   palette: Record<string, string>;
+  reach: number;
 };
 export default table;

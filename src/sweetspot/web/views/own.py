@@ -15,7 +15,7 @@ from sweetspot.calibration.unknowns import described as beam_of
 from sweetspot.catalog.rules import league
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.outline_doubt import moi_doubt
-from sweetspot.dynamics.rigid import RigidBody, rigid_body
+from sweetspot.dynamics.rigid import RigidBody, pendulum_period, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.confidence import REACH
 from sweetspot.numerics.constants import STANDARD_AXIS
@@ -38,7 +38,7 @@ from sweetspot.web.drawings import outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.recipes import bat_name, bat_text, option
 from sweetspot.web.view import View
-from sweetspot.web.views.own_state import OwnState, bat_of, damping_of, measurements_of, posterior_of
+from sweetspot.web.views.own_state import FARTHEST_PIVOT, OwnState, bat_of, damping_of, measurements_of, posterior_of
 from sweetspot.web.views.own_tap import expected_tones, tap
 
 LEAST_SHARE = 0.02
@@ -67,7 +67,7 @@ def answer(state: OwnState) -> dict[str, Any]:
         },
         "fitted": bat_json(fitted.name, fitted.length, body)
         | {"moi_6in_half_kg_m2": REACH * moi_doubt(fitted, body, STANDARD_AXIS)},
-        "guesses": _guesses(described_body),
+        "guesses": _guesses(described_body, state),
         "expected": expected_tones(state),
         "values": [] if told is None else _values(known, told, damping_of(state)),
         "unknowns": [] if told is None else _unknowns(told),
@@ -78,9 +78,14 @@ def answer(state: OwnState) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _guesses(body: RigidBody) -> dict[str, float]:
+def _guesses(body: RigidBody, state: OwnState) -> dict[str, float | None]:
     """Return what the bat as described would measure, where its controls stand until somebody has measured."""
-    return {"weighed_oz": body.mass / OUNCE, "balanced_in": body.balance_point / INCH}
+    pivot = state.pivot_in * INCH
+    period = None
+    if pivot <= FARTHEST_PIVOT * body.balance_point:
+        period = pendulum_period(body.moi(pivot), mass=body.mass, balance_point=body.balance_point, pivot=pivot)
+    return {"weighed_oz": body.mass / OUNCE, "balanced_in": body.balance_point / INCH,
+            "pendulum_ms": None if period is None else 1e3 * period}  # fmt: skip
 
 
 def _values(known: dict[str, Value], posterior: Posterior, damping: Measured | None) -> list[dict[str, Any]]:

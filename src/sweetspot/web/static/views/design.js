@@ -5,7 +5,7 @@ import { Bench, ballGroup, swingGroup, unchanged } from "../bench.js";
 import { Chart } from "../chart.js";
 import { button, choice, group, reveal, slider, toggle } from "../controls.js";
 import { download } from "../download.js";
-import { Lights, stateOf } from "../lights.js";
+import { Lights, showRules } from "../lights.js";
 import { make, paragraphs, tableOf, tell, withDoubt, write } from "../parts.js";
 import { Front, WANTS } from "./design_front.js";
 /** @import { Answer, App, Control, State, Step, View } from "../main.js" */
@@ -255,16 +255,9 @@ export const view = {
     const { app } = this;
     const words = (/** @type {Answer} */ { scale, value, kept, miss, why }) => `${app.text(scale, value)}${kept ? "" : `, beyond by ${app.text(scale, miss)}`}${why === "kept as it is" ? "" : ` (${why})`}`;
     const lamp = (/** @type {Answer} */ one) => ({ state: one.kept ? "pass" : "fail", name: one.label, words: words(one) });
-    /** @type {Record<string, string>} */
-    const kinds = { m: "length", "kg m^2": "moi" };
     this.lights.locks.show(locks.map(lamp));
     this.lights.limits.show(limits.filter(({ why, kept }) => !kept || !rules.some(({ league_name: name }) => name === why)).map(lamp));
-    this.lights.rules.show(rules.map(({ verdict, sure, title, value, unit, reason, most, least }) => {
-      const show = (/** @type {Answer} */ one) => (kinds[unit] ? app.text(kinds[unit], one) : app.text("ratio", one));
-      const ends = [least === null ? "" : `at least ${show(least)}`, most === null ? "" : `at most ${show(most)}`].filter(Boolean).join(", ");
-      const known = typeof value === "number" && unit !== "yes or no" ? `${show(value)}, ${ends}` : "";
-      return { state: stateOf({ verdict, sure }), name: title, words: [known, reason].filter(Boolean).join("; ") };
-    }));
+    showRules(this.lights.rules, rules, app);
   },
 
   /** @param {{ measures: Answer[] }} given */

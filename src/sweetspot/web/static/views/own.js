@@ -4,8 +4,9 @@ import { BatView } from "../batview.js";
 import { Bench, unchanged } from "../bench.js";
 import { button, choice, group, slider } from "../controls.js";
 import { download } from "../download.js";
-import { Lights, stateOf } from "../lights.js";
+import { Lights, showRules } from "../lights.js";
 import { make, paragraphs, tableOf, tell, withDoubt } from "../parts.js";
+import table from "../quantities.js";
 import { takeDrops } from "../upload.js";
 import { SOUNDS, TapPlace } from "./own_tap.js";
 /** @import { Answer, App, View } from "../main.js" */
@@ -49,20 +50,23 @@ export const view = {
   /** @param {App} app */
   side(app) {
     const guess = (/** @type {string} */ field) => () => app.answer?.guesses[field] ?? null;
-    // Where what was measured is just what stands there already, the slider need not be moved.
-    const none = (/** @type {string} */ field, /** @type {Answer} */ shown) => make("div", { className: "row tight" }, button("As shown", () => app.setState({ [field]: app.state[field] ?? Math.round(1000 * shown()) / 1000 })),
-      button("Not measured", () => app.setState({ [field]: null })));
+    /** @type {{ field: string, given: HTMLElement[], lacks: HTMLElement }[]} */
+    this.steps = [];
+    // What somebody measures; its error, and the way back, are there once it is measured. Errors are told as all intervals.
+    const measured = (/** @type {string} */ field, /** @type {string} */ label, /** @type {number} */ step, /** @type {string} */ error, /** @type {number} */ fine, /** @type {string} */ note) => {
+      const lacks = make("p", { className: "note", textContent: `Not measured. ${note}` });
+      const given = [slider(app, error, { label: "Give or take (90 %)", step: fine, times: table.reach }), make("div", { className: "row tight" }, button("Not measured", () => app.setState({ [field]: null })))];
+      this.steps.push({ field, given, lacks });
+      return [slider(app, field, { label, step, empty: guess(field), absent: "not measured" }), lacks, ...given];
+    };
     const leagues = app.lists("leagues").then(({ leagues: all }) => [["usual", "usual for this bat"], ...all.map(({ key, name }) => [key, name])]);
     return make("div", { className: "side" }, this.bench.element,
-      group("Scale", [slider(app, "weighed_oz", { label: "It weighs", step: 0.05, empty: guess("weighed_oz") }),
-        slider(app, "weighed_error_oz", { label: "Give or take (one sigma)", step: 0.005 }), none("weighed_oz", guess("weighed_oz"))]),
-      group("Balance", [slider(app, "balanced_in", { label: "Balances, from the knob's end", step: 0.05, empty: guess("balanced_in") }),
-        slider(app, "balanced_error_in", { label: "Give or take (one sigma)", step: 0.01 }), none("balanced_in", guess("balanced_in"))]),
-      group("Pendulum", [slider(app, "pendulum_ms", { label: "One full swing takes", step: 0.5, empty: 1450, note: "Time ten swings there and back; a tenth of that. Small swings." }),
-        slider(app, "pendulum_error_ms", { label: "Give or take (one sigma)", step: 0.5 }),
-        slider(app, "pivot_in", { label: "Hung, from the knob's end", step: 0.05 }), none("pendulum_ms", () => 1450)]),
-      group("Tap and trust", [slider(app, "tap_from_tip_in", { label: "Tapped, from the tip", step: 0.25 }),
-        slider(app, "diameter_error", { label: "Diameters known to (part)", step: 0.0005 }), choice(app, "league", { label: "Rules of", options: leagues })], { open: false }));
+      group("Scale", measured("weighed_oz", "It weighs", 0.05, "weighed_error_oz", 0.01, "Move the slider, or type what the scale says.")),
+      group("Balance", measured("balanced_in", "Balances, from the knob's end", 0.05, "balanced_error_in", 0.01, "Lay the bat across an edge.")),
+      group("Pendulum", [...measured("pendulum_ms", "One full swing takes", 0.5, "pendulum_error_ms", 0.1, "Time ten small swings, there and back; a tenth of that."),
+        slider(app, "pivot_in", { label: "Hung, from the knob's end", step: 0.05 })]),
+      group("Tap, diameters and rules", [slider(app, "tap_from_tip_in", { label: "Tapped, from the tip", step: 0.25 }),
+        slider(app, "diameter_error", { label: "Diameters, give or take (90 %), in %", step: 0.0005, times: 100 * table.reach }), choice(app, "league", { label: "Rules of", options: leagues })], { open: false }));
   },
 
   /** @param {App} app */
@@ -85,7 +89,7 @@ export const view = {
       button("Bat file, with intervals", () => file((toml) => download("my-bat.toml", "application/toml", toml))),
     ];
     return make("div", { className: "row" }, ...this.bringers,
-      button("Nothing measured", () => app.setState({ weighed_oz: null, balanced_in: null, pendulum_ms: null, tones: [], damping: null, left_out: [] })));
+      button("Forget what was measured", () => app.setState({ weighed_oz: null, balanced_in: null, pendulum_ms: null, tones: [], damping: null, left_out: [] })));
   },
 
   update(answer) {
@@ -97,11 +101,15 @@ export const view = {
     const off = answer.contradictions[app.units];
     this.against.hidden = off.length === 0;
     paragraphs(this.against, off.map((/** @type {string} */ words) => words.replace(/, or --leave-out '[^']*'/, ", or leave it out")));
+    for (const { field, given, lacks } of this.steps) {
+      for (const one of given) one.hidden = app.state[field] === null;
+      lacks.hidden = app.state[field] !== null;
+    }
     this.measurements(answer.measurements);
     this.otherBat(answer);
     app.afterwards(this.values, () => {
       this.sure(answer);
-      this.light(answer.rules);
+      showRules(this.rules, answer.rules, app);
     });
     for (const one of this.bringers) one.disabled = !answer.values.length || off.length > 0;
     this.say(answer);
@@ -112,7 +120,7 @@ export const view = {
   otherBat({ bat, measurements }) {
     this.measuredAs = measurements.length ? this.measuredAs ?? bat.name : null;
     const other = this.measuredAs !== null && this.measuredAs !== bat.name;
-    this.moved.textContent = other ? `Measured while the bat was described as ${this.measuredAs}; it all counts for ${bat.name} now. If that is another bat, press Nothing measured.` : "";
+    this.moved.textContent = other ? `Measured while the bat was described as ${this.measuredAs}; it all counts for ${bat.name} now. If that is another bat, press Forget what was measured.` : "";
     this.moved.hidden = !other;
   },
 
@@ -162,21 +170,12 @@ export const view = {
     paragraphs(this.doubt, budget[app.units]);
   },
 
-  /** @param {Answer[]} rules */
-  light(rules) {
-    const { app } = this;
-    /** @type {Record<string, string>} */
-    const kinds = { m: "length", "kg m^2": "moi" };
-    this.rules.show(rules.map(({ verdict, sure, title, value, unit, reason }) => ({
-      state: stateOf({ verdict, sure }), name: title, words: [typeof value === "number" && unit !== "yes or no" ? app.text(kinds[unit] ?? "ratio", value) : "", reason].filter(Boolean).join("; ") })));
-  },
-
   /** @param {Answer} given */
   say({ fitted, values, contradictions, measurements }) {
     const { app } = this;
     const moi = values.find((/** @type {{ name: string }} */ { name }) => name === "moi");
     const swing = withDoubt("moi_kg_m2", fitted.moi_6in_kg_m2, moi?.half ?? fitted.moi_6in_half_kg_m2, app);
-    const state = contradictions.us.length ? "The measurements contradict each other. As described: " : measurements.length ? "The measurements agree. " : "As described, not measured: ";
+    const state = contradictions.us.length ? "The measurements contradict each other. As described: " : ["As described, not measured: ", "By one measurement and what is usual of such bats: "][measurements.filter((/** @type {Answer} */ { counts }) => counts).length] ?? "The measurements agree. ";
     const words = `${state}${app.text("mass_kg", fitted.mass_kg)}, balance ${app.text("balance_point_m", fitted.balance_point_m, 1)} from the knob, swing weight ${swing}.`;
     tell(this.words, words);
     app.announce(words);
