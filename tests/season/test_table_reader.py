@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from unittest.mock import patch
 
 import polars as pl
 import pytest
 
-from sweetspot.season import table_file, table_reader
+from sweetspot.errors import UnwritableError
+from sweetspot.season import row_groups, table_file, table_reader
 from sweetspot.season.parquet_footer import footer_of
 from sweetspot.season.season_table import analyse_season, season_setting
+from sweetspot.season.survey import survey_tables
 from sweetspot.season.table_file import TableFile, open_table
 from sweetspot.season.table_look import TableLook
 from sweetspot.season.table_reader import TableReader
+from tests.full_disk import no_file_beyond
 from tests.season.conftest import files_of, made_up
 
 
@@ -55,7 +59,7 @@ def test_no_footer_no_row_groups(torn: int, tmp_path: Path) -> None:
     table.write_bytes(
         held[: -8 - size // 2] + (size // 2).to_bytes(4, "little") + b"PAR1" if torn == 200 else held[:torn]
     )
-    assert footer_of(table) == ((), {})
+    assert footer_of(table) == ((), (), {})
 
 
 @pytest.mark.parametrize("group", [70, 100, 256, 1000])
@@ -98,8 +102,52 @@ def test_wide_tables_are_worked_on_by_fewer_rows_with_the_same_answers(name: str
     frame.write_csv(tmp_path / name) if name.endswith("csv") else frame.write_parquet(tmp_path / name)
     setting = season_setting(contact=False)
     usual = analyse_season([tmp_path / name], setting=setting, folder=tmp_path / "usual")
-    with patch.object(table_file, "MOST_CELLS", 40 * frame.width):
+    with patch.object(row_groups, "MOST_CELLS", 40 * frame.width):
         wide = analyse_season([tmp_path / name], setting=setting, folder=tmp_path / "wide")
     assert len(files_of(tmp_path / "usual" / "balls")) == 1 and len(files_of(tmp_path / "wide" / "balls")) == 8
     assert wide.balls().collect().equals(usual.balls().collect())
     assert wide.ledger().collect().equals(usual.ledger().collect())
+
+
+def test_tables_in_large_row_groups_are_laid_out_anew_with_the_same_answers(tmp_path: Path) -> None:
+    """Numbers, words, whole numbers, days and lists pass through; one row group of several is enough to need it."""
+    few = {f"more_{number}": pl.lit(number) for number in range(60)}
+    frame = made_up(300).with_columns(
+        **few, word=pl.col("home_team").cast(pl.Categorical), day=pl.date(2024, 4, 1), two=pl.concat_list("batter", 2)
+    )
+    frame.write_parquet(tmp_path / "table.parquet", row_group_size=200)
+    setting = season_setting(contact=False)
+    usual = analyse_season([tmp_path / "table.parquet"], setting=setting, folder=tmp_path / "usual")
+    read = []
+    whole = row_groups.joined
+
+    def counted(strips: Sequence[Path], start: int, count: int, **asked: list[str] | None) -> pl.DataFrame:
+        read.append(len(strips))
+        return whole(strips, start, count, **asked)
+
+    sizes = footer_of(tmp_path / "table.parquet").sizes
+    with (
+        patch.object(row_groups, "MOST_PACKED", max(sizes) - 1),
+        patch.object(row_groups, "MOST_CELLS", 40 * frame.width),
+        patch.object(table_file, "joined", counted),
+    ):
+        strips = analyse_season([tmp_path / "table.parquet"], setting=setting, folder=tmp_path / "strips")
+    columns = 40 * frame.width // 300
+    assert set(read) == {-(-frame.width // columns)} and min(sizes) < max(sizes)
+    assert strips.balls().collect().equals(usual.balls().collect())
+    assert strips.ledger().collect().equals(usual.ledger().collect())
+    assert strips.survey.warnings == usual.survey.warnings
+
+
+def test_no_room_to_lay_a_table_out_anew_is_not_the_table_s_fault(tmp_path: Path) -> None:
+    table = tmp_path / "table.parquet"
+    made_up(300).write_parquet(table)
+    with (
+        patch.object(row_groups, "MOST_PACKED", 1),
+        no_file_beyond(1000),
+        pytest.raises(
+            UnwritableError, match=r"written: file too large; make room .* row groups of a few thousand rows"
+        ),
+    ):
+        survey_tables([table], staging=tmp_path / "copies")
+    assert not [path for path in (tmp_path / "copies").rglob("*") if path.is_file()]

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import errno
-import zlib
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,9 +10,9 @@ import numpy as np
 import polars as pl
 from numpy.typing import NDArray
 
-from sweetspot.errors import InputError, UnwritableError, first_line
-from sweetspot.numerics.whole_files import refusal, written_whole
+from sweetspot.numerics.whole_files import written_whole
 from sweetspot.season.headings import KNOWN_UNITS, Headings, headings_of
+from sweetspot.season.row_groups import rows_together
 from sweetspot.season.rows import ABSENT
 from sweetspot.season.text_ends import TextEnds, require_no_more_cells, separator_of
 
@@ -29,8 +26,8 @@ LEFT_OUT = {
 """Why a line of a CSV file is no row of its table."""
 BEGUN = 10_000
 """Lines whose types are tried for all lines; to look at all of them first takes twice as long as to read them."""
-FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EACCES, errno.EPERM}
-"""What a system says that takes no file, or no more of it."""
+PIECE = 32_768
+"""Rows of a piece of the copy, fewer of wide tables."""
 PADDED, PADDED_LINES = r"^[+-]?0\d", 1000
 """How numbers begin that are names, and lines in which they are looked for: 007 stays what it is."""
 
@@ -54,8 +51,7 @@ class CsvCopy:
 
 
 def copied_csv(
-    path: Path, source: Path, ends: TextEnds, target: Path, *, rows_of_width: Callable[[int], int],
-    given: Mapping[str, str] | None,
+    path: Path, source: Path, ends: TextEnds, target: Path, *, given: Mapping[str, str] | None
 ) -> CsvCopy:  # fmt: skip
     """Return what the copy of a CSV table holds.
 
@@ -64,13 +60,12 @@ def copied_csv(
     path : the file that people know, for messages.
     source : the same text in UTF-8.
     target : Parquet file to write.
-    rows_of_width : how many rows a piece of it has, for so many columns.
     given : heading by quantity, as `headings_of` takes it.
     """
     copy = target.with_name(f"{path.name}.lines")
     begun = _schema(source, ends, lines=BEGUN)
     headings = headings_of(begun.names(), given=given, file_name=str(path))
-    pieces = rows_of_width(len(begun))
+    pieces = rows_together(len(begun), most=PIECE)
     if not _copied_as_begun(source, ends, begun, copy, pieces=pieces):
         _copied_as_told(source, ends, copy, named=path, pieces=pieces)
     told = pl.scan_parquet(copy)
@@ -86,21 +81,6 @@ def copied_csv(
     else:
         copy.replace(target)
     return CsvCopy(headings, lines - sum(left_out.values()), left_out, before)
-
-
-@contextmanager
-def copying(path: Path, staging: Path) -> Iterator[None]:
-    """Say in a line of our own what is wrong with a CSV file, or with the folder that it is copied to."""
-    try:
-        yield
-    except (pl.exceptions.PolarsError, OSError, EOFError, zlib.error) as error:
-        refused = refusal(error)
-        if refused is not None and refused[0] in FULL:
-            raise UnwritableError(
-                f"{path} is copied to {staging} to be read, and that cannot be written: {refused[1]}; "
-                "make room there, choose another place, or give Parquet, which is read as it is"
-            ) from None
-        raise InputError(f"{path} cannot be read as a table: {first_line(error)}") from None
 
 
 def _copied_as_begun(source: Path, ends: TextEnds, begun: pl.Schema, copy: Path, *, pieces: int) -> bool:

@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 MARK = b"PAR1"
-GROUPS, CHUNKS, ROWS, ABOUT = 4, 1, 3, 3
-"""Fields: the file's row groups; the columns of one, its rows; and what is told of a column there."""
+GROUPS, CHUNKS, UNPACKED, ROWS, PACKED, ABOUT = 4, 1, 2, 3, 6, 3
+"""Fields: the row groups; the columns of one, its bytes, its rows, its packed bytes; what is told of a column there."""
 FORM, PATH, STATISTICS, GREATEST, LEAST = 1, 3, 12, 5, 6
 """Fields of the latter: how numbers are held, the heading, and statistics with the greatest and least value."""
 NUMBERS = {4: "<f", 5: "<d"}
@@ -29,10 +29,12 @@ class Footer(NamedTuple):
     Parameters
     ----------
     row_groups : rows of each row group, in order.
+    sizes : bytes of each row group, packed where the file tells so, else unpacked.
     ranges : least and greatest number of columns of numbers with a point, where every row group tells of them.
     """
 
     row_groups: tuple[int, ...]
+    sizes: tuple[int, ...]
     ranges: Mapping[str, tuple[float, float]]
 
 
@@ -49,13 +51,13 @@ def footer_of(path: Path) -> Footer:
         end = file.read()
         size = int.from_bytes(end[:4], "little")
         if end[4:] != MARK or size > held - 8:
-            return Footer((), {})
+            return Footer((), (), {})
         file.seek(held - 8 - size)
         reader = _Reader(file.read(size))
     try:
         return reader.footer()
     except (IndexError, struct.error, UnicodeDecodeError):  # it stops in the middle, or is none
-        return Footer((), {})
+        return Footer((), (), {})
 
 
 class _Reader:
@@ -66,11 +68,15 @@ class _Reader:
 
     def footer(self) -> Footer:
         rows: list[int] = []
+        sizes: list[int] = []
         ends: dict[str, list[tuple[float, float]]] = {}
         for _ in self._each(GROUPS):
+            size = {}
             for field, kind in self._fields():
                 if field == ROWS:
                     rows.append(self._signed())
+                elif field in (UNPACKED, PACKED):
+                    size[field] = self._signed()
                 elif field == CHUNKS:
                     count, _ = self._list()
                     for _ in range(count):
@@ -80,7 +86,8 @@ class _Reader:
                                 ends.setdefault(name, []).append((least, most))
                 else:
                     self._pass(kind)
-        return Footer(tuple(rows), {
+            sizes.append(size.get(PACKED, size.get(UNPACKED, 0)))
+        return Footer(tuple(rows), tuple(sizes), {
             name: (min(least for least, _ in all_), max(most for _, most in all_))
             for name, all_ in ends.items() if len(all_) == len(rows)
         })  # fmt: skip

@@ -23,8 +23,9 @@ from sweetspot.numerics.whole_files import refusal, sweep, written_whole
 from sweetspot.season.answers import SeasonSetting, answer_columns, answers_of
 from sweetspot.season.counted import counted_rows
 from sweetspot.season.duplicates import with_duplicates
+from sweetspot.season.row_groups import MOST_CELLS, rows_together
 from sweetspot.season.rows import USED, rows_of
-from sweetspot.season.table_file import MOST_CELLS, TableFile, rows_together
+from sweetspot.season.table_file import TableFile
 from sweetspot.season.table_reader import TableReader
 
 TASK_ROWS = 65_536

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import date
 from pathlib import Path
 
@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from sweetspot.errors import InputError
 from sweetspot.numerics.threads import in_order
 from sweetspot.season.duplicates import duplicate_rows
+from sweetspot.season.row_groups import strips_of
 from sweetspot.season.rows import USED
 from sweetspot.season.table_file import TableFile, open_table
 from sweetspot.season.table_look import TableLook
@@ -62,14 +63,16 @@ def survey_tables(
 
     Parameters
     ----------
-    staging : folder for copies of CSV files.
+    staging : folder for copies of CSV files, and of Parquet with large row groups.
     given : heading by quantity, as `headings_of` takes it.
     """
     tables: list[TableFile] = []
     faults: list[tuple[Path, str]] = []
     for path in paths:
         try:
-            tables.append(open_table(path, staging=staging / f"{len(tables):04d}", given=given))
+            place = staging / f"{len(tables):04d}"
+            table = open_table(path, staging=place, given=given)
+            tables.append(replace(table, strips=strips_of(table.data, rows=table.rows, staging=place)))
         except InputError as error:
             faults.append((path, str(error)))
     duplicates = duplicate_rows(tables)

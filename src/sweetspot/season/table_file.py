@@ -5,7 +5,7 @@ from __future__ import annotations
 import zlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -14,10 +14,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from sweetspot.errors import InputError, first_line
 from sweetspot.season.columns_by_rows import told_by_rows, with_player_name
-from sweetspot.season.csv_copy import BESIDE, copied_csv, copying
+from sweetspot.season.csv_copy import BESIDE, copied_csv
 from sweetspot.season.headings import Headings, headings_of
 from sweetspot.season.parquet_footer import Footer, footer_of
+from sweetspot.season.row_groups import joined
 from sweetspot.season.rows import ABSENT
+from sweetspot.season.table_copy import copying
 from sweetspot.season.text_ends import cells_of, in_utf8, is_number, separator_of
 from sweetspot.units import grouped
 
@@ -30,8 +32,6 @@ OTHERS = {
     ".xz": "unpack it", ".zst": "unpack it", ".7z": "unpack it",
 }  # fmt: skip
 """Endings of files that hold tables and are not read, and what to do."""
-MOST_CELLS = 8_000_000
-"""Numbers and words of whole rows that are held together; a season's export has as many in 65,536 rows."""
 CUTS = (25_000, 40_000)
 """Rows at which public exports end."""
 
@@ -52,6 +52,7 @@ class TableFile:
     empty : headings of measurements that hold nothing at all.
     first : number of its first row: of CSV as a spreadsheet shows it, lines above and headings counted; else 1.
     before : for each line left out, how many rows stand above it, in order.
+    strips : files of some columns each, read instead of `data` where its row groups are too large (`strips_of`).
     """
 
     path: Path
@@ -64,6 +65,7 @@ class TableFile:
     left_out: Mapping[str, int] = field(default_factory=dict)
     first: int = 1
     before: NDArray[np.int64] = field(default_factory=lambda: np.empty(0, np.int64), compare=False)
+    strips: tuple[Path, ...] = ()
 
     def numbers(self, rows: ArrayLike) -> NDArray[np.int64]:
         """Return by which numbers people find rows in the file, however many lines were left out above them.
@@ -93,7 +95,7 @@ class TableFile:
     @cached_property
     def row_groups(self) -> tuple[int, ...]:
         """Rows of the pieces of its data that are unpacked whole; one piece where the file does not tell."""
-        told = self.footer.row_groups
+        told = (footer_of(self.strips[0]) if self.strips else self.footer).row_groups
         return told if sum(told) == self.rows else (self.rows,)
 
     @cached_property
@@ -108,25 +110,14 @@ class TableFile:
         ----------
         headings : of the columns that are wanted; None: all.
         """
-        frame = pl.scan_parquet(self.data)
-        frame = frame if headings is None else frame.select(headings)
-        wanted = [name for name in self.empty if headings is None or name in headings]
-        numbers = [pl.col(name).cast(pl.Float64, strict=False) for name in wanted]
-        return frame.slice(start, count).with_columns(numbers).collect()
-
-
-def rows_together(width: int, *, most: int) -> int:
-    """Return how many rows of a table are worked on together: fewer of wide ones, so that memory holds them.
-
-    Parameters
-    ----------
-    width : columns.
-    most : rows of a usual table.
-
-    >>> rows_together(118, most=65_536), rows_together(5_000, most=65_536)
-    (65536, 1600)
-    """
-    return min(most, max(1, MOST_CELLS // max(width, 1)))
+        if self.strips:
+            frame = joined(self.strips, start, count, headings=headings)
+        else:
+            scanned = pl.scan_parquet(self.data)
+            scanned = scanned if headings is None else scanned.select(headings)
+            frame = scanned.slice(start, count).collect()
+        wanted = [name for name in self.empty if name in frame.columns]
+        return frame.with_columns(pl.col(name).cast(pl.Float64, strict=False) for name in wanted)
 
 
 def open_table(path: Path, *, staging: Path, given: Mapping[str, str] | None = None) -> TableFile:
@@ -245,8 +236,7 @@ def _csv(path: Path, staging: Path, given: Mapping[str, str] | None) -> TableFil
     notes = []
     target = staging / f"{path.name}.parquet"
     with copying(path, staging):
-        pieces = partial(rows_together, most=32_768)
-        copy = copied_csv(path, source, ends, target, rows_of_width=pieces, given=given)
+        copy = copied_csv(path, source, ends, target, given=given)
     left_out = copy.left_out
     if BESIDE in left_out:
         notes.append(f"{left_out[BESIDE]} lines that repeat the headings, give units, or a total or mean, are left out")

@@ -15,7 +15,8 @@ from itertools import pairwise
 
 import polars as pl
 
-from sweetspot.season.table_file import TableFile, rows_together
+from sweetspot.season.row_groups import rows_together
+from sweetspot.season.table_file import TableFile
 
 CELLS = 5_000_000
 """Numbers and words that are read together: about 50 MB."""
