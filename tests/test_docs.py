@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from sweetspot import references
 from sweetspot.catalog.files.implement import implement_from_table
 from sweetspot.cli import main
 from sweetspot.dynamics.beam import beam_model
@@ -111,3 +112,10 @@ def test_every_page_is_reached_from_the_contents() -> None:
     listed = {line.strip() for line in contents.splitlines()}
     missing = [name for name in NAMES if name != "index.md" and name.removesuffix(".md") not in listed]
     assert missing == []
+
+
+@pytest.mark.parametrize("page", PAGES, ids=str)
+def test_keys_of_sources_are_links(page: Path) -> None:
+    bare = re.findall(r"\[([a-z][a-z0-9_]*(?:[,;] [^\]]*)?)\](?!\()", page.read_text(encoding="utf-8"))
+    known = set(references.keys())
+    assert not [text for text in bare if known & set(re.split(r"[;, ]+", text))]
