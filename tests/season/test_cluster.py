@@ -16,6 +16,7 @@ import polars as pl
 import pytest
 from distributed.utils import get_mp_context
 
+from sweetspot.errors import InputError
 from sweetspot.season.cluster import run_on_cluster
 from sweetspot.season.plan import Plan, do_task, is_done
 from sweetspot.season.season_table import Season, analyse_season, run_here, season_columns, season_setting
@@ -130,3 +131,12 @@ def test_a_ball_by_itself_is_tried_with_another_bat_as_among_others() -> None:
     compared = among.head(len(by_itself))
     assert len(by_itself) > 5 and by_itself.equals(compared)
     assert by_itself["exit_speed_with_mlb_a_mph"].is_not_null().sum() > 5
+
+
+@pytest.mark.parametrize("address", ["foo", "http://localhost:8786", "tcp://localhost"])
+def test_what_is_no_address_is_said_in_a_line(address: str, tmp_path: Path) -> None:
+    made_up(30).write_csv(tmp_path / "table.csv")
+    with pytest.raises(InputError, match="which is no address") as caught:
+        analyse_season([tmp_path / "table.csv"], setting=season_setting(contact=False), folder=tmp_path / "out",
+                       run=partial(run_on_cluster, scheduler=address))  # fmt: skip
+    assert "\n" not in str(caught.value) and not (tmp_path / "out").exists()

@@ -121,12 +121,21 @@ def test_plain_names_carry_their_units() -> None:
         (["a", "b"], "no column for exit speed; launch_speed"),
         (["ev", "la"], "column ev has no unit; write it into the heading, for example ev_mph"),
         (["exit_speed_deg"], "has the unit deg, which is no speed"),
+        (["launch_angle", "bat_speed", "hc_x"], "swings alone|no column for exit speed"),
+        (["launch_angle", "hc_x"], "no column for exit speed"),  # rather than that the angle has no unit
+        (["exit_speed_mph", "launch_angle"], "column launch_angle has no unit"),
     ],
 )
 def test_a_doubt_is_one_line_that_names_the_column(names: list[str], words: str) -> None:
     with pytest.raises(InputError, match=words) as caught:
         headings_of(names, file_name="x.csv")
     assert "\n" not in str(caught.value)
+
+
+def test_a_measurement_without_a_unit_is_left_alone_and_named() -> None:
+    found = headings_of(["exit_speed_mph", "Attack Angle", "Temperature (°F)", "Hang Time", "note"])
+    assert found.passed == ("Attack Angle", "note") and found.columns["temperature"].unit == "°f"
+    assert found.notes == ("Attack Angle has no unit and is left alone; attack_angle_deg, say, would be read",)
 
 
 def test_a_person_may_say_what_a_column_is() -> None:

@@ -646,3 +646,12 @@ def test_an_estimate_from_endings_comes_nearer_to_the_truth(table: Write) -> Non
     season = analyse_season([bare], setting=season_setting(contact=False), folder=path.parent / "out")
     words = " ".join(str(block) for block in season_document(season_report(season)).blocks)
     assert "nothing tells how they ended" in words
+
+
+def test_columns_that_answers_take_the_place_of_are_named(table: Write) -> None:
+    path = table(frame=made_up().with_columns(carry_ft=pl.lit(1.0), carry_m=pl.lit(2.0), hang_time_s=pl.lit(3.0)))
+    season = analyse_season([path], setting=season_setting(contact=False), folder=path.parent / "out")
+    (found,) = (one for one in season.survey.warnings if one.name == "replaced")
+    assert found.detail == "carry_ft, hang_time_s" and found.count == 60
+    balls = season.balls().collect()
+    assert balls["carry_m"].to_list() == [2.0] * 60 and balls["carry_ft"].max() > 100  # type: ignore[operator]

@@ -133,6 +133,14 @@ def answer_columns(answers: Answers, setting: SeasonSetting) -> list[pl.Series]:
     return [as_series(column, values, setting.system) for column, values in pairs]
 
 
+def answer_headings(setting: SeasonSetting) -> list[str]:
+    """Return what the columns of answers are called."""
+    met = setting.contact
+    others = () if met is None else (one for bat in met.others for one in columns_of_other(bat.name))
+    columns = (*FLIGHT, *(() if met is None else CONTACT), *others)
+    return [column.heading(setting.system) for column in columns]
+
+
 def _flight(answers: Answers) -> Iterator[tuple[OutputColumn, Array | Words]]:
     flown, balls = answers.flight, answers.balls
     here = np.isfinite(flown.launch_direction)

@@ -79,6 +79,10 @@ def _run_there(plan: Plan, progress: Progress | None, scheduler: str) -> None:
     dask: Any = import_module("distributed")
     try:
         client = dask.Client(scheduler, timeout=PATIENCE)
+    except ValueError as error:
+        raise InputError(
+            f"--scheduler was given as {scheduler!r}, which is no address ({error}); give tcp://HOST:8786"
+        ) from None
     except OSError as error:
         raise InputError(f"--scheduler was given as {scheduler}, and none answers there: {error}") from None
     told = logging.getLogger("distributed.client")

@@ -144,8 +144,15 @@ def headings_of(names: Sequence[str], *, given: Mapping[str, str] | None = None,
     columns: dict[str, TableColumn] = {}
     notes: list[str] = []
     said = _given(given or {}, names, file_name)
+    doubts: list[InputError] = []
     for name in names:
-        column = said.get(name) or _column(name, short[name], key, file_name)
+        try:
+            column = said.get(name) or _column(name, short[name], key, file_name)
+        except InputError as error:
+            if any(short[name].startswith(alias) for alias in quantities()["exit_speed"]["plain"]):
+                raise
+            doubts.append(error)  # of less weight than that there is no exit speed
+            continue
         if column is None or COPY.search(name):
             continue
         if column.quantity not in columns or name in said:
@@ -169,6 +176,8 @@ def headings_of(names: Sequence[str], *, given: Mapping[str, str] | None = None,
             f"{file_name}: no column for exit speed; launch_speed (Statcast), ExitSpeed (Trackman) or exit_speed_mph "
             f"would do. {_closest(list(names))}"
         )
+    if doubts:
+        raise doubts[0]
     taken = {column.heading for column in columns.values()}
     passed = tuple(name for name in names if name not in taken)
     for name in passed:

@@ -23,7 +23,15 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.flight.air import Air
-from sweetspot.season.answers import UNKNOWN_BAT, WHOSE_BAT, SeasonSetting, answer_columns, answers_of, bats_of
+from sweetspot.season.answers import (
+    UNKNOWN_BAT,
+    WHOSE_BAT,
+    SeasonSetting,
+    answer_columns,
+    answer_headings,
+    answers_of,
+    bats_of,
+)
 from sweetspot.season.balls import balls_of
 from sweetspot.season.bat_surface import surface_of
 from sweetspot.season.contact import LEARNT_FROM, ContactSetting, OtherBat, learnt
@@ -37,6 +45,7 @@ from sweetspot.season.rows import DATED, REASONED, REASONS, SIDED, USED, rows_of
 from sweetspot.season.survey import Survey, survey_tables
 from sweetspot.season.table_file import frame_headings
 from sweetspot.season.table_parts import PART, parts
+from sweetspot.season.table_warnings import TableWarning
 
 Progress = Callable[[int, int], None]
 MOST_PARTS = 16
@@ -182,6 +191,7 @@ def analyse_season(
         _withdraw(staging, fresh)
         raise
     chosen = setting or season_setting()
+    survey = replace(survey, warnings=(*survey.warnings, *_replaced(survey, chosen)))
     swung = any(table.headings.has("bat_speed") for table in survey.tables)
     if chosen.contact is not None and swung and not chosen.contact.relation.balls:
         chosen = replace(chosen, contact=replace(chosen.contact, relation=learn_relation(survey, chosen)))
@@ -201,6 +211,16 @@ def analyse_season(
     sweep_plan(plan)  # of workers that were killed, too
     shutil.rmtree(staging, ignore_errors=True)
     return Season(survey, chosen, folder)
+
+
+def _replaced(survey: Survey, setting: SeasonSetting) -> Iterator[TableWarning]:
+    """Yield which columns of tables give way to answers that are called alike."""
+    ours = {*answer_headings(setting), "table", "table_row"}
+    for number, table in enumerate(survey.tables):
+        headings = table.headings
+        own = [*headings.passed, *(column.heading for column in headings.columns.values())]
+        if lost := [name for name in own if name in ours]:
+            yield TableWarning("replaced", number, table.rows, detail=", ".join(lost))
 
 
 def _withdraw(staging: Path, fresh: Sequence[Path]) -> None:

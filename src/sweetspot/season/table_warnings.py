@@ -46,6 +46,7 @@ WARNINGS: Mapping[str, str] = {
     "such a launch is flown",
     "part off": "a column is missing that a part of the answers needs",
     "headings": "headings that needed care",
+    "replaced": "columns that are called like answers; the answers stand in their place",
     "unreadable": "measurements that are no numbers, and dates that are none, are taken as missing",
     "cannot be": "measurements that cannot be (a bat at 0 mph, -9999, a ball that came down at 0, 0) are taken as "
     "missing",
