@@ -63,6 +63,13 @@ def test_a_bad_sound_is_told_and_costs_no_good_tap(
     expect(fault).to_contain_text("words.wav cannot be read as a sound")
     expect(page.get_by_text("1 recording.")).to_be_visible()  # the good one
     expect(used).to_have_count(2)
+    page.reload()
+    expect(used).to_have_count(2)
+    page.get_by_role("button", name="Forget the taps").click()
+    page.reload()
+    answered(page)
+    expect(page.get_by_role("button", name="Forget the taps")).to_be_disabled()
+    assert "tones" not in page.url
 
 
 def test_a_contradiction_stands_in_words_and_is_left_out(page: Page, server: str, answered: Answered) -> None:

@@ -2,6 +2,7 @@
 
 import { Chart } from "../chart.js";
 import { button } from "../controls.js";
+import { keep, kept } from "../kept.js";
 import { Lights } from "../lights.js";
 import { Listening } from "../listening.js";
 import { make, tableOf } from "../parts.js";
@@ -9,11 +10,12 @@ import { upload, whereTo } from "../upload.js";
 /** @import { Answer, App, State } from "../main.js" */
 
 export const SOUNDS = [".wav", ".flac", ".ogg", ".mp3", ".aiff", ".m4a", ".aac", ".mp4", ".mov", ".3gp", ".amr", ".wma", ".webm"];
+const TAPS = "taps";
 const LARGEST = 60e6; // bytes of a sound
 const PANELS = [{ title: "What rings, dB below the loudest", kind: "count", height: 150, empty: [-60, 0], lines: [{ key: "level", label: "the first good tap", color: "blue", width: 1.4 }] }];
 const ROOM = "room’s?: a tone that the room may have added, or the same mode in another plane. Such a tone holds less energy than another within 10 % of it, or less than a thousandth of the greatest.";
 /** @type {{ recordings: string[], found: any }} */
-const kept = { recordings: [], found: null }; // as long as the page is open
+const heard = { recordings: kept(TAPS, []), found: null }; // as long as the page is open; where sounds lie, as long as the tab
 
 export class TapPlace {
   /** @param {App} app */
@@ -22,6 +24,7 @@ export class TapPlace {
     this.signal = app.signal;
     this.asking = false;
     this.more = false;
+    this.reloaded = heard.recordings.length > 0 && !heard.found;
     /** @type {string[]} */
     this.refused = []; // why of the sounds handed in last some are not among the recordings
     this.ear = new Listening({
@@ -69,7 +72,8 @@ export class TapPlace {
     this.listen.textContent = this.ear.on ? "Stop listening" : "Listen";
     this.listen.setAttribute("aria-pressed", String(this.ear.on));
     this.level.hidden = !this.ear.on;
-    const count = kept.recordings.length;
+    const count = heard.recordings.length;
+    keep(TAPS, count ? heard.recordings : null);
     this.clear.disabled = count === 0;
     this.words.textContent = `${this.ear.on ? "Listening: hang the bat from rubber bands, tap it on the tip with something small and hard, let it ring. " : ""}` +
       `${count ? `${count} recording${count > 1 ? "s" : ""}. ` : ""}The dashed lines are where a bat like the one described rings. ${whereTo("The sound")}`;
@@ -95,7 +99,7 @@ export class TapPlace {
         continue;
       }
       try {
-        kept.recordings.push(await upload(file));
+        heard.recordings.push(await upload(file));
       } catch (fault) {
         this.refused.push(fault.message);
       }
@@ -105,8 +109,9 @@ export class TapPlace {
     await this.hear();
   }
 
-  // All recordings together, one question at a time: a tap that comes meanwhile is asked about next.
-  async hear() {
+  // All recordings together, one question at a time: a tap that comes meanwhile is asked about next. Again: after a reload,
+  // when the address holds what was heard.
+  async hear({ again = false } = {}) {
     if (this.asking) {
       this.more = true;
       return;
@@ -115,35 +120,38 @@ export class TapPlace {
     this.app.waits("taps");
     do {
       this.more = false;
-      await this.ask([...kept.recordings]);
+      await this.ask([...heard.recordings], again && !this.more);
     } while (this.more && !this.signal.aborted);
     this.asking = false;
     if (!this.signal.aborted) this.app.waits("taps", false);
   }
 
-  /** @param {Answer[]} recordings */
-  async ask(recordings) {
+  /**
+   * @param {string[]} recordings
+   * @param {boolean} again
+   */
+  async ask(recordings, again) {
     if (!recordings.length) return;
     this.words.textContent = "Listening to what was recorded …";
     let found;
     try {
       found = await this.answerTo({ ...this.app.state, recordings });
     } catch (fault) {
-      if (fault?.field === "upload") kept.recordings = [];
+      if (fault?.field === "upload") heard.recordings = [];
       this.heard();
       this.say([...this.refused, fault.message].join(" "));
       return;
     }
     this.refused.push(...found.refused.map((/** @type {{ fault: string }} */ { fault }) => sentence(fault)));
     const bad = found.refused.map((/** @type {{ recording: string }} */ { recording }) => recording);
-    kept.recordings = kept.recordings.filter((key) => !bad.includes(key));
+    heard.recordings = heard.recordings.filter((key) => !bad.includes(key));
     this.heard();
     this.say(this.refused.join(" "));
-    if (!kept.recordings.length || this.signal.aborted) return; // none of them, forgotten, or gone elsewhere, meanwhile
-    kept.found = found;
+    if (!heard.recordings.length || this.signal.aborted) return; // none of them, forgotten, or gone elsewhere, meanwhile
+    heard.found = found;
     this.say([...this.refused, ...(found.fault ? [sentence(found.fault)] : [])].join(" "));
     this.draw(this.app.answer);
-    if (found.damping) this.app.setState({ tones: found.measured.map((/** @type {[string, number, number]} */ [name, hertz, error]) => [name, tidy(hertz), tidy(error)]), damping: tidy(found.damping[0]), damping_error: tidy(found.damping[1]) });
+    if (found.damping && !again) this.app.setState({ tones: found.measured.map((/** @type {[string, number, number]} */ [name, hertz, error]) => [name, tidy(hertz), tidy(error)]), damping: tidy(found.damping[0]), damping_error: tidy(found.damping[1]) });
     this.app.announce(`${found.taps.filter((/** @type {Answer} */ one) => one.good).length} of ${found.taps.length} taps used.`);
   }
 
@@ -161,7 +169,7 @@ export class TapPlace {
   }
 
   forget() {
-    Object.assign(kept, { recordings: [], found: null });
+    Object.assign(heard, { recordings: [], found: null });
     this.refused = [];
     this.say("");
     this.heard();
@@ -171,7 +179,11 @@ export class TapPlace {
   /** @param {Answer} answer */
   draw(answer) {
     if (!answer) return;
-    const { found } = kept;
+    if (this.reloaded) {
+      this.reloaded = false;
+      this.hear({ again: true });
+    }
+    const { found } = heard;
     const { app } = this;
     const spectrum = found?.spectrum;
     const most = spectrum ? spectrum.frequency_hz.at(-1) : Math.min(2600, 1.1 * answer.expected.at(-1).frequency_hz);
