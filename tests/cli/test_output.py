@@ -86,7 +86,7 @@ def test_signs_of_numbers_are_spelled_where_a_terminal_lacks_them(
     assert "27.0deg up" in printed and "?" not in printed and "?" not in capsys.readouterr().err
 
 
-@pytest.mark.parametrize(("columns", "widest"), [("80", 80), ("150", 150), ("", 110), ("many", 110)])
+@pytest.mark.parametrize(("columns", "widest"), [("100", 100), ("150", 150), ("", 110), ("many", 110)])
 def test_a_piped_text_is_as_wide_as_columns_says(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], columns: str, widest: int
 ) -> None:
@@ -95,6 +95,18 @@ def test_a_piped_text_is_as_wide_as_columns_says(
         main(["report", "r161-ash"])
     lines = capsys.readouterr().out.splitlines()
     assert 0.9 * widest < max(map(len, lines)) <= widest
+
+
+def test_no_column_is_narrower_than_its_words(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Of ten columns on a narrow screen the names stay whole, and the lines become longer than it."""
+    monkeypatch.setenv("COLUMNS", "50")
+    with pytest.raises(SystemExit):
+        main(["sports"])
+    printed = capsys.readouterr().out
+    assert all(name in printed for name in ("baseball", "cricket", "tennis", "badminton", "specified", "measured"))
+    assert "baseball          " in printed
 
 
 def test_a_command_that_fails_prints_nothing_on_standard_output(capsys: pytest.CaptureFixture[str]) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import pytest
 
@@ -14,7 +15,7 @@ from sweetspot.flight.trajectory import Flight, fly
 from sweetspot.motion.ball_motion import launched
 from sweetspot.numerics.constants import STANDARD_GRAVITY
 from sweetspot.report.flight.court import court_json, court_words
-from sweetspot.report.quantities import SI, reader
+from sweetspot.report.quantities import SI, US, reader
 from sweetspot.units import RPM
 
 
@@ -79,6 +80,11 @@ def test_words_and_json() -> None:
     assert "short of the net" in str(court_words(shot("tennis", 10.0, 5.0), tennis, ball=catalog.ball("tennis")))
     low = court_words(shot("tennis", 50.0, 1.0, height=0.3), tennis, ball=catalog.ball("tennis"))
     assert "below its top" in str(low)
+    just = court_words(shot("tennis", 30.0, 5.2, height=0.8), tennis, ball=catalog.ball("tennis"))
+    assert re.search(r"It passes \d\.\d cm over the net", just.read(SI)), just.read(SI)
+    assert re.search(r"It passes \d\.\d in over the net", just.read(US)), "not 0 ft"
+    met = court_words(shot("tennis", 30.0, 5.0, height=0.8), tennis, ball=catalog.ball("tennis")).read(SI)
+    assert met.endswith("cm below its top."), "a ball in the net lands nowhere beyond it"
     golf = catalog.sport("golf")
     far = court_words(shot("golf", 70.0, 12.0, spin=2700), golf, ball=catalog.ball("golf"))
     assert "yd" in far.read(reader(None, golf.words))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -9,6 +10,8 @@ from typing import Any
 from sweetspot.catalog.files.bat import bat_from_table, read_bat, read_toml
 from sweetspot.catalog.records import FOLDER, canonical, entry
 from sweetspot.equipment.bat import Bat
+from sweetspot.errors import InputError
+from sweetspot.numerics.text_files import LONGEST_NAME, near_file
 
 BAT_FOLDER, IMPLEMENT_FOLDER = FOLDER / "bats", FOLDER / "implements"
 DEFAULT_BAT = "r161-ash"
@@ -78,8 +81,20 @@ def load_bat(name_or_path: str) -> Bat:
     """
     other = other_files().get(canonical(name_or_path))
     if other is None or is_file(name_or_path):
+        refuse_slip(name_or_path, bat_files())
         return bat(name_or_path)
     return bat_from_table(read_toml(other), name_or_path)
+
+
+def refuse_slip(name_or_path: str, known: Container[str]) -> None:
+    """Refuse what is neither a file nor in the catalogue where a file's name is spelled almost so, and name that."""
+    if is_file(name_or_path) or canonical(name_or_path) in known:
+        return
+    near = near_file(Path(name_or_path))
+    if near is not None and near.suffix.lower() == ".toml":
+        raise InputError(
+            f"{name_or_path[:LONGEST_NAME]!r} is neither a file nor in the catalogue. Did you mean the file {near}?"
+        )
 
 
 def is_file(name_or_path: str) -> bool:

@@ -6,7 +6,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from sweetspot.catalog.bats import bat_files, bat_tables, is_file, other_files, other_tables
+from sweetspot.catalog.bats import bat_files, bat_tables, is_file, other_files, other_tables, refuse_slip
 from sweetspot.catalog.files.bat import read_toml
 from sweetspot.catalog.files.implement import implement_from_table, read_implement
 from sweetspot.catalog.records import entry
@@ -50,4 +50,7 @@ def _catalogue_implement(name: str) -> Implement:
 
 def load_implement(name_or_path: str) -> Implement:
     """Return the implement of a TOML file, or the catalogue's of that name; see `load_bat` for what is a file."""
-    return read_implement(Path(name_or_path)) if is_file(name_or_path) else _catalogue_implement(name_or_path)
+    if is_file(name_or_path):
+        return read_implement(Path(name_or_path))
+    refuse_slip(name_or_path, {**bat_files(), **other_files()})
+    return _catalogue_implement(name_or_path)

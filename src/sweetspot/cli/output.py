@@ -29,6 +29,7 @@ BEAT = 8.0
 """s after which a run that shows no bar says that it goes on, and again and again."""
 WIDE, NARROWEST = 110, 40
 """Columns of a text where no terminal says how many there are, and at least."""
+LONGEST_LINE = 1000
 LONG = 50
 """Steps of work from which on a log hears of it."""
 
@@ -49,11 +50,15 @@ def print_csv(columns: Mapping[str, Sequence[Any]]) -> None:
 def print_table(renderable: Any) -> None:
     """Print a rich table on stdout, as wide as the terminal."""
     from rich.console import Console
+    from rich.measure import Measurement
 
     console = Console(soft_wrap=False)
     if not console.is_terminal:
         console = Console(width=_width_of_pipe())
-    console.print(renderable)
+    least = Measurement.get(console, console.options.update_width(LONGEST_LINE), renderable).minimum
+    if least > console.width:  # lines that are too long can be read, columns of two letters cannot
+        console = Console(width=least)
+    console.print(renderable, crop=False)
 
 
 def _width_of_pipe() -> int:

@@ -12,10 +12,12 @@ import io
 import re
 import zlib
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from sweetspot.errors import InputError
+from sweetspot.errors import InputError, spelt_almost
 
 MOST_TABLE_BYTES = 16_000_000
 """Of a CSV file that is read whole, unpacked: some 15,000 swings with ninety columns, and read in a second."""
@@ -23,6 +25,8 @@ MOST_TABLE_BYTES = 16_000_000
 
 MOST_PACKED = 100
 """A packed table is none when it unpacks to more than so many times its size (exports: 5 to 20)."""
+MOST_BESIDE = 2000
+"""Files of a folder that are looked through for a name that may have been meant."""
 LONGEST_NAME = 200
 """Letters of a name that are repeated in a message."""
 
@@ -74,12 +78,28 @@ def read_bytes(path: Path, *, most: int, advice: str) -> bytes:
         raise InputError(f"{path} is damaged: {error}") from None
     except FileNotFoundError as error:
         reason = (error.strerror or str(error)).lower()
-        raise InputError(f"{str(path)[:LONGEST_NAME]} is not a file; it cannot be read: {reason}") from None
+        raise InputError(_no_file(path, reason)) from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise InputError(f"{str(path)[:LONGEST_NAME]} cannot be read: {reason.lower()}") from None
     _check_size(path, len(content), most=most, advice=advice)
     return content
+
+
+def near_file(path: Path) -> Path | None:
+    """Return the file beside a path that does not exist whose name is spelled almost so; None: there is none."""
+    with suppress(OSError, ValueError):  # a folder that is not there, a name that none may have
+        files = [one for one in islice(path.parent.iterdir(), MOST_BESIDE) if one.is_file()]
+        known = {(one.name if path.suffix else one.stem).lower(): one for one in files}
+        near = spelt_almost(path.name, known)
+        return known[near] if near else None
+    return None
+
+
+def _no_file(path: Path, reason: str) -> str:
+    near = near_file(path)
+    meant = "" if near is None else f". Did you mean {near}?"
+    return f"{str(path)[:LONGEST_NAME]} is not a file; it cannot be read: {reason}{meant}"
 
 
 def is_larger(path: Path, *, most: int) -> bool:
@@ -120,7 +140,7 @@ def check_ordinary(path: Path, *, most: int, advice: str) -> None:
         when it is not there, is no ordinary file, or is larger.
     """
     if not path.exists():
-        raise InputError(f"{str(path)[:LONGEST_NAME]} is not a file; it cannot be read: there is no such file")
+        raise InputError(_no_file(path, "there is no such file"))
     if not path.is_file():
         raise InputError(f"{path} is not an ordinary file; {advice}")
     _check_size(path, path.stat().st_size, most=most, advice=advice)

@@ -24,6 +24,8 @@ ROOM = 110
 SHORT = 32
 """Characters of a cell that a line may be kept whole for."""
 DOUBT = "±"
+WORD = 14
+"""Characters of a word that no column is too narrow for, however narrow the screen."""
 STYLES = {"text": "", "note": "dim", "warning": "yellow"}
 
 
@@ -105,7 +107,9 @@ def table(block: parts.Table, reader: Reader, *, encoding: str = "utf-8") -> Ric
         if column.is_number and (doubted or wide):  # intervals and many columns take the room that headings had
             whole_ones = [len(text) for text in texts if text not in lopsided]
             heads[number] = fill(head, max([*whole_ones, NARROW]), break_long_words=False)
-        made.add_column(heads[number], justify="right" if column.is_number else "left", no_wrap=whole, overflow="fold")
+        longest = max((len(word) for text in [heads[number], *texts] for word in text.split()), default=0)
+        made.add_column(heads[number], justify="right" if column.is_number else "left", no_wrap=whole, overflow="fold",
+                        min_width=min(longest, WORD))  # fmt: skip
     for row in zip(*shown, strict=True):
         made.add_row(*map(Text, row))
     return made

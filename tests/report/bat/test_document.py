@@ -254,6 +254,7 @@ def test_a_bat_with_no_zone_and_the_end_close_by(cone: Bat, tmp_path: Path) -> N
     scan = replace(found.scan, exit_speed=np.where(found.scan.position == found.scan.position[-6], 60.0, 40.0))
     read = Page(write_report(replace(found, scan=scan), tmp_path)[0].read_text(encoding="utf-8"))
     assert read.row("sweet zone")[1] == "none"
+    assert "sweet zone: no stretch is fast and quiet" in read.text and "wide: the sweet zone" not in read.text
     assert read.row("3 in")[2] == "off the bat"
 
 

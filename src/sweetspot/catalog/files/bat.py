@@ -203,7 +203,8 @@ def bat_from_table(table: dict[str, Any], where: str) -> Bat:
     """Return the bat that a table describes; ``where`` names the file in messages."""
     table = resolved(table)
     if table.get("kind", "bat") != "bat":
-        raise InputError(f"{where} is a {table['kind']}, not a bat; `sweetspot report`, `hit` and `compare` take it")
+        kind = str(table["kind"]).replace("-", " ")
+        raise InputError(f"{where} is a {kind}, not a bat; `sweetspot report`, `hit` and `compare` take it")
     loose = sorted(set(table) & set(ShellTable.model_fields))
     if loose:
         raise InputError(

@@ -109,13 +109,14 @@ def _cards(analysis: Analysis[Implement], misses: Sequence[Miss], *, drawn: bool
     width: Words | Slot = (
         "none" if spots.zone is None else Slot(spots.zone[1] - spots.zone[0], "place", of="sweet_spots.zone_width_m")
     )
+    wide = "{zone}: no stretch is fast and quiet" if spots.zone is None else "wide: the {zone}, fast and quiet"
     cards: list[tuple[Words | Slot, Words]] = [
         (from_tip(analysis, spots.max_exit_speed, BEST_PLACE), in_words("from the {tip}: where it hits best", words)),
         (
             Slot(exit_speed_of(analysis.best, analysis.conditions), "speed", of=BEST_SPEED),
             f"{words.exit_speed} of the best hit",
         ),
-        (width, in_words("wide: the {zone}, fast and quiet", words)),
+        (width, in_words(wide, words)),
     ]
     if len(misses) > 1:
         miss = misses[1]

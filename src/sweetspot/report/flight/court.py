@@ -10,9 +10,9 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.sport import Sport
 from sweetspot.flight.court_marks import Passage, passages
 from sweetspot.flight.trajectory import Flight, FlightOutcome
-from sweetspot.report.flight.words import flight_words, from_the_hit
+from sweetspot.report.flight.words import flight_words, from_the_hit, small_or_far
 from sweetspot.report.json_shapes import cleaned
-from sweetspot.report.sentences import Sentence, Slot, joined, say
+from sweetspot.report.sentences import Sentence, joined, say
 
 
 def court_json(flight: Flight, sport: Sport, *, ball: Ball) -> dict[str, Any]:
@@ -51,7 +51,7 @@ def court_words(flight: Flight, sport: Sport, *, ball: Ball, from_plate: bool = 
 def _sentences(passed: Sequence[Passage]) -> list[Sentence]:
     texts = []
     for passage in passed:
-        name, margin = passage.mark.name, Slot(abs(passage.margin), "distance")
+        name, margin = passage.mark.name, small_or_far(passage.margin)
         if passage.mark.side == "before":
             side = "before" if passage.good else "beyond"
             texts.append(say("It lands {margin} {side} the {name}.", margin=margin, side=side, name=name))
@@ -61,4 +61,5 @@ def _sentences(passed: Sequence[Passage]) -> list[Sentence]:
             texts.append(say("It lands {margin} short of the {name}.", margin=margin, name=name))
         else:
             texts.append(say("It meets the {name} {margin} below its top.", margin=margin, name=name))
+            break  # beyond it there is another flight
     return texts

@@ -13,6 +13,8 @@ from sweetspot.report.json_shapes import cleaned
 from sweetspot.report.sentences import Sentence, Slot, say
 from sweetspot.units import DEGREE
 
+NEAR = 1.0
+"""m from a net or a fence within which inches or centimetres are told: in feet or metres most would be none."""
 STRAIGHT = 0.05 * DEGREE
 """A direction nearer to an axis than this is told as the axis."""
 PLACES_OF_BALLPARKS = ("to centre field", "to home plate", "to right field", "to left field")
@@ -83,6 +85,11 @@ def flight_words(flight: Flight, carry: float | None = None, *, at: str = "fligh
     )  # fmt: skip
 
 
+def small_or_far(margin: float) -> Slot:
+    """Return the size of a margin (m) in the unit in which it says something: less than `NEAR` as a place is told."""
+    return Slot(abs(margin), "place" if abs(margin) < NEAR else "distance")
+
+
 def landing_words(landing: Landing, park: Park) -> Sentence:
     """Return in a sentence what that is in a park."""
     if landing.outcome == "foul":
@@ -92,7 +99,7 @@ def landing_words(landing: Landing, park: Park) -> Sentence:
     return say(
         "At {park} it reaches the fence {distance} away {clearance} {side} its top: {outcome}.",
         park=park.name, distance=Slot(landing.distance, "distance"),
-        clearance=Slot(abs(landing.clearance), "distance"), side="over" if landing.clearance > 0 else "below",
+        clearance=small_or_far(landing.clearance), side="over" if landing.clearance > 0 else "below",
         outcome=landing.outcome,
     )  # fmt: skip
 

@@ -6,7 +6,7 @@ import { HeatMap } from "../heatmap.js";
 import { HowSure } from "../howsure.js";
 import { factList, make, tableOf, tell } from "../parts.js";
 import { MPH, toShown } from "../units.js";
-import { FieldPicture, SidePicture } from "./flight_pictures.js";
+import { FieldPicture, SidePicture, clearance } from "./flight_pictures.js";
 /** @import { Fact } from "../parts.js" */
 /** @import { Answer, App, State, View } from "../main.js" */
 
@@ -192,11 +192,11 @@ export const view = {
   /** @param {{ end: Answer, park: Answer, flight: Answer, out_in: number, of: Answer, chance: number }} given */
   headline({ end, park, flight, out_in: count, of, chance }) {
     const far = (/** @type {number} */ value) => this.app.text("distance", value);
-    const over = Math.abs(end.clearance_m ?? 0);
+    const over = clearance(this.app, end.clearance_m ?? 0);
     /** @type {Record<string, string>} */
     const outcomes = {
-      "home run": `over the fence of ${park.name}, ${far(over)} above its top at ${far(end.distance_m)}`,
-      "off the wall": `against the fence of ${park.name}, ${far(over)} below its top at ${far(end.distance_m)}`,
+      "home run": `over the fence of ${park.name}, ${over} above its top at ${far(end.distance_m)}`,
+      "off the wall": `against the fence of ${park.name}, ${over} below its top at ${far(end.distance_m)}`,
       "in play": `comes down ${far(flight.carry_m)} from the plate in ${park.name}`,
       foul: "foul",
     };

@@ -11,6 +11,13 @@ const LEFT = 42, RIGHT = 14, TOP = 16, FOOT = 34;
 const ROW = 16;
 const BASE = 27.432; // m between bases
 const MOUND = 18.44;
+const NEAR = 1; // m from a fence's top within which inches or centimetres are told, as in the printed answer
+
+/** How far above or below the fence's top the ball passes.
+ * @param {App} app
+ * @param {number} metres
+ */
+export const clearance = (app, metres) => app.text(Math.abs(metres) < NEAR ? "place" : "distance", Math.abs(metres));
 
 /**
  * @param {CanvasRenderingContext2D} context
@@ -67,7 +74,7 @@ export class SidePicture {
     this.data = answer;
     const far = (/** @type {number} */ value) => this.app.text("distance", value);
     this.surface.label(`The flight from the side: ${far(answer.flight.apex_m)} high at its apex, ${far(answer.flight.carry_m)} of carry, ` +
-      `${answer.end.clearance_m === null ? "not reaching the fence" : `${far(Math.abs(answer.end.clearance_m))} ${answer.end.clearance_m > 0 ? "above" : "below"} the fence's top`}.`);
+      `${answer.end.clearance_m === null ? "not reaching the fence" : `${clearance(this.app, answer.end.clearance_m)} ${answer.end.clearance_m > 0 ? "above" : "below"} the fence's top`}.`);
     this.surface.draw();
   }
 
@@ -136,7 +143,7 @@ export class SidePicture {
       const [x, y] = [across(end.distance_m), up(end.height_m)];
       dot(context, [x, y], 4.5, colors.red);
       const sign = end.clearance_m > 0 ? "over by" : "short by";
-      haloText(context, `${sign} ${this.app.text("distance", Math.abs(end.clearance_m))}`, x - 9, Math.min(y + 12, up(0) - 24), colors.ink, colors.panel);
+      haloText(context, `${sign} ${clearance(this.app, end.clearance_m)}`, x - 9, Math.min(y + 12, up(0) - 24), colors.ink, colors.panel);
     }
     Object.assign(context, { font: `11px ${FONT}`, textAlign: "left" });
     const high = vacuum.up_m.indexOf(Math.max(...vacuum.up_m));
