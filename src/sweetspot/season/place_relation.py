@@ -7,7 +7,7 @@ whose logarithm is a sum over `SPREAD`; its exit speed is (1 + level) times the 
 `LEVEL`, with a scatter whose logarithm is a sum over `NOISE`. The mean is told which way it goes with how far outside a
 pitch is: exit speed falls to both sides of the best place and cannot tell them apart, geometry can. The level goes with
 how much faster than usual a full swing was read: those were on average not quite so fast, and exit speeds do not keep
-up with what was read. A ball that is only grazed scatters by more than one met squarely, up and down by different
+up with what was read; from 80 mph on they do not grow at all. A ball that is only grazed scatters by more than one met squarely, up and down by different
 amounts, and so does one met by a bat that goes up or down unusually; of balls turned by more than `GRAZED` the level
 is another too, for the bat's table is least right there, and from there on both change at a rate of their own. All
 weights are what makes the measured exit speeds most likely, the places summed over (expectation and maximisation).
@@ -32,24 +32,24 @@ SIX = ("outside", "height", "faster", "lost", "attack", "tilt")
 PLACE = ("one", *SIX, *(f"outside {name}" for name in SIX), *(f"{name} {name}" for name in SIX[1:]))
 SPREAD = ("one", *SIX)
 FAR = ("far up", "far down")
-LEVEL = ("one", "faster", "turned", *FAR)
+LEVEL = ("one", "faster", "fastest", "turned", *FAR)
 NOISE = ("one", *SIX, "attack attack", "turned", "turned either way", *FAR)
-"""What each quantity is a sum over; `FAR` is how much further than `GRAZED` a ball was turned up or down, other two
-words are products. See `Circumstances` for their units."""
+"""What each quantity is a sum over; `FAR` is how much further than `GRAZED` a ball was turned up or down, "fastest" how
+much faster than `FAST` a swing was, other two words are products. See `Circumstances` for their units."""
 USUAL_WEIGHTS = np.array([
-    6.06, -3.02, 1.42, 0.15, 0.39, -0.71, 0.25, 0.27, -0.63, -0.25, 0.40, 0.41, -0.15, -0.08, -0.15, -0.21, -0.07,
+    6.02, -3.02, 1.42, 0.06, 0.26, -0.71, 0.25, 0.27, -0.63, -0.23, 0.43, 0.41, -0.15, -0.08, -0.06, -0.19, -0.07,
     -0.07,
 ]) * INCH  # fmt: skip
 USUAL_SPREADS = np.array([-3.18, -0.43, 0.05, 0.04, 0.07, -0.01, -0.03])
-USUAL_LEVELS = np.array([0.004, -0.019, 0.004, 0.053, -0.114])
-USUAL_NOISES = np.array([-1.05, -0.07, -0.06, 0.04, 0.03, -0.07, 0.05, 0.08, -0.41, 1.63, -0.56, -2.10])
+USUAL_LEVELS = np.array([0.004, -0.016, -0.039, 0.004, 0.055, -0.118])
+USUAL_NOISES = np.array([-1.06, -0.07, -0.05, 0.04, 0.04, -0.07, 0.05, 0.08, -0.41, 1.65, -0.59, -2.11])
 USUAL_MARGINAL = 5.57 * INCH, 2.74 * INCH
 """Before a table is read: weights learned from 20,188 tracked balls of the league [sure2026] with the usual ash bat,
 over `PLACE`, `SPREAD`, `LEVEL` and `NOISE`, and mean and standard deviation of all places
 (``python -m tools.held_out --usual`` prints them)."""
 PLACE_WIDTHS = np.array([0.7, 1.0, *[0.5] * 5, *[0.25] * (len(PLACE) - 7)]) * INCH
 SPREAD_WIDTHS = np.array([0.25, *[0.1] * (len(SPREAD) - 1)])
-LEVEL_WIDTHS = np.array([0.02, 0.01, 0.02, 0.05, 0.05])
+LEVEL_WIDTHS = np.array([0.02, 0.01, 0.05, 0.02, 0.05, 0.05])
 NOISE_WIDTHS = np.array([0.3, *[0.1] * (len(NOISE) - 5), *[0.2] * 4])
 """By what a table's weights may differ from those, standard deviations: players of a league that is as reliable as the
 real one differ by 0.5 in of place (`made_up.LIKE_THE_LEAGUE`), tables of other leagues by more; the rest is judgement.
@@ -58,6 +58,8 @@ TURNED = 0.7
 """rad by which a ball leaves the bat's path that is hit about 1.4 in over or under the axis."""
 GRAZED, MOST_TURNED = 1.2, 2.2
 """Of that: 48 degrees, beyond which exit speeds go another way than before, and 88, the most there can be."""
+FAST = 1.25
+"""Of 5 mph, by which full swings are faster than usual that are read at 80 mph: beyond, hardly any really are."""
 CENTRE, SCALE = (0.0, 0.75), (0.3, 0.25)
 """m, by which places over the plate are brought to about 0 and 1: outside, height."""
 SPEED, TILT = 5 * MPH, 6 * DEGREE
@@ -94,7 +96,7 @@ class Circumstances(NamedTuple):
         ----------
         turned : of the balls, from `turn_term`.
         """
-        known = {**self._asdict(), "one": np.ones(len(self.outside))}
+        known = {**self._asdict(), "one": np.ones(len(self.outside)), "fastest": np.maximum(self.faster - FAST, 0.0)}
         if turned is not None:
             known |= {"turned": turned, "turned either way": np.abs(turned)}
             known |= dict(zip(FAR, (np.maximum(way * turned - GRAZED, 0.0) for way in (1, -1)), strict=True))
