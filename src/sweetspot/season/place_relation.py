@@ -7,10 +7,11 @@ whose logarithm is a sum over `SPREAD`; its exit speed is (1 + level) times the 
 `LEVEL`, with a scatter whose logarithm is a sum over `NOISE`. The mean is told which way it goes with how far outside a
 pitch is: exit speed falls to both sides of the best place and cannot tell them apart, geometry can. The level goes with
 how much faster than usual a full swing was read: those were on average not quite so fast, and exit speeds do not keep
-up with what was read; from 80 mph on they do not grow at all. A ball that is only grazed scatters by more than one met squarely, up and down by different
-amounts, and so does one met by a bat that goes up or down unusually; of balls turned by more than `GRAZED` the level
-is another too, for the bat's table is least right there, and from there on both change at a rate of their own. All
-weights are what makes the measured exit speeds most likely, the places summed over (expectation and maximisation).
+up with what was read; from 80 mph on they do not grow at all. A ball that is only grazed scatters by more than one met
+squarely, up and down by different amounts, and so does one met by a bat that goes up or down unusually; of balls turned
+by more than `GRAZED` the level is another too, for the bat's table is least right there, and from there on both change
+at a rate of their own. All weights are what makes the measured exit speeds most likely, the places summed over
+(expectation and maximisation).
 """
 
 from __future__ import annotations
