@@ -86,7 +86,7 @@ def test_signs_of_numbers_are_spelled_where_a_terminal_lacks_them(
     assert "27.0deg up" in printed and "?" not in printed and "?" not in capsys.readouterr().err
 
 
-@pytest.mark.parametrize(("columns", "widest"), [("100", 100), ("150", 150), ("", 110), ("many", 110)])
+@pytest.mark.parametrize(("columns", "widest"), [("80", 80), ("150", 150), ("", 110), ("many", 110)])
 def test_a_piped_text_is_as_wide_as_columns_says(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], columns: str, widest: int
 ) -> None:

@@ -22,14 +22,14 @@ from sweetspot.numerics.text_files import harmless
 if TYPE_CHECKING:
     from sweetspot.cli.options.output import OutputOptions
     from sweetspot.report.document import Document
+    from sweetspot.report.quantities import Reader
 
 PATIENCE = 3.0
 """s before a run says why it takes a while."""
 BEAT = 8.0
 """s after which a run that shows no bar says that it goes on, and again and again."""
-WIDE, NARROWEST = 110, 40
-"""Columns of a text where no terminal says how many there are, and at least."""
-LONGEST_LINE = 1000
+WIDE, NARROWEST, LONGEST_LINE = 110, 40, 1000
+"""Characters of a line where no terminal says how many there are, at least, and at most."""
 LONG = 50
 """Steps of work from which on a log hears of it."""
 
@@ -47,14 +47,17 @@ def print_csv(columns: Mapping[str, Sequence[Any]]) -> None:
     writer.writerows([harmless(cell) for cell in row] for row in zip(*columns.values(), strict=True))
 
 
-def print_table(renderable: Any) -> None:
-    """Print a rich table on stdout, as wide as the terminal."""
+def _print(document: Document, reader: Reader) -> None:
+    """Print an answer on stdout, as wide as the terminal."""
     from rich.console import Console
     from rich.measure import Measurement
+
+    from sweetspot.report.terminal import to_terminal
 
     console = Console(soft_wrap=False)
     if not console.is_terminal:
         console = Console(width=_width_of_pipe())
+    renderable = to_terminal(document, reader, encoding=sys.stdout.encoding, room=console.width)
     least = Measurement.get(console, console.options.update_width(LONGEST_LINE), renderable).minimum
     if least > console.width:  # lines that are too long can be read, columns of two letters cannot
         console = Console(width=least)
@@ -91,10 +94,7 @@ def present(document: Document, options: OutputOptions, *, long: bool = False) -
     elif options.format == "csv":
         print_csv(document.rows)
     else:
-        from sweetspot.report.terminal import to_terminal
-
-        reader = document.reader_of(options.units)
-        print_table(to_terminal(document, reader, encoding=sys.stdout.encoding))
+        _print(document, document.reader_of(options.units))
     if written:
         print(f"sweetspot: wrote {', '.join(map(str, written))}", file=sys.stderr)
     return 0 if document.passed else 1

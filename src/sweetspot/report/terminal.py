@@ -20,7 +20,7 @@ from sweetspot.report.sentences import Words, read
 NARROW = 8
 """Characters of a column that its heading may take at least."""
 ROOM = 110
-"""Characters of a table's width above which headings are broken into lines."""
+"""Characters of a line, where nobody says how many there are."""
 SHORT = 32
 """Characters of a cell that a line may be kept whole for."""
 DOUBT = "±"
@@ -29,14 +29,15 @@ WORD = 14
 STYLES = {"text": "", "note": "dim", "warning": "yellow"}
 
 
-def to_terminal(document: parts.Document, reader: Reader, *, encoding: str = "utf-8") -> Group:
+def to_terminal(document: parts.Document, reader: Reader, *, encoding: str = "utf-8", room: int = ROOM) -> Group:
     """Return a document as `rich` prints it: title, sentences, tables, notes.
 
     Parameters
     ----------
     encoding : of the terminal; signs that it lacks are spelled, before columns get their widths.
+    room : characters of a table's width above which headings are broken into lines.
     """
-    screen = _Screen(reader, encoding)
+    screen = Screen(reader, encoding, room)
     title = Text(screen.read(document.title), style="bold")
     if subtitle := screen.read(document.subtitle):
         title.append(f"  {subtitle}", style="dim")
@@ -47,11 +48,12 @@ def to_terminal(document: parts.Document, reader: Reader, *, encoding: str = "ut
 
 
 @dataclass(frozen=True)
-class _Screen:
-    """Who reads, and with which signs."""
+class Screen:
+    """Who reads, with which signs, and how many characters a line has."""
 
     reader: Reader
-    encoding: str
+    encoding: str = "utf-8"
+    room: int = ROOM
 
     def read(self, words: Words) -> str:
         return spelled_for(self.encoding, read(words, self.reader))
@@ -63,7 +65,7 @@ class _Screen:
         return [spelled_for(self.encoding, column.shown(cell, self.reader)) for cell in cells]
 
 
-def _rendered(blocks: Sequence[parts.Block], screen: _Screen) -> Iterator[RenderableType]:
+def _rendered(blocks: Sequence[parts.Block], screen: Screen) -> Iterator[RenderableType]:
     for block in blocks:
         match block:
             case parts.Paragraph():
@@ -78,7 +80,7 @@ def _rendered(blocks: Sequence[parts.Block], screen: _Screen) -> Iterator[Render
             case parts.Table():
                 if title := screen.read(block.title):
                     yield Text(title, style="bold")
-                yield table(block, screen.reader, encoding=screen.encoding)
+                yield table(block, screen)
                 yield Text()
             case parts.Sources():
                 yield from (Text(f"[{key}] {screen.read(cite(key))}", style="dim") for key in block.keys)
@@ -89,17 +91,17 @@ def _rendered(blocks: Sequence[parts.Block], screen: _Screen) -> Iterator[Render
                 continue
 
 
-def table(block: parts.Table, reader: Reader, *, encoding: str = "utf-8") -> RichTable:
+def table(block: parts.Table, screen: Screen) -> RichTable:
     """Return a table as `rich` prints it; the last column of words takes what room there is."""
-    screen, made = _Screen(reader, encoding), RichTable(header_style="bold", box=None, pad_edge=False)
+    made = RichTable(header_style="bold", box=None, pad_edge=False)
     by_column = [[row[number] for row in block.rows] for number in range(len(block.columns))]
     shown = [screen.cells(column, cells) for column, cells in zip(block.columns, by_column, strict=True)]
     heads = [screen.head(column) for column in block.columns]
-    doubted = any(DOUBT in column.shown(cell, reader) for column, cells in zip(block.columns, by_column, strict=True)
+    doubted = any(DOUBT in column.shown(cell, screen.reader) for column, cells in zip(block.columns, by_column, strict=True)
                   if column.is_number for cell in cells)  # fmt: skip
     widths = [max(len(head), *(len(text) for text in texts if len(text) <= SHORT and " (" not in text), 0) + 2
               for head, texts in zip(heads, shown, strict=True)]  # fmt: skip
-    wide = sum(widths) > ROOM
+    wide = sum(widths) > screen.room
     for number, (column, head, texts) in enumerate(zip(block.columns, heads, shown, strict=True)):
         lopsided = [text for text in texts if column.is_number and " (" in text]  # too long for a line among others
         whole = (column.is_number and not lopsided) or (number == 0 and len(block.columns) < 7)

@@ -92,7 +92,7 @@ def test_a_terminal_breaks_long_intervals_and_clips_none() -> None:
     wide = Slot(0.106, "ratio", reach=(0.017, 0.034))
     table = Table("", [Column(f"a heading of words {n}", "ratio") for n in range(9)], [[wide] * 9])
     printed = io.StringIO()
-    Console(file=printed, width=110).print(terminal.table(table, US))
+    Console(file=printed, width=110).print(terminal.table(table, terminal.Screen(US)))
     assert "…" not in printed.getvalue()
     assert printed.getvalue().count("0.140)") == 9
 
