@@ -24,6 +24,7 @@ from figures import (
     optimum,
     parks,
     percussion,
+    season,
     spots,
 )
 from matplotlib import rc_context
@@ -48,6 +49,7 @@ def figures() -> dict[str, Callable[[], Figure]]:
         "offset": oblique.offset_figure,
         "parks": parks.parks_figure,
         "home_runs": home_runs.calibration_figure,
+        "season": season.coverage_figure,
         "optimum": optimum.optimum_figure,
         "flight": flight.flight_figure,
         "flight_convergence": flight.flight_convergence,
