@@ -13,13 +13,15 @@ from figures.style import BLUE, GREY, RED, new_figure
 PAGE = Path(__file__).parents[1] / "theory" / "season_evidence.md"
 ROW = re.compile(r"^\| ([^|]+) \| ([\d,]+) \| ([\d.]+) \| ([\d.]+) \| [\d.]+ \|$", re.MULTILINE)
 """A row of the page's table, which holds what ``tools.held_out`` prints."""
+SHOWN = ("bat speed", "attack angle", "pitch outside", "turned up", "all")
+"""Beginnings of the rows that are drawn."""
 
 
 def coverage_figure() -> Figure:
     """Return the part of tracked exit speeds within their intervals of 50 and 90 %, with standard errors."""
-    rows = ROW.findall(PAGE.read_text(encoding="utf-8"))
+    rows = [row for row in ROW.findall(PAGE.read_text(encoding="utf-8")) if row[0].startswith(SHOWN)]
     counts = np.array([int(count.replace(",", "")) for _, count, _, _ in rows])
-    figure, (plot,) = new_figure(6.6, 6.4)
+    figure, (plot,) = new_figure(6.6, 5.6)
     height = np.arange(len(rows))[::-1]
     for part, column, color in ((50, 2, BLUE), (90, 3, RED)):
         held = np.array([float(row[column]) for row in rows])
