@@ -54,7 +54,7 @@ def test_a_field_s_fence_goes_through_its_three_distances() -> None:
 @pytest.mark.parametrize("command", [("play", "fast-pitch"), ("hit", "fast-pitch", "--at", "6in-from-tip")])
 def test_what_is_assumed_of_a_softball_is_named(run: Run, command: tuple[str, ...]) -> None:
     words = " ".join(run(*command)[1].split())
-    assert "Soft defaults: ball: loss of restitution with speed and stiffness (assumed)." in words
+    assert "Assumed, not measured: of the ball, loss of restitution with speed and stiffness." in words
 
 
 def test_a_child_s_hit_over_the_fence(run: Run, run_json: Callable[..., Any]) -> None:

@@ -132,6 +132,6 @@ def test_a_fitted_player(tmp_path: Path) -> None:
         file.write_text(json.dumps({"parameters": parameters, "pitch_speed_m_s": 38.0} | level), encoding="utf-8")
         assert fitted_player(file)["position_doubt"] == pytest.approx(0.04 / reach, rel=1e-6)
     file.write_text("{}", encoding="utf-8")
-    with pytest.raises(InputError, match="not an answer of sweetspot fit-player"):
+    with pytest.raises(InputError, match="not what fit-player writes: it has no parameters"):
         fitted_player(file)
     assert np.all(np.diff(FROM_TIP) > 0)

@@ -26,8 +26,3 @@ def test_the_copied_command_finds_the_same_swing(run_json: Callable[..., Any]) -
     found = run_json(*shlex.split(recipe(state)["command"])[1:])["swings"]
     told = swing(state)["html"]["us"]
     assert f"carries farthest, {found[0]['carry_m'] / FOOT:.0f}\N{NO-BREAK SPACE}ft" in told
-
-
-def test_a_sport_of_several_fields_has_a_command_for_each() -> None:
-    lines = recipe(OptimumState(bat="youth-30"))["command"].split("\n")
-    assert [line.split("--park ")[1] for line in lines] == ["little-league", "intermediate"]

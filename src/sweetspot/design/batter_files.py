@@ -26,6 +26,7 @@ PLACE_HEADS = {
     "from_tip": None,
 }  # fmt: skip
 """Headings of a column of places with the size of their unit in m; None: every value brings its own."""
+ADVICE = "give the file that fit-player --out writes, player.json"
 LONGEST = 1.1
 """m: no bat is longer."""
 
@@ -135,9 +136,12 @@ def fitted_player(path: Path) -> dict[str, float]:
     InputError
         when the file is no such answer.
     """
-    text = read_text(path, most=MOST_BYTES, advice="give the file that fit-player --out writes, player.json")
+    text = read_text(path, most=MOST_BYTES, advice=ADVICE)
     try:
         table: Any = json.loads(text)
+    except ValueError as error:
+        raise InputError(f"{path} is no JSON ({error}); {ADVICE}") from None
+    try:
         parameters = table["parameters"]
         values = {name: _learned(parameters[name]) for name in LEARNED}
         values["pitch_speed"] = float(table["pitch_speed_m_s"])
@@ -148,7 +152,12 @@ def fitted_player(path: Path) -> dict[str, float]:
         values["position_spread_doubt"] = math.log(high / low) / (2 * reach)
         values["balls"] = float(table.get("swings", {}).get("used", 0))
     except (ValueError, KeyError, TypeError, AttributeError, ArithmeticError) as error:
-        raise InputError(f"{path} is not an answer of sweetspot fit-player --format json: {error}") from None
+        lacks = (
+            f"has no {error.args[0]}"
+            if isinstance(error, KeyError)
+            else "has something else where its numbers should be"
+        )
+        raise InputError(f"{path} is not what fit-player writes: it {lacks}; {ADVICE}") from None
     return values
 
 

@@ -109,5 +109,7 @@ _WORDS = {
     "model_attributes_type": "give names and values",
     "too_short": "give at least {min_length}; given were {actual_length}",
     "too_long": "give at most {max_length}; given were {actual_length}",
+    "string_too_short": "give at least one letter",
+    "string_pattern_mismatch": "this names nothing that was handed in here",
     "string_too_long": "this is longer than the {max_length} letters allowed",
 }

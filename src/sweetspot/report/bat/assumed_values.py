@@ -1,11 +1,10 @@
-"""What of an answer rests on soft defaults: assumed speeds and values of the ball, marked everywhere alike."""
+"""What of an answer rests on assumed values of speeds and the ball, told in one sentence everywhere alike."""
 
 from __future__ import annotations
 
 from sweetspot.catalog.sports import sport
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.implement import Implement
-from sweetspot.equipment.sport import ASSUMED_MARK
 from sweetspot.motion.swing import Conditions
 from sweetspot.report.bat.provenance import assumed_of_ball
 from sweetspot.report.document import Block, Paragraph
@@ -21,7 +20,7 @@ def soft_defaults(implement: Implement, ball: Ball, conditions: Conditions | Non
     >>> from sweetspot.report.sport_words import reader_of
     >>> slow = bat("slow-pitch")
     >>> soft_defaults(slow, ball("softball-12in")).read(reader_of(slow))
-    'Soft defaults: ball: loss of restitution with speed and stiffness (assumed).'
+    'Assumed, not measured: of the ball, loss of restitution with speed and stiffness.'
     >>> soft_defaults(bat("r161-ash"), ball("baseball")).parts
     ()
     """
@@ -32,14 +31,14 @@ def soft_defaults(implement: Implement, ball: Ball, conditions: Conditions | Non
         else ()
     )
     soft = [
-        say("{name} {speed} {mark}", name=one.name, speed=Slot(value, "speed", round=True), mark=ASSUMED_MARK)
+        say("{name} {speed}", name=one.name, speed=Slot(value, "speed", round=True))
         for one, value in used
         if one.kind == "assumed" and one.value == value
     ]
     if values := assumed_of_ball(ball):
         listed = " and ".join([*filter(None, [", ".join(values[:-1])]), values[-1]])
-        soft.append(in_words("{ball}: {listed} {mark}", words_of(implement), listed=listed, mark=ASSUMED_MARK))
-    return say("Soft defaults: {soft}.", soft=joined(soft, "; ")) if soft else Sentence(())
+        soft.append(in_words("of the {ball}, {listed}", words_of(implement), listed=listed))
+    return say("Assumed, not measured: {soft}.", soft=joined(soft, "; ")) if soft else Sentence(())
 
 
 def soft_note(implement: Implement, ball: Ball) -> list[Block]:

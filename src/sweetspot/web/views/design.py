@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import tempfile
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from shlex import quote
 from typing import Any, TypeVar
@@ -57,7 +58,7 @@ from sweetspot.web.views.design_state import (
     numbers_of,
     question_of,
 )
-from sweetspot.web.views.player import PlayerState, learned
+from sweetspot.web.views.player import PlayerState, batters_of, learned
 
 Read = TypeVar("Read")
 PLACES_DOUBT = 0.5 * INCH
@@ -216,10 +217,14 @@ def batter(state: DesignState) -> dict[str, Any]:
     if state.swings_csv.lstrip().startswith("{"):
         values = _of_file(state.swings_csv, "fit-player.json", fitted_player)
     elif "from_tip" in state.swings_csv.partition("\n")[0].lower():
-        contacts = _of_file(state.swings_csv, "contacts.csv", contacts_of_file)
+        contacts = _of_file(state.swings_csv, "contacts.csv", partial(contacts_of_file, batter=state.swings_of))
         values = {"position": contacts.mean, "position_spread": contacts.spread, "position_doubt": contacts.mean_doubt}
     else:
-        own = {name: getattr(state, name) for name in BatState.model_fields}
+        names = batters_of(state.swings_csv)
+        if len(names) > 1 and state.swings_of is None:
+            raise FieldError("swings_csv", f"the table has swings of {len(names)} batters; give it to the view Player, "
+                             "choose one there, and come back")  # fmt: skip
+        own = {name: getattr(state, name) for name in (*BatState.model_fields, "swings_of")}
         posterior = learned(PlayerState(**own, swings_csv=state.swings_csv))
         values = {name: posterior.learned[name].interval.value for name in
                   ("position", "position_spread", "offset", "offset_spread", "bat_speed")}  # fmt: skip

@@ -74,6 +74,9 @@ class DesignState(SwungState):
     swings_csv: Annotated[str, Field(max_length=LONGEST_TABLE)] | None = Field(
         None, description="a table of swings or an answer of fit-player, to read the batter from"
     )
+    swings_of: Annotated[str, Field(min_length=1, max_length=80)] | None = Field(
+        None, description="which batter of that table"
+    )
 
 
 _OF_BENCH = (*SwungState.model_fields, "contact_in", "contact_spread_in", "contact_doubt_in", "miss_in",

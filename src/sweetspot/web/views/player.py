@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
@@ -14,14 +16,14 @@ from pydantic import Field
 from sweetspot import catalog
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
-from sweetspot.errors import SweetspotError
+from sweetspot.errors import SweetspotError, nearest_names
 from sweetspot.flight.air import Air
 from sweetspot.player.advice import advise
 from sweetspot.player.goal import Goal
 from sweetspot.player.model import bats_of, player_model
-from sweetspot.player.player_swing import check_enough
+from sweetspot.player.player_swing import BY_FORCE, check_enough
 from sweetspot.player.posterior import Posterior, fit_player
-from sweetspot.player.swings import MOST_SWINGS, Swings, evenly, read_swings
+from sweetspot.player.swings import MOST_SWINGS, Swings, batters, evenly, read_swings
 from sweetspot.report.bat.json import bat_json
 from sweetspot.report.player.document import player_document
 from sweetspot.report.quantities import SYSTEMS
@@ -32,7 +34,7 @@ from sweetspot.web.documents import told
 from sweetspot.web.drawings import outline
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.one_system import in_one_system
-from sweetspot.web.recipes import bat_name, bat_text
+from sweetspot.web.recipes import bat_name, bat_text, option
 from sweetspot.web.states import BatState
 from sweetspot.web.view import View
 
@@ -48,6 +50,9 @@ class PlayerState(BatState):
     swings_csv: Annotated[str, Field(max_length=LONGEST_TABLE)] | None = Field(
         None, description="one row per swing: Blast, HitTrax, Statcast or plain; empty: an example"
     )
+    swings_of: Annotated[str, Field(min_length=1, max_length=80)] | None = Field(
+        None, description="whose swings count, where the table has several batters; empty: the first in the alphabet"
+    )
     goal: Literal["exit-speed", "carry"] = Field("exit-speed", description="what the player wants more of")
     given_pitch_mph: Annotated[float, Field(ge=0, le=110)] = Field(
         55.0, description="at the plate, for rows without one; 0: a tee"
@@ -57,7 +62,7 @@ class PlayerState(BatState):
 def answer(state: PlayerState) -> dict[str, Any]:
     """Return the swings as they were read: speeds of bat and ball, rows that could not be used and why."""
     swings = _swings(state)
-    good = swings.swings
+    good, names = swings.swings, batters_of(state.swings_csv)
     bad = [f"row {one.row}: {one.reason}" for one in swings.bad_rows[:20]]
     notes = [*swings.notes, *bad]
     own = described(state)
@@ -71,6 +76,8 @@ def answer(state: PlayerState) -> dict[str, Any]:
         "bat_speed_m_s": [one.bat_speed for one in good],
         "exit_speed_m_s": [one.exit_speed for one in good],
         "count": len(good),
+        "batters": names,
+        "batter": state.swings_of or (names[0] if len(names) > 1 else None),
         "notes": {system: [in_one_system(one)[system] for one in notes] for system in SYSTEMS},
         "bad_rows": len(swings.bad_rows),
         "csv": _example() if state.swings_csv is None else None,
@@ -103,19 +110,39 @@ def learned(state: PlayerState) -> Posterior:
         return fit_player(model, method="draws", seed=1)
 
 
+@contextmanager
+def _file(text: str | None) -> Iterator[Path]:
+    """Have a table of swings as a file; None: the example."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "swings.csv"
+        path.write_text(_example() if text is None else text, encoding="utf-8")
+        yield path
+
+
+@lru_cache(maxsize=16)
+def batters_of(text: str | None) -> tuple[str, ...]:
+    """Return the batters that a table of swings names, in the order of the alphabet; none where it names none."""
+    with _file(text) as path:
+        try:
+            return batters(path)
+        except SweetspotError:  # reading the swings tells what is wrong
+            return ()
+
+
 @lru_cache(maxsize=16)
 def _swings(state: PlayerState) -> Swings:
-    own = described(state)
-    text = _example() if state.swings_csv is None else state.swings_csv
-    with tempfile.TemporaryDirectory() as folder, about("swings_csv"):
-        path = Path(folder) / "swings.csv"
-        path.write_text(text, encoding="utf-8")
+    own, names = described(state), batters_of(state.swings_csv)
+    if state.swings_of is not None and state.swings_of not in names:
+        known = nearest_names(state.swings_of, names) if names else "It names no batter; leave this empty."
+        raise FieldError("swings_of", f"the table has no swings of {state.swings_of!r}. {known}")
+    with _file(state.swings_csv) as path, about("swings_csv"):
+        batter = state.swings_of or (names[0] if len(names) > 1 else None)
         try:
-            swings = read_swings(path, length=own.length, pitch_speed=state.given_pitch_mph * MPH)
+            swings = read_swings(path, length=own.length, pitch_speed=state.given_pitch_mph * MPH, batter=batter)
             good, _, bad, notes = bats_of(swings.swings, load=listed_bat)
             check_enough(good, path, (*swings.bad_rows, *bad))
         except SweetspotError as error:
-            raise FieldError("swings_csv", str(error).replace(str(path), "the table")) from None
+            raise FieldError("swings_csv", str(error).replace(str(path), "the table").replace(BY_FORCE, "")) from None
     good, thinned = evenly(good, MOST_SWINGS)
     rows = tuple(sorted((*swings.bad_rows, *bad), key=lambda row: row.row))
     system = "made-up" if state.swings_csv is None else swings.system
@@ -136,7 +163,11 @@ def _example() -> str:
 def recipe(state: PlayerState) -> dict[str, str]:
     """Return the command line that gives the same report, the table and the bat's file."""
     pitch = "tee" if state.given_pitch_mph == 0 else f"{state.given_pitch_mph:.12g}mph"
-    command = f"sweetspot fit-player swings.csv --bat {bat_name(state)} --goal {state.goal} --pitch-speed {pitch}"
+    names = batters_of(state.swings_csv)
+    batter = " " + option("--batter", state.swings_of or names[0]) if len(names) > 1 else ""
+    command = (
+        f"sweetspot fit-player swings.csv --bat {bat_name(state)} --goal {state.goal} --pitch-speed {pitch}{batter}"
+    )
     return {"command": command, "toml": bat_text(state)}
 
 

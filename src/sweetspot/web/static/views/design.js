@@ -27,7 +27,7 @@ const CHANGES = { speed: "speed_change", place: "length" }; // how a change is s
 // One of the bat's numbers as a control calls it, with the ending that tells its unit.
 const key = (/** @type {{ name: string, ending: string }} */ { name, ending }) => `${name}${ending || "_ratio"}`;
 const capital = (/** @type {string} */ words) => words[0].toUpperCase() + words.slice(1);
-const ELSEWHERE = ["league", "want", "also_want", "generations", "seed", "swings_csv"]; // what the gain does not depend on
+const ELSEWHERE = ["league", "want", "also_want", "generations", "seed", "swings_csv", "swings_of"]; // what the gain does not depend on
 
 // What of a gain can be said: seen only where the interval clearly leaves zero out; a loss alike.
 /**
@@ -108,11 +108,11 @@ export const view = {
   swings(app) {
     const file = make("input", { type: "file", id: "batter-file", accept: ".csv,.json,text/csv,application/json,text/plain" });
     const wrong = make("p", { className: "fault", hidden: true });
-    const read = async (/** @type {string} */ text) => {
+    const read = async (/** @type {string} */ text, /** @type {string | null} */ whose = null) => {
       wrong.hidden = true;
       file.setAttribute("aria-busy", "true");
       try {
-        app.setState(await app.ask("design/batter", { ...app.state, swings_csv: text }));
+        app.setState(await app.ask("design/batter", { ...app.state, swings_csv: text, swings_of: whose }));
       } catch (fault) {
         wrong.textContent = fault.message;
         wrong.hidden = false;
@@ -130,9 +130,9 @@ export const view = {
         wrong.hidden = false;
       } else read(text);
     });
-    const known = app.left.get("player")?.swings_csv;
+    const { swings_csv: known, swings_of: whose } = app.left.get("player") ?? {};
     return make("div", { className: "own" }, make("label", { htmlFor: "batter-file", textContent: "Or from swings (CSV, or player.json of fit-player)" }), file, wrong,
-      ...(known ? [button("The swings of the view Player", () => read(known))] : []));
+      ...(known ? [button("The swings of the view Player", () => read(known, whose))] : []));
   },
 
   /** @param {App} app */

@@ -5,6 +5,7 @@ import { button, choice, group, reveal, slider } from "../controls.js";
 import { DocumentPlace } from "../document.js";
 import { Numbers } from "../numbers.js";
 import { make } from "../parts.js";
+import { Filter } from "./filter.js";
 import { FONT, Surface, ticks } from "../surface.js";
 import { fromShown, toShown, unitOf } from "../units.js";
 /** @import { Answer, View } from "../main.js" */
@@ -32,11 +33,12 @@ export const view = {
       this.wrong.hidden = message === "";
       if (message) reveal(this.wrong);
     } });
+    this.whose = new Filter(app, "swings_of", { label: "Whose swings", all: "the first in the alphabet" });
     const side = make("div", { className: "side" },
       group("The swings", [
         make("p", { className: "own" }, make("label", { htmlFor: "swings-file", textContent: "Table of swings (CSV)" }), file), this.wrong,
         slider(app, "given_pitch_mph", { label: "Pitch, where a row has none", step: 1 }),
-        button("The example again", () => app.setState({ swings_csv: null })),
+        this.whose.element, button("The example again", () => app.setState({ swings_csv: null, swings_of: null })),
       ]),
       group("What is wanted", [choice(app, "goal", { label: "More", options: [["exit-speed", "exit speed"], ["carry", "carry"]] })]),
       this.bench.element);
@@ -61,15 +63,16 @@ export const view = {
       this.app.controls.get("swings_csv")?.fault?.(`${file.name} has ${text.length} letters; at most ${LONGEST}, about a thousand rows. The command fit-player takes more.`);
       return;
     }
-    this.app.setState({ swings_csv: text });
+    this.app.setState({ swings_csv: text, swings_of: null });
   },
 
   update(answer) {
     this.answer = answer;
     this.bench.update(answer);
-    const { count, bad_rows: bad, example, notes } = answer;
+    const { count, bad_rows: bad, batter, batters, example, notes } = answer;
+    this.whose.fill(batters.map((/** @type {string} */ name) => [name]));
     const many = (/** @type {number} */ number, /** @type {string} */ words) => `${number} ${words}${number === 1 ? "" : "s"}`;
-    this.words.textContent = `${many(count, "swing")}${example ? " of a made-up player; bring your own table to read yours" : ""}${bad ? `; ${many(bad, "row")} could not be used` : ""}.`;
+    this.words.textContent = `${many(count, "swing")}${batter === null ? "" : ` of ${batter}`}${example ? " of a made-up player; bring your own table to read yours" : ""}${bad ? `; ${many(bad, "row")} could not be used` : ""}.`;
     this.app.announce(this.words.textContent);
     this.bad.replaceChildren(...notes[this.app.units].map((/** @type {string} */ words) => make("li", { textContent: words })));
     this.points.label(`Exit speed against bat speed of ${many(count, "swing")}.`);

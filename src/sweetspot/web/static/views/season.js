@@ -4,7 +4,8 @@ import { Bench } from "../bench.js";
 import { button, choice, group } from "../controls.js";
 import { DocumentPlace } from "../document.js";
 import { factList, make, tell } from "../parts.js";
-import { Filter, Players } from "./season_players.js";
+import { Filter } from "./filter.js";
+import { Players } from "./season_players.js";
 import { BarrelMap, Ceilings, FieldMap } from "./season_pictures.js";
 import { Reading } from "./season_reading.js";
 import { grouped } from "../units.js";
@@ -127,7 +128,8 @@ export const view = {
   say() {
     const { answer, app, found } = this;
     if (!answer?.season) {
-      this.words.textContent = "Hand in tables of balls in play: every ball is judged against the bat on the bench, with where on the barrel it was met.";
+      const absent = app.state.batter === null ? "" : `Player ${app.state.batter} is of a season that is not here. `;
+      this.words.textContent = `${absent}Hand in tables of balls in play: every ball is judged against the bat on the bench, with where on the barrel it was met.`;
       return;
     }
     if (!found?.means) return;

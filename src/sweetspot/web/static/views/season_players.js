@@ -1,9 +1,9 @@
-// Which balls: selects whose lists come with a season, and its players as a table to choose from.
+// The players of a season as a table to choose from.
 
 import { button } from "../controls.js";
 import { make, tableOf } from "../parts.js";
-import { grouped } from "../units.js";
-/** @import { Answer, App, State } from "../main.js" */
+import { Filter } from "./filter.js";
+/** @import { Answer, App } from "../main.js" */
 
 const SHOWN = 25;
 const COLUMNS = [
@@ -11,48 +11,6 @@ const COLUMNS = [
   ["squared_up", "squared up", "share"], ["from_best", "from the best place", "offset"], ["home_runs_expected", "home runs expected", "count"],
 ];
 const LOW_FIRST = ["from_best"];
-
-// One field of the state that may be empty: a list of [value, balls]; hidden where there is nothing to choose.
-export class Filter {
-  /** @param {App} app */
-  constructor(app, /** @type {string} */ field, /** @type {{ label: string, all: string }} */ { label, all }) {
-    this.app = app;
-    this.field = field;
-    this.all = all;
-    this.made = "";
-    const id = `season-${field}`;
-    this.select = make("select", { id });
-    this.fault = make("p", { className: "fault", id: `${id}-fault`, hidden: true });
-    this.select.setAttribute("aria-describedby", this.fault.id);
-    this.select.addEventListener("change", () => app.setState({ [field]: this.select.value || null }));
-    this.element = make("div", { className: "control", hidden: true }, make("label", { htmlFor: id, textContent: label }), make("div", { className: "entry" }, this.select), this.fault);
-    this.element.dataset.field = field;
-    this.fill([]);
-    app.control({ field, sync: (state) => this.sync(state), fault: (message) => {
-      this.fault.textContent = message;
-      this.fault.hidden = message === "";
-      if (message) this.element.hidden = false;
-    } });
-  }
-
-  /** @param {Answer[]} list */
-  fill(list) {
-    const made = JSON.stringify(list);
-    if (made !== this.made) {
-      this.made = made;
-      this.select.replaceChildren(new Option(this.all, ""), ...list.map(([value, balls, words = value]) => new Option(`${words} (${grouped(balls)})`, value)));
-    }
-    this.element.hidden = list.length < 2 && this.app.state[this.field] === null;
-    this.sync(this.app.state);
-  }
-
-  /** @param {State} state */
-  sync(state) {
-    const value = state[this.field] ?? "";
-    if (![...this.select.options].some((option) => option.value === value)) this.select.append(new Option(value, value));
-    this.select.value = value;
-  }
-}
 
 export class Players {
   /** @param {App} app */
