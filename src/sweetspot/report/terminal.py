@@ -97,8 +97,8 @@ def table(block: parts.Table, screen: Screen) -> RichTable:
     by_column = [[row[number] for row in block.rows] for number in range(len(block.columns))]
     shown = [screen.cells(column, cells) for column, cells in zip(block.columns, by_column, strict=True)]
     heads = [screen.head(column) for column in block.columns]
-    doubted = any(DOUBT in column.shown(cell, screen.reader) for column, cells in zip(block.columns, by_column, strict=True)
-                  if column.is_number for cell in cells)  # fmt: skip
+    doubted = any(DOUBT in column.shown(row[number], screen.reader) for number, column in enumerate(block.columns)
+                  if column.is_number for row in block.rows)  # fmt: skip
     widths = [max(len(head), *(len(text) for text in texts if len(text) <= SHORT and " (" not in text), 0) + 2
               for head, texts in zip(heads, shown, strict=True)]  # fmt: skip
     wide = sum(widths) > screen.room
