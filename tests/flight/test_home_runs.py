@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.special import ndtri
 
 from sweetspot import catalog
 from sweetspot.flight.air import Air, Wind
@@ -96,20 +97,30 @@ def test_a_ball_level_with_the_top_is_a_coin() -> None:
 
 
 def test_drag_moves_the_height_as_much_as_flown_with_it() -> None:
-    """Agreement: the linear answer to 4 % more drag against flights with 4 % more of every part of it, to 10 %."""
-    more = Scatter(roof=0.0, open=0.0, roof_shift=0.04, open_shift=0.04)
+    """Agreement: the height that chances take 4 % more drag to cost, against flights with it, to 10 %.
+
+    A chance is that of a height in spreads, and a spread what its part of the drag costs of height.
+    """
     parts = ("drag", "drag_per_active_spin", "drag_per_inverse_reynolds")
     heavy = LAW.replaced(**{name: 1.04 * getattr(LAW, name) for name in parts})
-    plain, linear, flown = (
-        asked(400, scatter=NONE),
-        asked(400, scatter=more),
-        asked(400, scatter=NONE, aerodynamics=heavy),
-    )
-    lower, truly = plain.clearance - linear.clearance, plain.clearance - flown.clearance
-    near = np.abs(np.nan_to_num(plain.clearance, nan=99.0)) < 6
-    near &= np.isfinite(truly)
+    spread = asked(400, scatter=Scatter(roof=0.04, open=0.04, roof_shift=0.0, open_shift=0.0))
+    flown = asked(400, scatter=NONE, aerodynamics=heavy)
+    truly = spread.clearance - flown.clearance
+    near = (np.abs(np.nan_to_num(spread.clearance, nan=99.0)) < 6) & np.isfinite(truly)
+    near &= (np.abs(spread.chance - 0.5) > 0.05) & (np.abs(spread.chance - 0.5) < 0.49)
+    lower = spread.clearance[near] / ndtri(spread.chance[near])
     assert near.sum() > 500 and truly[near].mean() > 0.5
-    assert lower[near].mean() == pytest.approx(truly[near].mean(), rel=0.1)
+    assert lower.mean() == pytest.approx(truly[near].mean(), rel=0.1)
+
+
+def test_a_shift_of_the_drag_moves_the_chance_by_so_many_spreads() -> None:
+    """Exact: both are parts of the drag; the clearance is the law's, whatever the shift."""
+    plain = asked(400, scatter=Scatter(roof=0.05, open=0.05, roof_shift=0.0, open_shift=0.0))
+    shifted = asked(400, scatter=Scatter(roof=0.05, open=0.05, roof_shift=0.03, open_shift=0.03))
+    sure = np.isfinite(plain.clearance) & (np.abs(plain.chance - 0.5) < 0.4999)
+    assert sure.sum() > 500
+    assert ndtri(shifted.chance[sure]) == pytest.approx(ndtri(plain.chance[sure]) - 0.6, abs=1e-6)
+    assert np.array_equal(shifted.clearance, plain.clearance, equal_nan=True)
 
 
 def test_thin_air_and_a_roof() -> None:

@@ -7,12 +7,14 @@ import math
 import shlex
 from collections.abc import Callable
 from contextlib import redirect_stdout
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 
 from sweetspot import catalog
+from sweetspot.catalog.aerodynamic_laws import aerodynamics_in
 from sweetspot.flight.all_parks import landings_everywhere
 from sweetspot.numerics.constants import STANDARD_GRAVITY
 from sweetspot.units import FOOT, MPH
@@ -128,14 +130,36 @@ def test_every_park_is_judged_as_by_the_paths() -> None:
         state = FlightState.model_validate(controls)
         start = flight._start(state)
         assert start.motion is not None
-        ends = landings_everywhere(start.motion, start.conditions, parks=catalog.parks())
         found = answer(state)
-        for row, end in zip(found["parks"], ends, strict=True):
+        for row, park in zip(found["parks"], catalog.parks(), strict=True):
+            there = replace(start.conditions, aerodynamics=aerodynamics_in(park, start.conditions.aerodynamics))
+            (end,) = landings_everywhere(start.motion, there, parks=(park,))
             assert row["outcome"] == str(end.outcome.flat[0]), (controls, row["park"])
             if row["clearance_m"] is not None:
                 assert row["clearance_m"] == pytest.approx(float(end.clearance.flat[0]), abs=0.005)
         assert 0 <= found["chance"] <= 1
         assert found["expected_out_in"] == pytest.approx(sum(row["chance"] for row in found["parks"]))
+
+
+@pytest.mark.parametrize("park", ["tropicana", "coors", "fenway"])
+def test_the_table_says_of_the_chosen_park_what_the_headline_says(park: str) -> None:
+    """Also under a roof that never opens, where the ball flies by the law of still air, and in thin air."""
+    for speed, spray in ((104.0, 0.0), (104.0, -10.0), (100.0, 20.0)):
+        found = answer(FlightState.model_validate({"park": park, "exit_speed_mph": speed, "spray_deg": spray}))
+        (row,) = (one for one in found["parks"] if one["park"] == found["park"]["name"])
+        assert row["outcome"] == found["end"]["outcome"]
+        assert row["clearance_m"] == pytest.approx(found["end"]["clearance_m"], abs=0.005)
+
+
+def test_chances_elsewhere_are_those_of_each_park_alone() -> None:
+    """To half a point, in the thin air of Denver too; the bound is that of 150 made-up balls."""
+    for spray in (-30.0, 0.0, 25.0):
+        elsewhere = answer(FlightState.model_validate({"park": "wrigley", "exit_speed_mph": 103.0, "spray_deg": spray}))
+        for row in elsewhere["parks"]:
+            here = answer(
+                FlightState.model_validate({"park": row["park"], "exit_speed_mph": 103.0, "spray_deg": spray})
+            )
+            assert row["chance"] == pytest.approx(here["chance"], abs=0.005), row["park"]
 
 
 def test_the_map_holds_the_flight_itself() -> None:

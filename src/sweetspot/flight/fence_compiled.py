@@ -51,7 +51,7 @@ def chances(
     per_density: float, law: FlightLaw, power: float | None, profile: float | None, step: float, chance: Array,
     margin: Array,
 ) -> None:  # fmt: skip
-    """Fill the chance of a home run and the height over the fence of n balls in m parks.
+    """Fill the chance of a home run, and the height over the fence by the law, of n balls in m parks.
 
     Parameters
     ----------
@@ -94,8 +94,8 @@ def chances(
             hint = begin + 1
             for park in range(len(weights)):
                 height, fall, hint = _over(seen, lost, begin, end, step, weights, fences, park, hint)
-                height -= fall * drags[park] / MORE_DRAG
                 margin[ball, park] = height
+                height -= fall * drags[park] / MORE_DRAG
                 spread = max(abs(fall) * scatters[park] / MORE_DRAG, 1e-9)
                 off = height / spread
                 if abs(off) < SETTLED:

@@ -27,6 +27,8 @@ from sweetspot.numerics.threads import in_parts
 
 CHUNK = 2048
 """Balls per task handed to a thread."""
+THIN = 800.0
+"""m of elevation above which a park's air is too thin to be told with that of the others; only Denver's is."""
 ALIKE = 1e-4
 """kg/m^3 by which the airs that a ball is flown in differ at least."""
 DIRECTIONS = np.linspace(-FOUL, FOUL, round(2 * FOUL / TABLE_STEP) + 1)
@@ -76,8 +78,8 @@ class HomeRuns:
     Parameters
     ----------
     chance : shape (n, parks), 0 to 1.
-    clearance : m from the fence's top up to the mean ball's centre over it, shape (n, parks); negative where it falls
-        short, NaN where it is foul or does not come near.
+    clearance : m from the fence's top up to the ball's centre over it as it flies by the law, shape (n, parks);
+        negative where it falls short, NaN where it is foul or does not come near.
     """
 
     chance: Array
@@ -101,7 +103,9 @@ def home_run_chances(
 ) -> HomeRuns:
     """Return each ball's chance of a home run in each park.
 
-    A ball is followed as far as the fences and nothing is kept of its path: 16 bytes per ball and park.
+    A ball is followed as far as the fences and nothing is kept of its path: 16 bytes per ball and park. What drag takes
+    of its height is that in the middle of the parks' airs; docs/theory/parks.md says how far that puts chances off.
+    Alone a park's is exact.
 
     Parameters
     ----------

@@ -252,7 +252,7 @@ def _chances(
             _launch(balls, spray, mine), conditions, parks=(*thirty, *extra), step=STEP, threads=setting.threads
         )
         everywhere[mine] = chances.chance[:, : len(thirty)].sum(axis=1)
-        count[mine] = (chances.clearance[:, : len(thirty)] > 0).sum(axis=1)
+        count[mine] = (chances.chance[:, : len(thirty)] > 0.5).sum(axis=1)
         place = {park: number for number, park in enumerate((*thirty, *extra))}
         columns = np.array([*(place[park] for park in fields.parks), 0])[fields.index[mine]]
         here[mine] = chances.chance[np.arange(len(mine)), columns]

@@ -104,15 +104,13 @@ def batted_flight(
         there = replace(outdoors, aerodynamics=catalog.aerodynamics_in(one, aerodynamics))
         (ends,) = landings_everywhere(motion, there, parks=(one,), own_elevation=own_elevation)
         out_in += bool(ends.out.all())
-    chances = home_run_chances(  # its scatter knows of roofs
-        motion,
-        outdoors,
-        parks=(park, *parks),
-        own_elevation=own_elevation,
-    ).chance[0]
+    chances = [  # each in its own air; their scatter knows of roofs
+        float(home_run_chances(motion, outdoors, parks=(one,), own_elevation=own_elevation).chance[0, 0])
+        for one in (park, *parks)
+    ]
     return replace(
         flown, park=park, landing=landing(flight.positions, park), out_in=out_in, parks=len(parks),
-        chance=float(chances[0]), expected_out_in=float(chances[1:].sum()),
+        chance=chances[0], expected_out_in=sum(chances[1:]),
     )  # fmt: skip
 
 

@@ -5,16 +5,17 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from functools import lru_cache
+from itertools import compress
 from typing import Any
 
 import numpy as np
 
 from sweetspot import catalog
-from sweetspot.catalog.aerodynamic_laws import STILL_AIR
+from sweetspot.catalog.aerodynamic_laws import STILL_AIR, aerodynamics_in
 from sweetspot.equipment.bat import Bat
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence import landing
-from sweetspot.flight.home_runs import NONE, home_run_chances
+from sweetspot.flight.home_runs import THIN, home_run_chances
 from sweetspot.flight.kernel import flights
 from sweetspot.flight.park import FOUL_LINE, Park, fence_at
 from sweetspot.motion.ball_motion import BallMotion, BallMotions, spin_axes
@@ -72,17 +73,16 @@ def in_parks(
     path : m, shape (points, 3), of this very flight, which says where it ends in the park ``here``.
     parks : that are asked.
     """
-    conditions = _outdoors(conditions)
-    law = home_run_chances(motion, conditions, parks=parks, own_elevation=own_elevation, scatter=NONE)
-    chance = home_run_chances(motion, conditions, parks=parks, own_elevation=own_elevation).chance[0]
-    own = float(home_run_chances(motion, conditions, parks=(here,), own_elevation=False).chance[0, 0])
+    outdoors = _outdoors(conditions)
+    chance, clearance = _everywhere(motion, outdoors, parks, own_elevation)
+    own = float(home_run_chances(motion, outdoors, parks=(here,), own_elevation=False).chance[0, 0])
     end = landing(path, here)
     foul = end.outcome == "foul"
     down = float(np.hypot(*path[-1, :2]))
     rows = []
     for index, park in enumerate(parks):
         distance, height = _fence_to(park, end.direction)
-        above = float(law.clearance[0, index])
+        above = float(clearance[index])
         over, reached = above > 0 and not foul, math.isfinite(above) and above > -height and not foul
         rows.append(
             {
@@ -109,6 +109,27 @@ def in_parks(
             "clearance_m": end.clearance,
         },
     }
+
+
+def _everywhere(
+    motion: BallMotion, outdoors: FlightConditions, parks: tuple[Park, ...], own_elevation: bool
+) -> tuple[Array, Array]:
+    """Return chances and clearances in every park: in thin air apart, and under a roof the clearance of still air."""
+    chance, clearance = np.empty((2, len(parks)))
+    thin = np.array([own_elevation and park.elevation > THIN for park in parks])
+    for those in (thin, ~thin):
+        if those.any():
+            found = home_run_chances(
+                motion, outdoors, parks=compress(parks, those.tolist()), own_elevation=own_elevation
+            )
+            chance[those], clearance[those] = found.chance[0], found.clearance[0]
+    for place, park in enumerate(parks):
+        law = aerodynamics_in(park, outdoors.aerodynamics)
+        if law != outdoors.aerodynamics:  # chances know by themselves what a roof does
+            still = replace(outdoors, aerodynamics=law)
+            found = home_run_chances(motion, still, parks=(park,), own_elevation=own_elevation)
+            clearance[place] = found.clearance[0, 0]
+    return chance, clearance
 
 
 def _outdoors(conditions: FlightConditions) -> FlightConditions:

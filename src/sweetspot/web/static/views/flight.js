@@ -115,7 +115,7 @@ export const view = {
     this.app.setState({ exit_speed_mph: Math.round(2 * speed / MPH) / 2, launch_angle_deg: Math.round((2 * angle * 180) / Math.PI) / 2 }, { commit: last });
   },
 
-  // The ball on its way, in its own time; where people asked for less motion, at once at its end.
+  // The ball on its way, in its own time.
   fly() {
     if (this.stop) return this.rest();
     const { hang_time_s: hang } = this.answer.flight;
